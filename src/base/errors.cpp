@@ -1,0 +1,92 @@
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace rotordrop {
+
+namespace {
+
+constexpr std::size_t page_width = 120;
+
+/// Breaks a line at spaces where it would pass the page; every line starts with the indent.
+std::string indented(const std::string& text, const std::string& indent) {
+  std::string result;
+  std::size_t start = 0;
+  while (start < text.size()) {
+    std::size_t end = std::min(text.find('\n', start), text.size());
+    std::size_t next = end + 1;
+    if (indent.size() + end - start > page_width) {
+      const std::size_t space = text.rfind(' ', start + page_width - indent.size());
+      if (space != std::string::npos && space > start) {
+        end = space;
+        next = space + 1;
+      }
+    }
+    result += "\n" + indent + text.substr(start, end - start);
+    start = next;
+  }
+  return result;
+}
+
+/// Files in the order in which they were first named, each by line and column.
+std::vector<Fault> sorted(std::vector<Fault> faults) {
+  std::vector<std::string> files;
+  for (const Fault& fault : faults)
+    if (std::find(files.begin(), files.end(), fault.where.file) == files.end())
+      files.push_back(fault.where.file);
+  const auto place = [&](const Fault& fault) {
+    return std::tuple(std::find(files.begin(), files.end(), fault.where.file), fault.where.line, fault.where.column);
+  };
+  std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
+  return faults;
+}
+
+std::string rendered_all(const std::vector<Fault>& faults) {
+  std::string result;
+  for (const Fault& fault : faults)
+    result += (result.empty() ? "" : "\n\n") + rendered(fault);
+  return result;
+}
+
+} // namespace
+
+std::string to_string(const SourcePosition& where) {
+  if (where.line == 0)
+    return where.file;
+  return fmt::format("{}:{}:{}", where.file, where.line, where.column);
+}
+
+void Faults::add(SourcePosition where, std::string message, std::string advice) {
+  Fault fault{std::move(where), std::move(message), std::move(advice)};
+  if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end())
+    faults_.push_back(std::move(fault));
+}
+
+void Faults::add(const Faults& others) {
+  for (const Fault& fault : others)
+    add(fault.where, fault.message, fault.advice);
+}
+
+void Faults::throw_if_any() const {
+  if (!faults_.empty())
+    throw InputError(*this);
+}
+
+InputError::InputError(std::vector<Fault> sorted_faults)
+    : std::runtime_error(rendered_all(sorted_faults)), faults_(std::move(sorted_faults)) {}
+
+InputError::InputError(const Faults& faults) : InputError(sorted({faults.begin(), faults.end()})) {}
+
+InputError::InputError(SourcePosition where, std::string message, std::string advice)
+    : InputError(std::vector<Fault>{{std::move(where), std::move(message), std::move(advice)}}) {}
+
+std::string rendered(const Fault& fault) {
+  const std::string where = fault.where.is_known() ? to_string(fault.where) + ": " : "";
+  return "error: " + where + fault.message + indented(fault.advice, "       ");
+}
+
+} // namespace rotordrop

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "base/node.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace rotordrop {
+
+/// Reads a TOML file with the place of every key and value.
+///
+/// The key `base = "other.toml"` at the top names a file, relative to this one, whose values hold where this file gives
+/// none: tables are merged key by key, arrays and values are replaced. Bases may have bases. The key itself is not in
+/// the result. Throws an InputError for a file that cannot be read, a syntax error, or a chain of bases that returns to
+/// a file.
+Node read_toml(const std::filesystem::path& path);
+
+/// Reads TOML text without looking at `base`; `file` is how positions call it.
+Node parse_toml(std::string_view text, const std::string& file);
+
+/// Sets one parameter as the command line gives it: "contact.friction_coefficient=0.05", "run.initial_speed=15200 rpm".
+/// The value is TOML, or otherwise plain text. Tables on the way are made where absent. Positions say "--set KEY".
+/// Throws an InputError if the text is no assignment, or if the path goes through a value that is no table.
+void apply_override(Node& tree, std::string_view assignment);
+
+} // namespace rotordrop
