@@ -1,0 +1,520 @@
+#include "io/recorder.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "base/errors.h"
+#include "io/hdf5_handle.h"
+
+namespace rotordrop {
+
+namespace fs = std::filesystem;
+using hdf5::Handle;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+/// Extendible dataset of which the recorder adds rows at the end.
+struct Column {
+  Handle dataset;
+  std::string path;
+  std::size_t size = 1; ///< values per row
+  bool is_flat = true;  ///< [time], not [time, size]
+  std::vector<double> buffered; ///< rows not yet written [n, size]
+
+  [[nodiscard]] int rank() const { return is_flat ? 1 : 2; }
+};
+
+struct Group {
+  Column time;
+  std::vector<Column> columns;
+  std::size_t row_size = 0;
+  std::size_t n_written = 0;
+  double last_time = -std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] std::size_t n_buffered() const { return time.buffered.size(); }
+};
+
+Handle chunked(std::size_t chunk_rows, std::size_t size, int rank) {
+  Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make property list");
+  const hsize_t chunk[2] = {chunk_rows, size};
+  hdf5::require(H5Pset_chunk(list.id(), rank, chunk), "set chunk size");
+  // Rows that were never written must not look like zeros.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  hdf5::require(H5Pset_fill_value(list.id(), H5T_NATIVE_DOUBLE, &nan), "set fill value");
+  return list;
+}
+
+Handle small_cache(std::size_t chunk_bytes) {
+  // Rows are written once, in order: two chunks are enough, where HDF5 would take 1 MB for each of some hundred datasets.
+  Handle list(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "make property list");
+  hdf5::require(H5Pset_chunk_cache(list.id(), 17, 2 * chunk_bytes, 1.0), "set chunk cache");
+  return list;
+}
+
+Column make_column(hid_t file, const Channel& channel, const std::string& time_path, std::size_t chunk_rows) {
+  Column column;
+  column.path = channel.path;
+  column.size = channel.size;
+  column.is_flat = channel.size == 1;
+  const hsize_t now[2] = {0, channel.size};
+  const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
+  const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
+  const std::size_t chunk_bytes = chunk_rows * channel.size * sizeof(double);
+  column.dataset = Handle(H5Dcreate2(file, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), hdf5::with_missing_groups().id(),
+                                     chunked(chunk_rows, channel.size, column.rank()).id(), small_cache(chunk_bytes).id()),
+                          H5Dclose, "cannot make dataset " + channel.path);
+  hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
+  hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
+  if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);
+  if (!channel.columns.empty()) hdf5::write_attribute(column.dataset.id(), "columns", channel.columns);
+  return column;
+}
+
+/// Writes the buffered rows behind the first `from`.
+void write_buffered(Column& column, std::size_t from) {
+  const std::string what = "dataset " + column.path;
+  const std::size_t n = column.buffered.size() / column.size;
+  const hsize_t extent[2] = {from + n, column.size};
+  hdf5::require(H5Dset_extent(column.dataset.id(), extent), what);
+  const Handle in_file(H5Screate_simple(column.rank(), extent, nullptr), H5Sclose, what);
+  const hsize_t start[2] = {from, 0};
+  const hsize_t count[2] = {n, column.size};
+  hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start, nullptr, count, nullptr), what);
+  const Handle in_memory(H5Screate_simple(column.rank(), count, nullptr), H5Sclose, what);
+  hdf5::require(
+      H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, column.buffered.data()), what);
+  column.buffered.clear();
+}
+
+void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups, const RecorderOptions& options) {
+  if (options.rows_per_flush == 0 || options.rows_per_chunk == 0)
+    throw std::invalid_argument("Recorder: rows_per_flush and rows_per_chunk must be 1 or more");
+  std::set<std::string> known;
+  const auto add = [&](const std::string& path) {
+    if (path.size() < 2 || path.front() != '/' || path.back() == '/')
+      throw std::invalid_argument("Recorder: \"" + path + "\" is not a dataset's path; it must look like \"/group/name\"");
+    if (!known.insert(path).second) throw std::invalid_argument("Recorder: two datasets are called " + path);
+  };
+  for (const auto& text : header.texts) add(text.first);
+  for (const auto& group : groups) {
+    add(group.time_path);
+    for (const auto& channel : group.channels) {
+      add(channel.path);
+      if (channel.size == 0) throw std::invalid_argument("Recorder: channel " + channel.path + " has size 0");
+      if (!channel.columns.empty() && channel.columns.size() != channel.size)
+        throw std::invalid_argument("Recorder: channel " + channel.path + " has " + std::to_string(channel.size) +
+                                    " values per row but " + std::to_string(channel.columns.size()) + " column names");
+    }
+  }
+}
+
+/// Puts `from` in the place of `to`; refuses to replace an existing file unless told so, even if it appeared just now.
+void give_name(const fs::path& from, const fs::path& to, bool may_replace) {
+  if (!may_replace) {
+    if (::link(from.c_str(), to.c_str()) == 0) {
+      ::unlink(from.c_str());
+      return;
+    }
+    if (errno == EEXIST)
+      throw InputError({to.string()}, "this result file exists already.",
+                       "Choose another directory, or say that it may be overwritten.");
+    // Some file systems have no links; there the rename below has to do.
+  }
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw SolverError("cannot make " + to.string() + ": " + error.message());
+}
+
+/// Removes a half-made file unless told to keep it.
+class Removal {
+public:
+  explicit Removal(fs::path path) : path_(std::move(path)) {}
+  Removal(const Removal&) = delete;
+  Removal& operator=(const Removal&) = delete;
+  ~Removal() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove(path_, ignored);
+  }
+  void cancel() { path_.clear(); }
+
+private:
+  fs::path path_;
+};
+
+} // namespace
+
+struct Recorder::Implementation {
+  fs::path path;
+  RecorderOptions options;
+  std::vector<SeriesGroup> series;
+  Handle file;               // before the groups: their datasets close first
+  std::vector<Group> groups;
+  Clock::time_point last_flush = Clock::now();
+  std::string failure; ///< why writing failed; empty while all is well
+  bool is_closed = false;
+
+  void create(const RecordHeader& header);
+  void make_datasets(const RecordHeader& header);
+  void flush();
+  void close();
+  /// Leaves the file as it is, as if the program had been killed. Closing a file after a failed write crashes HDF5 1.10.8 or
+  /// makes the file unreadable.
+  void abandon() noexcept;
+  void require_open() const;
+};
+
+void Recorder::Implementation::create(const RecordHeader& header) {
+  std::error_code ignored;
+  if (!options.overwrite && fs::exists(path, ignored))
+    throw InputError({path.string()}, "this result file exists already.",
+                     "Choose another directory, or say that it may be overwritten.");
+  // Made under another name first: nobody ever opens a file whose datasets are still being made, and an older one stays until
+  // the new one is sound.
+  const fs::path beside = path.string() + "." + std::to_string(::getpid()) + ".new";
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");
+  hdf5::require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "set file format");
+  hdf5::require(H5Pset_file_locking(access.id(), true, true), "set file locking"); // true: go on where locks do not exist
+  Removal removal(beside);
+  try {
+    file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
+    make_datasets(header);
+    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "cannot write it");
+    hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
+  } catch (const SolverError& error) {
+    abandon();
+    throw SolverError("the result file " + path.string() + " could not be made: " + error.what() + ".");
+  }
+  try {
+    give_name(beside, path, options.overwrite);
+  } catch (...) {
+    abandon();
+    throw;
+  }
+  removal.cancel();
+}
+
+void Recorder::Implementation::make_datasets(const RecordHeader& header) {
+  for (const auto& [name, text] : header.attributes) hdf5::write_attribute(file.id(), name, text);
+  for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
+  for (const auto& description : series) {
+    Group group;
+    group.time = make_column(file.id(), {description.time_path, "s", "time", 1, {}}, description.time_path, options.rows_per_chunk);
+    for (const auto& channel : description.channels) {
+      group.columns.push_back(make_column(file.id(), channel, description.time_path, options.rows_per_chunk));
+      group.row_size += channel.size;
+    }
+    groups.push_back(std::move(group));
+  }
+}
+
+void Recorder::Implementation::flush() {
+  last_flush = Clock::now();
+  if (std::all_of(groups.begin(), groups.end(), [](const Group& group) { return group.n_buffered() == 0; })) return;
+  hdf5::be_quiet();
+  try {
+    for (auto& group : groups)
+      if (group.n_buffered() > 0)
+        for (auto& column : group.columns) write_buffered(column, group.n_written);
+    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "flush"); // the values are out before the times that announce them
+    for (auto& group : groups) {
+      const std::size_t n = group.n_buffered();
+      if (n == 0) continue;
+      write_buffered(group.time, group.n_written);
+      hdf5::require(H5Dflush(group.time.dataset.id()), "flush");
+      group.n_written += n;
+    }
+  } catch (const SolverError& error) {
+    failure = "the result file " + path.string() + " could not be written (" + error.what() + ").\n" +
+              "       Its rows up to the last successful write can be read. Is the disk full?";
+    abandon();
+    throw SolverError(failure);
+  }
+}
+
+void Recorder::Implementation::close() {
+  if (is_closed) return;
+  require_open();
+  flush();
+  is_closed = true;
+  bool is_sound = true;
+  for (auto& group : groups) {
+    is_sound = group.time.dataset.reset() && is_sound;
+    for (auto& column : group.columns) is_sound = column.dataset.reset() && is_sound;
+  }
+  is_sound = file.reset() && is_sound;
+  if (!is_sound) {
+    failure = "the result file " + path.string() + " could not be closed: " + hdf5::last_error() + ".";
+    throw SolverError(failure);
+  }
+}
+
+void Recorder::Implementation::abandon() noexcept {
+  for (auto& group : groups) {
+    group.time.dataset.leak();
+    for (auto& column : group.columns) column.dataset.leak();
+  }
+  groups.clear();
+  file.leak();
+}
+
+void Recorder::Implementation::require_open() const {
+  if (!failure.empty()) throw SolverError(failure);
+  if (is_closed) throw std::logic_error("Recorder: the file " + path.string() + " is closed");
+}
+
+Recorder::Recorder(const fs::path& path, const RecordHeader& header, std::vector<SeriesGroup> groups,
+                   const RecorderOptions& options)
+    : implementation_(std::make_unique<Implementation>()) {
+  check_channels(header, groups, options);
+  hdf5::be_quiet();
+  implementation_->path = path;
+  implementation_->options = options;
+  implementation_->series = std::move(groups);
+  implementation_->create(header);
+}
+
+Recorder::Recorder(Recorder&&) noexcept = default;
+Recorder& Recorder::operator=(Recorder&&) noexcept = default;
+
+Recorder::~Recorder() {
+  if (!implementation_) return;
+  try {
+    close();
+  } catch (...) { // a destructor has nobody to tell
+  }
+}
+
+void Recorder::append(std::size_t group_index, double time, std::span<const double> row) {
+  implementation_->require_open();
+  Group& group = implementation_->groups.at(group_index);
+  if (row.size() != group.row_size)
+    throw std::invalid_argument("Recorder: a row of " + group.time.path + " has " + std::to_string(group.row_size) +
+                                " values, given were " + std::to_string(row.size()));
+  if (!(time >= group.last_time)) throw std::invalid_argument("Recorder: times of " + group.time.path + " must not decrease");
+  group.last_time = time;
+  group.time.buffered.push_back(time);
+  auto next = row.begin();
+  for (auto& column : group.columns) {
+    const auto end = next + static_cast<std::ptrdiff_t>(column.size);
+    column.buffered.insert(column.buffered.end(), next, end);
+    next = end;
+  }
+  const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
+  if (group.n_buffered() >= implementation_->options.rows_per_flush || waited.count() >= implementation_->options.seconds_per_flush)
+    implementation_->flush();
+}
+
+void Recorder::flush() {
+  implementation_->require_open();
+  implementation_->flush();
+}
+
+void Recorder::close() { implementation_->close(); }
+
+void Recorder::move_to(const fs::path& path) {
+  give_name(implementation_->path, path, true);
+  implementation_->path = path;
+}
+
+const fs::path& Recorder::path() const { return implementation_->path; }
+const std::vector<SeriesGroup>& Recorder::groups() const { return implementation_->series; }
+std::size_t Recorder::row_size(std::size_t group) const { return implementation_->groups.at(group).row_size; }
+std::size_t Recorder::n_rows(std::size_t group) const {
+  const Group& asked = implementation_->groups.at(group);
+  return asked.n_written + asked.n_buffered();
+}
+
+// Reading --------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+[[noreturn]] void throw_unreadable(const fs::path& path, const std::string& what) { throw InputError({path.string()}, what); }
+
+bool has_object(hid_t file, const std::string& path) {
+  // H5Lexists wants every group on the way to exist.
+  for (std::size_t end = path.find('/', 1); end != std::string::npos; end = path.find('/', end + 1))
+    if (H5Lexists(file, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+  return path == "/" || H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
+}
+
+/// One dataset of numbers in an open file.
+class SeriesReader {
+public:
+  SeriesReader(hid_t file, const fs::path& file_path, const std::string& dataset) : file_path_(file_path), name_(dataset) {
+    if (!has_object(file, dataset)) throw_unreadable(file_path, "there is no dataset " + dataset + " in this file.");
+    const hid_t id = H5Dopen2(file, dataset.c_str(), H5P_DEFAULT);
+    if (id < 0) throw_unreadable(file_path, dataset + " cannot be read as a dataset (" + hdf5::last_error() + ").");
+    dataset_ = Handle(id, H5Dclose, dataset);
+    const Handle type(H5Dget_type(id), H5Tclose, dataset);
+    const H5T_class_t kind = H5Tget_class(type.id());
+    const auto dimensions = hdf5::extents(id, dataset);
+    if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || dimensions.empty())
+      throw_unreadable(file_path, dataset + " does not hold a series of numbers.");
+    shape_.assign(dimensions.begin(), dimensions.end());
+  }
+
+  [[nodiscard]] hid_t id() const { return dataset_.id(); }
+  [[nodiscard]] const std::vector<std::size_t>& shape() const { return shape_; }
+  [[nodiscard]] std::size_t n_rows() const { return shape_.front(); }
+  [[nodiscard]] std::size_t row_size() const {
+    std::size_t size = 1;
+    for (std::size_t i = 1; i < shape_.size(); ++i) size *= shape_[i];
+    return size;
+  }
+
+  /// Rows [from, from + n).
+  [[nodiscard]] std::vector<double> rows(std::size_t from, std::size_t n) const {
+    std::vector<double> values(n * row_size());
+    if (values.empty()) return values;
+    std::vector<hsize_t> start(shape_.size(), 0);
+    std::vector<hsize_t> count(shape_.begin(), shape_.end());
+    start[0] = from;
+    count[0] = n;
+    const Handle in_file(H5Dget_space(dataset_.id()), H5Sclose, name_);
+    hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name_);
+    const Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, name_);
+    if (H5Dread(dataset_.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()) < 0)
+      throw_unreadable(file_path_, "the values of " + name_ + " cannot be read (" + hdf5::last_error() + ").");
+    return values;
+  }
+
+private:
+  fs::path file_path_;
+  std::string name_;
+  Handle dataset_;
+  std::vector<std::size_t> shape_;
+};
+
+std::vector<std::string> attribute_texts(hid_t object, const fs::path& path, const std::string& owner, const std::string& name) {
+  if (H5Aexists(object, name.c_str()) <= 0) throw_unreadable(path, owner + " has no attribute \"" + name + "\".");
+  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "attribute " + name);
+  return hdf5::read_attribute_texts(attribute.id(), "attribute " + name);
+}
+
+/// Where a channel's rows come from; nothing if the old file does not have it.
+struct Source {
+  std::unique_ptr<SeriesReader> reader;
+  std::size_t size = 1;
+};
+
+Source source_of(const Channel& channel, hid_t file, const fs::path& path) {
+  Source source;
+  source.size = channel.size;
+  if (!has_object(file, channel.path)) return source;
+  source.reader = std::make_unique<SeriesReader>(file, path, channel.path);
+  if (source.reader->row_size() != channel.size)
+    throw_unreadable(path, channel.path + " has " + std::to_string(source.reader->row_size()) +
+                               " values per row in this file; this case has " + std::to_string(channel.size) + ".");
+  const auto unit = attribute_texts(source.reader->id(), path, channel.path, "units");
+  if (unit.empty() || unit.front() != channel.unit)
+    throw_unreadable(path, channel.path + " is in " + (unit.empty() ? "?" : unit.front()) + " in this file; now it is in " +
+                               channel.unit + ".");
+  return source;
+}
+
+std::size_t copy_group(hid_t file, const fs::path& path, double time, std::size_t index, Recorder& recorder,
+                       std::vector<std::string>& missing) {
+  const SeriesGroup& group = recorder.groups()[index];
+  if (!has_object(file, group.time_path)) {
+    missing.push_back(group.time_path);
+    return 0;
+  }
+  const SeriesReader time_reader(file, path, group.time_path);
+  const std::vector<double> times = time_reader.rows(0, time_reader.n_rows());
+  auto n_rows = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
+  std::vector<Source> sources;
+  for (const auto& channel : group.channels) {
+    sources.push_back(source_of(channel, file, path));
+    if (sources.back().reader) n_rows = std::min(n_rows, sources.back().reader->n_rows());
+    else missing.push_back(channel.path);
+  }
+
+  constexpr std::size_t block = 4096; // rows held at once
+  const std::size_t row_size = recorder.row_size(index);
+  std::vector<double> rows;
+  for (std::size_t from = 0; from < n_rows; from += block) {
+    const std::size_t n = std::min(block, n_rows - from);
+    rows.assign(n * row_size, std::numeric_limits<double>::quiet_NaN());
+    std::size_t first = 0;
+    for (const auto& source : sources) {
+      if (source.reader) {
+        const std::vector<double> values = source.reader->rows(from, n);
+        for (std::size_t row = 0; row < n; ++row)
+          std::copy_n(values.data() + row * source.size, source.size, rows.data() + row * row_size + first);
+      }
+      first += source.size;
+    }
+    for (std::size_t row = 0; row < n; ++row)
+      recorder.append(index, times[from + row], std::span(rows).subspan(row * row_size, row_size));
+  }
+  return n_rows;
+}
+
+} // namespace
+
+CopiedRows copy_rows_until(const fs::path& old_path, double time, Recorder& recorder) {
+  const Handle file = hdf5::open_for_reading(old_path);
+  CopiedRows copied;
+  for (std::size_t group = 0; group < recorder.groups().size(); ++group)
+    copied.n_rows.push_back(copy_group(file.id(), old_path, time, group, recorder, copied.missing));
+  recorder.flush();
+  return copied;
+}
+
+ResumedRecorder resume_recording(const fs::path& path, double time, const RecordHeader& header, std::vector<SeriesGroup> groups,
+                                 RecorderOptions options) {
+  const fs::path beside = path.string() + ".resuming";
+  options.overwrite = true; // of what an earlier attempt to resume may have left
+  Removal removal(beside);
+  Recorder recorder(beside, header, std::move(groups), options);
+  CopiedRows copied = copy_rows_until(path, time, recorder);
+  recorder.move_to(path);
+  removal.cancel();
+  return {std::move(recorder), std::move(copied)};
+}
+
+Series read_series(const fs::path& path, const std::string& dataset) {
+  const Handle file = hdf5::open_for_reading(path);
+  const SeriesReader reader(file.id(), path, dataset);
+  return {reader.rows(0, reader.n_rows()), reader.shape()};
+}
+
+std::string read_text(const fs::path& path, const std::string& dataset) {
+  const Handle file = hdf5::open_for_reading(path);
+  if (!has_object(file.id(), dataset)) throw_unreadable(path, "there is no dataset " + dataset + " in this file.");
+  const hid_t id = H5Dopen2(file.id(), dataset.c_str(), H5P_DEFAULT);
+  if (id < 0) throw_unreadable(path, dataset + " cannot be read as a dataset (" + hdf5::last_error() + ").");
+  const Handle opened(id, H5Dclose, dataset);
+  const Handle type(H5Dget_type(id), H5Tclose, dataset);
+  if (H5Tget_class(type.id()) != H5T_STRING) throw_unreadable(path, dataset + " does not hold text.");
+  const auto texts = hdf5::read_texts(id, dataset);
+  return texts.empty() ? std::string() : texts.front();
+}
+
+std::vector<std::string> read_attribute_list(const fs::path& path, const std::string& object, const std::string& name) {
+  const Handle file = hdf5::open_for_reading(path);
+  if (!has_object(file.id(), object)) throw_unreadable(path, "there is no " + object + " in this file.");
+  const Handle owner(H5Oopen(file.id(), object.c_str(), H5P_DEFAULT), H5Oclose, object);
+  return attribute_texts(owner.id(), path, object, name);
+}
+
+std::string read_attribute(const fs::path& path, const std::string& object, const std::string& name) {
+  const auto texts = read_attribute_list(path, object, name);
+  return texts.empty() ? std::string() : texts.front();
+}
+
+std::vector<std::string> list_datasets(const fs::path& path) {
+  const Handle file = hdf5::open_for_reading(path);
+  return hdf5::dataset_paths(file.id());
+}
+
+} // namespace rotordrop
