@@ -1,0 +1,40 @@
+#include "laws/ball_kinematics.h"
+
+#include <cmath>
+
+namespace rotordrop {
+
+double cage_speed_ratio(double d, double d_m, double phi) { return 0.5 * (1. - d * std::cos(phi) / d_m); }
+
+double ball_spin_ratio(double d, double d_m, double phi) {
+  const double gamma = d * std::cos(phi) / d_m;
+  return 0.5 * d_m / d * (1. - gamma * gamma);
+}
+
+double effective_spin_inertia(double ring_inertia, int n_balls, double ball_mass, double d, double d_m, double phi,
+                              double cage_inertia) {
+  const double cage = cage_speed_ratio(d, d_m, phi);
+  const double ball = ball_spin_ratio(d, d_m, phi) - cage;  // rolls backwards in the cage's frame, which turns forwards
+  const double ball_inertia = 0.1 * ball_mass * d * d;  // solid sphere, 2/5 m (d/2)^2
+  return ring_inertia + n_balls * (ball_mass * 0.25 * d_m * d_m * cage * cage + ball_inertia * ball * ball) +
+         cage_inertia * cage * cage;
+}
+
+double pitch_angle_outer_race_control(double phi_o, double d, double d_m) {
+  return std::atan2(std::sin(phi_o), std::cos(phi_o) + d / d_m);
+}
+
+SpinSpeeds spin_speeds(double ring_speed, double phi_i, double phi_o, double theta, double d, double d_m) {
+  // Rolling without slip at both contact centres of a ball whose axis is pitched by theta, relative to the cage:
+  //   omega_co (d_m + d cos phi_o) = omega_b d cos(phi_o - theta),
+  //   omega_ci (d_m - d cos phi_i) = omega_b d cos(phi_i - theta),   omega_ci + omega_co = omega_i.
+  const double outer_over_b = d * std::cos(phi_o - theta) / (d_m + d * std::cos(phi_o));
+  const double inner_over_b = d * std::cos(phi_i - theta) / (d_m - d * std::cos(phi_i));
+  const double omega_b = ring_speed / (outer_over_b + inner_over_b);
+  const double omega_co = omega_b * outer_over_b;
+  const double omega_ci = omega_b * inner_over_b;
+  return {omega_ci * std::sin(phi_i) + omega_b * std::sin(phi_i - theta),
+          omega_co * std::sin(phi_o) - omega_b * std::sin(phi_o - theta)};
+}
+
+}  // namespace rotordrop

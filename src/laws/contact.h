@@ -1,0 +1,41 @@
+#pragma once
+// Rotor surface against inner-ring bore: normal and friction law. Inlined: called once per bearing and right-hand side.
+#include <cmath>
+
+namespace rotordrop {
+
+/// F = K delta^n (1 + 1.5 lambda delta'), never negative. Source: Hunt & Crossley (1975); Neisi 2019 eq. (7), corrected.
+struct HuntCrossley {
+  double K = 0;       ///< stiffness [N/m^n], > 0
+  double n = 1;       ///< exponent, >= 1; 10/9 for a journal in a bore
+  double lambda = 0;  ///< damping [s/m], >= 0; for small impact speed v the restitution is 1 - lambda v
+
+  /// Elastic part K delta^n [N]; 0 without penetration.
+  [[nodiscard]] double elastic(double delta) const { return delta > 0. ? K * std::pow(delta, n) : 0.; }
+  /// Whole force from its elastic part [N]. A separating rotor must not be pulled back: clamp at zero.
+  [[nodiscard]] double total(double elastic_force, double delta_rate) const {
+    return std::fmax(elastic_force * (1. + 1.5 * lambda * delta_rate), 0.);
+  }
+  /// Stored energy K delta^(n+1)/(n+1) [J].
+  [[nodiscard]] double energy(double delta) const { return delta > 0. ? elastic(delta) * delta / (n + 1.) : 0.; }
+};
+
+/// Coulomb friction, regularised: mu(v) = mu v / sqrt(v^2 + v_reg^2), with an optional higher (or lower) value near
+/// rest (Stribeck): mu = mu_d + (mu_s - mu_d) exp(-(v / v_s)^2).
+struct CoulombFriction {
+  double mu = 0;                    ///< dynamic friction coefficient, >= 0
+  double regularisation_speed = 1;  ///< v_reg [m/s], > 0
+  double static_mu = 0;             ///< mu_s; used if has_stribeck
+  double stribeck_speed = 1;        ///< v_s [m/s], > 0
+  bool has_stribeck = false;
+
+  /// Signed coefficient at a slip speed [m/s].
+  [[nodiscard]] double coefficient(double slip_speed) const {
+    const double v = slip_speed;
+    double m = mu;
+    if (has_stribeck) m += (static_mu - mu) * std::exp(-(v / stribeck_speed) * (v / stribeck_speed));
+    return m * v / std::sqrt(v * v + regularisation_speed * regularisation_speed);
+  }
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,26 @@
+#pragma once
+// Laws of heat: free convection, contact constriction, share of rubbing heat.
+
+namespace rotordrop {
+
+/// Free convection from a bearing housing h = 23 (T - T_inf)^0.25 [W/m^2 K], clamped at zero rise.
+/// Source: Neisi 2019, eq. (16), after Harris.
+double housing_convection(double rise);
+
+/// Static constriction resistance of one elliptic contact spot, K(e)/(2 pi a) (1/k_1 + 1/k_2) [K/W].
+/// @param semi_major_axis a [m]; @param first_kind K(e)
+double elliptic_constriction(double semi_major_axis, double first_kind, double k_1, double k_2);
+
+/// Share of the rubbing heat that enters the ring, after Blok and Jaeger, from the time that a point of each surface
+/// spends under the band of heat:
+///   share = 1 / (1 + (e_rotor/e_ring) sqrt(t_ring/t_rotor)),  t = band_length / |surface speed|,
+/// the time of a surface at rest being the contact's own duration. e = sqrt(k rho c).
+/// Valid for thin heated layers (high Peclet number), as in a rub at tens of m/s.
+struct JaegerShare {
+  double band_length = 0;       ///< of the contact along the surface [m]
+  double contact_duration = 0;  ///< [s]
+  double effusivity_ratio = 1;  ///< e_rotor / e_ring
+  [[nodiscard]] double to_ring(double rotor_surface_speed, double ring_surface_speed) const;
+};
+
+}  // namespace rotordrop

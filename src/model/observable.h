@@ -1,0 +1,24 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace rotordrop {
+
+/// A quantity that a part can report: becomes a dataset of the results.
+struct Observable {
+  std::string name;                  ///< dataset name, e.g. "contact_force"
+  std::string unit;                  ///< UDUNITS text of the SI unit
+  std::string long_name;             ///< what it is, in a sentence
+  std::size_t size = 1;              ///< numbers per instant
+  std::vector<std::string> columns;  ///< names of the columns if size > 1
+};
+
+/// How many numbers a list of observables writes.
+[[nodiscard]] inline std::size_t observed_size(const std::vector<Observable>& list) {
+  std::size_t size = 0;
+  for (const auto& o : list) size += o.size;
+  return size;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,37 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "model/ports.h"
+#include "model/state_layout.h"
+
+namespace rotordrop {
+
+/// What the rotor does with power besides moving [W].
+struct RotorPower {
+  double damping = 0;         ///< dissipated by modal and mass-proportional damping
+  double unbalance_work = 0;  ///< done on the rotor by the unbalance forces (which have no reaction torque on the spin)
+  double drive_work = 0;      ///< done on the rotor by the motor or brake torque
+};
+
+/// A rotor. Mass is inverted inside; stations were fixed when it was built. Keeps no copy of the state.
+class RotorModel {
+ public:
+  RotorModel() = default;
+  RotorModel(const RotorModel&) = delete;
+  RotorModel& operator=(const RotorModel&) = delete;
+  virtual ~RotorModel() = default;
+
+  [[nodiscard]] virtual std::vector<StateEntry> state_entries() const = 0;
+  [[nodiscard]] virtual std::size_t n_stations() const = 0;
+  /// Motion of every station [n_stations]; depends on the state alone.
+  virtual void motions(std::span<const double> y, std::span<Motion> out) const = 0;
+  [[nodiscard]] virtual Spin spin(std::span<const double> y) const = 0;
+  /// Rates of the rotor's own states under the forces on the stations [n_stations].
+  virtual RotorPower rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
+                           std::span<double> dydt) const = 0;
+  /// Kinetic (with spin), elastic and gravitational energy [J]; gravity's zero is the undisplaced centre line.
+  [[nodiscard]] virtual double energy(std::span<const double> y) const = 0;
+};
+
+}  // namespace rotordrop

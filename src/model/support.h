@@ -1,0 +1,56 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/observable.h"
+#include "model/ports.h"
+#include "model/state_layout.h"
+
+namespace rotordrop {
+
+/// What a support sees: depends on states alone, never on forces (no feedthrough).
+struct SupportInput {
+  double time = 0;  ///< [s]
+  Motion journal;   ///< of the rotor at the support's station
+  Spin rotor_spin;
+  Expansion growth;
+};
+
+/// What a support returns from one evaluation.
+struct SupportOutput {
+  Force force_on_rotor;
+  HeatInput heat;
+  double other_dissipation = 0;    ///< dissipated but not given to the thermal model: contact, ball and support damping [W]
+  double prescribed_work = 0;      ///< done on the machine by prescribed cage and waviness motion [W]
+  Expansion energy_gradient;       ///< dU/d(growth) [N]: times the growth rate it is the work of thermal growth
+  std::span<double> observed;      ///< where to write the observables, in their order; empty: do not
+  std::span<double> observed_details; ///< where to write the detailed (coarsely sampled) ones; empty: do not
+};
+
+/// Holds the rotor at one station: touchdown bearing, linear spring-damper; later a magnet or a snubber.
+class Support {
+ public:
+  Support() = default;
+  Support(const Support&) = delete;
+  Support& operator=(const Support&) = delete;
+  virtual ~Support() = default;
+
+  [[nodiscard]] virtual const std::string& name() const = 0;
+  [[nodiscard]] virtual std::vector<StateEntry> state_entries() const = 0;
+  /// Quadratures of this support's own, besides those that every machine keeps for it.
+  [[nodiscard]] virtual std::vector<StateEntry> ledger_entries() const { return {}; }
+  /// What evaluate() writes on request, in order; the detailed ones are many and sampled more coarsely.
+  [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
+  [[nodiscard]] virtual std::vector<Observable> detailed_observables() const { return {}; }
+  /// @param y [state_entries().size()] in static equilibrium without the rotor
+  virtual void initial_state(std::span<double> y) const = 0;
+  /// @param y, dydt        [state_entries().size()]
+  /// @param ledger_rates   [ledger_entries().size()]
+  virtual void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,
+                        std::span<double> ledger_rates, SupportOutput& out) const = 0;
+  /// Kinetic, elastic and gravitational energy [J] of the support's bodies and of its contacts.
+  [[nodiscard]] virtual double energy(const SupportInput& input, std::span<const double> y) const = 0;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,36 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "model/observable.h"
+#include "model/ports.h"
+#include "model/state_layout.h"
+
+namespace rotordrop {
+
+/// Temperatures of all places under their heat inputs. States are absolute temperatures [K].
+class ThermalModel {
+ public:
+  ThermalModel() = default;
+  ThermalModel(const ThermalModel&) = delete;
+  ThermalModel& operator=(const ThermalModel&) = delete;
+  virtual ~ThermalModel() = default;
+
+  [[nodiscard]] virtual std::vector<StateEntry> state_entries() const = 0;
+  virtual void initial_state(std::span<double> temperature) const = 0;
+  /// Growth of every place [n_places] over ambient; depends on temperatures alone, linearly.
+  virtual void growth(std::span<const double> temperature, std::span<Expansion> out) const = 0;
+  /// Growth rates [m/s] from temperature rates [K/s].
+  virtual void growth_rates(std::span<const double> temperature_rate, std::span<Expansion> out) const = 0;
+  /// Rates of the temperatures [K/s]; returns the heat lost to ambient [W].
+  virtual double rates(std::span<const double> temperature, std::span<const HeatInput> heat,
+                       std::span<double> dydt) const = 0;
+  /// What observe() writes, in order; names such as "TB1/inner_ring" become dataset names.
+  [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
+  virtual void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
+                       std::span<double> out) const = 0;
+  /// Heat stored over ambient [J].
+  [[nodiscard]] virtual double stored_energy(std::span<const double> temperature) const = 0;
+};
+
+}  // namespace rotordrop
