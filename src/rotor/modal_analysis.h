@@ -1,0 +1,82 @@
+#pragma once
+// Natural modes and unbalance response of the linear rotor on linear supports: by eigenvalues and by frequency, without time integration.
+#include <array>
+#include <complex>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "rotor/geometry.h"
+#include "rotor/modal_rotor.h"
+
+namespace rotordrop {
+
+struct ModalBasis;
+
+/// Spring and damper between a node and the ground: force on the rotor = -stiffness (v, w) - damping (v', w').
+struct LinearSupportAtNode {
+  int node = 0;                                          ///< numbered from 1
+  std::array<std::array<double, 2>, 2> stiffness{};      ///< rows and columns y, z [N/m]
+  std::array<std::array<double, 2>, 2> damping{};        ///< rows and columns y, z [N s/m]
+};
+
+enum class Whirl {
+  forward,   ///< every point turns with the spin
+  backward,  ///< every point turns against the spin
+  planar,    ///< straight vibration, or one of a degenerate pair that may be combined to it
+  mixed      ///< some points turn with the spin, others against it
+};
+/// "forward", "backward", "planar", "mixed".
+[[nodiscard]] std::string_view to_string(Whirl whirl);
+
+/// One oscillating mode: displacement = Re(shape exp(lambda t)), lambda with positive imaginary part.
+struct WhirlMode {
+  double frequency = 0;          ///< damped, Im(lambda) / 2 pi [Hz]
+  double natural_frequency = 0;  ///< |lambda| / 2 pi [Hz]
+  double damping_ratio = 0;      ///< -Re(lambda) / |lambda|; negative: unstable
+  Whirl whirl = Whirl::planar;
+  std::vector<std::complex<double>> v, w;  ///< [n_nodes] along y and z; the largest has amplitude 1
+};
+
+struct WhirlModes {
+  std::vector<WhirlMode> modes;  ///< by damped frequency, rising
+  int n_rigid_body_modes = 0;    ///< motions without restoring force (slower than 0.01 Hz); not among the modes
+  int n_overdamped = 0;          ///< real eigenvalues: motions that creep without oscillating; not among the modes
+};
+
+/// Steady synchronous response: displacement = Re(v exp(i omega t)), spin angle = omega t.
+struct SynchronousResponse {
+  std::vector<std::complex<double>> v, w;  ///< [n_nodes] along y and z [m]
+  /// [n_modes] in the coordinates of ModalRotor with the same cut-off [m]: state at t = 0 is Re(q), rates Re(i omega q).
+  std::vector<std::complex<double>> q_y, q_z;
+};
+
+struct ModalAnalysisOptions {
+  double modal_damping = 0;            ///< ratio of every flexible free-free mode
+  double mass_proportional_alpha = 0;  ///< [1/s] on every mode
+  double cut_off_frequency = std::numeric_limits<double>::infinity();  ///< [Hz]; infinity: the full finite-element model
+};
+
+/// Linear analysis in the basis of free-free modes; exact for the finite-element model unless a cut-off is set.
+class ModalAnalysis {
+ public:
+  explicit ModalAnalysis(const RotorGeometry& geometry, const ModalAnalysisOptions& options = {});
+  ~ModalAnalysis();
+  ModalAnalysis(ModalAnalysis&&) noexcept;
+  ModalAnalysis& operator=(ModalAnalysis&&) noexcept;
+
+  /// Eigenvalues of the rotor at constant spin with all gyroscopic and damping terms.
+  /// @param spin_speed  [rad/s]
+  /// @param supports    empty: free-free
+  [[nodiscard]] WhirlModes whirl_modes(double spin_speed, const std::vector<LinearSupportAtNode>& supports = {}) const;
+  /// Response to unbalance at constant spin; needs supports that hold the rotor or a spin above 0.
+  [[nodiscard]] SynchronousResponse unbalance_response(double spin_speed, const std::vector<Unbalance>& unbalance,
+                                                       const std::vector<LinearSupportAtNode>& supports) const;
+
+ private:
+  std::unique_ptr<const ModalBasis> basis_;
+  ModalAnalysisOptions options_;
+};
+
+}  // namespace rotordrop

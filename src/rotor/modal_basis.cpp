@@ -1,0 +1,60 @@
+#include "rotor/modal_basis.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "rotor/timoshenko.h"
+
+namespace rotordrop {
+
+ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequency) {
+  const RotorMatrices fe = assemble(geometry);
+  const Eigen::Index n_dofs = fe.mass.rows();
+  ModalBasis basis;
+  basis.body = rigid_body(geometry);
+  const double m = basis.body.mass;
+  const double radius_of_gyration = std::sqrt(basis.body.Id / m);
+
+  Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(n_dofs, 2);
+  for (int node = 1; node <= geometry.n_nodes(); ++node) {
+    rigid(2 * node - 2, 0) = 1;
+    rigid(2 * node - 2, 1) = (geometry.position(node) - basis.body.centre_of_gravity) / radius_of_gyration;
+    rigid(2 * node - 1, 1) = 1 / radius_of_gyration;
+  }
+
+  Eigen::Index n_flexible = 0;
+  Eigen::MatrixXd flexible(n_dofs, 0);
+  Eigen::VectorXd omega(0);
+  if (cut_off_frequency > 0) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(fe.stiffness, fe.mass);
+    assert(solver.info() == Eigen::Success);
+    // Ascending; the first two are the rigid modes, of which the solver knows only some mixture with roundoff frequencies.
+    omega = solver.eigenvalues().tail(n_dofs - 2).cwiseMax(0).cwiseSqrt();
+    const double omega_max = 2 * std::numbers::pi * cut_off_frequency;
+    n_flexible = std::count_if(omega.begin(), omega.end(), [&](double w) { return w <= omega_max; });
+    flexible = solver.eigenvectors().middleCols(2, n_flexible);
+    // Orthogonal to the analytic rigid modes to the last digit: no roundoff stiffness or gravity leaks between them.
+    for (int pass = 0; pass < 2; ++pass) flexible -= rigid * (rigid.transpose() * fe.mass * flexible) / m;
+    for (Eigen::Index k = 0; k < n_flexible; ++k) {
+      auto mode = flexible.col(k);
+      mode *= std::sqrt(m / mode.dot(fe.mass * mode));
+      if (mode(0) < 0) mode *= -1;  // sign by convention: node 1 moves up
+    }
+  }
+
+  const Eigen::Index n = 2 + n_flexible;
+  basis.omega = Eigen::VectorXd::Zero(n);
+  basis.omega.tail(n_flexible) = omega.head(n_flexible);
+  basis.shape.resize(n_dofs, n);
+  basis.shape << rigid, flexible;
+  const Eigen::MatrixXd G = basis.shape.transpose() * fe.gyroscopic * basis.shape / m;
+  basis.gyroscopic = 0.5 * (G + G.transpose());
+  basis.gyroscopic.row(0).setZero();
+  basis.gyroscopic.col(0).setZero();
+  return basis;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,306 @@
+#include "rotor/modal_rotor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "rotor/modal_basis.h"
+
+namespace rotordrop {
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+double highest_frequency(const RotorSettings& settings) {
+  switch (settings.representation) {
+    case RotorRepresentation::rigid: return 0;
+    case RotorRepresentation::modal: return settings.cut_off_frequency;
+    case RotorRepresentation::full: break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Columns of coefficients are stored in whole vectors of two.
+constexpr std::size_t padded(std::size_t n) { return (n + 1) / 2 * 2; }
+
+}  // namespace
+
+Motion straight_line(double x1, double y1, double z1, double x2, double y2, double z2, double x) {
+  const double slope_y = (y2 - y1) / (x2 - x1), slope_z = (z2 - z1) / (x2 - x1);
+  Motion motion;
+  motion.y = y1 + slope_y * (x - x1);
+  motion.z = z1 + slope_z * (x - x1);
+  motion.theta_z = slope_y;
+  motion.theta_y = -slope_z;
+  return motion;
+}
+
+Motion orbit(double radius, double angle, double whirl_speed) {
+  Motion motion;
+  motion.y = radius * std::cos(angle);
+  motion.z = radius * std::sin(angle);
+  motion.velocity_y = -whirl_speed * motion.z;
+  motion.velocity_z = whirl_speed * motion.y;
+  return motion;
+}
+
+Motion operator+(const Motion& a, const Motion& b) {
+  return {a.x + b.x,
+          a.y + b.y,
+          a.z + b.z,
+          a.theta_y + b.theta_y,
+          a.theta_z + b.theta_z,
+          a.velocity_x + b.velocity_x,
+          a.velocity_y + b.velocity_y,
+          a.velocity_z + b.velocity_z,
+          a.tilt_rate_y + b.tilt_rate_y,
+          a.tilt_rate_z + b.tilt_rate_z};
+}
+
+ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& settings, const std::vector<int>& station_nodes)
+    : n_stations_(station_nodes.size()),
+      n_nodes_(geometry.node_x.size()),
+      gravity_y_(settings.gravity_y),
+      gravity_z_(settings.gravity_z),
+      drive_torque_(settings.drive_torque) {
+  const ModalBasis basis = free_free_modes(geometry, highest_frequency(settings));
+  const auto n = static_cast<std::size_t>(basis.n_modes());
+  n_modes_ = n;
+  body_ = basis.body;
+
+  omega_squared_.resize(n);
+  damping_rate_.resize(n);
+  gyroscopic_.assign(n * padded(n), 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    omega_squared_[i] = basis.omega(row) * basis.omega(row);
+    damping_rate_[i] = 2 * settings.modal_damping * basis.omega(row) + settings.mass_proportional_alpha;
+    for (std::size_t j = 0; j < n; ++j) gyroscopic_[i * padded(n) + j] = basis.gyroscopic(row, static_cast<Eigen::Index>(j));
+  }
+
+  const auto append_shape = [&](int node, std::vector<Shape>& to) {
+    assert(node >= 1 && node <= geometry.n_nodes());
+    for (Eigen::Index k = 0; k < basis.n_modes(); ++k) to.push_back({basis.shape(2 * node - 2, k), basis.shape(2 * node - 1, k)});
+  };
+  for (int node = 1; node <= geometry.n_nodes(); ++node) append_shape(node, node_shape_);
+  for (const int node : station_nodes) {
+    append_shape(node, station_shape_);
+    station_position_.push_back(geometry.position(node));
+  }
+  force_influence_.assign(2 * n_stations_ * padded(n), 0.0);
+  for (std::size_t s = 0; s < n_stations_; ++s)
+    for (std::size_t i = 0; i < n; ++i) {
+      force_influence_[2 * s * padded(n) + i] = station_shape_[s * n + i].deflection / body_.mass;
+      force_influence_[(2 * s + 1) * padded(n) + i] = station_shape_[s * n + i].slope / body_.mass;
+    }
+
+  unbalance_cos_.assign(n, 0.0);
+  unbalance_sin_.assign(n, 0.0);
+  for (const auto& unbalance : settings.unbalance) {
+    assert(unbalance.node >= 1 && unbalance.node <= geometry.n_nodes());
+    const Shape* shape = node_shape_.data() + static_cast<std::size_t>(unbalance.node - 1) * n;
+    for (std::size_t i = 0; i < n; ++i) {
+      unbalance_cos_[i] += unbalance.me * std::cos(unbalance.angle) * shape[i].deflection / body_.mass;
+      unbalance_sin_[i] += unbalance.me * std::sin(unbalance.angle) * shape[i].deflection / body_.mass;
+    }
+  }
+
+  // The counts that a cut-off leaves in practice get loops of fixed length.
+  constexpr std::array<Rates, 11> fixed_rates{
+      &ModalRotor::rates_of<0>, nullptr,                  &ModalRotor::rates_of<2>, &ModalRotor::rates_of<3>,
+      &ModalRotor::rates_of<4>, &ModalRotor::rates_of<5>, &ModalRotor::rates_of<6>, &ModalRotor::rates_of<7>,
+      &ModalRotor::rates_of<8>, &ModalRotor::rates_of<9>, &ModalRotor::rates_of<10>};
+  constexpr std::array<Motions, 11> fixed_motions{
+      &ModalRotor::motions_of<0>, nullptr,                    &ModalRotor::motions_of<2>, &ModalRotor::motions_of<3>,
+      &ModalRotor::motions_of<4>, &ModalRotor::motions_of<5>, &ModalRotor::motions_of<6>, &ModalRotor::motions_of<7>,
+      &ModalRotor::motions_of<8>, &ModalRotor::motions_of<9>, &ModalRotor::motions_of<10>};
+  const std::size_t chosen = n < fixed_rates.size() ? n : 0;
+  rates_ = fixed_rates[chosen];
+  motions_ = fixed_motions[chosen];
+}
+
+std::vector<StateEntry> ModalRotor::state_entries() const {
+  // Typical sizes in a drop: the rigid body moves a clearance at 0.1 m/s, impacts leave about 0.01 m/s in each flexible mode.
+  constexpr double clearance = 1e-4, fall_velocity = 0.1, flexible_velocity = 0.01;
+  const auto frequency = mode_frequencies();
+  const auto name = [&](char plane, std::size_t k) {
+    const std::string kind = k == 0 ? "translation" : k == 1 ? "tilt" : fmt::format("{:.1f} Hz", frequency[k]);
+    return fmt::format("{} mode {} ({})", plane, k + 1, kind);
+  };
+  std::vector<StateEntry> entries;
+  for (const char plane : {'y', 'z'})
+    for (std::size_t k = 0; k < n_modes_; ++k)
+      entries.push_back({name(plane, k), "m", k < 2 ? clearance : flexible_velocity / std::sqrt(omega_squared_[k])});
+  for (const char plane : {'y', 'z'})
+    for (std::size_t k = 0; k < n_modes_; ++k)
+      entries.push_back({name(plane, k) + " velocity", "m/s", k < 2 ? fall_velocity : flexible_velocity});
+  entries.push_back({"spin angle", "rad", 1});
+  entries.push_back({"spin speed", "rad/s", 1000});
+  return entries;
+}
+
+void ModalRotor::motions(std::span<const double> y, std::span<Motion> out) const {
+  assert(y.size() == n_state() && out.size() == n_stations_);
+  (this->*motions_)(y.data(), station_shape_.data(), n_stations_, out.data());
+}
+
+void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) const {
+  assert(y.size() == n_state() && out.size() == n_nodes_);
+  (this->*motions_)(y.data(), node_shape_.data(), n_nodes_, out.data());
+}
+
+template <std::size_t n_fixed>
+void ModalRotor::motions_of(const double* y, const Shape* shape, std::size_t n_points, Motion* out) const {
+  const std::size_t n = n_fixed > 0 ? n_fixed : n_modes_;
+  const double *q_y = y, *q_z = y + n, *v_y = y + 2 * n, *v_z = y + 3 * n;
+  for (std::size_t p = 0; p < n_points; ++p, shape += n) {
+    double displacement_y = 0, displacement_z = 0, velocity_y = 0, velocity_z = 0;
+    double slope_y = 0, slope_z = 0, slope_rate_y = 0, slope_rate_z = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto [deflection, slope] = shape[i];
+      displacement_y += deflection * q_y[i];
+      displacement_z += deflection * q_z[i];
+      velocity_y += deflection * v_y[i];
+      velocity_z += deflection * v_z[i];
+      slope_y += slope * q_y[i];
+      slope_z += slope * q_z[i];
+      slope_rate_y += slope * v_y[i];
+      slope_rate_z += slope * v_z[i];
+    }
+    out[p] = {0, displacement_y, displacement_z, -slope_z, slope_y, 0, velocity_y, velocity_z, -slope_rate_z, slope_rate_y};
+  }
+}
+
+RotorPower ModalRotor::rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
+                             std::span<double> dydt) const {
+  assert(y.size() == n_state() && dydt.size() == n_state() && force_on_station.size() == n_stations_);
+  return (this->*rates_)(t, y.data(), force_on_station.data(), dydt.data());
+}
+
+template <std::size_t n_fixed>
+RotorPower ModalRotor::rates_of(double t, const double* __restrict y, const Force* __restrict force_on_station,
+                                double* __restrict dydt) const {
+  const std::size_t n = n_fixed > 0 ? n_fixed : n_modes_;
+  const double *q_y = y, *q_z = y + n, *v_y = y + 2 * n, *v_z = y + 3 * n;
+  const double spin_angle = y[4 * n], omega = y[4 * n + 1];
+
+  // Accelerations: in registers, padded to whole vectors, if their number is known here; otherwise straight in the result.
+  constexpr std::size_t n_padded = padded(n_fixed);
+  alignas(16) double local_y[n_padded + 1] = {}, local_z[n_padded + 1] = {};
+  double *a_y = n_fixed > 0 ? local_y : dydt + 2 * n, *a_z = n_fixed > 0 ? local_z : dydt + 3 * n;
+  const std::size_t n_summed = n_fixed > 0 ? n_padded : n;
+  const std::size_t stride = n_fixed > 0 ? n_padded : padded(n);
+
+  // The spin first: the unbalance needs its acceleration.
+  const double drive = drive_torque_.empty() ? 0 : drive_torque(t);
+  double torque = drive;
+  for (std::size_t s = 0; s < n_stations_; ++s) torque += force_on_station[s].torque;
+  const double omega_rate = torque / body_.Ip;
+  dydt[4 * n] = omega;
+  dydt[4 * n + 1] = omega_rate;
+
+  // The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
+  const double cosine = std::cos(spin_angle), sine = std::sin(spin_angle);
+  const double along_cos = omega * omega * cosine + omega_rate * sine, along_sin = omega * omega * sine - omega_rate * cosine;
+  const double *u_cos = unbalance_cos_.data(), *u_sin = unbalance_sin_.data();
+  const double *c = damping_rate_.data(), *k = omega_squared_.data();
+  double unbalance_work = 0, damping = 0;
+#pragma omp simd reduction(+ : unbalance_work, damping)
+  for (std::size_t i = 0; i < n; ++i) {
+    const double unbalance_y = along_cos * u_cos[i] - along_sin * u_sin[i];
+    const double unbalance_z = along_sin * u_cos[i] + along_cos * u_sin[i];
+    unbalance_work += unbalance_y * v_y[i] + unbalance_z * v_z[i];
+    damping += c[i] * (v_y[i] * v_y[i] + v_z[i] * v_z[i]);
+    dydt[i] = v_y[i];
+    dydt[n + i] = v_z[i];
+    a_y[i] = unbalance_y - c[i] * v_y[i] - k[i] * q_y[i];
+    a_z[i] = unbalance_z - c[i] * v_z[i] - k[i] * q_z[i];
+  }
+  // Uniform gravity moves the centre of gravity alone.
+  a_y[0] += gravity_y_;
+  a_z[0] += gravity_z_;
+
+  // The translation (mode 0) has no slope and so no gyroscopic term.
+  const double* G = gyroscopic_.data() + stride;
+#pragma GCC unroll 10
+  for (std::size_t j = 1; j < n; ++j, G += stride) {
+    const double from_y = omega * v_y[j], from_z = omega * v_z[j];
+#pragma GCC unroll 10
+    for (std::size_t i = 0; i < n_summed; ++i) {
+      a_y[i] -= G[i] * from_z;
+      a_z[i] += G[i] * from_y;
+    }
+  }
+
+  const double* per_force = force_influence_.data();
+  for (std::size_t s = 0; s < n_stations_; ++s, per_force += 2 * stride) {
+    const double* per_moment = per_force + stride;
+    const double force_y = force_on_station[s].y, moment_z = force_on_station[s].moment_z;
+    const double force_z = force_on_station[s].z, moment_y = force_on_station[s].moment_y;
+#pragma GCC unroll 10
+    for (std::size_t i = 0; i < n_summed; ++i) {
+      a_y[i] += per_force[i] * force_y + per_moment[i] * moment_z;
+      a_z[i] += per_force[i] * force_z - per_moment[i] * moment_y;
+    }
+  }
+  if (n_fixed > 0)
+    for (std::size_t i = 0; i < n; ++i) {
+      dydt[2 * n + i] = a_y[i];
+      dydt[3 * n + i] = a_z[i];
+    }
+  return {body_.mass * damping, body_.mass * unbalance_work, drive * omega};
+}
+
+double ModalRotor::energy(std::span<const double> y) const {
+  assert(y.size() == n_state());
+  const std::size_t n = n_modes_;
+  const double omega = y[4 * n + 1];
+  double twice_per_mass = -2 * (gravity_y_ * y[0] + gravity_z_ * y[n]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double q_y = y[i], q_z = y[n + i], v_y = y[2 * n + i], v_z = y[3 * n + i];
+    twice_per_mass += v_y * v_y + v_z * v_z + omega_squared_[i] * (q_y * q_y + q_z * q_z);
+  }
+  return 0.5 * (body_.mass * twice_per_mass + body_.Ip * omega * omega);
+}
+
+void ModalRotor::initial_rigid_state(const Motion& motion_of_centre_of_gravity, const Spin& spin, std::span<double> y) const {
+  assert(y.size() == n_state());
+  const std::size_t n = n_modes_;
+  const Motion& cg = motion_of_centre_of_gravity;
+  const double radius_of_gyration = std::sqrt(body_.Id / body_.mass);
+  std::fill(y.begin(), y.end(), 0.0);
+  y[0] = cg.y;
+  y[1] = radius_of_gyration * cg.theta_z;
+  y[n] = cg.z;
+  y[n + 1] = -radius_of_gyration * cg.theta_y;
+  y[2 * n] = cg.velocity_y;
+  y[2 * n + 1] = radius_of_gyration * cg.tilt_rate_z;
+  y[3 * n] = cg.velocity_z;
+  y[3 * n + 1] = -radius_of_gyration * cg.tilt_rate_y;
+  y[4 * n] = spin.angle;
+  y[4 * n + 1] = spin.speed;
+}
+
+double ModalRotor::drive_torque(double t) const {
+  if (drive_torque_.empty()) return 0;
+  if (t <= drive_torque_.front()[0]) return drive_torque_.front()[1];
+  if (t >= drive_torque_.back()[0]) return drive_torque_.back()[1];
+  const auto after = std::upper_bound(drive_torque_.begin(), drive_torque_.end(), t,
+                                      [](double time, const std::array<double, 2>& point) { return time < point[0]; });
+  const auto& [t1, T1] = *(after - 1);
+  const auto& [t2, T2] = *after;
+  return T1 + (T2 - T1) * (t - t1) / (t2 - t1);
+}
+
+std::vector<double> ModalRotor::mode_frequencies() const {
+  std::vector<double> frequencies;
+  for (const double w2 : omega_squared_) frequencies.push_back(std::sqrt(w2) / two_pi);
+  return frequencies;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,121 @@
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/rotor_model.h"
+#include "rotor/geometry.h"
+
+namespace rotordrop {
+
+/// Which of the rotor's modes take part.
+enum class RotorRepresentation {
+  rigid,  ///< translation and tilt
+  modal,  ///< and the flexible free-free modes up to a cut-off frequency
+  full    ///< all: an exact change of basis of the full finite-element model (the reference rotor's fastest mode has 87 kHz)
+};
+
+/// A heavy spot. Its centrifugal force turns with the rotor.
+struct Unbalance {
+  int node = 0;      ///< numbered from 1
+  double me = 0;     ///< mass times eccentricity [kg m], >= 0
+  double angle = 0;  ///< from +y towards +z at spin angle 0 [rad]
+};
+
+/// What a rotor model needs besides its geometry.
+struct RotorSettings {
+  RotorRepresentation representation = RotorRepresentation::modal;
+  double cut_off_frequency = 4500;     ///< [Hz], of the modal representation
+  double modal_damping = 0.005;        ///< ratio of every flexible mode
+  double mass_proportional_alpha = 0;  ///< [1/s], on every mode, the rigid ones too: force = -alpha M x'
+  double gravity_y = 0;                ///< acceleration along +y [m/s^2]; -9.81 on Earth
+  double gravity_z = 0;                ///< acceleration along +z [m/s^2]
+  std::vector<Unbalance> unbalance;
+  /// Torque on the rotor [time s, torque N m], times rising; linear between, constant before and after. Empty: none.
+  std::vector<std::array<double, 2>> drive_torque;
+};
+
+/// Straight line through the points (y1, z1) at x1 and (y2, z2) at x2, at rest: its motion at x. [m]
+[[nodiscard]] Motion straight_line(double x1, double y1, double z1, double x2, double y2, double z2, double x);
+/// Circular orbit of a point.
+/// @param radius       [m]
+/// @param angle        of the position, from +y towards +z [rad]
+/// @param whirl_speed  positive from +y towards +z [rad/s]
+[[nodiscard]] Motion orbit(double radius, double angle, double whirl_speed);
+[[nodiscard]] Motion operator+(const Motion& a, const Motion& b);
+
+/// Spinning flexible rotor in the coordinates of its free-free modes at rest (modal_basis.h).
+///
+///   q_y'' = Phi^T f_y / m - omega G q_z' - c q_y' - omega_k^2 q_y,   c_k = 2 zeta omega_k + alpha (rigid modes: alpha)
+///   q_z'' = Phi^T f_z / m + omega G q_y' - c q_z' - omega_k^2 q_z
+///   Ip omega' = torques on the stations + drive torque
+///   unbalance: f_y = me (omega^2 cos(theta + a) + omega' sin(theta + a)), f_z = me (omega^2 sin(theta + a) - omega' cos(theta + a));
+///   it has no reaction torque on the spin, so it does net work, which rates() reports.
+///
+/// State [4 n_modes + 2]: q_y, q_z [m], q_y', q_z' [m/s], spin angle [rad], spin speed [rad/s]. Modes are scaled to the rotor's mass.
+/// Source: Neisi, Heikkinen & Sopanen (2019), eq. (1). Valid: small deflections and tilts, no axial motion (Motion's and Force's x are
+/// zero and ignored), spin torques along the shaft's own axis.
+class ModalRotor final : public RotorModel {
+ public:
+  /// @param station_nodes  nodes (from 1) at which forces act and motion is asked for
+  ModalRotor(const RotorGeometry& geometry, const RotorSettings& settings, const std::vector<int>& station_nodes);
+
+  [[nodiscard]] std::vector<StateEntry> state_entries() const override;
+  [[nodiscard]] std::size_t n_stations() const override { return n_stations_; }
+  void motions(std::span<const double> y, std::span<Motion> out) const override;
+  [[nodiscard]] Spin spin(std::span<const double> y) const override { return {y[4 * n_modes_], y[4 * n_modes_ + 1]}; }
+  RotorPower rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
+                   std::span<double> dydt) const override;
+  [[nodiscard]] double energy(std::span<const double> y) const override;
+
+  /// State of the undeformed rotor that moves as a rigid body.
+  /// @param motion_of_centre_of_gravity  displacement, tilt and their rates; see straight_line() and orbit()
+  /// @param y                            [n_state]
+  void initial_rigid_state(const Motion& motion_of_centre_of_gravity, const Spin& spin, std::span<double> y) const;
+  /// Motion of every node [n_nodes]; for pictures and tests, not for the hot path.
+  void node_motions(std::span<const double> y, std::span<Motion> out) const;
+  /// Torque of motor or brake [N m].
+  [[nodiscard]] double drive_torque(double t) const;
+
+  [[nodiscard]] const RigidBody& body() const { return body_; }
+  [[nodiscard]] std::size_t n_state() const { return 4 * n_modes_ + 2; }
+  [[nodiscard]] std::size_t n_modes() const { return n_modes_; }
+  [[nodiscard]] std::size_t n_nodes() const { return n_nodes_; }
+  /// Axial position of a station [m].
+  [[nodiscard]] double station_position(std::size_t station) const { return station_position_[station]; }
+  /// Natural frequencies of the modes of one plane [n_modes] [Hz]; the first two are rigid, 0.
+  [[nodiscard]] std::vector<double> mode_frequencies() const;
+
+ private:
+  /// Deflection and slope per unit modal coordinate.
+  struct Shape {
+    double deflection = 0, slope = 0;
+  };
+  using Rates = RotorPower (ModalRotor::*)(double, const double*, const Force*, double*) const;
+  using Motions = void (ModalRotor::*)(const double*, const Shape*, std::size_t, Motion*) const;
+
+  // Bodies of rates() and motions(); n_fixed is the number of modes if the compiler knows it, else 0.
+  template <std::size_t n_fixed>
+  RotorPower rates_of(double t, const double* y, const Force* force_on_station, double* dydt) const;
+  template <std::size_t n_fixed>
+  void motions_of(const double* y, const Shape* shape, std::size_t n_points, Motion* out) const;
+
+  std::size_t n_modes_ = 0, n_stations_ = 0, n_nodes_ = 0;
+  Rates rates_ = nullptr;
+  Motions motions_ = nullptr;
+  RigidBody body_;
+  double gravity_y_ = 0, gravity_z_ = 0;
+  std::vector<double> omega_squared_;    // [n_modes]
+  std::vector<double> damping_rate_;     // [n_modes] 2 zeta omega_k + alpha
+  std::vector<double> gyroscopic_;       // [n_modes columns of padded n_modes]
+  std::vector<double> unbalance_cos_;    // [n_modes] sum of me cos(a) Phi / m
+  std::vector<double> unbalance_sin_;    // [n_modes] sum of me sin(a) Phi / m
+  std::vector<double> force_influence_;  // [n_stations x (force, moment) x padded n_modes] acceleration per unit force
+  std::vector<Shape> station_shape_;     // [n_stations x n_modes]
+  std::vector<Shape> node_shape_;        // [n_nodes x n_modes]
+  std::vector<double> station_position_;
+  std::vector<std::array<double, 2>> drive_torque_;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,55 @@
+#pragma once
+// The table [rotor] of a case, and the geometry of a rotor as a tree of values (a file of its own, or inline).
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/node.h"
+#include "base/parameters.h"
+#include "rotor/geometry.h"
+#include "rotor/modal_rotor.h"
+
+namespace rotordrop {
+
+/// Circular orbit of the centre of gravity at the start; the rotor keeps its direction.
+struct InitialOrbit {
+  double radius = 0;  ///< [m]
+  double angle = 0;   ///< of the start, from +y towards +z [rad]
+  double speed = 0;   ///< whirl speed, positive from +y towards +z [rad/s]
+};
+
+struct RotorParameters {
+  std::string geometry_file;         ///< as the user wrote it; empty: `geometry` was given inline
+  SourcePosition geometry_position;  ///< of the value of the key `geometry`
+  RotorGeometry geometry;            ///< empty as long as geometry_file has not been read
+  RotorRepresentation model = RotorRepresentation::modal;
+  double modal_damping = 0;
+  double mass_proportional_alpha = 0;  ///< [1/s]
+  double cut_off_frequency = 0;        ///< [Hz]
+  std::vector<Unbalance> unbalance;
+  std::vector<std::array<double, 2>> torque;  ///< [time s, torque N m]
+  // What the start adds to the rotor's straight line through both ring centres, at rest.
+  std::array<double, 2> initial_offset{};     ///< y, z of the centre of gravity [m]
+  std::array<double, 2> initial_tilt{};       ///< theta_y, theta_z [rad]
+  std::array<double, 2> initial_velocity{};   ///< y, z of the centre of gravity [m/s]
+  std::array<double, 2> initial_tilt_rate{};  ///< about y, z [rad/s]
+  InitialOrbit initial_orbit;
+};
+
+[[nodiscard]] Section<RotorParameters> rotor_section();
+
+/// Reads a geometry laid out as params/neisi2019-rotor.json and checks it; adds all faults. Without faults the result is complete.
+[[nodiscard]] RotorGeometry read_rotor_geometry(const Node& table, Faults& faults);
+
+/// A fault if the rotor has no such node. `name` is the key's full name ("bearings.TB1.node").
+void check_rotor_node(const RotorGeometry& geometry, int node, const SourcePosition& where, const std::string& name, Faults& faults);
+/// Faults of [rotor] that only show once the geometry is known.
+/// @param rotor_table  the node of [rotor], for positions
+void check_against_geometry(const RotorParameters& parameters, const RotorGeometry& geometry, const Node& rotor_table, Faults& faults);
+
+[[nodiscard]] RotorSettings rotor_settings(const RotorParameters& parameters, double gravity_y, double gravity_z = 0);
+/// Offset, tilt, velocities and orbit at the start, to be added to the straight line through the rings' centres.
+[[nodiscard]] Motion initial_disturbance(const RotorParameters& parameters);
+
+}  // namespace rotordrop
