@@ -1,0 +1,251 @@
+#include "bearing/ball_row.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+// The row kernel is compiled twice and chosen when the program starts: for machines with 256-bit vectors, and for all others.
+// Sanitizers cannot see through the chooser.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#define ROTORDROP_WIDE_VECTORS __attribute__((target_clones("arch=haswell", "default")))
+#else
+#define ROTORDROP_WIDE_VECTORS
+#endif
+
+namespace rotordrop {
+namespace {
+
+struct KernelInput {
+  const double* cosine;
+  const double* sine;
+  const double* added;  // to every delta: ball growth and waviness [n]
+  int n;
+  double A, radial, axial, arm, position, K, damping;  // damping = 1.5 beta
+  double cage_cosine, cage_sine;
+  RingDisplacement e, v;
+};
+
+// The two kernels differ in the tilt and axial terms only; kept apart because the short one is the hot loop of every drop.
+ROTORDROP_WIDE_VECTORS
+void sum_translations(const KernelInput& in, BallRowOutput& out) {
+  double fy = 0, fz = 0, fx = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0, largest = 0;
+  const double C = in.cage_cosine, S = in.cage_sine, ey = in.e.y, ez = in.e.z, vy = in.v.y, vz = in.v.z;
+  const double radial = in.radial, Bx = in.axial, Bx2 = Bx * Bx, A = in.A, K = in.K, damping = in.damping;
+#pragma omp simd reduction(+ : fy, fz, fx, dissipated, elastic_radial, elastic_normal, cage) reduction(max : largest)
+  for (int j = 0; j < in.n; ++j) {
+    const double c = C * in.cosine[j] - S * in.sine[j];
+    const double s = S * in.cosine[j] + C * in.sine[j];
+    const double Br = radial + ey * c + ez * s;
+    const double distance = std::sqrt(Br * Br + Bx2);
+    const double cos_phi = Br / distance;
+    const double delta = std::max(distance - A + in.added[j], 0.);
+    const double rate = cos_phi * (vy * c + vz * s);
+    const double stiffness = K * std::sqrt(delta);
+    const double elastic = stiffness * delta;
+    const double F = std::max(stiffness * (delta + damping * rate), 0.);
+    const double F_radial = F * cos_phi;
+    fy -= F_radial * c;
+    fz -= F_radial * s;
+    fx -= F / distance;
+    dissipated += (F - elastic) * rate;
+    elastic_radial += elastic * cos_phi;
+    elastic_normal += elastic;
+    cage += elastic * cos_phi * (ez * c - ey * s);
+    largest = std::max(largest, F);
+  }
+  out.force_x = fx * Bx;
+  out.force_y = fy;
+  out.force_z = fz;
+  out.moment_y = out.moment_z = 0;
+  out.damping_power = dissipated;
+  out.elastic_radial = elastic_radial;
+  out.elastic_normal = elastic_normal;
+  out.cage_power = cage;
+  out.largest_load = largest;
+}
+
+ROTORDROP_WIDE_VECTORS
+void sum_all(const KernelInput& in, BallRowOutput& out) {
+  double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
+  double largest = 0;
+  const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
+  const RingDisplacement e = in.e, v = in.v;
+#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_normal, cage) reduction(max : largest)
+  for (int j = 0; j < in.n; ++j) {
+    const double c = C * in.cosine[j] - S * in.sine[j];
+    const double s = S * in.cosine[j] + C * in.sine[j];
+    const double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
+    const double distance = std::sqrt(Br * Br + Bx * Bx);
+    const double cos_phi = Br / distance, sin_phi = Bx / distance;
+    const double delta = std::max(distance - in.A + in.added[j], 0.);
+    const double rate = cos_phi * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) +
+                        sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
+    const double stiffness = in.K * std::sqrt(delta);
+    const double elastic = stiffness * delta;
+    const double F = std::max(stiffness * (delta + in.damping * rate), 0.);
+    const double F_radial = F * cos_phi, F_axial = F * sin_phi;
+    fy -= F_radial * c;
+    fz -= F_radial * s;
+    fx -= F_axial;
+    my += F_radial * xr * s - F_axial * arm * s;
+    mz += F_axial * arm * c - F_radial * xr * c;
+    dissipated += (F - elastic) * rate;
+    elastic_radial += elastic * cos_phi;
+    elastic_normal += elastic;
+    cage += elastic * (cos_phi * ((e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s) +
+                       sin_phi * arm * (e.psi_y * c + e.psi_z * s));
+    largest = std::max(largest, F);
+  }
+  out.force_x = fx;
+  out.force_y = fy;
+  out.force_z = fz;
+  out.moment_y = my;
+  out.moment_z = mz;
+  out.damping_power = dissipated;
+  out.elastic_radial = elastic_radial;
+  out.elastic_normal = elastic_normal;
+  out.cage_power = cage;
+  out.largest_load = largest;
+}
+
+}  // namespace
+
+BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves) : geometry_(geometry) {
+  const auto& g = geometry_;
+  if (g.n_balls > max_balls) throw std::invalid_argument("a row holds at most 256 balls");
+  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
+  constants_.A = A;
+  constants_.radial = A * std::cos(g.contact_angle) - g.radial_clearance;
+  constants_.axial = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
+  constants_.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  const auto azimuth = [&](int j) { return g.phase + 2. * std::numbers::pi * j / g.n_balls; };
+  for (int j = 0; j < g.n_balls; ++j) {
+    cosine_.push_back(std::cos(azimuth(j)));
+    sine_.push_back(std::sin(azimuth(j)));
+  }
+  for (const auto& wave : waves) {
+    Wave w{wave, {}, {}};
+    for (int j = 0; j < g.n_balls; ++j) {
+      w.cosine.push_back(std::cos(wave.order * azimuth(j)));
+      w.sine.push_back(std::sin(wave.order * azimuth(j)));
+    }
+    waves_.push_back(std::move(w));
+  }
+}
+
+// What is added to every penetration besides the races' approach: 2 eps_b and the waves. One sine and cosine per wave.
+void BallRow::fill_added(const BallRowInput& in, double* added) const {
+  const std::size_t n = cosine_.size();
+  std::fill_n(added, n, 2. * in.ball_growth);
+  for (const auto& w : waves_) {
+    const double ring = w.wave.on_inner_race ? in.ring_angle : 0.;
+    const double argument = w.wave.order * (in.cage_angle - ring) + w.wave.phase;
+    const double c = w.wave.amplitude * std::cos(argument), s = w.wave.amplitude * std::sin(argument);
+    for (std::size_t j = 0; j < n; ++j) added[j] += w.sine[j] * c + w.cosine[j] * s;
+  }
+}
+
+double BallRow::penetration(const BallRowInput& in, int ball, double added) const {
+  const auto j = static_cast<std::size_t>(ball);
+  const double c = in.cage_cosine * cosine_[j] - in.cage_sine * sine_[j];
+  const double s = in.cage_sine * cosine_[j] + in.cage_cosine * sine_[j];
+  const auto& e = in.displacement;
+  const double xr = geometry_.position;
+  const double Br = constants_.radial + in.radial_growth + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+  const double Bx = constants_.axial + e.x + constants_.arm * (e.psi_y * s - e.psi_z * c);
+  return std::sqrt(Br * Br + Bx * Bx) - constants_.A + added;
+}
+
+double BallRow::waviness_power(const BallRowInput& in, const double* added) const {
+  double power = 0.;
+  for (const auto& w : waves_) {
+    const double on_ring = w.wave.on_inner_race ? 1. : 0.;
+    const double argument = w.wave.order * (in.cage_angle - on_ring * in.ring_angle) + w.wave.phase;
+    const double travel = w.wave.amplitude * w.wave.order * (in.cage_speed - on_ring * in.ring_speed);
+    const double c = std::cos(argument), s = std::sin(argument);
+    for (int j = 0; j < geometry_.n_balls; ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      const double delta = std::max(penetration(in, j, added[j]), 0.);
+      power += geometry_.stiffness * delta * std::sqrt(delta) * travel * (w.cosine[k] * c - w.sine[k] * s);
+    }
+  }
+  return power;
+}
+
+template <class Kernel>
+void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out) const {
+  std::array<double, max_balls> added;
+  fill_added(in, added.data());
+  kernel({cosine_.data(), sine_.data(), added.data(), geometry_.n_balls, constants_.A,
+          constants_.radial + in.radial_growth, constants_.axial, constants_.arm, geometry_.position,
+          geometry_.stiffness, 1.5 * geometry_.damping_beta, in.cage_cosine, in.cage_sine, in.displacement, in.rate},
+         out);
+  out.cage_power *= in.cage_speed;
+  out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
+}
+
+void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out) const {
+  run([](const KernelInput& k, BallRowOutput& o) { sum_translations(k, o); }, in, out);
+}
+
+void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out) const {
+  run([](const KernelInput& k, BallRowOutput& o) { sum_all(k, o); }, in, out);
+}
+
+void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
+  std::array<double, max_balls> added;
+  fill_added(in, added.data());
+  const auto& v = in.rate;
+  const auto& e = in.displacement;
+  const double xr = geometry_.position, arm = constants_.arm;
+  for (int j = 0; j < geometry_.n_balls; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    const double c = in.cage_cosine * cosine_[k] - in.cage_sine * sine_[k];
+    const double s = in.cage_sine * cosine_[k] + in.cage_cosine * sine_[k];
+    const double Br = constants_.radial + in.radial_growth + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    const double Bx = constants_.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
+    const double distance = std::sqrt(Br * Br + Bx * Bx);
+    const double delta = std::max(distance - constants_.A + added[k], 0.);
+    const double rate = (Br * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) +
+                         Bx * (v.x + arm * (v.psi_y * s - v.psi_z * c))) /
+                        distance;
+    load[k] = std::max(geometry_.stiffness * std::sqrt(delta) * (delta + 1.5 * geometry_.damping_beta * rate), 0.);
+  }
+}
+
+double BallRow::energy(const BallRowInput& in) const {
+  std::array<double, max_balls> added;
+  fill_added(in, added.data());
+  double sum = 0.;
+  for (int j = 0; j < geometry_.n_balls; ++j) {
+    const double delta = std::max(penetration(in, j, added[static_cast<std::size_t>(j)]), 0.);
+    sum += delta * delta * std::sqrt(delta);
+  }
+  return 0.4 * geometry_.stiffness * sum;
+}
+
+double BallRow::offset_for_axial_load(const BallRowGeometry& g, double axial_load) {
+  // Z K delta^1.5 sin phi = load in the offset x: delta = sqrt(B_r^2 + (A sin phi_0 + x)^2) - A. Monotonic: bracket, then bisect
+  // until the interval no longer shrinks.
+  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
+  const double Br = A * std::cos(g.contact_angle) - g.radial_clearance;
+  const auto load_at = [&](double x) {
+    const double Bx = A * std::sin(g.contact_angle) + x;
+    const double distance = std::hypot(Br, Bx);
+    const double delta = std::max(distance - A, 0.);
+    return g.n_balls * g.stiffness * delta * std::sqrt(delta) * Bx / distance;
+  };
+  double low = 0., high = A;
+  while (load_at(high) < axial_load) high *= 2.;
+  for (int i = 0; i < 200 && low < high; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (load_at(middle) < axial_load ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace rotordrop

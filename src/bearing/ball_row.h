@@ -1,0 +1,106 @@
+#pragma once
+#include <span>
+#include <vector>
+
+namespace rotordrop {
+
+/// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
+struct RingDisplacement {
+  double x = 0, y = 0, z = 0;    ///< [m] ([m/s])
+  double psi_y = 0, psi_z = 0;   ///< [rad] ([rad/s])
+};
+
+/// One row of balls between two races.
+struct BallRowGeometry {
+  int n_balls = 0;              ///< Z
+  double ball_diameter = 0;     ///< d [m]
+  double pitch_diameter = 0;    ///< d_m [m]
+  double inner_conformity = 0;  ///< f_in, groove radius over d
+  double outer_conformity = 0;  ///< f_out
+  double contact_angle = 0;     ///< phi_0 [rad]
+  double radial_clearance = 0;  ///< of a deep-groove bearing, half the diametral one [m]
+  double stiffness = 0;         ///< K_b, inner and outer contact in series [N/m^1.5]
+  double damping_beta = 0;      ///< beta, damping over tangent stiffness [s]
+  double direction = 1;         ///< +1: loaded by an inner ring moving towards +x; -1 the opposite
+  double position = 0;          ///< axial position of the row in the ring's frame [m]
+  double phase = 0;             ///< azimuth of the first ball at cage angle zero [rad]
+  double preload_offset = 0;    ///< axial approach of the races at rest [m]
+};
+
+/// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (eqs. 11, 12).
+struct RaceWave {
+  bool on_inner_race = true;  ///< argument b_j - theta_i; on the outer race b_j
+  int order = 1;              ///< m, >= 1
+  double amplitude = 0;       ///< A [m]
+  double phase = 0;           ///< [rad]
+};
+
+/// Instantaneous input of a row.
+struct BallRowInput {
+  RingDisplacement displacement;
+  RingDisplacement rate;
+  double cage_angle = 0, cage_cosine = 1, cage_sine = 0;
+  double cage_speed = 0;       ///< [rad/s], for the work of the prescribed cage
+  double ring_angle = 0;       ///< theta_i [rad]
+  double ring_speed = 0;       ///< omega_i [rad/s]
+  double radial_growth = 0;    ///< eps_in - eps_out [m]
+  double ball_growth = 0;      ///< eps_b, growth of a ball's radius [m]
+};
+
+/// What a row does to the inner ring, and the sums that energy and heat need.
+struct BallRowOutput {
+  double force_x = 0, force_y = 0, force_z = 0;  ///< on the inner ring [N]
+  double moment_y = 0, moment_z = 0;             ///< on the inner ring [N m]
+  double damping_power = 0;      ///< dissipated in the contacts [W]
+  double elastic_radial = 0;     ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
+  double elastic_normal = 0;     ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
+  double cage_power = 0;         ///< work rate of the prescribed cage motion [W]
+  double waviness_power = 0;     ///< work rate of the prescribed travel of the waves [W]
+  double largest_load = 0;       ///< of the row's balls [N]
+};
+
+/// Forces of a row of balls after Sopanen & Mikkola (2003), without trigonometry per ball. With b the azimuth of a ball,
+///   e_r = e_y cos b + e_z sin b + x_row (psi_z cos b - psi_y sin b),   e_t = e_x + R_c (psi_y sin b - psi_z cos b),
+///   B_r = A cos phi_0 - clearance + e_r + eps_in - eps_out,            B_x = s (A sin phi_0 + offset) + e_t,
+///   delta = sqrt(B_r^2 + B_x^2) - A + 2 eps_b + waves,                 F = K delta^0.5 (delta + 1.5 beta delta') >= 0,
+/// delta' being the ring's rate along the contact normal (B_r, B_x), without cage motion. The tilts' terms are those of u = psi x r with the
+/// one arm R_c, so the elastic forces are the gradient of an energy. Corrects Neisi 2019, eqs. (2)-(6), (12); see MODEL 3.
+class BallRow {
+ public:
+  static constexpr int max_balls = 256;
+
+  /// @throws std::invalid_argument for more than max_balls balls
+  BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves);
+
+  [[nodiscard]] const BallRowGeometry& geometry() const { return geometry_; }
+  /// Axial and tilting motion of the ring taken as zero: the cheap form for rings that only translate.
+  void evaluate_translations(const BallRowInput& input, BallRowOutput& out) const;
+  void evaluate(const BallRowInput& input, BallRowOutput& out) const;
+  /// Load of every ball [n_balls] [N].
+  void ball_loads(const BallRowInput& input, std::span<double> load) const;
+  /// Elastic energy sum 2/5 K delta^2.5 [J].
+  [[nodiscard]] double energy(const BallRowInput& input) const;
+  /// Axial approach of the races [m] at which an undisplaced row carries an axial load [N] with this geometry's contact.
+  static double offset_for_axial_load(const BallRowGeometry& geometry, double axial_load);
+
+ private:
+  struct Wave {
+    RaceWave wave;
+    std::vector<double> cosine, sine;  // of order * azimuth at cage angle zero, [n_balls]
+  };
+  struct Constants {
+    double A, radial, axial, arm;  // A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
+  };
+  template <class Kernel>
+  void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out) const;
+  void fill_added(const BallRowInput& input, double* added) const;
+  [[nodiscard]] double penetration(const BallRowInput& input, int ball, double added) const;
+  [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added) const;
+
+  BallRowGeometry geometry_;
+  Constants constants_{};
+  std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero, [n_balls]
+  std::vector<Wave> waves_;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,314 @@
+#include "bearing/touchdown_bearing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bearing/ring_equilibrium.h"
+#include "laws/ball_kinematics.h"
+#include "laws/bearing_friction.h"
+
+namespace rotordrop {
+
+struct TouchdownBearing::Contact {
+  double n_y = 0, n_z = 0;         // from ring centre to rotor centre
+  double penetration = 0;          // [m]
+  double rate = 0;                 // of the centres' distance [m/s]
+  double tangential_speed = 0;     // of the rotor's centre past the ring's [m/s]
+  double slip_speed = 0;           // rotor's surface past the bore [m/s]
+  double elastic = 0, normal = 0;  // [N]
+  double friction = 0;             // on the ring, along +t [N]
+  double wave_rate = 0;            // of the bore's waves at the contact [m/s]
+  double centres_turning = 0;      // angular speed of the line of centres [rad/s]
+};
+
+struct TouchdownBearing::BallForces {
+  static constexpr std::size_t max_rows = 8;
+  std::array<BallRowOutput, max_rows> row;
+  double force_y = 0, force_z = 0;
+  double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
+};
+
+TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)) {
+  for (const auto& geometry : data_.rows) rows_.emplace_back(geometry, data_.race_waves);
+  const auto& g = data_.rows.front();
+  const double projected = g.ball_diameter * std::cos(g.contact_angle);
+  cage_ratio_ = cage_speed_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
+  inner_heat_share_ = 0.5 * (g.pitch_diameter - projected) / g.pitch_diameter;  // r_i / (r_i + r_o)
+  cot_contact_angle_ = g.contact_angle != 0. ? 1. / std::tan(g.contact_angle) : 0.;
+  const double theta = pitch_angle_outer_race_control(g.contact_angle, g.ball_diameter, g.pitch_diameter);
+  const auto spin = spin_speeds(1., g.contact_angle, g.contact_angle, theta, g.ball_diameter, g.pitch_diameter);
+  spin_speed_sum_ratio_ = std::fabs(spin.inner) + std::fabs(spin.outer);
+}
+
+std::vector<StateEntry> TouchdownBearing::state_entries() const {
+  return {{"inner ring y", "m", 1e-4},           {"inner ring z", "m", 1e-4},
+          {"inner ring velocity y", "m/s", 0.1}, {"inner ring velocity z", "m/s", 0.1},
+          {"inner ring angle", "rad", 1.},       {"inner ring spin", "rad/s", 100.},
+          {"support y", "m", 1e-5},              {"support z", "m", 1e-5},
+          {"support velocity y", "m/s", 0.01},   {"support velocity z", "m/s", 0.01},
+          {"cage angle", "rad", 1.}};
+}
+
+std::vector<StateEntry> TouchdownBearing::ledger_entries() const {
+  return {{"contact impulse", "N s", 100.},
+          {"energy dissipated by contact damping", "J", 1.},
+          {"energy dissipated by ball damping", "J", 1.},
+          {"energy dissipated by support damping", "J", 1.},
+          {"work of the waves", "J", 1.},
+          {"work of the prescribed cage", "J", 1.},
+          {"spin-up drive, integral of omega_r (J omega_i' + M)", "J", 100.},
+          {"spin-up work of the centres, integral of F_t v_t", "J", 1.}};
+}
+
+void TouchdownBearing::initial_state(std::span<double> y) const {
+  std::fill(y.begin(), y.end(), 0.);
+  const double weight_y = data_.ring_mass * data_.gravity_y, weight_z = data_.ring_mass * data_.gravity_z;
+  const auto place = ring_equilibrium(rows_, weight_y, weight_z);
+  y[support_y] = weight_y / data_.support_stiffness_y;
+  y[support_z] = weight_z / data_.support_stiffness_z;
+  y[ring_y] = place.y + y[support_y];
+  y[ring_z] = place.z + y[support_z];
+}
+
+TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, std::span<const double> y) const {
+  Contact c;
+  const double ey = in.journal.y - y[ring_y], ez = in.journal.z - y[ring_z];
+  const double vy = in.journal.velocity_y - y[ring_vy], vz = in.journal.velocity_z - y[ring_vz];
+  const double distance = std::sqrt(ey * ey + ez * ez);
+  // Concentric rings have no direction; they do not touch either.
+  c.n_y = distance > 0. ? ey / distance : -1.;
+  c.n_z = distance > 0. ? ez / distance : 0.;
+  c.rate = vy * c.n_y + vz * c.n_z;
+  c.tangential_speed = vz * c.n_y - vy * c.n_z;
+  c.centres_turning = distance > 0. ? c.tangential_speed / distance : 0.;
+  c.slip_speed = in.rotor_spin.speed * data_.rotor_radius - y[ring_spin] * data_.bore_radius + c.tangential_speed;
+  c.penetration = distance - (data_.air_gap + in.growth.bore - in.growth.shaft);
+  if (!data_.bore_waves.empty() && distance > 0.) {
+    const double angle = std::atan2(ez, ey) - y[ring_angle];
+    const double angle_rate = c.centres_turning - y[ring_spin];
+    for (const auto& w : data_.bore_waves) {
+      c.penetration += w.amplitude * std::sin(w.order * angle + w.phase);
+      c.wave_rate += w.amplitude * w.order * angle_rate * std::cos(w.order * angle + w.phase);
+    }
+  }
+  // Written so that a penetration that is not a number goes on into the force and is found.
+  if (!(c.penetration <= 0.)) {
+    c.elastic = data_.contact.K * std::pow(c.penetration, data_.contact.n);
+    c.normal = data_.contact.total(c.elastic, c.rate);
+    c.friction = data_.friction.coefficient(c.slip_speed) * c.normal;
+  }
+  return c;
+}
+
+BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<const double> y) const {
+  BallRowInput in;
+  in.displacement.y = y[ring_y] - y[support_y];
+  in.displacement.z = y[ring_z] - y[support_z];
+  in.rate.y = y[ring_vy] - y[support_vy];
+  in.rate.z = y[ring_vz] - y[support_vz];
+  in.cage_angle = y[cage_angle];
+  in.cage_cosine = std::cos(in.cage_angle);
+  in.cage_sine = std::sin(in.cage_angle);
+  in.cage_speed = cage_ratio_ * y[ring_spin];
+  in.ring_angle = y[ring_angle];
+  in.ring_speed = y[ring_spin];
+  in.radial_growth = growth.inner_race - growth.outer_race;
+  in.ball_growth = growth.ball;
+  return in;
+}
+
+TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& in) const {
+  BallForces sum;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    auto& row = sum.row[i];
+    rows_[i].evaluate_translations(in, row);
+    sum.force_y += row.force_y;
+    sum.force_z += row.force_z;
+    sum.damping_power += row.damping_power;
+    sum.elastic_radial += row.elastic_radial;
+    sum.elastic_normal += row.elastic_normal;
+    sum.cage_power += row.cage_power;
+    sum.waviness_power += row.waviness_power;
+  }
+  return sum;
+}
+
+double TouchdownBearing::load_torque_of(const BallForces& forces) const {
+  const double d_m = data_.rows.front().pitch_diameter;
+  if (data_.load_law == FrictionLoadLaw::radial) {
+    const double P = std::sqrt(forces.force_y * forces.force_y + forces.force_z * forces.force_z);
+    return load_torque(P, data_.f1_z, data_.f1_y, data_.static_rating, d_m);
+  }
+  double torque = 0.;
+  const auto n_rows = static_cast<double>(rows_.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto& row = forces.row[i];
+    const double radial = std::hypot(row.force_y, row.force_z);
+    const double P = equivalent_friction_load(radial, std::fabs(row.force_x), cot_contact_angle_);
+    torque += load_torque(P, data_.f1_z, data_.f1_y, data_.static_rating / n_rows, d_m);
+  }
+  return torque;
+}
+
+// Torque on the ring that supplies the spin moments of all balls: sum M_s (|omega_si| + |omega_so|) / omega_i.
+double TouchdownBearing::spin_drag(const BallRowInput& in) const {
+  std::array<double, BallRow::max_balls> load;
+  double sum = 0.;
+  for (const auto& row : rows_) {
+    const auto n = static_cast<std::size_t>(row.geometry().n_balls);
+    row.ball_loads(in, {load.data(), n});
+    for (std::size_t j = 0; j < n; ++j)
+      sum += spin_moment(data_.race_friction_coefficient, load[j], data_.spin_axis_factor * std::cbrt(load[j]),
+                         data_.spin_elliptic_integral);
+  }
+  return sum * spin_speed_sum_ratio_;
+}
+
+void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> y, std::span<double> dydt,
+                                std::span<double> ledger, SupportOutput& out) const {
+  const Contact c = contact(in, y);
+  const BallRowInput rows_in = row_input(in.growth, y);
+  const BallForces balls = ball_forces(rows_in);
+
+  // On the ring: from the rotor N n + F_t t, with t = x cross n = (-n_z, n_y).
+  const double from_rotor_y = c.normal * c.n_y - c.friction * c.n_z;
+  const double from_rotor_z = c.normal * c.n_z + c.friction * c.n_y;
+  out.force_on_rotor = {0., -from_rotor_y, -from_rotor_z, 0., 0., -c.friction * data_.rotor_radius};
+
+  const double ring_speed = y[ring_spin];
+  const double M_L = load_torque_of(balls) + (data_.add_spin_heat ? spin_drag(rows_in) : 0.);
+  const double M_v =
+      drag_torque(data_.drag_viscosity, ring_speed, data_.rows.front().pitch_diameter, data_.f2);
+  const double M = (M_L + M_v) * std::tanh(ring_speed / data_.drag_regularisation);
+  const double drive = c.friction * data_.bore_radius;  // J omega_i' + M
+
+  dydt[ring_y] = y[ring_vy];
+  dydt[ring_z] = y[ring_vz];
+  dydt[ring_vy] = (from_rotor_y + balls.force_y) / data_.ring_mass + data_.gravity_y;
+  dydt[ring_vz] = (from_rotor_z + balls.force_z) / data_.ring_mass + data_.gravity_z;
+  dydt[ring_angle] = ring_speed;
+  dydt[ring_spin] = (drive - M) / data_.ring_spin_inertia;
+  dydt[support_y] = y[support_vy];
+  dydt[support_z] = y[support_vz];
+  const double damper_y = data_.support_damping_y * y[support_vy], damper_z = data_.support_damping_z * y[support_vz];
+  dydt[support_vy] = (-balls.force_y - data_.support_stiffness_y * y[support_y] - damper_y) / data_.support_mass;
+  dydt[support_vz] = (-balls.force_z - data_.support_stiffness_z * y[support_z] - damper_z) / data_.support_mass;
+  dydt[cage_angle] = rows_in.cage_speed;
+
+  out.heat.rub = c.friction * c.slip_speed;
+  out.heat.inner = inner_heat_share_ * M * ring_speed;
+  out.heat.outer = (1. - inner_heat_share_) * M * ring_speed;
+  out.heat.is_in_contact = c.penetration > 0.;
+  // The rubbing spot lies on the line of centres and turns with it.
+  const double spot_speed = data_.bore_radius * c.centres_turning;
+  out.heat.rotor_surface_speed = in.rotor_spin.speed * data_.rotor_radius - spot_speed;
+  out.heat.ring_surface_speed = ring_speed * data_.bore_radius - spot_speed;
+
+  const double contact_loss = (c.normal - c.elastic) * c.rate;
+  const double support_loss = damper_y * y[support_vy] + damper_z * y[support_vz];
+  const double wave_work = balls.waviness_power + c.elastic * c.wave_rate;
+  out.other_dissipation = contact_loss + balls.damping_power + support_loss;
+  out.prescribed_work = balls.cage_power + wave_work;
+  out.energy_gradient = {c.elastic, -c.elastic, balls.elastic_radial, -balls.elastic_radial, 2. * balls.elastic_normal};
+
+  ledger[contact_impulse] = c.normal;
+  ledger[contact_damping] = contact_loss;
+  ledger[ball_damping] = balls.damping_power;
+  ledger[support_damping] = support_loss;
+  ledger[waviness_work] = wave_work;
+  ledger[cage_work] = balls.cage_power;
+  ledger[spin_up_drive] = in.rotor_spin.speed * drive;
+  ledger[spin_up_centres] = c.friction * c.tangential_speed;
+
+  if (!out.observed.empty()) observe(in, y, c, balls, M_L, M_v, out.heat, out.observed);
+  if (!out.observed_details.empty()) {
+    std::size_t at = 0;
+    for (const auto& row : rows_) {
+      const auto n = static_cast<std::size_t>(row.geometry().n_balls);
+      row.ball_loads(rows_in, out.observed_details.subspan(at, n));
+      at += n;
+    }
+  }
+}
+
+double TouchdownBearing::energy(const SupportInput& in, std::span<const double> y) const {
+  const auto& d = data_;
+  const auto square = [&](std::size_t i) { return y[i] * y[i]; };
+  const Contact c = contact(in, y);
+  double U = 0.5 * d.ring_mass * (square(ring_vy) + square(ring_vz)) + 0.5 * d.ring_spin_inertia * square(ring_spin) -
+             d.ring_mass * (d.gravity_y * y[ring_y] + d.gravity_z * y[ring_z]);
+  U += 0.5 * d.support_mass * (square(support_vy) + square(support_vz)) +
+       0.5 * (d.support_stiffness_y * square(support_y) + d.support_stiffness_z * square(support_z));
+  U += d.contact.energy(c.penetration);
+  const BallRowInput rows_in = row_input(in.growth, y);
+  for (const auto& row : rows_) U += row.energy(rows_in);
+  return U;
+}
+
+std::vector<Observable> TouchdownBearing::observables() const {
+  const std::vector<std::string> yz = {"y", "z"};
+  std::vector<std::string> row_names;
+  for (std::size_t i = 0; i < rows_.size(); ++i) row_names.push_back("row " + std::to_string(i + 1));
+  return {
+      {"orbit", "m", "rotor centre at the bearing, from the unloaded outer ring's axis", 2, yz},
+      {"rotor_velocity", "m/s", "velocity of the rotor centre at the bearing", 2, yz},
+      {"ring_position", "m", "inner-ring centre", 2, yz},
+      {"ring_velocity", "m/s", "velocity of the inner-ring centre", 2, yz},
+      {"support_position", "m", "displacement of the support and outer ring", 2, yz},
+      {"penetration", "m", "penetration of rotor surface and bore; negative: clearance left", 1, {}},
+      {"clearance", "m", "radial air gap after thermal growth of bore and shaft", 1, {}},
+      {"contact_force", "N", "normal force between rotor and inner ring", 1, {}},
+      {"friction_force", "N", "friction force on the inner ring, positive with the rotor's spin", 1, {}},
+      {"slip_speed", "m/s", "speed of the rotor's surface past the bore", 1, {}},
+      {"spin_lag", "1", "what the bore's surface speed lacks to the rotor's, over the rotor's", 1, {}},
+      {"bearing_force", "N", "resultant of the ball forces on the inner ring", 2, yz},
+      {"ball_force", "N", "load of the most loaded ball of each row", rows_.size(), row_names},
+      {"ring_speed", "rad/s", "inner-ring spin speed", 1, {}},
+      {"cage_angle", "rad", "rotation of the cage", 1, {}},
+      {"load_torque", "N m", "load-dependent friction torque of the bearing (eq. 21)", 1, {}},
+      {"drag_torque", "N m", "speed-dependent friction torque of the bearing (eq. 22)", 1, {}},
+      {"spin_torque", "N m", "spin moment of the most loaded ball on the inner race (eq. 23)", 1, {}},
+      {"spin_speed_inner", "rad/s", "spin of the balls on the inner race, outer-race control (eq. 13)", 1, {}},
+      {"rub_heat_rate", "W", "friction heat between rotor and inner ring (eq. 19)", 1, {}},
+      {"inner_heat_rate", "W", "friction heat of balls and inner race", 1, {}},
+      {"outer_heat_rate", "W", "friction heat of balls and outer race", 1, {}},
+      {"expansion", "m", "thermal growth", 5, {"shaft", "bore", "inner race", "outer race", "ball radius"}},
+  };
+}
+
+std::vector<Observable> TouchdownBearing::detailed_observables() const {
+  Observable loads{"ball_loads", "N", "load of every ball", 0, {}};
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (int j = 0; j < rows_[i].geometry().n_balls; ++j)
+      loads.columns.push_back("row " + std::to_string(i + 1) + " ball " + std::to_string(j + 1));
+  loads.size = loads.columns.size();
+  return {loads};
+}
+
+void TouchdownBearing::observe(const SupportInput& in, std::span<const double> y, const Contact& c,
+                               const BallForces& balls, double load_torque, double drag_torque, const HeatInput& heat,
+                               std::span<double> out) const {
+  std::size_t at = 0;
+  const auto put = [&](std::initializer_list<double> values) {
+    for (const double value : values) out[at++] = value;
+  };
+  put({in.journal.y, in.journal.z, in.journal.velocity_y, in.journal.velocity_z});
+  put({y[ring_y], y[ring_z], y[ring_vy], y[ring_vz], y[support_y], y[support_z]});
+  put({c.penetration, data_.air_gap + in.growth.bore - in.growth.shaft, c.normal, c.friction, c.slip_speed});
+  const double rotor_surface = in.rotor_spin.speed * data_.rotor_radius;
+  put({rotor_surface != 0. ? 1. - y[ring_spin] * data_.bore_radius / rotor_surface : 0.});
+  put({balls.force_y, balls.force_z});
+  double largest = 0.;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    put({balls.row[i].largest_load});
+    largest = std::max(largest, balls.row[i].largest_load);
+  }
+  const double spin_torque = spin_moment(data_.race_friction_coefficient, largest,
+                                         data_.spin_axis_factor * std::cbrt(largest), data_.spin_elliptic_integral);
+  put({y[ring_spin], y[cage_angle], load_torque, drag_torque, spin_torque, spin_speed_sum_ratio_ * y[ring_spin]});
+  put({heat.rub, heat.inner, heat.outer});
+  put({in.growth.shaft, in.growth.bore, in.growth.inner_race, in.growth.outer_race, in.growth.ball});
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,101 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bearing/ball_row.h"
+#include "laws/contact.h"
+#include "model/support.h"
+
+namespace rotordrop {
+
+/// Which load enters the load-dependent friction torque (MODEL 5).
+enum class FrictionLoadLaw {
+  radial,     ///< magnitude of the instantaneous radial resultant of all ball forces, without preload
+  equivalent  ///< per row max(F_r, 0.9 F_a cot phi - 0.1 F_r), preload included
+};
+
+/// A wave on the bore: sin(order * (contact angle - ring angle) + phase).
+struct BoreWave {
+  int order = 1;
+  double amplitude = 0;  ///< [m]; positive means more penetration
+  double phase = 0;      ///< [rad]
+};
+
+/// Everything a touchdown bearing is made of, as numbers. Made from a case's parameters by touchdown_parameters.h.
+struct TouchdownBearingData {
+  std::string name;
+  std::vector<BallRowGeometry> rows;  ///< all on one inner ring; equal but for phase, position, direction
+  std::vector<RaceWave> race_waves;   ///< on every row
+  std::vector<BoreWave> bore_waves;
+
+  double ring_mass = 0;          ///< inner ring(s) [kg]
+  double ring_spin_inertia = 0;  ///< J, with balls and cage [kg m^2]
+  double bore_radius = 0;        ///< r_b [m]
+  double rotor_radius = 0;       ///< r_r, rotor's contact surface [m]
+  double air_gap = 0;            ///< c_r, radial [m]
+  HuntCrossley contact;
+  CoulombFriction friction;
+
+  double f1_z = 0, f1_y = 0;     ///< f1 = z (P/C0)^y
+  double static_rating = 0;      ///< C0 of all rows together [N]
+  double f2 = 0;
+  double drag_viscosity = 0;       ///< [m^2/s]
+  double drag_regularisation = 1;  ///< M tanh(omega_i / this) [rad/s]
+  FrictionLoadLaw load_law = FrictionLoadLaw::radial;
+  double race_friction_coefficient = 0;  ///< in eq. (23)
+  double spin_axis_factor = 0;           ///< a / F^(1/3) of the inner contact [m/N^(1/3)]
+  double spin_elliptic_integral = 1;     ///< E of the inner contact
+  bool add_spin_heat = false;            ///< spin moments add torque and heat to M
+
+  double support_mass = 0;               ///< [kg]
+  double support_stiffness_y = 0, support_stiffness_z = 0;  ///< [N/m]
+  double support_damping_y = 0, support_damping_z = 0;      ///< [N s/m]
+  double gravity_y = 0, gravity_z = 0;   ///< on the inner ring [m/s^2]
+};
+
+/// Ball bearing that catches a falling rotor: rotor surface against bore, inner-ring body, ball rows, outer ring on its support.
+/// The inner ring translates and spins; its axial and tilting motion are locked. The outer ring does not rotate.
+class TouchdownBearing final : public Support {
+ public:
+  explicit TouchdownBearing(TouchdownBearingData data);
+
+  /// Offsets in this support's part of the state vector.
+  enum State : std::size_t { ring_y, ring_z, ring_vy, ring_vz, ring_angle, ring_spin, support_y, support_z, support_vy,
+                             support_vz, cage_angle, n_state };
+  /// Offsets in its own ledgers.
+  enum Ledger : std::size_t { contact_impulse, contact_damping, ball_damping, support_damping, waviness_work, cage_work,
+                              spin_up_drive, spin_up_centres, n_ledger };
+
+  [[nodiscard]] const TouchdownBearingData& data() const { return data_; }
+  [[nodiscard]] const std::string& name() const override { return data_.name; }
+  [[nodiscard]] std::vector<StateEntry> state_entries() const override;
+  [[nodiscard]] std::vector<StateEntry> ledger_entries() const override;
+  [[nodiscard]] std::vector<Observable> observables() const override;
+  [[nodiscard]] std::vector<Observable> detailed_observables() const override;
+  /// Rings at rest, hanging in their balls under their own weight; the support carries the rings only.
+  void initial_state(std::span<double> y) const override;
+  void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,
+                std::span<double> ledger_rates, SupportOutput& out) const override;
+  [[nodiscard]] double energy(const SupportInput& input, std::span<const double> y) const override;
+
+ private:
+  struct Contact;      // rotor against bore at one instant
+  struct BallForces;   // sums over the rows
+  [[nodiscard]] Contact contact(const SupportInput& input, std::span<const double> y) const;
+  [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
+  [[nodiscard]] BallForces ball_forces(const BallRowInput& input) const;
+  [[nodiscard]] double load_torque_of(const BallForces& forces) const;
+  [[nodiscard]] double spin_drag(const BallRowInput& input) const;
+  void observe(const SupportInput& input, std::span<const double> y, const Contact& c, const BallForces& balls,
+               double load_torque, double drag_torque, const HeatInput& heat, std::span<double> out) const;
+
+  TouchdownBearingData data_;
+  std::vector<BallRow> rows_;
+  double cage_ratio_ = 0;
+  double inner_heat_share_ = 0.5;
+  double cot_contact_angle_ = 0;
+  double spin_speed_sum_ratio_ = 0;  // (|omega_si| + |omega_so|) / omega_i
+};
+
+}  // namespace rotordrop

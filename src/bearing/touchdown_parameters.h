@@ -1,0 +1,86 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/parameters.h"
+#include "bearing/touchdown_bearing.h"
+#include "laws/hertz.h"
+
+namespace rotordrop {
+
+/// [contact]: rotor surface against inner-ring bore, for all touchdown bearings.
+struct ContactParameters {
+  double friction_coefficient = 0, air_gap = 0, exponent = 0, lambda = 0, regularisation_speed = 0;
+  std::optional<double> bore_radius;
+  std::optional<double> static_friction_coefficient;
+  double stribeck_speed = 0;
+};
+Section<ContactParameters> contact_section();
+
+/// One wave of bearings.NAME.waviness.
+struct WavinessParameters {
+  std::string surface;
+  int order = 1;
+  double amplitude = 0, phase = 0;
+};
+
+struct SupportParameters {
+  double mass = 0, K_y = 0, K_z = 0, C_y = 0, C_z = 0;
+};
+
+enum class RowArrangement { face_to_face, back_to_back, tandem };
+
+/// Heat inside the bearing: of the friction torque alone, or with the balls' spin moments as an additional torque.
+enum class InternalHeat { energy_consistent, with_spin };
+
+/// bearings.NAME with type = "touchdown".
+struct TouchdownParameters {
+  std::optional<std::string> catalogue;
+  int node = 0;
+  double contact_stiffness = 0;
+  std::optional<double> bore_radius, air_gap;
+  int rows = 1, balls_per_row = 0;
+  RowArrangement arrangement = RowArrangement::face_to_face;
+  double ball_diameter = 0, pitch_diameter = 0;
+  std::array<double, 2> conformity{};
+  double contact_angle = 0, radial_clearance = 0, preload = 0, row_phase = 0;
+  std::optional<double> row_spacing;
+  std::string ball, ring;
+  double ring_mass = 0, ring_spin_inertia = 0, width = 0;
+  double f1_z = 0, f1_y = 0, f2 = 0, C0 = 0;
+  std::optional<double> C, bore_diameter, outside_diameter;
+  SupportParameters support;
+  std::vector<WavinessParameters> waviness;
+  double ball_damping_beta = 0, drag_viscosity = 0, drag_regularisation = 0;
+  std::string ring_motion;
+  InternalHeat internal_heat = InternalHeat::energy_consistent;
+  FrictionLoadLaw load_law = FrictionLoadLaw::radial;
+  EllipticIntegrals elliptic_integrals = EllipticIntegrals::brewe_hamrock;
+  std::optional<double> race_friction_coefficient;
+  std::array<double, 2> inner_ring_diameters{}, outer_ring_diameters{}, housing_diameters{};
+  double housing_length = 0;
+  std::optional<double> shaft_lump_length;
+};
+Section<TouchdownParameters> touchdown_section();
+
+/// What a touchdown bearing takes from elsewhere in the case.
+struct TouchdownSurroundings {
+  ElasticMaterial ring, ball;
+  double gravity_y = 0, gravity_z = 0;  ///< [m/s^2]
+};
+
+/// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.
+double bore_radius(const TouchdownParameters& bearing, const ContactParameters& contact);
+/// Radial air gap [m]: the bearing's own, else that of [contact].
+double air_gap(const TouchdownParameters& bearing, const ContactParameters& contact);
+
+TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& bearing,
+                                    const ContactParameters& contact, const TouchdownSurroundings& surroundings);
+
+/// Checks that need both the bearing and [contact].
+void check_touchdown(const std::string& name, const TouchdownParameters& bearing, const ContactParameters& contact,
+                     const Node& bearing_table, Faults& faults);
+
+}  // namespace rotordrop
