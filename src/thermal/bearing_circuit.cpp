@@ -1,0 +1,83 @@
+#include "thermal/bearing_circuit.h"
+
+#include <cmath>
+
+#include "laws/ring_growth.h"
+
+namespace rotordrop {
+
+void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& network) {
+  using std::numbers::pi;
+  using Law = ThermalNetworkData::Law;
+  const auto name = [&](const char* node) { return b.name + "/" + node; };
+  const std::string s = name("shaft"), i = name("inner_ring"), ci = name("inner_contact"), ball = name("ball"),
+                    co = name("outer_contact"), o = name("outer_ring"), h = name("housing");
+  const std::size_t place = network.places.size();
+
+  const double k = b.ring.conductivity, W = b.width, d_s = 2. * b.journal_radius;
+  const double d_mi = 0.5 * (b.inner_bore + b.inner_outside), d_om = 0.5 * (b.outer_bore + b.outer_outside),
+               d_hm = 0.5 * (b.housing_bore + b.housing_outside);
+  const double Z = b.n_balls;
+  const auto disc = [](double diameter) { return 0.25 * pi * diameter * diameter; };
+  const auto sleeve = [&](double inside, double outside) { return disc(outside) - disc(inside); };
+
+  const double volumetric = b.ring.density * b.ring.heat_capacity;
+  const double C_s = volumetric * disc(d_s) * b.shaft_length;
+  const double C_i = b.ring_mass * b.ring.heat_capacity;
+  const double C_b = Z * pi / 6. * std::pow(b.ball_diameter, 3) * b.ball.density * b.ball.heat_capacity;
+  const double C_o = volumetric * sleeve(b.outer_bore, b.outer_outside) * W;
+  const double C_h = volumetric * sleeve(b.housing_bore, b.housing_outside) * b.housing_length;
+
+  const double R1 = 1. / (b.h_shaft * pi * d_s * W);
+  const double R2 = 1. / (4. * pi * k * W);  // centre to surface
+  const double R3 = std::log(d_mi / d_s) / (2. * pi * k * W);
+  const double R4 = std::log(b.inner_outside / d_mi) / (2. * pi * k * W);
+  const double R5 = 2. / (pi * b.ball.conductivity * b.ball_diameter * Z) +
+                    2. / (4. * b.ball.conductivity * b.contact_half_width * Z);
+  const double R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
+  const double R7 = std::log(d_om / b.outer_bore) / (2. * pi * k * W);
+  const double R8 = std::log(b.outer_outside / d_om) / (2. * pi * k * W) + b.fit_resistance +
+                    std::log(d_hm / b.outer_outside) / (2. * pi * k * b.housing_length);
+  const double housing_area = pi * b.housing_outside * b.housing_length;  // R9 = 1 / (h_h area)
+
+  network.nodes.insert(network.nodes.end(), {{s, C_s, "shaft under the bearing"},
+                                             {i, C_i, "inner ring"},
+                                             {ci, 0., "contact of balls and inner race"},
+                                             {ball, C_b, "balls"},
+                                             {co, 0., "contact of balls and outer race"},
+                                             {o, C_o, "outer ring"},
+                                             {h, C_h, "housing"}});
+  const auto join = [&](const std::string& a, const std::string& c, double R) {
+    network.resistors.push_back({a, c, R, Law::constant, 0., 0., 0});
+  };
+  join(s, ambient_node, R1);
+  if (b.shaft_ring_link == BearingCircuitData::Link::permanent) join(s, i, R2 + R3);
+  else network.resistors.push_back({s, i, R2 + R3, Law::contact, 0., R2 + R3 + b.gap_resistance, place});
+  join(i, ci, R4);
+  join(ci, ball, R5);
+  join(ball, co, R5);
+  join(ball, ambient_node, R6);
+  join(co, o, R7);
+  join(o, h, R8);
+  network.resistors.push_back({h, ambient_node, 0., Law::housing_convection, housing_area, 0., place});
+  network.places.push_back({s, i, ci, co, b.share_to_ring, b.share_by_jaeger, b.jaeger});
+
+  const double constraint = b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.;
+  const double a_i = 0.5 * b.inner_bore, b_i = 0.5 * b.inner_outside, a_o = 0.5 * b.outer_bore, b_o = 0.5 * b.housing_outside;
+  const auto grow = [&](double Expansion::* surface, const std::string& node, double coefficient) {
+    network.growths.push_back({place, surface, node, coefficient});
+  };
+  const auto bore = ring_growth(b.ring.expansion, a_i, b_i, a_i, constraint);
+  const auto inner_race = ring_growth(b.ring.expansion, a_i, b_i, b_i, constraint);
+  const auto outer_race = ring_growth(b.ring.expansion, a_o, b_o, a_o, constraint);
+  grow(&Expansion::bore, i, bore.per_rise_inside);
+  grow(&Expansion::bore, ci, bore.per_rise_outside);
+  grow(&Expansion::inner_race, i, inner_race.per_rise_inside);
+  grow(&Expansion::inner_race, ci, inner_race.per_rise_outside);
+  grow(&Expansion::outer_race, o, outer_race.per_rise_inside);
+  grow(&Expansion::outer_race, h, outer_race.per_rise_outside);
+  grow(&Expansion::shaft, s, b.ring.expansion * b.journal_radius);
+  grow(&Expansion::ball, ball, b.ball.expansion * 0.5 * b.ball_diameter);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,47 @@
+#pragma once
+#include <numbers>
+#include <string>
+
+#include "thermal/thermal_network.h"
+
+namespace rotordrop {
+
+struct ThermalMaterial {
+  double conductivity = 0;   ///< k [W/(m K)]
+  double heat_capacity = 0;  ///< c [J/(kg K)]
+  double density = 0;        ///< rho [kg/m^3]
+  double expansion = 0;      ///< alpha [1/K]
+  double poisson_ratio = 0;
+};
+
+/// What the circuit of one touchdown bearing is made from (MODEL 6; Neisi 2019, section 3.4, fig. 6, table 1).
+struct BearingCircuitData {
+  std::string name;                         ///< of the bearing
+  ThermalMaterial ring, ball;               ///< steel of rings, housing and shaft; balls
+  double width = 0;                         ///< W, all rows [m]
+  double journal_radius = 0;                ///< rotor's contact surface [m]
+  double ring_mass = 0;                     ///< inner ring(s) [kg]
+  double inner_bore = 0, inner_outside = 0; ///< inner ring's diameters [m]
+  double outer_bore = 0, outer_outside = 0; ///< outer ring's [m]
+  double housing_bore = 0, housing_outside = 0;  ///< [m]
+  double housing_length = 0;                ///< L_h, all rows [m]
+  double shaft_length = 0;                  ///< of the lump of shaft [m]
+  int n_balls = 0;                          ///< of all rows
+  double ball_diameter = 0;                 ///< [m]
+  double h_shaft = 0, h_ball = 0;           ///< convection [W/(m^2 K)]
+  double fit_resistance = 0;                ///< outer ring to housing [K/W]
+  double contact_half_width = 0;            ///< a of the constriction [m]
+  bool plane_strain_growth = false;         ///< growth times (1 + nu)
+  enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
+  double gap_resistance = 0;                ///< of Link::in_contact, when apart [K/W]
+  double share_to_ring = 0.5;
+  bool share_by_jaeger = false;
+  JaegerShare jaeger;
+};
+
+/// Adds a bearing's nodes, resistors, port and growth to a network; the bearing becomes its next place.
+///   ambient -R1- s -R2- x -R3- i -R4- ci -R5- b -R5- co -R7- o -R8- h -R9- ambient,   b -R6- ambient
+/// x is eliminated here: the rub heat enters s and i by the share, and R2 + R3 join them.
+void add_bearing_circuit(const BearingCircuitData& bearing, ThermalNetworkData& network);
+
+}  // namespace rotordrop

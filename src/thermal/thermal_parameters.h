@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/parameters.h"
+#include "thermal/bearing_circuit.h"
+
+namespace rotordrop {
+
+enum class HeatShare { constant, jaeger };
+
+/// A node that a user adds to the circuit.
+struct ExtraNode {
+  std::string name;
+  double capacity = 0;
+};
+/// A resistor that a user adds between two nodes.
+struct ExtraResistor {
+  std::vector<std::string> between;
+  double resistance = 0;
+};
+
+/// [thermal]: the lumped circuit of every touchdown bearing, and what a user adds to it.
+struct ThermalParameters {
+  bool growth = true;
+  HeatShare heat_share = HeatShare::constant;
+  double share_to_ring = 0;
+  double rub_band_length = 0, rub_contact_time = 0;
+  double h_shaft = 0, h_ball = 0, fit_resistance = 0, contact_half_width = 0;
+  BearingCircuitData::Link shaft_ring_link = BearingCircuitData::Link::permanent;
+  double gas_conductivity = 0;
+  bool plane_strain_growth = false;
+  std::vector<ExtraNode> nodes;
+  std::vector<ExtraResistor> resistors;
+};
+Section<ThermalParameters> thermal_section();
+
+/// The user's nodes and resistors; names that do not exist become faults.
+void add_extra_parts(const ThermalParameters& parameters, const Node& thermal_table, ThermalNetworkData& network, Faults& faults);
+
+}  // namespace rotordrop
