@@ -1,0 +1,88 @@
+#include <cvodes/cvodes.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include <vector>
+
+#include "base/errors.h"
+#include "integrate/methods.h"
+#include "integrate/sundials_problem.h"
+
+namespace rotordrop {
+namespace {
+
+/// Adams-Moulton of variable order and step (CVODES), corrected by functional iteration: no Jacobian.
+class Adams final : public Integrator {
+ public:
+  Adams(const OdeSystem& system, const IntegrationParameters& parameters, double start_time, std::span<const double> state, double end_time)
+      : problem_(system, state, parameters.tolerance), time_(start_time), end_time_(end_time) {
+    memory_ = CVodeCreate(CV_ADAMS, problem_.context());
+    solver_ = SUNNonlinSol_FixedPoint(problem_.state(), 0, problem_.context());
+    bool good = memory_ != nullptr && solver_ != nullptr;
+    const auto check = [&](int code) { good = good && code == 0; };
+    check(CVodeSetErrHandlerFn(memory_, SundialsProblem::take_message, &problem_));
+    check(CVodeInit(memory_, SundialsProblem::right_hand_side, start_time, problem_.state()));
+    check(CVodeSetUserData(memory_, &problem_));
+    check(CVodeSVtolerances(memory_, parameters.tolerance, problem_.absolute_tolerance()));
+    check(CVodeSetNonlinearSolver(memory_, solver_));
+    check(CVodeSetMaxStep(memory_, parameters.maximum_step));
+    check(CVodeSetMaxNumSteps(memory_, -1));
+    check(CVodeSetMaxHnilWarns(memory_, -1));
+    check(CVodeSetStopTime(memory_, end_time));
+    if (!good) throw SolverError("the Adams integrator could not be set up");
+  }
+  ~Adams() override {
+    CVodeFree(&memory_);
+    SUNNonlinSolFree(solver_);
+  }
+
+  [[nodiscard]] double time() const override { return time_; }
+  [[nodiscard]] std::span<const double> state() const override { return problem_.values(); }
+
+  void advance() override {
+    const int code = CVode(memory_, end_time_, problem_.state(), &time_, CV_ONE_STEP);
+    if (code >= 0) return;
+    double step = 0.;
+    CVodeGetCurrentStep(memory_, &step);
+    problem_.fail(code, time_, step, weighted_error());
+  }
+
+  void interpolate(double t, std::span<double> y) const override {
+    N_Vector out = N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), problem_.context());
+    const int code = CVodeGetDky(memory_, t, 0, out);
+    N_VDestroy(out);
+    if (code != 0) throw SolverError("a time outside the last step was asked for");
+  }
+
+  [[nodiscard]] IntegrationStatistics statistics() const override {
+    IntegrationStatistics s;
+    CVodeGetNumSteps(memory_, &s.steps);
+    CVodeGetNumErrTestFails(memory_, &s.rejected_steps);
+    s.rhs_evaluations = problem_.rhs_evaluations();
+    return s;
+  }
+
+ private:
+  [[nodiscard]] std::vector<double> weighted_error() const {
+    N_Vector error = problem_.clone(), weight = problem_.clone();
+    std::vector<double> product(problem_.values().size());
+    if (CVodeGetEstLocalErrors(memory_, error) == 0 && CVodeGetErrWeights(memory_, weight) == 0)
+      for (std::size_t i = 0; i < product.size(); ++i) product[i] = N_VGetArrayPointer(error)[i] * N_VGetArrayPointer(weight)[i];
+    N_VDestroy(error);
+    N_VDestroy(weight);
+    return product;
+  }
+
+  SundialsProblem problem_;
+  void* memory_ = nullptr;
+  SUNNonlinearSolver solver_ = nullptr;
+  double time_, end_time_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_adams(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
+                                       std::span<const double> state, double end_time) {
+  return std::make_unique<Adams>(system, parameters, start_time, state, end_time);
+}
+
+}  // namespace rotordrop

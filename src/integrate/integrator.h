@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "integrate/integration_parameters.h"
+#include "model/ode_system.h"
+
+namespace rotordrop {
+
+/// What an integration has cost so far.
+struct IntegrationStatistics {
+  long steps = 0;
+  long rhs_evaluations = 0;
+  long rejected_steps = 0;
+};
+
+/// Advances one ODE system step by step; owns the state.
+class Integrator {
+ public:
+  Integrator() = default;
+  Integrator(const Integrator&) = delete;
+  Integrator& operator=(const Integrator&) = delete;
+  virtual ~Integrator() = default;
+
+  [[nodiscard]] virtual double time() const = 0;
+  /// State at time().
+  [[nodiscard]] virtual std::span<const double> state() const = 0;
+  /// One step, not beyond the end time given at construction. @throws SolverError naming the worst components
+  virtual void advance() = 0;
+  /// State at a time within the last step.
+  virtual void interpolate(double t, std::span<double> y) const = 0;
+  [[nodiscard]] virtual IntegrationStatistics statistics() const = 0;
+};
+
+/// @param start_time [s]; @param state [system.layout().size()]; @param end_time [s], > start_time
+std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
+                                            std::span<const double> state, double end_time);
+
+/// The `count` largest shares of a squared error norm, in words: ""TB1/inner ring y [m]" (84 %), ...".
+std::string worst_components(const StateLayout& layout, std::span<const double> weighted_error, std::size_t count = 3);
+
+}  // namespace rotordrop

@@ -1,0 +1,90 @@
+#include "integrate/sundials_problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "integrate/integrator.h"
+
+namespace rotordrop {
+namespace {
+
+// x * 0 is 0 for finite x and NaN otherwise.
+bool all_finite(std::span<const double> values) {
+  double sum = 0.;
+  for (const double value : values) sum += value * 0.;
+  return sum == 0.;
+}
+
+}  // namespace
+
+SundialsProblem::SundialsProblem(const OdeSystem& system, std::span<const double> state, double tolerance)
+    : system_(system), n_(system.layout().size()) {
+  if (SUNContext_Create(nullptr, &context_) != 0) throw SolverError("SUNDIALS could not be started");
+  state_ = N_VNew_Serial(static_cast<sunindextype>(n_), context_);
+  tolerance_ = N_VClone(state_);
+  std::copy(state.begin(), state.end(), N_VGetArrayPointer(state_));
+  const auto& entries = system.layout().entries();
+  for (std::size_t i = 0; i < n_; ++i)
+    // Nothing depends on a quadrature: it follows the step that the others ask for.
+    N_VGetArrayPointer(tolerance_)[i] = i < system.first_quadrature() ? tolerance * entries[i].scale : 1e30;
+}
+
+SundialsProblem::~SundialsProblem() {
+  N_VDestroy(state_);
+  N_VDestroy(tolerance_);
+  SUNContext_Free(&context_);
+}
+
+int SundialsProblem::right_hand_side(realtype t, N_Vector y, N_Vector dydt, void* self) {
+  auto& problem = *static_cast<SundialsProblem*>(self);
+  const std::span<const double> state(N_VGetArrayPointer(y), problem.n_);
+  const std::span<double> rates(N_VGetArrayPointer(dydt), problem.n_);
+  ++problem.rhs_evaluations_;
+  try {
+    problem.system_.rhs(t, state, rates);
+  } catch (...) {
+    problem.exception_ = std::current_exception();
+    return -1;
+  }
+  if (all_finite(rates)) return 0;
+  problem.bad_rates_.assign(rates.begin(), rates.end());
+  return 1;
+}
+
+void SundialsProblem::take_message(int code, const char*, const char*, char* message, void* self) {
+  if (code < 0) static_cast<SundialsProblem*>(self)->message_ = message;
+}
+
+std::string SundialsProblem::not_finite(std::span<const double> values) const {
+  std::string list;
+  int count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) continue;
+    if (++count <= 3) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", system_.layout().describe(i));
+  }
+  if (count > 3) list += fmt::format(" and {} more", count - 3);
+  return list;
+}
+
+void SundialsProblem::check_finite(double t) const {
+  if (all_finite(values())) return;
+  throw SolverError(fmt::format("the state is no longer finite at t = {:.6g} ms: {}.\n       Often the step is too long for the stiffest contact.",
+                                t * 1e3, not_finite(values())));
+}
+
+void SundialsProblem::fail(int, double t, double step, std::span<const double> weighted_error) const {
+  if (exception_) std::rethrow_exception(exception_);
+  if (!bad_rates_.empty())
+    throw SolverError(fmt::format("the rate of {} is not a finite number at t = {:.6g} ms (step {:.3g} s).\n"
+                                  "       Often the step is too long for the stiffest contact, or a parameter is far out of its usual range.",
+                                  not_finite(bad_rates_), t * 1e3, step));
+  std::string text = fmt::format("the integrator could not take a step at t = {:.6g} ms (step {:.3g} s).", t * 1e3, step);
+  if (!weighted_error.empty()) text += "\n       Largest error: " + worst_components(system_.layout(), weighted_error) + ".";
+  if (!message_.empty()) text += "\n       " + message_;
+  throw SolverError(text);
+}
+
+}  // namespace rotordrop

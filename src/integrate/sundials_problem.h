@@ -1,0 +1,55 @@
+#pragma once
+// The one place where our systems meet SUNDIALS' C interface: vectors, right-hand side, exceptions as return codes, errors in words.
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+
+#include <exception>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/ode_system.h"
+
+namespace rotordrop {
+
+class SundialsProblem {
+ public:
+  /// @param tolerance  relative; the absolute tolerance of an entry is this times its scale
+  SundialsProblem(const OdeSystem& system, std::span<const double> state, double tolerance);
+  SundialsProblem(const SundialsProblem&) = delete;
+  SundialsProblem& operator=(const SundialsProblem&) = delete;
+  ~SundialsProblem();
+
+  /// Right-hand side in SUNDIALS' form; `self` is the problem. 0, 1 (trial state out of range: try a smaller step), -1 (exception kept).
+  static int right_hand_side(realtype t, N_Vector y, N_Vector dydt, void* self);
+  /// Takes SUNDIALS' own messages, so that they do not reach the screen. `self` is the problem.
+  static void take_message(int code, const char* module, const char* function, char* message, void* self);
+
+  [[nodiscard]] SUNContext context() const { return context_; }
+  [[nodiscard]] N_Vector state() const { return state_; }
+  [[nodiscard]] N_Vector absolute_tolerance() const { return tolerance_; }
+  [[nodiscard]] std::span<double> values() const { return {N_VGetArrayPointer(state_), n_}; }
+  [[nodiscard]] long rhs_evaluations() const { return rhs_evaluations_; }
+  [[nodiscard]] N_Vector clone() const { return N_VClone(state_); }
+
+  /// Throws for a failed step: the kept exception if there is one, else a SolverError that names time, step, cause and components.
+  /// @param weighted_error  [n] of the last error test; empty if the method has none
+  [[noreturn]] void fail(int code, double t, double step, std::span<const double> weighted_error) const;
+  /// @throws SolverError if the state holds a value that is not finite
+  void check_finite(double t) const;
+
+ private:
+  [[nodiscard]] std::string not_finite(std::span<const double> values) const;
+
+  const OdeSystem& system_;
+  std::size_t n_;
+  SUNContext context_ = nullptr;
+  N_Vector state_ = nullptr, tolerance_ = nullptr;
+  std::exception_ptr exception_;
+  std::string message_;
+  std::vector<double> bad_rates_;  // the last rates that were not finite
+  long rhs_evaluations_ = 0;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,148 @@
+#include "machine/build_machine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bearing/linear_support.h"
+
+namespace rotordrop {
+namespace {
+
+const MaterialParameters* find_material(const MachineParameters& p, const std::string& name) {
+  for (const auto& [known, material] : p.materials)
+    if (known == name) return &material;
+  return nullptr;
+}
+
+ThermalMaterial thermal_material(const MaterialParameters& m) { return {m.k, m.c, m.rho, m.alpha, m.nu}; }
+
+const Node& table_of(const Node& case_node, const char* section) {
+  static const Node empty = Node::table();
+  const Node* found = case_node.find(section);
+  return found ? *found : empty;
+}
+
+BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
+  const auto& t = p.thermal;
+  BearingCircuitData c;
+  c.name = name;
+  c.ring = thermal_material(*find_material(p, b.ring));
+  c.ball = thermal_material(*find_material(p, b.ball));
+  c.width = b.width;
+  c.journal_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
+  c.ring_mass = b.ring_mass;
+  c.inner_bore = b.inner_ring_diameters[0];
+  c.inner_outside = b.inner_ring_diameters[1];
+  c.outer_bore = b.outer_ring_diameters[0];
+  c.outer_outside = b.outer_ring_diameters[1];
+  c.housing_bore = b.housing_diameters[0];
+  c.housing_outside = b.housing_diameters[1];
+  c.housing_length = b.housing_length;
+  c.shaft_length = b.shaft_lump_length.value_or(b.width);
+  c.n_balls = b.rows * b.balls_per_row;
+  c.ball_diameter = b.ball_diameter;
+  c.h_shaft = t.h_shaft;
+  c.h_ball = t.h_ball;
+  c.fit_resistance = t.fit_resistance;
+  c.contact_half_width = t.contact_half_width;
+  c.plane_strain_growth = t.plane_strain_growth;
+  c.shaft_ring_link = t.shaft_ring_link;
+  c.gap_resistance = std::log1p(air_gap(b, p.contact) / c.journal_radius) / (2. * std::numbers::pi * t.gas_conductivity * b.width);
+  c.share_to_ring = t.share_to_ring;
+  c.share_by_jaeger = t.heat_share == HeatShare::jaeger;
+  c.jaeger = {t.rub_band_length, t.rub_contact_time, 1.};
+  return c;
+}
+
+ThermalNetworkData network_data(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  ThermalNetworkData network;
+  network.ambient = p.run.ambient;
+  for (const auto& entry : p.bearings)
+    if (const auto* b = entry.touchdown()) add_bearing_circuit(circuit_data(p, entry.name, *b), network);
+  add_extra_parts(p.thermal, table_of(case_node, "thermal"), network, faults);
+  return network;
+}
+
+}  // namespace
+
+void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  const Node& bearings = table_of(case_node, "bearings");
+  if (p.bearings.empty())
+    faults.add(position_of(case_node, "bearings"), "the case has no bearings", "Add at least one table [bearings.NAME] with type = \"touchdown\" or \"linear\".");
+  check_against_geometry(p.rotor, p.rotor.geometry, table_of(case_node, "rotor"), faults);
+  std::set<int> taken;
+  bool materials_are_known = true;
+  for (const auto& entry : p.bearings) {
+    const Node* own = bearings.find(entry.name);
+    const Node& table = own ? *own : bearings;
+    check_rotor_node(p.rotor.geometry, entry.node(), position_of_value(table, "node"), "bearings." + entry.name + ".node", faults);
+    if (const auto* b = entry.touchdown()) {
+      if (!taken.insert(b->node).second)
+        faults.add(position_of_value(table, "node"), fmt::format("bearings.{}.node = {}: another touchdown bearing sits at this node", entry.name, b->node));
+      check_touchdown(entry.name, *b, p.contact, table, faults);
+      for (const auto& [key, name] : {std::pair{"ball", b->ball}, std::pair{"ring", b->ring}}) {
+        if (find_material(p, name)) continue;
+        materials_are_known = false;
+        std::vector<std::string> known;
+        for (const auto& m : p.materials) known.push_back(m.first);
+        const std::string guess = closest_name(name, known);
+        faults.add(position_of_value(table, key), fmt::format("bearings.{}.{} = \"{}\" is no material", entry.name, key, name),
+                   (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") + fmt::format("Known in [materials]: {}.", fmt::join(known, ", ")));
+      }
+    }
+  }
+  if (materials_are_known) network_data(p, case_node, faults);
+}
+
+std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node) {
+  Faults faults;
+  const auto network = network_data(p, case_node, faults);
+  faults.throw_if_any();
+
+  Machine::Parts parts;
+  std::vector<int> nodes;
+  std::vector<std::pair<double, std::pair<double, double>>> ring_centres;  // x, (y, z)
+  std::size_t n_places = 0;
+  for (const auto& entry : p.bearings) {
+    nodes.push_back(entry.node());
+    if (const auto* b = entry.touchdown()) {
+      const auto material = [&](const std::string& name) {
+        const auto* m = find_material(p, name);
+        return ElasticMaterial{m->E, m->nu};
+      };
+      auto bearing = std::make_unique<TouchdownBearing>(
+          touchdown_data(entry.name, *b, p.contact, {material(b->ring), material(b->ball), p.run.gravity[1], p.run.gravity[2]}));
+      std::vector<double> state(TouchdownBearing::n_state);
+      bearing->initial_state(state);
+      ring_centres.push_back({p.rotor.geometry.position(b->node), {state[TouchdownBearing::ring_y], state[TouchdownBearing::ring_z]}});
+      parts.supports.push_back(std::move(bearing));
+      parts.thermal_place.push_back(n_places++);
+    } else {
+      const auto& l = *entry.linear();
+      parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l.stiffness, l.damping));
+      parts.thermal_place.push_back(std::nullopt);
+    }
+  }
+  parts.thermal = std::make_unique<ThermalNetwork>(network);
+  parts.growth_is_fed_back = p.thermal.growth;
+
+  auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry, rotor_settings(p.rotor, p.run.gravity[1], p.run.gravity[2]), nodes);
+  // The rotor starts as a straight line through the ring centres of the outermost touchdown bearings.
+  const double x_cg = rotor->body().centre_of_gravity;
+  Motion start;
+  if (!ring_centres.empty()) {
+    const auto [first, last] = std::minmax_element(ring_centres.begin(), ring_centres.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    start = first->first < last->first
+                ? straight_line(first->first, first->second.first, first->second.second, last->first, last->second.first, last->second.second, x_cg)
+                : Motion{.y = first->second.first, .z = first->second.second};
+  }
+  parts.initial_rotor_state.resize(rotor->n_state());
+  rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {0., p.run.initial_speed}, parts.initial_rotor_state);
+  parts.rotor = std::move(rotor);
+  return std::make_unique<Machine>(std::move(parts));
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,201 @@
+#include "machine/machine.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace rotordrop {
+
+Machine::Machine(Parts parts) : parts_(std::move(parts)) {
+  const std::size_t n = parts_.supports.size();
+  if (parts_.rotor->n_stations() != n || parts_.thermal_place.size() != n)
+    throw std::invalid_argument("a machine needs one rotor station and one thermal place (or none) per support");
+
+  layout_.add_block("rotor", parts_.rotor->state_entries());
+  n_rotor_ = layout_.size();
+  places_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    places_[i].state = layout_.size();
+    const auto entries = parts_.supports[i]->state_entries();
+    places_[i].n_state = entries.size();
+    layout_.add_block(parts_.supports[i]->name(), entries);
+  }
+  thermal_ = layout_.size();
+  layout_.add_block("temperature", parts_.thermal->state_entries());
+  n_thermal_ = layout_.size() - thermal_;
+  first_ledger_ = layout_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<StateEntry> entries = {{"rub heat", "J", 100.},          {"inner heat", "J", 10.},   {"outer heat", "J", 10.},
+                                       {"other dissipation", "J", 1.},   {"prescribed work", "J", 1.}, {"growth work", "J", 1.}};
+    const auto own = parts_.supports[i]->ledger_entries();
+    entries.insert(entries.end(), own.begin(), own.end());
+    places_[i].ledger = layout_.size();
+    places_[i].n_own = own.size();
+    layout_.add_block(parts_.supports[i]->name() + " ledger", entries);
+  }
+  machine_ledger_ = layout_.size();
+  layout_.add_block("energy", {{"rotor damping", "J", 1.}, {"unbalance work", "J", 1.}, {"drive work", "J", 1.}, {"heat lost", "J", 1.}});
+
+  std::size_t n_places = 0;
+  for (const auto& place : parts_.thermal_place) n_places += place.has_value();
+  motions_.resize(n);
+  inputs_.resize(n);
+  outputs_.resize(n);
+  forces_.resize(n);
+  growth_.resize(n_places);
+  growth_rate_.resize(n_places);
+  heats_.resize(n_places);
+  list_observables();
+
+  std::vector<double> y(layout_.size());
+  initial_state(y);
+  initial_mechanical_ = mechanical_energy(0., y);
+}
+
+void Machine::list_observables() {
+  const auto add = [](std::vector<Observable>& list, const std::string& prefix, const std::vector<Observable>& more) {
+    std::size_t size = 0;
+    for (Observable o : more) {
+      o.name = prefix + o.name;
+      size += o.size;
+      list.push_back(std::move(o));
+    }
+    return size;
+  };
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const auto& support = *parts_.supports[i];
+    const std::string prefix = "/bearings/" + support.name() + "/";
+    places_[i].n_step = add(step_observables_, prefix, support.observables());
+    places_[i].n_detail = add(detail_observables_, prefix, support.detailed_observables());
+  }
+  add(state_observables_, "/rotor/", {{"spin_speed", "rad/s", "spin speed of the rotor", 1, {}}, {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
+  n_thermal_observed_ = add(state_observables_, "/thermal/", parts_.thermal->observables());
+  add(state_observables_, "/energy/",
+      {{"mechanical", "J", "kinetic, elastic and gravitational energy", 1, {}},
+       {"dissipated", "J", "mechanical energy dissipated since the start", 1, {}},
+       {"growth_work", "J", "work of thermal growth on the machine", 1, {}},
+       {"prescribed_work", "J", "work of prescribed cage and waviness motion on the machine", 1, {}},
+       {"unbalance_work", "J", "work of the unbalance forces on the rotor", 1, {}},
+       {"drive_work", "J", "work of motor or brake on the rotor", 1, {}},
+       {"residual", "J", "mechanical energy not accounted for", 1, {}},
+       {"heat_deposited", "J", "heat given to the thermal model since the start", 1, {}},
+       {"heat_stored", "J", "heat stored over ambient", 1, {}},
+       {"heat_lost", "J", "heat lost to ambient since the start", 1, {}},
+       {"heat_residual", "J", "heat not accounted for", 1, {}}});
+  for (std::size_t i = first_ledger_; i < layout_.size(); ++i) {
+    const auto& entry = layout_.entries()[i];
+    Observable o{"/ledger/" + entry.name, entry.unit, "since the start: " + entry.name, 1, {}};
+    for (char& c : o.name)
+      if (c == ' ' || c == ',' || c == '\'') c = '_';
+    state_observables_.push_back(std::move(o));
+  }
+}
+
+void Machine::initial_state(std::span<double> y) const {
+  std::fill(y.begin(), y.end(), 0.);
+  std::copy(parts_.initial_rotor_state.begin(), parts_.initial_rotor_state.end(), y.begin());
+  for (std::size_t i = 0; i < places_.size(); ++i) parts_.supports[i]->initial_state(y.subspan(places_[i].state, places_[i].n_state));
+  parts_.thermal->initial_state(y.subspan(thermal_, n_thermal_));
+}
+
+void Machine::prepare_inputs(double t, std::span<const double> y) const {
+  parts_.rotor->motions(rotor_part(y), motions_);
+  const Spin spin = parts_.rotor->spin(rotor_part(y));
+  if (parts_.growth_is_fed_back) parts_.thermal->growth(thermal_part(y), growth_);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    inputs_[i].time = t;
+    inputs_[i].journal = motions_[i];
+    inputs_[i].rotor_spin = spin;
+    if (const auto place = parts_.thermal_place[i]) inputs_[i].growth = growth_[*place];
+  }
+}
+
+void Machine::evaluate(double t, std::span<const double> y, std::span<double> dydt, std::span<double> step,
+                       std::span<double> details) const {
+  prepare_inputs(t, y);
+  std::size_t step_at = 0, detail_at = 0;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Place& p = places_[i];
+    auto& out = outputs_[i];
+    out.observed = step.empty() ? std::span<double>{} : step.subspan(step_at, p.n_step);
+    out.observed_details = details.empty() ? std::span<double>{} : details.subspan(detail_at, p.n_detail);
+    step_at += p.n_step;
+    detail_at += p.n_detail;
+    parts_.supports[i]->evaluate(inputs_[i], y.subspan(p.state, p.n_state), dydt.subspan(p.state, p.n_state),
+                                 dydt.subspan(p.ledger + n_support_ledger, p.n_own), out);
+    forces_[i] = out.force_on_rotor;
+    if (const auto place = parts_.thermal_place[i]) heats_[*place] = out.heat;
+  }
+  const auto temperature_rates = dydt.subspan(thermal_, n_thermal_);
+  const double lost = parts_.thermal->rates(thermal_part(y), heats_, temperature_rates);
+  if (parts_.growth_is_fed_back) parts_.thermal->growth_rates(temperature_rates, growth_rate_);
+  const RotorPower power = parts_.rotor->rates(t, rotor_part(y), forces_, dydt.subspan(0, n_rotor_));
+
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const auto& out = outputs_[i];
+    const auto ledger = dydt.subspan(places_[i].ledger, n_support_ledger);
+    ledger[rub_heat] = out.heat.rub;
+    ledger[inner_heat] = out.heat.inner;
+    ledger[outer_heat] = out.heat.outer;
+    ledger[other_dissipation] = out.other_dissipation;
+    ledger[prescribed_work] = out.prescribed_work;
+    const auto place = parts_.thermal_place[i];
+    ledger[growth_work] = place ? out.energy_gradient.dot(growth_rate_[*place]) : 0.;
+  }
+  const auto ledger = dydt.subspan(machine_ledger_, n_machine_ledger);
+  ledger[rotor_damping] = power.damping;
+  ledger[unbalance_work] = power.unbalance_work;
+  ledger[drive_work] = power.drive_work;
+  ledger[heat_lost] = lost;
+}
+
+double Machine::mechanical_energy(double t, std::span<const double> y) const {
+  prepare_inputs(t, y);
+  double U = parts_.rotor->energy(rotor_part(y));
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    U += parts_.supports[i]->energy(inputs_[i], y.subspan(places_[i].state, places_[i].n_state));
+  return U;
+}
+
+EnergyBalance Machine::energy_balance(double t, std::span<const double> y) const {
+  EnergyBalance b;
+  b.mechanical = mechanical_energy(t, y);
+  for (const auto& place : places_) {
+    const auto ledger = y.subspan(place.ledger, n_support_ledger);
+    b.heat_deposited += ledger[rub_heat] + ledger[inner_heat] + ledger[outer_heat];
+    b.dissipated += ledger[other_dissipation];
+    b.prescribed_work += ledger[prescribed_work];
+    b.growth_work += ledger[growth_work];
+  }
+  const auto ledger = y.subspan(machine_ledger_, n_machine_ledger);
+  b.dissipated += b.heat_deposited + ledger[rotor_damping];
+  b.unbalance_work = ledger[unbalance_work];
+  b.drive_work = ledger[drive_work];
+  b.residual = initial_mechanical_ - b.mechanical - b.dissipated + b.growth_work + b.prescribed_work + b.unbalance_work + b.drive_work;
+  b.heat_stored = parts_.thermal->stored_energy(thermal_part(y));
+  b.heat_lost = ledger[heat_lost];
+  b.heat_residual = b.heat_deposited - b.heat_stored - b.heat_lost;
+  return b;
+}
+
+void Machine::observe_state(double t, std::span<const double> y, std::span<double> out) const {
+  const Spin spin = parts_.rotor->spin(rotor_part(y));
+  out[0] = spin.speed;
+  out[1] = spin.angle;
+  parts_.thermal->observe(thermal_part(y), heats_, out.subspan(2, n_thermal_observed_));
+  const EnergyBalance b = energy_balance(t, y);
+  std::size_t at = 2 + n_thermal_observed_;
+  for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work, b.drive_work, b.residual,
+                             b.heat_deposited, b.heat_stored, b.heat_lost, b.heat_residual})
+    out[at++] = value;
+  for (std::size_t i = first_ledger_; i < y.size(); ++i) out[at++] = y[i];
+}
+
+double Machine::ledger(std::size_t support, const std::string& name, std::span<const double> y) const {
+  const std::string full = parts_.supports[support]->name() + " ledger/" + name;
+  const Place& p = places_[support];
+  for (std::size_t i = p.ledger; i < p.ledger + n_support_ledger + p.n_own; ++i)
+    if (layout_.entries()[i].name == full) return y[i];
+  throw std::out_of_range("no ledger named " + full);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,103 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/ode_system.h"
+#include "model/rotor_model.h"
+#include "model/support.h"
+#include "model/thermal_model.h"
+
+namespace rotordrop {
+
+/// Where the joules are at one instant [J].
+struct EnergyBalance {
+  double mechanical = 0;           ///< kinetic, elastic, gravitational
+  double dissipated = 0;           ///< heat deposited and damping, since the start
+  double growth_work = 0;          ///< done on the machine by thermal growth
+  double prescribed_work = 0;      ///< by the prescribed motion of cages and waves
+  double unbalance_work = 0;
+  double drive_work = 0;           ///< by motor or brake
+  double residual = 0;             ///< initial - mechanical - dissipated + works: 0 if every joule is found
+  double heat_deposited = 0, heat_stored = 0, heat_lost = 0;
+  double heat_residual = 0;        ///< deposited - stored - lost
+};
+
+/// Rotor, supports and thermal model wired to one state vector with its energy ledgers:
+///   y = [ rotor | each support | temperatures | ledgers ].
+/// One pass computes all rates: motion and growth from states, then forces and heats, then rates. Holds scratch space: one
+/// thread at a time.
+class Machine final : public OdeSystem {
+ public:
+  struct Parts {
+    std::unique_ptr<RotorModel> rotor;
+    std::vector<std::unique_ptr<Support>> supports;       ///< one per station of the rotor, in their order
+    std::unique_ptr<ThermalModel> thermal;
+    std::vector<std::optional<std::size_t>> thermal_place; ///< of each support, if it gives off heat
+    bool growth_is_fed_back = true;
+    std::vector<double> initial_rotor_state;
+  };
+  explicit Machine(Parts parts);
+
+  [[nodiscard]] const StateLayout& layout() const override { return layout_; }
+  void initial_state(std::span<double> y) const override;
+  void rhs(double t, std::span<const double> y, std::span<double> dydt) const override { evaluate(t, y, dydt, {}, {}); }
+  [[nodiscard]] std::size_t first_quadrature() const override { return first_ledger_; }
+
+  [[nodiscard]] std::size_t n_supports() const { return parts_.supports.size(); }
+  [[nodiscard]] const Support& support(std::size_t i) const { return *parts_.supports[i]; }
+  [[nodiscard]] const RotorModel& rotor() const { return *parts_.rotor; }
+  [[nodiscard]] Spin spin(std::span<const double> y) const { return parts_.rotor->spin(rotor_part(y)); }
+
+  /// What the supports report at every step, with paths such as "/bearings/TB1/contact_force".
+  [[nodiscard]] const std::vector<Observable>& step_observables() const { return step_observables_; }
+  /// Every ball and the like.
+  [[nodiscard]] const std::vector<Observable>& detail_observables() const { return detail_observables_; }
+  /// Rotor, temperatures, energies: "/rotor/spin_speed", "/thermal/TB1/ball", "/energy/dissipated".
+  [[nodiscard]] const std::vector<Observable>& state_observables() const { return state_observables_; }
+  /// Rates, and on the way what the supports report; empty spans are not written.
+  /// @param step    [sum of sizes of step_observables()]
+  /// @param details [sum of sizes of detail_observables()]
+  void evaluate(double t, std::span<const double> y, std::span<double> dydt, std::span<double> step, std::span<double> details) const;
+  /// @param out [sum of sizes of state_observables()]. Call after evaluate() at the same t, y: uses its heat rates.
+  void observe_state(double t, std::span<const double> y, std::span<double> out) const;
+
+  [[nodiscard]] EnergyBalance energy_balance(double t, std::span<const double> y) const;
+  [[nodiscard]] double initial_mechanical_energy() const { return initial_mechanical_; }
+  [[nodiscard]] double mechanical_energy(double t, std::span<const double> y) const;
+  /// Value of a ledger of a support, by its name, e.g. "rub heat" or "contact impulse". @throws std::out_of_range
+  [[nodiscard]] double ledger(std::size_t support, const std::string& name, std::span<const double> y) const;
+
+ private:
+  /// Ledgers that every support has, in this order, before its own.
+  enum SupportLedger : std::size_t { rub_heat, inner_heat, outer_heat, other_dissipation, prescribed_work, growth_work, n_support_ledger };
+  enum MachineLedger : std::size_t { rotor_damping, unbalance_work, drive_work, heat_lost, n_machine_ledger };
+  struct Place {
+    std::size_t state = 0, n_state = 0;    // of the support
+    std::size_t ledger = 0, n_own = 0;     // its ledgers: n_support_ledger common ones, then its own
+    std::size_t n_step = 0, n_detail = 0;  // sizes of what it reports
+  };
+  [[nodiscard]] std::span<const double> rotor_part(std::span<const double> y) const { return y.subspan(0, n_rotor_); }
+  [[nodiscard]] std::span<const double> thermal_part(std::span<const double> y) const { return y.subspan(thermal_, n_thermal_); }
+  void prepare_inputs(double t, std::span<const double> y) const;
+  void list_observables();
+
+  Parts parts_;
+  StateLayout layout_;
+  std::size_t n_rotor_ = 0, thermal_ = 0, n_thermal_ = 0, first_ledger_ = 0, machine_ledger_ = 0;
+  std::vector<Place> places_;
+  std::vector<Observable> step_observables_, detail_observables_, state_observables_;
+  std::size_t n_thermal_observed_ = 0;
+  double initial_mechanical_ = 0;
+
+  // Scratch of one evaluation.
+  mutable std::vector<Motion> motions_;
+  mutable std::vector<Expansion> growth_, growth_rate_;  // per thermal place
+  mutable std::vector<SupportInput> inputs_;
+  mutable std::vector<SupportOutput> outputs_;
+  mutable std::vector<Force> forces_;
+  mutable std::vector<HeatInput> heats_;                 // per thermal place
+};
+
+}  // namespace rotordrop

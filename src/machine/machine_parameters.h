@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parameters.h"
+#include "bearing/touchdown_parameters.h"
+#include "machine/supports.h"
+#include "rotor/rotor_parameters.h"
+#include "thermal/thermal_parameters.h"
+
+namespace rotordrop {
+
+/// [run]: what happens, how long, in what surroundings.
+struct RunParameters {
+  double end_time = 0, initial_speed = 0;
+  std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
+  double ambient = 0;               ///< [K]
+};
+Section<RunParameters> run_section();
+
+/// [materials.NAME].
+struct MaterialParameters {
+  double E = 0, nu = 0, rho = 0, k = 0, c = 0, alpha = 0;
+};
+Section<MaterialParameters> material_section();
+/// Steel and Si3N4, where a case names no materials of its own.
+Node default_materials();
+
+/// Everything that makes the machine; integration and output are elsewhere.
+struct MachineParameters {
+  RunParameters run;
+  RotorParameters rotor;
+  ContactParameters contact;
+  std::vector<SupportEntry> bearings;
+  std::vector<std::pair<std::string, MaterialParameters>> materials;
+  ThermalParameters thermal;
+};
+
+}  // namespace rotordrop
