@@ -1,0 +1,130 @@
+#include "cli/commands.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "base/version.h"
+#include "cli/progress_line.h"
+#include "integrate/sundials_version.h"
+#include "io/checkpoint.h"
+#include "io/hdf5_version.h"
+#include "io/parameter_writers.h"
+#include "machine/build_machine.h"
+#include "machine/rotor_report.h"
+#include "study/case.h"
+#include "study/drop_run.h"
+#include "study/modes_report.h"
+#include "study/new_case.h"
+#include "study/summary.h"
+
+namespace rotordrop {
+namespace {
+
+volatile std::sig_atomic_t caught_signal = 0;
+
+extern "C" void remember_signal(int signal) { caught_signal = signal; }
+
+// A first signal ends the run after the current step; a second one kills the program.
+void catch_signals() {
+  struct sigaction action = {};
+  action.sa_handler = remember_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+std::string header(const Case& c) {
+  const auto& p = c.parameters;
+  std::string bearings;
+  for (const auto& entry : p.bearings) bearings += (bearings.empty() ? "" : ", ") + entry.name;
+  return fmt::format("rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; expansion driven by the {}\n", version(), git_revision(), c.name,
+                     rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi, bearings,
+                     p.thermal.growth ? "lumped thermal circuit" : "nothing (thermal.growth = false)");
+}
+
+}  // namespace
+
+std::string version_text() {
+  return fmt::format("rotordrop {} (revision {}; SUNDIALS {}, HDF5 {})", version(), git_revision(), sundials_version(), hdf5_version());
+}
+
+int run_command(const RunCommand& command) {
+  const Case drop_case = read_case(command.file, command.overrides);
+  RunOptions options;
+  options.directory = command.directory.empty() ? std::filesystem::path("out") / drop_case.name : command.directory;
+  options.force = command.force;
+  options.resume = command.resume;
+  options.stop = &caught_signal;
+  ProgressLine line;
+  if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
+
+  const auto machine = build_machine(drop_case.parameters, drop_case.tree);
+  if (!command.quiet) fmt::print("{}", header(drop_case));
+  std::fflush(stdout);
+  catch_signals();
+  DropScalars scalars(*machine);
+  DropResult result;
+  try {
+    result = run_drop(drop_case, *machine, options);
+  } catch (...) {
+    line.finish();
+    throw;
+  }
+  line.finish();
+  if (!command.quiet) {
+    std::ifstream file(options.directory / "summary.json");
+    fmt::print("{}", summary_text(nlohmann::ordered_json::parse(file)));
+    fmt::print("{} steps, {:.3g} s; results in {}\n", result.statistics.steps, result.wall_time, options.directory.string());
+  }
+  if (result.completed) return 0;
+  fmt::print(stderr, "interrupted at t = {:.6g} s; what was computed is in {}. Go on with: rotordrop run {} -o {} --resume\n", result.end_time,
+             options.directory.string(), command.file.string(), options.directory.string());
+  return 128 + static_cast<int>(caught_signal);
+}
+
+int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const Case c = read_case(file, overrides);
+  build_machine(c.parameters, c.tree);
+  fmt::print("{}", header(c));
+  const auto report = rotor_report(c.parameters.rotor);
+  fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass, report.body.Ip, report.body.Id,
+             report.body.centre_of_gravity);
+  fmt::print("{}: no faults. Not checked: whether the step suits the stiffest contact.\n", file.string());
+  return 0;
+}
+
+int defaults_command() {
+  fmt::print("{}", write_defaults(case_sections()));
+  return 0;
+}
+
+int schema_command() {
+  fmt::print("{}", write_json_schema(case_sections()));
+  return 0;
+}
+
+int new_command(const std::filesystem::path& directory) {
+  const auto file = new_case(directory);
+  write_text_atomically(directory / "schema.json", write_json_schema(case_sections()));
+  fmt::print("A case to start from: {}\nRun it with: rotordrop run {}\n", file.string(), file.string());
+  return 0;
+}
+
+int modes_command(const ModesCommand& command) {
+  const Case c = read_case(command.file, command.overrides);
+  const auto speeds = command.speeds.empty() ? std::vector<double>{0., c.parameters.run.initial_speed} : parse_speeds(command.speeds);
+  const auto report = find_modes(c, speeds);
+  if (command.json) fmt::print("{}\n", to_json(report, command.n_modes).dump(2));
+  else fmt::print("{}", to_table(report, command.n_modes));
+  if (!command.shapes.empty()) {
+    write_mode_shapes(report, command.n_modes, command.shapes);
+    if (!command.json) fmt::print("\nmode shapes in {}\n", command.shapes.string());
+  }
+  return 0;
+}
+
+}  // namespace rotordrop

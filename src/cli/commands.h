@@ -1,0 +1,32 @@
+#pragma once
+// The program's commands; each returns its exit code.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rotordrop {
+
+struct RunCommand {
+  std::filesystem::path file, directory;
+  std::vector<std::string> overrides;
+  bool force = false, resume = false, quiet = false;
+};
+int run_command(const RunCommand& command);
+int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+int defaults_command();
+int schema_command();
+int new_command(const std::filesystem::path& directory);
+
+struct ModesCommand {
+  std::filesystem::path file, shapes;
+  std::vector<std::string> overrides;
+  std::string speeds;
+  bool json = false;
+  std::size_t n_modes = 10;
+};
+int modes_command(const ModesCommand& command);
+
+/// "rotordrop 0.1.0 (revision ...; SUNDIALS ..., HDF5 ...)".
+std::string version_text();
+
+}  // namespace rotordrop

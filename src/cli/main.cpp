@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "base/errors.h"
+#include "cli/commands.h"
+
+namespace {
+
+enum ExitCode { done = 0, run_failed = 1, bad_input = 2 };
+
+int run_program(int argc, char** argv) {
+  using namespace rotordrop;
+  CLI::App app("Drop of a magnetically levitated rotor onto its touchdown bearings.", "rotordrop");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text());
+
+  RunCommand run;
+  auto* run_app = app.add_subcommand("run", "Run a case: results.h5, summary.json and parameters.toml into a directory.");
+  run_app->add_option("case", run.file, "Parameter file")->required();
+  run_app->add_option("-o,--output", run.directory, "Directory for the results; default out/CASE");
+  run_app->add_option("--set", run.overrides, "Override a parameter: contact.friction_coefficient=0.05")->type_name("KEY=VALUE")->allow_extra_args(false);
+  run_app->add_flag("--force", run.force, "Replace results that are in the directory");
+  run_app->add_flag("--resume", run.resume, "Go on with an interrupted run");
+  run_app->add_flag("--quiet", run.quiet, "Only messages about trouble");
+
+  std::string check_file;
+  std::vector<std::string> check_overrides;
+  auto* check = app.add_subcommand("check", "Read and check a case without running it.");
+  check->add_option("case", check_file, "Parameter file")->required();
+  check->add_option("--set", check_overrides, "Override a parameter")->type_name("KEY=VALUE")->allow_extra_args(false);
+
+  ModesCommand modes;
+  auto* modes_app = app.add_subcommand("modes", "Natural modes: on the case's linear supports, or free-free.");
+  modes_app->add_option("case", modes.file, "Parameter file")->required();
+  modes_app->add_option("--speeds", modes.speeds, "Spin speeds, such as \"0 rpm,15200 rpm\"; default: 0 and the initial speed");
+  modes_app->add_option("--modes", modes.n_modes, "Number of modes to report")->check(CLI::Range(1, 10000));
+  modes_app->add_flag("--json", modes.json, "Report as JSON");
+  modes_app->add_option("--shapes", modes.shapes, "Write mode shapes to this HDF5 file");
+  modes_app->add_option("--set", modes.overrides, "Override a parameter")->type_name("KEY=VALUE")->allow_extra_args(false);
+
+  auto* defaults = app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
+  auto* schema = app.add_subcommand("schema", "JSON Schema of case files, for editors.");
+  std::string new_directory;
+  auto* fresh = app.add_subcommand("new", "Start a case in a new folder.");
+  fresh->add_option("directory", new_directory, "Folder")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : bad_input;
+  }
+  if (*run_app) return run_command(run);
+  if (*check) return check_command(check_file, check_overrides);
+  if (*modes_app) return modes_command(modes);
+  if (*defaults) return defaults_command();
+  if (*schema) return schema_command();
+  if (*fresh) return new_command(new_directory);
+  return bad_input;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const rotordrop::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return bad_input;
+  } catch (const rotordrop::SolverError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return run_failed;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n       This is a fault of the program, not of the input; please report it with the parameter file.\n", error.what());
+    return run_failed;
+  }
+}

@@ -1,0 +1,124 @@
+#include "study/case.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "io/json_reader.h"
+#include "io/parameter_writers.h"
+#include "io/toml_reader.h"
+#include "machine/build_machine.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+Section<OutputParameters> output_section() {
+  using P = OutputParameters;
+  Section<P> s("output", "What is written, and how often.");
+  s.quantity("interval", &P::interval,
+             {.unit = "s", .range = positive(), .fallback = "50 us", .help = "Time between rows of the series in results.h5. Peaks in the summary are taken at every step."});
+  s.quantity("detail_interval", &P::detail_interval,
+             {.unit = "s", .range = positive(), .fallback = "1 ms", .help = "Time between rows of the detailed series: the load of every ball."});
+  s.quantity("checkpoint_interval", &P::checkpoint_interval,
+             {.unit = "s", .range = positive(), .fallback = "10 s", .help = "Wall time between checkpoints, from which `rotordrop run --resume` goes on."});
+  return s;
+}
+
+Section<CaseParameters> case_section() {
+  using P = CaseParameters;
+  Section<P> s("", "A rotor drop.");
+  s.table<RunParameters>("run", &P::run, run_section());
+  s.table<RotorParameters>("rotor", &P::rotor, rotor_section());
+  s.table<ContactParameters>("contact", &P::contact, contact_section());
+  declare_bearings<P>(s, &P::bearings);
+  s.tables<MaterialParameters>("materials", &P::materials, material_section(),
+                               {.fallback = default_materials(), .help = "Materials by name. Those given here add to, or replace, the built-in ones.",});
+  s.table<ThermalParameters>("thermal", &P::thermal, thermal_section());
+  s.table<IntegrationParameters>("integration", &P::integration, integration_section());
+  s.table<OutputParameters>("output", &P::output, output_section());
+  return s;
+}
+
+/// Where a file named in the parameters is: beside the file that names it, or in the working folder for the command line.
+fs::path resolve_path(const Node& text) {
+  const fs::path given = text.text();
+  const auto& where = text.where();
+  if (given.is_absolute() || where.line == 0) return given;
+  return fs::path(where.file).parent_path() / given;
+}
+
+void load_rotor_geometry(Node& tree) {
+  Node* rotor = tree.find("rotor");
+  if (!rotor || !rotor->is_table()) return;
+  const Node* geometry = rotor->find("geometry");
+  if (!geometry || !geometry->is_text()) return;
+  const fs::path path = resolve_path(*geometry);
+  if (!fs::is_regular_file(path))
+    throw InputError(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file", geometry->text()),
+                     fmt::format("Looked for {}.", path.string()));
+  const SourcePosition key = position_of(*rotor, "geometry");
+  rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
+}
+
+void load_catalogue(Node& bearing, const std::string& name, const fs::path& case_file) {
+  const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
+  if (!entry || !entry->is_text()) return;
+  std::vector<std::string> known;
+  for (const auto& folder : catalogue_folders(case_file)) {
+    const fs::path file = folder / (entry->text() + ".toml");
+    if (fs::is_regular_file(file)) {
+      bearing = merged(read_toml(file), bearing);
+      return;
+    }
+    std::error_code ignored;
+    for (const auto& other : fs::directory_iterator(folder, ignored))
+      if (other.path().extension() == ".toml") known.push_back(other.path().stem().string());
+  }
+  std::sort(known.begin(), known.end());
+  const std::string guess = closest_name(entry->text(), known);
+  throw InputError(entry->where(), fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing", name, entry->text()),
+                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) + fmt::format("Known: {}.", fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
+  std::vector<fs::path> folders;
+  if (const char* chosen = std::getenv("ROTORDROP_PARAMS")) folders.push_back(fs::path(chosen) / "bearings");
+  folders.push_back(case_file.parent_path() / "bearings");
+  folders.push_back(fs::path(ROTORDROP_PARAMS_DIRECTORY) / "bearings");
+  return folders;
+}
+
+std::vector<ErasedSection> case_sections() { return {case_section().erased()}; }
+
+Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
+  Case result;
+  result.file = file;
+  result.name = file.stem().string();
+  result.tree = read_toml(file);
+  for (const auto& assignment : overrides) apply_override(result.tree, assignment);
+  load_rotor_geometry(result.tree);
+  if (Node* bearings = result.tree.find("bearings"); bearings && bearings->is_table())
+    for (auto& entry : bearings->entries()) load_catalogue(entry.value, entry.key, file);
+  if (const Node* materials = result.tree.find("materials"); materials && materials->is_table()) {
+    const SourcePosition where = position_of(result.tree, "materials");
+    result.tree.set("materials", merged(default_materials(), *materials), where);
+  }
+
+  Faults faults;
+  const auto section = case_section();
+  result.parameters = section.read(result.tree, faults);
+  // What follows looks at several sections together, and so needs each of them sound.
+  faults.throw_if_any();
+  check_machine(result.parameters, result.tree, faults);
+  faults.throw_if_any();
+  result.resolved = write_resolved({section.erased()}, result.tree);
+  return result;
+}
+
+}  // namespace rotordrop

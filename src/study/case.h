@@ -1,0 +1,45 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/parameters.h"
+#include "integrate/integration_parameters.h"
+#include "machine/machine_parameters.h"
+
+namespace rotordrop {
+
+/// [output]: what is written, and how often.
+struct OutputParameters {
+  double interval = 0;             ///< of the series [s]
+  double detail_interval = 0;      ///< of every ball's load [s]
+  double checkpoint_interval = 0;  ///< of wall time [s]
+};
+
+/// All parameters of a case.
+struct CaseParameters : MachineParameters {
+  IntegrationParameters integration;
+  OutputParameters output;
+};
+
+/// A case as read, checked and completed.
+struct Case {
+  std::filesystem::path file;
+  std::string name;      ///< the file's name without its ending
+  Node tree;             ///< with its bases, bearings' catalogue data, rotor geometry and overrides merged in
+  CaseParameters parameters;
+  std::string resolved;  ///< complete TOML that reads back to the same values
+};
+
+/// Reads and checks a case. @throws InputError with all faults
+/// @param overrides  such as "contact.friction_coefficient=0.05"
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The declarations of a case file, for defaults, schema and resolved parameters.
+std::vector<ErasedSection> case_sections();
+
+/// Folders with bearings usable by name: ROTORDROP_PARAMS/bearings if that is set, the program's own params/bearings, and `bearings`
+/// beside the case.
+std::vector<std::filesystem::path> catalogue_folders(const std::filesystem::path& case_file);
+
+}  // namespace rotordrop

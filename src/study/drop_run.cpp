@@ -1,0 +1,333 @@
+#include "study/drop_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "base/version.h"
+#include "integrate/sundials_version.h"
+#include "io/checkpoint.h"
+#include "io/hdf5_version.h"
+#include "io/recorder.h"
+#include "study/summary.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Tells whether two runs have the same parameters (FNV-1a of their resolved text).
+std::string digest_of(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+void prepare_directory(const RunOptions& options) {
+  const fs::path& directory = options.directory;
+  const bool holds_results = fs::exists(directory / "results.h5") || fs::exists(directory / "summary.json");
+  if (holds_results && !options.force && !options.resume)
+    throw InputError({directory.string(), 0, 0}, "the directory holds results already",
+                     "Choose another with -o DIR, replace them with --force, or go on with --resume if the run was interrupted.");
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
+  if (options.resume) return;
+  fs::remove(directory / "summary.json");
+  fs::remove_all(directory / "checkpoints");
+  fs::remove_all(directory / "failed");
+}
+
+std::vector<SeriesGroup> series_groups(const Machine& machine) {
+  const auto channels = [](std::vector<Channel>& to, const std::vector<Observable>& from) {
+    for (const auto& o : from) to.push_back({o.name, o.unit, o.long_name, o.size, o.columns});
+  };
+  SeriesGroup series{"/time", {}}, details{"/detail/time", {}};
+  channels(series.channels, machine.step_observables());
+  channels(series.channels, machine.state_observables());
+  channels(details.channels, machine.detail_observables());
+  std::vector<SeriesGroup> groups = {std::move(series)};
+  if (!details.channels.empty()) groups.push_back(std::move(details));
+  return groups;
+}
+
+RecordHeader record_header(const Case& drop_case) {
+  return {{{"program", std::string("rotordrop ") + version()},
+           {"git_revision", git_revision()},
+           {"sundials_version", sundials_version()},
+           {"hdf5_version", hdf5_version()},
+           {"case", drop_case.name},
+           {"frame", "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y towards +z"}},
+          {{"/parameters", drop_case.resolved}}};
+}
+
+/// One run from its start, or from a checkpoint, to its end.
+class DropRun {
+ public:
+  DropRun(const Case& drop_case, const Machine& machine, const RunOptions& options)
+      : case_(drop_case), machine_(machine), options_(options), scalars_(machine), digest_(digest_of(drop_case.resolved)),
+        end_time_(drop_case.parameters.run.end_time) {
+    const std::size_t n = machine.layout().size();
+    state_.resize(n);
+    rates_.resize(n);
+    at_record_.resize(n);
+    n_step_ = observed_size(machine.step_observables());
+    n_detail_ = observed_size(machine.detail_observables());
+    step_.resize(n_step_);
+    row_.resize(n_step_ + observed_size(machine.state_observables()));
+    details_.resize(n_detail_);
+    averaging_start_ = std::max(end_time_ - averaging_time, 0.);
+    impulse_.assign(scalars_.size(), 0.);
+    for (const auto& entry : machine.layout().entries()) entry_names_.push_back(entry.name);
+    // Places of the inner rings' temperatures among the state observables, for the moving line.
+    std::size_t at = n_step_;
+    for (const auto& o : machine.state_observables()) {
+      if (o.name.starts_with("/thermal/") && o.name.ends_with("/inner_ring")) inner_rings_.push_back(at);
+      at += o.size;
+    }
+  }
+
+  DropResult run() {
+    prepare_directory(options_);
+    machine_.initial_state(state_);
+    if (options_.resume) read_newest_checkpoint();
+    open_recorder();
+    write_text_atomically(options_.directory / "parameters.toml", case_.resolved);
+
+    wall_start_ = Clock::now();
+    cpu_start_ = cpu_seconds();
+    start_time_ = time_;
+    if (time_ < end_time_) integrate();
+    recorder_->close();
+
+    DropResult result;
+    result.completed = !interrupted_;
+    result.end_time = time_;
+    result.wall_time = earlier_wall_ + seconds_since(wall_start_);
+    result.cpu_time = earlier_cpu_ + cpu_seconds() - cpu_start_;
+    result.statistics = statistics();
+    result.state = state_;
+    result.impulse_before_end = impulse_;
+    result.averaging_start = is_averaging_ ? averaging_start_ : 0.;
+    write_text_atomically(options_.directory / "summary.json", summarise(case_, machine_, scalars_, result).dump(2) + "\n");
+    if (result.completed) fs::remove_all(options_.directory / "checkpoints");
+    return result;
+  }
+
+ private:
+  void integrate() {
+    integrator_ = make_integrator(machine_, case_.parameters.integration, time_, state_, end_time_);
+    if (time_ == 0.) {
+      evaluate_step(0., state_);
+      record(0., state_);
+    }
+    auto last_report = Clock::now(), last_checkpoint = last_report;
+    long counter = 0;
+    while (time_ < end_time_) {
+      try {
+        integrator_->advance();
+      } catch (const SolverError& error) {
+        fail(error);
+      }
+      time_ = integrator_->time();
+      const auto y = integrator_->state();
+      record_between(y);
+      evaluate_step(time_, y);
+      record_at(y);
+      std::copy(y.begin(), y.end(), state_.begin());
+      if (options_.stop && *options_.stop) {
+        interrupted_ = time_ < end_time_;
+        break;
+      }
+      if (++counter % 64 != 0) continue;
+      const auto now = Clock::now();
+      if (options_.report && now - last_report > std::chrono::milliseconds(200)) {
+        last_report = now;
+        report();
+      }
+      if (std::chrono::duration<double>(now - last_checkpoint).count() > case_.parameters.output.checkpoint_interval) {
+        last_checkpoint = now;
+        save(options_.directory / "checkpoints");
+      }
+    }
+    if (interrupted_) save(options_.directory / "checkpoints");
+    if (options_.report) report();
+  }
+
+  /// Rates and step observables at an accepted state; the scalars follow.
+  void evaluate_step(double t, std::span<const double> y) {
+    machine_.evaluate(t, y, rates_, step_, {});
+    scalars_.follow(t, step_);
+  }
+
+  [[nodiscard]] double record_time(std::size_t index) const { return static_cast<double>(index) * case_.parameters.output.interval; }
+  [[nodiscard]] double detail_time(std::size_t index) const { return static_cast<double>(index) * case_.parameters.output.detail_interval; }
+  // A record time this close to a step's end is that end.
+  [[nodiscard]] bool is_now(double t) const { return std::fabs(t - time_) <= 1e-9 * std::max(time_, 1e-3); }
+
+  /// Everything that lies between the last state and the new one, by the integrator's own interpolation.
+  void record_between(std::span<const double>) {
+    while (record_time(next_record_) < time_ && !is_now(record_time(next_record_))) {
+      const double t = record_time(next_record_);
+      integrator_->interpolate(t, at_record_);
+      machine_.evaluate(t, at_record_, rates_, step_, {});
+      record(t, at_record_);
+    }
+    if (n_detail_ > 0)
+      while (detail_time(next_detail_) < time_ && !is_now(detail_time(next_detail_))) {
+        const double t = detail_time(next_detail_);
+        integrator_->interpolate(t, at_record_);
+        record_details(t, at_record_);
+      }
+    if (!is_averaging_ && averaging_start_ <= time_) {
+      is_averaging_ = true;
+      if (averaging_start_ > 0.) {
+        integrator_->interpolate(std::min(averaging_start_, time_), at_record_);
+        for (std::size_t i = 0; i < scalars_.size(); ++i) impulse_[i] = machine_.ledger(scalars_.support(i), "contact impulse", at_record_);
+      }
+    }
+  }
+
+  void record_at(std::span<const double> y) {
+    const bool is_last = time_ >= end_time_;
+    if (is_now(record_time(next_record_)) || is_last) record(time_, y);
+    if (n_detail_ > 0 && (is_now(detail_time(next_detail_)) || is_last)) record_details(time_, y);
+  }
+
+  /// Writes a row; rates and step observables must be those at t, y.
+  void record(double t, std::span<const double> y) {
+    std::copy(step_.begin(), step_.end(), row_.begin());
+    machine_.observe_state(t, y, std::span(row_).subspan(n_step_));
+    recorder_->append(0, t, row_);
+    ++next_record_;
+    if (t == 0. && n_detail_ > 0) record_details(t, y);
+  }
+
+  void record_details(double t, std::span<const double> y) {
+    machine_.evaluate(t, y, rates_, {}, details_);
+    recorder_->append(1, t, details_);
+    ++next_detail_;
+  }
+
+  void open_recorder() {
+    const fs::path file = options_.directory / "results.h5";
+    RecorderOptions recorder_options;
+    recorder_options.overwrite = options_.force;
+    if (time_ > 0.) {
+      auto resumed = resume_recording(file, time_, record_header(case_), series_groups(machine_), recorder_options);
+      recorder_.emplace(std::move(resumed.recorder));
+    } else {
+      recorder_options.overwrite |= options_.resume;
+      recorder_.emplace(file, record_header(case_), series_groups(machine_), recorder_options);
+    }
+    while (next_record_ > 0 || time_ > 0.) {  // the first record time after the checkpoint
+      if (record_time(next_record_) > time_ && !is_now(record_time(next_record_))) break;
+      ++next_record_;
+    }
+    while (time_ > 0. && (detail_time(next_detail_) < time_ || is_now(detail_time(next_detail_)))) ++next_detail_;
+  }
+
+  [[nodiscard]] IntegrationStatistics statistics() const {
+    IntegrationStatistics s = integrator_ ? integrator_->statistics() : IntegrationStatistics{};
+    s.steps += earlier_.steps;
+    s.rhs_evaluations += earlier_.rhs_evaluations;
+    s.rejected_steps += earlier_.rejected_steps;
+    return s;
+  }
+
+  fs::path save(const fs::path& directory) {
+    recorder_->flush();
+    Checkpoint c;
+    c.time = time_;
+    c.state = state_;
+    c.parameter_digest = digest_;
+    c.entry_names = entry_names_;
+    c.extras["scalars"] = scalars_.packed();
+    c.extras["impulse"] = impulse_;
+    const auto s = statistics();
+    c.extras["statistics"] = {static_cast<double>(s.steps), static_cast<double>(s.rhs_evaluations), static_cast<double>(s.rejected_steps),
+                              earlier_wall_ + seconds_since(wall_start_), earlier_cpu_ + cpu_seconds() - cpu_start_, is_averaging_ ? 1. : 0.};
+    return write_checkpoint(directory, c);
+  }
+
+  void read_newest_checkpoint() {
+    const auto found = newest_valid_checkpoint(options_.directory / "checkpoints");
+    if (!found.checkpoint) {
+      if (fs::exists(options_.directory / "summary.json"))
+        throw InputError({options_.directory.string(), 0, 0}, "there is no checkpoint to go on from", "The run was finished, or its checkpoints were removed.");
+      return;  // killed before its first checkpoint: start anew
+    }
+    const Checkpoint& c = *found.checkpoint;
+    require_same_case(found.path, c, digest_, entry_names_);
+    time_ = c.time;
+    state_ = c.state;
+    scalars_.unpack(c.extras.at("scalars"));
+    impulse_ = c.extras.at("impulse");
+    const auto& s = c.extras.at("statistics");
+    earlier_ = {static_cast<long>(s[0]), static_cast<long>(s[1]), static_cast<long>(s[2])};
+    earlier_wall_ = s[3];
+    earlier_cpu_ = s[4];
+    is_averaging_ = s[5] != 0.;
+  }
+
+  [[noreturn]] void fail(const SolverError& error) {
+    std::string text = error.what();
+    try {
+      const fs::path file = save(options_.directory / "failed");
+      text += fmt::format("\n       The last good state, at t = {:.6g} ms, is saved in {}.", time_ * 1e3, file.string());
+      recorder_->close();
+    } catch (const std::exception& other) {
+      text += fmt::format("\n       The state could not be saved: {}", other.what());
+    }
+    throw SolverError(text);
+  }
+
+  void report() {
+    Progress p;
+    p.time = time_;
+    p.end_time = end_time_;
+    p.wall_time = seconds_since(wall_start_);
+    p.wall_time_left = time_ > start_time_ ? p.wall_time * (end_time_ - time_) / (time_ - start_time_) : 0.;
+    p.rotor_speed = machine_.spin(state_).speed;
+    p.largest_contact_force = scalars_.largest_contact_force();
+    p.inner_ring_temperature = std::numeric_limits<double>::quiet_NaN();
+    machine_.observe_state(time_, state_, std::span(row_).subspan(n_step_));
+    for (const std::size_t at : inner_rings_) p.inner_ring_temperature = std::fmax(p.inner_ring_temperature, row_[at]);
+    options_.report(p);
+  }
+
+  const Case& case_;
+  const Machine& machine_;
+  const RunOptions& options_;
+  DropScalars scalars_;
+  std::string digest_;
+  std::vector<std::string> entry_names_;
+  std::unique_ptr<Integrator> integrator_;
+  std::optional<Recorder> recorder_;
+
+  double time_ = 0, start_time_ = 0, end_time_;
+  std::vector<double> state_, rates_, at_record_, step_, row_, details_;
+  std::size_t n_step_ = 0, n_detail_ = 0, next_record_ = 0, next_detail_ = 0;
+  std::vector<std::size_t> inner_rings_;
+  double averaging_start_ = 0;
+  bool is_averaging_ = false, interrupted_ = false;
+  std::vector<double> impulse_;
+  IntegrationStatistics earlier_;
+  double earlier_wall_ = 0, earlier_cpu_ = 0, cpu_start_ = 0;
+  Clock::time_point wall_start_ = Clock::now();
+};
+
+}  // namespace
+
+DropResult run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options) { return DropRun(drop_case, machine, options).run(); }
+
+}  // namespace rotordrop

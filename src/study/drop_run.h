@@ -1,0 +1,51 @@
+#pragma once
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "integrate/integrator.h"
+#include "machine/machine.h"
+#include "study/case.h"
+#include "study/drop_scalars.h"
+
+namespace rotordrop {
+
+/// Where a run stands; for the moving line.
+struct Progress {
+  double time = 0, end_time = 0;      ///< [s]
+  double wall_time = 0;               ///< since the start of this program's part of the run [s]
+  double wall_time_left = 0;          ///< estimate [s]
+  double rotor_speed = 0;             ///< [rad/s]
+  double largest_contact_force = 0;   ///< so far [N]
+  double inner_ring_temperature = 0;  ///< the warmest inner ring [K]; NaN if there is none
+};
+
+struct RunOptions {
+  std::filesystem::path directory;
+  bool force = false;                                ///< replace results that are there
+  bool resume = false;                               ///< go on from the newest checkpoint there
+  const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the current step, as if interrupted
+  std::function<void(const Progress&)> report;       ///< called a few times a second
+};
+
+/// A finished or interrupted drop.
+struct DropResult {
+  bool completed = false;
+  double end_time = 0;     ///< reached [s]
+  double wall_time = 0, cpu_time = 0;  ///< of the time integration, results included, over all parts of a resumed run [s]
+  IntegrationStatistics statistics;    ///< likewise
+  std::vector<double> state;
+  std::vector<double> impulse_before_end;  ///< of each touchdown bearing at averaging_start [N s]
+  double averaging_start = 0;              ///< [s]
+};
+
+/// Length of the means that summaries call "_end" [s].
+inline constexpr double averaging_time = 0.05;
+
+/// Runs a case into a directory: results.h5, parameters.toml, checkpoints and summary.json.
+/// @throws InputError if the directory holds results and neither force nor resume is set
+/// @throws SolverError if the integration fails; the last good state is saved as a checkpoint in DIRECTORY/failed
+DropResult run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options);
+
+}  // namespace rotordrop

@@ -1,0 +1,116 @@
+#include "study/drop_scalars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <type_traits>
+
+namespace rotordrop {
+namespace {
+
+// Time at which a quantity falls or rises through `level` between two instants, by a straight line.
+double crossing(double t_0, double value_0, double t_1, double value_1, double level) {
+  if (!(std::isfinite(t_0)) || value_1 == value_0) return t_1;
+  return t_0 + (level - value_0) / (value_1 - value_0) * (t_1 - t_0);
+}
+
+struct Peak {
+  double time, value;
+};
+// Top of the parabola through three points whose middle one is the highest.
+Peak parabola_top(double t_0, double f_0, double t_1, double f_1, double t_2, double f_2) {
+  const double left = (f_1 - f_0) / (t_1 - t_0), right = (f_2 - f_1) / (t_2 - t_1);
+  const double curvature = (right - left) / (t_2 - t_0);
+  if (!(curvature < 0.)) return {t_1, f_1};
+  const double slope = left + curvature * (t_1 - t_0);  // at the middle point
+  const double shift = -slope / (2. * curvature);
+  return {t_1 + shift, f_1 + 0.5 * slope * shift};
+}
+
+}  // namespace
+
+DropScalars::DropScalars(const Machine& machine) {
+  std::map<std::string, std::pair<std::size_t, std::size_t>> where;  // name -> first column, size
+  std::size_t at = 0;
+  for (const auto& o : machine.step_observables()) {
+    where[o.name] = {at, o.size};
+    at += o.size;
+  }
+  for (std::size_t i = 0; i < machine.n_supports(); ++i) {
+    const std::string prefix = "/bearings/" + machine.support(i).name() + "/";
+    if (!where.contains(prefix + "contact_force")) continue;  // not a touchdown bearing
+    const auto column = [&](const char* name) { return where.at(prefix + name).first; };
+    columns_.push_back({i, column("orbit"), column("penetration"), column("contact_force"), column("rub_heat_rate"), column("spin_lag"),
+                        column("load_torque"), column("spin_torque"), column("inner_heat_rate"), column("outer_heat_rate"),
+                        column("ring_speed"), column("ball_force"), where.at(prefix + "ball_force").second});
+  }
+  scalars_.resize(columns_.size());
+}
+
+void DropScalars::follow(double t, std::span<const double> step) {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const Columns& c = columns_[i];
+    BearingScalars& s = scalars_[i];
+    const double penetration = step[c.penetration], force = step[c.contact_force], lag = step[c.spin_lag], y = step[c.orbit];
+
+    const bool touches = penetration > 0.;
+    const bool touched = s.penetration > 0.;
+    if (touches && !touched) {
+      const double start = crossing(s.time, s.penetration, t, penetration, 0.);
+      if (std::isnan(s.first_contact_time)) s.first_contact_time = start;
+      else if (std::isnan(s.second_contact_time)) s.second_contact_time = start;
+    } else if (touched && !touches && std::isnan(s.first_contact_end)) {
+      s.first_contact_end = crossing(s.time, s.penetration, t, penetration, 0.);
+    }
+    const bool is_first_flight = !std::isnan(s.first_contact_end) && std::isnan(s.second_contact_time);
+    if (is_first_flight && !(s.first_bounce_apex >= y)) s.first_bounce_apex = y;
+
+    if (s.force > s.force_before && s.force >= force) {
+      const Peak top = parabola_top(s.time_before, s.force_before, s.time, s.force, t, force);
+      if (top.value > s.peak_contact_force) {
+        s.peak_contact_force = top.value;
+        s.peak_contact_force_time = top.time;
+      }
+    }
+    if (std::isnan(s.catch_up_time) && lag < 0.01) s.catch_up_time = crossing(s.time, s.spin_lag, t, lag, 0.01);
+
+    const auto keep_largest = [](double& kept, double value) { kept = std::max(kept, value); };
+    keep_largest(s.peak_friction_heat_rate, step[c.rub_heat_rate]);
+    keep_largest(s.load_torque_peak, step[c.load_torque]);
+    keep_largest(s.spin_torque_peak, step[c.spin_torque]);
+    keep_largest(s.inner_heat_rate_max, step[c.inner_heat_rate]);
+    keep_largest(s.outer_heat_rate_max, step[c.outer_heat_rate]);
+    for (std::size_t row = 0; row < c.n_rows; ++row) keep_largest(s.largest_ball_force, step[c.ball_force + row]);
+    s.ring_speed_end = step[c.ring_speed];
+
+    s.time_before = s.time;
+    s.force_before = s.force;
+    s.time = t;
+    s.force = force;
+    s.penetration = penetration;
+    s.spin_lag = lag;
+  }
+}
+
+double DropScalars::largest_contact_force() const {
+  double largest = 0.;
+  for (const auto& s : scalars_) largest = std::max({largest, s.peak_contact_force, s.force});
+  return largest;
+}
+
+static_assert(std::is_trivially_copyable_v<BearingScalars> && sizeof(BearingScalars) % sizeof(double) == 0);
+
+std::vector<double> DropScalars::packed() const {
+  std::vector<double> values(scalars_.size() * sizeof(BearingScalars) / sizeof(double));
+  if (!values.empty()) std::memcpy(values.data(), scalars_.data(), values.size() * sizeof(double));
+  return values;
+}
+
+void DropScalars::unpack(std::span<const double> values) {
+  if (values.size() * sizeof(double) != scalars_.size() * sizeof(BearingScalars)) throw std::invalid_argument("scalars of another machine");
+  if (!values.empty()) std::memcpy(static_cast<void*>(scalars_.data()), values.data(), values.size() * sizeof(double));
+}
+
+}  // namespace rotordrop

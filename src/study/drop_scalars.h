@@ -1,0 +1,57 @@
+#pragma once
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "machine/machine.h"
+
+namespace rotordrop {
+
+/// Scalars of one touchdown bearing, followed from step to step. NaN where something has not happened.
+struct BearingScalars {
+  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  double first_contact_time = never;       ///< penetration first passes zero [s]
+  double first_contact_end = never;        ///< and first falls below it [s]
+  double second_contact_time = never;      ///< [s]
+  double peak_contact_force = 0;           ///< [N]
+  double peak_contact_force_time = never;  ///< [s]
+  double first_bounce_apex = never;        ///< highest y of the rotor between first and second contact [m]
+  double peak_friction_heat_rate = 0;      ///< [W]
+  double catch_up_time = never;            ///< spin lag first below 1 % [s]
+  double load_torque_peak = 0;             ///< [N m]
+  double spin_torque_peak = 0;             ///< [N m]
+  double inner_heat_rate_max = 0;          ///< [W]
+  double outer_heat_rate_max = 0;          ///< [W]
+  double largest_ball_force = 0;           ///< [N]
+  double ring_speed_end = never;           ///< [rad/s]
+  // The last step, for crossings and for the parabola through a peak.
+  double time = never, penetration = never, spin_lag = never;
+  double force = 0, force_before = 0, time_before = never;
+};
+
+/// Follows every touchdown bearing of a machine through its step observables.
+class DropScalars {
+ public:
+  explicit DropScalars(const Machine& machine);
+  /// @param step values of machine.step_observables() at t, at every accepted step
+  void follow(double t, std::span<const double> step);
+  [[nodiscard]] std::size_t size() const { return scalars_.size(); }
+  [[nodiscard]] const BearingScalars& of(std::size_t bearing) const { return scalars_[bearing]; }
+  /// Index of a bearing among the machine's supports.
+  [[nodiscard]] std::size_t support(std::size_t bearing) const { return columns_[bearing].support; }
+  [[nodiscard]] double largest_contact_force() const;
+  /// For checkpoints.
+  [[nodiscard]] std::vector<double> packed() const;
+  void unpack(std::span<const double> values);
+
+ private:
+  struct Columns {
+    std::size_t support, orbit, penetration, contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque, inner_heat_rate,
+        outer_heat_rate, ring_speed, ball_force, n_rows;
+  };
+  std::vector<Columns> columns_;
+  std::vector<BearingScalars> scalars_;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,132 @@
+#include "study/summary.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "machine/rotor_report.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no NaN: what has not happened is null.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json bearing_summary(const Machine& machine, const BearingScalars& s, std::size_t support, std::span<const double> y, double mean_force_end) {
+  const auto ledger = [&](const char* name) { return machine.ledger(support, name, y); };
+  Json j;
+  j["first_contact_time"] = number(s.first_contact_time);
+  j["first_contact_end"] = number(s.first_contact_end);
+  j["second_contact_time"] = number(s.second_contact_time);
+  j["peak_contact_force"] = number(s.peak_contact_force);
+  j["peak_contact_force_time"] = number(s.peak_contact_force_time);
+  j["first_bounce_apex"] = number(s.first_bounce_apex);
+  j["peak_friction_heat_rate"] = number(s.peak_friction_heat_rate);
+  j["friction_heat"] = ledger("rub heat");
+  j["inner_heat"] = ledger("inner heat");
+  j["outer_heat"] = ledger("outer heat");
+  j["catch_up_time"] = number(s.catch_up_time);
+  j["ring_speed_end"] = number(s.ring_speed_end);
+  j["mean_contact_force_end"] = number(mean_force_end);
+  j["load_torque_peak"] = number(s.load_torque_peak);
+  j["spin_torque_peak"] = number(s.spin_torque_peak);
+  j["inner_heat_rate_max"] = number(s.inner_heat_rate_max);
+  j["outer_heat_rate_max"] = number(s.outer_heat_rate_max);
+  j["largest_ball_force"] = number(s.largest_ball_force);
+  return j;
+}
+
+// MODEL 10: the rub heat from the spin-up alone, whatever friction, bounces and waves:
+//   E_slip = (r_r/r_b) integral omega_r (J omega_i' + M) dt - J omega_i^2/2 - integral M omega_i dt + integral F_t v_t dt.
+Json spin_up_balance(const Machine& machine, std::size_t support, std::span<const double> y, double ring_speed) {
+  const auto* bearing = dynamic_cast<const TouchdownBearing*>(&machine.support(support));
+  if (!bearing) return nullptr;
+  const auto& d = bearing->data();
+  const double balance = d.rotor_radius / d.bore_radius * machine.ledger(support, "spin-up drive, integral of omega_r (J omega_i' + M)", y) -
+                         0.5 * d.ring_spin_inertia * ring_speed * ring_speed - machine.ledger(support, "inner heat", y) -
+                         machine.ledger(support, "outer heat", y) +
+                         machine.ledger(support, "spin-up work of the centres, integral of F_t v_t", y);
+  return {{"slip_energy", balance}, {"residual", machine.ledger(support, "rub heat", y) - balance}};
+}
+
+}  // namespace
+
+Json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars, const DropResult& result) {
+  const std::span<const double> y = result.state;
+  Json j;
+  j["case"] = drop_case.name;
+  const RotorReport rotor = rotor_report(drop_case.parameters.rotor);
+  j["rotor"] = {{"mass", rotor.body.mass},
+                {"polar_inertia", rotor.body.Ip},
+                {"diametral_inertia", rotor.body.Id},
+                {"centre_of_gravity", rotor.body.centre_of_gravity},
+                {"free_free_frequencies", rotor.free_free_frequencies}};
+  std::vector<double> observed(observed_size(machine.state_observables()));
+  std::vector<double> rates(y.size());
+  machine.evaluate(result.end_time, y, rates, {}, {});
+  machine.observe_state(result.end_time, y, observed);
+
+  for (std::size_t i = 0; i < scalars.size(); ++i) {
+    const std::size_t support = scalars.support(i);
+    const std::string name = machine.support(support).name();
+    const auto& s = scalars.of(i);
+    const double mean = (machine.ledger(support, "contact impulse", y) - result.impulse_before_end[i]) / (result.end_time - result.averaging_start);
+    Json bearing = bearing_summary(machine, s, support, y, mean);
+    std::size_t at = 0;
+    const std::string prefix = "/thermal/" + name + "/";
+    for (const auto& o : machine.state_observables()) {
+      if (o.name.starts_with(prefix)) bearing["temperature_rise_end"][o.name.substr(prefix.size())] = observed[at] - drop_case.parameters.run.ambient;
+      at += o.size;
+    }
+    bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
+    j["bearings"][name] = std::move(bearing);
+  }
+  j["rotor_speed_end"] = machine.spin(y).speed;
+  const EnergyBalance e = machine.energy_balance(result.end_time, y);
+  j["energy"] = {{"mechanical_initial", machine.initial_mechanical_energy()},
+                 {"mechanical_final", e.mechanical},
+                 {"dissipated", e.dissipated},
+                 {"growth_work", e.growth_work},
+                 {"prescribed_work", e.prescribed_work},
+                 {"unbalance_work", e.unbalance_work},
+                 {"drive_work", e.drive_work},
+                 {"residual", e.residual},
+                 {"heat_deposited", e.heat_deposited},
+                 {"heat_stored", e.heat_stored},
+                 {"heat_lost", e.heat_lost},
+                 {"heat_residual", e.heat_residual}};
+  j["run"] = {{"completed", result.completed},
+              {"end_time", result.end_time},
+              {"wall_time", result.wall_time},
+              {"cpu_time", result.cpu_time},
+              {"steps", result.statistics.steps},
+              {"rhs_evaluations", result.statistics.rhs_evaluations},
+              {"rejected_steps", result.statistics.rejected_steps}};
+  return j;
+}
+
+std::string summary_text(const Json& j) {
+  std::string text;
+  const auto time = [](const Json& v, double unit, const char* name) { return v.is_null() ? std::string("never") : fmt::format("{:.4g} {}", v.get<double>() * unit, name); };
+  const double rpm = 30. / std::numbers::pi;
+  if (j.contains("bearings"))
+    for (const auto& [name, b] : j["bearings"].items()) {
+      text += fmt::format("{}: first contact {}, peak force {:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", name, time(b["first_contact_time"], 1e3, "ms"),
+                          b["peak_contact_force"].get<double>() * 1e-3, b["friction_heat"].get<double>(), b["peak_friction_heat_rate"].get<double>() * 1e-3);
+      text += fmt::format("{:{}}ring {:.0f} rpm at the end, catches up: {}; ", "", name.size() + 2, b["ring_speed_end"].get<double>() * rpm,
+                          time(b["catch_up_time"], 1e3, "ms"));
+      const auto& rise = b["temperature_rise_end"];
+      text += fmt::format("warmer by {:.2f} K inner ring, {:.2f} K shaft, {:.2f} K balls\n", rise["inner_ring"].get<double>(), rise["shaft"].get<double>(),
+                          rise["ball"].get<double>());
+    }
+  const auto& e = j["energy"];
+  text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited, residual {:.1e} J\n", e["dissipated"].get<double>(),
+                      e["residual"].get<double>(), e["heat_deposited"].get<double>(), e["heat_residual"].get<double>());
+  return text;
+}
+
+}  // namespace rotordrop

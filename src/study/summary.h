@@ -1,0 +1,15 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "study/drop_run.h"
+
+namespace rotordrop {
+
+/// Scalars of a run, SI; see docs/results.md for every key.
+nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars, const DropResult& result);
+
+/// A few lines that answer a user's first questions.
+std::string summary_text(const nlohmann::ordered_json& summary);
+
+}  // namespace rotordrop
