@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+"""Reads the #include lines of src/ and fails on an arrow that should not be there.
+
+    python3 tests/check_arrows.py               # first proves that it finds faults, then checks src/
+    python3 tests/check_arrows.py --self-test   # only the first
+
+The rules:
+- A room may include its own headers and those of the rooms that ROOMS gives it, written "room/header.h".
+- rotor, bearing and thermal never include each other; they meet in machine.
+- study and cli see machine, integrate, io and the contracts, and of the parts only headers named *_parameters.h: what can be
+  asked of a part goes through machine.
+- A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5 and toml++: only io. deal.II, PETSc, gmsh
+  and MPI: nowhere.
+- What a room's CMakeLists.txt names under DEPENDS must be in ROOMS too.
+
+Exit codes: 0 no fault, 1 faults found, 2 no src/ to read.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+import tempfile
+
+# Whom a room may include, besides itself. "rotor:parameters" means headers named *_parameters.h of that room.
+PARAMETERS_OF_PARTS = {"rotor:parameters", "bearing:parameters", "thermal:parameters"}
+ROOMS = {
+    "base": set(),
+    "model": {"base"},
+    "laws": {"base"},
+    "rotor": {"base", "model"},
+    "bearing": {"base", "model", "laws"},
+    "thermal": {"base", "model", "laws"},
+    "machine": {"base", "model", "rotor", "bearing", "thermal"},
+    "integrate": {"base", "model"},
+    "io": {"base", "model"},
+    "study": {"base", "model", "machine", "integrate", "io"} | PARAMETERS_OF_PARTS,
+    "cli": {"base", "model", "machine", "integrate", "io", "study"} | PARAMETERS_OF_PARTS,
+}
+
+# Library, how its headers begin, and who may include them. Libraries that are not listed are free for all.
+LIBRARIES = [
+    ("SUNDIALS", r"(arkode|cvodes?|idas?|kinsol|nvector|sundials|sunlinsol|sunmatrix|sunnonlinsol|sunmemory|sunadaptcontroller)/", {"integrate"}),
+    ("HDF5", r"(hdf5(_hl)?\.h|H5)", {"io"}),
+    ("toml++", r"(toml\+\+/|toml\.hpp)", {"io"}),
+    ("nlohmann-json", r"nlohmann/", {"io", "study", "cli"}),
+    ("UDUNITS", r"udunits", {"base"}),
+    ("CLI11", r"CLI/", {"cli"}),
+    ("deal.II", r"deal\.II/", set()),
+    ("PETSc", r"petsc", set()),
+    ("gmsh", r"gmsh", set()),
+    ("MPI", r"mpi\.h", set()),
+]
+GENERATED = {"base": {"rotordrop_git_revision.h"}}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]*)"|<([^>]*)>|(\S.*))')
+
+
+def may_include(room, other, header):
+    if other == room or other in ROOMS[room]:
+        return True
+    return f"{other}:parameters" in ROOMS[room] and header.endswith("_parameters.h")
+
+
+def fault_of_include(room, quoted, angled, computed):
+    """What is wrong with one #include line of a room, or None."""
+    if computed is not None:
+        return f"cannot tell what it includes: {computed}"
+    name = quoted if quoted is not None else angled
+    first = name.split("/")[0]
+    if "/" in name and first in ROOMS:
+        if may_include(room, first, name):
+            return None
+        allowed = ", ".join(sorted(ROOMS[room])) or "no other room"
+        return f'{room} -> {first} ("{name}"); {room} may include: {allowed}'
+    for library, beginning, rooms in LIBRARIES:
+        if re.match(beginning, name, re.IGNORECASE) and room not in rooms:
+            return f"{room} includes {library} (<{name}>); only for: {', '.join(sorted(rooms)) or 'nobody'}"
+    if quoted is not None and name not in GENERATED.get(room, set()):
+        return f'"{name}" is no header of a room; write "room/header.h"'
+    return None
+
+
+def faults_of_source(file, room):
+    for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match and (fault := fault_of_include(room, *match.groups())):
+            yield f"{file}:{number}: {fault}"
+
+
+def faults_of_cmake(file, room):
+    """DEPENDS of rotordrop_room(), and rotordrop_ROOM in target_link_libraries()."""
+    text = re.sub(r"#.*", "", file.read_text(encoding="utf-8"))
+    named = set()
+    for names in re.findall(r"\bDEPENDS\s+((?:[a-z_]+\s*)+)", text):
+        named |= {word for word in names.split() if word in ROOMS}
+    for names in re.findall(r"target_link_libraries\(([^)]*)\)", text):
+        named |= {word.removeprefix("rotordrop_") for word in names.split()[1:]} & set(ROOMS)
+    for other in sorted(named - ROOMS[room] - {room}):
+        yield f"{file}: {room} -> {other} is no arrow of tests/check_arrows.py"
+
+
+def find_faults(source):
+    """All faults of a source tree, and the number of files read."""
+    faults, n_files = [], 0
+    for folder in sorted(path for path in source.iterdir() if path.is_dir()):
+        room = folder.name
+        if room not in ROOMS:
+            faults.append(f"{folder}: {room} is no room of tests/check_arrows.py; say there whom it may include")
+            continue
+        for file in sorted(folder.rglob("*")):
+            if file.suffix in {".h", ".hpp", ".cpp", ".cc", ".ipp", ".inc"}:
+                n_files += 1
+                faults.extend(faults_of_source(file, room))
+            elif file.name == "CMakeLists.txt":
+                faults.extend(faults_of_cmake(file, room))
+    return faults, n_files
+
+
+# Files of a tree with one fault each, what the message must say; None: no fault.
+PROOFS = [
+    ("rotor/a.cpp", '#include "bearing/ball_row.h"\n', "rotor -> bearing"),
+    ("bearing/a.cpp", '#include "thermal/thermal_network.h"\n', "bearing -> thermal"),
+    ("thermal/a.h", '  #  include "rotor/geometry.h"  // with blanks\n', "thermal -> rotor"),
+    ("thermal/fe/a.h", "#include <bearing/ball_row.h>\n", "thermal -> bearing"),
+    ("model/a.h", '#include "laws/hertz.h"\n', "model -> laws"),
+    ("base/a.h", '#include "model/ports.h"\n', "base -> model"),
+    ("machine/a.cpp", '#include "integrate/integrator.h"\n', "machine -> integrate"),
+    ("io/a.cpp", '#include "study/case.h"\n', "io -> study"),
+    ("study/a.cpp", '#include "cli/commands.h"\n', "study -> cli"),
+    ("study/a.cpp", '#include "bearing/ball_row.h"\n', "study -> bearing"),
+    ("study/a.cpp", '#include "bearing/touchdown_parameters.h"\n', None),
+    ("machine/a.cpp", "#include <cvodes/cvodes.h>\n", "machine includes SUNDIALS"),
+    ("integrate/a.cpp", "#include <cvodes/cvodes.h>\n", None),
+    ("study/a.cpp", "#include <hdf5.h>\n", "study includes HDF5"),
+    ("cli/a.cpp", "#include <toml++/toml.h>\n", "cli includes toml++"),
+    ("integrate/a.cpp", "#include <deal.II/base/point.h>\n", "integrate includes deal.II"),
+    ("integrate/a.cpp", "#include <petscvec.h>\n", "integrate includes PETSc"),
+    ("thermal/a.cpp", '#include "gmsh.h"\n', "thermal includes gmsh"),
+    ("rotor/a.cpp", '#include "../bearing/ball_row.h"\n', "no header of a room"),
+    ("rotor/a.cpp", '#include "geometry.h"\n', "no header of a room"),
+    ("rotor/a.cpp", "#include OTHER_HEADER\n", "cannot tell"),
+    ("magnets/a.cpp", "\n", "magnets is no room"),
+    ("bearing/CMakeLists.txt", "rotordrop_room(bearing\n  SOURCES a.cpp\n  DEPENDS model rotor\n  LIBRARIES fmt::fmt)\n", "bearing -> rotor"),
+    ("rotor/CMakeLists.txt", "target_link_libraries(rotordrop_rotor PUBLIC rotordrop_thermal)\n", "rotor -> thermal"),
+    ("rotor/a.cpp", '// #include "bearing/ball_row.h"\n#include <vector>\n#include "rotor/geometry.h"\n#include "model/ports.h"\n', None),
+]
+
+
+def self_test():
+    """Number of proofs that failed."""
+    n_failed = 0
+    for name, text, expected in PROOFS:
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, name)
+            file.parent.mkdir(parents=True)
+            file.write_text(text, encoding="utf-8")
+            faults, _ = find_faults(pathlib.Path(folder))
+        is_right = not faults if expected is None else len(faults) == 1 and expected in faults[0]
+        if not is_right:
+            n_failed += 1
+            print(f"self-test: {name} with {text!r}: expected {expected!r}, got {faults}")
+    print(f"self-test: {len(PROOFS) - n_failed} of {len(PROOFS)} trees judged rightly")
+    return n_failed
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Checks that rooms of src/ include only whom they may.")
+    parser.add_argument("--self-test", action="store_true", help="only prove, on trees made for it, that faults are found")
+    arguments = parser.parse_args()
+    if self_test():
+        return 1
+    if arguments.self_test:
+        return 0
+    root = pathlib.Path(__file__).resolve().parent.parent
+    if not (root / "src").is_dir():
+        print("error: there is no folder src beside tests", file=sys.stderr)
+        return 2
+    faults, n_files = find_faults(root / "src")
+    for fault in faults:
+        print(fault.replace(f"{root}/", ""))
+    print(f"{n_files} files of src, {len(faults)} faults")
+    return 1 if faults or n_files == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
