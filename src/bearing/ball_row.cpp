@@ -17,11 +17,15 @@
 namespace rotordrop {
 namespace {
 
+// Rows are filled up to whole vectors with balls too small to touch anything, so that the kernels have no remainder loop.
+constexpr std::size_t vector_length = 4;
+constexpr double idle = -1.;  // added to an idle ball's penetration [m]
+
 struct KernelInput {
   const double* cosine;
   const double* sine;
   const double* added;  // to every delta: ball growth and waviness [n]
-  int n;
+  std::size_t n;  // a multiple of vector_length
   double A, radial, axial, arm, position, K, damping;  // damping = 1.5 beta
   double cage_cosine, cage_sine;
   RingDisplacement e, v;
@@ -34,7 +38,7 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
   const double C = in.cage_cosine, S = in.cage_sine, ey = in.e.y, ez = in.e.z, vy = in.v.y, vz = in.v.z;
   const double radial = in.radial, Bx = in.axial, Bx2 = Bx * Bx, A = in.A, K = in.K, damping = in.damping;
 #pragma omp simd reduction(+ : fy, fz, fx, dissipated, elastic_radial, elastic_normal, cage) reduction(max : largest)
-  for (int j = 0; j < in.n; ++j) {
+  for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
     const double Br = radial + ey * c + ez * s;
@@ -73,7 +77,7 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e, v = in.v;
 #pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_normal, cage) reduction(max : largest)
-  for (int j = 0; j < in.n; ++j) {
+  for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
     const double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
@@ -126,20 +130,26 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
     cosine_.push_back(std::cos(azimuth(j)));
     sine_.push_back(std::sin(azimuth(j)));
   }
+  n_padded_ = (cosine_.size() + vector_length - 1) / vector_length * vector_length;
+  cosine_.resize(n_padded_, 1.);
+  sine_.resize(n_padded_, 0.);
   for (const auto& wave : waves) {
     Wave w{wave, {}, {}};
     for (int j = 0; j < g.n_balls; ++j) {
       w.cosine.push_back(std::cos(wave.order * azimuth(j)));
       w.sine.push_back(std::sin(wave.order * azimuth(j)));
     }
+    w.cosine.resize(n_padded_, 0.);
+    w.sine.resize(n_padded_, 0.);
     waves_.push_back(std::move(w));
   }
 }
 
 // What is added to every penetration besides the races' approach: 2 eps_b and the waves. One sine and cosine per wave.
 void BallRow::fill_added(const BallRowInput& in, double* added) const {
-  const std::size_t n = cosine_.size();
+  const auto n = static_cast<std::size_t>(geometry_.n_balls);
   std::fill_n(added, n, 2. * in.ball_growth);
+  std::fill_n(added + n, n_padded_ - n, idle);
   for (const auto& w : waves_) {
     const double ring = w.wave.on_inner_race ? in.ring_angle : 0.;
     const double argument = w.wave.order * (in.cage_angle - ring) + w.wave.phase;
@@ -179,7 +189,7 @@ template <class Kernel>
 void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out) const {
   std::array<double, max_balls> added;
   fill_added(in, added.data());
-  kernel({cosine_.data(), sine_.data(), added.data(), geometry_.n_balls, constants_.A,
+  kernel({cosine_.data(), sine_.data(), added.data(), n_padded_, constants_.A,
           constants_.radial + in.radial_growth, constants_.axial, constants_.arm, geometry_.position,
           geometry_.stiffness, 1.5 * geometry_.damping_beta, in.cage_cosine, in.cage_sine, in.displacement, in.rate},
          out);

@@ -47,16 +47,16 @@ struct BallRowInput {
   double ball_growth = 0;      ///< eps_b, growth of a ball's radius [m]
 };
 
-/// What a row does to the inner ring, and the sums that energy and heat need.
+/// What a row does to the inner ring, and the sums that energy and heat need. Evaluation writes every member.
 struct BallRowOutput {
-  double force_x = 0, force_y = 0, force_z = 0;  ///< on the inner ring [N]
-  double moment_y = 0, moment_z = 0;             ///< on the inner ring [N m]
-  double damping_power = 0;      ///< dissipated in the contacts [W]
-  double elastic_radial = 0;     ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
-  double elastic_normal = 0;     ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
-  double cage_power = 0;         ///< work rate of the prescribed cage motion [W]
-  double waviness_power = 0;     ///< work rate of the prescribed travel of the waves [W]
-  double largest_load = 0;       ///< of the row's balls [N]
+  double force_x, force_y, force_z;  ///< on the inner ring [N]
+  double moment_y, moment_z;             ///< on the inner ring [N m]
+  double damping_power;      ///< dissipated in the contacts [W]
+  double elastic_radial;     ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
+  double elastic_normal;     ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
+  double cage_power;         ///< work rate of the prescribed cage motion [W]
+  double waviness_power;     ///< work rate of the prescribed travel of the waves [W]
+  double largest_load;       ///< of the row's balls [N]
 };
 
 /// Forces of a row of balls after Sopanen & Mikkola (2003), without trigonometry per ball. With b the azimuth of a ball,
@@ -86,7 +86,7 @@ class BallRow {
  private:
   struct Wave {
     RaceWave wave;
-    std::vector<double> cosine, sine;  // of order * azimuth at cage angle zero, [n_balls]
+    std::vector<double> cosine, sine;  // of order * azimuth at cage angle zero, [n_padded]
   };
   struct Constants {
     double A, radial, axial, arm;  // A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
@@ -99,7 +99,8 @@ class BallRow {
 
   BallRowGeometry geometry_;
   Constants constants_{};
-  std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero, [n_balls]
+  std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
+  std::size_t n_padded_ = 0;
   std::vector<Wave> waves_;
 };
 

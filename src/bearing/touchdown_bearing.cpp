@@ -24,6 +24,7 @@ struct TouchdownBearing::Contact {
 
 struct TouchdownBearing::BallForces {
   static constexpr std::size_t max_rows = 8;
+  BallForces() {}  // leaves the rows unwritten: only those that exist are
   std::array<BallRowOutput, max_rows> row;
   double force_y = 0, force_z = 0;
   double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;

@@ -115,10 +115,11 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
              {.range = at_least(0), .help = "Friction of balls and races in the spin moment; contact.friction_coefficient if not given."});
 }
 
-void check_geometry(const TouchdownParameters& b, const Node& table, Faults& faults) {
+/// @param path  name of the bearing's table, "bearings.TB1"
+void check_geometry(const TouchdownParameters& b, const Node& table, const std::string& path, Faults& faults) {
   const auto mm = [](double metres) { return fmt::format("{:.6g} mm", metres * 1e3); };
   const auto fault = [&](const char* key, const std::string& message, const std::string& advice = "") {
-    faults.add(position_of_value(table, key), message, advice);
+    faults.add(position_of_value(table, key), fmt::format("{}: {}.", path, message), advice);
   };
   const double circumference = b.balls_per_row * b.ball_diameter;
   if (circumference > std::numbers::pi * b.pitch_diameter)
@@ -144,9 +145,19 @@ void check_geometry(const TouchdownParameters& b, const Node& table, Faults& fau
     if (b.housing_diameters[1] <= b.outer_ring_diameters[1])
       fault("housing_diameters", fmt::format("the housing's outside diameter {} is not larger than the outer ring's {}",
                                              mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])));
-    if (b.pitch_diameter - b.ball_diameter * std::cos(b.contact_angle) <= b.inner_ring_diameters[0])
+    else if (std::abs(b.housing_diameters[0] - b.outer_ring_diameters[1]) > 0.01 * b.outer_ring_diameters[1])
+      fault("housing_diameters", fmt::format("the housing's bore {} does not fit the outer ring's outside diameter {}",
+                                             mm(b.housing_diameters[0]), mm(b.outer_ring_diameters[1])),
+            "The ring sits in the housing; count a sleeve between them as part of the housing.");
+    const double projected = b.ball_diameter * std::cos(b.contact_angle);
+    if (b.pitch_diameter - projected <= b.inner_ring_diameters[0])
       fault("ball_diameter", fmt::format("balls of {} on a pitch circle of {} reach into the bore of {}", mm(b.ball_diameter),
-                                         mm(b.pitch_diameter), mm(b.inner_ring_diameters[0])));
+                                         mm(b.pitch_diameter), mm(b.inner_ring_diameters[0])),
+            "Check ball_diameter, pitch_diameter and inner_ring_diameters.");
+    if (b.pitch_diameter + projected >= b.outer_ring_diameters[1])
+      fault("ball_diameter", fmt::format("balls of {} on a pitch circle of {} reach out of the outer ring of {}", mm(b.ball_diameter),
+                                         mm(b.pitch_diameter), mm(b.outer_ring_diameters[1])),
+            "Check ball_diameter, pitch_diameter and outer_ring_diameters.");
   }
   const double A = (b.conformity[0] + b.conformity[1] - 1.) * b.ball_diameter;
   if (b.radial_clearance >= A * std::cos(b.contact_angle))
@@ -155,8 +166,9 @@ void check_geometry(const TouchdownParameters& b, const Node& table, Faults& fau
   if (b.preload > 0. && b.contact_angle == 0.)
     fault("preload", fmt::format("preload = {:.6g} N on a bearing with contact_angle = 0", b.preload),
           "Balls at a contact angle of zero take no axial load: give a contact_angle, or no preload.");
-  if (b.preload > 0. && b.radial_clearance > 0.)
-    fault("preload", "a preloaded bearing cannot have a radial_clearance as well", "Leave out one of the two.");
+  else if (b.preload > 0. && b.radial_clearance > 0.)
+    fault("radial_clearance", fmt::format("radial_clearance = {} on a bearing with preload = {:.6g} N, which closes it", mm(b.radial_clearance), b.preload),
+          "Leave out one of the two.");
   if (b.rows > 2 && b.arrangement != RowArrangement::tandem)
     fault("arrangement", fmt::format("{} rows can only be in tandem", b.rows), "Allowed: X, O with rows = 2; tandem with any.");
   // Steel of the ring's dimensions at least half filled, and no lighter ring spins with more inertia than a hoop of its pitch diameter.
@@ -197,8 +209,13 @@ Section<ContactParameters> contact_section() {
   s.check([](const P& p, const Node& table, Faults& faults) {
     if (p.bore_radius && p.air_gap >= *p.bore_radius)
       faults.add(position_of_value(table, "air_gap"),
-                 fmt::format("contact.air_gap = {:.6g} m is not smaller than bore_radius = {:.6g} m", p.air_gap, *p.bore_radius),
+                 fmt::format("contact.air_gap = {:.6g} mm is not smaller than bore_radius = {:.6g} mm.", p.air_gap * 1e3, *p.bore_radius * 1e3),
                  "The rotor's radius is bore_radius - air_gap.");
+    if (p.static_friction_coefficient && *p.static_friction_coefficient < p.friction_coefficient)
+      faults.add(position_of_value(table, "static_friction_coefficient"),
+                 fmt::format("contact.static_friction_coefficient = {:.6g} is smaller than friction_coefficient = {:.6g}.",
+                             *p.static_friction_coefficient, p.friction_coefficient),
+                 "Friction near rest is not smaller than in motion; leave it out for the same value.");
   });
   return s;
 }
@@ -218,7 +235,7 @@ Section<TouchdownParameters> touchdown_section() {
   add_friction_keys(s);
   s.quantity("bore_diameter", &P::bore_diameter, {.unit = "m", .range = positive(), .help = "Catalogue dimension; kept with the bearing's data."});
   s.quantity("outside_diameter", &P::outside_diameter, {.unit = "m", .range = positive(), .help = "Catalogue dimension; kept with the bearing's data."});
-  s.check([](const P& p, const Node& table, Faults& faults) { check_geometry(p, table, faults); });
+  s.check(check_geometry);
   return s;
 }
 
@@ -232,16 +249,19 @@ double air_gap(const TouchdownParameters& bearing, const ContactParameters& cont
 }
 
 void check_touchdown(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact, const Node& table,
-                     Faults& faults) {
+                     const Node& contact_table, Faults& faults) {
   const double bore = bore_radius(b, contact), gap = air_gap(b, contact);
   if (gap >= 0.2 * bore)
-    faults.add(position_of_value(table, "air_gap"),
-               fmt::format("the air gap of bearing \"{}\", {:.6g} mm, is more than a fifth of its bore radius, {:.6g} mm", name, gap * 1e3, bore * 1e3),
+    faults.add(position_of_value(b.air_gap ? table : contact_table, "air_gap"),
+               fmt::format("bearings.{}: the air gap of {:.6g} mm is more than a fifth of the bore radius of {:.6g} mm.", name, gap * 1e3, bore * 1e3),
                "Air gaps are a few tenths of a millimetre; check the unit.");
   if (bore >= 0.5 * b.inner_ring_diameters[1])
-    faults.add(position_of_value(table, "inner_ring_diameters"),
-               fmt::format("the bore radius of bearing \"{}\", {:.6g} mm, does not fit its inner ring of {:.6g} mm outside diameter", name, bore * 1e3,
-                           b.inner_ring_diameters[1] * 1e3));
+    faults.add(b.bore_radius         ? position_of_value(table, "bore_radius")
+               : contact.bore_radius ? position_of_value(contact_table, "bore_radius")
+                                     : position_of_value(table, "inner_ring_diameters"),
+               fmt::format("bearings.{}: the bore radius of {:.6g} mm does not fit an inner ring of {:.6g} mm outside diameter.", name, bore * 1e3,
+                           b.inner_ring_diameters[1] * 1e3),
+               "It is a radius, half the inner ring's bore diameter.");
 }
 
 TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact,

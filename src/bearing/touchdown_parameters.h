@@ -79,8 +79,8 @@ double air_gap(const TouchdownParameters& bearing, const ContactParameters& cont
 TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& bearing,
                                     const ContactParameters& contact, const TouchdownSurroundings& surroundings);
 
-/// Checks that need both the bearing and [contact].
+/// Checks that need both the bearing and [contact]; the tables give the places of faults.
 void check_touchdown(const std::string& name, const TouchdownParameters& bearing, const ContactParameters& contact,
-                     const Node& bearing_table, Faults& faults);
+                     const Node& bearing_table, const Node& contact_table, Faults& faults);
 
 }  // namespace rotordrop

@@ -46,6 +46,8 @@ class Adams final : public Integrator {
     problem_.fail(code, time_, step, weighted_error());
   }
 
+  void offer_rates(std::span<const double> rates) override { problem_.offer_rates(time_, problem_.values(), rates); }
+
   void interpolate(double t, std::span<double> y) const override {
     N_Vector out = N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), problem_.context());
     const int code = CVodeGetDky(memory_, t, 0, out);

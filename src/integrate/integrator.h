@@ -29,6 +29,8 @@ class Integrator {
   [[nodiscard]] virtual std::span<const double> state() const = 0;
   /// One step, not beyond the end time given at construction. @throws SolverError naming the worst components
   virtual void advance() = 0;
+  /// Tells the rates at time(), state() that the caller has evaluated anyway, so that the next step need not.
+  virtual void offer_rates(std::span<const double> rates) = 0;
   /// State at a time within the last step.
   virtual void interpolate(double t, std::span<double> y) const = 0;
   [[nodiscard]] virtual IntegrationStatistics statistics() const = 0;

@@ -23,6 +23,8 @@ class SundialsProblem {
 
   /// Right-hand side in SUNDIALS' form; `self` is the problem. 0, 1 (trial state out of range: try a smaller step), -1 (exception kept).
   static int right_hand_side(realtype t, N_Vector y, N_Vector dydt, void* self);
+  /// Tells the rates at a state that the caller has evaluated anyway; if the method asks for just these next, they are not computed again.
+  void offer_rates(double t, std::span<const double> y, std::span<const double> rates);
   /// Takes SUNDIALS' own messages, so that they do not reach the screen. `self` is the problem.
   static void take_message(int code, const char* module, const char* function, char* message, void* self);
 
@@ -50,6 +52,9 @@ class SundialsProblem {
   std::string message_;
   std::vector<double> bad_rates_;  // the last rates that were not finite
   long rhs_evaluations_ = 0;
+  double offered_time_ = 0;
+  std::vector<double> offered_state_, offered_rates_;
+  bool is_offered_ = false;
 };
 
 }  // namespace rotordrop

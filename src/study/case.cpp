@@ -58,7 +58,7 @@ void load_rotor_geometry(Node& tree) {
   if (!geometry || !geometry->is_text()) return;
   const fs::path path = resolve_path(*geometry);
   if (!fs::is_regular_file(path))
-    throw InputError(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file", geometry->text()),
+    throw InputError(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file.", geometry->text()),
                      fmt::format("Looked for {}.", path.string()));
   const SourcePosition key = position_of(*rotor, "geometry");
   rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
@@ -80,7 +80,7 @@ void load_catalogue(Node& bearing, const std::string& name, const fs::path& case
   }
   std::sort(known.begin(), known.end());
   const std::string guess = closest_name(entry->text(), known);
-  throw InputError(entry->where(), fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing", name, entry->text()),
+  throw InputError(entry->where(), fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
                    (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) + fmt::format("Known: {}.", fmt::join(known, ", ")));
 }
 

@@ -166,6 +166,7 @@ class DropRun {
   /// Rates and step observables at an accepted state; the scalars follow.
   void evaluate_step(double t, std::span<const double> y) {
     machine_.evaluate(t, y, rates_, step_, {});
+    integrator_->offer_rates(rates_);
     scalars_.follow(t, step_);
   }
 
