@@ -1,0 +1,582 @@
+#!/usr/bin/env python3
+"""Draws the figures of a rotor drop.
+
+    python3 examples/plot_drop.py DIR
+
+reads DIR/results.h5 (and DIR/summary.json, if there is one) and writes PNGs into DIR/figures. It also works while the run goes
+on and after it was killed. What the file does not hold is left out, and named at the end.
+
+Needs h5py and matplotlib (Debian: python3-h5py, python3-matplotlib). Exit codes: 0 done, 2 nothing to draw from.
+"""
+
+import argparse
+import json
+import pathlib
+import sys
+
+try:
+    import h5py
+    import matplotlib
+    import numpy as np
+except ImportError as error:
+    sys.exit(f"error: {error}. Install python3-h5py and python3-matplotlib, or try /usr/bin/python3 (this is {sys.executable}).")
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+import matplotlib.ticker  # noqa: E402
+from matplotlib.collections import LineCollection  # noqa: E402
+from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
+
+# Okabe & Ito: told apart by everyone.
+BEARING_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
+ROTOR_COLOUR = "#333333"
+GAP_STYLE = dict(color="#888888", linewidth=1.0, linestyle=(0, (5, 3)))
+# From the shaft outwards.
+NODES = {
+    "shaft": ("shaft", "#333333"),
+    "inner_ring": ("inner ring", "#D55E00"),
+    "inner_contact": ("inner contact", "#E69F00"),
+    "ball": ("balls", "#009E73"),
+    "outer_contact": ("outer contact", "#56B4E9"),
+    "outer_ring": ("outer ring", "#0072B2"),
+    "housing": ("housing", "#CC79A7"),
+}
+ZOOM_END = 60e-3  # s
+RPM = 60 / (2 * np.pi)
+
+STYLE = {
+    "font.size": 9,
+    "axes.titlesize": 10,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.8,
+    "axes.grid": True,
+    "grid.color": "#e6e6e6",
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "lines.linewidth": 1.1,
+    "legend.frameon": False,
+    "legend.fontsize": 8,
+    "xtick.major.width": 0.8,
+    "ytick.major.width": 0.8,
+    "figure.constrained_layout.use": True,
+    "agg.path.chunksize": 20000,
+}
+
+
+class Results:
+    """A result file; remembers what was asked for in vain."""
+
+    def __init__(self, path):
+        self.missing = []
+        try:
+            self.file = h5py.File(path, "r", swmr=True)  # also while it is being written, or after the run was killed
+        except (OSError, ValueError):
+            self.file = h5py.File(path, "r")
+
+    def _names(self, group):
+        node = self.file.get(group)
+        return sorted(node) if isinstance(node, h5py.Group) else []
+
+    @property
+    def bearings(self):
+        return self._names("/bearings")
+
+    @property
+    def thermal_models(self):
+        return self._names("/thermal")
+
+    def attribute(self, name, default=""):
+        value = self.file.attrs.get(name, default)
+        return value.decode() if isinstance(value, bytes) else str(value)
+
+    def get(self, name, quiet=False):
+        """Times [s] and values of a dataset, of equal length; None if it is missing, empty or never finite."""
+        dataset = self.file.get(name)
+        if isinstance(dataset, h5py.Dataset) and dataset.ndim in (1, 2):
+            time_path = dataset.attrs.get("time", "/time")
+            times = self.file.get(time_path.decode() if isinstance(time_path, bytes) else time_path)
+            if isinstance(times, h5py.Dataset):
+                n = min(len(times), len(dataset))  # in a file being written the times come last
+                values = dataset[:n]
+                if n > 1 and np.isfinite(values).any():
+                    return times[:n], values
+        if not quiet and name not in self.missing:
+            self.missing.append(name)
+        return None
+
+    def columns(self, name):
+        return [c.decode() if isinstance(c, bytes) else c for c in self.file[name].attrs.get("columns", [])]
+
+    def end_time(self):
+        times = self.file.get("/time")
+        return float(times[-1]) if isinstance(times, h5py.Dataset) and len(times) else 1.0
+
+
+class Case:
+    """A result file with what all its figures share: names, colours, the axis of time."""
+
+    def __init__(self, results, summary):
+        self.results = results
+        self.name = results.attribute("case") or summary.get("case") or ""
+        self.colour = {name: BEARING_COLOURS[i % len(BEARING_COLOURS)] for i, name in enumerate(results.bearings)}
+        self.end = results.end_time()
+        self.in_ms = self.end <= 2
+        self.time_unit = "ms" if self.in_ms else "s"
+        self._summary = summary
+
+    def scaled(self, times):
+        return times * (1e3 if self.in_ms else 1)
+
+    def gap(self, bearing):
+        """Air gap [m] at the start, or None."""
+        clearance = self.results.get(f"/bearings/{bearing}/clearance", quiet=True)
+        if clearance is not None and np.isfinite(clearance[1].flat[0]):
+            return float(clearance[1].flat[0])
+        bearings = self._summary.get("bearings")
+        entry = bearings.get(bearing, {}) if isinstance(bearings, dict) else {}
+        gap = entry.get("air_gap", self._summary.get("air_gap")) if isinstance(entry, dict) else None
+        return float(gap) if isinstance(gap, (int, float)) else None
+
+    def time_axis(self, axes):
+        # Rounded up to three digits: 299.99 ms would lose the tick at 300.
+        end = self.scaled(self.end)
+        digit = 10.0 ** (np.floor(np.log10(end)) - 2) if end > 0 else 1.0
+        axes.set_xlim(0, max(digit, digit * np.ceil(end / digit - 1e-6)))
+        axes.set_xlabel(f"time [{self.time_unit}]")
+
+    def line(self, axes, name, scale=1.0, column=None, **style):
+        """Draws a dataset against time; False if it is missing."""
+        series = self.results.get(name)
+        if series is None:
+            return False
+        times, values = series
+        axes.plot(self.scaled(times), scale * (values if column is None else values[:, column]), **style)
+        return True
+
+
+def legend(axes, **options):
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(**options)
+
+
+def legend_above(axes, columns):
+    legend(axes, loc="lower right", bbox_to_anchor=(1, 1), ncol=columns, borderaxespad=0.2)
+
+
+def stand_on_zero(axes):
+    """Lets the vertical axis begin at 0 if nothing is below."""
+    low = min((np.nanmin(line.get_ydata()) for line in axes.lines if len(line.get_ydata())), default=0)
+    if low >= 0:
+        axes.set_ylim(bottom=0)
+
+
+def nothing_drawn(axes):
+    axes.text(0.5, 0.5, "not in this file", transform=axes.transAxes, ha="center", va="center", color="#999999")
+    axes.grid(False)
+    axes.set_xticks([])
+    axes.set_yticks([])
+
+
+def stack(n, height=2.3, width=7.2):
+    """n panels over one axis of time."""
+    figure, axes = plt.subplots(n, 1, figsize=(width, height * n + 0.5), sharex=True, squeeze=False)
+    return figure, list(axes[:, 0])
+
+
+# Panels: each draws into given axes and returns whether there was anything to draw. ------------------------------------------
+
+
+def orbit_panel(case, axes, bearing, with_legend=True):
+    axes.set_title(f"{bearing}: orbit of the rotor", color=case.colour[bearing])
+    series = case.results.get(f"/bearings/{bearing}/orbit")
+    if series is None:
+        nothing_drawn(axes)
+        return False
+    _, values = series
+    y, z = 1e6 * values[:, 0], 1e6 * values[:, 1]
+    points = np.column_stack([z, y])
+    # Early parts pale, late parts strong.
+    colour = np.array(to_rgb(case.colour[bearing]))
+    shades = LinearSegmentedColormap.from_list("shades", [0.30 * colour + 0.70, colour, 0.45 * colour])
+    segments = np.stack([points[:-1], points[1:]], axis=1)
+    axes.add_collection(LineCollection(segments, array=np.linspace(0, 1, len(segments)), cmap=shades, linewidths=0.6))
+    axes.plot(*points[0], "o", color="white", markeredgecolor=ROTOR_COLOUR, markersize=5, label="start", zorder=5)
+    axes.plot(*points[-1], "o", color=ROTOR_COLOUR, markersize=5, label="end", zorder=5)
+    reach = np.nanmax(np.abs(points))
+    gap = case.gap(bearing)
+    if gap is not None:
+        reach = max(reach, 1e6 * gap)
+        angle = np.linspace(0, 2 * np.pi, 361)
+        axes.plot(1e6 * gap * np.cos(angle), 1e6 * gap * np.sin(angle), label="air gap", **GAP_STYLE)
+    axes.set_aspect("equal")
+    axes.set_xlim(-1.08 * reach, 1.08 * reach)
+    axes.set_ylim(-1.08 * reach, 1.08 * reach)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(matplotlib.ticker.MaxNLocator(7, symmetric=True, steps=[1, 2, 5, 10]))
+    axes.set_xlabel("z, horizontal [µm]")
+    axes.set_ylabel("y, upwards [µm]")
+    if with_legend:  # in the upper half of the circle: the rotor falls away from there
+        legend(axes, loc="upper center", bbox_to_anchor=(0.5, 0.83), handlelength=1.6, labelspacing=0.3)
+    return True
+
+
+def force_panel(case, axes, bearings, with_zoom=True):
+    drawn = [b for b in bearings
+             if case.line(axes, f"/bearings/{b}/contact_force", 1e-3, color=case.colour[b], label=b, linewidth=0.8, alpha=0.85)]
+    axes.set_ylabel("contact force [kN]")
+    case.time_axis(axes)
+    axes.set_ylim(bottom=0)
+    if not drawn:
+        nothing_drawn(axes)
+        return False
+    if with_zoom and case.end > 2 * ZOOM_END:
+        # Room for the inset above the bounces.
+        axes.set_ylim(0, 1.08 * axes.get_ylim()[1])
+        inset = axes.inset_axes([0.40, 0.44, 0.59, 0.52])
+        for bearing in drawn:
+            times, values = case.results.get(f"/bearings/{bearing}/contact_force")
+            early = times <= ZOOM_END
+            inset.plot(case.scaled(times[early]), 1e-3 * values[early], color=case.colour[bearing], linewidth=0.9, alpha=0.85)
+        inset.set_xlim(0, case.scaled(ZOOM_END))
+        inset.set_ylim(bottom=0)
+        inset.tick_params(labelsize=7, length=2, pad=1.5)
+        inset.set_facecolor("#fafafa")
+        inset.set_title(f"first {case.scaled(ZOOM_END):g} {case.time_unit}", fontsize=7, fontweight="normal", loc="right", pad=2)
+    return True
+
+
+def speed_panel(case, axes, bearings):
+    drawn = case.line(axes, "/rotor/spin_speed", RPM, color=ROTOR_COLOUR, linestyle="--", label="rotor")
+    for bearing in bearings:
+        drawn |= case.line(axes, f"/bearings/{bearing}/ring_speed", RPM, color=case.colour[bearing], label=f"{bearing} inner ring")
+    axes.set_ylabel("speed [rpm]")
+    case.time_axis(axes)
+    stand_on_zero(axes)
+    if not drawn:
+        nothing_drawn(axes)
+    legend(axes, loc="lower right")
+    return drawn
+
+
+def rub_heat_panel(case, axes, bearings):
+    drawn = False
+    for bearing in bearings:
+        drawn |= case.line(axes, f"/bearings/{bearing}/rub_heat_rate", 1e-3, color=case.colour[bearing], label=bearing, linewidth=0.8,
+                           alpha=0.85)
+    axes.set_ylabel("rub heat [kW]")
+    case.time_axis(axes)
+    axes.set_ylim(bottom=0)
+    if not drawn:
+        nothing_drawn(axes)
+    legend(axes, loc="upper right")
+    return drawn
+
+
+def temperature_panel(case, axes, model):
+    drawn = False
+    for node, (label, colour) in NODES.items():
+        series = case.results.get(f"/thermal/{model}/{node}")
+        if series is None:
+            continue
+        times, values = series
+        axes.plot(case.scaled(times), values - values[0], color=colour, label=label)
+        drawn = True
+    axes.set_ylabel("temperature rise [K]")
+    case.time_axis(axes)
+    stand_on_zero(axes)
+    if not drawn:
+        nothing_drawn(axes)
+    return drawn
+
+
+def temperatures_in_short(case, axes):
+    """Few nodes of all thermal models: colour tells the bearing, the line's style the node."""
+    styles = {"inner_ring": "-", "ball": ":", "outer_ring": "--"}
+    models, nodes = {}, {}
+    for model in case.results.thermal_models:
+        for node, style in styles.items():
+            colour = case.colour.get(model, ROTOR_COLOUR)
+            series = case.results.get(f"/thermal/{model}/{node}")
+            if series is None:
+                continue
+            axes.plot(case.scaled(series[0]), series[1] - series[1][0], linestyle=style, color=colour)
+            models[model] = Line2D([], [], color=colour, label=model)
+            nodes[node] = Line2D([], [], color="#777777", linestyle=style, label=NODES[node][0])
+    axes.set_title("Temperature")
+    axes.set_ylabel("temperature rise [K]")
+    case.time_axis(axes)
+    if not models:
+        nothing_drawn(axes)
+        return False
+    stand_on_zero(axes)
+    axes.set_ylim(top=1.12 * axes.get_ylim()[1])
+    first = axes.legend(handles=list(models.values()), loc="upper left")
+    axes.add_artist(first)
+    axes.legend(handles=[nodes[n] for n in styles if n in nodes], loc="upper left", bbox_to_anchor=(0.2, 1.0))
+    return True
+
+
+# Figures: each returns a figure, or None if there is nothing to draw. ---------------------------------------------------------
+
+
+def finished(figure, drawn):
+    if drawn:
+        return figure
+    plt.close(figure)
+    return None
+
+
+def orbits(case):
+    bearings = case.results.bearings
+    if not bearings:
+        return None
+    figure, axes = plt.subplots(1, len(bearings), figsize=(3.9 * len(bearings), 4.3), squeeze=False)
+    drawn = [orbit_panel(case, a, b) for a, b in zip(axes[0], bearings)]
+    figure.supxlabel("Seen along +x: positive spin is clockwise. Pale: early, dark: late.", fontsize=7.5, color="#777777")
+    return finished(figure, any(drawn))
+
+
+def displacements(case):
+    bearings = case.results.bearings
+    if not bearings:
+        return None
+    figure, axes = stack(2)
+    drawn = False
+    gaps = {case.gap(b) for b in bearings} - {None}
+    for column, (panel, label) in enumerate(zip(axes, ("y, upwards [µm]", "z, horizontal [µm]"))):
+        for gap in sorted(gaps):
+            for sign in (1, -1):
+                panel.axhline(1e6 * sign * gap, label="air gap" if sign > 0 and gap == min(gaps) else None, **GAP_STYLE)
+        for bearing in bearings:
+            drawn |= case.line(panel, f"/bearings/{bearing}/orbit", 1e6, column, color=case.colour[bearing], label=bearing,
+                               linewidth=0.9)
+        panel.set_ylabel(label)
+        case.time_axis(panel)
+    axes[0].set_xlabel("")
+    axes[0].set_title("Displacement of the rotor at the bearings")
+    legend_above(axes[0], 4)
+    return finished(figure, drawn)
+
+
+def contact_forces(case):
+    bearings = case.results.bearings
+    if not bearings:
+        return None
+    figure, axes = stack(len(bearings), 2.5)
+    drawn = False
+    for panel, bearing in zip(axes, bearings):
+        drawn |= force_panel(case, panel, [bearing])
+        panel.set_title(f"{bearing}: force between rotor and inner ring", color=case.colour[bearing])
+    for panel in axes[:-1]:
+        panel.set_xlabel("")
+    return finished(figure, drawn)
+
+
+def speeds(case):
+    figure, (axes,) = stack(1, 3.2)
+    drawn = speed_panel(case, axes, case.results.bearings)
+    axes.set_title("Speed of the rotor and of the inner rings")
+    return finished(figure, drawn)
+
+
+def torques(case):
+    bearings = case.results.bearings
+    kinds = [("load_torque", "load", "-", 0.8), ("drag_torque", "drag", "--", 1.2), ("spin_torque", "spin", ":", 1.1)]
+    if not bearings:
+        return None
+    figure, axes = stack(len(bearings))
+    drawn = False
+    for panel, bearing in zip(axes, bearings):
+        for (kind, label, line, width), shade in zip(kinds, (1.0, 0.55, 0.55)):
+            colour = shade * np.array(to_rgb(case.colour[bearing]))
+            drawn |= case.line(panel, f"/bearings/{bearing}/{kind}", 1.0, color=colour, linestyle=line, label=label, linewidth=width)
+        panel.set_title(f"{bearing}: friction torque in the bearing", color=case.colour[bearing])
+        panel.set_ylabel("torque [N m]")
+        case.time_axis(panel)
+        stand_on_zero(panel)
+        legend_above(panel, 3)
+    for panel in axes[:-1]:
+        panel.set_xlabel("")
+    return finished(figure, drawn)
+
+
+def heat_rates(case):
+    bearings = case.results.bearings
+    if not bearings:
+        return None
+    figure, axes = stack(1 + len(bearings))
+    drawn = rub_heat_panel(case, axes[0], bearings)
+    axes[0].set_title("Heat where the rotor rubs on the ring")
+    for panel, bearing in zip(axes[1:], bearings):
+        for kind, style, shade in (("outer", "--", 0.5), ("inner", "-", 1.0)):
+            drawn |= case.line(panel, f"/bearings/{bearing}/{kind}_heat_rate", 1.0, linestyle=style, linewidth=0.9,
+                               color=shade * np.array(to_rgb(case.colour[bearing])), label=f"{kind} race")
+        panel.set_title(f"{bearing}: heat inside the bearing", color=case.colour[bearing])
+        panel.set_ylabel("heat [W]")
+        case.time_axis(panel)
+        stand_on_zero(panel)
+        legend_above(panel, 2)
+    for panel in axes[:-1]:
+        panel.set_xlabel("")
+    return finished(figure, drawn)
+
+
+def temperatures(case):
+    models = case.results.thermal_models
+    if not models:
+        return None
+    figure, axes = stack(len(models), 2.7)
+    drawn = False
+    for panel, model in zip(axes, models):
+        drawn |= temperature_panel(case, panel, model)
+        panel.set_title(f"{model}: temperature rise", color=case.colour.get(model, ROTOR_COLOUR))
+        legend(panel, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    for panel in axes[:-1]:
+        panel.set_xlabel("")
+    return finished(figure, drawn)
+
+
+def dissipation_by_kind(case):
+    """Times, and {label: energy [J]}: the ledger's own columns, or the bearings' heats and the rest."""
+    total = case.results.get("/energy/dissipated")
+    if total is not None and total[1].ndim == 2:
+        names = case.results.columns("/energy/dissipated") or [f"kind {i + 1}" for i in range(total[1].shape[1])]
+        return total[0], dict(zip(names, total[1].T))
+    kinds, times = {}, None if total is None else total[0]
+    for kind, label in (("friction_heat", "rub of rotor on rings"), ("inner_heat", "inner races"), ("outer_heat", "outer races")):
+        for bearing in case.results.bearings:
+            series = case.results.get(f"/bearings/{bearing}/{kind}")
+            if series is None:
+                continue
+            times = series[0] if times is None else times
+            kinds[label] = kinds.get(label, 0) + np.interp(times, *series)
+    if total is not None and kinds:
+        kinds["damping and the rest"] = total[1] - sum(kinds.values())
+    elif total is not None:
+        kinds["all"] = total[1]
+    return times, kinds
+
+
+def energy(case):
+    figure, axes = stack(3)
+    times, kinds = dissipation_by_kind(case)
+    colours = ["#D55E00", "#E69F00", "#56B4E9", "#999999", "#009E73", "#CC79A7"]
+    drawn = bool(kinds)
+    if kinds:
+        axes[0].stackplot(case.scaled(times), *kinds.values(), labels=kinds, colors=colours, linewidth=0)
+        handles, labels = axes[0].get_legend_handles_labels()
+        axes[0].legend(handles[::-1], labels[::-1], loc="upper left")
+    else:
+        nothing_drawn(axes[0])
+    axes[0].set_title("Energy dissipated, by kind")
+    axes[0].set_ylabel("energy [J]")
+    case.time_axis(axes[0])
+    axes[0].set_xlabel("")
+    heat = False
+    for name, label, style in (("heat_deposited", "deposited", "-"), ("heat_stored", "stored", "--"), ("heat_lost", "lost", ":")):
+        heat |= case.line(axes[1], f"/energy/{name}", 1.0, color=ROTOR_COLOUR, linestyle=style, label=label)
+    if not heat:
+        nothing_drawn(axes[1])
+    axes[1].set_title("Heat in the thermal models")
+    axes[1].set_ylabel("energy [J]")
+    case.time_axis(axes[1])
+    axes[1].set_xlabel("")
+    stand_on_zero(axes[1])
+    legend_above(axes[1], 3)
+
+    balance = False
+    for name, label, colour in (("residual", "mechanical", "#0072B2"), ("heat_residual", "heat", "#D55E00")):
+        balance |= case.line(axes[2], f"/energy/{name}", 1.0, color=colour, label=label, linewidth=0.9)
+    if not balance:
+        nothing_drawn(axes[2])
+    axes[2].set_title("Residual of the balances")
+    axes[2].set_ylabel("energy [J]")
+    axes[2].ticklabel_format(axis="y", style="sci", scilimits=(-2, 3), useMathText=True)
+    case.time_axis(axes[2])
+    legend_above(axes[2], 2)
+    return finished(figure, drawn or heat or balance)
+
+
+def overview(case):
+    bearings = case.results.bearings
+    if not bearings:
+        return None
+    figure, axes = plt.subplots(2, 3, figsize=(13, 7.8))
+    if case.name:
+        figure.suptitle(case.name, fontsize=12, fontweight="bold")
+    drawn = orbit_panel(case, axes[0, 0], bearings[0])
+    if len(bearings) > 1:
+        drawn |= orbit_panel(case, axes[0, 1], bearings[1], with_legend=False)
+    else:
+        panel = axes[0, 1]
+        drawn |= case.line(panel, f"/bearings/{bearings[0]}/orbit", 1e6, 0, color=case.colour[bearings[0]])
+        panel.set_title("Height of the rotor")
+        panel.set_ylabel("y, upwards [µm]")
+        case.time_axis(panel)
+    drawn |= force_panel(case, axes[0, 2], bearings)
+    axes[0, 2].set_title("Force between rotor and inner ring")
+    drawn |= speed_panel(case, axes[1, 0], bearings)
+    axes[1, 0].set_title("Speed")
+    drawn |= rub_heat_panel(case, axes[1, 1], bearings)
+    axes[1, 1].set_title("Heat where the rotor rubs")
+    drawn |= temperatures_in_short(case, axes[1, 2])
+    return finished(figure, drawn)
+
+
+FIGURES = [overview, orbits, displacements, contact_forces, speeds, torques, heat_rates, temperatures, energy]
+
+
+def read_summary(path):
+    try:
+        summary = json.loads(path.read_text(encoding="utf-8"))
+        return summary if isinstance(summary, dict) else {}
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError) as error:
+        print(f"{path} was not used: {error}")
+        return {}
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Draws the figures of a rotor drop into DIR/figures.")
+    parser.add_argument("directory", metavar="DIR", type=pathlib.Path, help="directory with results.h5 and summary.json")
+    parser.add_argument("--dpi", type=float, default=150, help="dots per inch of the pictures (default: 150)")
+    arguments = parser.parse_args()
+
+    path = arguments.directory / "results.h5"
+    if not path.is_file():
+        print(f"error: there is no {path}. Give the directory of a run's results.", file=sys.stderr)
+        return 2
+    try:
+        results = Results(path)
+    except (OSError, ValueError) as error:
+        print(f"error: {path} cannot be read: {error}", file=sys.stderr)
+        return 2
+
+    plt.rcParams.update(STYLE)
+    case = Case(results, read_summary(arguments.directory / "summary.json"))
+    folder = arguments.directory / "figures"
+    written = []
+    for draw in FIGURES:
+        figure = draw(case)
+        if figure is None:
+            continue
+        folder.mkdir(exist_ok=True)
+        figure.savefig(folder / f"{draw.__name__}.png", dpi=arguments.dpi)
+        plt.close(figure)
+        written.append(f"{draw.__name__}.png")
+    if results.missing:
+        print("not in the file, or still empty: " + ", ".join(results.missing))
+    if not written:
+        print(f"error: {path} holds nothing that could be drawn.", file=sys.stderr)
+        return 2
+    print(f"{folder}: {', '.join(written)}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
