@@ -309,6 +309,8 @@ requires std::is_invocable_v<Add, T&, const std::string&, U> Variant<T> variant(
 template <class T> class Section {
 public:
   using Check = std::function<void(const T&, const Node& table, Faults&)>;
+  /// `path` is the table's name for messages, "bearings.TB1".
+  using NamedCheck = std::function<void(const T&, const Node& table, const std::string& path, Faults&)>;
 
   /// @param name  key of the table in the file; "" for the top level of a file
   /// @param help  one sentence
@@ -450,9 +452,12 @@ public:
 
   /// A check over several parameters. It runs after all keys of the section were read without a faulty or missing
   /// value. position_of_value(table, "key") gives the place for a fault.
-  Section& check(Check check) {
+  Section& check(NamedCheck check) {
     checks_.push_back(std::move(check));
     return *this;
+  }
+  Section& check(Check check) {
+    return this->check(NamedCheck([check](const T& target, const Node& table, const std::string&, Faults& faults) { check(target, table, faults); }));
   }
 
   const std::string& name() const { return declared_.name; }
@@ -480,7 +485,7 @@ public:
     }
     if (faults.size() == n_faults_before)
       for (const auto& check : checks_)
-        check(target, table, faults);
+        check(target, table, here.path, faults);
     return target;
   }
 
@@ -536,7 +541,7 @@ private:
 
   SectionDeclaration declared_;
   std::vector<Reader> readers_;
-  std::vector<Check> checks_;
+  std::vector<NamedCheck> checks_;
 };
 
 template <class T, class U>

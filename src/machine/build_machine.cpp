@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "bearing/linear_support.h"
 
@@ -71,25 +71,27 @@ ThermalNetworkData network_data(const MachineParameters& p, const Node& case_nod
 void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& bearings = table_of(case_node, "bearings");
   if (p.bearings.empty())
-    faults.add(position_of(case_node, "bearings"), "the case has no bearings", "Add at least one table [bearings.NAME] with type = \"touchdown\" or \"linear\".");
+    faults.add(position_of(case_node, "bearings"), "the case has no bearings.", "Add at least one table [bearings.NAME] with type = \"touchdown\" or \"linear\".");
   check_against_geometry(p.rotor, p.rotor.geometry, table_of(case_node, "rotor"), faults);
-  std::set<int> taken;
+  std::map<int, std::string> taken;
   bool materials_are_known = true;
   for (const auto& entry : p.bearings) {
     const Node* own = bearings.find(entry.name);
     const Node& table = own ? *own : bearings;
     check_rotor_node(p.rotor.geometry, entry.node(), position_of_value(table, "node"), "bearings." + entry.name + ".node", faults);
     if (const auto* b = entry.touchdown()) {
-      if (!taken.insert(b->node).second)
-        faults.add(position_of_value(table, "node"), fmt::format("bearings.{}.node = {}: another touchdown bearing sits at this node", entry.name, b->node));
-      check_touchdown(entry.name, *b, p.contact, table, faults);
+      if (const auto [other, is_first] = taken.emplace(b->node, entry.name); !is_first)
+        faults.add(position_of_value(table, "node"),
+                   fmt::format("bearings.{}.node = {}: another touchdown bearing, {}, sits at this node.", entry.name, b->node, other->second),
+                   "Give each its own node, or make one bearing with several rows.");
+      check_touchdown(entry.name, *b, p.contact, table, table_of(case_node, "contact"), faults);
       for (const auto& [key, name] : {std::pair{"ball", b->ball}, std::pair{"ring", b->ring}}) {
         if (find_material(p, name)) continue;
         materials_are_known = false;
         std::vector<std::string> known;
         for (const auto& m : p.materials) known.push_back(m.first);
         const std::string guess = closest_name(name, known);
-        faults.add(position_of_value(table, key), fmt::format("bearings.{}.{} = \"{}\" is no material", entry.name, key, name),
+        faults.add(position_of_value(table, key), fmt::format("bearings.{}.{} = \"{}\" is no material.", entry.name, key, name),
                    (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") + fmt::format("Known in [materials]: {}.", fmt::join(known, ", ")));
       }
     }

@@ -20,7 +20,7 @@ Section<ExtraResistor> resistor_section() {
                target.between = {node.items()[0].text(), node.items()[1].text()};
                return;
              }
-             faults.add(node.where(), "thermal.resistor.between must be two node names, such as [\"TB1/housing\", \"ambient\"]");
+             faults.add(node.where(), "thermal.resistor.between must be two node names, such as [\"TB1/housing\", \"ambient\"].");
            });
   s.quantity("resistance", &ExtraResistor::resistance, {.unit = "K/W", .range = positive(), .help = "Thermal resistance."});
   return s;
@@ -66,12 +66,19 @@ void add_extra_parts(const ThermalParameters& parameters, const Node& table, The
   std::vector<std::string> names = {ambient_node};
   for (const auto& node : network.nodes) names.push_back(node.name);
   const auto known = [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  for (const auto& node : parameters.nodes) {
-    if (known(node.name)) faults.add(position_of(table, "node"), "thermal.node: the name \"" + node.name + "\" is taken", "Choose another name.");
+  // Place of a key of the k-th table of a list.
+  const auto place = [&](const char* list, std::size_t k, const char* key) {
+    const Node* found = table.find(list);
+    return found && found->is_array() && k < found->items().size() ? position_of_value(found->items()[k], key) : position_of(table, list);
+  };
+  for (std::size_t k = 0; k < parameters.nodes.size(); ++k) {
+    const auto& node = parameters.nodes[k];
+    if (known(node.name)) faults.add(place("node", k, "name"), "thermal.node: the name \"" + node.name + "\" is taken.", "Choose another name.");
     names.push_back(node.name);
     network.nodes.push_back({node.name, node.capacity, "node \"" + node.name + "\" of the parameter file"});
   }
-  for (const auto& resistor : parameters.resistors) {
+  for (std::size_t k = 0; k < parameters.resistors.size(); ++k) {
+    const auto& resistor = parameters.resistors[k];
     bool complete = true;
     for (const auto& name : resistor.between)
       if (!known(name)) {
@@ -79,18 +86,22 @@ void add_extra_parts(const ThermalParameters& parameters, const Node& table, The
         const std::string guess = closest_name(name, names);
         std::string list;
         for (const auto& candidate : names) list += (list.empty() ? "" : ", ") + candidate;
-        faults.add(position_of(table, "resistor"), "thermal.resistor: there is no node \"" + name + "\"",
+        faults.add(place("resistor", k, "between"), "thermal.resistor: there is no node \"" + name + "\".",
                    (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") + ("Known: " + list + "."));
       }
+    if (resistor.between[0] == resistor.between[1])
+      faults.add(place("resistor", k, "between"), "thermal.resistor joins \"" + resistor.between[0] + "\" with itself.", "Name two different nodes.");
     if (complete) network.resistors.push_back({resistor.between[0], resistor.between[1], resistor.resistance, ThermalNetworkData::Law::constant, 0., 0., 0});
   }
   // A point without mass and without a resistor has no temperature.
-  for (const auto& node : parameters.nodes) {
+  for (std::size_t k = 0; k < parameters.nodes.size(); ++k) {
+    const auto& node = parameters.nodes[k];
     if (node.capacity > 0.) continue;
     const bool joined = std::any_of(parameters.resistors.begin(), parameters.resistors.end(), [&](const ExtraResistor& r) {
       return std::find(r.between.begin(), r.between.end(), node.name) != r.between.end();
     });
-    if (!joined) faults.add(position_of(table, "node"), "thermal.node \"" + node.name + "\" has no capacity and no resistor", "Give it one of the two.");
+    if (!joined)
+      faults.add(place("node", k, "capacity"), "thermal.node \"" + node.name + "\" has no capacity and no resistor.", "Give it one of the two.");
   }
 }
 
