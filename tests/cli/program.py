@@ -1,0 +1,74 @@
+"""What the tests of the command line share: the program, cases in temporary folders, results."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+PARAMS = SOURCE / "params"
+PROGRAM = str(pathlib.Path(os.environ.get("ROTORDROP_PROGRAM", SOURCE / "build/release/rotordrop")).resolve())
+
+
+def call(*arguments, cwd=None, timeout=120):
+    """Runs the program to its end; returncode, stdout and stderr as text."""
+    command = [PROGRAM, *map(str, arguments)]
+    return subprocess.run(command, cwd=cwd, capture_output=True, text=True, timeout=timeout, stdin=subprocess.DEVNULL)
+
+
+def start(*arguments, cwd=None, **options):
+    """Starts the program; the caller waits for it."""
+    return subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=cwd, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, text=True, **options)
+
+
+def settings(**keys):
+    """settings(run__end_time="10 ms") is ["--set", "run.end_time=10 ms"]."""
+    return [word for key, value in keys.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
+
+
+def content_of(directory):
+    """Every file of a folder with its bytes, and every folder."""
+    directory = pathlib.Path(directory)
+    return {str(path.relative_to(directory)): path.read_bytes() if path.is_file() else None for path in directory.rglob("*")}
+
+
+class ProgramTest(unittest.TestCase):
+    """A test with a folder of its own, in which the reference case lies as reference.toml."""
+
+    maxDiff = None
+
+    def setUp(self):
+        self.assertTrue(pathlib.Path(PROGRAM).is_file(), f"there is no program {PROGRAM}; set ROTORDROP_PROGRAM")
+        folder = tempfile.TemporaryDirectory(prefix="rotordrop-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        shutil.copy(PARAMS / "neisi2019.toml", self.folder / "reference.toml")
+        shutil.copy(PARAMS / "neisi2019-rotor.json", self.folder)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return name
+
+    def case(self, text, name="drop.toml"):
+        """A case of 10 ms that starts from the reference case."""
+        return self.write(name, 'base = "reference.toml"\nrun.end_time = "10 ms"\n' + text)
+
+    def call(self, *arguments, **options):
+        return call(*arguments, cwd=self.folder, **options)
+
+    def succeed(self, *arguments, **options):
+        done = self.call(*arguments, **options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def run_case(self, *arguments, output="out", **keys):
+        """Runs a case to its end; the summary."""
+        self.succeed("run", *arguments, "-o", output, *settings(**keys))
+        return self.summary(output)
+
+    def summary(self, output="out"):
+        return json.loads((self.folder / output / "summary.json").read_text())
