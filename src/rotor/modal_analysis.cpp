@@ -48,9 +48,9 @@ LinearSystem linear_system(const ModalBasis& basis, const ModalAnalysisOptions& 
   return system;
 }
 
-/// First-order form x' = A x in x = (W q_held, q'). Coordinates are scaled with W = their natural frequency, which makes A nearly skew and
-/// its eigenvalues insensitive to roundoff. Coordinates that nothing holds are left out: their zero eigenvalues are defective, and
-/// roundoff would turn them into small spurious ones.
+/// First-order form x' = A x in x = (W q_held, q'). Coordinates are scaled with W = their natural frequency, which
+/// makes A nearly skew and its eigenvalues insensitive to roundoff. Coordinates that nothing holds are left out: their
+/// zero eigenvalues are defective, and roundoff would turn them into small spurious ones.
 struct FirstOrder {
   Eigen::MatrixXd A;
   std::vector<Eigen::Index> held;
@@ -87,8 +87,8 @@ Eigen::VectorXcd node_deflections(const ModalBasis& basis, const Eigen::VectorXc
 }
 
 Whirl whirl_of(const Eigen::VectorXcd& shape) {
-  // Point k moves on an ellipse of area pi Im(V W*), positive from +y towards +z. Areas, not their ratio to the amplitude, are summed:
-  // the sense of a node that hardly moves is noise.
+  // Point k moves on an ellipse of area pi Im(V W*), positive from +y towards +z. Areas, not their ratio to the
+  // amplitude, are summed: the sense of a node that hardly moves is noise.
   const Eigen::Index n_nodes = shape.size() / 2;
   double with_spin = 0, against = 0, size = 0;
   for (Eigen::Index k = 0; k < n_nodes; ++k) {
@@ -102,8 +102,9 @@ Whirl whirl_of(const Eigen::VectorXcd& shape) {
   return with_spin > against ? Whirl::forward : Whirl::backward;
 }
 
-/// Two modes of the same eigenvalue may be combined freely. If that yields one vibration along y and one along z of the same form (an
-/// isotropic rotor without gyroscopic effect), takes these and returns true; otherwise leaves the shapes alone.
+/// Two modes of the same eigenvalue may be combined freely. If that yields one vibration along y and one along z of the
+/// same form (an isotropic rotor without gyroscopic effect), takes these and returns true; otherwise leaves the shapes
+/// alone.
 bool separate_planes(Eigen::VectorXcd& a, Eigen::VectorXcd& b) {
   const Eigen::Index n_nodes = a.size() / 2;
   Eigen::Index k = 0;
@@ -135,7 +136,8 @@ std::string_view to_string(Whirl whirl) {
 }
 
 ModalAnalysis::ModalAnalysis(const RotorGeometry& geometry, const ModalAnalysisOptions& options)
-    : basis_(std::make_unique<const ModalBasis>(free_free_modes(geometry, options.cut_off_frequency))), options_(options) {}
+    : basis_(std::make_unique<const ModalBasis>(free_free_modes(geometry, options.cut_off_frequency))),
+      options_(options) {}
 ModalAnalysis::~ModalAnalysis() = default;
 ModalAnalysis::ModalAnalysis(ModalAnalysis&&) noexcept = default;
 ModalAnalysis& ModalAnalysis::operator=(ModalAnalysis&&) noexcept = default;
@@ -143,7 +145,8 @@ ModalAnalysis& ModalAnalysis::operator=(ModalAnalysis&&) noexcept = default;
 WhirlModes ModalAnalysis::whirl_modes(double spin_speed, const std::vector<LinearSupportAtNode>& supports) const {
   const FirstOrder system = first_order(*basis_, linear_system(*basis_, options_, spin_speed, supports));
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(system.A);
-  if (solver.info() != Eigen::Success) throw SolverError("the eigenvalues of the rotor on its supports did not converge");
+  if (solver.info() != Eigen::Success)
+    throw SolverError("the eigenvalues of the rotor on its supports did not converge");
   const Eigen::VectorXcd& lambda = solver.eigenvalues();
   const Eigen::MatrixXcd vectors = solver.eigenvectors();
   const Eigen::Index N = 2 * basis_->n_modes();
@@ -168,10 +171,12 @@ WhirlModes ModalAnalysis::whirl_modes(double spin_speed, const std::vector<Linea
 
   std::vector<Eigen::VectorXcd> shapes;
   std::vector<bool> is_planar(oscillating.size(), false);
-  for (const Eigen::Index k : oscillating) shapes.push_back(node_deflections(*basis_, vectors.col(k).tail(N) / lambda(k)));
+  for (const Eigen::Index k : oscillating)
+    shapes.push_back(node_deflections(*basis_, vectors.col(k).tail(N) / lambda(k)));
   for (std::size_t k = 0; k + 1 < shapes.size(); ++k) {
     const Complex a = lambda(oscillating[k]), b = lambda(oscillating[k + 1]);
-    if (!is_planar[k] && std::abs(a - b) < 1e-7 * std::abs(a)) is_planar[k] = is_planar[k + 1] = separate_planes(shapes[k], shapes[k + 1]);
+    if (!is_planar[k] && std::abs(a - b) < 1e-7 * std::abs(a))
+      is_planar[k] = is_planar[k + 1] = separate_planes(shapes[k], shapes[k + 1]);
   }
 
   const Eigen::Index n_nodes = basis_->shape.rows() / 2;
@@ -197,7 +202,8 @@ SynchronousResponse ModalAnalysis::unbalance_response(double spin_speed, const s
   const Eigen::Index n = basis_->n_modes();
   const LinearSystem system = linear_system(*basis_, options_, spin_speed, supports);
   const Complex i(0, 1);
-  // f_y = me omega^2 cos(omega t + a), f_z = me omega^2 sin(omega t + a): the z force lags by a quarter turn, factor -i.
+  // f_y = me omega^2 cos(omega t + a), f_z = me omega^2 sin(omega t + a): the z force lags by a quarter turn, factor
+  // -i.
   Eigen::VectorXcd f = Eigen::VectorXcd::Zero(2 * n);
   for (const auto& spot : unbalance) {
     const Complex force = spot.me * spin_speed * spin_speed * std::polar(1.0, spot.angle) / basis_->body.mass;
@@ -205,7 +211,8 @@ SynchronousResponse ModalAnalysis::unbalance_response(double spin_speed, const s
     f.head(n) += force * deflection;
     f.tail(n) += -i * force * deflection;
   }
-  Eigen::MatrixXcd dynamic_stiffness = system.stiffness.cast<Complex>() + i * spin_speed * system.damping.cast<Complex>();
+  Eigen::MatrixXcd dynamic_stiffness =
+      system.stiffness.cast<Complex>() + i * spin_speed * system.damping.cast<Complex>();
   dynamic_stiffness.diagonal().array() -= spin_speed * spin_speed;
   const Eigen::VectorXcd q = dynamic_stiffness.partialPivLu().solve(f);
   const Eigen::VectorXcd deflections = node_deflections(*basis_, q);

@@ -1,5 +1,6 @@
 #pragma once
-// Natural modes and unbalance response of the linear rotor on linear supports: by eigenvalues and by frequency, without time integration.
+// Natural modes and unbalance response of the linear rotor on linear supports: by eigenvalues and by frequency, without
+// time integration.
 #include <array>
 #include <complex>
 #include <limits>
@@ -16,9 +17,9 @@ struct ModalBasis;
 
 /// Spring and damper between a node and the ground: force on the rotor = -stiffness (v, w) - damping (v', w').
 struct LinearSupportAtNode {
-  int node = 0;                                          ///< numbered from 1
-  std::array<std::array<double, 2>, 2> stiffness{};      ///< rows and columns y, z [N/m]
-  std::array<std::array<double, 2>, 2> damping{};        ///< rows and columns y, z [N s/m]
+  int node = 0;                                      ///< numbered from 1
+  std::array<std::array<double, 2>, 2> stiffness{};  ///< rows and columns y, z [N/m]
+  std::array<std::array<double, 2>, 2> damping{};    ///< rows and columns y, z [N s/m]
 };
 
 enum class Whirl {
@@ -48,14 +49,15 @@ struct WhirlModes {
 /// Steady synchronous response: displacement = Re(v exp(i omega t)), spin angle = omega t.
 struct SynchronousResponse {
   std::vector<std::complex<double>> v, w;  ///< [n_nodes] along y and z [m]
-  /// [n_modes] in the coordinates of ModalRotor with the same cut-off [m]: state at t = 0 is Re(q), rates Re(i omega q).
+  /// [n_modes] in the coordinates of ModalRotor with the same cut-off [m]; at t = 0 they are Re(q), rates Re(i omega q)
   std::vector<std::complex<double>> q_y, q_z;
 };
 
 struct ModalAnalysisOptions {
   double modal_damping = 0;            ///< ratio of every flexible free-free mode
   double mass_proportional_alpha = 0;  ///< [1/s] on every mode
-  double cut_off_frequency = std::numeric_limits<double>::infinity();  ///< [Hz]; infinity: the full finite-element model
+  /// [Hz]; infinity: the full finite-element model
+  double cut_off_frequency = std::numeric_limits<double>::infinity();
 };
 
 /// Linear analysis in the basis of free-free modes; exact for the finite-element model unless a cut-off is set.

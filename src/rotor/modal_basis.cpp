@@ -31,7 +31,8 @@ ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequen
   if (cut_off_frequency > 0) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(fe.stiffness, fe.mass);
     assert(solver.info() == Eigen::Success);
-    // Ascending; the first two are the rigid modes, of which the solver knows only some mixture with roundoff frequencies.
+    // Ascending; the first two are the rigid modes, of which the solver knows only some mixture with roundoff
+    // frequencies.
     omega = solver.eigenvalues().tail(n_dofs - 2).cwiseMax(0).cwiseSqrt();
     const double omega_max = 2 * std::numbers::pi * cut_off_frequency;
     n_flexible = std::count_if(omega.begin(), omega.end(), [&](double w) { return w <= omega_max; });

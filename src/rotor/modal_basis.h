@@ -7,15 +7,17 @@ namespace rotordrop {
 
 /// Free-free modes of a rotor at rest, the coordinates of all our rotor models.
 ///
-/// Modes 0 and 1 are the analytic rigid ones (translation, tilt about the centre of gravity), then come flexible modes by frequency.
-/// Every mode is scaled to the rotor's own mass m, shape^T M shape = m: so a coordinate is a length [m], the translation's is
-/// the displacement of the centre of gravity and the tilt's is tilt times radius of gyration sqrt(Id / m).
-/// With all 2 n_nodes modes this is an exact change of basis of the finite-element model, nothing is left out.
+/// Modes 0 and 1 are the analytic rigid ones (translation, tilt about the centre of gravity), then come flexible modes
+/// by frequency. Every mode is scaled to the rotor's own mass m, shape^T M shape = m: so a coordinate is a length [m],
+/// the translation's is the displacement of the centre of gravity and the tilt's is tilt times radius of gyration
+/// sqrt(Id / m). With all 2 n_nodes modes this is an exact change of basis of the finite-element model, nothing is left
+/// out.
 struct ModalBasis {
   RigidBody body;
-  Eigen::VectorXd omega;       ///< [n_modes] natural circular frequency [rad/s]; 0, 0 for the rigid modes
-  Eigen::MatrixXd shape;       ///< [2 n_nodes x n_modes] deflections [-] and slopes [1/m], rows as in RotorMatrices
-  Eigen::MatrixXd gyroscopic;  ///< [n_modes x n_modes] shape^T G shape / m [-]; symmetric; the translation's row is zero
+  Eigen::VectorXd omega;  ///< [n_modes] natural circular frequency [rad/s]; 0, 0 for the rigid modes
+  Eigen::MatrixXd shape;  ///< [2 n_nodes x n_modes] deflections [-] and slopes [1/m], rows as in RotorMatrices
+  /// [n_modes x n_modes] shape^T G shape / m [-]; symmetric; the translation's row is zero
+  Eigen::MatrixXd gyroscopic;
 
   [[nodiscard]] Eigen::Index n_modes() const { return omega.size(); }
 };

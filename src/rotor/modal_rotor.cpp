@@ -62,7 +62,8 @@ Motion operator+(const Motion& a, const Motion& b) {
           a.tilt_rate_z + b.tilt_rate_z};
 }
 
-ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& settings, const std::vector<int>& station_nodes)
+ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& settings,
+                       const std::vector<int>& station_nodes)
     : n_stations_(station_nodes.size()),
       n_nodes_(geometry.node_x.size()),
       gravity_y_(settings.gravity_y),
@@ -80,12 +81,14 @@ ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& setti
     const auto row = static_cast<Eigen::Index>(i);
     omega_squared_[i] = basis.omega(row) * basis.omega(row);
     damping_rate_[i] = 2 * settings.modal_damping * basis.omega(row) + settings.mass_proportional_alpha;
-    for (std::size_t j = 0; j < n; ++j) gyroscopic_[i * padded(n) + j] = basis.gyroscopic(row, static_cast<Eigen::Index>(j));
+    for (std::size_t j = 0; j < n; ++j)
+      gyroscopic_[i * padded(n) + j] = basis.gyroscopic(row, static_cast<Eigen::Index>(j));
   }
 
   const auto append_shape = [&](int node, std::vector<Shape>& to) {
     assert(node >= 1 && node <= geometry.n_nodes());
-    for (Eigen::Index k = 0; k < basis.n_modes(); ++k) to.push_back({basis.shape(2 * node - 2, k), basis.shape(2 * node - 1, k)});
+    for (Eigen::Index k = 0; k < basis.n_modes(); ++k)
+      to.push_back({basis.shape(2 * node - 2, k), basis.shape(2 * node - 1, k)});
   };
   for (int node = 1; node <= geometry.n_nodes(); ++node) append_shape(node, node_shape_);
   for (const int node : station_nodes) {
@@ -111,21 +114,26 @@ ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& setti
   }
 
   // The counts that a cut-off leaves in practice get loops of fixed length.
-  constexpr std::array<Rates, 11> fixed_rates{
-      &ModalRotor::rates_of<0>, nullptr,                  &ModalRotor::rates_of<2>, &ModalRotor::rates_of<3>,
-      &ModalRotor::rates_of<4>, &ModalRotor::rates_of<5>, &ModalRotor::rates_of<6>, &ModalRotor::rates_of<7>,
-      &ModalRotor::rates_of<8>, &ModalRotor::rates_of<9>, &ModalRotor::rates_of<10>};
-  constexpr std::array<Motions, 11> fixed_motions{
-      &ModalRotor::motions_of<0>, nullptr,                    &ModalRotor::motions_of<2>, &ModalRotor::motions_of<3>,
-      &ModalRotor::motions_of<4>, &ModalRotor::motions_of<5>, &ModalRotor::motions_of<6>, &ModalRotor::motions_of<7>,
-      &ModalRotor::motions_of<8>, &ModalRotor::motions_of<9>, &ModalRotor::motions_of<10>};
+  constexpr std::array<Rates, 11> fixed_rates{&ModalRotor::rates_of<0>, nullptr,
+                                              &ModalRotor::rates_of<2>, &ModalRotor::rates_of<3>,
+                                              &ModalRotor::rates_of<4>, &ModalRotor::rates_of<5>,
+                                              &ModalRotor::rates_of<6>, &ModalRotor::rates_of<7>,
+                                              &ModalRotor::rates_of<8>, &ModalRotor::rates_of<9>,
+                                              &ModalRotor::rates_of<10>};
+  constexpr std::array<Motions, 11> fixed_motions{&ModalRotor::motions_of<0>, nullptr,
+                                                  &ModalRotor::motions_of<2>, &ModalRotor::motions_of<3>,
+                                                  &ModalRotor::motions_of<4>, &ModalRotor::motions_of<5>,
+                                                  &ModalRotor::motions_of<6>, &ModalRotor::motions_of<7>,
+                                                  &ModalRotor::motions_of<8>, &ModalRotor::motions_of<9>,
+                                                  &ModalRotor::motions_of<10>};
   const std::size_t chosen = n < fixed_rates.size() ? n : 0;
   rates_ = fixed_rates[chosen];
   motions_ = fixed_motions[chosen];
 }
 
 std::vector<StateEntry> ModalRotor::state_entries() const {
-  // Typical sizes in a drop: the rigid body moves a clearance at 0.1 m/s, impacts leave about 0.01 m/s in each flexible mode.
+  // Typical sizes in a drop: the rigid body moves a clearance at 0.1 m/s, impacts leave about 0.01 m/s in each flexible
+  // mode.
   constexpr double clearance = 1e-4, fall_velocity = 0.1, flexible_velocity = 0.01;
   const auto frequency = mode_frequencies();
   const auto name = [&](char plane, std::size_t k) {
@@ -172,7 +180,8 @@ void ModalRotor::motions_of(const double* y, const Shape* shape, std::size_t n_p
       slope_rate_y += slope * v_y[i];
       slope_rate_z += slope * v_z[i];
     }
-    out[p] = {0, displacement_y, displacement_z, -slope_z, slope_y, 0, velocity_y, velocity_z, -slope_rate_z, slope_rate_y};
+    out[p] = {0, displacement_y, displacement_z, -slope_z,      slope_y,
+              0, velocity_y,     velocity_z,     -slope_rate_z, slope_rate_y};
   }
 }
 
@@ -189,7 +198,8 @@ RotorPower ModalRotor::rates_of(double t, const double* __restrict y, const Forc
   const double *q_y = y, *q_z = y + n, *v_y = y + 2 * n, *v_z = y + 3 * n;
   const double spin_angle = y[4 * n], omega = y[4 * n + 1];
 
-  // Accelerations: in registers, padded to whole vectors, if their number is known here; otherwise straight in the result.
+  // Accelerations: in registers, padded to whole vectors, if their number is known here; otherwise straight in the
+  // result.
   constexpr std::size_t n_padded = padded(n_fixed);
   alignas(16) double local_y[n_padded + 1] = {}, local_z[n_padded + 1] = {};
   double *a_y = n_fixed > 0 ? local_y : dydt + 2 * n, *a_z = n_fixed > 0 ? local_z : dydt + 3 * n;
@@ -206,7 +216,8 @@ RotorPower ModalRotor::rates_of(double t, const double* __restrict y, const Forc
 
   // The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
   const double cosine = std::cos(spin_angle), sine = std::sin(spin_angle);
-  const double along_cos = omega * omega * cosine + omega_rate * sine, along_sin = omega * omega * sine - omega_rate * cosine;
+  const double along_cos = omega * omega * cosine + omega_rate * sine,
+               along_sin = omega * omega * sine - omega_rate * cosine;
   const double *u_cos = unbalance_cos_.data(), *u_sin = unbalance_sin_.data();
   const double *c = damping_rate_.data(), *k = omega_squared_.data();
   double unbalance_work = 0, damping = 0;
@@ -268,7 +279,8 @@ double ModalRotor::energy(std::span<const double> y) const {
   return 0.5 * (body_.mass * twice_per_mass + body_.Ip * omega * omega);
 }
 
-void ModalRotor::initial_rigid_state(const Motion& motion_of_centre_of_gravity, const Spin& spin, std::span<double> y) const {
+void ModalRotor::initial_rigid_state(const Motion& motion_of_centre_of_gravity, const Spin& spin,
+                                     std::span<double> y) const {
   assert(y.size() == n_state());
   const std::size_t n = n_modes_;
   const Motion& cg = motion_of_centre_of_gravity;

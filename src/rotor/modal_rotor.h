@@ -13,7 +13,7 @@ namespace rotordrop {
 enum class RotorRepresentation {
   rigid,  ///< translation and tilt
   modal,  ///< and the flexible free-free modes up to a cut-off frequency
-  full    ///< all: an exact change of basis of the full finite-element model (the reference rotor's fastest mode has 87 kHz)
+  full    ///< all: an exact change of basis of the finite-element model (up to 87 kHz for the reference rotor)
 };
 
 /// A heavy spot. Its centrifugal force turns with the rotor.
@@ -50,12 +50,16 @@ struct RotorSettings {
 ///   q_y'' = Phi^T f_y / m - omega G q_z' - c q_y' - omega_k^2 q_y,   c_k = 2 zeta omega_k + alpha (rigid modes: alpha)
 ///   q_z'' = Phi^T f_z / m + omega G q_y' - c q_z' - omega_k^2 q_z
 ///   Ip omega' = torques on the stations + drive torque
-///   unbalance: f_y = me (omega^2 cos(theta + a) + omega' sin(theta + a)), f_z = me (omega^2 sin(theta + a) - omega' cos(theta + a));
-///   it has no reaction torque on the spin, so it does net work, which rates() reports.
+/// with the force of an unbalance
+///   f_y = me (omega^2 cos(theta + a) + omega' sin(theta + a))
+///   f_z = me (omega^2 sin(theta + a) - omega' cos(theta + a))
+/// which has no reaction torque on the spin, so it does net work: rates() reports it.
 ///
-/// State [4 n_modes + 2]: q_y, q_z [m], q_y', q_z' [m/s], spin angle [rad], spin speed [rad/s]. Modes are scaled to the rotor's mass.
-/// Source: Neisi, Heikkinen & Sopanen (2019), eq. (1). Valid: small deflections and tilts, no axial motion (Motion's and Force's x are
-/// zero and ignored), spin torques along the shaft's own axis.
+/// State [4 n_modes + 2]: q_y, q_z [m], q_y', q_z' [m/s], spin angle [rad], spin speed [rad/s].
+/// Modes are scaled to the rotor's mass, see ModalBasis.
+/// Source: Neisi, Heikkinen & Sopanen (2019), eq. (1).
+/// Valid:  small deflections and tilts; no axial motion (x of Motion and Force is zero and ignored); spin torques along
+///         the shaft's own axis.
 class ModalRotor final : public RotorModel {
  public:
   /// @param station_nodes  nodes (from 1) at which forces act and motion is asked for

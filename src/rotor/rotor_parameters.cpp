@@ -66,17 +66,22 @@ const Section<GeometryEntries>& geometry_section() {
         .text("name", &ElementEntry::name, {.help = "For the reader only."})
         .integer("n1", &ElementEntry::n1, {.range = at_least(1), .help = "Node at the smaller x."})
         .integer("n2", &ElementEntry::n2, {.range = at_least(1), .help = "The next node."})
-        .quantity("length", &ElementEntry::length,
-                  {.unit = "m", .range = positive(), .help = "If given, it is compared with the positions of the nodes."})
+        .quantity(
+            "length", &ElementEntry::length,
+            {.unit = "m", .range = positive(), .help = "If given, it is compared with the positions of the nodes."})
         .quantity("od", &ElementEntry::od, {.unit = "m", .range = positive(), .help = "Outer diameter."})
         .quantity("id_", &ElementEntry::bore,
-                  {.unit = "m", .range = at_least(0), .fallback = "0 m", .help = "Diameter of the bore; 0 is a solid section."})
+                  {.unit = "m",
+                   .range = at_least(0),
+                   .fallback = "0 m",
+                   .help = "Diameter of the bore; 0 is a solid section."})
         .text("material", &ElementEntry::material, {.help = "A name in `materials`; without it, `material` holds."});
 
     Section<MassPointEntry> mass_point("mass_points");
     mass_point.integer("node", &MassPointEntry::node, {.range = at_least(1), .help = "Where it sits."})
         .text("name", &MassPointEntry::name, {.help = "For the reader only."})
-        .quantity("mass", &MassPointEntry::mass, {.unit = "kg", .range = at_least(0), .help = "Mass without stiffness."})
+        .quantity("mass", &MassPointEntry::mass,
+                  {.unit = "kg", .range = at_least(0), .help = "Mass without stiffness."})
         .quantity("Ip", &MassPointEntry::Ip,
                   {.unit = "kg m2", .range = at_least(0), .fallback = "0", .help = "Inertia about the rotor's axis."})
         .quantity("Id", &MassPointEntry::Id,
@@ -88,7 +93,8 @@ const Section<GeometryEntries>& geometry_section() {
         .choice("units", &GeometryEntries::units, {"SI"}, {.help = "Unit of bare numbers."})
         .custom("targets", {.help = "For the reader only."}, ignore)
         .custom("achieved", {.help = "For the reader only."}, ignore)
-        .table("material", &GeometryEntries::material, material_section(), {.help = "Of every element that names none."})
+        .table("material", &GeometryEntries::material, material_section(),
+               {.help = "Of every element that names none."})
         .tables("materials", &GeometryEntries::materials, material_section(), {.help = "Further materials by name."})
         .list("nodes", &GeometryEntries::nodes, node, {.min_count = 2})
         .list("elements", &GeometryEntries::elements, element, {.min_count = 1})
@@ -110,9 +116,10 @@ void check_nodes(const GeometryEntries& entries, const Node& table, Faults& faul
   for (std::size_t k = 0; k < entries.nodes.size(); ++k) {
     const auto& node = entries.nodes[k];
     if (node.id != static_cast<int>(k) + 1)
-      faults.add(position_in(table, "nodes", k, "id"),
-                 fmt::format("node id = {} stands at place {} of the list, where {} is expected.", node.id, k + 1, k + 1),
-                 "Number the nodes 1, 2, 3 ... in the order of rising x.");
+      faults.add(
+          position_in(table, "nodes", k, "id"),
+          fmt::format("node id = {} stands at place {} of the list, where {} is expected.", node.id, k + 1, k + 1),
+          "Number the nodes 1, 2, 3 ... in the order of rising x.");
     else if (k > 0 && node.x <= entries.nodes[k - 1].x)
       faults.add(position_in(table, "nodes", k, "x"),
                  fmt::format("x = {} m of node {} is not larger than x = {} m of node {}.", node.x, node.id,
@@ -125,21 +132,24 @@ void check_element(const GeometryEntries& entries, std::size_t k, const Node& ta
   const auto& element = entries.elements[k];
   const auto where = [&](std::string_view key) { return position_in(table, "elements", k, key); };
   const auto n_nodes = static_cast<int>(entries.nodes.size());
-  const std::string name = fmt::format("element {} (nodes {} to {})", element.id.value_or(static_cast<int>(k) + 1), element.n1,
-                                       element.n2);
+  const std::string name =
+      fmt::format("element {} (nodes {} to {})", element.id.value_or(static_cast<int>(k) + 1), element.n1, element.n2);
   for (const auto& [key, node] : {std::pair("n1", element.n1), std::pair("n2", element.n2)})
-    if (node > n_nodes) faults.add(where(key), fmt::format("{} = {} of {}: the rotor has nodes 1 to {}.", key, node, name, n_nodes));
+    if (node > n_nodes)
+      faults.add(where(key), fmt::format("{} = {} of {}: the rotor has nodes 1 to {}.", key, node, name, n_nodes));
   if (element.n1 <= n_nodes && element.n2 <= n_nodes) {
     if (element.n2 != element.n1 + 1)
       faults.add(where("n2"), fmt::format("{} does not join a node and the next one.", name),
-                 element.n2 == element.n1 - 1 ? fmt::format("Exchange n1 and n2: n1 = {}, n2 = {}.", element.n2, element.n1)
-                                              : "Split it into elements between neighbouring nodes, or remove the nodes between.");
+                 element.n2 == element.n1 - 1
+                     ? fmt::format("Exchange n1 and n2: n1 = {}, n2 = {}.", element.n2, element.n1)
+                     : "Split it into elements between neighbouring nodes, or remove the nodes between.");
     else if (element.length) {
       const double between = entries.nodes[static_cast<std::size_t>(element.n2 - 1)].x -
                              entries.nodes[static_cast<std::size_t>(element.n1 - 1)].x;
       if (std::abs(*element.length - between) > 1e-6 * std::abs(between))
         faults.add(where("length"),
-                   fmt::format("length = {} m of {} does not fit its nodes, which are {} m apart.", *element.length, name, between),
+                   fmt::format("length = {} m of {} does not fit its nodes, which are {} m apart.", *element.length,
+                               name, between),
                    "Correct the length or the nodes' x; the length may also be left out.");
     }
   }
@@ -155,7 +165,8 @@ void check_element(const GeometryEntries& entries, std::size_t k, const Node& ta
     std::vector<std::string> names;
     for (const auto& material : entries.materials) names.push_back(material.first);
     const std::string close = closest_name(*element.material, names);
-    faults.add(where("material"), fmt::format("{} is made of \"{}\", which `materials` does not have.", name, *element.material),
+    faults.add(where("material"),
+               fmt::format("{} is made of \"{}\", which `materials` does not have.", name, *element.material),
                (close.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", close)) +
                    (names.empty() ? "`materials` is empty." : fmt::format("Known: {}.", fmt::join(names, ", "))));
   }
@@ -164,7 +175,8 @@ void check_element(const GeometryEntries& entries, std::size_t k, const Node& ta
 void check_spans(const GeometryEntries& entries, const Node& table, Faults& faults) {
   const std::size_t n_spans = entries.nodes.size() - 1;
   std::vector<std::vector<std::size_t>> of_span(n_spans);
-  for (std::size_t k = 0; k < entries.elements.size(); ++k) of_span[static_cast<std::size_t>(entries.elements[k].n1 - 1)].push_back(k);
+  for (std::size_t k = 0; k < entries.elements.size(); ++k)
+    of_span[static_cast<std::size_t>(entries.elements[k].n1 - 1)].push_back(k);
   for (std::size_t span = 0; span < n_spans; ++span) {
     if (of_span[span].empty())
       faults.add(position_of_value(table, "elements"),
@@ -175,10 +187,12 @@ void check_spans(const GeometryEntries& entries, const Node& table, Faults& faul
         const auto& a = entries.elements[of_span[span][j]];
         const auto& b = entries.elements[of_span[span][i]];
         if (std::max(a.bore, b.bore) < std::min(a.od, b.od) * (1 - 1e-9))
-          faults.add(position_in(table, "elements", of_span[span][i], "od"),
-                     fmt::format("two elements between node {} and node {} fill the same space (diameters {} to {} m and {} to {} m).",
-                                 span + 1, span + 2, a.bore, a.od, b.bore, b.od),
-                     "A sleeve begins where the shaft ends: its id_ must not be smaller than the shaft's od.");
+          faults.add(
+              position_in(table, "elements", of_span[span][i], "od"),
+              fmt::format(
+                  "two elements between node {} and node {} fill the same space (diameters {} to {} m and {} to {} m).",
+                  span + 1, span + 2, a.bore, a.od, b.bore, b.od),
+              "A sleeve begins where the shaft ends: its id_ must not be smaller than the shaft's od.");
       }
   }
 }
@@ -230,25 +244,32 @@ RotorGeometry read_rotor_geometry(const Node& table, Faults& faults) {
   for (const auto& node : entries.nodes) geometry.node_x.push_back(node.x);
   for (const auto& element : entries.elements)
     geometry.elements.push_back({element.n1, element.n2, element.od, element.bore, material_of(element)});
-  for (const auto& point : entries.mass_points) geometry.mass_points.push_back({point.node, point.mass, point.Ip, point.Id});
+  for (const auto& point : entries.mass_points)
+    geometry.mass_points.push_back({point.node, point.mass, point.Ip, point.Id});
   return geometry;
 }
 
 Section<RotorParameters> rotor_section() {
   Section<Unbalance> unbalance("unbalance", "A heavy spot whose centrifugal force turns with the rotor.");
   unbalance.integer("node", &Unbalance::node, {.range = at_least(1), .help = "Node at which it sits."})
-      .quantity("me", &Unbalance::me,
-                {.unit = "kg m", .range = at_least(0), .help = "Mass times eccentricity; 1e-6 kg m is one gram millimetre."})
+      .quantity(
+          "me", &Unbalance::me,
+          {.unit = "kg m", .range = at_least(0), .help = "Mass times eccentricity; 1e-6 kg m is one gram millimetre."})
       .quantity("angle", &Unbalance::angle,
                 {.unit = "rad", .fallback = "0 deg", .help = "Where it is at spin angle 0, from +y towards +z."});
 
   Section<InitialOrbit> orbit("initial_orbit", "Circular orbit of the whole rotor at the start.");
-  orbit.quantity("radius", &InitialOrbit::radius,
-                 {.unit = "m", .range = at_least(0), .fallback = "0 m", .help = "Added to the position at the start."})
-      .quantity("angle", &InitialOrbit::angle, {.unit = "rad", .fallback = "0 deg", .help = "Of the start, from +y towards +z."})
-      .quantity("speed", &InitialOrbit::speed,
-                {.unit = "rad/s", .fallback = "0 rpm",
-                 .help = "Whirl speed; positive turns with a positive spin. The velocity at the start is radius times this."});
+  orbit
+      .quantity("radius", &InitialOrbit::radius,
+                {.unit = "m", .range = at_least(0), .fallback = "0 m", .help = "Added to the position at the start."})
+      .quantity("angle", &InitialOrbit::angle,
+                {.unit = "rad", .fallback = "0 deg", .help = "Of the start, from +y towards +z."})
+      .quantity(
+          "speed", &InitialOrbit::speed,
+          {.unit = "rad/s",
+           .fallback = "0 rpm",
+           .help =
+               "Whirl speed; positive turns with a positive spin. The velocity at the start is radius times this."});
 
   Section<RotorParameters> section("rotor", "The flexible rotor and how it starts.");
   section
@@ -259,26 +280,40 @@ Section<RotorParameters> rotor_section() {
                .help = "Nodes, elements, material and mass points; a file's name is relative to this file."},
               read_geometry_key)
       .choice("model", &RotorParameters::model,
-              {{"modal", RotorRepresentation::modal}, {"full", RotorRepresentation::full}, {"rigid", RotorRepresentation::rigid}},
+              {{"modal", RotorRepresentation::modal},
+               {"full", RotorRepresentation::full},
+               {"rigid", RotorRepresentation::rigid}},
               {.fallback = "modal",
                .source = "trial model: peak force +34 % rigid, +11 % with 1 kHz, 0.7 % with 5 kHz, all against full",
-               .help = "modal: free-free modes up to cut_off_frequency. full: all modes, exact, a hundred times slower. rigid: none bends."})
+               .help = "modal: free-free modes up to cut_off_frequency. full: all modes, exact, a hundred times "
+                       "slower. rigid: none bends."})
       .quantity("cut_off_frequency", &RotorParameters::cut_off_frequency,
-                {.unit = "Hz", .range = at_least(0), .fallback = "4500 Hz",
+                {.unit = "Hz",
+                 .range = at_least(0),
+                 .fallback = "4500 Hz",
                  .help = "Of model = \"modal\". More modes soften the first impact and shorten the time step."})
       .quantity("modal_damping", &RotorParameters::modal_damping,
-                {.range = between(0, 0.2), .fallback = "0.005", .source = "estimate for a steel rotor with shrunk-on laminations",
+                {.range = between(0, 0.2),
+                 .fallback = "0.005",
+                 .source = "estimate for a steel rotor with shrunk-on laminations",
                  .help = "Damping ratio of every flexible free-free mode."})
       .quantity("mass_proportional_alpha", &RotorParameters::mass_proportional_alpha,
-                {.unit = "1/s", .range = at_least(0), .fallback = "0 1/s",
-                 .help = "Damps the rigid motion too, as if the rotor fell through oil: bounces die sooner, the fall takes longer."})
+                {.unit = "1/s",
+                 .range = at_least(0),
+                 .fallback = "0 1/s",
+                 .help = "Damps the rigid motion too, as if the rotor fell through oil: bounces die sooner, the fall "
+                         "takes longer."})
       .list("unbalance", &RotorParameters::unbalance, unbalance, {.help = "Heavy spots; none if left out."})
       .function("torque", &RotorParameters::torque,
-                {.unit = "N m", .argument_unit = "s", .fallback = {{{"0 s", "0 N m"}}},
-                 .help = "Of motor (positive) or brake (negative) on the rotor: [time, torque] pairs, linear between, constant before and "
+                {.unit = "N m",
+                 .argument_unit = "s",
+                 .fallback = {{{"0 s", "0 N m"}}},
+                 .help = "Of motor (positive) or brake (negative) on the rotor: [time, torque] pairs, linear between, "
+                         "constant before and "
                          "after. A constant brake turns a standing rotor backwards: let the table end with 0."})
       .quantities("initial_offset", &RotorParameters::initial_offset,
-                  {.unit = "m", .fallback = {"0 m", "0 m"},
+                  {.unit = "m",
+                   .fallback = {"0 m", "0 m"},
                    .help = "y, z of the centre of gravity from the straight line through both rings' centres."})
       .quantities("initial_tilt", &RotorParameters::initial_tilt,
                   {.unit = "rad", .fallback = {"0 rad", "0 rad"}, .help = "Rotation about y, z from that line."})
@@ -291,13 +326,15 @@ Section<RotorParameters> rotor_section() {
   return section;
 }
 
-void check_rotor_node(const RotorGeometry& geometry, int node, const SourcePosition& where, const std::string& name, Faults& faults) {
+void check_rotor_node(const RotorGeometry& geometry, int node, const SourcePosition& where, const std::string& name,
+                      Faults& faults) {
   if (node < 1 || node > geometry.n_nodes())
     faults.add(where, fmt::format("{} = {}: the rotor has nodes 1 to {}.", name, node, geometry.n_nodes()),
                "Choose a node of the rotor's geometry, or add one at the place that is meant.");
 }
 
-void check_against_geometry(const RotorParameters& parameters, const RotorGeometry& geometry, const Node& rotor_table, Faults& faults) {
+void check_against_geometry(const RotorParameters& parameters, const RotorGeometry& geometry, const Node& rotor_table,
+                            Faults& faults) {
   const Node* list = rotor_table.find("unbalance");
   for (std::size_t k = 0; k < parameters.unbalance.size(); ++k)
     check_rotor_node(geometry, parameters.unbalance[k].node,
@@ -314,7 +351,8 @@ RotorSettings rotor_settings(const RotorParameters& parameters, double gravity_y
   settings.gravity_y = gravity_y;
   settings.gravity_z = gravity_z;
   settings.unbalance = parameters.unbalance;
-  const bool has_torque = std::any_of(parameters.torque.begin(), parameters.torque.end(), [](const auto& point) { return point[1] != 0; });
+  const bool has_torque =
+      std::any_of(parameters.torque.begin(), parameters.torque.end(), [](const auto& point) { return point[1] != 0; });
   if (has_torque) settings.drive_torque = parameters.torque;
   return settings;
 }
@@ -329,7 +367,8 @@ Motion initial_disturbance(const RotorParameters& parameters) {
   motion.velocity_z = parameters.initial_velocity[1];
   motion.tilt_rate_y = parameters.initial_tilt_rate[0];
   motion.tilt_rate_z = parameters.initial_tilt_rate[1];
-  return motion + orbit(parameters.initial_orbit.radius, parameters.initial_orbit.angle, parameters.initial_orbit.speed);
+  return motion +
+         orbit(parameters.initial_orbit.radius, parameters.initial_orbit.angle, parameters.initial_orbit.speed);
 }
 
 }  // namespace rotordrop

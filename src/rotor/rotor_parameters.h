@@ -39,14 +39,17 @@ struct RotorParameters {
 
 [[nodiscard]] Section<RotorParameters> rotor_section();
 
-/// Reads a geometry laid out as params/neisi2019-rotor.json and checks it; adds all faults. Without faults the result is complete.
+/// Reads a geometry laid out as params/neisi2019-rotor.json and checks it; adds all faults. Without faults the result
+/// is complete.
 [[nodiscard]] RotorGeometry read_rotor_geometry(const Node& table, Faults& faults);
 
 /// A fault if the rotor has no such node. `name` is the key's full name ("bearings.TB1.node").
-void check_rotor_node(const RotorGeometry& geometry, int node, const SourcePosition& where, const std::string& name, Faults& faults);
+void check_rotor_node(const RotorGeometry& geometry, int node, const SourcePosition& where, const std::string& name,
+                      Faults& faults);
 /// Faults of [rotor] that only show once the geometry is known.
 /// @param rotor_table  the node of [rotor], for positions
-void check_against_geometry(const RotorParameters& parameters, const RotorGeometry& geometry, const Node& rotor_table, Faults& faults);
+void check_against_geometry(const RotorParameters& parameters, const RotorGeometry& geometry, const Node& rotor_table,
+                            Faults& faults);
 
 [[nodiscard]] RotorSettings rotor_settings(const RotorParameters& parameters, double gravity_y, double gravity_z = 0);
 /// Offset, tilt, velocities and orbit at the start, to be added to the straight line through the rings' centres.

@@ -1,16 +1,17 @@
 #pragma once
 // Timoshenko beam elements of a rotor and their assembly.
 //
-// Degrees of freedom of one bending plane: deflection and section rotation of each node, both counted so that a rotation is the
-// slope of the rigidly tilted line:
+// Degrees of freedom of one bending plane: deflection and section rotation of each node, both counted so that a
+// rotation is the slope of the rigidly tilted line:
 //   y plane (v, theta_z),   z plane (w, -theta_y)          [theta about +y turns +x towards -z, hence the sign]
 // In these the two planes share mass, stiffness and gyroscopic matrix, all symmetric:
 //   M q_y'' + omega G q_z' + K q_y = f_y        f: force along y, moment about z
 //   M q_z'' - omega G q_y' + K q_z = f_z        f: force along z, minus the moment about y
-// The sign of G follows from the spin's angular momentum Ip omega (1, v', w'): its rate is Ip omega (0, v'', w'' in time) and
-// Id theta_z'' + Ip omega (w')' = M_z,  Id theta_y'' + Ip omega (v')' = M_y.
-// An accelerating spin adds no term here: the torques that change the spin act along the shaft's own axis, so that their
-// lateral component Ip omega' (v', w') cancels the one of the angular momentum's rate.
+// The sign of G follows from the angular momentum of a spinning disk,
+// Ip omega (1, theta_z, -theta_y) + Id (0, theta_y', theta_z'), whose rate is the moment:
+//   Id theta_y'' + Ip omega theta_z' = M_y,     Id theta_z'' - Ip omega theta_y' = M_z
+// An accelerating spin adds no term here: torques that change the spin act along the shaft's own axis, and their
+// lateral part Ip omega' (theta_z, -theta_y) is just the one that the rate of the angular momentum has more.
 #include <Eigen/Core>
 
 #include "rotor/geometry.h"
@@ -22,7 +23,8 @@ namespace rotordrop {
 ///   solid   kappa = 6 (1 + nu) / (7 + 6 nu)
 ///   hollow  kappa = 6 (1 + nu) (1 + m^2)^2 / ((7 + 6 nu) (1 + m^2)^2 + (20 + 12 nu) m^2)
 ///
-/// Source: G.R. Cowper (1966), The shear coefficient in Timoshenko's beam theory. Valid: static shear, any wall thickness.
+/// Source: G.R. Cowper (1966), The shear coefficient in Timoshenko's beam theory. Valid: static shear, any wall
+/// thickness.
 /// @param nu          Poisson's ratio
 /// @param bore_ratio  m = id / od, in [0, 1)
 [[nodiscard]] double cowper_shear_coefficient(double nu, double bore_ratio);
@@ -36,12 +38,14 @@ struct ElementMatrices {
 
 /// Circular Timoshenko element whose shape functions are the exact static deflection of a beam with shear.
 ///
-/// Source: H.D. Nelson (1980), A finite rotating shaft element using Timoshenko beam theory (without axial load and torque).
+/// Source: H.D. Nelson (1980), A finite rotating shaft element using Timoshenko beam theory (without axial load and
+/// torque).
 /// @param length  [m], > 0
 /// @param od, id  outer and bore diameter [m], od > id >= 0
 [[nodiscard]] ElementMatrices timoshenko_element(double length, double od, double id, const RotorMaterial& material);
 
-/// Matrices of the whole rotor and one plane [2 n_nodes x 2 n_nodes]; row 2(k-1) is the deflection of node k, row 2(k-1)+1 its slope.
+/// Matrices of the whole rotor and one plane [2 n_nodes x 2 n_nodes].
+/// Row 2 (k - 1) is the deflection of node k, row 2 (k - 1) + 1 its slope.
 struct RotorMatrices {
   Eigen::MatrixXd mass, gyroscopic, stiffness;
 };

@@ -1,0 +1,472 @@
+// Result files: what is written is what is read, at any moment, also after a SIGKILL or with a full disk.
+
+#include "io/recorder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+
+namespace {
+
+using namespace rotordrop;
+namespace fs = std::filesystem;
+
+class RecorderTest : public testing::Test {
+protected:
+  RecorderTest() {
+    std::string pattern = (fs::temp_directory_path() / "rotordrop-recorder-XXXXXX").string();
+    directory = ::mkdtemp(pattern.data());
+    path = directory / "results.h5";
+  }
+  ~RecorderTest() override {
+    std::error_code ignored;
+    fs::remove_all(directory, ignored);
+  }
+
+  [[nodiscard]] std::size_t n_files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
+  }
+
+  fs::path directory, path;
+};
+
+const RecordHeader header{{{"case", "two bearings"}, {"git_revision", "abc123"}},
+                          {{"/parameters", "[contact]\nair_gap = \"250 \xc2\xb5m\"\n"}}};
+
+std::vector<SeriesGroup> machine() {
+  return {{"/time",
+           {{"/bearings/TB1/contact_force", "N", "normal force of the ring on the rotor", 1, {}},
+            {"/bearings/TB1/orbit", "m", "position of the rotor's centre", 2, {"y", "z"}}}},
+          {"/coarse/time", {{"/thermal/TB1/ball", "K", "temperature of the balls", 1, {}}}}};
+}
+
+/// Row i of the first group. Every value tells its row.
+double time_of(std::size_t i) { return 1e-5 * static_cast<double>(i); }
+std::vector<double> row_of(std::size_t i) {
+  const auto x = static_cast<double>(i);
+  return {x, x + 0.25, -x};
+}
+
+void append_rows(Recorder& recorder, std::size_t from, std::size_t to) {
+  for (std::size_t i = from; i < to; ++i) {
+    recorder.append(0, time_of(i), row_of(i));
+    if (i % 10 == 0) recorder.append(1, time_of(i), std::vector<double>{300 + static_cast<double>(i)});
+  }
+}
+
+/// The first n rows are there, complete and unaltered.
+void expect_rows(const fs::path& path, std::size_t n) {
+  const Series time = read_series(path, "/time");
+  const Series force = read_series(path, "/bearings/TB1/contact_force");
+  const Series orbit = read_series(path, "/bearings/TB1/orbit");
+  ASSERT_GE(time.values.size(), n);
+  ASSERT_GE(force.shape.at(0), time.shape.at(0)) << "a time was on file before its force";
+  ASSERT_GE(orbit.shape.at(0), time.shape.at(0)) << "a time was on file before its orbit";
+  for (std::size_t i = 0; i < time.values.size(); ++i) {
+    ASSERT_EQ(time.values[i], time_of(i));
+    ASSERT_EQ(force.values[i], row_of(i)[0]);
+    ASSERT_EQ(orbit.values[2 * i], row_of(i)[1]);
+    ASSERT_EQ(orbit.values[2 * i + 1], row_of(i)[2]);
+  }
+}
+
+/// A process of its own; killed, if it still runs, when the test ends.
+class Child {
+public:
+  explicit Child(const std::function<int()>& work) : id_(::fork()) {
+    if (id_ != 0) return;
+    int code = 99;
+    try {
+      code = work();
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+    }
+    std::_Exit(code);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (id_ > 0) kill();
+  }
+
+  void kill() {
+    ::kill(id_, SIGKILL);
+    wait();
+  }
+  /// Exit code, or -signal.
+  int wait() {
+    int status = 0;
+    ::waitpid(std::exchange(id_, -1), &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+  [[nodiscard]] bool is_running() const { return ::waitpid(id_, nullptr, WNOHANG) == 0; }
+
+private:
+  pid_t id_;
+};
+
+/// Waits until `is_true`, at most 20 s: the machine may be busy.
+bool eventually(const std::function<bool()>& is_true) {
+  for (int i = 0; i < 4000; ++i) {
+    if (is_true()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+/// Writes for ever; made to be killed.
+int write_without_end(const fs::path& path) {
+  RecorderOptions options;
+  options.rows_per_flush = 37; // not a divisor of the chunk length
+  options.rows_per_chunk = 64;
+  Recorder recorder(path, header, machine(), options);
+  for (std::size_t i = 0;; ++i) append_rows(recorder, i, i + 1);
+}
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST_F(RecorderTest, ReturnsEveryRowInOrderWithItsShape) {
+  RecorderOptions options;
+  options.rows_per_flush = 7;
+  options.rows_per_chunk = 5;
+  Recorder recorder(path, header, machine(), options);
+  append_rows(recorder, 0, 100);
+  EXPECT_EQ(recorder.n_rows(0), 100U);
+  EXPECT_EQ(recorder.row_size(0), 3U);
+  recorder.close();
+  expect_rows(path, 100);
+  EXPECT_EQ(read_series(path, "/bearings/TB1/contact_force").shape, (std::vector<std::size_t>{100}));
+  EXPECT_EQ(read_series(path, "/bearings/TB1/orbit").shape, (std::vector<std::size_t>{100, 2}));
+  EXPECT_EQ(read_series(path, "/coarse/time").shape, (std::vector<std::size_t>{10}));
+  EXPECT_EQ(read_series(path, "/thermal/TB1/ball").values.back(), 390);
+}
+
+TEST_F(RecorderTest, EveryDatasetSaysItsUnitItsMeaningAndItsTimeAxis) {
+  Recorder(path, header, machine()).close();
+  EXPECT_EQ(read_attribute(path, "/bearings/TB1/orbit", "units"), "m");
+  EXPECT_EQ(read_attribute(path, "/bearings/TB1/orbit", "long_name"), "position of the rotor's centre");
+  EXPECT_EQ(read_attribute(path, "/bearings/TB1/orbit", "time"), "/time");
+  EXPECT_EQ(read_attribute_list(path, "/bearings/TB1/orbit", "columns"), (std::vector<std::string>{"y", "z"}));
+  EXPECT_EQ(read_attribute(path, "/thermal/TB1/ball", "time"), "/coarse/time");
+  EXPECT_EQ(read_attribute(path, "/coarse/time", "units"), "s");
+  EXPECT_EQ(list_datasets(path),
+            (std::vector<std::string>{"/bearings/TB1/contact_force", "/bearings/TB1/orbit", "/coarse/time", "/parameters",
+                                      "/thermal/TB1/ball", "/time"}));
+}
+
+TEST_F(RecorderTest, CarriesTheCaseAndItsParametersInside) {
+  Recorder(path, header, machine()).close();
+  EXPECT_EQ(read_attribute(path, "/", "case"), "two bearings");
+  EXPECT_EQ(read_attribute(path, "/", "git_revision"), "abc123");
+  EXPECT_EQ(read_text(path, "/parameters"), header.texts[0].second);
+}
+
+TEST_F(RecorderTest, CarriesAnAttributeAndATextLongerThan64Kilobytes) {
+  const std::string text(200000, 'x');
+  Recorder(path, {{{"long", text}}, {{"/parameters", text}}}, machine()).close();
+  EXPECT_EQ(read_attribute(path, "/", "long"), text);
+  EXPECT_EQ(read_text(path, "/parameters"), text);
+}
+
+TEST_F(RecorderTest, KeepsNanAndInfinity) {
+  Recorder recorder(path, header, machine());
+  recorder.append(0, 0, std::vector<double>{std::numeric_limits<double>::quiet_NaN(), INFINITY, -0.});
+  recorder.close();
+  EXPECT_TRUE(std::isnan(read_series(path, "/bearings/TB1/contact_force").values[0]));
+  EXPECT_EQ(read_series(path, "/bearings/TB1/orbit").values[0], INFINITY);
+}
+
+TEST_F(RecorderTest, AnotherProcessReadsWhileTheRunGoesOn) {
+  const Child writer([&] { return write_without_end(path); });
+  ASSERT_TRUE(eventually([&] { return fs::exists(path); }));
+  std::size_t before = 0;
+  int n_growths = 0;
+  ASSERT_TRUE(eventually([&] {
+    const std::size_t now = read_series(path, "/time").values.size();
+    if (now > before) {
+      expect_rows(path, before);
+      before = now;
+      ++n_growths;
+    }
+    return n_growths >= 8 || HasFatalFailure();
+  })) << "the file did not grow";
+  EXPECT_TRUE(writer.is_running());
+}
+
+TEST_F(RecorderTest, H5pyReadsWhileTheRunGoesOn) {
+  if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0) GTEST_SKIP() << "no h5py";
+  Recorder recorder(path, header, machine());
+  append_rows(recorder, 0, 50);
+  recorder.flush();
+  const std::string script = "import h5py, sys; f = h5py.File('" + path.string() +
+                             "', 'r', swmr=True); d = f['/bearings/TB1/orbit']; "
+                             "assert f['/time'].shape == (50,), f['/time'].shape; assert d[49, 1] == -49; "
+                             "assert d.attrs['units'] == 'm'; assert list(d.attrs['columns']) == ['y', 'z']; "
+                             "assert f.attrs['case'] == 'two bearings'; assert f['/parameters'].asstr()[()].startswith('[contact]')";
+  EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
+}
+
+TEST_F(RecorderTest, ShowsRowsOnlyAfterAFlushAndThenAll) {
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  int go_on[2];
+  ASSERT_EQ(::pipe(go_on), 0);
+  Child writer([&] {
+    RecorderOptions options;
+    options.seconds_per_flush = 1e9;
+    Recorder recorder(path, header, machine(), options);
+    char byte = 0;
+    append_rows(recorder, 0, 20);
+    if (::write(ready[1], "a", 1) != 1 || ::read(go_on[0], &byte, 1) != 1) return 1;
+    recorder.flush();
+    if (::write(ready[1], "b", 1) != 1 || ::read(go_on[0], &byte, 1) != 1) return 1;
+    return 0;
+  });
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_EQ(read_series(path, "/time").values.size(), 0U);
+  ASSERT_EQ(::write(go_on[1], "x", 1), 1);
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_EQ(read_series(path, "/time").values.size(), 20U);
+  expect_rows(path, 20);
+  ASSERT_EQ(::write(go_on[1], "x", 1), 1);
+  EXPECT_EQ(writer.wait(), 0);
+  for (const int end : {ready[0], ready[1], go_on[0], go_on[1]}) ::close(end);
+}
+
+TEST_F(RecorderTest, WritesWhatItHoldsWhenTheTimeForItHasPassed) {
+  const Child writer([&] {
+    RecorderOptions options;
+    options.rows_per_flush = 1000000;
+    options.seconds_per_flush = 0.02;
+    Recorder recorder(path, header, machine(), options);
+    for (std::size_t i = 0;; ++i) { // closing it would show the rows, too
+      append_rows(recorder, i, i + 1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return 0;
+  });
+  ASSERT_TRUE(eventually([&] { return fs::exists(path); }));
+  EXPECT_TRUE(eventually([&] { return read_series(path, "/time").values.size() > 5; }));
+}
+
+TEST_F(RecorderTest, KeepsEveryFlushedRowThroughSigkill) {
+  for (int attempt = 0; attempt < 5; ++attempt) { // the moment of the kill differs
+    fs::remove(path);
+    Child writer([&] { return write_without_end(path); });
+    ASSERT_TRUE(eventually([&] { return fs::exists(path) && read_series(path, "/time").values.size() > 200; }));
+    std::this_thread::sleep_for(std::chrono::microseconds(700 * attempt));
+    const std::size_t seen = read_series(path, "/time").values.size();
+    writer.kill();
+    expect_rows(path, seen);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST_F(RecorderTest, ResumesAKilledRunInOneCompleteFile) {
+  {
+    Child writer([&] { return write_without_end(path); });
+    ASSERT_TRUE(eventually([&] { return fs::exists(path) && read_series(path, "/coarse/time").values.size() > 50; }));
+    writer.kill();
+  }
+  ResumedRecorder resumed = resume_recording(path, time_of(400), header, machine());
+  EXPECT_EQ(resumed.copied.n_rows, (std::vector<std::size_t>{401, 41})) << "rows with time <= t are kept, t included";
+  EXPECT_TRUE(resumed.copied.missing.empty());
+  EXPECT_EQ(resumed.recorder.path(), path);
+  EXPECT_EQ(n_files(), 1U) << "the new file has taken the old one's name";
+  append_rows(resumed.recorder, 401, 1000);
+  resumed.recorder.close();
+  EXPECT_EQ(read_series(path, "/time").values.size(), 1000U);
+  EXPECT_EQ(read_series(path, "/thermal/TB1/ball").values.size(), 100U);
+  expect_rows(path, 1000);
+}
+
+TEST_F(RecorderTest, AResumeThatFailsLeavesTheOldFileAsItWas) {
+  Recorder recorder(path, header, machine());
+  append_rows(recorder, 0, 30);
+  recorder.close();
+  auto other = machine();
+  other[0].channels[0].unit = "kN";
+  const auto message = message_of([&] { (void)resume_recording(path, 1, header, other); });
+  EXPECT_NE(message.find("/bearings/TB1/contact_force is in N in this file; now it is in kN"), std::string::npos) << message;
+  other = machine();
+  other[0].channels[1].size = 3;
+  other[0].channels[1].columns.clear();
+  EXPECT_THROW((void)resume_recording(path, 1, header, other), InputError);
+  EXPECT_EQ(n_files(), 1U);
+  expect_rows(path, 30);
+}
+
+TEST_F(RecorderTest, FillsAChannelThatTheOldFileLacksWithNanAndSaysSo) {
+  Recorder recorder(path, header, machine());
+  append_rows(recorder, 0, 30);
+  recorder.close();
+  auto more = machine();
+  more[0].channels.insert(more[0].channels.begin(), {"/rotor/spin_speed", "rad/s", "spin", 1, {}});
+  ResumedRecorder resumed = resume_recording(path, 1, header, more);
+  resumed.recorder.close();
+  EXPECT_EQ(resumed.copied.missing, (std::vector<std::string>{"/rotor/spin_speed"}));
+  EXPECT_TRUE(std::isnan(read_series(path, "/rotor/spin_speed").values.at(29)));
+  expect_rows(path, 30);
+}
+
+TEST_F(RecorderTest, CopiesMoreRowsThanFitInOneBlock) {
+  Recorder recorder(path, header, machine());
+  append_rows(recorder, 0, 10000);
+  recorder.close();
+  Recorder copy(directory / "copy.h5", header, machine());
+  EXPECT_EQ(copy_rows_until(path, time_of(9999), copy).n_rows.at(0), 10000U);
+  copy.close();
+  expect_rows(directory / "copy.h5", 10000);
+}
+
+TEST_F(RecorderTest, RefusesToReplaceOlderResultsUnlessTold) {
+  Recorder first(path, header, machine());
+  append_rows(first, 0, 10);
+  first.close();
+  EXPECT_THROW(Recorder(path, header, machine()), InputError);
+  expect_rows(path, 10);
+  RecorderOptions options;
+  options.overwrite = true;
+  Recorder second(path, header, machine(), options);
+  append_rows(second, 0, 3);
+  second.close();
+  EXPECT_EQ(read_series(path, "/time").values.size(), 3U);
+  EXPECT_EQ(n_files(), 1U);
+}
+
+TEST_F(RecorderTest, SaysWhyTheFileCouldNotBeMadeAndLeavesNothingBehind) {
+  const auto missing = message_of([&] { Recorder(directory / "missing" / "results.h5", header, machine()); });
+  EXPECT_NE(missing.find("missing/results.h5"), std::string::npos) << missing;
+  EXPECT_NE(missing.find("No such file or directory"), std::string::npos) << missing;
+  EXPECT_THROW(Recorder(directory / "missing" / "results.h5", header, machine()), SolverError);
+  EXPECT_EQ(n_files(), 0U);
+}
+
+TEST_F(RecorderTest, ADiskThatIsFullAtTheStartLeavesNothingBehind) {
+  Child writer([&] {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1000, 1000}; // [bytes] a file may have; stands for a full disk
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const auto message = message_of([&] { Recorder(path, header, machine()); });
+    return message.find("could not be made") != std::string::npos && message.find("File too large") != std::string::npos ? 0 : 1;
+  });
+  EXPECT_EQ(writer.wait(), 0);
+  EXPECT_EQ(n_files(), 0U);
+}
+
+TEST_F(RecorderTest, ADiskThatFillsUpKeepsTheEarlierRowsAndIsReportedQuietly) {
+  const fs::path screen = directory / "stderr.txt";
+  Child writer([&] {
+    const int file = ::open(screen.c_str(), O_WRONLY | O_CREAT, 0600);
+    ::dup2(file, STDERR_FILENO);
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{100000, 100000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    RecorderOptions options;
+    options.rows_per_flush = 64;
+    options.rows_per_chunk = 64;
+    {
+      Recorder recorder(path, header, machine(), options);
+      const auto message = message_of([&] { append_rows(recorder, 0, 100000); });
+      if (message.find("results.h5 could not be written") == std::string::npos) return 1;
+      if (message.find("File too large") == std::string::npos) return 2;
+      // Once it failed, every further call says so.
+      if (message_of([&] { recorder.flush(); }) != message) return 3;
+      if (message_of([&] { recorder.close(); }) != message) return 4;
+    } // the destructor must cope, too
+    std::exit(0); // runs HDF5's own clean-up, which must neither print nor hang
+  });
+  EXPECT_EQ(writer.wait(), 0);
+  EXPECT_EQ(content(screen), "");
+  const std::size_t n = read_series(path, "/time").values.size();
+  EXPECT_GT(n, 500U);
+  expect_rows(path, n);
+}
+
+TEST_F(RecorderTest, RefusesATableOrARowThatIsWrong) {
+  auto groups = machine();
+  groups[1].channels[0].path = "/time";
+  EXPECT_THROW(Recorder(path, header, groups), std::invalid_argument) << "the same path twice";
+  groups = machine();
+  groups[0].channels[0].path = "force";
+  EXPECT_THROW(Recorder(path, header, groups), std::invalid_argument) << "not absolute";
+  groups = machine();
+  groups[0].channels[1].columns = {"y"};
+  EXPECT_THROW(Recorder(path, header, groups), std::invalid_argument) << "one name for two columns";
+  groups = machine();
+  groups[0].channels[0].size = 0;
+  EXPECT_THROW(Recorder(path, header, groups), std::invalid_argument);
+  EXPECT_EQ(n_files(), 0U);
+
+  Recorder recorder(path, header, machine());
+  EXPECT_THROW(recorder.append(0, 0, std::vector<double>(2)), std::invalid_argument) << "a value is missing";
+  EXPECT_THROW(recorder.append(2, 0, std::vector<double>(1)), std::out_of_range);
+  recorder.append(0, 1, row_of(0));
+  EXPECT_THROW(recorder.append(0, 0.5, row_of(1)), std::invalid_argument) << "time runs backwards";
+  recorder.close();
+  recorder.close();
+  EXPECT_THROW(recorder.append(0, 2, row_of(2)), std::logic_error);
+}
+
+TEST_F(RecorderTest, GoesOnWritingAfterItWasMovedInMemoryAndOnDisk) {
+  Recorder first(path, header, machine());
+  append_rows(first, 0, 10);
+  Recorder second(std::move(first));
+  second.move_to(directory / "other.h5");
+  append_rows(second, 10, 20);
+  second.close();
+  EXPECT_EQ(n_files(), 1U);
+  expect_rows(directory / "other.h5", 20);
+}
+
+TEST_F(RecorderTest, ReadersSayWhatIsNotThere) {
+  testing::internal::CaptureStderr();
+  Recorder(path, header, machine()).close();
+  EXPECT_THROW((void)read_series(directory / "none.h5", "/time"), InputError);
+  EXPECT_THROW((void)read_series(directory, "/time"), InputError);
+  const auto message = message_of([&] { (void)read_series(path, "/bearings/TB3/orbit"); });
+  EXPECT_NE(message.find("there is no dataset /bearings/TB3/orbit"), std::string::npos) << message;
+  EXPECT_THROW((void)read_series(path, "/parameters"), InputError) << "text is not a series";
+  EXPECT_THROW((void)read_series(path, "/bearings/TB1"), InputError) << "a group is not a series";
+  EXPECT_THROW((void)read_text(path, "/time"), InputError);
+  EXPECT_THROW((void)read_attribute(path, "/time", "colour"), InputError);
+  EXPECT_THROW((void)read_attribute(path, "/nothing", "units"), InputError);
+  std::ofstream(directory / "text.h5") << "This is not HDF5.";
+  EXPECT_THROW((void)read_series(directory / "text.h5", "/time"), InputError);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "HDF5 must not print";
+}
+
+} // namespace
