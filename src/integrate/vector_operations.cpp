@@ -4,7 +4,7 @@
 #include <cmath>
 
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define ROTORDROP_WIDE_VECTORS __attribute__((target_clones("arch=haswell", "default")))
+#define ROTORDROP_WIDE_VECTORS __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
 #else
 #define ROTORDROP_WIDE_VECTORS
 #endif

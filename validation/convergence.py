@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""How far results depend on the integration: steps and tolerances against a fine reference, full against modal rotor, and the spread of
+slightly perturbed runs of the chaotic case.
+
+    /usr/bin/python3 validation/convergence.py [--program build/release/rotordrop] [--work DIR] [--write docs]
+
+Writes docs/convergence-table.md and docs/images/convergence.png. Takes about two minutes.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import tempfile
+
+import h5py
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BEARINGS = ("TB1", "TB2")
+
+
+class Runs:
+    def __init__(self, program, work):
+        self.program, self.work = program, pathlib.Path(work)
+
+    def run(self, name, case, **settings):
+        """Runs a case; settings are parameters with __ for the dot. Returns times, orbits [m] of all bearings, and the summary."""
+        directory = self.work / name
+        command = [self.program, "run", ROOT / "params" / f"{case}.toml", "-o", directory, "--force", "--quiet", "--set", "output.interval=1e-4"]
+        for key, value in settings.items():
+            command += ["--set", f"{key.replace('__', '.')}={value}"]
+        subprocess.run([str(c) for c in command], check=True)
+        with h5py.File(directory / "results.h5", "r") as f:
+            orbit = np.hstack([f[f"/bearings/{b}/orbit"][:] for b in BEARINGS])
+            return f["/time"][:], orbit, json.loads((directory / "summary.json").read_text())
+
+
+def largest_distance(a, b, until=np.inf):
+    """Largest distance of two orbits [um] up to a time, at equal instants."""
+    n = min(len(a[0]), len(b[0]))
+    assert np.allclose(a[0][:n], b[0][:n], atol=1e-9)
+    here = a[0][:n] <= until + 1e-9
+    return 1e6 * np.abs(a[1][:n][here] - b[1][:n][here]).max()
+
+
+SETTINGS = (
+    [(f"runge-kutta-4, {s:g} us", dict(integration__method="runge-kutta-4", integration__step=s * 1e-6)) for s in (20, 10, 5, 2.5, 1)]
+    + [(f"{m}, {t:g}", dict(integration__method=m, integration__tolerance=t, integration__maximum_step="50 us"))
+       for m in ("dormand-prince", "fehlberg-8", "adams") for t in (1e-5, 1e-6, 1e-7, 1e-8)])
+
+
+def study_of_steps(runs, lines, points):
+    fine = dict(integration__method="runge-kutta-4", integration__step=0.5e-6)
+    settling = runs.run("settling-fine", "neisi2019-settling", **fine)
+    table = runs.run("table-fine", "neisi2019", run__end_time=0.02, **fine)
+    lines += ["| method, step or tolerance | steps | right-hand sides | CPU [s] | settling, to 0.3 s [um] | table, to 20 ms [um] | energy residual [J] |",
+              "|---|---|---|---|---|---|---|"]
+    for name, settings in SETTINGS:
+        a = runs.run("settling", "neisi2019-settling", **settings)
+        b = runs.run("table", "neisi2019", run__end_time=0.02, **settings)
+        run = a[2]["run"]
+        error, early = largest_distance(a, settling), largest_distance(b, table)
+        points.append((name, run["rhs_evaluations"], error))
+        lines.append(f"| {name} | {run['steps']} | {run['rhs_evaluations']} | {run['cpu_time']:.2f} | {error:.4f} | {early:.5f} | {a[2]['energy']['residual']:.1e} |")
+        print(lines[-1], flush=True)
+
+
+def study_of_modes(runs, lines):
+    """Full rotor (all modes) against fewer, over the first contacts of the settling case."""
+    lines += ["", "| rotor | flexible modes a plane | peak force TB1 [N] | peak force TB2 [N] | orbit against full, to 20 ms [um] | peak force against full |", "|---|---|---|---|---|---|"]
+    short = dict(run__end_time=0.02)
+    full = runs.run("full", "neisi2019-settling", rotor__model="full", integration__step="0.2 us", **short)
+    variants = [("full", full)]
+    for name, settings in [("modal, 50 kHz", dict(rotor__cut_off_frequency="50 kHz", integration__step="1 us")),
+                           ("modal, 10 kHz", dict(rotor__cut_off_frequency="10 kHz")), ("modal, 4.5 kHz (reference)", {}),
+                           ("modal, 2 kHz", dict(rotor__cut_off_frequency="2 kHz")), ("modal, 1 kHz", dict(rotor__cut_off_frequency="1 kHz")),
+                           ("rigid", dict(rotor__model="rigid"))]:
+        variants.append((name, runs.run("modes", "neisi2019-settling", **{**short, **settings})))
+    reference = [full[2]["bearings"][b]["peak_contact_force"] for b in BEARINGS]
+    for name, r in variants:
+        peaks = [r[2]["bearings"][b]["peak_contact_force"] for b in BEARINGS]
+        change = max(abs(p / q - 1) for p, q in zip(peaks, reference))
+        lines.append(f"| {name} | {len(r[2]['rotor']['free_free_frequencies'])} | {peaks[0]:.1f} | {peaks[1]:.1f} | {largest_distance(r, full):.3f} | {100 * change:.2f} % |")
+        print(lines[-1], flush=True)
+
+
+def study_of_spread(runs, lines):
+    """The table's damping lets the rotor bounce on, chaotically: runs that differ by picometres tell what can be known at the end."""
+    results = [runs.run("spread", "neisi2019", rotor__initial_offset=f"[{k * 1e-12}, 0]")[2] for k in range(8)]
+    lines += ["", "| \"table\" case, 8 runs | bearing | lowest | highest |", "|---|---|---|---|"]
+    for key in ("first_contact_time", "peak_contact_force", "first_bounce_apex", "friction_heat", "catch_up_time", "ring_speed_end",
+                "mean_contact_force_end", "inner_heat_rate_max", "outer_heat_rate_max"):
+        for b in BEARINGS:
+            values = [r["bearings"][b][key] for r in results]
+            known = [v for v in values if v is not None]
+            text = [f"{f(known):.6g}" if known else "never" for f in (min, max)]
+            lines.append(f"| {key} | {b} | {text[0]} | {text[1]}{' (some never)' if known and len(known) < len(values) else ''} |")
+    for node in ("shaft", "inner_ring", "inner_contact", "ball", "outer_contact", "outer_ring", "housing"):
+        for b in BEARINGS:
+            values = [r["bearings"][b]["temperature_rise_end"][node] for r in results]
+            lines.append(f"| temperature_rise_end.{node} [K] | {b} | {min(values):.5g} | {max(values):.5g} |")
+    print("\n".join(lines[-34:]), flush=True)
+
+
+def draw(points, file):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    figure, axes = plt.subplots(figsize=(6.4, 4.2))
+    for method, marker in (("runge-kutta-4", "o"), ("dormand-prince", "s"), ("fehlberg-8", "^"), ("adams", "d")):
+        chosen = [(n, e) for name, n, e in points if name.startswith(method)]
+        axes.loglog([n for n, _ in chosen], [e for _, e in chosen], marker=marker, label=method)
+    axes.axhline(0.2, color="0.6", lw=1)
+    axes.annotate("0.2 um", (axes.get_xlim()[1], 0.2), ha="right", va="bottom", color="0.4")
+    axes.set_xlabel("right-hand sides for 0.3 s")
+    axes.set_ylabel("largest error of the orbits [um]")
+    axes.set_title("Settling case against 0.5 us Runge-Kutta", fontsize=10)
+    axes.legend(frameon=False)
+    axes.grid(alpha=0.3, which="both")
+    figure.tight_layout()
+    figure.savefig(file, dpi=110)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=str(ROOT / "build/release/rotordrop"))
+    parser.add_argument("--work", default=None)
+    parser.add_argument("--write", default=str(ROOT / "docs"))
+    options = parser.parse_args()
+    lines, points = [], []
+    with tempfile.TemporaryDirectory() as scratch:
+        runs = Runs(options.program, options.work or scratch)
+        study_of_steps(runs, lines, points)
+        study_of_modes(runs, lines)
+        study_of_spread(runs, lines)
+    docs = pathlib.Path(options.write)
+    (docs / "images").mkdir(parents=True, exist_ok=True)
+    (docs / "convergence-table.md").write_text("\n".join(lines) + "\n")
+    draw(points, docs / "images" / "convergence.png")
+
+
+if __name__ == "__main__":
+    main()
