@@ -72,10 +72,7 @@ void drop(benchmark::State& state, IntegrationMethod method, double step_or_tole
   IntegrationParameters integration = settling().parameters.integration;
   integration.method = method;
   if (method == IntegrationMethod::runge_kutta_4) integration.step = step_or_tolerance;
-  else {
-    integration.tolerance = step_or_tolerance;
-    integration.maximum_step = 50e-6;
-  }
+  else integration.tolerance = step_or_tolerance;
   std::vector<double> y(machine->layout().size());
   const double end = settling().parameters.run.end_time;
   double cpu = 0.;

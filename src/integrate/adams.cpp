@@ -24,7 +24,7 @@ class Adams final : public Integrator {
     check(CVodeSetUserData(memory_, &problem_));
     check(CVodeSVtolerances(memory_, parameters.tolerance, problem_.absolute_tolerance()));
     check(CVodeSetNonlinearSolver(memory_, solver_));
-    check(CVodeSetMaxStep(memory_, parameters.maximum_step));
+    check(CVodeSetMaxStep(memory_, step_or_bound(parameters)));
     check(CVodeSetMaxNumSteps(memory_, -1));
     check(CVodeSetMaxHnilWarns(memory_, -1));
     check(CVodeSetStopTime(memory_, end_time));

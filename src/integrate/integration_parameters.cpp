@@ -8,18 +8,19 @@ Section<IntegrationParameters> integration_section() {
   Section<P> s("integration", "Time integration.");
   s.choice("method", &P::method,
            {{"runge-kutta-4", M::runge_kutta_4}, {"dormand-prince", M::dormand_prince}, {"fehlberg-8", M::fehlberg_8}, {"adams", M::adams}},
-           {.fallback = "runge-kutta-4",
-            .help = "runge-kutta-4: fixed step; dormand-prince (5th order), fehlberg-8 (8th) and adams (multistep): error-controlled."});
+           {.fallback = "dormand-prince",
+            .help = "dormand-prince (5th order), fehlberg-8 (8th) and adams (multistep) control their error; runge-kutta-4 has a fixed step."});
   s.quantity("step", &P::step,
-             {.unit = "s", .range = between(1e-9, 1e-3), .fallback = "5 us", .source = "docs/convergence.md",
-              .help = "Step of the fixed-step method. Not used by the others."});
+             {.unit = "s", .range = between(1e-9, 1e-3), .source = "docs/convergence.md",
+              .help = "Step of runge-kutta-4 (5 us if not given), or longest step of the others (50 us), so that no impact is stepped over."});
   s.quantity("tolerance", &P::tolerance,
-             {.range = between(1e-13, 1e-2), .fallback = "1e-8",
+             {.range = between(1e-13, 1e-2), .fallback = "1e-6", .source = "docs/convergence.md",
               .help = "Relative local error of the error-controlled methods; absolute: this times each state's typical size. Not used with a fixed step."});
-  s.quantity("maximum_step", &P::maximum_step,
-             {.unit = "s", .range = between(1e-9, 1e-2), .fallback = "10 us", .source = "MODEL: smooth contact needs a step bound",
-              .help = "Longest step of the error-controlled methods, so that no impact is stepped over."});
   return s;
+}
+
+double step_or_bound(const IntegrationParameters& p) {
+  return p.step.value_or(p.method == IntegrationMethod::runge_kutta_4 ? 5e-6 : 50e-6);
 }
 
 }  // namespace rotordrop

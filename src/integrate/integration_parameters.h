@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "base/parameters.h"
 
 namespace rotordrop {
@@ -7,11 +9,13 @@ enum class IntegrationMethod { runge_kutta_4, dormand_prince, fehlberg_8, adams 
 
 /// [integration].
 struct IntegrationParameters {
-  IntegrationMethod method = IntegrationMethod::runge_kutta_4;
-  double step = 0;          ///< [s]
-  double tolerance = 0;     ///< relative; absolute is this times each state's scale
-  double maximum_step = 0;  ///< [s]
+  IntegrationMethod method = IntegrationMethod::dormand_prince;
+  std::optional<double> step;  ///< [s]: of the fixed-step method, or the longest of the others
+  double tolerance = 0;        ///< relative; absolute is this times each state's scale
 };
 Section<IntegrationParameters> integration_section();
+
+/// The step of the fixed-step method, or the longest step of an error-controlled one: as given, else 5 us or 50 us. [s]
+double step_or_bound(const IntegrationParameters& parameters);
 
 }  // namespace rotordrop

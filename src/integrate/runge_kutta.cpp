@@ -34,13 +34,13 @@ class RungeKutta final : public Integrator {
       check(ARKStepSetTables(memory_, 4, 0, nullptr, table));
       ARKodeButcherTable_Free(table);
       // A whole number of steps, so that the last one is not a sliver.
-      const double n_steps = std::ceil((end_time - start_time) / parameters.step * (1. - 1e-9));
+      const double n_steps = std::ceil((end_time - start_time) / step_or_bound(parameters) * (1. - 1e-9));
       check(ARKStepSetFixedStep(memory_, (end_time - start_time) / n_steps));
       fixed_ = true;
     } else {
       check(ARKStepSetTableNum(memory_, ARKODE_DIRK_NONE,
                                parameters.method == IntegrationMethod::dormand_prince ? ARKODE_DORMAND_PRINCE_7_4_5 : ARKODE_FEHLBERG_13_7_8));
-      check(ARKStepSetMaxStep(memory_, parameters.maximum_step));
+      check(ARKStepSetMaxStep(memory_, step_or_bound(parameters)));
     }
     check(ARKStepSVtolerances(memory_, parameters.tolerance, problem_.absolute_tolerance()));
     check(ARKStepSetMaxNumSteps(memory_, -1));

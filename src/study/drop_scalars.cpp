@@ -31,6 +31,22 @@ Peak parabola_top(double t_0, double f_0, double t_1, double f_1, double t_2, do
 
 }  // namespace
 
+void FollowedPeak::follow(double t, double f) {
+  if (f > value) {  // the last step of a run may be the highest
+    value = f;
+    time = t;
+  }
+  if (last_ > before_ && last_ >= f && last_ >= value) {
+    const Peak top = parabola_top(time_before_, before_, last_time_, last_, t, f);
+    value = top.value;
+    time = top.time;
+  }
+  time_before_ = last_time_;
+  before_ = last_;
+  last_time_ = t;
+  last_ = f;
+}
+
 DropScalars::DropScalars(const Machine& machine) {
   std::map<std::string, std::pair<std::size_t, std::size_t>> where;  // name -> first column, size
   std::size_t at = 0;
@@ -53,7 +69,7 @@ void DropScalars::follow(double t, std::span<const double> step) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Columns& c = columns_[i];
     BearingScalars& s = scalars_[i];
-    const double penetration = step[c.penetration], force = step[c.contact_force], lag = step[c.spin_lag], y = step[c.orbit];
+    const double penetration = step[c.penetration], lag = step[c.spin_lag], y = step[c.orbit];
 
     const bool touches = penetration > 0.;
     const bool touched = s.penetration > 0.;
@@ -67,28 +83,20 @@ void DropScalars::follow(double t, std::span<const double> step) {
     const bool is_first_flight = !std::isnan(s.first_contact_end) && std::isnan(s.second_contact_time);
     if (is_first_flight && !(s.first_bounce_apex >= y)) s.first_bounce_apex = y;
 
-    if (s.force > s.force_before && s.force >= force) {
-      const Peak top = parabola_top(s.time_before, s.force_before, s.time, s.force, t, force);
-      if (top.value > s.peak_contact_force) {
-        s.peak_contact_force = top.value;
-        s.peak_contact_force_time = top.time;
-      }
-    }
     if (std::isnan(s.catch_up_time) && lag < 0.01) s.catch_up_time = crossing(s.time, s.spin_lag, t, lag, 0.01);
 
-    const auto keep_largest = [](double& kept, double value) { kept = std::max(kept, value); };
-    keep_largest(s.peak_friction_heat_rate, step[c.rub_heat_rate]);
-    keep_largest(s.load_torque_peak, step[c.load_torque]);
-    keep_largest(s.spin_torque_peak, step[c.spin_torque]);
-    keep_largest(s.inner_heat_rate_max, step[c.inner_heat_rate]);
-    keep_largest(s.outer_heat_rate_max, step[c.outer_heat_rate]);
-    for (std::size_t row = 0; row < c.n_rows; ++row) keep_largest(s.largest_ball_force, step[c.ball_force + row]);
+    s.contact_force.follow(t, step[c.contact_force]);
+    s.friction_heat_rate.follow(t, step[c.rub_heat_rate]);
+    s.load_torque.follow(t, step[c.load_torque]);
+    s.spin_torque.follow(t, step[c.spin_torque]);
+    s.inner_heat_rate.follow(t, step[c.inner_heat_rate]);
+    s.outer_heat_rate.follow(t, step[c.outer_heat_rate]);
+    double ball_force = 0.;
+    for (std::size_t row = 0; row < c.n_rows; ++row) ball_force = std::max(ball_force, step[c.ball_force + row]);
+    s.ball_force.follow(t, ball_force);
     s.ring_speed_end = step[c.ring_speed];
 
-    s.time_before = s.time;
-    s.force_before = s.force;
     s.time = t;
-    s.force = force;
     s.penetration = penetration;
     s.spin_lag = lag;
   }
@@ -96,7 +104,7 @@ void DropScalars::follow(double t, std::span<const double> step) {
 
 double DropScalars::largest_contact_force() const {
   double largest = 0.;
-  for (const auto& s : scalars_) largest = std::max({largest, s.peak_contact_force, s.force});
+  for (const auto& s : scalars_) largest = std::max(largest, s.contact_force.value);
   return largest;
 }
 

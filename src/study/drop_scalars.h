@@ -8,26 +8,32 @@
 
 namespace rotordrop {
 
+/// Largest value of a quantity known at steps; between them by the parabola through three steps.
+struct FollowedPeak {
+  double value = 0;                                         ///< 0 if it never rose above
+  double time = std::numeric_limits<double>::quiet_NaN();   ///< [s]
+  void follow(double t, double f);
+
+ private:
+  double last_time_ = std::numeric_limits<double>::quiet_NaN(), last_ = 0, time_before_ = last_time_, before_ = 0;
+};
+
 /// Scalars of one touchdown bearing, followed from step to step. NaN where something has not happened.
 struct BearingScalars {
   static constexpr double never = std::numeric_limits<double>::quiet_NaN();
   double first_contact_time = never;       ///< penetration first passes zero [s]
   double first_contact_end = never;        ///< and first falls below it [s]
   double second_contact_time = never;      ///< [s]
-  double peak_contact_force = 0;           ///< [N]
-  double peak_contact_force_time = never;  ///< [s]
+  FollowedPeak contact_force;              ///< [N]
   double first_bounce_apex = never;        ///< highest y of the rotor between first and second contact [m]
-  double peak_friction_heat_rate = 0;      ///< [W]
+  FollowedPeak friction_heat_rate;         ///< [W]
   double catch_up_time = never;            ///< spin lag first below 1 % [s]
-  double load_torque_peak = 0;             ///< [N m]
-  double spin_torque_peak = 0;             ///< [N m]
-  double inner_heat_rate_max = 0;          ///< [W]
-  double outer_heat_rate_max = 0;          ///< [W]
-  double largest_ball_force = 0;           ///< [N]
+  FollowedPeak load_torque, spin_torque;   ///< [N m]
+  FollowedPeak inner_heat_rate, outer_heat_rate;  ///< [W]
+  FollowedPeak ball_force;                 ///< of the most loaded ball [N]
   double ring_speed_end = never;           ///< [rad/s]
-  // The last step, for crossings and for the parabola through a peak.
+  // The last step, for crossings.
   double time = never, penetration = never, spin_lag = never;
-  double force = 0, force_before = 0, time_before = never;
 };
 
 /// Follows every touchdown bearing of a machine through its step observables.

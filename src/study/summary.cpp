@@ -22,21 +22,21 @@ Json bearing_summary(const Machine& machine, const BearingScalars& s, std::size_
   j["first_contact_time"] = number(s.first_contact_time);
   j["first_contact_end"] = number(s.first_contact_end);
   j["second_contact_time"] = number(s.second_contact_time);
-  j["peak_contact_force"] = number(s.peak_contact_force);
-  j["peak_contact_force_time"] = number(s.peak_contact_force_time);
+  j["peak_contact_force"] = number(s.contact_force.value);
+  j["peak_contact_force_time"] = number(s.contact_force.time);
   j["first_bounce_apex"] = number(s.first_bounce_apex);
-  j["peak_friction_heat_rate"] = number(s.peak_friction_heat_rate);
+  j["peak_friction_heat_rate"] = number(s.friction_heat_rate.value);
   j["friction_heat"] = ledger("rub heat");
   j["inner_heat"] = ledger("inner heat");
   j["outer_heat"] = ledger("outer heat");
   j["catch_up_time"] = number(s.catch_up_time);
   j["ring_speed_end"] = number(s.ring_speed_end);
   j["mean_contact_force_end"] = number(mean_force_end);
-  j["load_torque_peak"] = number(s.load_torque_peak);
-  j["spin_torque_peak"] = number(s.spin_torque_peak);
-  j["inner_heat_rate_max"] = number(s.inner_heat_rate_max);
-  j["outer_heat_rate_max"] = number(s.outer_heat_rate_max);
-  j["largest_ball_force"] = number(s.largest_ball_force);
+  j["load_torque_peak"] = number(s.load_torque.value);
+  j["spin_torque_peak"] = number(s.spin_torque.value);
+  j["inner_heat_rate_max"] = number(s.inner_heat_rate.value);
+  j["outer_heat_rate_max"] = number(s.outer_heat_rate.value);
+  j["largest_ball_force"] = number(s.ball_force.value);
   return j;
 }
 
