@@ -1,5 +1,6 @@
 #pragma once
 // Rotor surface against inner-ring bore: normal and friction law. Inlined: called once per bearing and right-hand side.
+#include <algorithm>
 #include <cmath>
 
 namespace rotordrop {
@@ -14,7 +15,8 @@ struct HuntCrossley {
   [[nodiscard]] double elastic(double delta) const { return delta > 0. ? K * std::pow(delta, n) : 0.; }
   /// Whole force from its elastic part [N]. A separating rotor must not be pulled back: clamp at zero.
   [[nodiscard]] double total(double elastic_force, double delta_rate) const {
-    return std::fmax(elastic_force * (1. + 1.5 * lambda * delta_rate), 0.);
+    // max(NaN, 0) is NaN here, unlike fmax: a force that is not a number must go on and be found.
+    return std::max(elastic_force * (1. + 1.5 * lambda * delta_rate), 0.);
   }
   /// Stored energy K delta^(n+1)/(n+1) [J].
   [[nodiscard]] double energy(double delta) const { return delta > 0. ? elastic(delta) * delta / (n + 1.) : 0.; }

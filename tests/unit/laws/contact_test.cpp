@@ -86,6 +86,13 @@ TEST(HuntCrossley, NeverPullsASeparatingRotorBack) {
   EXPECT_TRUE(clamped) << "the states include some beyond 1/(1.5 lambda) = 8.3 m/s";
 }
 
+TEST(HuntCrossley, LetsANumberThatIsNoneThrough) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const HuntCrossley law{1.144e9, 10. / 9., 0.08};
+  EXPECT_TRUE(std::isnan(law.total(nan, 0.1)));
+  EXPECT_TRUE(std::isnan(law.total(1000., nan)));
+}
+
 TEST(HuntCrossley, ForceIsTheSlopeOfItsEnergy) {
   const HuntCrossley law{1.73e9, 10. / 9., 0.08};
   for (const double delta : {1e-6, 1e-5, 5e-5}) {
