@@ -1,0 +1,197 @@
+// Ball rows: properties that hold at any state.
+#include "bearing/ball_row.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "../../verification/bearing/test_bearings.h"
+
+namespace rotordrop {
+namespace {
+
+using namespace rotordrop::testing;
+
+BallRowInput random_input(std::mt19937& random, bool tilting) {
+  std::uniform_real_distribution<double> one(-1, 1);
+  BallRowInput in;
+  in.displacement = {0., 30 * um * one(random), 30 * um * one(random), 0., 0.};
+  in.rate = {0., 0.5 * one(random), 0.5 * one(random), 0., 0.};
+  if (tilting) {
+    in.displacement.x = 10 * um * one(random);
+    in.displacement.psi_y = 2e-4 * one(random);
+    in.displacement.psi_z = 2e-4 * one(random);
+    in.rate.x = 0.2 * one(random);
+    in.rate.psi_y = 5. * one(random);
+    in.rate.psi_z = 5. * one(random);
+  }
+  in.cage_angle = 10. * one(random);
+  in.cage_cosine = std::cos(in.cage_angle);
+  in.cage_sine = std::sin(in.cage_angle);
+  in.cage_speed = 700. * one(random);
+  in.ring_angle = 10. * one(random);
+  in.ring_speed = 1500. * one(random);
+  in.radial_growth = 2 * um * one(random);
+  in.ball_growth = 1 * um * one(random);
+  return in;
+}
+
+std::vector<BallRowGeometry> some_rows() {
+  std::vector<BallRowGeometry> rows = {deep_groove_row()};
+  for (const auto& g : angular_contact_pair(290.)) rows.push_back(g);
+  for (const int n : {3, 7, 8, 9, 16, 256}) {  // around whole machine vectors
+    auto g = deep_groove_row();
+    g.n_balls = n;
+    rows.push_back(g);
+  }
+  for (auto& g : rows) g.damping_beta = 2.5e-5;
+  return rows;
+}
+
+const std::vector<RaceWave> waves = {{true, 2, 4e-6, 0.3}, {false, 5, 2e-6, 1.}};
+
+std::vector<double> numbers(const BallRowOutput& o) {
+  return {o.force_x, o.force_y, o.force_z, o.moment_y, o.moment_z, o.damping_power, o.elastic_radial, o.elastic_normal, o.cage_power, o.waviness_power, o.largest_load};
+}
+
+TEST(BallRow, ShortKernelAgreesWithTheGeneralOneWithoutTilt) {
+  std::mt19937 random(1);
+  for (const auto& g : some_rows())
+    for (int i = 0; i < 30; ++i) {
+      const BallRow row(g, i % 2 ? waves : std::vector<RaceWave>{});
+      const auto in = random_input(random, false);
+      BallRowOutput all, translations;
+      row.evaluate(in, all);
+      row.evaluate_translations(in, translations);
+      auto a = numbers(all), b = numbers(translations);
+      a[3] = a[4] = 0.;  // the short one leaves the moments at zero
+      const double scale = 1. + std::fabs(all.elastic_normal);
+      for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-11 * scale * (k >= 8 ? 1. : 1.)) << "member " << k << " of " << g.n_balls << " balls";
+    }
+}
+
+TEST(BallRow, BallsNeverPull) {
+  std::mt19937 random(2);
+  bool clamped = false;
+  for (const auto& g : some_rows()) {
+    const BallRow row(g, waves);
+    for (int i = 0; i < 200; ++i) {
+      auto in = random_input(random, true);
+      in.rate.y *= 100.;  // fast enough for the damping to exceed the elastic force of a parting ball
+      std::vector<double> load(static_cast<std::size_t>(g.n_balls)), standing = load;
+      row.ball_loads(in, load);
+      in.rate = {};
+      row.ball_loads(in, standing);
+      for (std::size_t j = 0; j < load.size(); ++j) {
+        ASSERT_GE(load[j], 0.) << "N";
+        if (standing[j] == 0.) { ASSERT_EQ(load[j], 0.) << "a free ball carries nothing at any speed"; }
+        clamped |= standing[j] > 0. && load[j] == 0.;
+      }
+    }
+  }
+  EXPECT_TRUE(clamped) << "the states include balls that part faster than their elastic force follows";
+}
+
+TEST(BallRow, LoadsOfAllBallsAddUpToTheRowsForce) {
+  std::mt19937 random(3);
+  for (const auto& g : some_rows()) {
+    const BallRow row(g, waves);
+    const auto in = random_input(random, true);
+    BallRowOutput out;
+    row.evaluate(in, out);
+    std::vector<double> load(static_cast<std::size_t>(g.n_balls));
+    row.ball_loads(in, load);
+    EXPECT_NEAR(out.largest_load, *std::max_element(load.begin(), load.end()), 1e-10 * out.largest_load) << "N";
+    double fx = 0., fy = 0., fz = 0.;
+    const double A = 0.04 * g.ball_diameter, R_c = 0.5 * g.pitch_diameter + 0.02 * g.ball_diameter * std::cos(g.contact_angle);
+    const auto& e = in.displacement;
+    for (int j = 0; j < g.n_balls; ++j) {
+      const double b = g.phase + 2. * pi * j / g.n_balls + in.cage_angle, c = std::cos(b), s = std::sin(b);
+      const double Br = A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth + (e.y + g.position * e.psi_z) * c + (e.z - g.position * e.psi_y) * s;
+      const double Bx = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + e.x + R_c * (e.psi_y * s - e.psi_z * c);
+      const double F = load[static_cast<std::size_t>(j)], B = std::hypot(Br, Bx);
+      fx -= F * Bx / B;
+      fy -= F * Br / B * c;
+      fz -= F * Br / B * s;
+    }
+    const double scale = 1e-9 * (1. + out.elastic_normal);
+    EXPECT_NEAR(out.force_x, fx, scale) << "N, " << g.n_balls << " balls";
+    EXPECT_NEAR(out.force_y, fy, scale) << "N, " << g.n_balls << " balls";
+    EXPECT_NEAR(out.force_z, fz, scale) << "N, " << g.n_balls << " balls";
+  }
+}
+
+TEST(BallRow, LetsANumberThatIsNoneThrough) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& g : some_rows()) {
+    const BallRow row(g, {});
+    for (const int which : {0, 1, 2}) {
+      std::mt19937 random(4);
+      auto in = random_input(random, false);
+      (which == 0 ? in.displacement.y : which == 1 ? in.displacement.z : in.radial_growth) = nan;
+      BallRowOutput out;
+      row.evaluate_translations(in, out);
+      EXPECT_TRUE(std::isnan(out.force_y) || std::isnan(out.force_z)) << "translations, input " << which << ", " << g.n_balls << " balls";
+      row.evaluate(in, out);
+      EXPECT_TRUE(std::isnan(out.force_y) || std::isnan(out.force_z)) << "general, input " << which << ", " << g.n_balls << " balls";
+      EXPECT_TRUE(std::isnan(row.energy(in)));
+    }
+    std::mt19937 random(4);
+    auto in = random_input(random, false);
+    in.displacement.y = 40 * um;  // some balls carry load
+    in.rate.y = nan;
+    BallRowOutput out;
+    row.evaluate_translations(in, out);
+    EXPECT_TRUE(std::isnan(out.force_y)) << "of a rate";
+  }
+}
+
+TEST(BallRow, ForcesTurnWithTheDisplacementWhenBallsAndDisplacementTurnTogether) {
+  const BallRow row(deep_groove_row(), {});
+  const auto force = [&](double turn) {
+    BallRowInput in;
+    in.displacement.y = 25 * um * std::cos(turn);
+    in.displacement.z = 25 * um * std::sin(turn);
+    in.cage_angle = turn + 0.1;
+    in.cage_cosine = std::cos(in.cage_angle);
+    in.cage_sine = std::sin(in.cage_angle);
+    BallRowOutput out;
+    row.evaluate_translations(in, out);
+    return std::pair{out.force_y * std::cos(turn) + out.force_z * std::sin(turn), out.force_z * std::cos(turn) - out.force_y * std::sin(turn)};
+  };
+  const auto start = force(0.);
+  EXPECT_LT(start.first, -100.) << "N: against the displacement";
+  for (const double turn : {0.7, 2., -3.}) {
+    EXPECT_NEAR(force(turn).first, start.first, 1e-8 * std::fabs(start.first)) << "N";
+    EXPECT_NEAR(force(turn).second, start.second, 1e-8 * std::fabs(start.first)) << "N";
+  }
+}
+
+TEST(BallRow, ARadialOrAxialPushComesBackOpposite) {
+  const auto rows = angular_contact_pair(290.);
+  for (const auto& g : rows) {
+    const BallRow row(g, {});
+    BallRowInput in;
+    BallRowOutput rest, moved;
+    row.evaluate(in, rest);
+    EXPECT_LT(rest.force_x * g.direction, 0.) << "a row pushes the inner ring out of its groove";
+    in.displacement.x = g.direction * um;
+    row.evaluate(in, moved);
+    EXPECT_GT(moved.largest_load, rest.largest_load) << "and is loaded by motion in its direction";
+    in.displacement.x = -g.direction * 20 * um;
+    row.evaluate(in, moved);
+    EXPECT_EQ(moved.largest_load, 0.) << "and lets go the other way";
+  }
+}
+
+TEST(BallRow, HoldsAtMost256Balls) {
+  auto g = deep_groove_row();
+  g.n_balls = 257;
+  EXPECT_THROW(BallRow(g, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rotordrop

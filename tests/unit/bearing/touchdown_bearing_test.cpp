@@ -1,0 +1,161 @@
+// Touchdown bearing: contact or none, growth, waves of the bore, what it reports.
+//
+// Penetration = e_r - (gap + growth of the bore - growth of the shaft) + wave of the bore, wave = A sin(m (contact angle - ring angle) + phase).
+#include "bearing/touchdown_bearing.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "../../verification/bearing/test_bearings.h"
+
+namespace rotordrop {
+namespace {
+
+using namespace rotordrop::testing;
+using TB = TouchdownBearing;
+
+double observed(const TB& bearing, const SupportInput& in, const std::vector<double>& y, const std::string& name, std::size_t column = 0) {
+  std::vector<double> rates(TB::n_state), ledger(TB::n_ledger), values(observed_size(bearing.observables()));
+  SupportOutput out;
+  out.observed = values;
+  bearing.evaluate(in, y, rates, ledger, out);
+  std::size_t at = 0;
+  for (const auto& o : bearing.observables()) {
+    if (o.name == name) return values[at + column];
+    at += o.size;
+  }
+  ADD_FAILURE() << "there is no observable " << name;
+  return 0.;
+}
+
+SupportInput journal_at(double y, double z) {
+  SupportInput in;
+  in.journal.y = y;
+  in.journal.z = z;
+  return in;
+}
+
+TEST(TouchdownBearing, GrowthOfTheBoreOpensTheGapAndGrowthOfTheShaftClosesIt) {
+  const TB bearing(touchdown("TB", {deep_groove_row()}));
+  const std::vector<double> y(TB::n_state, 0.);
+  auto in = journal_at(-260 * um, 0.);
+  EXPECT_NEAR(observed(bearing, in, y, "penetration"), 10 * um, 1e-15) << "m";
+  in.growth.bore = 3 * um;
+  EXPECT_NEAR(observed(bearing, in, y, "penetration"), 7 * um, 1e-15) << "m";
+  EXPECT_NEAR(observed(bearing, in, y, "clearance"), 253 * um, 1e-15) << "m";
+  in.growth.shaft = 5 * um;
+  EXPECT_NEAR(observed(bearing, in, y, "penetration"), 12 * um, 1e-15) << "m";
+  EXPECT_NEAR(observed(bearing, in, y, "contact_force"), 1.144e9 * std::pow(12 * um, 10. / 9.), 1e-6) << "N";
+}
+
+TEST(TouchdownBearing, DoesNothingToARotorThatDoesNotTouch) {
+  auto data = touchdown("TB", {deep_groove_row()});
+  data.bore_waves = {{2, 3 * um, 0.}};
+  const TB bearing(data);
+  const std::vector<double> y(TB::n_state, 0.);
+  std::vector<double> rates(TB::n_state), ledger(TB::n_ledger);
+  for (const auto& in : {journal_at(0., 0.), journal_at(100 * um, -200 * um), journal_at(-246 * um, 0.)}) {
+    SupportOutput out;
+    auto spinning = in;
+    spinning.rotor_spin.speed = 1500.;
+    spinning.journal.velocity_y = -3.;
+    bearing.evaluate(spinning, y, rates, ledger, out);
+    EXPECT_EQ(out.force_on_rotor.y, 0.);
+    EXPECT_EQ(out.force_on_rotor.z, 0.);
+    EXPECT_EQ(out.force_on_rotor.torque, 0.);
+    EXPECT_EQ(out.heat.rub, 0.);
+    EXPECT_FALSE(out.heat.is_in_contact);
+  }
+}
+
+TEST(TouchdownBearing, WavesOfTheBoreTurnWithTheRing) {
+  auto data = touchdown("TB", {deep_groove_row()});
+  data.bore_waves = {{3, 2 * um, 0.4}};
+  const TB bearing(data);
+  std::vector<double> y(TB::n_state, 0.);
+  for (const double direction : {0.3, 2., -2.5})
+    for (const double ring : {0., 1., 30.}) {
+      y[TB::ring_angle] = ring;
+      const auto in = journal_at(260 * um * std::cos(direction), 260 * um * std::sin(direction));
+      EXPECT_NEAR(observed(bearing, in, y, "penetration"), 10 * um + 2 * um * std::sin(3. * (direction - ring) + 0.4), 1e-15) << "m";
+    }
+}
+
+TEST(TouchdownBearing, LetsANumberThatIsNoneThrough) {
+  const TB bearing(touchdown("TB", {deep_groove_row()}));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> y(TB::n_state, 0.), rates(TB::n_state), ledger(TB::n_ledger);
+  SupportOutput out;
+  bearing.evaluate(journal_at(nan, 0.), y, rates, ledger, out);
+  EXPECT_TRUE(std::isnan(out.force_on_rotor.y));
+  auto hot = journal_at(-260 * um, 0.);
+  hot.growth.bore = nan;
+  bearing.evaluate(hot, y, rates, ledger, out);
+  EXPECT_TRUE(std::isnan(out.force_on_rotor.y));
+  y[TB::ring_y] = nan;
+  bearing.evaluate(journal_at(0., 0.), y, rates, ledger, out);
+  EXPECT_TRUE(std::isnan(rates[TB::ring_vy]));
+}
+
+TEST(TouchdownBearing, CageTurnsAtItsShareOfTheRingsSpeed) {
+  const TB bearing(touchdown("TB", {deep_groove_row()}));
+  std::vector<double> y(TB::n_state, 0.), rates(TB::n_state), ledger(TB::n_ledger);
+  y[TB::ring_spin] = 1000.;
+  SupportOutput out;
+  bearing.evaluate({}, y, rates, ledger, out);
+  EXPECT_NEAR(rates[TB::cage_angle], 1000. * 78.094 / 180., 1e-9) << "rad/s: (d_m - d)/(2 d_m)";
+  EXPECT_EQ(rates[TB::ring_angle], 1000.);
+}
+
+TEST(TouchdownBearing, FrictionTorqueOpposesTheRingEitherWay) {
+  const TB bearing(touchdown("TB", {deep_groove_row()}));
+  std::vector<double> y(TB::n_state), rates(TB::n_state), ledger(TB::n_ledger);
+  bearing.initial_state(y);
+  SupportOutput out;
+  for (const double speed : {-1500., -1., 0., 1., 1500.}) {
+    y[TB::ring_spin] = speed;
+    bearing.evaluate({}, y, rates, ledger, out);
+    EXPECT_EQ(rates[TB::ring_spin] > 0., speed < 0.);
+    EXPECT_EQ(rates[TB::ring_spin] < 0., speed > 0.);
+  }
+}
+
+TEST(TouchdownBearing, ReportsAsManyNumbersAsItAnnounces) {
+  for (const auto& rows : {std::vector{deep_groove_row()}, angular_contact_pair(290.)}) {
+    const TB bearing(touchdown("TB", rows));
+    const std::size_t n = observed_size(bearing.observables()), n_balls = observed_size(bearing.detailed_observables());
+    EXPECT_EQ(n_balls, rows.size() * static_cast<std::size_t>(rows[0].n_balls));
+    EXPECT_EQ(bearing.state_entries().size(), static_cast<std::size_t>(TB::n_state));
+    EXPECT_EQ(bearing.ledger_entries().size(), static_cast<std::size_t>(TB::n_ledger));
+    const double untouched = -12345.678;
+    std::vector<double> y(TB::n_state), rates(TB::n_state, untouched), ledger(TB::n_ledger, untouched), values(n + 1, untouched), loads(n_balls + 1, untouched);
+    bearing.initial_state(y);
+    y[TB::ring_y] -= 30 * um;
+    SupportOutput out;
+    out.observed = {values.data(), n};
+    out.observed_details = {loads.data(), n_balls};
+    bearing.evaluate(journal_at(-260 * um, 30 * um), y, rates, ledger, out);
+    for (std::size_t i = 0; i < n; ++i) EXPECT_NE(values[i], untouched) << i;
+    for (std::size_t i = 0; i < n_balls; ++i) EXPECT_NE(loads[i], untouched) << i;
+    for (const double r : rates) EXPECT_NE(r, untouched);
+    for (const double r : ledger) EXPECT_NE(r, untouched);
+    EXPECT_EQ(values[n], untouched);
+    EXPECT_EQ(loads[n_balls], untouched);
+    for (const auto& o : bearing.observables()) {
+      EXPECT_FALSE(o.unit.empty()) << o.name;
+      EXPECT_EQ(o.columns.size(), o.size > 1 || !o.columns.empty() ? o.size : 0u) << o.name;
+    }
+  }
+}
+
+TEST(TouchdownBearing, ReportsTheSpinOfTheBallsUnderOuterRaceControl) {
+  const TB bearing(touchdown("TB2", angular_contact_pair(290.)));
+  std::vector<double> y(TB::n_state);
+  bearing.initial_state(y);
+  y[TB::ring_spin] = 1000.;
+  EXPECT_NEAR(observed(bearing, {}, y, "spin_speed_inner"), 1000. * std::sin(25 * deg), 1e-9) << "rad/s: omega_i sin phi";
+}
+
+}  // namespace
+}  // namespace rotordrop
