@@ -84,7 +84,8 @@ class Results:
 
     @property
     def bearings(self):
-        return self._names("/bearings")
+        """Touchdown bearings; linear supports have no contact."""
+        return [name for name in self._names("/bearings") if f"/bearings/{name}/contact_force" in self.file]
 
     @property
     def thermal_models(self):
