@@ -1,0 +1,227 @@
+"""Scripts, and what the documents say of the program: figures of a fresh result, commands, parameters, datasets, files.
+
+ROTORDROP_PROGRAM is the program under test.
+"""
+
+import importlib.util
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+import h5py
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = pathlib.Path(os.environ.get("ROTORDROP_PROGRAM", ROOT / "build/release/rotordrop")).resolve()
+DOCUMENTS = [ROOT / "README.md", ROOT / "examples/README.md", *sorted((ROOT / "docs").glob("*.md"))]
+FIGURES = {"overview", "orbits", "displacements", "contact_forces", "speeds", "torques", "heat_rates", "temperatures", "energy"}
+
+
+def call(*command, **options):
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=300, **options)
+    if done.returncode:
+        raise AssertionError(f"{' '.join(map(str, command))} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def plot(directory, **options):
+    return call(sys.executable, ROOT / "examples/plot_drop.py", directory, **options)
+
+
+def code_blocks(document, language):
+    return re.findall(rf"^```{language}\n(.*?)^```", document.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+def load_script(path):
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+class WithAResult(unittest.TestCase):
+    """10 ms of the settling case: up to the first impact."""
+
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = pathlib.Path(scratch.name)
+        cls.result = cls.folder / "out/neisi2019-settling"
+        call(PROGRAM, "run", ROOT / "params/neisi2019-settling.toml", "-o", cls.result, "--set", 'run.end_time="10 ms"', "--quiet")
+
+
+class Plots(WithAResult):
+    def test_every_figure_is_drawn(self):
+        self.assertNotIn("not in the file", plot(self.result))
+        figures = {path.stem: path for path in (self.result / "figures").glob("*.png")}
+        self.assertEqual(set(figures), FIGURES)
+        for path in figures.values():
+            self.assertEqual(path.read_bytes()[:4], b"\x89PNG", path)
+            self.assertGreater(path.stat().st_size, 10_000, path)
+
+    def test_a_rotor_with_a_linear_support_and_no_summary_is_drawn_too(self):
+        settings = {"bearings.TB2": '{ type = "linear", node = 28, stiffness = [[1e8, 0.0], [0.0, 1e8]] }', "run.end_time": '"2 ms"'}
+        case = self.folder / "linear.toml"
+        text = (ROOT / "params/neisi2019.toml").read_text(encoding="utf-8").replace('"neisi2019-rotor.json"', f"'{ROOT}/params/neisi2019-rotor.json'")
+        text = re.sub(r"\[bearings\.TB2\].*?(?=^\[materials\])", "", text, flags=re.MULTILINE | re.DOTALL)
+        case.write_text(text, encoding="utf-8")
+        result = self.folder / "linear"
+        call(PROGRAM, "run", case, "-o", result, "--quiet", *(part for key, value in settings.items() for part in ("--set", f"{key}={value}")))
+        (result / "summary.json").unlink()
+        self.assertNotIn("not in the file", plot(result))
+        self.assertTrue((result / "figures/overview.png").is_file())
+
+    def test_a_folder_without_results_is_named(self):
+        done = subprocess.run([sys.executable, ROOT / "examples/plot_drop.py", self.folder], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no", done.stderr)
+
+
+class Scripts(unittest.TestCase):
+    def test_scripts_are_executable_and_stop_at_the_first_fault(self):
+        for name in ("run", "test", "install-dependencies", ".ci/run"):
+            with self.subTest(name):
+                self.assertTrue(os.access(ROOT / name, os.X_OK))
+                self.assertIn("set -euo pipefail", (ROOT / name).read_text(encoding="utf-8"))
+                call("bash", "-n", ROOT / name)
+
+
+class Documents(WithAResult):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.keys = cls.keys_of_defaults(call(PROGRAM, "defaults"))
+
+    @staticmethod
+    def keys_of_defaults(text):
+        """Full names of all parameters and tables, from headers and keys, commented or not."""
+        keys, table = set(), ""
+        for line in text.splitlines():
+            if header := re.fullmatch(r"#?\[+([A-Za-z_.]+)\]+(\s*#.*)?", line):
+                table = header[1] + "."
+                keys.add(header[1])
+            elif key := re.match(r"#?([A-Za-z_0-9]+) = ", line):
+                keys.add(table + key[1])
+        return keys
+
+    def known(self, path):
+        parts = path.split(".")
+        if parts[0] in ("bearings", "materials") and len(parts) > 1:
+            path = ".".join([parts[0], "NAME", *parts[2:]])
+        if parts[:1] == ["bearings"] and len(parts) == 2:
+            return True  # a key that holds for all bearings, or a bearing
+        return path in self.keys
+
+    def test_defaults_are_understood(self):
+        for key in ("run.end_time", "rotor.unbalance.me", "bearings.NAME.support.K_y", "thermal.node.name", "output.interval"):
+            self.assertIn(key, self.keys)
+
+    def test_parameters_named_in_documents_exist(self):
+        sections = {key.split(".")[0] for key in self.keys}
+        n_found = 0
+        for document in DOCUMENTS:
+            text = document.read_text(encoding="utf-8")
+            quoted = re.findall(r"`([^`\n]+)`", text) + re.findall(r"--set ([a-z_.]+)=", text)
+            for words in quoted:
+                for path in re.findall(r"(?<![\w./])([a-z]+(?:\.[A-Za-z_0-9]+)+)(?![\w/])", words):
+                    if path.split(".")[0] in sections and not path.endswith((".toml", ".json", ".h5", ".py", ".md")) and not self.is_summary_key(path):
+                        n_found += 1
+                        with self.subTest(document=document.name, parameter=path):
+                            self.assertTrue(self.known(path), path)
+        self.assertGreater(n_found, 15)
+
+    def is_summary_key(self, path):
+        node = json.loads((self.result / "summary.json").read_text(encoding="utf-8"))
+        for part in path.replace("NAME", "TB1").split("."):
+            if part == "NODE":
+                return True
+            if not isinstance(node, dict) or part not in node:
+                return False
+            node = node[part]
+        return True
+
+    def test_parameters_in_examples_of_cases_exist(self):
+        def leaves(tree, path=""):
+            for key, value in tree.items():
+                if isinstance(value, dict):
+                    yield from leaves(value, f"{path}{key}.")
+                else:
+                    yield path + key
+
+        n_found = 0
+        for document in DOCUMENTS:
+            for block in code_blocks(document, "toml"):
+                for path in leaves(tomllib.loads(block)):
+                    if path == "base":
+                        continue
+                    n_found += 1
+                    with self.subTest(document=document.name, parameter=path):
+                        self.assertTrue(self.known(path), path)
+        self.assertGreater(n_found, 5)
+
+    def test_files_that_documents_link_to_exist(self):
+        for document in DOCUMENTS:
+            for target in re.findall(r"\]\(([^)#]+)\)", document.read_text(encoding="utf-8")):
+                with self.subTest(document=document.name, target=target):
+                    self.assertTrue((document.parent / target).exists())
+
+    def test_files_that_documents_name_exist(self):
+        pattern = r"(?<![\w./-])((?:docs|examples|params|src|tests|validation|benchmarks)/[\w./-]*[\w]|install-dependencies)"
+        for document in DOCUMENTS:
+            for name in re.findall(pattern, document.read_text(encoding="utf-8")):
+                with self.subTest(document=document.name, file=name):
+                    self.assertTrue((ROOT / name).exists())
+
+    def test_commands_of_the_readme_run(self):
+        """The block that starts a case, as it stands, in a folder that looks like the source folder."""
+        block = next(b for b in code_blocks(ROOT / "README.md", "sh") if "rotordrop new" in b)
+        inline = re.findall(r"`(build/release/rotordrop [^`]+)`", (ROOT / "README.md").read_text(encoding="utf-8"))
+        (self.folder / "build/release").mkdir(parents=True)
+        (self.folder / "build/release/rotordrop").symlink_to(PROGRAM)
+        (self.folder / "examples").symlink_to(ROOT / "examples")
+        call("bash", "-euc", block + "\n".join(inline), cwd=self.folder)
+        self.assertTrue((self.folder / "my-drop/results/figures/overview.png").is_file())
+        self.assertTrue((self.folder / "my-drop/slow/summary.json").is_file())
+
+    def test_python_of_the_readme_runs(self):
+        (block,) = code_blocks(ROOT / "README.md", "python")
+        printed = call(sys.executable, "-c", block, cwd=self.folder).split()
+        self.assertEqual(printed[1], "N")
+        self.assertGreaterEqual(float(printed[2]), float(printed[0]))
+
+    def test_the_table_of_datasets_is_that_of_the_result_file(self):
+        listing = load_script(ROOT / "docs/list_datasets.py")
+        with h5py.File(self.result / "results.h5", "r") as file:
+            self.assertEqual(listing.documented(), listing.table(file), "update it: /usr/bin/python3 docs/list_datasets.py RESULTS.h5 --update")
+
+    def test_datasets_named_in_the_readme_exist(self):
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        with h5py.File(self.result / "results.h5", "r") as file:
+            for path in re.findall(r"[`'\"](/(?:time|bearings|rotor|thermal|energy|detail)[\w/]*)", text):
+                with self.subTest(path):
+                    self.assertIn(path.replace("NAME", "TB1").rstrip("/"), file)
+
+    def test_every_key_of_the_summary_is_documented(self):
+        text = (ROOT / "docs/results.md").read_text(encoding="utf-8").split("## summary.json")[1]
+
+        def check(tree, path):
+            for key, value in tree.items():
+                if path == ["bearings"] or path[-1:] == ["temperature_rise_end"] or path == ["energy"]:
+                    pass  # names of bearings and nodes; balances stand with their datasets
+                else:
+                    with self.subTest(".".join([*path, key])):
+                        self.assertRegex(text, rf"[`.]{key}\b")
+                if isinstance(value, dict):
+                    check(value, [*path, key])
+
+        check(json.loads((self.result / "summary.json").read_text(encoding="utf-8")), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
