@@ -173,8 +173,9 @@ def legend_above(axes, columns):
 
 def stand_on_zero(axes):
     """Lets the vertical axis begin at 0 if nothing is below."""
-    low = min((np.nanmin(line.get_ydata()) for line in axes.lines if len(line.get_ydata())), default=0)
-    if low >= 0:
+    values = [line.get_ydata() for line in axes.lines if len(line.get_ydata())]
+    low, high = min((np.nanmin(v) for v in values), default=0), max((np.nanmax(v) for v in values), default=0)
+    if low >= -1e-6 * abs(high):  # roundoff is no value below 0
         axes.set_ylim(bottom=0)
 
 
