@@ -25,6 +25,7 @@ class Adams final : public Integrator {
     check(CVodeSVtolerances(memory_, parameters.tolerance, problem_.absolute_tolerance()));
     check(CVodeSetNonlinearSolver(memory_, solver_));
     check(CVodeSetMaxStep(memory_, step_or_bound(parameters)));
+    check(CVodeSetMinStep(memory_, shortest_step * step_or_bound(parameters)));
     check(CVodeSetMaxNumSteps(memory_, -1));
     check(CVodeSetMaxHnilWarns(memory_, -1));
     check(CVodeSetStopTime(memory_, end_time));

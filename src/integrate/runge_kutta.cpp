@@ -41,6 +41,7 @@ class RungeKutta final : public Integrator {
       check(ARKStepSetTableNum(memory_, ARKODE_DIRK_NONE,
                                parameters.method == IntegrationMethod::dormand_prince ? ARKODE_DORMAND_PRINCE_7_4_5 : ARKODE_FEHLBERG_13_7_8));
       check(ARKStepSetMaxStep(memory_, step_or_bound(parameters)));
+      check(ARKStepSetMinStep(memory_, shortest_step * step_or_bound(parameters)));
     }
     check(ARKStepSVtolerances(memory_, parameters.tolerance, problem_.absolute_tolerance()));
     check(ARKStepSetMaxNumSteps(memory_, -1));

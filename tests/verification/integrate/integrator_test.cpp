@@ -1,0 +1,203 @@
+// Time integration against closed forms.
+//
+// Pendulum-free test problem with known solution, non-autonomous and nonlinear, so that every node and weight of a method counts:
+//   y0' = y1,  y1' = -w^2 y0,                 y0 = cos w t
+//   y2' = 2 t y2 / (1 + t^2)                  y2 = 1 + t^2
+//   y3' = y3^2 (a quadrature-like blow-up)    y3 = 1 / (c - t),  c = 2
+// A method of order p with step h errs by C h^p at a fixed time: halving h divides the error by 2^p.
+#include "integrate/integrator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "base/errors.h"
+
+namespace rotordrop {
+namespace {
+
+class KnownSolution : public OdeSystem {
+ public:
+  static constexpr double w = 3.;
+  KnownSolution() { layout_.add_block("part", {{"cosine", "m", 1.}, {"sine", "m/s", 3.}, {"parabola", "1", 1.}, {"hyperbola", "1", 1.}}); }
+  [[nodiscard]] const StateLayout& layout() const override { return layout_; }
+  void initial_state(std::span<double> y) const override { exact(0., y); }
+  void rhs(double t, std::span<const double> y, std::span<double> dydt) const override {
+    dydt[0] = y[1];
+    dydt[1] = -w * w * y[0];
+    dydt[2] = 2. * t * y[2] / (1. + t * t);
+    dydt[3] = y[3] * y[3];
+  }
+  static void exact(double t, std::span<double> y) {
+    y[0] = std::cos(w * t);
+    y[1] = -w * std::sin(w * t);
+    y[2] = 1. + t * t;
+    y[3] = 1. / (2. - t);
+  }
+
+ private:
+  StateLayout layout_;
+};
+
+double error_at_end(const OdeSystem& system, const IntegrationParameters& parameters, double end_time) {
+  std::vector<double> y(4), exact(4);
+  system.initial_state(y);
+  auto integrator = make_integrator(system, parameters, 0., y, end_time);
+  while (integrator->time() < end_time) integrator->advance();
+  KnownSolution::exact(end_time, exact);
+  double largest = 0.;
+  for (std::size_t i = 0; i < 4; ++i) largest = std::max(largest, std::fabs(integrator->state()[i] - exact[i]));
+  return largest;
+}
+
+TEST(RungeKutta4, ConvergesWithOrderFour) {
+  const KnownSolution system;
+  IntegrationParameters p{IntegrationMethod::runge_kutta_4, 0.05, 1e-6};
+  double before = 0., order = 0.;
+  std::printf("%10s %12s %8s\n", "step", "error", "order");
+  for (int i = 0; i < 4; ++i) {
+    const double error = error_at_end(system, p, 1.);
+    order = i > 0 ? std::log2(before / error) : 0.;
+    std::printf("%10.4g %12.4e %8.3f\n", *p.step, error, order);
+    before = error;
+    *p.step *= 0.5;
+  }
+  EXPECT_NEAR(order, 4., 0.1);
+}
+
+TEST(RungeKutta4, TakesFourEvaluationsAStep) {
+  const KnownSolution system;
+  std::vector<double> y(4);
+  system.initial_state(y);
+  auto integrator = make_integrator(system, {IntegrationMethod::runge_kutta_4, 0.01, 1e-6}, 0., y, 1.);
+  while (integrator->time() < 1.) integrator->advance();
+  EXPECT_EQ(integrator->statistics().steps, 100);
+  EXPECT_NEAR(static_cast<double>(integrator->statistics().rhs_evaluations), 400., 2.);
+}
+
+class ErrorControlled : public testing::TestWithParam<IntegrationMethod> {};
+
+TEST_P(ErrorControlled, ErrorFallsWithTheTolerance) {
+  const KnownSolution system;
+  double before = 1.;
+  for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
+    const double error = error_at_end(system, {GetParam(), 1., tolerance}, 1.);  // the bound is the whole interval: the tolerance decides
+    EXPECT_LT(error, 100. * tolerance);  // global over local error: about the number of steps
+    EXPECT_LE(error, before);
+    before = error;
+  }
+}
+
+TEST_P(ErrorControlled, StepsNoLongerThanTheBound) {
+  const KnownSolution system;
+  std::vector<double> y(4);
+  system.initial_state(y);
+  auto integrator = make_integrator(system, {GetParam(), 1e-3, 1e-2}, 0., y, 0.1);
+  double before = 0.;
+  while (integrator->time() < 0.1) {
+    integrator->advance();
+    EXPECT_LE(integrator->time() - before, 1e-3 * (1. + 1e-9));
+    before = integrator->time();
+  }
+  EXPECT_EQ(integrator->time(), 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, ErrorControlled,
+                         testing::Values(IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8, IntegrationMethod::adams));
+
+class AnyMethod : public testing::TestWithParam<IntegrationMethod> {};
+
+TEST_P(AnyMethod, InterpolatesWithinTheLastStep) {
+  const KnownSolution system;
+  std::vector<double> y(4), exact(4), between(4);
+  system.initial_state(y);
+  auto integrator = make_integrator(system, {GetParam(), 1e-2, 1e-9}, 0., y, 1.);
+  double before = 0.;
+  for (int i = 0; i < 20; ++i) {
+    before = integrator->time();
+    integrator->advance();
+  }
+  const double t = 0.5 * (before + integrator->time());
+  integrator->interpolate(t, between);
+  KnownSolution::exact(t, exact);
+  // Cubic Hermite: h^4 w^5 / 384 = 6e-9 at most, and the fourth-order method's own error of 2e-8 after 0.2.
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(between[i], exact[i], 5e-8);
+}
+
+TEST_P(AnyMethod, RatesThatTheCallerOffersAreUsedAndChangeNothing) {
+  const KnownSolution system;
+  std::vector<double> y(4), rates(4);
+  system.initial_state(y);
+  const IntegrationParameters p{GetParam(), 1e-2, 1e-8};
+  auto plain = make_integrator(system, p, 0., y, 0.5);
+  auto offered = make_integrator(system, p, 0., y, 0.5);
+  while (plain->time() < 0.5) plain->advance();
+  while (offered->time() < 0.5) {
+    offered->advance();
+    system.rhs(offered->time(), offered->state(), rates);
+    offered->offer_rates(rates);
+  }
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(plain->state()[i], offered->state()[i]);
+}
+
+/// Rates turn into NaN, or throw, after a time.
+class Failing final : public KnownSolution {
+ public:
+  explicit Failing(bool throws) : throws_(throws) {}
+  void rhs(double t, std::span<const double> y, std::span<double> dydt) const override {
+    KnownSolution::rhs(t, y, dydt);
+    if (t < 0.1) return;
+    if (throws_) throw std::runtime_error("out of balls");
+    dydt[2] = std::nan("");
+  }
+
+ private:
+  bool throws_;
+};
+
+TEST_P(AnyMethod, NamesTheComponentThatIsNoNumber) {
+  const Failing system(false);
+  std::vector<double> y(4);
+  system.initial_state(y);
+  auto integrator = make_integrator(system, {GetParam(), 1e-2, 1e-6}, 0., y, 1.);
+  try {
+    while (integrator->time() < 1.) integrator->advance();
+    FAIL() << "NaN went through";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"part/parabola [1]\""), std::string::npos) << error.what();
+  }
+}
+
+TEST_P(AnyMethod, ExceptionsComeOutOfTheIntegratorAsTheyWentIn) {
+  const Failing system(true);
+  std::vector<double> y(4);
+  system.initial_state(y);
+  auto integrator = make_integrator(system, {GetParam(), 1e-2, 1e-6}, 0., y, 1.);
+  EXPECT_THROW(
+      {
+        try {
+          while (integrator->time() < 1.) integrator->advance();
+        } catch (const std::runtime_error& error) {
+          EXPECT_STREQ(error.what(), "out of balls");
+          throw;
+        }
+      },
+      std::runtime_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, AnyMethod,
+                         testing::Values(IntegrationMethod::runge_kutta_4, IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8,
+                                         IntegrationMethod::adams));
+
+TEST(WorstComponents, AreNamedWithTheirSharesOfTheSquaredNorm) {
+  StateLayout layout;
+  layout.add_block("TB1", {{"inner ring y", "m", 1.}, {"inner ring z", "m", 1.}});
+  layout.add_block("rotor", {{"spin speed", "rad/s", 1.}});
+  const std::vector<double> error = {4., 0., -3.};
+  EXPECT_EQ(worst_components(layout, error), "\"TB1/inner ring y [m]\" (64 %), \"rotor/spin speed [rad/s]\" (36 %)");
+}
+
+}  // namespace
+}  // namespace rotordrop
