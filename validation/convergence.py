@@ -4,7 +4,7 @@ slightly perturbed runs of the chaotic case.
 
     /usr/bin/python3 validation/convergence.py [--program build/release/rotordrop] [--work DIR] [--write docs]
 
-Writes docs/convergence-table.md and docs/images/convergence.png. Takes about two minutes.
+Writes the tables of docs/convergence.md (between its markers) and docs/images/convergence.png. Takes about two minutes.
 """
 import argparse
 import json
@@ -67,7 +67,7 @@ def study_of_steps(runs, lines, points):
 
 def study_of_modes(runs, lines):
     """Full rotor (all modes) against fewer, over the first contacts of the settling case."""
-    lines += ["", "| rotor | flexible modes a plane | peak force TB1 [N] | peak force TB2 [N] | orbit against full, to 20 ms [um] | peak force against full |", "|---|---|---|---|---|---|"]
+    lines += ["| rotor | flexible modes a plane | peak force TB1 [N] | peak force TB2 [N] | orbit against full, to 20 ms [um] | peak force against full |", "|---|---|---|---|---|---|"]
     def fixed(microseconds):
         return dict(integration__method="runge-kutta-4", integration__step=microseconds * 1e-6)
 
@@ -88,9 +88,9 @@ def study_of_modes(runs, lines):
 
 
 def study_of_spread(runs, lines):
-    """The table's damping lets the rotor bounce on, chaotically: runs that differ by picometres tell what can be known at the end."""
-    results = [runs.run("spread", "neisi2019", rotor__initial_offset=f"[{k * 1e-12}, 0]")[2] for k in range(8)]
-    lines += ["", "| \"table\" case, 8 runs | bearing | lowest | highest |", "|---|---|---|---|"]
+    """The table's damping lets the rotor bounce on, chaotically: runs that start nanometres apart tell what can be known at the end."""
+    results = [runs.run("spread", "neisi2019", rotor__initial_offset=f"[{k * 1e-9}, 0]")[2] for k in range(8)]
+    lines += ["| \"table\" case, 8 runs | bearing | lowest | highest |", "|---|---|---|---|"]
     for key in ("first_contact_time", "peak_contact_force", "first_bounce_apex", "friction_heat", "catch_up_time", "ring_speed_end",
                 "mean_contact_force_end", "inner_heat_rate_max", "outer_heat_rate_max"):
         for b in BEARINGS:
@@ -102,7 +102,7 @@ def study_of_spread(runs, lines):
         for b in BEARINGS:
             values = [r["bearings"][b]["temperature_rise_end"][node] for r in results]
             lines.append(f"| temperature_rise_end.{node} [K] | {b} | {min(values):.5g} | {max(values):.5g} |")
-    print("\n".join(lines[-34:]), flush=True)
+    print("\n".join(lines), flush=True)
 
 
 def draw(points, file):
@@ -130,15 +130,21 @@ def main():
     parser.add_argument("--work", default=None)
     parser.add_argument("--write", default=str(ROOT / "docs"))
     options = parser.parse_args()
-    lines, points = [], []
+    points, tables = [], {"steps": [], "modes": [], "spread": []}
     with tempfile.TemporaryDirectory() as scratch:
         runs = Runs(options.program, options.work or scratch)
-        study_of_steps(runs, lines, points)
-        study_of_modes(runs, lines)
-        study_of_spread(runs, lines)
+        study_of_steps(runs, tables["steps"], points)
+        study_of_modes(runs, tables["modes"])
+        study_of_spread(runs, tables["spread"])
     docs = pathlib.Path(options.write)
     (docs / "images").mkdir(parents=True, exist_ok=True)
-    (docs / "convergence-table.md").write_text("\n".join(lines) + "\n")
+    page = docs / "convergence.md"
+    text = page.read_text()
+    for name, lines in tables.items():
+        begin, end = f"<!-- {name}: written by validation/convergence.py -->\n", f"<!-- end of {name} -->"
+        head, rest = text.split(begin)
+        text = head + begin + "\n".join(lines) + "\n" + end + rest.split(end, 1)[1]
+    page.write_text(text)
     draw(points, docs / "images" / "convergence.png")
 
 
