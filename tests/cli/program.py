@@ -19,10 +19,9 @@ def call(*arguments, cwd=None, timeout=120):
     return subprocess.run(command, cwd=cwd, capture_output=True, text=True, timeout=timeout, stdin=subprocess.DEVNULL)
 
 
-def start(*arguments, cwd=None, **options):
+def start(*arguments, cwd=None, stderr=subprocess.PIPE):
     """Starts the program; the caller waits for it."""
-    return subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=cwd, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                            stderr=subprocess.PIPE, text=True, **options)
+    return subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=cwd, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=stderr, text=True)
 
 
 def settings(**keys):

@@ -1,0 +1,198 @@
+"""A run that is interrupted, terminated or killed leaves whole results, and --resume ends it as if nothing had been."""
+
+import json
+import signal
+import sys
+import time
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import ProgramTest, content_of, settings, start  # noqa: E402
+
+# Some 80000 steps: a second or two, in which a signal finds the program at work.
+LONG = settings(run__end_time="40 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__detail_interval="0.1 ms")
+
+
+def flat(tree, prefix=""):
+    """Pairs ("bearings.TB1.friction_heat", value)."""
+    if not isinstance(tree, dict):
+        return [(prefix, tree)]
+    return [pair for key, value in tree.items() for pair in flat(value, f"{prefix}.{key}")]
+
+
+def series_of(path):
+    """Every dataset of numbers in a results file."""
+    found = {}
+    with h5py.File(path, "r") as file:
+        file.visititems(lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" else None)
+    return found
+
+
+class Interruption(ProgramTest):
+    def begin(self, *options, until):
+        """Starts a long run and waits until `until()`; the process."""
+        process = start("run", "reference.toml", "-o", "out", *LONG, *options, cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + 30
+        while not until():
+            self.assertIsNone(process.poll(), "the run ended before it could be interrupted: make LONG longer")
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+        return process
+
+    def is_under_way(self):
+        if not (self.folder / "out/results.h5").exists():
+            return False
+        time.sleep(0.2)
+        return True
+
+    def is_checkpointed(self):
+        return len(list((self.folder / "out").glob("checkpoints/checkpoint-*.h5"))) > 1
+
+    def stop(self, process, sign):
+        process.send_signal(sign)
+        out, err = process.communicate(timeout=30)
+        return process.returncode, out, err
+
+    def resume(self, *options):
+        return self.succeed("run", "reference.toml", "-o", "out", *LONG, *options, "--resume")
+
+    def assert_equals_an_uninterrupted_run(self, *options):
+        self.succeed("run", "reference.toml", "-o", "whole", *LONG, *options)
+        resumed, whole = self.summary("out"), self.summary("whole")
+        for summary in (resumed, whole):
+            self.assertTrue(summary["run"]["completed"])
+            for key in ("wall_time", "cpu_time", "rhs_evaluations"):
+                del summary["run"][key]
+        self.assertEqual({key: value for key, value in flat(resumed) if (key, value) not in flat(whole)}, {})
+        self.assertEqual(resumed, whole)
+        resumed, whole = series_of(self.folder / "out/results.h5"), series_of(self.folder / "whole/results.h5")
+        self.assertEqual(resumed.keys(), whole.keys())
+        for name, expected in whole.items():
+            self.assertTrue(numpy.array_equal(resumed[name], expected), f"{name} differs by {self.difference(resumed[name], expected)}")
+
+    @staticmethod
+    def difference(a, b):
+        return f"shape {a.shape} to {b.shape}" if a.shape != b.shape else f"{numpy.abs(a - b).max()}"
+
+    def assert_partial_results(self):
+        """What an interrupted run leaves: rows up to where it stopped, none of them half written."""
+        series = series_of(self.folder / "out/results.h5")
+        times = series["time"]
+        self.assertGreater(len(times), 5)
+        self.assertLess(times[-1], 0.04)
+        self.assertTrue(numpy.all(numpy.diff(times) > 0))
+        for name, values in series.items():
+            self.assertTrue(numpy.all(numpy.isfinite(values)), name)
+            if not name.startswith("detail") and name not in ("bearings/TB1/ball_loads", "bearings/TB2/ball_loads"):
+                self.assertEqual(len(values), len(times), name)
+        return times[-1]
+
+    def test_an_interrupted_run_ends_with_130_and_resumes_bit_for_bit(self):
+        code, _, err = self.stop(self.begin(until=self.is_under_way), signal.SIGINT)
+        self.assertEqual(code, 130, err)
+        self.assertRegex(err, r"interrupted at t = [\d.e-]+ s")
+        self.assertIn("rotordrop run reference.toml -o out --resume", err)
+        last = self.assert_partial_results()
+        summary = self.summary()
+        self.assertFalse(summary["run"]["completed"])
+        self.assertAlmostEqual(summary["run"]["end_time"], last, delta=51e-6)
+        self.resume()
+        self.assert_equals_an_uninterrupted_run()
+
+    def test_a_terminated_run_ends_with_143_and_resumes_bit_for_bit(self):
+        code, _, err = self.stop(self.begin(until=self.is_under_way), signal.SIGTERM)
+        self.assertEqual(code, 143, err)
+        self.assertIn("--resume", err)
+        self.assert_partial_results()
+        self.resume()
+        self.assert_equals_an_uninterrupted_run()
+
+    def test_a_killed_run_resumes_bit_for_bit_from_its_last_checkpoint(self):
+        often = settings(output__checkpoint_interval="0.05 s")
+        code, _, _ = self.stop(self.begin(*often, until=self.is_checkpointed), signal.SIGKILL)
+        self.assertEqual(code, -signal.SIGKILL)
+        with h5py.File(self.folder / "out/results.h5", "r", swmr=True) as file:
+            self.assertGreater(len(file["time"]), 5)
+        self.assertFalse((self.folder / "out/summary.json").exists())
+        self.resume(*often)
+        self.assert_equals_an_uninterrupted_run(*often)
+
+    def test_a_run_killed_before_its_first_checkpoint_starts_anew(self):
+        self.stop(self.begin(until=lambda: (self.folder / "out/results.h5").exists()), signal.SIGKILL)
+        self.resume()
+        self.assert_equals_an_uninterrupted_run()
+
+    def test_a_damaged_checkpoint_is_passed_over(self):
+        often = settings(output__checkpoint_interval="0.05 s")
+        self.stop(self.begin(*often, until=self.is_checkpointed), signal.SIGKILL)
+        newest = sorted((self.folder / "out/checkpoints").glob("*.h5"))[-1]
+        newest.write_bytes(newest.read_bytes()[:1000])
+        self.resume(*often)
+        self.assert_equals_an_uninterrupted_run(*often)
+
+    def test_a_run_can_be_interrupted_and_resumed_again_and_again(self):
+        # The end is no whole number of steps: the last one is shorter, and must be so after resuming too.
+        odd = settings(run__end_time="20.0003 ms", integration__step="0.37 us")
+        self.stop(self.begin(*odd, until=self.is_under_way), signal.SIGINT)
+        for _ in range(20):
+            process = self.begin(*odd, "--resume", until=lambda: time.sleep(0.25) or True)
+            code, _, err = self.stop(process, signal.SIGINT)
+            if code == 0:
+                break
+            self.assertEqual(code, 130, err)
+        else:
+            self.resume(*odd)
+        self.assert_equals_an_uninterrupted_run(*odd)
+
+    def test_a_run_with_error_control_resumes_to_the_same_result(self):
+        # Its steps start anew at the checkpoint, so it is not the same bit for bit: within the tolerance instead.
+        fine = settings(integration__method="dormand-prince", integration__tolerance="1e-9")
+        self.stop(self.begin(*fine, until=self.is_under_way), signal.SIGINT)
+        self.resume(*fine)
+        self.succeed("run", "reference.toml", "-o", "whole", *LONG, *fine)
+        resumed, whole = series_of(self.folder / "out/results.h5"), series_of(self.folder / "whole/results.h5")
+        self.assertEqual(len(resumed["time"]), len(whole["time"]))
+        numpy.testing.assert_allclose(resumed["bearings/TB1/orbit"], whole["bearings/TB1/orbit"], rtol=0, atol=1e-9)
+
+    def test_refuses_to_resume_with_other_parameters(self):
+        self.stop(self.begin(until=self.is_under_way), signal.SIGINT)
+        before = content_of(self.folder / "out")
+        done = self.call("run", "reference.toml", "-o", "out", *LONG, *settings(contact__friction_coefficient="0.2"), "--resume")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, "parameters")
+        self.assertEqual(content_of(self.folder / "out"), before)
+
+    def test_refuses_to_start_over_an_interrupted_run(self):
+        self.stop(self.begin(until=self.is_under_way), signal.SIGINT)
+        before = content_of(self.folder / "out")
+        done = self.call("run", "reference.toml", "-o", "out", *LONG)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, "--resume")
+        self.assertEqual(content_of(self.folder / "out"), before)
+
+    def test_refuses_to_resume_a_finished_run(self):
+        short = settings(run__end_time="1 ms")
+        self.succeed("run", "reference.toml", "-o", "out", *short)
+        before = content_of(self.folder / "out")
+        done = self.call("run", "reference.toml", "-o", "out", *short, "--resume")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, "no checkpoint to go on from")
+        self.assertRegex(done.stderr, "finished")
+        self.assertEqual(content_of(self.folder / "out"), before)
+
+    def test_a_finished_run_leaves_no_checkpoints(self):
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="10 ms", output__checkpoint_interval="1 ms"))
+        self.assertEqual(sorted(content_of(self.folder / "out")), ["parameters.toml", "results.h5", "summary.json"])
+
+    def test_resuming_where_nothing_was_begun_starts_a_run(self):
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"), "--resume")
+        self.assertEqual(json.loads((self.folder / "out/summary.json").read_text())["run"]["end_time"], 0.001)
+
+
+if __name__ == "__main__":
+    unittest.main()
