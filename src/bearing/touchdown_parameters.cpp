@@ -12,8 +12,10 @@ constexpr const char* paper = "Neisi, Heikkinen & Sopanen 2019";
 
 Section<WavinessParameters> waviness_section() {
   Section<WavinessParameters> s("waviness", "Sinusoidal deviations of bearing surfaces, any number; their depths add up.");
-  s.choice("surface", &WavinessParameters::surface, {"inner_race", "outer_race", "bore"},
-           {.help = "Which surface is wavy. Waves of inner race and bore turn with the inner ring."});
+  using W = WavySurface;
+  s.choice("surface", &WavinessParameters::surface,
+           {{"inner_race", W::inner_race}, {"outer_race", W::outer_race}, {"bore", W::bore}, {"inner", W::inner_race}, {"outer", W::outer_race}},
+           {.help = "Which surface is wavy; \"inner\" and \"outer\" are the races. Waves of inner race and bore turn with the inner ring."});
   s.integer("order", &WavinessParameters::order,
             {.range = between(1, 1000), .help = "Waves per turn: 1 is eccentricity, 2 ellipticity, 3 a triangle."});
   s.quantity("amplitude", &WavinessParameters::amplitude,
@@ -297,8 +299,8 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
     d.rows.push_back(row);
   }
   for (const auto& w : b.waviness) {
-    if (w.surface == "bore") d.bore_waves.push_back({w.order, w.amplitude, w.phase});
-    else d.race_waves.push_back({w.surface == "inner_race", w.order, w.amplitude, w.phase});
+    if (w.surface == WavySurface::bore) d.bore_waves.push_back({w.order, w.amplitude, w.phase});
+    else d.race_waves.push_back({w.surface == WavySurface::inner_race, w.order, w.amplitude, w.phase});
   }
   d.ring_mass = b.ring_mass;
   d.ring_spin_inertia = b.ring_spin_inertia;

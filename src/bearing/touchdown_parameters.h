@@ -19,9 +19,11 @@ struct ContactParameters {
 };
 Section<ContactParameters> contact_section();
 
+enum class WavySurface { inner_race, outer_race, bore };
+
 /// One wave of bearings.NAME.waviness.
 struct WavinessParameters {
-  std::string surface;
+  WavySurface surface = WavySurface::inner_race;
   int order = 1;
   double amplitude = 0, phase = 0;
 };

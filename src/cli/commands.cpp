@@ -120,10 +120,11 @@ int modes_command(const ModesCommand& command) {
   const auto report = find_modes(c, speeds);
   if (command.json) fmt::print("{}\n", to_json(report, command.n_modes).dump(2));
   else fmt::print("{}", to_table(report, command.n_modes));
-  if (!command.shapes.empty()) {
-    write_mode_shapes(report, command.n_modes, command.shapes);
-    if (!command.json) fmt::print("\nmode shapes in {}\n", command.shapes.string());
-  }
+  const auto shapes = command.shapes.empty() ? std::filesystem::path("out") / c.name / "modes.h5" : command.shapes;
+  if (shapes.has_parent_path()) std::filesystem::create_directories(shapes.parent_path());
+  write_mode_shapes(report, command.n_modes, shapes);
+  // Not on standard output, where the JSON may go into another program.
+  fmt::print(stderr, "mode shapes in {}\n", shapes.string());
   return 0;
 }
 

@@ -38,7 +38,7 @@ int run_program(int argc, char** argv) {
   modes_app->add_option("--speeds", modes.speeds, "Spin speeds, such as \"0 rpm,15200 rpm\"; default: 0 and the initial speed");
   modes_app->add_option("--modes", modes.n_modes, "Number of modes to report")->check(CLI::Range(1, 10000));
   modes_app->add_flag("--json", modes.json, "Report as JSON");
-  modes_app->add_option("--shapes", modes.shapes, "Write mode shapes to this HDF5 file");
+  modes_app->add_option("--shapes", modes.shapes, "HDF5 file for the mode shapes; default out/CASE/modes.h5");
   modes_app->add_option("--set", modes.overrides, "Override a parameter")->type_name("KEY=VALUE")->allow_extra_args(false);
 
   auto* defaults = app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");

@@ -96,6 +96,7 @@ void write_mode_shapes(const ModesReport& report, std::size_t n_modes, const std
   }
   RecorderOptions options;
   options.overwrite = true;
+  options.rows_per_chunk = 16;  // a few modes, not thousands of instants
   Recorder recorder(file, {{{"content", "mode shapes"}, {"speeds", speeds}}, {}}, groups, options);
   for (std::size_t i = 0; i < report.speeds.size(); ++i)
     for (std::size_t k = 0; k < shown(report.modes[i], n_modes); ++k) {
