@@ -1,6 +1,7 @@
 #include <cvodes/cvodes.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "base/errors.h"
@@ -13,7 +14,8 @@ namespace {
 /// Adams-Moulton of variable order and step (CVODES), corrected by functional iteration: no Jacobian.
 class Adams final : public Integrator {
  public:
-  Adams(const OdeSystem& system, const IntegrationParameters& parameters, double start_time, std::span<const double> state, double end_time)
+  Adams(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
+        std::span<const double> state, double end_time)
       : problem_(system, state, parameters.tolerance), time_(start_time), end_time_(end_time) {
     memory_ = CVodeCreate(CV_ADAMS, problem_.context());
     solver_ = SUNNonlinSol_FixedPoint(problem_.state(), 0, problem_.context());
@@ -50,10 +52,9 @@ class Adams final : public Integrator {
   void offer_rates(std::span<const double> rates) override { problem_.offer_rates(time_, problem_.values(), rates); }
 
   void interpolate(double t, std::span<double> y) const override {
-    N_Vector out = N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), problem_.context());
-    const int code = CVodeGetDky(memory_, t, 0, out);
-    N_VDestroy(out);
+    const int code = CVodeGetDky(memory_, t, 0, problem_.scratch());
     if (code != 0) throw SolverError("a time outside the last step was asked for");
+    std::copy_n(NV_DATA_S(problem_.scratch()), y.size(), y.begin());
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const override {
@@ -69,7 +70,7 @@ class Adams final : public Integrator {
     N_Vector error = problem_.clone(), weight = problem_.clone();
     std::vector<double> product(problem_.values().size());
     if (CVodeGetEstLocalErrors(memory_, error) == 0 && CVodeGetErrWeights(memory_, weight) == 0)
-      for (std::size_t i = 0; i < product.size(); ++i) product[i] = N_VGetArrayPointer(error)[i] * N_VGetArrayPointer(weight)[i];
+      for (std::size_t i = 0; i < product.size(); ++i) product[i] = NV_DATA_S(error)[i] * NV_DATA_S(weight)[i];
     N_VDestroy(error);
     N_VDestroy(weight);
     return product;
@@ -83,8 +84,8 @@ class Adams final : public Integrator {
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_adams(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
-                                       std::span<const double> state, double end_time) {
+std::unique_ptr<Integrator> make_adams(const OdeSystem& system, const IntegrationParameters& parameters,
+                                       double start_time, std::span<const double> state, double end_time) {
   return std::make_unique<Adams>(system, parameters, start_time, state, end_time);
 }
 

@@ -7,15 +7,25 @@ Section<IntegrationParameters> integration_section() {
   using M = IntegrationMethod;
   Section<P> s("integration", "Time integration.");
   s.choice("method", &P::method,
-           {{"runge-kutta-4", M::runge_kutta_4}, {"dormand-prince", M::dormand_prince}, {"fehlberg-8", M::fehlberg_8}, {"adams", M::adams}},
+           {{"runge-kutta-4", M::runge_kutta_4},
+            {"dormand-prince", M::dormand_prince},
+            {"fehlberg-8", M::fehlberg_8},
+            {"adams", M::adams}},
            {.fallback = "dormand-prince",
-            .help = "dormand-prince (5th order), fehlberg-8 (8th) and adams (multistep) control their error; runge-kutta-4 has a fixed step."});
+            .help = "dormand-prince (5th order), fehlberg-8 (8th) and adams (multistep) control their error; "
+                    "runge-kutta-4 has a fixed step."});
   s.quantity("step", &P::step,
-             {.unit = "s", .range = between(1e-9, 1e-3), .source = "docs/convergence.md",
-              .help = "Step of runge-kutta-4 (5 us if not given), or longest step of the others (50 us), so that no impact is stepped over."});
+             {.unit = "s",
+              .range = between(1e-9, 1e-3),
+              .source = "docs/convergence.md",
+              .help = "Step of runge-kutta-4 (5 us if not given), or longest step of the others (50 us), so that no "
+                      "impact is stepped over."});
   s.quantity("tolerance", &P::tolerance,
-             {.range = between(1e-13, 1e-2), .fallback = "1e-6", .source = "docs/convergence.md",
-              .help = "Relative local error of the error-controlled methods; absolute: this times each state's typical size. Not used with a fixed step."});
+             {.range = between(1e-13, 1e-2),
+              .fallback = "1e-6",
+              .source = "docs/convergence.md",
+              .help = "Relative local error of the error-controlled methods; absolute: this times each state's typical "
+                      "size. Not used with a fixed step."});
   return s;
 }
 

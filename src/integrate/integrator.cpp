@@ -9,8 +9,8 @@
 
 namespace rotordrop {
 
-std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
-                                            std::span<const double> state, double end_time) {
+std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters,
+                                            double start_time, std::span<const double> state, double end_time) {
   if (parameters.method == IntegrationMethod::adams) return make_adams(system, parameters, start_time, state, end_time);
   return make_runge_kutta(system, parameters, start_time, state, end_time);
 }
@@ -21,9 +21,10 @@ std::string worst_components(const StateLayout& layout, std::span<const double> 
   double sum = 0.;
   for (const double e : weighted_error) sum += e * e;
   count = std::min(count, order.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), [&](std::size_t a, std::size_t b) {
-    return weighted_error[a] * weighted_error[a] > weighted_error[b] * weighted_error[b];
-  });
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](std::size_t a, std::size_t b) {
+                      return weighted_error[a] * weighted_error[a] > weighted_error[b] * weighted_error[b];
+                    });
   std::string text;
   for (std::size_t i = 0; i < count; ++i) {
     const double share = sum > 0. ? 100. * weighted_error[order[i]] * weighted_error[order[i]] / sum : 0.;

@@ -37,8 +37,8 @@ class Integrator {
 };
 
 /// @param start_time [s]; @param state [system.layout().size()]; @param end_time [s], > start_time
-std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
-                                            std::span<const double> state, double end_time);
+std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters,
+                                            double start_time, std::span<const double> state, double end_time);
 
 /// The `count` largest shares of a squared error norm, in words: ""TB1/inner ring y [m]" (84 %), ...".
 std::string worst_components(const StateLayout& layout, std::span<const double> weighted_error, std::size_t count = 3);

@@ -1,5 +1,6 @@
 #include <arkode/arkode_arkstep.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -22,9 +23,11 @@ ARKodeButcherTable classical_order_4() {
 // step's first ("FSAL"), and so loses the order of this one and of Fehlberg's.
 class RungeKutta final : public Integrator {
  public:
-  RungeKutta(const OdeSystem& system, const IntegrationParameters& parameters, double start_time, std::span<const double> state, double end_time)
+  RungeKutta(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
+             std::span<const double> state, double end_time)
       : problem_(system, state, parameters.tolerance), time_(start_time) {
-    memory_ = ARKStepCreate(SundialsProblem::right_hand_side, nullptr, start_time, problem_.state(), problem_.context());
+    memory_ =
+        ARKStepCreate(SundialsProblem::right_hand_side, nullptr, start_time, problem_.state(), problem_.context());
     bool good = memory_ != nullptr;
     const auto check = [&](int code) { good = good && code == 0; };
     check(ARKStepSetUserData(memory_, &problem_));
@@ -39,7 +42,8 @@ class RungeKutta final : public Integrator {
       fixed_ = true;
     } else {
       check(ARKStepSetTableNum(memory_, ARKODE_DIRK_NONE,
-                               parameters.method == IntegrationMethod::dormand_prince ? ARKODE_DORMAND_PRINCE_7_4_5 : ARKODE_FEHLBERG_13_7_8));
+                               parameters.method == IntegrationMethod::dormand_prince ? ARKODE_DORMAND_PRINCE_7_4_5
+                                                                                      : ARKODE_FEHLBERG_13_7_8));
       check(ARKStepSetMaxStep(memory_, step_or_bound(parameters)));
       check(ARKStepSetMinStep(memory_, shortest_step * step_or_bound(parameters)));
     }
@@ -74,10 +78,9 @@ class RungeKutta final : public Integrator {
   void offer_rates(std::span<const double> rates) override { problem_.offer_rates(time_, problem_.values(), rates); }
 
   void interpolate(double t, std::span<double> y) const override {
-    N_Vector out = N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), problem_.context());
-    const int code = ARKStepGetDky(memory_, t, 0, out);
-    N_VDestroy(out);
+    const int code = ARKStepGetDky(memory_, t, 0, problem_.scratch());
     if (code != 0) throw SolverError("a time outside the last step was asked for");
+    std::copy_n(NV_DATA_S(problem_.scratch()), y.size(), y.begin());
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const override {
@@ -93,7 +96,7 @@ class RungeKutta final : public Integrator {
     N_Vector error = problem_.clone(), weight = problem_.clone();
     std::vector<double> product(problem_.values().size());
     if (ARKStepGetEstLocalErrors(memory_, error) == 0 && ARKStepGetErrWeights(memory_, weight) == 0)
-      for (std::size_t i = 0; i < product.size(); ++i) product[i] = N_VGetArrayPointer(error)[i] * N_VGetArrayPointer(weight)[i];
+      for (std::size_t i = 0; i < product.size(); ++i) product[i] = NV_DATA_S(error)[i] * NV_DATA_S(weight)[i];
     N_VDestroy(error);
     N_VDestroy(weight);
     return product;
@@ -107,8 +110,8 @@ class RungeKutta final : public Integrator {
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_runge_kutta(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
-                                             std::span<const double> state, double end_time) {
+std::unique_ptr<Integrator> make_runge_kutta(const OdeSystem& system, const IntegrationParameters& parameters,
+                                             double start_time, std::span<const double> state, double end_time) {
   return std::make_unique<RungeKutta>(system, parameters, start_time, state, end_time);
 }
 

@@ -15,7 +15,8 @@ namespace {
 // x * 0 is 0 for finite x and NaN otherwise.
 bool all_finite(std::span<const double> values) {
   double sum = 0.;
-  for (const double value : values) sum += value * 0.;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < values.size(); ++i) sum += values[i] * 0.;
   return sum == 0.;
 }
 
@@ -27,23 +28,25 @@ SundialsProblem::SundialsProblem(const OdeSystem& system, std::span<const double
   state_ = N_VNew_Serial(static_cast<sunindextype>(n_), context_);
   use_vectorised_operations(state_);
   tolerance_ = N_VClone(state_);
-  std::copy(state.begin(), state.end(), N_VGetArrayPointer(state_));
+  scratch_ = N_VClone(state_);
+  std::copy(state.begin(), state.end(), NV_DATA_S(state_));
   const auto& entries = system.layout().entries();
   for (std::size_t i = 0; i < n_; ++i)
     // Nothing depends on a quadrature: it follows the step that the others ask for.
-    N_VGetArrayPointer(tolerance_)[i] = i < system.first_quadrature() ? tolerance * entries[i].scale : 1e30;
+    NV_DATA_S(tolerance_)[i] = i < system.first_quadrature() ? tolerance * entries[i].scale : 1e30;
 }
 
 SundialsProblem::~SundialsProblem() {
   N_VDestroy(state_);
   N_VDestroy(tolerance_);
+  N_VDestroy(scratch_);
   SUNContext_Free(&context_);
 }
 
 int SundialsProblem::right_hand_side(realtype t, N_Vector y, N_Vector dydt, void* self) {
   auto& problem = *static_cast<SundialsProblem*>(self);
-  const std::span<const double> state(N_VGetArrayPointer(y), problem.n_);
-  const std::span<double> rates(N_VGetArrayPointer(dydt), problem.n_);
+  const std::span<const double> state(NV_DATA_S(y), problem.n_);
+  const std::span<double> rates(NV_DATA_S(dydt), problem.n_);
   ++problem.rhs_evaluations_;
   if (problem.is_offered_) {
     problem.is_offered_ = false;
@@ -87,18 +90,23 @@ std::string SundialsProblem::not_finite(std::span<const double> values) const {
 
 void SundialsProblem::check_finite(double t) const {
   if (all_finite(values())) return;
-  throw SolverError(fmt::format("the state is no longer finite at t = {:.6g} ms: {}.\n       Often the step is too long for the stiffest contact.",
-                                t * 1e3, not_finite(values())));
+  throw SolverError(
+      fmt::format("the state is no longer finite at t = {:.6g} ms: {}.\n       Often the step is too long for the "
+                  "stiffest contact.",
+                  t * 1e3, not_finite(values())));
 }
 
 void SundialsProblem::fail(int, double t, double step, std::span<const double> weighted_error) const {
   if (exception_) std::rethrow_exception(exception_);
   if (!bad_rates_.empty())
-    throw SolverError(fmt::format("the rate of {} is not a finite number at t = {:.6g} ms (step {:.3g} s).\n"
-                                  "       Often the step is too long for the stiffest contact, or a parameter is far out of its usual range.",
-                                  not_finite(bad_rates_), t * 1e3, step));
-  std::string text = fmt::format("the integrator could not take a step at t = {:.6g} ms (step {:.3g} s).", t * 1e3, step);
-  if (!weighted_error.empty()) text += "\n       Largest error: " + worst_components(system_.layout(), weighted_error) + ".";
+    throw SolverError(fmt::format(
+        "the rate of {} is not a finite number at t = {:.6g} ms (step {:.3g} s).\n"
+        "       Often the step is too long for the stiffest contact, or a parameter is far out of its usual range.",
+        not_finite(bad_rates_), t * 1e3, step));
+  std::string text =
+      fmt::format("the integrator could not take a step at t = {:.6g} ms (step {:.3g} s).", t * 1e3, step);
+  if (!weighted_error.empty())
+    text += "\n       Largest error: " + worst_components(system_.layout(), weighted_error) + ".";
   if (!message_.empty()) text += "\n       " + message_;
   throw SolverError(text);
 }

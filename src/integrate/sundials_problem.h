@@ -31,8 +31,10 @@ class SundialsProblem {
   [[nodiscard]] SUNContext context() const { return context_; }
   [[nodiscard]] N_Vector state() const { return state_; }
   [[nodiscard]] N_Vector absolute_tolerance() const { return tolerance_; }
-  [[nodiscard]] std::span<double> values() const { return {N_VGetArrayPointer(state_), n_}; }
+  [[nodiscard]] std::span<double> values() const { return {NV_DATA_S(state_), n_}; }
   [[nodiscard]] long rhs_evaluations() const { return rhs_evaluations_; }
+  /// A vector for SUNDIALS to write to, apart from the state.
+  [[nodiscard]] N_Vector scratch() const { return scratch_; }
   [[nodiscard]] N_Vector clone() const { return N_VClone(state_); }
 
   /// Throws for a failed step: the kept exception if there is one, else a SolverError that names time, step, cause and components.
@@ -47,7 +49,7 @@ class SundialsProblem {
   const OdeSystem& system_;
   std::size_t n_;
   SUNContext context_ = nullptr;
-  N_Vector state_ = nullptr, tolerance_ = nullptr;
+  N_Vector state_ = nullptr, tolerance_ = nullptr, scratch_ = nullptr;
   std::exception_ptr exception_;
   std::string message_;
   std::vector<double> bad_rates_;  // the last rates that were not finite

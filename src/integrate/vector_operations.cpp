@@ -12,8 +12,9 @@
 namespace rotordrop {
 namespace {
 
-double* data(N_Vector v) { return N_VGetArrayPointer(v); }
-long size(N_Vector v) { return static_cast<long>(N_VGetLength(v)); }
+// Straight to the members: calls into the library cost as much as the loops here.
+double* data(N_Vector v) { return NV_DATA_S(v); }
+long size(N_Vector v) { return static_cast<long>(NV_LENGTH_S(v)); }
 
 // In all of these the result may be one of the operands, at the same place: "omp simd" needs no more.
 
@@ -43,7 +44,9 @@ double weighted_square_sum(long n, const double* x, const double* w) {
   return sum;
 }
 
-void linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector z) { sum_of_two(size(x), a, data(x), b, data(y), data(z)); }
+void linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector z) {
+  sum_of_two(size(x), a, data(x), b, data(y), data(z));
+}
 
 void scale(realtype c, N_Vector x, N_Vector z) {
   if (c == 1.) {
@@ -63,7 +66,8 @@ int linear_combination(int n_vectors, realtype* c, N_Vector* x, N_Vector z) {
     return 0;
   }
   int next = 2;
-  if (n_vectors == 2) sum_of_two(n, c[0], data(x[0]), c[1], data(x[1]), data(z));
+  if (n_vectors == 2)
+    sum_of_two(n, c[0], data(x[0]), c[1], data(x[1]), data(z));
   else {
     sum_of_three(n, c, data(x[0]), data(x[1]), data(x[2]), data(z));
     next = 3;
@@ -81,7 +85,23 @@ int linear_combination(int n_vectors, realtype* c, N_Vector* x, N_Vector z) {
   return 0;
 }
 
-realtype weighted_norm(N_Vector x, N_Vector w) { return std::sqrt(weighted_square_sum(size(x), data(x), data(w)) / static_cast<double>(size(x))); }
+void absolute(N_Vector x, N_Vector z) {
+  std::transform(data(x), data(x) + size(x), data(z), [](double value) { return std::fabs(value); });
+}
+
+void inverse(N_Vector x, N_Vector z) {
+  std::transform(data(x), data(x) + size(x), data(z), [](double value) { return 1. / value; });
+}
+
+void add_constant(N_Vector x, realtype c, N_Vector z) {
+  std::transform(data(x), data(x) + size(x), data(z), [c](double value) { return value + c; });
+}
+
+realtype smallest(N_Vector x) { return *std::min_element(data(x), data(x) + size(x)); }
+
+realtype weighted_norm(N_Vector x, N_Vector w) {
+  return std::sqrt(weighted_square_sum(size(x), data(x), data(w)) / static_cast<double>(size(x)));
+}
 
 }  // namespace
 
@@ -91,6 +111,10 @@ void use_vectorised_operations(N_Vector vector) {
   vector->ops->nvconst = constant;
   vector->ops->nvlinearcombination = linear_combination;
   vector->ops->nvwrmsnorm = weighted_norm;
+  vector->ops->nvabs = absolute;
+  vector->ops->nvinv = inverse;
+  vector->ops->nvaddconst = add_constant;
+  vector->ops->nvmin = smallest;
 }
 
 }  // namespace rotordrop

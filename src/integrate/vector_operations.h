@@ -3,8 +3,8 @@
 
 namespace rotordrop {
 
-/// Replaces the serial vector's linear operations by vectorised ones that read every operand once; SUNDIALS' own, as Debian builds
-/// them, took a quarter of a run. Clones of the vector inherit them.
+/// Replaces the serial vector's linear operations by vectorised ones that read every operand once; Debian builds SUNDIALS'
+/// own without optimisation: they took a quarter of a run. Clones of the vector inherit them.
 void use_vectorised_operations(N_Vector vector);
 
 }  // namespace rotordrop
