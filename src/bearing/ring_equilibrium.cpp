@@ -23,6 +23,15 @@ Vector ball_force(const std::vector<BallRow>& rows, const Vector& place) {
   return sum;
 }
 
+double elastic_energy(const std::vector<BallRow>& rows, const Vector& place) {
+  BallRowInput in;
+  in.displacement.y = place[0];
+  in.displacement.z = place[1];
+  double sum = 0.;
+  for (const auto& row : rows) sum += row.energy(in);
+  return sum;
+}
+
 }  // namespace
 
 RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, double force_y, double force_z) {
@@ -41,9 +50,12 @@ RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, double force
   }
   Vector place = 0.5 * (low + high) * along;
 
-  // Then in the plane, by Newton steps of least norm: a direction without stiffness is left alone.
+  // Then in the plane, by damped Newton steps (Levenberg's) downhill in the energy: on a single ball the ring slides sideways until it
+  // meets a second one. Without a sideways force it stays.
   const double enough = 1e-9 * force.norm();
-  for (int iteration = 0; iteration < 100; ++iteration) {
+  const auto potential = [&](const Vector& at) { return elastic_energy(rows, at) - force.dot(at); };
+  double damping = force.norm() / 1e-6;  // [N/m]: a first step of a micrometre
+  for (int iteration = 0; iteration < 1000; ++iteration) {
     const Vector residual = ball_force(rows, place) + force;
     if (residual.norm() < enough) return {0., place[0], place[1], 0., 0.};
     Eigen::Matrix2d stiffness;
@@ -52,13 +64,14 @@ RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, double force
       const Vector step = h * Vector::Unit(i);
       stiffness.col(i) = (ball_force(rows, place + step) - ball_force(rows, place - step)) / (2. * h);
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d> factors(stiffness);
-    factors.setThreshold(1e-9);
-    Vector step = -factors.solve(residual);
-    for (int halving = 0; halving < 40; ++halving, step *= 0.5)
-      if ((ball_force(rows, place + step) + force).norm() < residual.norm()) break;
-    place += step;
+    const Eigen::Matrix2d damped = damping * Eigen::Matrix2d::Identity() - 0.5 * (stiffness + stiffness.transpose());
+    const Vector next = place + damped.ldlt().solve(residual);
+    const bool is_better = potential(next) < potential(place) || (ball_force(rows, next) + force).norm() < residual.norm();
+    damping *= is_better ? 0.2 : 4.;
+    if (is_better) place = next;
   }
+  // Where the balls hardly resist, rounding ends the descent early.
+  if ((ball_force(rows, place) + force).norm() < 1e-6 * force.norm()) return {0., place[0], place[1], 0., 0.};
   throw SolverError("the inner ring finds no equilibrium in its balls under its own weight");
 }
 

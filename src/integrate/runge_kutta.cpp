@@ -36,9 +36,9 @@ class RungeKutta final : public Integrator {
       ARKodeButcherTable table = classical_order_4();
       check(ARKStepSetTables(memory_, 4, 0, nullptr, table));
       ARKodeButcherTable_Free(table);
-      // A whole number of steps, so that the last one is not a sliver.
-      const double n_steps = std::ceil((end_time - start_time) / step_or_bound(parameters) * (1. - 1e-9));
-      check(ARKStepSetFixedStep(memory_, (end_time - start_time) / n_steps));
+      // A whole number of steps, so that the last one is not a sliver; counted from zero, so that a resumed run takes the same ones.
+      const double n_steps = std::ceil(end_time / step_or_bound(parameters) * (1. - 1e-9));
+      check(ARKStepSetFixedStep(memory_, end_time / n_steps));
       fixed_ = true;
     } else {
       check(ARKStepSetTableNum(memory_, ARKODE_DIRK_NONE,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -25,10 +26,17 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Tells whether two runs have the same parameters (FNV-1a of their resolved text).
+/// Tells whether two runs have the same parameters: FNV-1a of their resolved text, comments and white space aside.
 std::string digest_of(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  bool is_quoted = false, is_comment = false;
+  for (const char c : text) {
+    if (c == '\n') is_comment = false;
+    else if (c == '"') is_quoted = !is_quoted;
+    else if (c == '#' && !is_quoted) is_comment = true;
+    if (!is_comment && (is_quoted || !std::isspace(static_cast<unsigned char>(c))))
+      hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  }
   return fmt::format("{:016x}", hash);
 }
 

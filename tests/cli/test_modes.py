@@ -130,10 +130,16 @@ class Modes(ProgramTest):
                 real = (first / first[numpy.abs(first).argmax()]).real
                 self.assertEqual(numpy.count_nonzero(numpy.diff(numpy.sign(real[numpy.abs(real) > 1e-3]))), 2)
 
-    def test_nothing_is_written_unless_asked_for(self):
-        before = sorted(path.name for path in self.folder.iterdir())
+    def test_shapes_go_beside_the_results_of_the_case_and_nowhere_else(self):
+        before = {path.name for path in self.folder.iterdir()}
         self.modes("reference.toml")
-        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
+        self.assertEqual({path.name for path in self.folder.iterdir()} - before, {"out"})
+        self.assertEqual([str(path.relative_to(self.folder)) for path in (self.folder / "out").rglob("*") if path.is_file()],
+                         ["out/reference/modes.h5"])
+
+    def test_a_folder_with_mode_shapes_takes_the_results_of_a_run(self):
+        self.modes("reference.toml")
+        self.succeed("run", "reference.toml", "--set", "run.end_time=1 ms")
 
 
 if __name__ == "__main__":
