@@ -101,7 +101,7 @@ TEST(TouchdownData, RotorRadiusIsTheBoreLessTheGap) {
 
 TEST(TouchdownData, WavesGoToTheSurfaceThatIsNamed) {
   auto p = tb2();
-  p.waviness = {{"inner_race", 2, 1e-6, 0.1}, {"bore", 3, 2e-6, 0.2}, {"outer_race", 4, 3e-6, 0.3}};
+  p.waviness = {{WavySurface::inner_race, 2, 1e-6, 0.1}, {WavySurface::bore, 3, 2e-6, 0.2}, {WavySurface::outer_race, 4, 3e-6, 0.3}};
   const auto d = touchdown_data("TB2", p, contact, around);
   ASSERT_EQ(d.race_waves.size(), 2u);
   ASSERT_EQ(d.bore_waves.size(), 1u);

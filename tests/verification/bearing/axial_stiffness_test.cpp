@@ -118,6 +118,21 @@ TEST(RingEquilibrium, DeepGrooveRingHangsOnItsLowestBall) {
   EXPECT_NEAR(place.z, 0., 1e-12) << "m";
 }
 
+TEST(RingEquilibrium, DeepGrooveRingFindsItsPlaceUnderWeightFromAnyDirection) {
+  // On one ball, then sliding sideways onto the next: never further than the clearance over cos(pi/Z) and the balls' give.
+  const auto g = deep_groove_row();
+  const double W = 0.21 * 9.81;
+  for (double turn = -180. * deg; turn < 180. * deg; turn += 3.7 * deg) {
+    const double y = W * std::cos(turn), z = W * std::sin(turn);
+    BallRowInput in;
+    in.displacement = ring_equilibrium({BallRow(g, {})}, y, z);
+    const auto out = evaluate({g}, in);
+    EXPECT_NEAR(out.force_y, -y, 2e-6 * W) << "N, " << turn / deg << " deg";
+    EXPECT_NEAR(out.force_z, -z, 2e-6 * W) << "N, " << turn / deg << " deg";
+    EXPECT_LT(std::hypot(in.displacement.y, in.displacement.z), 19 * um / std::cos(pi / 14) + 0.3 * um) << "m";
+  }
+}
+
 TEST(RingEquilibrium, BallsCarryTheForceInAnyDirection) {
   for (const auto& rows : {std::vector{deep_groove_row()}, angular_contact_pair(290.)})
     for (const auto& [y, z] : {std::pair{-2.06, 0.}, {-3., 40.}, {100., -500.}}) {
