@@ -46,7 +46,7 @@ def largest_distance(a, b, until=np.inf):
 SETTINGS = (
     [(f"runge-kutta-4, {s:g} us", dict(integration__method="runge-kutta-4", integration__step=s * 1e-6)) for s in (20, 10, 5, 2.5, 1)]
     + [(f"{m}, {t:g}", dict(integration__method=m, integration__tolerance=t))
-       for m in ("dormand-prince", "fehlberg-8", "adams") for t in (1e-5, 1e-6, 1e-7, 1e-8)])
+       for m in ("dormand-prince", "fehlberg-8", "adams") for t in (1e-5, 1e-6, 3e-7, 1e-7, 1e-8)])
 
 
 def study_of_steps(runs, lines, points):
@@ -56,7 +56,9 @@ def study_of_steps(runs, lines, points):
     lines += ["| method, step or tolerance | steps | right-hand sides | CPU [s] | settling, to 0.3 s [um] | table, to 20 ms [um] | energy residual [J] |",
               "|---|---|---|---|---|---|---|"]
     for name, settings in SETTINGS:
-        a = runs.run("settling", "neisi2019-settling", **settings)
+        # Where in a step a contact closes is chance: the worst of three runs that start picometres apart.
+        starts = [runs.run("settling", "neisi2019-settling", rotor__initial_offset=f"[{k * 1e-12}, 0]", **settings) for k in range(3)]
+        a = max(starts, key=lambda start: largest_distance(start, settling))
         b = runs.run("table", "neisi2019", run__end_time=0.02, **settings)
         run = a[2]["run"]
         error, early = largest_distance(a, settling), largest_distance(b, table)

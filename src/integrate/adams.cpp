@@ -49,7 +49,8 @@ class Adams final : public Integrator {
     problem_.fail(code, time_, step, weighted_error());
   }
 
-  void offer_rates(std::span<const double> rates) override { problem_.offer_rates(time_, problem_.values(), rates); }
+  void offer_rates(std::span<const double>) override {}  // its next evaluation is at the predicted state
+  [[nodiscard]] bool uses_offered_rates() const override { return false; }
 
   void interpolate(double t, std::span<double> y) const override {
     const int code = CVodeGetDky(memory_, t, 0, problem_.scratch());

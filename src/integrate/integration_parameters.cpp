@@ -22,7 +22,7 @@ Section<IntegrationParameters> integration_section() {
                       "impact is stepped over."});
   s.quantity("tolerance", &P::tolerance,
              {.range = between(1e-13, 1e-2),
-              .fallback = "1e-6",
+              .fallback = "3e-7",
               .source = "docs/convergence.md",
               .help = "Relative local error of the error-controlled methods; absolute: this times each state's typical "
                       "size. Not used with a fixed step."});

@@ -31,6 +31,8 @@ class Integrator {
   virtual void advance() = 0;
   /// Tells the rates at time(), state() that the caller has evaluated anyway, so that the next step need not.
   virtual void offer_rates(std::span<const double> rates) = 0;
+  /// Whether it makes use of them: then looking at the rates after every step costs nothing.
+  [[nodiscard]] virtual bool uses_offered_rates() const = 0;
   /// State at a time within the last step.
   virtual void interpolate(double t, std::span<double> y) const = 0;
   [[nodiscard]] virtual IntegrationStatistics statistics() const = 0;

@@ -77,6 +77,8 @@ class RungeKutta final : public Integrator {
 
   void offer_rates(std::span<const double> rates) override { problem_.offer_rates(time_, problem_.values(), rates); }
 
+  [[nodiscard]] bool uses_offered_rates() const override { return true; }
+
   void interpolate(double t, std::span<double> y) const override {
     const int code = ARKStepGetDky(memory_, t, 0, problem_.scratch());
     if (code != 0) throw SolverError("a time outside the last step was asked for");
