@@ -38,10 +38,8 @@ def rows(file):
         parts = path.split("/")
         meaning = item.attrs.get("long_name", "")
         for bearing in bearings:
-            parts = ["NAME" + p[len(bearing):] if p in (bearing, f"{bearing}_ledger") else p for p in parts]
+            parts = ["NAME" + p[len(bearing):] if p == bearing else p for p in parts]
             meaning = re.sub(rf"\b{re.escape(bearing)}\b", "NAME", meaning)
-        if "ledger" in parts[0]:
-            meaning = meaning.split("/")[-1]
         found["/" + "/".join(parts)] = (item.attrs["units"], shape_of(item), item.attrs.get("time", ""), meaning)
 
     file.visititems(visit)

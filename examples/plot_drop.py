@@ -457,9 +457,9 @@ BEARING_LEDGERS = {
     "rub_heat": ("rub of rotor on ring", "#D55E00"),
     "inner_heat": ("inner races", "#E69F00"),
     "outer_heat": ("outer races", "#56B4E9"),
-    "energy_dissipated_by_ball_damping": ("damping of the balls' contacts", "#009E73"),
-    "energy_dissipated_by_contact_damping": ("damping of rotor on ring", "#CC79A7"),
-    "energy_dissipated_by_support_damping": ("dampers of the supports", "#0072B2"),
+    "ball_damping": ("damping of the balls' contacts", "#009E73"),
+    "contact_damping": ("damping of rotor on ring", "#CC79A7"),
+    "support_damping": ("dampers of the supports", "#0072B2"),
 }
 
 
@@ -476,10 +476,10 @@ def dissipation_by_kind(case):
 
     for ledger, (label, colour) in BEARING_LEDGERS.items():
         for bearing in case.results.bearings:
-            series = case.results.get(f"/ledger/{bearing}_ledger/{ledger}", quiet=True)
+            series = case.results.get(f"/ledger/{bearing}/{ledger}", quiet=True)
             if series is not None:
                 add(label, colour, series)
-    series = case.results.get("/ledger/energy/rotor_damping", quiet=True)
+    series = case.results.get("/ledger/rotor_damping", quiet=True)
     if series is not None:
         add("damping of the rotor", "#333333", series)
     if total is not None:

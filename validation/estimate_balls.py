@@ -47,7 +47,7 @@ STRIBECK = 5.0  # Q_max = 5 F / (Z cos alpha)
 B_M = 1.3  # ISO 281, radial and angular contact ball bearings of today's steel
 ISO76_CONFORMITY = (0.52, 0.53)
 ISO281_CONFORMITY = (0.52, 0.52)
-STEEL_DENSITY, NITRIDE_DENSITY = 7800.0, 3200.0  # [kg/m^3], MODEL.md
+STEEL_DENSITY, NITRIDE_DENSITY = 7800.0, 3200.0  # [kg/m^3], params/neisi2019.toml
 SKF_EXPLORER = 1.045  # C of SKF Explorer bearings over ISO 281, see above
 
 # What the catalogue files cannot say themselves: the maker's factor on C, and the printed f0 with its last digit.
@@ -189,7 +189,7 @@ def inner_ring(bore, shoulder, width, diameter, pitch_diameter, n_balls, angle, 
     """(mass [kg], spin inertia [kg m^2]) of one inner ring, the inertia with the balls and cage it drives; lengths [mm], angle [deg], mass [kg].
 
     Ring: solid section bore..shoulder over the whole width, less the groove (circular segment of radius conformity * D).
-    Inertia as MODEL.md section 3: J_ring + (Z m_b (d_m/2)^2 + J_cage) (w_c/w_i)^2 + Z J_b (w_b/w_i)^2, w_b the absolute ball spin.
+    Inertia as docs/model.md: J_ring + (Z m_b (d_m/2)^2 + J_cage) (w_c/w_i)^2 + Z J_b (w_b/w_i)^2, w_b the absolute ball spin.
     Cage: 6 % of the bearing's mass (pressed steel, angle 0) or 3 % (solid laminate, angular contact), on the pitch circle.
     """
     mm = 1e-3

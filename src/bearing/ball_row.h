@@ -64,7 +64,7 @@ struct BallRowOutput {
 ///   B_r = A cos phi_0 - clearance + e_r + eps_in - eps_out,            B_x = s (A sin phi_0 + offset) + e_t,
 ///   delta = sqrt(B_r^2 + B_x^2) - A + 2 eps_b + waves,                 F = K delta^0.5 (delta + 1.5 beta delta') >= 0,
 /// delta' being the ring's rate along the contact normal (B_r, B_x), without cage motion. The tilts' terms are those of u = psi x r with the
-/// one arm R_c, so the elastic forces are the gradient of an energy. Corrects Neisi 2019, eqs. (2)-(6), (12); see MODEL 3.
+/// one arm R_c, so the elastic forces are the gradient of an energy. Corrects Neisi 2019, eqs. (2)-(6), (12); see docs/model.md.
 class BallRow {
  public:
   static constexpr int max_balls = 256;

@@ -52,14 +52,14 @@ std::vector<StateEntry> TouchdownBearing::state_entries() const {
 }
 
 std::vector<StateEntry> TouchdownBearing::ledger_entries() const {
-  return {{"contact impulse", "N s", 100.},
-          {"energy dissipated by contact damping", "J", 1.},
-          {"energy dissipated by ball damping", "J", 1.},
-          {"energy dissipated by support damping", "J", 1.},
-          {"work of the waves", "J", 1.},
-          {"work of the prescribed cage", "J", 1.},
-          {"spin-up drive, integral of omega_r (J omega_i' + M)", "J", 100.},
-          {"spin-up work of the centres, integral of F_t v_t", "J", 1.}};
+  return {{"contact impulse", "N s", 100., "integral of the contact force"},
+          {"contact damping", "J", 1., "energy dissipated by the damping of rotor and ring's contact"},
+          {"ball damping", "J", 1., "energy dissipated by the damping of balls and races"},
+          {"support damping", "J", 1., "energy dissipated by the support's damper"},
+          {"waviness work", "J", 1., "work of the travelling waves on the machine"},
+          {"cage work", "J", 1., "work of the prescribed cage motion on the machine"},
+          {"spin-up drive", "J", 100., "integral of omega_r (J omega_i' + M), for the balance of the spin-up"},
+          {"spin-up centres", "J", 1., "integral of F_t v_t, friction force times the centres' tangential speed"}};
 }
 
 void TouchdownBearing::initial_state(std::span<double> y) const {

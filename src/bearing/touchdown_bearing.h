@@ -9,7 +9,7 @@
 
 namespace rotordrop {
 
-/// Which load enters the load-dependent friction torque (MODEL 5).
+/// Which load enters the load-dependent friction torque (docs/model.md).
 enum class FrictionLoadLaw {
   radial,     ///< magnitude of the instantaneous radial resultant of all ball forces, without preload
   equivalent  ///< per row max(F_r, 0.9 F_a cot phi - 0.1 F_r), preload included

@@ -207,7 +207,7 @@ void Recorder::Implementation::make_datasets(const RecordHeader& header) {
   for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
   for (const auto& description : series) {
     Group group;
-    group.time = make_column(file.id(), {description.time_path, "s", "time", 1, {}}, description.time_path, options.rows_per_chunk);
+    group.time = make_column(file.id(), {description.time_path, description.unit, description.long_name, 1, {}}, description.time_path, options.rows_per_chunk);
     for (const auto& channel : description.channels) {
       group.columns.push_back(make_column(file.id(), channel, description.time_path, options.rows_per_chunk));
       group.row_size += channel.size;

@@ -24,6 +24,8 @@ struct Channel {
 struct SeriesGroup {
   std::string time_path; ///< dataset of the times [s]: "/time", "/coarse/time"
   std::vector<Channel> channels;
+  std::string unit = "s";           ///< of the axis, if it is not time
+  std::string long_name = "time";   ///< likewise
 };
 
 /// What a result file says about itself.

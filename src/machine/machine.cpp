@@ -24,8 +24,12 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   n_thermal_ = layout_.size() - thermal_;
   first_ledger_ = layout_.size();
   for (std::size_t i = 0; i < n; ++i) {
-    std::vector<StateEntry> entries = {{"rub heat", "J", 100.},          {"inner heat", "J", 10.},   {"outer heat", "J", 10.},
-                                       {"other dissipation", "J", 1.},   {"prescribed work", "J", 1.}, {"growth work", "J", 1.}};
+    std::vector<StateEntry> entries = {{"rub heat", "J", 100., "friction heat of rotor and inner ring"},
+                                       {"inner heat", "J", 10., "friction heat of balls and inner race"},
+                                       {"outer heat", "J", 10., "friction heat of balls and outer race"},
+                                       {"other dissipation", "J", 1., "energy dissipated by damping, which heats nothing here"},
+                                       {"prescribed work", "J", 1., "work of prescribed cage and waviness motion on the machine"},
+                                       {"growth work", "J", 1., "work of thermal growth on the machine"}};
     const auto own = parts_.supports[i]->ledger_entries();
     entries.insert(entries.end(), own.begin(), own.end());
     places_[i].ledger = layout_.size();
@@ -33,7 +37,10 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
     layout_.add_block(parts_.supports[i]->name() + " ledger", entries);
   }
   machine_ledger_ = layout_.size();
-  layout_.add_block("energy", {{"rotor damping", "J", 1.}, {"unbalance work", "J", 1.}, {"drive work", "J", 1.}, {"heat lost", "J", 1.}});
+  layout_.add_block("energy", {{"rotor damping", "J", 1., "energy dissipated by the rotor's damping"},
+                               {"unbalance work", "J", 1., "work of the unbalance forces on the rotor"},
+                               {"drive work", "J", 1., "work of motor or brake on the rotor"},
+                               {"heat lost", "J", 1., "heat lost to ambient"}});
 
   std::size_t n_places = 0;
   for (const auto& place : parts_.thermal_place) n_places += place.has_value();
@@ -83,9 +90,12 @@ void Machine::list_observables() {
        {"heat_residual", "J", "heat not accounted for", 1, {}}});
   for (std::size_t i = first_ledger_; i < layout_.size(); ++i) {
     const auto& entry = layout_.entries()[i];
-    Observable o{"/ledger/" + entry.name, entry.unit, "since the start: " + entry.name, 1, {}};
-    for (char& c : o.name)
-      if (c == ' ' || c == ',' || c == '\'') c = '_';
+    // "TB1 ledger/rub heat" becomes /ledger/TB1/rub_heat, "energy/heat lost" /ledger/heat_lost.
+    std::string path = entry.name;
+    if (const auto at = path.find(" ledger/"); at != std::string::npos) path.erase(at, 7);
+    else path.erase(0, path.find('/') + 1);
+    std::replace(path.begin(), path.end(), ' ', '_');
+    Observable o{"/ledger/" + path, entry.unit, entry.long_name, 1, {}};
     state_observables_.push_back(std::move(o));
   }
 }

@@ -10,6 +10,7 @@ struct StateEntry {
   std::string name;       ///< e.g. "TB2/inner ring spin"; used in messages and as a dataset name
   std::string unit;       ///< UDUNITS text of the SI unit
   double scale = 1;       ///< typical size; absolute tolerance = relative tolerance * scale
+  std::string long_name = {};  ///< what it is, in words; empty: the name says it
 };
 
 /// A contiguous run of entries owned by one part.

@@ -92,7 +92,8 @@ void write_mode_shapes(const ModesReport& report, std::size_t n_modes, const std
                        {at + "shape_y_real", "1", "deflection along y, in phase", n, {}},
                        {at + "shape_y_imaginary", "1", "deflection along y, a quarter turn ahead", n, {}},
                        {at + "shape_z_real", "1", "deflection along z, in phase", n, {}},
-                       {at + "shape_z_imaginary", "1", "deflection along z, a quarter turn ahead", n, {}}}});
+                       {at + "shape_z_imaginary", "1", "deflection along z, a quarter turn ahead", n, {}}},
+                      "1", "number of the mode"});
   }
   RecorderOptions options;
   options.overwrite = true;

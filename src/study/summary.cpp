@@ -40,16 +40,16 @@ Json bearing_summary(const Machine& machine, const BearingScalars& s, std::size_
   return j;
 }
 
-// MODEL 10: the rub heat from the spin-up alone, whatever friction, bounces and waves:
+// docs/model.md, section 8: the rub heat from the spin-up alone, whatever friction, bounces and waves:
 //   E_slip = (r_r/r_b) integral omega_r (J omega_i' + M) dt - J omega_i^2/2 - integral M omega_i dt + integral F_t v_t dt.
 Json spin_up_balance(const Machine& machine, std::size_t support, std::span<const double> y, double ring_speed) {
   const auto* bearing = dynamic_cast<const TouchdownBearing*>(&machine.support(support));
   if (!bearing) return nullptr;
   const auto& d = bearing->data();
-  const double balance = d.rotor_radius / d.bore_radius * machine.ledger(support, "spin-up drive, integral of omega_r (J omega_i' + M)", y) -
+  const double balance = d.rotor_radius / d.bore_radius * machine.ledger(support, "spin-up drive", y) -
                          0.5 * d.ring_spin_inertia * ring_speed * ring_speed - machine.ledger(support, "inner heat", y) -
                          machine.ledger(support, "outer heat", y) +
-                         machine.ledger(support, "spin-up work of the centres, integral of F_t v_t", y);
+                         machine.ledger(support, "spin-up centres", y);
   return {{"slip_energy", balance}, {"residual", machine.ledger(support, "rub heat", y) - balance}};
 }
 

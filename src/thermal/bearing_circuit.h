@@ -14,7 +14,7 @@ struct ThermalMaterial {
   double poisson_ratio = 0;
 };
 
-/// What the circuit of one touchdown bearing is made from (MODEL 6; Neisi 2019, section 3.4, fig. 6, table 1).
+/// What the circuit of one touchdown bearing is made from (docs/model.md; Neisi 2019, section 3.4, fig. 6, table 1).
 struct BearingCircuitData {
   std::string name;                         ///< of the bearing
   ThermalMaterial ring, ball;               ///< steel of rings, housing and shaft; balls

@@ -141,8 +141,8 @@ TEST(FirstImpact, SpinUpHeatIsThatOfItsBalance) {
     const auto& machine = *run.machine;
     const auto ledger = [&](const char* name) { return machine.ledger(i, name, run.state); };
     const double J = i == 0 ? 3.4e-4 : 3.9e-4, omega = run.samples.back().ring_speed[i];
-    const double balance = 34.75 / 35. * ledger("spin-up drive, integral of omega_r (J omega_i' + M)") - 0.5 * J * omega * omega - ledger("inner heat") -
-                           ledger("outer heat") + ledger("spin-up work of the centres, integral of F_t v_t");
+    const double balance = 34.75 / 35. * ledger("spin-up drive") - 0.5 * J * omega * omega - ledger("inner heat") -
+                           ledger("outer heat") + ledger("spin-up centres");
     printf("bearing %zu: ring at %.1f rad/s, rub heat %.5f J, by its balance %.5f J\n", i + 1, omega, ledger("rub heat"), balance);
     EXPECT_GT(omega, 100.) << "rad/s";
     EXPECT_NEAR(balance / ledger("rub heat"), 1., 1e-6) << "the step's error";

@@ -204,7 +204,7 @@ TEST(ModalRotor, FallsMoreSlowlyWithMassProportionalDamping) {
   std::vector<Motion> motion(1);
   rotor.motions(y, motion);
   const double fallen = 9.81 * (30 * t - 1 + std::exp(-30 * t)) / 900;
-  EXPECT_NEAR(fallen, 250e-6, 0.5e-6) << "m; MODEL section 10: 7.40 ms";
+  EXPECT_NEAR(fallen, 250e-6, 0.5e-6) << "m; closed form: 7.40 ms";
   EXPECT_NEAR(-motion[0].y, fallen, 1e-10) << "m; order 2";
 }
 
