@@ -178,10 +178,11 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   out.force_on_rotor = {0., -from_rotor_y, -from_rotor_z, 0., 0., -c.friction * data_.rotor_radius};
 
   const double ring_speed = y[ring_spin];
-  const double M_L = load_torque_of(balls) + (data_.add_spin_heat ? spin_drag(rows_in) : 0.);
+  const double M_L = load_torque_of(balls);
+  const double M_spin = data_.add_spin_heat ? spin_drag(rows_in) : 0.;
   const double M_v =
       drag_torque(data_.drag_viscosity, ring_speed, data_.rows.front().pitch_diameter, data_.f2);
-  const double M = (M_L + M_v) * std::tanh(ring_speed / data_.drag_regularisation);
+  const double M = (M_L + M_v + M_spin) * std::tanh(ring_speed / data_.drag_regularisation);
   const double drive = c.friction * data_.bore_radius;  // J omega_i' + M
 
   dydt[ring_y] = y[ring_vy];
@@ -260,7 +261,7 @@ std::vector<Observable> TouchdownBearing::observables() const {
       {"penetration", "m", "penetration of rotor surface and bore; negative: clearance left", 1, {}},
       {"clearance", "m", "radial air gap after thermal growth of bore and shaft", 1, {}},
       {"contact_force", "N", "normal force between rotor and inner ring", 1, {}},
-      {"friction_force", "N", "friction force on the inner ring, positive with the rotor's spin", 1, {}},
+      {"friction_force", "N", "friction force on the inner ring, positive about +x", 1, {}},
       {"slip_speed", "m/s", "speed of the rotor's surface past the bore", 1, {}},
       {"spin_lag", "1", "what the bore's surface speed lacks to the rotor's, over the rotor's", 1, {}},
       {"bearing_force", "N", "resultant of the ball forces on the inner ring", 2, yz},
@@ -298,7 +299,7 @@ void TouchdownBearing::observe(const SupportInput& in, std::span<const double> y
   put({y[ring_y], y[ring_z], y[ring_vy], y[ring_vz], y[support_y], y[support_z]});
   put({c.penetration, data_.air_gap + in.growth.bore - in.growth.shaft, c.normal, c.friction, c.slip_speed});
   const double rotor_surface = in.rotor_spin.speed * data_.rotor_radius;
-  put({rotor_surface != 0. ? 1. - y[ring_spin] * data_.bore_radius / rotor_surface : 0.});
+  put({rotor_surface != 0. ? 1. - y[ring_spin] * data_.bore_radius / rotor_surface : 1.});
   put({balls.force_y, balls.force_z});
   double largest = 0.;
   for (std::size_t i = 0; i < rows_.size(); ++i) {

@@ -173,12 +173,12 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
           "Leave out one of the two.");
   if (b.rows > 2 && b.arrangement != RowArrangement::tandem)
     fault("arrangement", fmt::format("{} rows can only be in tandem", b.rows), "Allowed: X, O with rows = 2; tandem with any.");
-  // Steel of the ring's dimensions at least half filled, and no lighter ring spins with more inertia than a hoop of its pitch diameter.
+  // The ring's mass at half the pitch radius spins with a quarter of a hoop's inertia; balls and cage add less than the ring has.
   const double hoop = 0.25 * b.ring_mass * b.pitch_diameter * b.pitch_diameter;
-  if (b.ring_spin_inertia > 20. * hoop)
-    fault("ring_spin_inertia", fmt::format("ring_spin_inertia = {:.6g} kg m2 is more than 20 times that of a hoop of the ring's mass, {:.3g} kg m2",
+  if (b.ring_spin_inertia > 20. * hoop || b.ring_spin_inertia < 0.05 * hoop)
+    fault("ring_spin_inertia", fmt::format("the ring_spin_inertia of {:.6g} kg m2 is far from that of a hoop of the ring's mass on the pitch circle, {:.3g} kg m2.",
                                            b.ring_spin_inertia, hoop),
-          "Check the unit: kg m2, not kg mm2.");
+          "Allowed: a twentieth to twenty times as much. Check the unit: kg m2, not kg mm2.");
 }
 
 }  // namespace
@@ -213,11 +213,6 @@ Section<ContactParameters> contact_section() {
       faults.add(position_of_value(table, "air_gap"),
                  fmt::format("contact.air_gap = {:.6g} mm is not smaller than bore_radius = {:.6g} mm.", p.air_gap * 1e3, *p.bore_radius * 1e3),
                  "The rotor's radius is bore_radius - air_gap.");
-    if (p.static_friction_coefficient && *p.static_friction_coefficient < p.friction_coefficient)
-      faults.add(position_of_value(table, "static_friction_coefficient"),
-                 fmt::format("contact.static_friction_coefficient = {:.6g} is smaller than friction_coefficient = {:.6g}.",
-                             *p.static_friction_coefficient, p.friction_coefficient),
-                 "Friction near rest is not smaller than in motion; leave it out for the same value.");
   });
   return s;
 }
@@ -257,13 +252,17 @@ void check_touchdown(const std::string& name, const TouchdownParameters& b, cons
     faults.add(position_of_value(b.air_gap ? table : contact_table, "air_gap"),
                fmt::format("bearings.{}: the air gap of {:.6g} mm is more than a fifth of the bore radius of {:.6g} mm.", name, gap * 1e3, bore * 1e3),
                "Air gaps are a few tenths of a millimetre; check the unit.");
-  if (bore >= 0.5 * b.inner_ring_diameters[1])
+  if (std::fabs(2. * bore - b.inner_ring_diameters[0]) > 0.01 * b.inner_ring_diameters[0])
     faults.add(b.bore_radius         ? position_of_value(table, "bore_radius")
                : contact.bore_radius ? position_of_value(contact_table, "bore_radius")
                                      : position_of_value(table, "inner_ring_diameters"),
-               fmt::format("bearings.{}: the bore radius of {:.6g} mm does not fit an inner ring of {:.6g} mm outside diameter.", name, bore * 1e3,
-                           b.inner_ring_diameters[1] * 1e3),
-               "It is a radius, half the inner ring's bore diameter.");
+               fmt::format("bearings.{}: the bore radius of {:.6g} mm is not half the inner ring's bore diameter of {:.6g} mm.", name, bore * 1e3,
+                           b.inner_ring_diameters[0] * 1e3),
+               "contact.bore_radius holds for all bearings; bearings.NAME.bore_radius for one.");
+  if (b.preload > b.C0)
+    faults.add(position_of_value(table, "preload"),
+               fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating C0 = {:.6g} N.", name, b.preload, b.C0),
+               "Preloads are a few hundredths of C0; check the unit.");
 }
 
 TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact,

@@ -37,6 +37,14 @@ void catch_signals() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
+/// As a shell takes it.
+std::string quoted(const std::string& word) {
+  if (word.find_first_of(" \t'\"\\$&|;<>()*?[]{}!#~`") == std::string::npos) return word;
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
 std::string header(const Case& c) {
   const auto& p = c.parameters;
   std::string bearings;
@@ -59,6 +67,7 @@ int run_command(const RunCommand& command) {
   options.force = command.force;
   options.resume = command.resume;
   options.stop = &caught_signal;
+  options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
   ProgressLine line;
   if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
 
@@ -66,7 +75,6 @@ int run_command(const RunCommand& command) {
   if (!command.quiet) fmt::print("{}", header(drop_case));
   std::fflush(stdout);
   catch_signals();
-  DropScalars scalars(*machine);
   DropResult result;
   try {
     result = run_drop(drop_case, *machine, options);
@@ -81,8 +89,9 @@ int run_command(const RunCommand& command) {
     fmt::print("{} steps, {:.3g} s; results in {}\n", result.statistics.steps, result.wall_time, options.directory.string());
   }
   if (result.completed) return 0;
-  fmt::print(stderr, "interrupted at t = {:.6g} s; what was computed is in {}. Go on with: rotordrop run {} -o {} --resume\n", result.end_time,
-             options.directory.string(), command.file.string(), options.directory.string());
+  std::string again = fmt::format("rotordrop run {} -o {} --resume", quoted(command.file.string()), quoted(options.directory.string()));
+  for (const auto& assignment : command.overrides) again += " --set " + quoted(assignment);
+  fmt::print(stderr, "interrupted at t = {:.6g} s; what was computed is in {}. Go on with: {}\n", result.end_time, options.directory.string(), again);
   return 128 + static_cast<int>(caught_signal);
 }
 

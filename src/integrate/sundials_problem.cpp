@@ -61,7 +61,10 @@ int SundialsProblem::right_hand_side(realtype t, N_Vector y, N_Vector dydt, void
     problem.exception_ = std::current_exception();
     return -1;
   }
-  if (all_finite(rates)) return 0;
+  if (all_finite(rates)) {
+    problem.bad_rates_.clear();
+    return 0;
+  }
   problem.bad_rates_.assign(rates.begin(), rates.end());
   return 1;
 }

@@ -97,8 +97,11 @@ std::string content_of(const std::filesystem::path& path, const SourcePosition& 
 /// @param named_at   the `base` key that names the file; unknown for the first file
 /// @param including  the files from the first one to the one that names this
 Node read_with_bases(const std::filesystem::path& path, const SourcePosition& named_at,
-                     std::vector<std::filesystem::path> including) {
+                     std::vector<std::filesystem::path> including,
+                     const std::function<void(Node&, const std::filesystem::path&)>& complete) {
   Node tree = parse_toml(content_of(path, named_at), path.string());
+  if (complete)
+    complete(tree, path);
   const Node* base = tree.find("base");
   if (!base)
     return tree;
@@ -118,7 +121,7 @@ Node read_with_bases(const std::filesystem::path& path, const SourcePosition& na
                      fmt::format("The chain of bases is {}{}.", chain, again->filename().string()));
   }
   tree.erase("base");
-  return merged(read_with_bases(base_path, where_base, std::move(including)), tree);
+  return merged(read_with_bases(base_path, where_base, std::move(including), complete), tree);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -179,7 +182,10 @@ Node parse_toml(std::string_view text, const std::string& file) {
   }
 }
 
-Node read_toml(const std::filesystem::path& path) { return read_with_bases(path, {}, {}); }
+Node read_toml(const std::filesystem::path& path,
+               const std::function<void(Node&, const std::filesystem::path& file)>& complete) {
+  return read_with_bases(path, {}, {}, complete);
+}
 
 void apply_override(Node& tree, std::string_view assignment) {
   const auto equals = assignment.find('=');

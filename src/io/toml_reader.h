@@ -3,6 +3,7 @@
 #include "base/node.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,10 @@ namespace rotordrop {
 /// none: tables are merged key by key, arrays and values are replaced. Bases may have bases. The key itself is not in
 /// the result. Throws an InputError for a file that cannot be read, a syntax error, or a chain of bases that returns to
 /// a file.
-Node read_toml(const std::filesystem::path& path);
+///
+/// @param complete  called with each file's own tree before it is laid over its base: for what a file's values stand for
+Node read_toml(const std::filesystem::path& path,
+               const std::function<void(Node&, const std::filesystem::path& file)>& complete = {});
 
 /// Reads TOML text without looking at `base`; `file` is how positions call it.
 Node parse_toml(std::string_view text, const std::string& file);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -66,6 +67,36 @@ ThermalNetworkData network_data(const MachineParameters& p, const Node& case_nod
   return network;
 }
 
+using RingCentre = std::pair<double, std::pair<double, double>>;  // x, (y, z)
+
+/// A rotor that starts inside a ring would be shot out of it.
+void check_start(const MachineParameters& p, const Node& case_node, const RotorModel& rotor, const Machine::Parts& parts,
+                 const std::vector<RingCentre>& ring_centres) {
+  std::vector<Motion> motions(p.bearings.size());
+  rotor.motions(parts.initial_rotor_state, motions);
+  Faults faults;
+  std::size_t ring = 0;
+  for (std::size_t i = 0; i < p.bearings.size(); ++i) {
+    const auto* b = p.bearings[i].touchdown();
+    if (!b) continue;
+    const auto& [y, z] = ring_centres[ring++].second;
+    const double distance = std::hypot(motions[i].y - y, motions[i].z - z), gap = air_gap(*b, p.contact);
+    if (distance > gap)
+      faults.add(position_of(case_node, "rotor"),
+                 fmt::format("the rotor starts {:.6g} um from the centre of the ring of {}, beyond the air gap of {:.6g} um.", distance * 1e6,
+                             p.bearings[i].name, gap * 1e6),
+                 "Check rotor.initial_offset, initial_tilt and initial_orbit.");
+    if (!faults.empty()) break;  // one fault, whatever the number of rings
+  }
+  faults.throw_if_any();
+}
+
+/// Names become paths in results and in messages.
+void check_name(const std::string& name, const std::string& what, const SourcePosition& where, Faults& faults) {
+  const bool is_good = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+  if (!is_good) faults.add(where, fmt::format("{} cannot be called \"{}\".", what, name), "Use letters, digits, _ and -.");
+}
+
 }  // namespace
 
 void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
@@ -78,6 +109,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   for (const auto& entry : p.bearings) {
     const Node* own = bearings.find(entry.name);
     const Node& table = own ? *own : bearings;
+    check_name(entry.name, "a bearing", position_of(bearings, entry.name), faults);
     check_rotor_node(p.rotor.geometry, entry.node(), position_of_value(table, "node"), "bearings." + entry.name + ".node", faults);
     if (const auto* b = entry.touchdown()) {
       if (const auto [other, is_first] = taken.emplace(b->node, entry.name); !is_first)
@@ -106,7 +138,7 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
 
   Machine::Parts parts;
   std::vector<int> nodes;
-  std::vector<std::pair<double, std::pair<double, double>>> ring_centres;  // x, (y, z)
+  std::vector<RingCentre> ring_centres;
   std::size_t n_places = 0;
   for (const auto& entry : p.bearings) {
     nodes.push_back(entry.node());
@@ -143,6 +175,7 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   }
   parts.initial_rotor_state.resize(rotor->n_state());
   rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {0., p.run.initial_speed}, parts.initial_rotor_state);
+  check_start(p, case_node, *rotor, parts, ring_centres);
   parts.rotor = std::move(rotor);
   return std::make_unique<Machine>(std::move(parts));
 }

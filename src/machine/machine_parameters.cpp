@@ -13,14 +13,15 @@ Section<RunParameters> run_section() {
            {.unit = "m/s2", .accepts = "a number (along -y), or [x, y, z]", .json_types = {"number", "string", "array"}, .fallback = Node(9.81),
             .source = "standard", .help = "Acceleration of gravity on rotor and inner rings. A single number acts along -y. Axial motion is not computed: x has no effect."},
            [](const Node& node, P& target, Faults& faults) {
-             const Quantity g{.unit = "m/s2", .range = between(-1e3, 1e3)};
+             const Quantity along_axis{.unit = "m/s2", .range = between(-1e3, 1e3)};
+             const Quantity downwards{.unit = "m/s2", .range = between(0, 1e3)};  // upwards only as a vector, not by a slip of sign
              if (node.is_array()) {
-               if (const auto xyz = read_quantities(node, g, 3, 3, "run.gravity", faults)) target.gravity = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
-             } else if (const auto down = read_quantity(node, g, "run.gravity", faults)) {
+               if (const auto xyz = read_quantities(node, along_axis, 3, 3, "run.gravity", faults)) target.gravity = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
+             } else if (const auto down = read_quantity(node, downwards, "run.gravity", faults)) {
                target.gravity = {0., -*down, 0.};
              }
            });
-  s.quantity("ambient", &P::ambient, {.unit = "K", .range = between(1, 2000), .fallback = "293.15 K", .source = "estimate: the paper's plots start near 293 K",
+  s.quantity("ambient", &P::ambient, {.unit = "K", .range = between(60, 2000), .fallback = "293.15 K", .source = "estimate: the paper's plots start near 293 K",
                                       .help = "Temperature of the surroundings and of everything at the start."});
   return s;
 }

@@ -86,14 +86,14 @@ Eigen::VectorXcd node_deflections(const ModalBasis& basis, const Eigen::VectorXc
   return result;
 }
 
-Whirl whirl_of(const Eigen::VectorXcd& shape) {
-  // Point k moves on an ellipse of area pi Im(V W*), positive from +y towards +z. Areas, not their ratio to the
+Whirl whirl_of(const Eigen::VectorXcd& shape, double spin_speed) {
+  // Point k moves on an ellipse of area pi Im(V W*), positive from +y towards +z, which is with the spin if that is positive. Areas, not their ratio to the
   // amplitude, are summed: the sense of a node that hardly moves is noise.
   const Eigen::Index n_nodes = shape.size() / 2;
   double with_spin = 0, against = 0, size = 0;
   for (Eigen::Index k = 0; k < n_nodes; ++k) {
     const Complex V = shape(k), W = shape(n_nodes + k);
-    const double area = 2 * std::imag(V * std::conj(W));
+    const double area = (spin_speed < 0 ? -2 : 2) * std::imag(V * std::conj(W));
     (area > 0 ? with_spin : against) += std::abs(area);
     size += std::norm(V) + std::norm(W);
   }
@@ -189,7 +189,7 @@ WhirlModes ModalAnalysis::whirl_modes(double spin_speed, const std::vector<Linea
     mode.frequency = eigenvalue.imag() / two_pi;
     mode.natural_frequency = std::abs(eigenvalue) / two_pi;
     mode.damping_ratio = -eigenvalue.real() / std::abs(eigenvalue);
-    mode.whirl = is_planar[k] ? Whirl::planar : whirl_of(shape);
+    mode.whirl = is_planar[k] ? Whirl::planar : whirl_of(shape, spin_speed);
     mode.v.assign(shape.data(), shape.data() + n_nodes);
     mode.w.assign(shape.data() + n_nodes, shape.data() + 2 * n_nodes);
     result.modes.push_back(std::move(mode));

@@ -20,9 +20,9 @@ Section<OutputParameters> output_section() {
   using P = OutputParameters;
   Section<P> s("output", "What is written, and how often.");
   s.quantity("interval", &P::interval,
-             {.unit = "s", .range = positive(), .fallback = "50 us", .help = "Time between rows of the series in results.h5. Peaks in the summary are taken at every step."});
+             {.unit = "s", .range = at_least(1e-7), .fallback = "50 us", .help = "Time between rows of the series in results.h5. Peaks in the summary are taken at every step."});
   s.quantity("detail_interval", &P::detail_interval,
-             {.unit = "s", .range = positive(), .fallback = "1 ms", .help = "Time between rows of the detailed series: the load of every ball."});
+             {.unit = "s", .range = at_least(1e-7), .fallback = "1 ms", .help = "Time between rows of the detailed series: the load of every ball."});
   s.quantity("checkpoint_interval", &P::checkpoint_interval,
              {.unit = "s", .range = positive(), .fallback = "10 s", .help = "Wall time between checkpoints, from which `rotordrop run --resume` goes on."});
   return s;
@@ -87,6 +87,12 @@ void load_catalogue(Node& bearing, const std::string& name, const fs::path& case
                    (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) + fmt::format("Known: {}.", fmt::join(known, ", ")));
 }
 
+/// Puts the catalogue's data under each bearing of one file that names them, so that they go before what a base says of that bearing.
+void load_catalogue_bearings(Node& tree, const fs::path& file) {
+  if (Node* bearings = tree.find("bearings"); bearings && bearings->is_table())
+    for (auto& entry : bearings->entries()) load_catalogue(entry.value, entry.key, file);
+}
+
 }  // namespace
 
 std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
@@ -103,11 +109,15 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   Case result;
   result.file = file;
   result.name = file.stem().string();
-  result.tree = read_toml(file);
-  for (const auto& assignment : overrides) apply_override(result.tree, assignment);
+  result.tree = read_toml(file, load_catalogue_bearings);
+  Node over = Node::table(result.tree.where());
+  for (const auto& assignment : overrides) {
+    apply_override(result.tree, assignment);  // finds out whether it can be set
+    apply_override(over, assignment);
+  }
+  load_catalogue_bearings(over, file);
+  result.tree = merged(result.tree, over);
   load_rotor_geometry(result.tree);
-  if (Node* bearings = result.tree.find("bearings"); bearings && bearings->is_table())
-    for (auto& entry : bearings->entries()) load_catalogue(entry.value, entry.key, file);
   // Built-in materials lie under those that the case gives.
   const Node* materials = result.tree.find("materials");
   if (!materials) result.tree.set("materials", default_materials());

@@ -38,8 +38,8 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
 /// The declarations of a case file, for defaults, schema and resolved parameters.
 std::vector<ErasedSection> case_sections();
 
-/// Folders with bearings usable by name: ROTORDROP_PARAMS/bearings if that is set, the program's own params/bearings, and `bearings`
-/// beside the case.
+/// Folders with bearings usable by name, in the order of search: ROTORDROP_PARAMS/bearings if that is set, `bearings` beside the case,
+/// the program's own params/bearings.
 std::vector<std::filesystem::path> catalogue_folders(const std::filesystem::path& case_file);
 
 }  // namespace rotordrop

@@ -1,12 +1,19 @@
 #include "study/drop_run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
@@ -42,14 +49,34 @@ std::string digest_of(const std::string& text) {
 
 void prepare_directory(const RunOptions& options) {
   const fs::path& directory = options.directory;
-  const bool holds_results = fs::exists(directory / "results.h5") || fs::exists(directory / "summary.json");
+  std::error_code error;
+  const bool holds_results = fs::exists(directory / "results.h5", error) || fs::exists(directory / "summary.json", error);
   if (holds_results && !options.force && !options.resume)
     throw InputError({directory.string(), 0, 0}, "the directory holds results already",
                      "Choose another with -o DIR, replace them with --force, or go on with --resume if the run was interrupted.");
-  std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
-  if (options.resume) return;
+}
+
+/// Keeps two runs out of one directory; ends with the program, however that ends.
+class DirectoryLock {
+ public:
+  explicit DirectoryLock(const fs::path& directory) : file_(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+    close(file_);
+    throw InputError({directory.string(), 0, 0}, "another run is writing into the directory", "Choose another with -o DIR, or wait for its end.");
+  }
+  DirectoryLock(const DirectoryLock&) = delete;
+  DirectoryLock& operator=(const DirectoryLock&) = delete;
+  ~DirectoryLock() {
+    if (file_ >= 0) close(file_);
+  }
+
+ private:
+  int file_;
+};
+
+void remove_older_results(const fs::path& directory) {
   fs::remove(directory / "summary.json");
   fs::remove_all(directory / "checkpoints");
   fs::remove_all(directory / "failed");
@@ -106,6 +133,8 @@ class DropRun {
 
   DropResult run() {
     prepare_directory(options_);
+    const DirectoryLock lock(options_.directory);
+    if (!options_.resume) remove_older_results(options_.directory);
     machine_.initial_state(state_);
     if (options_.resume) read_newest_checkpoint();
     open_recorder();
@@ -136,25 +165,21 @@ class DropRun {
     integrator_ = make_integrator(machine_, case_.parameters.integration, time_, state_, end_time_);
     if (time_ == 0.) {
       evaluate_step(0., state_);
-      record(0., state_);
+      try {
+        record(0., state_);
+      } catch (const SolverError& error) {
+        fail(error);
+      }
     }
     auto last_report = Clock::now(), last_checkpoint = last_report;
     long counter = 0;
     while (time_ < end_time_) {
       try {
-        integrator_->advance();
+        take_step();
       } catch (const SolverError& error) {
         fail(error);
       }
-      time_ = integrator_->time();
-      const auto y = integrator_->state();
-      record_between(y);
-      if (is_to_be_observed()) {
-        evaluate_step(time_, y);
-        record_at(y);
-      }
-      std::copy(y.begin(), y.end(), state_.begin());
-      if (options_.stop && *options_.stop) {
+      if (is_stopped()) {
         interrupted_ = time_ < end_time_;
         break;
       }
@@ -173,6 +198,25 @@ class DropRun {
     if (options_.report) report();
   }
 
+  /// One step with all that is recorded on the way; time_ and state_ follow when all of it is done.
+  void take_step() {
+    integrator_->advance();
+    const double last_time = time_;
+    time_ = integrator_->time();
+    const auto y = integrator_->state();
+    try {
+      record_between();
+      if (is_to_be_observed()) {
+        evaluate_step(time_, y);
+        record_at(y);
+      }
+    } catch (...) {
+      time_ = last_time;
+      throw;
+    }
+    std::copy(y.begin(), y.end(), state_.begin());
+  }
+
   /// Every step where that costs nothing; else as often as peaks need: 12 times in a period of the rings' fastest motion, 8 kHz.
   [[nodiscard]] bool is_to_be_observed() const {
     return integrator_->uses_offered_rates() || time_ - observed_time_ >= 10e-6 || time_ >= end_time_ ||
@@ -187,21 +231,22 @@ class DropRun {
     scalars_.follow(t, step_);
   }
 
+  [[nodiscard]] bool is_stopped() const { return options_.stop && *options_.stop; }
   [[nodiscard]] double record_time(std::size_t index) const { return static_cast<double>(index) * case_.parameters.output.interval; }
   [[nodiscard]] double detail_time(std::size_t index) const { return static_cast<double>(index) * case_.parameters.output.detail_interval; }
   // A record time this close to a step's end is that end.
   [[nodiscard]] bool is_now(double t) const { return std::fabs(t - time_) <= 1e-9 * std::max(time_, 1e-3); }
 
   /// Everything that lies between the last state and the new one, by the integrator's own interpolation.
-  void record_between(std::span<const double>) {
-    while (record_time(next_record_) < time_ && !is_now(record_time(next_record_))) {
+  void record_between() {
+    while (!is_stopped() && record_time(next_record_) < time_ && !is_now(record_time(next_record_))) {
       const double t = record_time(next_record_);
       integrator_->interpolate(t, at_record_);
       machine_.evaluate(t, at_record_, rates_, step_, {});
       record(t, at_record_);
     }
     if (n_detail_ > 0)
-      while (detail_time(next_detail_) < time_ && !is_now(detail_time(next_detail_))) {
+      while (!is_stopped() && detail_time(next_detail_) < time_ && !is_now(detail_time(next_detail_))) {
         const double t = detail_time(next_detail_);
         integrator_->interpolate(t, at_record_);
         record_details(t, at_record_);
@@ -264,6 +309,10 @@ class DropRun {
 
   fs::path save(const fs::path& directory) {
     recorder_->flush();
+    return write_checkpoint(directory, checkpoint());
+  }
+
+  [[nodiscard]] Checkpoint checkpoint() const {
     Checkpoint c;
     c.time = time_;
     c.state = state_;
@@ -274,16 +323,27 @@ class DropRun {
     const auto s = statistics();
     c.extras["statistics"] = {static_cast<double>(s.steps), static_cast<double>(s.rhs_evaluations), static_cast<double>(s.rejected_steps),
                               earlier_wall_ + seconds_since(wall_start_), earlier_cpu_ + cpu_seconds() - cpu_start_, is_averaging_ ? 1. : 0.};
-    return write_checkpoint(directory, c);
+    return c;
   }
 
   void read_newest_checkpoint() {
     const auto found = newest_valid_checkpoint(options_.directory / "checkpoints");
     if (!found.checkpoint) {
+      const std::string where = options_.directory.string();
+      if (!found.skipped.empty())
+        throw InputError({where, 0, 0}, "none of the checkpoints can be read", fmt::format("{}", fmt::join(found.skipped, "\n")));
       if (fs::exists(options_.directory / "summary.json"))
         throw InputError({options_.directory.string(), 0, 0}, "there is no checkpoint to go on from", "The run was finished, or its checkpoints were removed.");
-      return;  // killed before its first checkpoint: start anew
+      // Killed before its first checkpoint: it starts anew, but only as what it was.
+      std::ifstream earlier(options_.directory / "parameters.toml");
+      const std::string text{std::istreambuf_iterator<char>(earlier), {}};
+      if (!text.empty() && digest_of(text) != digest_)
+        throw InputError({where, 0, 0}, "the directory holds the run of another case", "Choose another with -o DIR, or replace the results with --force.");
+      if (options_.tell) options_.tell("there is no checkpoint yet: the run starts anew");
+      return;
     }
+    if (options_.tell)
+      for (const auto& file : found.skipped) options_.tell("a newer checkpoint cannot be read: " + file);
     const Checkpoint& c = *found.checkpoint;
     require_same_case(found.path, c, digest_, entry_names_);
     time_ = c.time;
@@ -300,7 +360,11 @@ class DropRun {
   [[noreturn]] void fail(const SolverError& error) {
     std::string text = error.what();
     try {
-      const fs::path file = save(options_.directory / "failed");
+      try {
+        recorder_->flush();
+      } catch (const SolverError&) {  // the recorder is what failed: the state may still find room
+      }
+      const fs::path file = write_checkpoint(options_.directory / "failed", checkpoint());
       text += fmt::format("\n       The last good state, at t = {:.6g} ms, is saved in {}.", time_ * 1e3, file.string());
       recorder_->close();
     } catch (const std::exception& other) {

@@ -27,6 +27,7 @@ struct RunOptions {
   bool resume = false;                               ///< go on from the newest checkpoint there
   const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the current step, as if interrupted
   std::function<void(const Progress&)> report;       ///< called a few times a second
+  std::function<void(const std::string&)> tell;      ///< called with what a user should know
 };
 
 /// A finished or interrupted drop.

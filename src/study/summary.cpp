@@ -70,6 +70,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
   machine.evaluate(result.end_time, y, rates, {}, {});
   machine.observe_state(result.end_time, y, observed);
 
+  j["bearings"] = Json::object();
   for (std::size_t i = 0; i < scalars.size(); ++i) {
     const std::size_t support = scalars.support(i);
     const std::string name = machine.support(support).name();

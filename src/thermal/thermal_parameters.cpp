@@ -1,6 +1,7 @@
 #include "thermal/thermal_parameters.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace rotordrop {
 namespace {
@@ -73,6 +74,15 @@ void add_extra_parts(const ThermalParameters& parameters, const Node& table, The
   };
   for (std::size_t k = 0; k < parameters.nodes.size(); ++k) {
     const auto& node = parameters.nodes[k];
+    // Names become paths in results: "TB1/flange" or "frame".
+    const bool is_good = std::all_of(node.name.begin(), node.name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '/'; }) &&
+                         !node.name.empty() && node.name.front() != '/' && node.name.back() != '/' && node.name.find("//") == std::string::npos;
+    const bool hides = std::any_of(names.begin(), names.end(), [&](const std::string& other) {
+      return other.starts_with(node.name + "/") || node.name.starts_with(other + "/");
+    });
+    if (!is_good || hides)
+      faults.add(place("node", k, "name"), "thermal.node cannot be called \"" + node.name + "\".",
+                 hides ? "It is part of another node's name." : "Use letters, digits, _ and -, and / between parts.");
     if (known(node.name)) faults.add(place("node", k, "name"), "thermal.node: the name \"" + node.name + "\" is taken.", "Choose another name.");
     names.push_back(node.name);
     network.nodes.push_back({node.name, node.capacity, "node \"" + node.name + "\" of the parameter file"});
@@ -93,16 +103,23 @@ void add_extra_parts(const ThermalParameters& parameters, const Node& table, The
       faults.add(place("resistor", k, "between"), "thermal.resistor joins \"" + resistor.between[0] + "\" with itself.", "Name two different nodes.");
     if (complete) network.resistors.push_back({resistor.between[0], resistor.between[1], resistor.resistance, ThermalNetworkData::Law::constant, 0., 0., 0});
   }
-  // A point without mass and without a resistor has no temperature.
-  for (std::size_t k = 0; k < parameters.nodes.size(); ++k) {
-    const auto& node = parameters.nodes[k];
-    if (node.capacity > 0.) continue;
-    const bool joined = std::any_of(parameters.resistors.begin(), parameters.resistors.end(), [&](const ExtraResistor& r) {
-      return std::find(r.between.begin(), r.between.end(), node.name) != r.between.end();
-    });
-    if (!joined)
-      faults.add(place("node", k, "capacity"), "thermal.node \"" + node.name + "\" has no capacity and no resistor.", "Give it one of the two.");
+  // A point without mass has a temperature only if resistors lead from it to a node with capacity or to the surroundings.
+  std::vector<std::string> reached = {ambient_node};
+  for (const auto& node : network.nodes)
+    if (node.capacity > 0.) reached.push_back(node.name);
+  const auto is_reached = [&](const std::string& name) { return std::find(reached.begin(), reached.end(), name) != reached.end(); };
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const auto& r : network.resistors)
+      if (is_reached(r.between) != is_reached(r.and_node)) {
+        reached.push_back(is_reached(r.between) ? r.and_node : r.between);
+        grows = true;
+      }
   }
+  for (std::size_t k = 0; k < parameters.nodes.size(); ++k)
+    if (const auto& name = parameters.nodes[k].name; !is_reached(name))
+      faults.add(place("node", k, "capacity"), "thermal.node \"" + name + "\" has no capacity, and no resistor leads from it to a node that has.",
+                 "Give it a capacity, or a resistor to the rest of the circuit.");
 }
 
 }  // namespace rotordrop

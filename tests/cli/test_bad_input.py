@@ -80,7 +80,7 @@ TYPES_AND_UNITS = [
     Fault("a broken exponent elsewhere", bearing('support.K_y = »"1e9 N/m^1.5"'), ("exponent that is not an integer", "m2 or s.-1")),
     Fault("degrees for a temperature", '[run]\nambient = »"20 deg"', ("20 deg is an angle", "needs a temperature", "K, degC or degF")),
     Fault("a temperature below absolute zero", '[run]\nambient = »"-300 degC"', ("below absolute zero",)),
-    Fault("degrees Celsius that were meant as kelvin", '[run]\nambient = »"2000 degC"', (r"out of range", "between 1 and 2000 K")),
+    Fault("degrees Celsius that were meant as kelvin", '[run]\nambient = »"2000 degC"', (r"out of range", "between 60 and 2000 K")),
     Fault("a temperature for an angle", bearing('contact_angle = »"25 degC"', "TB2"), ("25 degC is a temperature", "needs an angle", "deg or rad")),
     Fault("degrees without a unit", bearing("contact_angle = »25", "TB2"), (r"contact_angle = 25 is out of range", r"between 0 and 1\.2 rad")),
     Fault("a length in the direction of an angle", '[rotor]\ninitial_offset = ["10 um", »"3 deg"]', ("3 deg is an angle", r"initial_offset#2 needs a length")),
@@ -160,10 +160,21 @@ GEOMETRY_OF_BEARINGS = [
     Fault("a housing bore that is not the ring's", bearing('housing_diameters = »["120 mm", "140 mm"]'), ("housing's bore 120 mm", "outer ring's outside diameter 110 mm")),
     Fault("a gap larger than the bore", '[contact]\nair_gap = »"36 mm"', (r"contact\.air_gap", "bore_radius", "rotor's radius is bore_radius - air_gap")),
     Fault("a gap in the wrong unit", '[contact]\nair_gap = »»"25 mm"', (r"bearings\.TB1: the air gap of 25 mm", "fifth of the bore radius of 35 mm", "bearings.TB2: the air gap", "check the unit")),
-    Fault("a bore radius that was meant as a diameter", bearing('bore_radius = »"70 mm"'), (r"bearings\.TB1: the bore radius of 70 mm", "inner ring of 78 mm outside diameter", "a radius")),
+    Fault("a bore radius that was meant as a diameter", bearing('bore_radius = »"70 mm"'), (r"bearings\.TB1: the bore radius of 70 mm", "half the inner ring's bore diameter of 70 mm", "bearings.NAME.bore_radius")),
     Fault("a preload on a deep-groove bearing", bearing('preload = »"290 N"'), ("preload", "contact_angle")),
     Fault("a clearance on a preloaded set", bearing('radial_clearance = »"19 um"', "TB2"), ("radial_clearance", "preload")),
-    Fault("static friction below dynamic", "[contact]\nstatic_friction_coefficient = »0.01", ("static_friction_coefficient = 0.01", "friction_coefficient = 0.1")),
+    Fault("an ambient of twenty kelvin", "[run]\nambient = »20", ("out of range", "between 60 and 2000 K")),
+    Fault("gravity upwards by a slip of sign", "[run]\ngravity = »-9.81", ("out of range", "between 0 and 1000")),
+    Fault("a preload beyond the static load rating", bearing('preload = »"100 kN"', "TB2"), (r"bearings\.TB2: the preload of 100000 N", "C0 = 62000 N")),
+    Fault("a spin inertia in another unit", bearing('ring_spin_inertia = »3.4e-10'), ("far from that of a hoop", "kg mm2")),
+    Fault("a bore of another bearing", bearing('bore_radius = »"20 mm"'), (r"bearings\.TB1: the bore radius of 20 mm", "70 mm")),
+    Fault("a rotor that starts inside a ring", "[»rotor]\ninitial_offset = [\"-400 um\", 0]", ("starts 400 um from the centre of the ring of TB1", "air gap of 250 um")),
+    Fault("rows of results without end", '[output]\ninterval = »"1e-30 s"', ("out of range", ">= 1e-07 s")),
+    Fault("a thermal node with an empty name", '[thermal]\nnode = [{ name = »"", capacity = 1 }]', ('cannot be called ""', "letters, digits")),
+    Fault("a thermal node that hides others", '[thermal]\nnode = [{ name = »"TB1", capacity = 1 }]', ('cannot be called "TB1"', "part of another node's name")),
+    Fault("massless thermal nodes joined to each other only", '[thermal]\nnode = [{ name = "m", capacity = »0 }, { name = "n", capacity = »0 }]\n'
+          'resistor = [{ between = ["m", "n"], resistance = 1 }]', ('"m" has no capacity', "no resistor leads from it")),
+    Fault("a bearing with a slash in its name", '[bearings.»"a/b"]\ntype = "linear"\nnode = 5\nstiffness = [[1e6, 0], [0, 1e6]]', ('a bearing cannot be called "a/b"', "letters, digits")),
 ]
 
 CROSS_REFERENCES = [
@@ -179,7 +190,7 @@ CROSS_REFERENCES = [
     Fault("a resistor with one end", '[thermal]\nresistor = [{ between = »["TB1/housing"], resistance = 0.1 }]', ("must be two node names",)),
     Fault("a resistor from a node to itself", '[thermal]\nresistor = [{ between = »["TB1/housing", "TB1/housing"], resistance = 0.1 }]', ("TB1/housing", "itself")),
     Fault("two thermal nodes of one name", '[thermal]\nnode = [{ name = "frame", capacity = 1 }, { name = »"frame", capacity = 1 }]', ('name "frame" is taken',)),
-    Fault("a thermal node without capacity and resistor", '[thermal]\nnode = [{ name = "frame", capacity = »0 }]', ('"frame" has no capacity and no resistor',)),
+    Fault("a thermal node without capacity and resistor", '[thermal]\nnode = [{ name = "frame", capacity = »0 }]', ('"frame" has no capacity, and no resistor',)),
     Fault("a torque whose times do not rise", '[rotor]\ntorque = [["0 s", "1 N m"], »["0 s", "2 N m"]]', (r"rotor\.torque#2", "must rise")),
 ]
 

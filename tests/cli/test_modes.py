@@ -130,6 +130,10 @@ class Modes(ProgramTest):
                 real = (first / first[numpy.abs(first).argmax()]).real
                 self.assertEqual(numpy.count_nonzero(numpy.diff(numpy.sign(real[numpy.abs(real) > 1e-3]))), 2)
 
+    def test_whirl_is_named_after_the_spin_whichever_way_that_goes(self):
+        plus, minus = self.modes("reference.toml", speeds="15200 rpm,-15200 rpm")["speeds"]
+        self.assertEqual([mode["whirl"] for mode in plus["modes"]], [mode["whirl"] for mode in minus["modes"]])
+
     def test_shapes_go_beside_the_results_of_the_case_and_nowhere_else(self):
         before = {path.name for path in self.folder.iterdir()}
         self.modes("reference.toml")

@@ -184,6 +184,16 @@ class Catalogue(ProgramTest):
                 self.assertEqual(resolved["balls_per_row"], data["balls_per_row"])
                 self.assertEqual(resolved["ball_diameter"], data["ball_diameter"])
 
+    def test_a_catalogue_bearing_goes_before_what_a_base_says_of_it(self):
+        self.case('[bearings.TB1]\ncatalogue = "61914"\nhousing_diameters = ["100 mm", "120 mm"]\n')
+        for arguments in (["drop.toml"], ["reference.toml", "--set", 'bearings.TB1.catalogue="61914"',
+                                          "--set", 'bearings.TB1.housing_diameters=["100 mm", "120 mm"]', "--set", "run.end_time=1 ms"]):
+            self.succeed("run", *arguments, "-o", "out", "--force")
+            resolved = tomllib.loads((self.folder / "out/parameters.toml").read_text())["bearings"]["TB1"]
+            self.assertEqual(resolved["balls_per_row"], 17)  # the 6014 of the base has 14
+            self.assertEqual(resolved["outer_ring_diameters"][1], "100 mm")
+            self.assertEqual(resolved["node"], 2)  # what the catalogue does not say stays the base's
+
     def test_values_of_the_case_go_before_those_of_the_catalogue(self):
         self.case(f'[bearings.TB3]\n{INSTALLATION}catalogue = "6014"\nhousing_diameters = ["110 mm", "130 mm"]\nballs_per_row = 12\n'.replace("node = 2", "node = 20"))
         self.run_case("drop.toml", run__end_time="1 ms")
