@@ -28,7 +28,7 @@ MakeHeatSolver* load() {
                      "Install its libraries with ./install-dependencies --fe, then build with\n"
                      "cmake --preset release -DROTORDROP_FE=ON && cmake --build build/release");
   // Local symbols: the room brings libraries of its own, among them another build of HDF5 than ours.
-  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (!module) throw SolverError("the finite-element room cannot be loaded: " + std::string(dlerror()));
   auto* const make = reinterpret_cast<MakeHeatSolver*>(dlsym(module, make_heat_solver_name));
   if (!make) throw SolverError("the finite-element room " + file.string() + " is of another version");
