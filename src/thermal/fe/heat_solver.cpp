@@ -66,6 +66,11 @@ void HeatSolver::advance_to(double target) {
         must_restart_ = false;
       }
       const double stop = std::min(target, next_change());
+      // Times that differ by the rounding of their decimals are one.
+      if (stop - time_ <= 1e-13 * stop) {
+        time_ = stop;
+        continue;
+      }
       if (numerics_.fixed_step > 0.) integrate_fixed(stop);
       else integrate_to(stop);
       time_ = stop;

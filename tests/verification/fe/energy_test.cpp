@@ -48,6 +48,18 @@ TEST(HeatEnergy, FluxAndConvectionSpareWhatAnInterfaceCovers) {
   EXPECT_LT(std::fabs(solver->energy().residual()), 1e-10 * solver->energy().input);
 }
 
+TEST(HeatEnergy, SurvivesTimesThatDifferByRoundoff) {
+  auto p = ring_in_housing();
+  p.fluxes = {{{0, HeatSide::inner}, {0., 0.1 + 0.2}, {1e5, 0.}}};
+  const auto solver = make_solver(p);
+  for (const double t : {0.3, 0.1 + 0.2, 0.4}) {
+    solver->advance_to(t);
+    EXPECT_EQ(solver->time(), t);
+    EXPECT_LT(std::fabs(solver->energy().residual()), 1e-10 * solver->energy().input);
+  }
+  EXPECT_NEAR(solver->energy().input, 2. * std::numbers::pi * 35e-3 * 20e-3 * 1e5 * 0.3, 1e-9);
+}
+
 TEST(HeatOfABody, ReachesAmbientByConvectionAlone) {
   HeatConductionProblem p;
   p.bodies = {{"disc", {0., 10e-3}, {0., 20e-3}, 7800., PropertyTable(46.), PropertyTable(460.)}};
