@@ -17,6 +17,7 @@
 #include "machine/rotor_report.h"
 #include "study/case.h"
 #include "study/drop_run.h"
+#include "study/heat_run.h"
 #include "study/modes_report.h"
 #include "study/new_case.h"
 #include "study/summary.h"
@@ -121,6 +122,23 @@ int new_command(const std::filesystem::path& directory) {
   write_text_atomically(directory / "schema.json", write_json_schema(case_sections()));
   fmt::print("A case to start from: {}\nRun it with: rotordrop run {}\n", file.string(), file.string());
   return 0;
+}
+
+int heat_command(const HeatCommand& command) {
+  const HeatCase heat_case = read_heat_case(command.file, command.overrides);
+  HeatRunOptions options;
+  options.directory = command.directory.empty() ? std::filesystem::path("out") / heat_case.name : command.directory;
+  options.force = command.force;
+  options.stop = &caught_signal;
+  catch_signals();
+  const auto summary = run_heat(heat_case, options);
+  if (!command.quiet) {
+    fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), heat_case.name, heat_summary_text(summary));
+    fmt::print("results in {}\n", options.directory.string());
+  }
+  if (summary["completed"].get<bool>()) return 0;
+  fmt::print(stderr, "interrupted; what was computed is in {}\n", options.directory.string());
+  return 128 + static_cast<int>(caught_signal);
 }
 
 int modes_command(const ModesCommand& command) {

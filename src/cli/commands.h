@@ -17,6 +17,13 @@ int defaults_command();
 int schema_command();
 int new_command(const std::filesystem::path& directory);
 
+struct HeatCommand {
+  std::filesystem::path file, directory;
+  std::vector<std::string> overrides;
+  bool force = false, quiet = false;
+};
+int heat_command(const HeatCommand& command);
+
 struct ModesCommand {
   std::filesystem::path file, shapes;
   std::vector<std::string> overrides;

@@ -41,6 +41,14 @@ int run_program(int argc, char** argv) {
   modes_app->add_option("--shapes", modes.shapes, "HDF5 file for the mode shapes; default out/CASE/modes.h5");
   modes_app->add_option("--set", modes.overrides, "Override a parameter")->type_name("KEY=VALUE")->allow_extra_args(false);
 
+  HeatCommand heat;
+  auto* heat_app = app.add_subcommand("heat", "Heat conduction alone, by finite elements: temperatures at probes under prescribed heat.");
+  heat_app->add_option("case", heat.file, "Parameter file")->required();
+  heat_app->add_option("-o,--output", heat.directory, "Directory for the results; default out/CASE");
+  heat_app->add_option("--set", heat.overrides, "Override a parameter: fe.cells=16")->type_name("KEY=VALUE")->allow_extra_args(false);
+  heat_app->add_flag("--force", heat.force, "Replace results that are in the directory");
+  heat_app->add_flag("--quiet", heat.quiet, "Only messages about trouble");
+
   auto* defaults = app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
   auto* schema = app.add_subcommand("schema", "JSON Schema of case files, for editors.");
   std::string new_directory;
@@ -54,6 +62,7 @@ int run_program(int argc, char** argv) {
   }
   if (*run_app) return run_command(run);
   if (*check) return check_command(check_file, check_overrides);
+  if (*heat_app) return heat_command(heat);
   if (*modes_app) return modes_command(modes);
   if (*defaults) return defaults_command();
   if (*schema) return schema_command();

@@ -1,0 +1,159 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Axisymmetric heat conduction as plain data, and the solver that a finite-element room provides for it.
+///   rho c(T) dT/dt = div(k(T) grad T)   in rectangles of the r-z half plane (x along the axis), weight r.
+namespace rotordrop {
+
+/// A material property over temperature: linear between its points, constant outside them.
+class PropertyTable {
+ public:
+  PropertyTable() = default;
+  explicit PropertyTable(double constant) : points_{{0., constant}} {}
+  /// @param points  temperature [K], rising, and value; at least one
+  explicit PropertyTable(std::vector<std::array<double, 2>> points) : points_(std::move(points)) {}
+
+  [[nodiscard]] bool is_constant() const {
+    return std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return p[1] == points_.front()[1]; });
+  }
+  [[nodiscard]] double value(double T) const {
+    if (T <= points_.front()[0]) return points_.front()[1];
+    if (T >= points_.back()[0]) return points_.back()[1];
+    const auto& [low, high] = interval(T);
+    return low[1] + (T - low[0]) * (high[1] - low[1]) / (high[0] - low[0]);
+  }
+  /// d value/dT; zero outside the points.
+  [[nodiscard]] double slope(double T) const {
+    if (T < points_.front()[0] || T >= points_.back()[0]) return 0.;
+    const auto& [low, high] = interval(T);
+    return (high[1] - low[1]) / (high[0] - low[0]);
+  }
+  /// Integral of the value from temperature a to b [value K], exact.
+  [[nodiscard]] double integral(double a, double b) const {
+    if (b < a) return -integral(b, a);
+    double sum = 0., from = a;
+    for (const auto& p : points_) {
+      if (p[0] <= from) continue;
+      if (p[0] >= b) break;
+      sum += 0.5 * (value(from) + value(p[0])) * (p[0] - from);
+      from = p[0];
+    }
+    return sum + 0.5 * (value(from) + value(b)) * (b - from);
+  }
+
+ private:
+  using Point = std::array<double, 2>;
+  [[nodiscard]] std::pair<const Point&, const Point&> interval(double T) const {
+    const auto high = std::upper_bound(points_.begin(), points_.end(), T, [](double x, const Point& p) { return x < p[0]; });
+    return {*(high - 1), *high};
+  }
+  std::vector<Point> points_ = {{0., 0.}};
+};
+
+/// Sides of a rectangle: inner and outer by radius, left and right by x.
+enum class HeatSide { left, right, inner, outer };
+
+/// A ring of rectangular section.
+struct HeatBody {
+  std::string name;
+  std::array<double, 2> x{}, r{};  ///< extent [m], rising; r >= 0
+  double density = 0;              ///< [kg/m3]
+  PropertyTable conductivity;      ///< [W/(m K)]
+  PropertyTable heat_capacity;     ///< [J/(kg K)]
+};
+
+struct HeatBoundary {
+  std::size_t body = 0;
+  HeatSide side = HeatSide::inner;
+  bool operator==(const HeatBoundary&) const = default;
+};
+
+/// A function of place and time, f(x, r, t): tests with manufactured solutions use these.
+using HeatFunction = std::function<double(double x, double r, double t)>;
+
+/// Heat into a boundary [W/m2], on the part of it that no interface covers. Several on one boundary add up.
+struct HeatFlux {
+  HeatBoundary boundary;
+  std::vector<double> times, values;  ///< values[i] holds from times[i] to times[i + 1]; nothing before the first, the last one for ever
+  HeatFunction function = {};         ///< added to that
+};
+
+/// Loss [W/m2] = coefficient rise |rise|^exponent with rise = T - ambient; none below ambient if the exponent is positive.
+/// On the part of the boundary that no interface covers.
+struct HeatConvection {
+  HeatBoundary boundary;
+  double coefficient = 0, exponent = 0, ambient = 0;
+};
+
+/// Heat passes from first to second at (T_first - T_second)/resistance [W/m2] where the two boundaries lie on each other.
+struct HeatInterface {
+  HeatBoundary first, second;
+  double resistance = 0;  ///< [m2 K/W], > 0
+};
+
+/// Mesh and accuracy in time.
+struct HeatNumerics {
+  int degree = 2;               ///< of the elements
+  int cells = 8;                ///< across the smallest body, per direction, where nothing grades them
+  double grading = 30;          ///< cells at boundaries with flux are this many times thinner
+  double growth = 1.5;          ///< largest ratio of neighbouring cells
+  double tolerance = 1e-6;      ///< error of one step over the largest change of temperature
+  double fixed_step = 0;        ///< [s]; if positive, steps of this length without error control
+};
+
+struct HeatConductionProblem {
+  std::vector<HeatBody> bodies;
+  std::vector<HeatFlux> fluxes;
+  std::vector<HeatConvection> convections;
+  std::vector<HeatInterface> interfaces;
+  double initial_temperature = 293.15;  ///< [K]
+  std::function<double(std::size_t body, double x, double r)> initial_field = {};             ///< instead of that
+  std::function<double(std::size_t body, double x, double r, double t)> volume_source = {};   ///< [W/m3]
+  HeatNumerics numerics;
+};
+
+/// [J], whole circumference. Each is computed on its own; see docs/heat.md.
+struct HeatEnergy {
+  double input = 0;   ///< through [[flux]]
+  double stored = 0;  ///< enthalpy of the temperature field over that of the initial one
+  double lost = 0;    ///< through [[convection]]
+  [[nodiscard]] double residual() const { return input - stored - lost; }
+};
+
+struct HeatStatistics {
+  std::size_t unknowns = 0, cells = 0;
+  long steps = 0, rejected_steps = 0, factorisations = 0, solves = 0;
+};
+
+class HeatConductionSolver {
+ public:
+  HeatConductionSolver() = default;
+  HeatConductionSolver(const HeatConductionSolver&) = delete;
+  HeatConductionSolver& operator=(const HeatConductionSolver&) = delete;
+  virtual ~HeatConductionSolver() = default;
+
+  [[nodiscard]] virtual double time() const = 0;
+  /// Steps to exactly this time [s], >= time(). @throws SolverError
+  virtual void advance_to(double time) = 0;
+  /// Temperature [K] at a point of a body.
+  [[nodiscard]] virtual double temperature(std::size_t body, double x, double r) const = 0;
+  /// Mean over the area of a boundary [K].
+  [[nodiscard]] virtual double mean_temperature(const HeatBoundary& boundary) const = 0;
+  [[nodiscard]] virtual HeatEnergy energy() const = 0;
+  [[nodiscard]] virtual HeatStatistics statistics() const = 0;
+  /// sqrt of the volume integral of (T - f)^2 [K m^1.5].
+  [[nodiscard]] virtual double difference(const std::function<double(std::size_t body, double x, double r)>& f) const = 0;
+};
+
+/// What the finite-element room's module exports under the name `rotordrop_make_heat_solver`; the caller deletes it.
+using MakeHeatSolver = HeatConductionSolver*(const HeatConductionProblem&);
+inline constexpr const char* make_heat_solver_name = "rotordrop_make_heat_solver";
+
+}  // namespace rotordrop

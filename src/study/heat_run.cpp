@@ -1,0 +1,137 @@
+#include "study/heat_run.h"
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "base/version.h"
+#include "io/checkpoint.h"
+#include "io/hdf5_version.h"
+#include "io/parameter_writers.h"
+#include "io/recorder.h"
+#include "io/toml_reader.h"
+#include "machine/machine_parameters.h"
+#include "study/fe_module.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void prepare_directory(const HeatRunOptions& options) {
+  const fs::path& directory = options.directory;
+  if (!options.force && (fs::exists(directory / "results.h5") || fs::exists(directory / "summary.json")))
+    throw InputError({directory.string(), 0, 0}, "the directory holds results already", "Choose another with -o DIR, or replace them with --force.");
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
+  fs::remove(directory / "summary.json");
+}
+
+Recorder make_recorder(const HeatCase& heat_case, const HeatRunOptions& options) {
+  SeriesGroup series{"/time", {}};
+  for (const auto& probe : heat_case.study.probes)
+    series.channels.push_back({"/probes/" + probe.name, "K", probe.boundary ? "mean temperature of a boundary" : "temperature at a point", 1, {}});
+  const RecordHeader header{{{"program", std::string("rotordrop ") + version()}, {"git_revision", git_revision()}, {"hdf5_version", hdf5_version()}, {"case", heat_case.name}},
+                            {{"/parameters", heat_case.resolved}}};
+  RecorderOptions recorder_options;
+  recorder_options.overwrite = options.force;
+  return {options.directory / "results.h5", header, {series}, recorder_options};
+}
+
+std::vector<double> probe_values(const HeatConductionSolver& solver, const std::vector<HeatProbe>& probes) {
+  std::vector<double> values;
+  for (const auto& probe : probes)
+    values.push_back(probe.boundary ? solver.mean_temperature(*probe.boundary) : solver.temperature(probe.body, probe.x, probe.r));
+  return values;
+}
+
+}  // namespace
+
+HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& overrides) {
+  HeatCase result;
+  result.file = file;
+  result.name = file.stem().string();
+  Node tree = read_toml(file);
+  for (const auto& assignment : overrides) apply_override(tree, assignment);
+  // Of the built-in materials, what a case says replaces key by key.
+  if (const Node* materials = tree.find("materials"); materials && materials->is_table()) {
+    const SourcePosition where = position_of(tree, "materials");
+    tree.set("materials", merged(default_materials(), *materials), where);
+  }
+  Faults faults;
+  const auto section = heat_section(default_materials());
+  const auto parameters = section.read(tree, faults);
+  faults.throw_if_any();
+  result.study = make_heat_study(parameters, tree, faults);
+  faults.throw_if_any();
+  result.resolved = write_resolved({section.erased()}, tree);
+  return result;
+}
+
+Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
+  const auto& study = heat_case.study;
+  // The module first: where it is missing, nothing is written.
+  const double start_0 = cpu_seconds();
+  const auto solver = make_heat_solver(study.problem);
+  prepare_directory(options);
+  Recorder recorder = make_recorder(heat_case, options);
+  write_text_atomically(options.directory / "parameters.toml", heat_case.resolved);
+
+  Json j;
+  j["case"] = heat_case.name;
+  std::vector<double> times;
+  std::vector<std::vector<double>> series(study.probes.size());
+  const double start = cpu_seconds();
+  bool completed = true;
+  for (const double t : study.output_times) {
+    if (options.stop && *options.stop) {
+      completed = false;
+      break;
+    }
+    solver->advance_to(t);
+    const auto values = probe_values(*solver, study.probes);
+    times.push_back(t);
+    for (std::size_t i = 0; i < values.size(); ++i) series[i].push_back(values[i]);
+    recorder.append(0, t, values);
+  }
+  const double end = cpu_seconds();
+  recorder.close();
+
+  j["probes"] = Json::object();
+  for (std::size_t i = 0; i < study.probes.size(); ++i) j["probes"][study.probes[i].name] = {{"time", times}, {"temperature", series[i]}};
+  const HeatEnergy e = solver->energy();
+  j["energy"] = {{"input", e.input}, {"stored", e.stored}, {"lost", e.lost}, {"residual", e.residual()}};
+  const HeatStatistics s = solver->statistics();
+  j["unknowns"] = s.unknowns;
+  j["cells"] = s.cells;
+  j["steps"] = s.steps;
+  j["rejected_steps"] = s.rejected_steps;
+  j["factorisations"] = s.factorisations;
+  j["cpu_time"] = end - start;
+  j["setup_cpu_time"] = start - start_0;
+  j["end_time"] = solver->time();
+  j["completed"] = completed;
+  write_text_atomically(options.directory / "summary.json", j.dump(2) + "\n");
+  return j;
+}
+
+std::string heat_summary_text(const Json& j) {
+  std::string text;
+  for (const auto& [name, probe] : j["probes"].items())
+    if (!probe["time"].empty())
+      text += fmt::format("{}: {:.4f} K at {:.6g} s\n", name, probe["temperature"].back().get<double>(), probe["time"].back().get<double>());
+  const auto& e = j["energy"];
+  text += fmt::format("Energy: {:.6g} J in, {:.6g} J stored, {:.6g} J lost, residual {:.1e} J\n", e["input"].get<double>(), e["stored"].get<double>(), e["lost"].get<double>(),
+                      e["residual"].get<double>());
+  text += fmt::format("{} unknowns, {} steps, {:.3g} s of CPU after {:.3g} s of set-up\n", j["unknowns"].get<long>(), j["steps"].get<long>(), j["cpu_time"].get<double>(),
+                      j["setup_cpu_time"].get<double>());
+  return text;
+}
+
+}  // namespace rotordrop

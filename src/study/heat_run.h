@@ -1,0 +1,33 @@
+#pragma once
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "thermal/heat_parameters.h"
+
+namespace rotordrop {
+
+/// A case of heat conduction alone, as read, checked and completed.
+struct HeatCase {
+  std::filesystem::path file;
+  std::string name;      ///< the file's name without its ending
+  HeatStudy study;
+  std::string resolved;  ///< complete TOML that reads back to the same values
+};
+/// @throws InputError with all faults
+HeatCase read_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+struct HeatRunOptions {
+  std::filesystem::path directory;
+  bool force = false;                                ///< replace results that are there
+  const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the next output time
+};
+/// Computes a case into a directory: results.h5, summary.json, parameters.toml. @return the summary
+nlohmann::ordered_json run_heat(const HeatCase& heat_case, const HeatRunOptions& options);
+
+/// A few lines for the screen.
+std::string heat_summary_text(const nlohmann::ordered_json& summary);
+
+}  // namespace rotordrop

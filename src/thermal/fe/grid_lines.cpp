@@ -1,0 +1,74 @@
+#include "thermal/fe/grid_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rotordrop {
+namespace {
+
+// Lines closer than this part of the whole extent are one.
+constexpr double same_line = 1e-9;
+
+void sort_and_merge(std::vector<double>& lines) {
+  std::sort(lines.begin(), lines.end());
+  const double gap = same_line * (lines.back() - lines.front());
+  lines.erase(std::unique(lines.begin(), lines.end(), [gap](double a, double b) { return b - a <= gap; }), lines.end());
+}
+
+// Divides [a, b] so that every cell has the same integral of 1/size.
+void divide(double a, double b, const auto& size, std::vector<double>& lines) {
+  constexpr int n_samples = 4000;
+  std::vector<double> sum(n_samples + 1, 0.);
+  const double h = (b - a) / n_samples;
+  for (int i = 0; i < n_samples; ++i) sum[static_cast<std::size_t>(i) + 1] = sum[static_cast<std::size_t>(i)] + h / size(a + (i + 0.5) * h);
+  const int n = std::max(1, static_cast<int>(std::ceil(sum.back() - 1e-6)));
+  for (int k = 1; k < n; ++k) {
+    const double wanted = sum.back() * k / n;
+    const auto above = std::upper_bound(sum.begin(), sum.end(), wanted);
+    const auto i = above - sum.begin() - 1;
+    lines.push_back(a + h * (static_cast<double>(i) + (wanted - *(above - 1)) / (*above - *(above - 1))));
+  }
+  lines.push_back(b);
+}
+
+}  // namespace
+
+std::vector<double> grid_lines(std::vector<double> ends, const std::vector<GridDemand>& demands, double growth) {
+  sort_and_merge(ends);
+  // Sizes follow the centres of cells: a ratio g of neighbours means a slope of 2 (g - 1)/(g + 1).
+  const double slope = 2. * (growth - 1.) / (growth + 1.);
+  const auto size = [&](double x) {
+    double s = std::numeric_limits<double>::infinity();
+    for (const auto& d : demands) s = std::min(s, d.size + slope * std::max({d.from - x, x - d.to, 0.}));
+    return s;
+  };
+  std::vector<double> lines = {ends.front()};
+  for (std::size_t i = 1; i < ends.size(); ++i) divide(ends[i - 1], ends[i], size, lines);
+  return lines;
+}
+
+Grid make_grid(const HeatConductionProblem& problem) {
+  const auto& n = problem.numerics;
+  std::vector<double> x, r;
+  std::vector<GridDemand> demands_x, demands_r;
+  for (const auto& body : problem.bodies) {
+    x.insert(x.end(), body.x.begin(), body.x.end());
+    r.insert(r.end(), body.r.begin(), body.r.end());
+    demands_x.push_back({body.x[0], body.x[1], (body.x[1] - body.x[0]) / n.cells});
+    demands_r.push_back({body.r[0], body.r[1], (body.r[1] - body.r[0]) / n.cells});
+  }
+  for (const auto& flux : problem.fluxes) {
+    const auto& body = problem.bodies.at(flux.boundary.body);
+    const double thin_x = (body.x[1] - body.x[0]) / n.cells / n.grading, thin_r = (body.r[1] - body.r[0]) / n.cells / n.grading;
+    switch (flux.boundary.side) {
+      case HeatSide::left: demands_x.push_back({body.x[0], body.x[0], thin_x}); break;
+      case HeatSide::right: demands_x.push_back({body.x[1], body.x[1], thin_x}); break;
+      case HeatSide::inner: demands_r.push_back({body.r[0], body.r[0], thin_r}); break;
+      case HeatSide::outer: demands_r.push_back({body.r[1], body.r[1], thin_r}); break;
+    }
+  }
+  return {grid_lines(x, demands_x, n.growth), grid_lines(r, demands_r, n.growth)};
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,204 @@
+#include "thermal/fe/heat_solver.h"
+
+#include <deal.II/base/multithread_info.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.h"
+
+namespace rotordrop {
+namespace {
+
+// ARK4(3)6L[2]SA, implicit part: Kennedy & Carpenter, Applied Numerical Mathematics 44 (2003) 139-181, appendix.
+constexpr double gamma_ = 0.25;
+constexpr double c[6] = {0., 1. / 2., 83. / 250., 31. / 50., 17. / 20., 1.};
+constexpr double a[6][6] = {
+    {0., 0., 0., 0., 0., 0.},
+    {1. / 4., gamma_, 0., 0., 0., 0.},
+    {8611. / 62500., -1743. / 31250., gamma_, 0., 0., 0.},
+    {5012029. / 34652500., -654441. / 2922500., 174375. / 388108., gamma_, 0., 0.},
+    {15267082809. / 155376265600., -71443401. / 120774400., 730878875. / 902184768., 2285395. / 8070912., gamma_, 0.},
+    {82889. / 524892., 0., 15625. / 83664., 69875. / 102672., -2260. / 8211., gamma_}};
+constexpr const double (&b)[6] = a[5];
+constexpr double b_embedded[6] = {4586570599. / 29645900160., 0., 178811875. / 945068544., 814220225. / 1159782912., -3700637. / 11593932., 61727. / 225920.};
+
+constexpr double safety = 0.9, largest_growth = 4., worth_a_factorisation = 1.7;
+constexpr int most_iterations = 12;
+constexpr double roundoff = 1e-11;  // [K] of an error estimate
+
+}  // namespace
+
+HeatSolver::HeatSolver(const HeatConductionProblem& problem) : operator_(problem), numerics_(problem.numerics) {
+  for (const auto& flux : problem.fluxes) changes_.insert(changes_.end(), flux.times.begin(), flux.times.end());
+  std::sort(changes_.begin(), changes_.end());
+  for (const auto& law : problem.convections)
+    if (law.coefficient > 0.) smallest_scale_ = std::max(smallest_scale_, 1e-3 * std::fabs(problem.initial_temperature - law.ambient));
+  smallest_scale_ = std::max(smallest_scale_, 1e-6);
+
+  operator_.initial_temperature(T_0_);
+  T_ = T_0_;
+  const auto [coldest, hottest] = std::minmax_element(T_0_.begin(), T_0_.end());
+  smallest_scale_ = std::max(smallest_scale_, *hottest - *coldest);
+  for (auto* family : {&stage_, &flow_})
+    for (auto& v : *family) v.reinit(operator_.size());
+  known_.reinit(operator_.size());
+  residual_.reinit(operator_.size());
+  matrix_.reinit(operator_.pattern());
+  statistics_.unknowns = operator_.size();
+  statistics_.cells = operator_.n_cells();
+}
+
+double HeatSolver::next_change() const {
+  const auto next = std::upper_bound(changes_.begin(), changes_.end(), time_);
+  return next == changes_.end() ? std::numeric_limits<double>::infinity() : *next;
+}
+
+void HeatSolver::advance_to(double target) {
+  try {
+    while (time_ < target) {
+      operator_.hold_fluxes_of(time_);
+      if (must_restart_ || std::binary_search(changes_.begin(), changes_.end(), time_)) {
+        const double first = 0.2 * operator_.shortest_time();
+        step_ = step_ > 0. ? std::min(step_, first) : first;
+        must_restart_ = false;
+      }
+      const double stop = std::min(target, next_change());
+      // Times that differ by the rounding of their decimals are one.
+      if (stop - time_ <= 1e-13 * stop) {
+        time_ = stop;
+        continue;
+      }
+      if (numerics_.fixed_step > 0.) integrate_fixed(stop);
+      else integrate_to(stop);
+      time_ = stop;
+    }
+  } catch (const dealii::ExceptionBase& error) {
+    throw SolverError(fmt::format("the finite-element solver failed at t = {:.6g} s: {}", time_, error.what()));
+  }
+}
+
+void HeatSolver::integrate_fixed(double stop) {
+  const double start = time_;
+  const long n = std::max(1L, std::lround((stop - start) / numerics_.fixed_step));
+  const double step = (stop - start) / static_cast<double>(n);
+  scale_ = std::max(smallest_scale_, operator_.expected_rise(stop - start));
+  for (long i = 0; i < n; ++i) {
+    time_ = start + static_cast<double>(i) * step;
+    if (!compute_stages(step)) throw SolverError(fmt::format("Newton's iteration does not converge at t = {:.6g} s with the fixed step {:.3g} s.", time_, step));
+    accept(step);
+  }
+}
+
+// Steps divide what remains until the stop evenly, so that the stop is met exactly and one factorisation serves many steps.
+void HeatSolver::integrate_to(double stop) {
+  const double expected = operator_.expected_rise(stop - time_);
+  while (time_ < stop) {
+    const double remaining = stop - time_;
+    const double n = std::max(1., std::ceil(remaining / step_ - 1e-6));
+    const double step = remaining / n;
+    if (step < 1e-13 * stop || step < 1e-16)
+      throw SolverError(fmt::format("heat conduction needs steps below {:.3g} s at t = {:.6g} s.", step, time_));
+    scale_ = std::max(smallest_scale_, expected);
+    for (unsigned int i = 0; i < T_.size(); ++i) scale_ = std::max(scale_, std::fabs(T_(i) - T_0_(i)));
+
+    for (double left = n; left > 0.; --left) {
+      const double error = compute_stages(step) ? estimate_error(step) / std::max(numerics_.tolerance * scale_, roundoff) : 1e9;
+      const double factor = std::clamp(safety * std::pow(std::max(error, 1e-12), -0.25), 0.2, largest_growth);
+      if (!(error <= 1.)) {
+        ++statistics_.rejected_steps;
+        is_stale_ = true;
+        step_ = step * std::min(factor, 0.7);
+        break;
+      }
+      accept(step);
+      time_ = left > 1. ? time_ + step : stop;
+      step_ = factor > worth_a_factorisation ? step * factor : step;
+      if (left > 1. && step_ > step) break;
+    }
+  }
+}
+
+bool HeatSolver::compute_stages(double step) {
+  stage_[0] = T_;
+  operator_.heat_flow(T_, time_, flow_[0]);
+  for (std::size_t i = 1; i < n_stages; ++i)
+    if (!solve_stage(i, step)) return false;
+  return true;
+}
+
+bool HeatSolver::solve_stage(std::size_t i, double step) {
+  known_ = 0.;
+  for (std::size_t j = 0; j < i; ++j)
+    if (a[i][j] != 0.) known_.add(step * a[i][j], flow_[j]);
+  Vector& T = stage_[i];
+  T = stage_[i - 1];
+  const double t = time_ + c[i] * step, tolerance = std::max(1e-12 * scale_, 4e-13);
+  const bool is_linear = operator_.is_linear();
+  if (std::fabs(factorised_step_ - step) > 1e-12 * step || (is_stale_ && !is_linear)) factorise(step, T);
+
+  bool is_fresh = false;
+  double last = 0.;
+  for (int k = 0; k < most_iterations; ++k) {
+    // residual = known + step gamma F(T) - enthalpy difference
+    operator_.heat_flow(T, t, flow_[i]);
+    operator_.enthalpy_difference(T, T_, residual_);
+    residual_.sadd(-1., step * gamma_, flow_[i]);
+    residual_ += known_;
+    inverse_.solve(residual_);
+    ++statistics_.solves;
+    T += residual_;
+    const double change = residual_.linfty_norm();
+    if (!std::isfinite(change)) return false;
+    const double rate = k > 0 ? change / last : 0.;
+    if (is_linear || change <= tolerance || (k > 0 && rate < 0.5 && change * rate / (1. - rate) <= tolerance)) {
+      is_stale_ = is_stale_ || rate > 0.2;
+      operator_.heat_flow(T, t, flow_[i]);
+      return true;
+    }
+    if (k > 0 && rate > 0.3) {
+      if (is_fresh && rate > 2.) return false;
+      factorise(step, T);
+      is_fresh = true;
+    }
+    last = change;
+  }
+  return false;
+}
+
+void HeatSolver::factorise(double step, const Vector& T) {
+  operator_.jacobian(T, step * gamma_, matrix_);
+  inverse_.factorise(matrix_);
+  factorised_step_ = step;
+  is_stale_ = false;
+  ++statistics_.factorisations;
+}
+
+// The difference of both formulas, in kelvin and freed from stiff parts by the matrix at hand (Shampine's filter).
+double HeatSolver::estimate_error(double step) {
+  residual_ = 0.;
+  for (std::size_t i = 0; i < n_stages; ++i)
+    if (b[i] != b_embedded[i]) residual_.add(step * (b[i] - b_embedded[i]), flow_[i]);
+  inverse_.solve(residual_);
+  ++statistics_.solves;
+  return residual_.linfty_norm();
+}
+
+void HeatSolver::accept(double step) {
+  for (std::size_t i = 0; i < n_stages; ++i) {
+    if (b[i] == 0.) continue;
+    input_ += step * b[i] * operator_.input_power(time_ + c[i] * step);
+    lost_ += step * b[i] * operator_.lost_power(stage_[i]);
+  }
+  T_ = stage_[n_stages - 1];
+  ++statistics_.steps;
+}
+
+}  // namespace rotordrop
+
+extern "C" __attribute__((visibility("default"))) rotordrop::HeatConductionSolver* rotordrop_make_heat_solver(const rotordrop::HeatConductionProblem& problem) {
+  dealii::MultithreadInfo::set_thread_limit(1);
+  return new rotordrop::HeatSolver(problem);
+}

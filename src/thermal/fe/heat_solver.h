@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+
+#include "model/heat_conduction.h"
+#include "thermal/fe/direct_solver.h"
+#include "thermal/fe/heat_operator.h"
+
+namespace rotordrop {
+
+/// Steps the finite-element problem in time: a six-stage ESDIRK method of order 4 (stage order 2, L-stable, its last stage is the
+/// new state), embedded order 3 for the error. All implicit stages share one matrix, factorised again only when the step changes
+/// or, with temperature-dependent properties, when Newton's iteration slows down.
+class HeatSolver final : public HeatConductionSolver {
+ public:
+  explicit HeatSolver(const HeatConductionProblem& problem);
+
+  [[nodiscard]] double time() const override { return time_; }
+  void advance_to(double time) override;
+  [[nodiscard]] double temperature(std::size_t body, double x, double r) const override { return operator_.temperature(T_, body, x, r); }
+  [[nodiscard]] double mean_temperature(const HeatBoundary& boundary) const override { return operator_.mean_temperature(T_, boundary); }
+  [[nodiscard]] HeatEnergy energy() const override { return {input_, operator_.stored_energy(T_, T_0_), lost_}; }
+  [[nodiscard]] HeatStatistics statistics() const override { return statistics_; }
+  [[nodiscard]] double difference(const std::function<double(std::size_t, double, double)>& f) const override { return operator_.difference(T_, f); }
+
+ private:
+  using Vector = HeatOperator::Vector;
+  static constexpr std::size_t n_stages = 6;
+
+  void integrate_to(double stop);
+  void integrate_fixed(double stop);
+  [[nodiscard]] double next_change() const;
+  /// Computes the stages of a step; false if Newton's iteration fails.
+  [[nodiscard]] bool compute_stages(double step);
+  [[nodiscard]] bool solve_stage(std::size_t i, double step);
+  [[nodiscard]] double estimate_error(double step);  ///< [K], largest of all nodes
+  void accept(double step);
+  void factorise(double step, const Vector& T);
+
+  HeatOperator operator_;
+  const HeatNumerics numerics_;
+  std::vector<double> changes_;    ///< times at which a flux changes, rising
+  double smallest_scale_ = 0;      ///< [K]
+  double time_ = 0, step_ = 0;     ///< step_: wanted next
+  bool must_restart_ = true;       ///< an input has changed
+  double input_ = 0, lost_ = 0;    ///< [J]
+  double scale_ = 0;               ///< [K] of errors, in this step
+  Vector T_, T_0_;
+  std::array<Vector, n_stages> stage_, flow_;
+  Vector known_, residual_;
+  dealii::SparseMatrix<double> matrix_;
+  DirectSolver inverse_;
+  double factorised_step_ = 0;
+  bool is_stale_ = false;          ///< the matrix belongs to temperatures too far away
+  HeatStatistics statistics_;
+};
+
+}  // namespace rotordrop

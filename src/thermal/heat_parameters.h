@@ -1,0 +1,89 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parameters.h"
+#include "model/heat_conduction.h"
+
+/// The keys of a case of heat conduction alone (`rotordrop heat`), and the problem that they state.
+namespace rotordrop {
+
+/// [run] of such a case.
+struct HeatRunParameters {
+  double ambient = 0;                                    ///< [K]
+  std::optional<double> initial_temperature, end_time;   ///< [K], [s]
+};
+
+/// [materials.NAME] as conduction needs it.
+struct HeatMaterialParameters {
+  double rho = 0;
+  std::optional<double> k, c;
+  std::optional<std::vector<std::array<double, 2>>> k_table, c_table;  ///< pairs of temperature [K] and value
+  std::optional<double> E, nu, alpha;  ///< not used
+};
+
+struct HeatRectangleParameters {
+  std::string name, material;
+  std::array<double, 2> x{}, r{};
+};
+struct HeatSectionParameters {
+  std::vector<HeatRectangleParameters> rectangles;
+};
+struct HeatFluxParameters {
+  std::string boundary;
+  std::vector<double> times, values;
+};
+struct HeatConvectionParameters {
+  std::string boundary;
+  double coefficient = 0, exponent = 0;
+  std::optional<double> ambient;
+};
+struct HeatInterfaceParameters {
+  std::vector<std::string> between;
+  double resistance = 0;
+};
+struct HeatProbeParameters {
+  std::string name;
+  std::optional<double> x, r;
+  std::optional<std::string> body, boundary;
+};
+struct HeatNumericsParameters {
+  int degree = 2, cells = 8;
+  double grading = 0, growth = 0, time_tolerance = 0;
+};
+
+struct HeatParameters {
+  HeatRunParameters run;
+  std::vector<std::pair<std::string, HeatMaterialParameters>> materials;
+  HeatSectionParameters section;
+  std::vector<HeatFluxParameters> fluxes;
+  std::vector<HeatConvectionParameters> convections;
+  std::vector<HeatInterfaceParameters> interfaces;
+  std::vector<HeatProbeParameters> probes;
+  std::vector<double> output_times;
+  HeatNumericsParameters fe;
+};
+Section<HeatParameters> heat_section(const Node& default_materials);
+
+/// Where a temperature is wanted.
+struct HeatProbe {
+  std::string name;
+  std::optional<HeatBoundary> boundary;  ///< mean over it; otherwise at the point
+  std::size_t body = 0;
+  double x = 0, r = 0;
+};
+
+/// A problem with what is wanted of it.
+struct HeatStudy {
+  HeatConductionProblem problem;
+  std::vector<HeatProbe> probes;
+  std::vector<double> output_times;  ///< rising; [run] end_time is the last of them
+};
+
+/// Names become indices; what does not fit together becomes faults.
+HeatStudy make_heat_study(const HeatParameters& parameters, const Node& tree, Faults& faults);
+
+}  // namespace rotordrop
