@@ -32,7 +32,8 @@ struct Contact {
   }
   [[nodiscard]] int n_balls() const {
     int n = 0;
-    for (const auto& entry : settling().parameters.bearings) n += entry.touchdown()->rows * entry.touchdown()->balls_per_row;
+    for (const auto& entry : settling().parameters.bearings)
+      n += entry.touchdown()->rows * entry.touchdown()->balls_per_row;
     return n;
   }
 };
@@ -44,8 +45,8 @@ void right_hand_side(benchmark::State& state) {
     c.machine->rhs(c.t, c.y, dydt);
     benchmark::DoNotOptimize(dydt.data());
   }
-  state.counters["per_ball"] =
-      benchmark::Counter(static_cast<double>(c.n_balls()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_ball"] = benchmark::Counter(
+      static_cast<double>(c.n_balls()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(right_hand_side);
 
@@ -62,7 +63,9 @@ void ball_row(benchmark::State& state) {
     row.evaluate_translations(in, out);
     benchmark::DoNotOptimize(&out);
   }
-  state.counters["per_ball"] = benchmark::Counter(static_cast<double>(p->balls_per_row), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_ball"] =
+      benchmark::Counter(static_cast<double>(p->balls_per_row),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(ball_row);
 
@@ -71,8 +74,10 @@ void drop(benchmark::State& state, IntegrationMethod method, double step_or_tole
   const auto machine = build_machine(settling().parameters, settling().tree);
   IntegrationParameters integration = settling().parameters.integration;
   integration.method = method;
-  if (method == IntegrationMethod::runge_kutta_4) integration.step = step_or_tolerance;
-  else integration.tolerance = step_or_tolerance;
+  if (method == IntegrationMethod::runge_kutta_4)
+    integration.step = step_or_tolerance;
+  else
+    integration.tolerance = step_or_tolerance;
   std::vector<double> y(machine->layout().size());
   const double end = settling().parameters.run.end_time;
   double cpu = 0.;

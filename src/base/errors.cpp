@@ -36,8 +36,7 @@ std::string indented(const std::string& text, const std::string& indent) {
 std::vector<Fault> sorted(std::vector<Fault> faults) {
   std::vector<std::string> files;
   for (const Fault& fault : faults)
-    if (std::find(files.begin(), files.end(), fault.where.file) == files.end())
-      files.push_back(fault.where.file);
+    if (std::find(files.begin(), files.end(), fault.where.file) == files.end()) files.push_back(fault.where.file);
   const auto place = [&](const Fault& fault) {
     return std::tuple(std::find(files.begin(), files.end(), fault.where.file), fault.where.line, fault.where.column);
   };
@@ -47,33 +46,28 @@ std::vector<Fault> sorted(std::vector<Fault> faults) {
 
 std::string rendered_all(const std::vector<Fault>& faults) {
   std::string result;
-  for (const Fault& fault : faults)
-    result += (result.empty() ? "" : "\n\n") + rendered(fault);
+  for (const Fault& fault : faults) result += (result.empty() ? "" : "\n\n") + rendered(fault);
   return result;
 }
 
-} // namespace
+}  // namespace
 
 std::string to_string(const SourcePosition& where) {
-  if (where.line == 0)
-    return where.file;
+  if (where.line == 0) return where.file;
   return fmt::format("{}:{}:{}", where.file, where.line, where.column);
 }
 
 void Faults::add(SourcePosition where, std::string message, std::string advice) {
   Fault fault{std::move(where), std::move(message), std::move(advice)};
-  if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end())
-    faults_.push_back(std::move(fault));
+  if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) faults_.push_back(std::move(fault));
 }
 
 void Faults::add(const Faults& others) {
-  for (const Fault& fault : others)
-    add(fault.where, fault.message, fault.advice);
+  for (const Fault& fault : others) add(fault.where, fault.message, fault.advice);
 }
 
 void Faults::throw_if_any() const {
-  if (!faults_.empty())
-    throw InputError(*this);
+  if (!faults_.empty()) throw InputError(*this);
 }
 
 InputError::InputError(std::vector<Fault> sorted_faults)
@@ -89,4 +83,4 @@ std::string rendered(const Fault& fault) {
   return "error: " + where + fault.message + indented(fault.advice, "       ");
 }
 
-} // namespace rotordrop
+}  // namespace rotordrop

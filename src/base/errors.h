@@ -24,15 +24,15 @@ std::string to_string(const SourcePosition& where);
 /// One thing that is wrong with the input.
 struct Fault {
   SourcePosition where;
-  std::string message; ///< what is wrong, what was given, what is allowed
-  std::string advice;  ///< what to do next; may be empty; may hold several lines
+  std::string message;  ///< what is wrong, what was given, what is allowed
+  std::string advice;   ///< what to do next; may be empty; may hold several lines
 
   bool operator==(const Fault&) const = default;
 };
 
 /// Collects faults, so that a user sees all of them at once.
 class Faults {
-public:
+ public:
   /// A fault that is already in the list (same place, same words) is not added again.
   void add(SourcePosition where, std::string message, std::string advice = "");
   void add(const Faults& others);
@@ -45,31 +45,31 @@ public:
   /// Throws an InputError with all faults, if there are any.
   void throw_if_any() const;
 
-private:
+ private:
   std::vector<Fault> faults_;
 };
 
 /// The input is wrong. what() shows all faults: files in the order in which they were first named, each by line and
 /// column.
 class InputError : public std::runtime_error {
-public:
+ public:
   explicit InputError(const Faults& faults);
   InputError(SourcePosition where, std::string message, std::string advice = "");
 
   const std::vector<Fault>& faults() const { return faults_; }
 
-private:
+ private:
   explicit InputError(std::vector<Fault> sorted);
   std::vector<Fault> faults_;
 };
 
 /// The numerics failed; the message carries the state that explains it.
 class SolverError : public std::runtime_error {
-public:
+ public:
   using std::runtime_error::runtime_error;
 };
 
 /// "error: FILE:LINE:COLUMN: message" and the advice on indented lines below; no line break at the end.
 std::string rendered(const Fault& fault);
 
-} // namespace rotordrop
+}  // namespace rotordrop

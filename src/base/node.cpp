@@ -29,16 +29,14 @@ Node Node::table(SourcePosition where) {
 
 Node Node::table(std::initializer_list<std::pair<std::string, Node>> entries) {
   Node node = table();
-  for (const auto& [key, value] : entries)
-    node.set(key, value);
+  for (const auto& [key, value] : entries) node.set(key, value);
   return node;
 }
 
 double Node::number() const { return is(Kind::integer) ? static_cast<double>(integer()) : std::get<double>(value_); }
 
 const Node* Node::find(std::string_view key) const {
-  if (!is_table())
-    return nullptr;
+  if (!is_table()) return nullptr;
   const auto found =
       std::find_if(entries().begin(), entries().end(), [&](const Entry& entry) { return entry.key == key; });
   return found == entries().end() ? nullptr : &found->value;
@@ -63,18 +61,16 @@ namespace {
 
 /// Follows a dotted path as far as it exists: the entry of its last key, or nullptr and the last table on the way.
 std::pair<const Node::Entry*, const Node*> follow(const Node& table, std::string_view path) {
-  if (!table.is_table())
-    return {nullptr, &table};
+  if (!table.is_table()) return {nullptr, &table};
   for (const Node::Entry& entry : table.entries()) {
-    if (entry.key == path)
-      return {&entry, &table};
+    if (entry.key == path) return {&entry, &table};
     if (path.starts_with(entry.key) && path.substr(entry.key.size()).starts_with('.'))
       return follow(entry.value, path.substr(entry.key.size() + 1));
   }
   return {nullptr, &table};
 }
 
-} // namespace
+}  // namespace
 
 SourcePosition position_of(const Node& table, std::string_view key) {
   const auto [entry, last_table] = follow(table, key);
@@ -87,8 +83,7 @@ SourcePosition position_of_value(const Node& table, std::string_view key) {
 }
 
 Node merged(const Node& defaults, const Node& over) {
-  if (!defaults.is_table() || !over.is_table())
-    return over;
+  if (!defaults.is_table() || !over.is_table()) return over;
   Node result = defaults;
   result.set_where(over.where());
   for (const Node::Entry& entry : over.entries()) {
@@ -101,47 +96,46 @@ Node merged(const Node& defaults, const Node& over) {
 std::string to_text(const Node& node) {
   const auto joined = [](const auto& range, const auto& text_of) {
     std::string result;
-    for (const auto& item : range)
-      result += (result.empty() ? "" : ", ") + text_of(item);
+    for (const auto& item : range) result += (result.empty() ? "" : ", ") + text_of(item);
     return result;
   };
   switch (node.kind()) {
-  case Node::Kind::null:
-    return "null";
-  case Node::Kind::boolean:
-    return node.boolean() ? "true" : "false";
-  case Node::Kind::integer:
-    return std::to_string(node.integer());
-  case Node::Kind::real:
-    return shortest(node.number());
-  case Node::Kind::text:
-    return node.text();
-  case Node::Kind::array:
-    return "[" + joined(node.items(), to_text) + "]";
-  case Node::Kind::table:
-    return "{" + joined(node.entries(), [](const Node::Entry& e) { return e.key + " = " + to_text(e.value); }) + "}";
+    case Node::Kind::null:
+      return "null";
+    case Node::Kind::boolean:
+      return node.boolean() ? "true" : "false";
+    case Node::Kind::integer:
+      return std::to_string(node.integer());
+    case Node::Kind::real:
+      return shortest(node.number());
+    case Node::Kind::text:
+      return node.text();
+    case Node::Kind::array:
+      return "[" + joined(node.items(), to_text) + "]";
+    case Node::Kind::table:
+      return "{" + joined(node.entries(), [](const Node::Entry& e) { return e.key + " = " + to_text(e.value); }) + "}";
   }
   return "";
 }
 
 std::string kind_name(const Node& node) {
   switch (node.kind()) {
-  case Node::Kind::null:
-    return "empty (null)";
-  case Node::Kind::boolean:
-    return "a boolean";
-  case Node::Kind::integer:
-    return "an integer";
-  case Node::Kind::real:
-    return "a number";
-  case Node::Kind::text:
-    return "a text";
-  case Node::Kind::array:
-    return "an array";
-  case Node::Kind::table:
-    return "a table";
+    case Node::Kind::null:
+      return "empty (null)";
+    case Node::Kind::boolean:
+      return "a boolean";
+    case Node::Kind::integer:
+      return "an integer";
+    case Node::Kind::real:
+      return "a number";
+    case Node::Kind::text:
+      return "a text";
+    case Node::Kind::array:
+      return "an array";
+    case Node::Kind::table:
+      return "a table";
   }
   return "";
 }
 
-} // namespace rotordrop
+}  // namespace rotordrop

@@ -16,7 +16,7 @@ namespace rotordrop {
 /// Tables keep the order of the file and know the place of every key. Readers of TOML and JSON make it; sections read
 /// it.
 class Node {
-public:
+ public:
   enum class Kind { null, boolean, integer, real, text, array, table };
   struct Entry;
   using Array = std::vector<Node>;
@@ -43,7 +43,7 @@ public:
   // Values; each throws std::bad_variant_access for another kind.
   bool boolean() const { return std::get<bool>(value_); }
   std::int64_t integer() const { return std::get<std::int64_t>(value_); }
-  double number() const; ///< of an integer or a real
+  double number() const;  ///< of an integer or a real
   const std::string& text() const { return std::get<std::string>(value_); }
   const Array& items() const { return std::get<Array>(value_); }
   Array& items() { return std::get<Array>(value_); }
@@ -62,14 +62,14 @@ public:
   const SourcePosition& where() const { return where_; }
   void set_where(SourcePosition where) { where_ = std::move(where); }
 
-private:
+ private:
   std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Table> value_;
   SourcePosition where_;
 };
 
 struct Node::Entry {
   std::string key;
-  SourcePosition where; ///< of the key
+  SourcePosition where;  ///< of the key
   Node value;
 };
 
@@ -89,4 +89,4 @@ std::string to_text(const Node& node);
 /// "a boolean", "an integer", "a number", "a text", "an array", "a table", "empty (null)".
 std::string kind_name(const Node& node);
 
-} // namespace rotordrop
+}  // namespace rotordrop

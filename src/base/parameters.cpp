@@ -48,10 +48,8 @@ std::string to_string(const Range& range, std::string_view unit) {
     return fmt::format("between {} and {}{}", shortest(range.lower), shortest(range.upper), unit_text);
   const std::string lower = fmt::format("{} {}", range.lower_is_open ? ">" : ">=", shortest(range.lower));
   const std::string upper = fmt::format("{} {}", range.upper_is_open ? "<" : "<=", shortest(range.upper));
-  if (has_lower && has_upper)
-    return fmt::format("{} and {}{}", lower, upper, unit_text);
-  if (has_lower || has_upper)
-    return (has_lower ? lower : upper) + unit_text;
+  if (has_lower && has_upper) return fmt::format("{} and {}{}", lower, upper, unit_text);
+  if (has_lower || has_upper) return (has_lower ? lower : upper) + unit_text;
   return "any value";
 }
 
@@ -70,8 +68,7 @@ using Kind = Declaration::Kind;
 
 std::string quoted(const std::vector<std::string>& words, std::string_view separator) {
   std::vector<std::string> result;
-  for (const auto& word : words)
-    result.push_back(fmt::format("\"{}\"", word));
+  for (const auto& word : words) result.push_back(fmt::format("\"{}\"", word));
   return fmt::format("{}", fmt::join(result, separator));
 }
 
@@ -83,15 +80,13 @@ std::string quantity_text(const Declaration& d) {
 }
 
 std::string count_text(const Declaration& d) {
-  if (d.min_count == d.max_count)
-    return std::to_string(d.min_count);
+  if (d.min_count == d.max_count) return std::to_string(d.min_count);
   return d.min_count == 0 ? "any number of" : fmt::format("at least {}", d.min_count);
 }
 
 std::vector<std::string> keys_of(const SectionDeclaration& section) {
   std::vector<std::string> keys;
-  for (const Declaration& d : section.declarations)
-    keys.push_back(d.key);
+  for (const Declaration& d : section.declarations) keys.push_back(d.key);
   return keys;
 }
 
@@ -127,15 +122,12 @@ std::string name_of_table(std::string_view path) {
 void find_tables_with(std::string_view key, const SectionDeclaration& section, const std::string& path,
                       std::vector<std::string>& found) {
   const std::string table = path.empty() ? "the top level" : fmt::format("[{}]", path);
-  if (section.find(key) && std::find(found.begin(), found.end(), table) == found.end())
-    found.push_back(table);
+  if (section.find(key) && std::find(found.begin(), found.end(), table) == found.end()) found.push_back(table);
   const ReadContext here{.path = path};
   for (const Declaration& d : section.declarations) {
     const std::string inner = here.name_of(d.key) + (d.kind == Kind::tables || d.kind == Kind::variants ? ".NAME" : "");
-    if (d.nested)
-      find_tables_with(key, *d.nested, inner, found);
-    for (const VariantDeclaration& variant : d.variants)
-      find_tables_with(key, *variant.section, inner, found);
+    if (d.nested) find_tables_with(key, *d.nested, inner, found);
+    for (const VariantDeclaration& variant : d.variants) find_tables_with(key, *variant.section, inner, found);
   }
 }
 
@@ -146,8 +138,7 @@ std::string advice_on_unknown(const std::string& word, std::vector<std::string> 
   else if (here.root) {
     std::vector<std::string> tables;
     find_tables_with(word, *here.root, here.root->name, tables);
-    if (!tables.empty())
-      advice = fmt::format("It is known in {}.  ", fmt::join(tables, " and "));
+    if (!tables.empty()) advice = fmt::format("It is known in {}.  ", fmt::join(tables, " and "));
   }
   std::sort(known.begin(), known.end());
   return advice + fmt::format("Known here: {}.", fmt::join(known, ", "));
@@ -159,10 +150,8 @@ void add_type_fault(const Node& node, const std::string& name, const std::string
 
 /// What a quantity must be: "a length such as "250 um" or a bare number in m".
 std::string needed_quantity(const Declaration& d) {
-  if (d.unit == "1")
-    return "a number such as 0.1";
-  if (takes_bare_numbers_only(d.unit))
-    return fmt::format("a bare number in {}", d.unit);
+  if (d.unit == "1") return "a number such as 0.1";
+  if (takes_bare_numbers_only(d.unit)) return fmt::format("a bare number in {}", d.unit);
   return fmt::format("{} such as \"{}\" or a bare number in {}",
                      described(d.unit, d.quantity_kind).substr(0, described(d.unit, d.quantity_kind).find(" such as ")),
                      example_of(d.unit, d.quantity_kind), d.unit);
@@ -188,7 +177,8 @@ Declaration started(std::string key, Kind kind, const std::string& source, const
   return d;
 }
 
-template <class Options> void set_quantity(Declaration& d, const Options& options) {
+template <class Options>
+void set_quantity(Declaration& d, const Options& options) {
   d.unit = options.unit;
   d.quantity_kind = options.kind.value_or(kind_of(options.unit));
   d.range = options.range;
@@ -200,55 +190,54 @@ Node quantity_node(const std::string& text) {
   return number ? Node(*number) : Node(text);
 }
 
-template <class Texts> Node quantity_nodes(const Texts& texts) {
+template <class Texts>
+Node quantity_nodes(const Texts& texts) {
   Node::Array items;
-  for (const std::string& text : texts)
-    items.push_back(quantity_node(text));
+  for (const std::string& text : texts) items.push_back(quantity_node(text));
   return Node::array(std::move(items));
 }
 
-template <class Rows> Node quantity_rows(const Rows& rows) {
+template <class Rows>
+Node quantity_rows(const Rows& rows) {
   Node::Array items;
-  for (const auto& row : rows)
-    items.push_back(quantity_nodes(row));
+  for (const auto& row : rows) items.push_back(quantity_nodes(row));
   return Node::array(std::move(items));
 }
 
-} // namespace
+}  // namespace
 
 std::string type_text(const Declaration& d) {
   switch (d.kind) {
-  case Kind::quantity:
-    return quantity_text(d);
-  case Kind::integer:
-    return d.range.is_any() ? "integer" : fmt::format("integer, {}", to_string(d.range));
-  case Kind::boolean:
-    return "true or false";
-  case Kind::text:
-    return "text";
-  case Kind::choice:
-    return quoted(d.choices, " | ");
-  case Kind::quantities:
-    return fmt::format("list of {}: {}", count_text(d), quantity_text(d));
-  case Kind::matrix:
-    return fmt::format("2 x 2 matrix: {}", quantity_text(d));
-  case Kind::function:
-    return fmt::format("one value or pairs [{}, value]: {}", d.argument_unit == "s" ? "time" : d.argument_unit,
-                       quantity_text(d));
-  case Kind::list:
-    return "array of tables";
-  case Kind::table:
-    return "table";
-  case Kind::tables:
-    return "named tables";
-  case Kind::variants: {
-    std::vector<std::string> tags;
-    for (const VariantDeclaration& variant : d.variants)
-      tags.push_back(variant.tag);
-    return fmt::format("named tables, each with {} = {}", d.tag_key, quoted(tags, " | "));
-  }
-  case Kind::custom:
-    return d.accepts.empty() ? d.unit : d.unit.empty() ? d.accepts : fmt::format("{}, in {}", d.accepts, d.unit);
+    case Kind::quantity:
+      return quantity_text(d);
+    case Kind::integer:
+      return d.range.is_any() ? "integer" : fmt::format("integer, {}", to_string(d.range));
+    case Kind::boolean:
+      return "true or false";
+    case Kind::text:
+      return "text";
+    case Kind::choice:
+      return quoted(d.choices, " | ");
+    case Kind::quantities:
+      return fmt::format("list of {}: {}", count_text(d), quantity_text(d));
+    case Kind::matrix:
+      return fmt::format("2 x 2 matrix: {}", quantity_text(d));
+    case Kind::function:
+      return fmt::format("one value or pairs [{}, value]: {}", d.argument_unit == "s" ? "time" : d.argument_unit,
+                         quantity_text(d));
+    case Kind::list:
+      return "array of tables";
+    case Kind::table:
+      return "table";
+    case Kind::tables:
+      return "named tables";
+    case Kind::variants: {
+      std::vector<std::string> tags;
+      for (const VariantDeclaration& variant : d.variants) tags.push_back(variant.tag);
+      return fmt::format("named tables, each with {} = {}", d.tag_key, quoted(tags, " | "));
+    }
+    case Kind::custom:
+      return d.accepts.empty() ? d.unit : d.unit.empty() ? d.accepts : fmt::format("{}, in {}", d.accepts, d.unit);
   }
   return "";
 }
@@ -264,13 +253,11 @@ std::string closest_name(std::string_view word, const std::vector<std::string>& 
       best_distance = distance;
     }
   }
-  if (!best.empty())
-    return best;
+  if (!best.empty()) return best;
   // "friction" for "friction_coefficient": the only name that it begins.
   std::vector<std::string> longer;
   for (const std::string& name : names)
-    if (given.size() >= 3 && lower_case(name).starts_with(given))
-      longer.push_back(name);
+    if (given.size() >= 3 && lower_case(name).starts_with(given)) longer.push_back(name);
   return longer.size() == 1 ? longer.front() : "";
 }
 
@@ -288,19 +275,16 @@ Node variant_defaults(const Node& table, const VariantDeclaration& chosen) {
   Node defaults = Node::table(table.where());
   if (chosen.takes_defaults)
     for (const Node::Entry& entry : table.entries())
-      if (chosen.section->find(entry.key))
-        defaults.set(entry.key, entry.value, entry.where);
+      if (chosen.section->find(entry.key)) defaults.set(entry.key, entry.value, entry.where);
   return defaults;
 }
 
 const VariantDeclaration* variant_of(const Declaration& variants, const Node& named_table) {
   const Node* given = named_table.find(variants.tag_key);
   std::optional<std::string> tag = variants.fallback_tag;
-  if (given)
-    tag = given->is_text() ? std::optional(given->text()) : std::nullopt;
+  if (given) tag = given->is_text() ? std::optional(given->text()) : std::nullopt;
   for (const VariantDeclaration& variant : variants.variants)
-    if (variant.tag == tag)
-      return &variant;
+    if (variant.tag == tag) return &variant;
   return nullptr;
 }
 
@@ -364,8 +348,7 @@ std::optional<int> read_integer(const Node& node, const Declaration& d, const st
 }
 
 std::optional<bool> read_boolean(const Node& node, const std::string& name, Faults& faults) {
-  if (node.is(Node::Kind::boolean))
-    return node.boolean();
+  if (node.is(Node::Kind::boolean)) return node.boolean();
   add_type_fault(node, name, "true or false, without quotes", faults);
   return {};
 }
@@ -400,8 +383,7 @@ std::optional<std::vector<double>> read_quantities(const Node& node, const Decla
   for (const Node& item : node.items())
     if (const auto value = read_quantity(item, d, fmt::format("{}#{}", name, &item - node.items().data() + 1), faults))
       values.push_back(*value);
-  if (values.size() < node.items().size())
-    return {};
+  if (values.size() < node.items().size()) return {};
   return values;
 }
 
@@ -422,8 +404,7 @@ std::optional<std::array<std::array<double, 2>, 2>> read_matrix(const Node& node
       is_complete = is_complete && value;
       matrix[i][j] = value.value_or(0.0);
     }
-  if (!is_complete)
-    return {};
+  if (!is_complete) return {};
   return matrix;
 }
 
@@ -431,8 +412,7 @@ std::optional<std::vector<std::array<double, 2>>> read_function(const Node& node
                                                                 const std::string& name, Faults& faults) {
   if (node.is_number() || node.is_text()) {
     const auto constant = read_quantity(node, d, name, faults);
-    if (!constant)
-      return {};
+    if (!constant) return {};
     return std::vector<std::array<double, 2>>{{0.0, *constant}};
   }
   const Declaration argument = as_declaration({.unit = d.argument_unit});
@@ -452,18 +432,15 @@ std::optional<std::vector<std::array<double, 2>>> read_function(const Node& node
     }
     const auto x = read_quantity(pair.items()[0], argument, point, faults);
     const auto y = read_quantity(pair.items()[1], d, point, faults);
-    if (!x || !y)
-      continue;
+    if (!x || !y) continue;
     if (!points.empty() && *x <= points.back()[0])
       faults.add(pair.where(),
                  fmt::format("{} begins with {}, which is not larger than in the pair before; they must rise.", point,
                              to_text(pair.items()[0])));
     points.push_back({*x, *y});
   }
-  if (node.items().empty())
-    faults.add(node.where(), fmt::format("{} is empty; it must be {}.", name, needs));
-  if (points.empty() || points.size() < node.items().size())
-    return {};
+  if (node.items().empty()) faults.add(node.where(), fmt::format("{} is empty; it must be {}.", name, needs));
+  if (points.empty() || points.size() < node.items().size()) return {};
   return points;
 }
 
@@ -497,8 +474,7 @@ bool is_readable_map(const Node& node, const Declaration& d, const std::string& 
 }
 
 bool is_readable_table(const Node& node, const std::string& path, Faults& faults) {
-  if (node.is_table())
-    return true;
+  if (node.is_table()) return true;
   faults.add(
       node.where(), fmt::format("{} is {}; it must be a table.", path.empty() ? "the input" : path, kind_name(node)),
       path.empty() || path.find('#') != std::string::npos ? ""
@@ -509,11 +485,9 @@ bool is_readable_table(const Node& node, const std::string& path, Faults& faults
 void report_unknown_keys(const Node& table, const SectionDeclaration& section, const ReadContext& here,
                          Faults& faults) {
   for (const Node::Entry& entry : table.entries()) {
-    if (section.find(entry.key) || (here.also_known_key && *here.also_known_key == entry.key))
-      continue;
+    if (section.find(entry.key) || (here.also_known_key && *here.also_known_key == entry.key)) continue;
     std::vector<std::string> known = keys_of(section);
-    if (here.also_known_key)
-      known.push_back(*here.also_known_key);
+    if (here.also_known_key) known.push_back(*here.also_known_key);
     faults.add(entry.where, fmt::format("unknown key \"{}\" {}.", entry.key, name_of_table(here.path)),
                advice_on_unknown(entry.key, std::move(known), here));
   }
@@ -522,20 +496,20 @@ void report_unknown_keys(const Node& table, const SectionDeclaration& section, c
 void report_missing_key(const Node& table, const Declaration& d, const ReadContext& here, Faults& faults) {
   std::string needs;
   switch (d.kind) {
-  case Kind::quantity:
-    needs = needed_quantity(d) + (d.range.is_any() ? "" : ", " + to_string(d.range, d.unit));
-    break;
-  case Kind::quantities:
-    needs = fmt::format("a list of {} values, each {}", count_text(d), needed_quantity(d));
-    break;
-  case Kind::integer:
-    needs = "an " + type_text(d);
-    break;
-  case Kind::choice:
-    needs = "one of " + quoted(d.choices, ", ");
-    break;
-  default:
-    needs = type_text(d);
+    case Kind::quantity:
+      needs = needed_quantity(d) + (d.range.is_any() ? "" : ", " + to_string(d.range, d.unit));
+      break;
+    case Kind::quantities:
+      needs = fmt::format("a list of {} values, each {}", count_text(d), needed_quantity(d));
+      break;
+    case Kind::integer:
+      needs = "an " + type_text(d);
+      break;
+    case Kind::choice:
+      needs = "one of " + quoted(d.choices, ", ");
+      break;
+    default:
+      needs = type_text(d);
   }
   faults.add(table.where(), fmt::format("missing key \"{}\" {}.", d.key, name_of_table(here.path)),
              (needs.empty() ? "" : fmt::format("It must be {}.  ", needs)) + d.help);
@@ -546,8 +520,7 @@ void report_unknown_defaults(const Node& table, const Declaration& d, const Read
   for (const VariantDeclaration& variant : d.variants)
     if (variant.takes_defaults)
       for (const Declaration& declaration : variant.section->declarations)
-        if (!known.find(declaration.key))
-          known.declarations.push_back(declaration);
+        if (!known.find(declaration.key)) known.declarations.push_back(declaration);
   for (const Node::Entry& entry : table.entries())
     if (is_variant_default(d, entry) && !known.find(entry.key))
       faults.add(entry.where, fmt::format("unknown key \"{}\" {}.", entry.key, name_of_table(here.path)),
@@ -557,8 +530,7 @@ void report_unknown_defaults(const Node& table, const Declaration& d, const Read
 
 void report_unknown_variant(const Node::Entry& entry, const Declaration& d, const ReadContext& here, Faults& faults) {
   std::vector<std::string> tags;
-  for (const VariantDeclaration& variant : d.variants)
-    tags.push_back(variant.tag);
+  for (const VariantDeclaration& variant : d.variants) tags.push_back(variant.tag);
   const std::string path = here.name_of(entry.key);
   const std::string allowed = "It must be one of " + quoted(tags, ", ") + ".";
   const Node* tag = entry.value.find(d.tag_key);
@@ -577,8 +549,7 @@ namespace {
 void collect_positions(const Node& node, std::vector<SourcePosition>& positions) {
   positions.push_back(node.where());
   if (node.is_array())
-    for (const Node& item : node.items())
-      collect_positions(item, positions);
+    for (const Node& item : node.items()) collect_positions(item, positions);
   if (node.is_table())
     for (const Node::Entry& entry : node.entries()) {
       positions.push_back(entry.where);
@@ -592,7 +563,7 @@ std::string with_path_replaced(std::string message, const std::string& from, con
   return message;
 }
 
-} // namespace
+}  // namespace
 
 void add_without_repeating_defaults(const Faults& from_one_table, const Node& defaults,
                                     const std::string& path_of_table, const std::string& path_of_defaults,
@@ -619,54 +590,50 @@ namespace {
 /// Reads the fallback as if a user had written it.
 void check_fallback(const Declaration& d, const std::string& name, Faults& faults) {
   switch (d.kind) {
-  case Kind::quantity:
-    read_quantity(*d.fallback, d, name, faults);
-    break;
-  case Kind::integer:
-    read_integer(*d.fallback, d, name, faults);
-    break;
-  case Kind::text:
-  case Kind::choice:
-    read_text(*d.fallback, d, name, faults);
-    break;
-  case Kind::quantities:
-    read_quantities(*d.fallback, d, name, faults);
-    break;
-  case Kind::matrix:
-    read_matrix(*d.fallback, d, name, faults);
-    break;
-  case Kind::function:
-    read_function(*d.fallback, d, name, faults);
-    break;
-  case Kind::list:
-    is_readable_list(*d.fallback, d, name, faults);
-    break;
-  case Kind::tables:
-    is_readable_map(*d.fallback, d, name, faults);
-    break;
-  case Kind::variants:
-  case Kind::boolean:
-  case Kind::table:
-  case Kind::custom:
-    break;
+    case Kind::quantity:
+      read_quantity(*d.fallback, d, name, faults);
+      break;
+    case Kind::integer:
+      read_integer(*d.fallback, d, name, faults);
+      break;
+    case Kind::text:
+    case Kind::choice:
+      read_text(*d.fallback, d, name, faults);
+      break;
+    case Kind::quantities:
+      read_quantities(*d.fallback, d, name, faults);
+      break;
+    case Kind::matrix:
+      read_matrix(*d.fallback, d, name, faults);
+      break;
+    case Kind::function:
+      read_function(*d.fallback, d, name, faults);
+      break;
+    case Kind::list:
+      is_readable_list(*d.fallback, d, name, faults);
+      break;
+    case Kind::tables:
+      is_readable_map(*d.fallback, d, name, faults);
+      break;
+    case Kind::variants:
+    case Kind::boolean:
+    case Kind::table:
+    case Kind::custom:
+      break;
   }
 }
 
-} // namespace
+}  // namespace
 
 void add_declaration(SectionDeclaration& section, Declaration d) {
   const std::string name = ReadContext{.path = section.name}.name_of(d.key);
-  if (section.find(d.key))
-    throw std::logic_error(fmt::format("{} is declared twice", name));
+  if (section.find(d.key)) throw std::logic_error(fmt::format("{} is declared twice", name));
   const bool has_quantity =
       d.kind == Kind::quantity || d.kind == Kind::quantities || d.kind == Kind::matrix || d.kind == Kind::function;
-  if (has_quantity)
-    described(d.unit, d.quantity_kind); // throws for a unit that UDUNITS does not know
-  if (d.kind == Kind::function)
-    described(d.argument_unit, kind_of(d.argument_unit));
+  if (has_quantity) described(d.unit, d.quantity_kind);  // throws for a unit that UDUNITS does not know
+  if (d.kind == Kind::function) described(d.argument_unit, kind_of(d.argument_unit));
   Faults faults;
-  if (d.fallback)
-    check_fallback(d, name, faults);
+  if (d.fallback) check_fallback(d, name, faults);
   if (d.fallback_tag && !variant_of(d, Node::table()))
     faults.add({}, fmt::format("\"{}\" is not among the variants of {}", *d.fallback_tag, name));
   if (!faults.empty())
@@ -677,8 +644,7 @@ void add_declaration(SectionDeclaration& section, Declaration d) {
 Declaration declare(std::string key, const Quantity& options, bool is_optional) {
   Declaration d = started(std::move(key), Kind::quantity, options.source, options.help);
   set_quantity(d, options);
-  if (options.fallback)
-    d.fallback = quantity_node(*options.fallback);
+  if (options.fallback) d.fallback = quantity_node(*options.fallback);
   d.required = !options.fallback && !is_optional;
   return d;
 }
@@ -689,8 +655,7 @@ Declaration declare(std::string key, const QuantityList& options, std::optional<
   set_quantity(d, options);
   d.min_count = fixed_count.value_or(options.min_count);
   d.max_count = fixed_count.value_or(d.max_count);
-  if (!options.fallback.empty())
-    d.fallback = quantity_nodes(options.fallback);
+  if (!options.fallback.empty()) d.fallback = quantity_nodes(options.fallback);
   d.required = !d.fallback && !is_optional && d.min_count > 0;
   return d;
 }
@@ -698,8 +663,7 @@ Declaration declare(std::string key, const QuantityList& options, std::optional<
 Declaration declare(std::string key, const QuantityMatrix& options, bool is_optional) {
   Declaration d = started(std::move(key), Kind::matrix, options.source, options.help);
   set_quantity(d, options);
-  if (!options.fallback.empty())
-    d.fallback = quantity_rows(options.fallback);
+  if (!options.fallback.empty()) d.fallback = quantity_rows(options.fallback);
   d.required = !d.fallback && !is_optional;
   return d;
 }
@@ -708,8 +672,7 @@ Declaration declare(std::string key, const QuantityFunction& options, bool is_op
   Declaration d = started(std::move(key), Kind::function, options.source, options.help);
   set_quantity(d, options);
   d.argument_unit = options.argument_unit;
-  if (!options.fallback.empty())
-    d.fallback = quantity_rows(options.fallback);
+  if (!options.fallback.empty()) d.fallback = quantity_rows(options.fallback);
   d.required = !d.fallback && !is_optional;
   return d;
 }
@@ -717,16 +680,14 @@ Declaration declare(std::string key, const QuantityFunction& options, bool is_op
 Declaration declare(std::string key, const Integer& options, bool is_optional) {
   Declaration d = started(std::move(key), Kind::integer, options.source, options.help);
   d.range = options.range;
-  if (options.fallback)
-    d.fallback = Node(*options.fallback);
+  if (options.fallback) d.fallback = Node(*options.fallback);
   d.required = !d.fallback && !is_optional;
   return d;
 }
 
 Declaration declare(std::string key, const Boolean& options, bool is_optional) {
   Declaration d = started(std::move(key), Kind::boolean, options.source, options.help);
-  if (options.fallback)
-    d.fallback = Node(*options.fallback);
+  if (options.fallback) d.fallback = Node(*options.fallback);
   d.required = !d.fallback && !is_optional;
   return d;
 }
@@ -735,8 +696,7 @@ Declaration declare(std::string key, const Text& options, std::vector<std::strin
   const Kind kind = choices.empty() ? Kind::text : Kind::choice;
   Declaration d = started(std::move(key), kind, options.source, options.help);
   d.choices = std::move(choices);
-  if (options.fallback)
-    d.fallback = Node(*options.fallback);
+  if (options.fallback) d.fallback = Node(*options.fallback);
   d.required = !d.fallback && !is_optional;
   return d;
 }
@@ -771,6 +731,6 @@ Declaration declare(std::string key, const Custom& options) {
   return d;
 }
 
-} // namespace detail
+}  // namespace detail
 
-} // namespace rotordrop
+}  // namespace rotordrop

@@ -38,12 +38,12 @@ struct Range {
   Range without_upper() const;
 };
 Range any();
-Range positive();                  ///< > 0
-Range at_least(double a);          ///< >= a
-Range above(double a);             ///< > a
-Range at_most(double b);           ///< <= b
-Range below(double b);             ///< < b
-Range between(double a, double b); ///< a <= . <= b
+Range positive();                   ///< > 0
+Range at_least(double a);           ///< >= a
+Range above(double a);              ///< > a
+Range at_most(double b);            ///< <= b
+Range below(double b);              ///< < b
+Range between(double a, double b);  ///< a <= . <= b
 
 /// "> 0 m", "between 0 and 1", ">= 0 and < 1", "any value".
 std::string to_string(const Range& range, std::string_view unit = "1");
@@ -56,7 +56,7 @@ std::string to_string(const Range& range, std::string_view unit = "1");
 
 struct Quantity {
   std::string unit = "1";
-  std::optional<QuantityKind> kind = {}; ///< default: kind_of(unit); needed for a temperature difference only
+  std::optional<QuantityKind> kind = {};  ///< default: kind_of(unit); needed for a temperature difference only
   Range range = {};
   std::optional<std::string> fallback = {};
   std::string source = {};
@@ -65,17 +65,17 @@ struct Quantity {
 struct QuantityList {
   std::string unit = "1";
   std::optional<QuantityKind> kind = {};
-  Range range = {};                       ///< of every entry
-  std::vector<std::string> fallback = {}; ///< {"0.52", "0.52"}
-  std::size_t min_count = 0; ///< of a std::vector; if 0, an absent key without fallback means an empty list
+  Range range = {};                        ///< of every entry
+  std::vector<std::string> fallback = {};  ///< {"0.52", "0.52"}
+  std::size_t min_count = 0;  ///< of a std::vector; if 0, an absent key without fallback means an empty list
   std::string source = {};
   std::string help = {};
 };
 struct QuantityMatrix {
   std::string unit = "1";
   std::optional<QuantityKind> kind = {};
-  Range range = {};                                    ///< of every entry
-  std::vector<std::vector<std::string>> fallback = {}; ///< {{"1", "0"}, {"0", "1"}}
+  Range range = {};                                     ///< of every entry
+  std::vector<std::vector<std::string>> fallback = {};  ///< {{"1", "0"}, {"0", "1"}}
   std::string source = {};
   std::string help = {};
 };
@@ -85,8 +85,8 @@ struct QuantityFunction {
   std::string unit = "1";
   std::optional<QuantityKind> kind = {};
   std::string argument_unit = "s";
-  Range range = {};                                      ///< of every value
-  std::vector<std::array<std::string, 2>> fallback = {}; ///< {{"0 s", "0 N m"}, {"1 s", "2 N m"}}
+  Range range = {};                                       ///< of every value
+  std::vector<std::array<std::string, 2>> fallback = {};  ///< {{"0 s", "0 N m"}, {"1 s", "2 N m"}}
   std::string source = {};
   std::string help = {};
 };
@@ -109,23 +109,23 @@ struct Text {
 /// Of lists and maps of sub-tables. They are empty when absent, unless `min_count` or `fallback` says otherwise.
 struct Nested {
   std::size_t min_count = 0;
-  std::optional<Node> fallback = {}; ///< an array of tables, or a table of tables
+  std::optional<Node> fallback = {};  ///< an array of tables, or a table of tables
   std::string source = {};
   std::string help = {};
 };
 struct Variants {
-  std::optional<std::string> fallback = {}; ///< the variant of a table that does not set the key which selects it
+  std::optional<std::string> fallback = {};  ///< the variant of a table that does not set the key which selects it
   std::size_t min_count = 0;
   std::string source = {};
   std::string help = {};
 };
 /// Of a key with a reader of its own.
 struct Custom {
-  std::string unit = "";                    ///< for the documentation
-  std::string accepts = "";                 ///< for the documentation: "a number, or [x, y, z]"
-  std::vector<std::string> json_types = {}; ///< "number", "string", "array", "object", "boolean"; empty: any
+  std::string unit = "";                     ///< for the documentation
+  std::string accepts = "";                  ///< for the documentation: "a number, or [x, y, z]"
+  std::vector<std::string> json_types = {};  ///< "number", "string", "array", "object", "boolean"; empty: any
   std::optional<Node> fallback = {};
-  bool required = false; ///< without a fallback: whether it is a fault to leave the key out
+  bool required = false;  ///< without a fallback: whether it is a fault to leave the key out
   std::string source = {};
   std::string help = {};
 };
@@ -137,9 +137,9 @@ struct SectionDeclaration;
 using ErasedSection = std::shared_ptr<const SectionDeclaration>;
 
 struct VariantDeclaration {
-  std::string tag; ///< "touchdown"
+  std::string tag;  ///< "touchdown"
   ErasedSection section;
-  bool takes_defaults = false; ///< keys directly in the parent table are defaults for tables of this variant
+  bool takes_defaults = false;  ///< keys directly in the parent table are defaults for tables of this variant
 };
 
 /// What is declared about one key; all that the writers of defaults, schema and resolved parameters need.
@@ -150,13 +150,13 @@ struct Declaration {
     boolean,
     text,
     choice,
-    quantities, ///< a list of quantities, min_count..max_count of them
-    matrix,     ///< 2 x 2 quantities
-    function,   ///< pairs [argument, quantity]
-    list,       ///< array of tables, each as `nested`
-    table,      ///< one table as `nested`
-    tables,     ///< named tables, each as `nested`
-    variants,   ///< named tables, each as the variant that its key `tag_key` selects
+    quantities,  ///< a list of quantities, min_count..max_count of them
+    matrix,      ///< 2 x 2 quantities
+    function,    ///< pairs [argument, quantity]
+    list,        ///< array of tables, each as `nested`
+    table,       ///< one table as `nested`
+    tables,      ///< named tables, each as `nested`
+    variants,    ///< named tables, each as the variant that its key `tag_key` selects
     custom
   };
   std::string key;
@@ -181,7 +181,7 @@ struct Declaration {
 };
 
 struct SectionDeclaration {
-  std::string name; ///< key of its table; empty for the top level of a file
+  std::string name;  ///< key of its table; empty for the top level of a file
   std::string help;
   std::vector<Declaration> declarations;
 
@@ -215,11 +215,11 @@ std::optional<std::vector<double>> read_quantities(const Node& node, const Quant
 
 /// Where a reader stands in the input.
 struct ReadContext {
-  std::string path = {};                       ///< "bearings.TB1"; empty at the top level
-  const SectionDeclaration* root = nullptr;    ///< searched for keys that are known elsewhere
-  const std::string* also_known_key = nullptr; ///< a key that the table may have besides those of its section
+  std::string path = {};                        ///< "bearings.TB1"; empty at the top level
+  const SectionDeclaration* root = nullptr;     ///< searched for keys that are known elsewhere
+  const std::string* also_known_key = nullptr;  ///< a key that the table may have besides those of its section
 
-  std::string name_of(std::string_view key) const; ///< "bearings.TB1.rows"
+  std::string name_of(std::string_view key) const;  ///< "bearings.TB1.rows"
 };
 
 namespace detail {
@@ -261,36 +261,46 @@ Declaration declare(std::string key, Declaration::Kind, const Nested&, ErasedSec
 Declaration declare(std::string key, const Variants&, std::string tag_key, std::vector<VariantDeclaration>);
 Declaration declare(std::string key, const Custom&);
 
-template <class M> struct IsOptional : std::false_type {};
-template <class M> struct IsOptional<std::optional<M>> : std::true_type {};
-template <class M> struct FixedCount {
+template <class M>
+struct IsOptional : std::false_type {};
+template <class M>
+struct IsOptional<std::optional<M>> : std::true_type {};
+template <class M>
+struct FixedCount {
   static std::optional<std::size_t> value() { return {}; }
 };
-template <std::size_t N> struct FixedCount<std::array<double, N>> {
+template <std::size_t N>
+struct FixedCount<std::array<double, N>> {
   static std::optional<std::size_t> value() { return N; }
 };
-template <class M> struct FixedCount<std::optional<M>> : FixedCount<M> {};
+template <class M>
+struct FixedCount<std::optional<M>> : FixedCount<M> {};
 
 inline void assign(const std::vector<double>& from, std::vector<double>& to) { to = from; }
-template <std::size_t N> void assign(const std::vector<double>& from, std::array<double, N>& to) {
-  for (std::size_t i = 0; i < N; ++i)
-    to[i] = from.at(i);
+template <std::size_t N>
+void assign(const std::vector<double>& from, std::array<double, N>& to) {
+  for (std::size_t i = 0; i < N; ++i) to[i] = from.at(i);
 }
-template <class M> void assign(const std::vector<double>& from, std::optional<M>& to) { assign(from, to.emplace()); }
-} // namespace detail
+template <class M>
+void assign(const std::vector<double>& from, std::optional<M>& to) {
+  assign(from, to.emplace());
+}
+}  // namespace detail
 
 // ---------------------------------------------------------------------------------------------------------------
 // variants
 
-template <class T> class Section;
+template <class T>
+class Section;
 
 /// One alternative of Section::variants; make it with variant().
-template <class T> struct Variant {
+template <class T>
+struct Variant {
   VariantDeclaration declaration;
   std::function<void(const std::string& name, const Node&, const ReadContext&, T&, Faults&)> read;
 };
 struct VariantOptions {
-  bool takes_defaults = false; ///< keys directly in the parent table are defaults for tables of this variant
+  bool takes_defaults = false;  ///< keys directly in the parent table are defaults for tables of this variant
 };
 
 /// A variant whose named tables are collected in a member of T, in the order of the file.
@@ -306,8 +316,9 @@ requires std::is_invocable_v<Add, T&, const std::string&, U> Variant<T> variant(
 // section
 
 /// The keys of one input table and the members of T that they fill.
-template <class T> class Section {
-public:
+template <class T>
+class Section {
+ public:
   using Check = std::function<void(const T&, const Node& table, Faults&)>;
   /// `path` is the table's name for messages, "bearings.TB1".
   using NamedCheck = std::function<void(const T&, const Node& table, const std::string& path, Faults&)>;
@@ -317,7 +328,8 @@ public:
   explicit Section(std::string name, std::string help = "") : declared_{std::move(name), std::move(help), {}} {}
 
   /// A member of type double or std::optional<double>.
-  template <class M> Section& quantity(std::string key, M T::*member, Quantity options) {
+  template <class M>
+  Section& quantity(std::string key, M T::*member, Quantity options) {
     static_assert(std::is_same_v<M, double> || std::is_same_v<M, std::optional<double>>);
     return value(detail::declare(std::move(key), options, detail::IsOptional<M>::value), member,
                  [](const Node& node, const Declaration& d, const std::string& name, Faults& faults) {
@@ -325,7 +337,8 @@ public:
                  });
   }
   /// A member of type std::vector<double> or std::array<double, N>, or a std::optional of these.
-  template <class M> Section& quantities(std::string key, M T::*member, QuantityList options) {
+  template <class M>
+  Section& quantities(std::string key, M T::*member, QuantityList options) {
     return add(detail::declare(std::move(key), options, detail::FixedCount<M>::value(), detail::IsOptional<M>::value),
                [member](const Node& node, const Declaration& d, const ReadContext& here, T& target, Faults& faults) {
                  if (const auto read = detail::read_quantities(node, d, here.name_of(d.key), faults))
@@ -333,20 +346,24 @@ public:
                });
   }
   /// A member of type std::array<std::array<double, 2>, 2>, or a std::optional of it.
-  template <class M> Section& matrix(std::string key, M T::*member, QuantityMatrix options) {
+  template <class M>
+  Section& matrix(std::string key, M T::*member, QuantityMatrix options) {
     return value(detail::declare(std::move(key), options, detail::IsOptional<M>::value), member, detail::read_matrix);
   }
   /// A member of type std::vector<std::array<double, 2>>, or a std::optional of it: pairs of argument (time) and value.
-  template <class M> Section& function(std::string key, M T::*member, QuantityFunction options) {
+  template <class M>
+  Section& function(std::string key, M T::*member, QuantityFunction options) {
     return value(detail::declare(std::move(key), options, detail::IsOptional<M>::value), member, detail::read_function);
   }
   /// A member of type int or std::optional<int>.
-  template <class M> Section& integer(std::string key, M T::*member, Integer options) {
+  template <class M>
+  Section& integer(std::string key, M T::*member, Integer options) {
     static_assert(std::is_same_v<M, int> || std::is_same_v<M, std::optional<int>>);
     return value(detail::declare(std::move(key), options, detail::IsOptional<M>::value), member, detail::read_integer);
   }
   /// A member of type bool or std::optional<bool>.
-  template <class M> Section& boolean(std::string key, M T::*member, Boolean options) {
+  template <class M>
+  Section& boolean(std::string key, M T::*member, Boolean options) {
     static_assert(std::is_same_v<M, bool> || std::is_same_v<M, std::optional<bool>>);
     return value(detail::declare(std::move(key), options, detail::IsOptional<M>::value), member,
                  [](const Node& node, const Declaration&, const std::string& name, Faults& faults) {
@@ -354,11 +371,13 @@ public:
                  });
   }
   /// A member of type std::string or std::optional<std::string>.
-  template <class M> Section& text(std::string key, M T::*member, Text options) {
+  template <class M>
+  Section& text(std::string key, M T::*member, Text options) {
     return value(detail::declare(std::move(key), options, {}, detail::IsOptional<M>::value), member, detail::read_text);
   }
   /// One of the given words; a member of type std::string or std::optional<std::string>.
-  template <class M> Section& choice(std::string key, M T::*member, std::vector<std::string> words, Text options) {
+  template <class M>
+  Section& choice(std::string key, M T::*member, std::vector<std::string> words, Text options) {
     return value(detail::declare(std::move(key), options, std::move(words), detail::IsOptional<M>::value), member,
                  detail::read_text);
   }
@@ -368,15 +387,13 @@ public:
                                              std::vector<std::pair<std::string, std::type_identity_t<E>>> words,
                                              Text options) {
     std::vector<std::string> names;
-    for (const auto& word : words)
-      names.push_back(word.first);
+    for (const auto& word : words) names.push_back(word.first);
     return add(detail::declare(std::move(key), options, std::move(names), false),
                [member, words = std::move(words)](const Node& node, const Declaration& d, const ReadContext& here,
                                                   T& target, Faults& faults) {
                  const auto read = detail::read_text(node, d, here.name_of(d.key), faults);
                  for (const auto& [name, meaning] : words)
-                   if (read == name)
-                     target.*member = meaning;
+                   if (read == name) target.*member = meaning;
                });
   }
 
@@ -387,8 +404,7 @@ public:
         detail::declare(std::move(key), Declaration::Kind::list, options, section.erased()),
         [member, section](const Node& node, const Declaration& d, const ReadContext& here, T& target, Faults& faults) {
           const std::string name = here.name_of(d.key);
-          if (!detail::is_readable_list(node, d, name, faults))
-            return;
+          if (!detail::is_readable_list(node, d, name, faults)) return;
           (target.*member).clear();
           for (const Node& item : node.items()) {
             const std::string path = name + "#" + std::to_string((target.*member).size() + 1);
@@ -397,9 +413,10 @@ public:
         });
   }
   /// One table. An absent table is read as an empty one, so its defaults hold.
-  template <class U> Section& table(std::string key, U T::*member, Section<U> section, Nested options = {}) {
+  template <class U>
+  Section& table(std::string key, U T::*member, Section<U> section, Nested options = {}) {
     Declaration declaration = detail::declare(std::move(key), Declaration::Kind::table, options, section.erased());
-    declaration.required = true; // of its keys those without a default are
+    declaration.required = true;  // of its keys those without a default are
     return add(std::move(declaration), [member, section](const Node& node, const Declaration& d,
                                                          const ReadContext& here, T& target, Faults& faults) {
       target.*member = section.read(node, faults, {.path = here.name_of(d.key), .root = here.root});
@@ -422,8 +439,7 @@ public:
         detail::declare(std::move(key), Declaration::Kind::tables, options, section.erased()),
         [member, section](const Node& node, const Declaration& d, const ReadContext& here, T& target, Faults& faults) {
           const ReadContext map{.path = here.name_of(d.key), .root = here.root};
-          if (!detail::is_readable_map(node, d, map.path, faults))
-            return;
+          if (!detail::is_readable_map(node, d, map.path, faults)) return;
           (target.*member).clear();
           for (const auto& entry : node.entries())
             (target.*member)
@@ -435,8 +451,7 @@ public:
   /// variant with takes_defaults declares is a default for its tables; every other table in it is a named one.
   Section& variants(std::string key, std::string tag_key, std::vector<Variant<T>> alternatives, Variants options = {}) {
     std::vector<VariantDeclaration> declared;
-    for (const auto& alternative : alternatives)
-      declared.push_back(alternative.declaration);
+    for (const auto& alternative : alternatives) declared.push_back(alternative.declaration);
     return add(detail::declare(std::move(key), options, std::move(tag_key), std::move(declared)),
                [alternatives = std::move(alternatives)](const Node& node, const Declaration& d, const ReadContext& here,
                                                         T& target, Faults& faults) {
@@ -457,7 +472,9 @@ public:
     return *this;
   }
   Section& check(Check check) {
-    return this->check(NamedCheck([check](const T& target, const Node& table, const std::string&, Faults& faults) { check(target, table, faults); }));
+    return this->check(NamedCheck([check](const T& target, const Node& table, const std::string&, Faults& faults) {
+      check(target, table, faults);
+    }));
   }
 
   const std::string& name() const { return declared_.name; }
@@ -466,10 +483,8 @@ public:
   T read(const Node& table, Faults& faults) const { return read(table, faults, {.path = declared_.name}); }
   T read(const Node& table, Faults& faults, ReadContext here) const {
     T target{};
-    if (!detail::is_readable_table(table, here.path, faults))
-      return target;
-    if (!here.root)
-      here.root = &declared_;
+    if (!detail::is_readable_table(table, here.path, faults)) return target;
+    if (!here.root) here.root = &declared_;
     detail::report_unknown_keys(table, declared_, here, faults);
     const std::size_t n_faults_before = faults.size();
     for (std::size_t i = 0; i < readers_.size(); ++i) {
@@ -484,8 +499,7 @@ public:
         detail::report_missing_key(table, d, here, faults);
     }
     if (faults.size() == n_faults_before)
-      for (const auto& check : checks_)
-        check(target, table, here.path, faults);
+      for (const auto& check : checks_) check(target, table, here.path, faults);
     return target;
   }
 
@@ -500,7 +514,7 @@ public:
   /// The declarations alone, for the writers.
   ErasedSection erased() const { return std::make_shared<const SectionDeclaration>(declared_); }
 
-private:
+ private:
   using Reader = std::function<void(const Node&, const Declaration&, const ReadContext&, T&, Faults&)>;
 
   Section& add(Declaration declaration, Reader reader) {
@@ -508,22 +522,20 @@ private:
     readers_.push_back(std::move(reader));
     return *this;
   }
-  template <class M, class ReadValue> Section& value(Declaration declaration, M T::*member, ReadValue read_value) {
+  template <class M, class ReadValue>
+  Section& value(Declaration declaration, M T::*member, ReadValue read_value) {
     return add(std::move(declaration), [member, read_value](const Node& node, const Declaration& d,
                                                             const ReadContext& here, T& target, Faults& faults) {
-      if (auto read = read_value(node, d, here.name_of(d.key), faults))
-        target.*member = *std::move(read);
+      if (auto read = read_value(node, d, here.name_of(d.key), faults)) target.*member = *std::move(read);
     });
   }
   static void read_variants(const std::vector<Variant<T>>& alternatives, const Node& node, const Declaration& d,
                             const ReadContext& here, T& target, Faults& faults) {
     const ReadContext map{.path = here.name_of(d.key), .root = here.root, .also_known_key = &d.tag_key};
-    if (!detail::is_readable_map(node, d, map.path, faults))
-      return;
+    if (!detail::is_readable_map(node, d, map.path, faults)) return;
     detail::report_unknown_defaults(node, d, map, faults);
     for (const auto& entry : node.entries()) {
-      if (is_variant_default(d, entry) || !entry.value.is_table())
-        continue;
+      if (is_variant_default(d, entry) || !entry.value.is_table()) continue;
       const VariantDeclaration* chosen = variant_of(d, entry.value);
       if (!chosen) {
         detail::report_unknown_variant(entry, d, map, faults);
@@ -560,4 +572,4 @@ requires std::is_invocable_v<Add, T&, const std::string&, U> Variant<T> variant(
                          Faults& faults) { add(target, name, section.read(node, faults, here)); }};
 }
 
-} // namespace rotordrop
+}  // namespace rotordrop

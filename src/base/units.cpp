@@ -66,8 +66,7 @@ struct DimensionVisitor {
     return product(nullptr, 1, &unit, &power, into);
   }
   static ut_status product(const ut_unit*, int count, const ut_unit* const* units, const int* powers, void* into) {
-    for (int i = 0; i < count; ++i)
-      (*static_cast<Dimension*>(into))[ut_get_symbol(units[i], UT_ASCII)] = powers[i];
+    for (int i = 0; i < count; ++i) (*static_cast<Dimension*>(into))[ut_get_symbol(units[i], UT_ASCII)] = powers[i];
     return UT_SUCCESS;
   }
   static ut_status galilean(const ut_unit*, double, const ut_unit* underlying, double, void* into) {
@@ -101,20 +100,15 @@ UnitText check_unit_text(std::string_view text) {
   const bool has_power = text.find('^') != std::string_view::npos;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (c == '.' && i + 1 < text.size() && is_digit(text[i + 1]))
-      return UnitText::has_other_exponent;
+    if (c == '.' && i + 1 < text.size() && is_digit(text[i + 1])) return UnitText::has_other_exponent;
     if (c == '^') {
       std::size_t next = i + 1;
-      if (next < text.size() && (text[next] == '-' || text[next] == '+'))
-        ++next;
-      if (next >= text.size() || !is_digit(text[next]))
-        return UnitText::has_other_exponent;
+      if (next < text.size() && (text[next] == '-' || text[next] == '+')) ++next;
+      if (next >= text.size() || !is_digit(text[next])) return UnitText::has_other_exponent;
     }
-    if (!is_digit(c) || (i > 0 && is_digit(text[i - 1])))
-      continue;
+    if (!is_digit(c) || (i > 0 && is_digit(text[i - 1]))) continue;
     std::string_view before = text.substr(0, i);
-    if (before.ends_with('-') || before.ends_with('+'))
-      before.remove_suffix(1);
+    if (before.ends_with('-') || before.ends_with('+')) before.remove_suffix(1);
     const bool is_exponent =
         before.ends_with('^') || before.ends_with("**") || (!before.empty() && is_letter(before.back()));
     const bool is_the_one_of_a_reciprocal = c == '1' && i == 0 && trimmed(text.substr(1)).starts_with('/');
@@ -131,11 +125,9 @@ std::optional<Unit> parsed(std::string_view text) {
   const std::string terminated(text);
   Unit unit;
   unit.handle = std::shared_ptr<ut_unit>(ut_parse(unit_system(), terminated.c_str(), UT_UTF8), [](ut_unit* u) {
-    if (u)
-      ut_free(u);
+    if (u) ut_free(u);
   });
-  if (!unit.handle || DimensionVisitor::visit(unit.handle.get(), &unit.dimension) != UT_SUCCESS)
-    return {};
+  if (!unit.handle || DimensionVisitor::visit(unit.handle.get(), &unit.dimension) != UT_SUCCESS) return {};
   std::erase_if(unit.dimension, [](const auto& power) { return power.second == 0; });
   return unit;
 }
@@ -144,12 +136,10 @@ std::optional<Unit> parsed(std::string_view text) {
 const Unit& declared(std::string_view si_unit) {
   static std::map<std::string, Unit, std::less<>> known;
   const std::lock_guard guard(udunits_lock());
-  if (const auto found = known.find(si_unit); found != known.end())
-    return found->second;
+  if (const auto found = known.find(si_unit); found != known.end()) return found->second;
   const bool is_sound = si_unit == "1" || check_unit_text(si_unit) == UnitText::sound;
   const auto unit = is_sound ? parsed(si_unit) : std::nullopt;
-  if (!unit)
-    throw std::logic_error(fmt::format("\"{}\" is declared as a unit, but UDUNITS does not know it", si_unit));
+  if (!unit) throw std::logic_error(fmt::format("\"{}\" is declared as a unit, but UDUNITS does not know it", si_unit));
   return known.emplace(si_unit, *unit).first->second;
 }
 
@@ -210,8 +200,7 @@ constexpr NamedDimension named_dimensions[] = {
 
 const NamedDimension* named(const Dimension& dimension) {
   for (const NamedDimension& candidate : named_dimensions)
-    if (declared(candidate.unit).dimension == dimension)
-      return &candidate;
+    if (declared(candidate.unit).dimension == dimension) return &candidate;
   return nullptr;
 }
 
@@ -232,24 +221,20 @@ std::string in_base_units(const Dimension& dimension) {
 /// value times factor; 250 um is 250 / 1e6, which is nearer to 2.5e-4 than 250 * 1e-6.
 double scaled(double value, double factor) {
   const double divisor = std::round(1.0 / factor);
-  if (factor < 1.0 && std::abs(divisor * factor - 1.0) < 1e-14)
-    return value / divisor;
+  if (factor < 1.0 && std::abs(divisor * factor - 1.0) < 1e-14) return value / divisor;
   const double multiple = std::round(factor);
-  if (factor >= 1.0 && std::abs(multiple / factor - 1.0) < 1e-14)
-    return value * multiple;
+  if (factor >= 1.0 && std::abs(multiple / factor - 1.0) < 1e-14) return value * multiple;
   return value * factor;
 }
 
 /// The number at the start of a text; the text is shortened by it.
 std::optional<double> take_number(std::string_view& text, std::errc& status) {
   std::string_view digits = text;
-  if (digits.starts_with('+') && !digits.substr(1).starts_with('-'))
-    digits.remove_prefix(1);
+  if (digits.starts_with('+') && !digits.substr(1).starts_with('-')) digits.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   status = error;
-  if (error == std::errc::invalid_argument)
-    return {};
+  if (error == std::errc::invalid_argument) return {};
   text = digits.substr(static_cast<std::size_t>(end - digits.data()));
   return value;
 }
@@ -263,8 +248,7 @@ std::string advice_on_dimension(const Unit& given, const Unit& needed, QuantityK
     return "A rate is per second, without an angle: write it in 1/s.";
   if (kind == QuantityKind::temperature || kind == QuantityKind::temperature_difference)
     return "Temperatures are written in K, degC or degF.";
-  if (kind == QuantityKind::angle)
-    return "Angles are written in deg or rad.";
+  if (kind == QuantityKind::angle) return "Angles are written in deg or rad.";
   return "";
 }
 
@@ -279,14 +263,14 @@ Conversion convert_unit(double value, std::string_view unit_text, std::string_vi
     return failed(fmt::format("\"{}\" is not a number with a unit; {}", text, needs),
                   "Write a decimal point, not a comma.");
   switch (check_unit_text(unit_text)) {
-  case UnitText::has_other_exponent:
-    return failed(fmt::format("the unit of \"{}\" has an exponent that is not an integer; {}", text, needs),
-                  "Exponents of units must be integers, as in m2 or s^-1.");
-  case UnitText::has_number:
-    return failed(fmt::format("the unit of \"{}\" contains a number; {}", text, needs),
-                  "Write one number, then its unit.");
-  case UnitText::sound:
-    break;
+    case UnitText::has_other_exponent:
+      return failed(fmt::format("the unit of \"{}\" has an exponent that is not an integer; {}", text, needs),
+                    "Exponents of units must be integers, as in m2 or s^-1.");
+    case UnitText::has_number:
+      return failed(fmt::format("the unit of \"{}\" contains a number; {}", text, needs),
+                    "Write one number, then its unit.");
+    case UnitText::sound:
+      break;
   }
   const Unit& needed = declared(si_unit);
   const auto given = parsed(unit_text);
@@ -317,19 +301,16 @@ Conversion convert_unit(double value, std::string_view unit_text, std::string_vi
                                       : (cv_convert_double(converter.get(), 1e6) - offset) / 1e6;
   const double difference = scaled(value, factor);
   if (kind != QuantityKind::temperature)
-    return checked_si(difference, kind, name); // the offset of degC has no meaning here
+    return checked_si(difference, kind, name);  // the offset of degC has no meaning here
   return checked_si(difference + offset, kind, name);
 }
 
-} // namespace
+}  // namespace
 
 QuantityKind kind_of(std::string_view si_unit) {
-  if (si_unit == "rad")
-    return QuantityKind::angle;
-  if (si_unit == "rad/s")
-    return QuantityKind::angular_speed;
-  if (si_unit == "K")
-    return QuantityKind::temperature;
+  if (si_unit == "rad") return QuantityKind::angle;
+  if (si_unit == "rad/s") return QuantityKind::angular_speed;
+  if (si_unit == "K") return QuantityKind::temperature;
   return QuantityKind::plain;
 }
 
@@ -341,27 +322,22 @@ std::optional<double> bare_number(std::string_view text) {
   text = trimmed(text);
   std::errc status{};
   const auto value = take_number(text, status);
-  if (!value || status != std::errc{} || !text.empty())
-    return {};
+  if (!value || status != std::errc{} || !text.empty()) return {};
   return value;
 }
 
 std::string shortest(double value) { return fmt::format("{}", value); }
 
 std::string dimension_name(std::string_view si_unit, QuantityKind kind) {
-  if (kind == QuantityKind::temperature_difference)
-    return "temperature difference";
-  if (takes_bare_numbers_only(si_unit))
-    return std::string(si_unit);
+  if (kind == QuantityKind::temperature_difference) return "temperature difference";
+  if (takes_bare_numbers_only(si_unit)) return std::string(si_unit);
   const NamedDimension* dimension = named(declared(si_unit).dimension);
   return dimension ? dimension->name : std::string(si_unit);
 }
 
 std::string example_of(std::string_view si_unit, QuantityKind kind) {
-  if (kind == QuantityKind::temperature_difference)
-    return "5 K";
-  if (takes_bare_numbers_only(si_unit))
-    return "1.144e9";
+  if (kind == QuantityKind::temperature_difference) return "5 K";
+  if (takes_bare_numbers_only(si_unit)) return "1.144e9";
   const NamedDimension* dimension = named(declared(si_unit).dimension);
   return dimension ? dimension->example : fmt::format("1 {}", si_unit);
 }
@@ -374,8 +350,7 @@ std::string described(std::string_view si_unit, QuantityKind kind) {
 }
 
 Conversion checked_si(double value, QuantityKind kind, std::string_view name) {
-  if (!std::isfinite(value))
-    return failed(fmt::format("{} = {} is not a finite number", name, value));
+  if (!std::isfinite(value)) return failed(fmt::format("{} = {} is not a finite number", name, value));
   if (kind == QuantityKind::temperature && value < 0.0)
     return failed(fmt::format("{} = {} K is below absolute zero", name, shortest(value)));
   return {value, "", ""};
@@ -391,21 +366,18 @@ Conversion convert_to_si(std::string_view text, std::string_view si_unit, Quanti
   if (status == std::errc::result_out_of_range)
     return failed(fmt::format("\"{}\" is too large or too small for a double; {} needs {}", text, name,
                               described(si_unit, kind)));
-  if (!std::isfinite(*number))
-    return failed(fmt::format("{} = {} is not a finite number", name, text));
+  if (!std::isfinite(*number)) return failed(fmt::format("{} = {} is not a finite number", name, text));
   const std::string_view unit_text = trimmed(rest);
-  if (unit_text.empty())
-    return checked_si(*number, kind, name);
+  if (unit_text.empty()) return checked_si(*number, kind, name);
   return convert_unit(*number, unit_text, text, si_unit, kind, name);
 }
 
 double to_si(std::string_view text, std::string_view si_unit, QuantityKind kind) {
   const Conversion conversion = convert_to_si(text, si_unit, kind);
-  if (!conversion)
-    throw InputError(SourcePosition{}, conversion.error + ".", conversion.advice);
+  if (!conversion) throw InputError(SourcePosition{}, conversion.error + ".", conversion.advice);
   return conversion.value;
 }
 
 double to_si(std::string_view text, std::string_view si_unit) { return to_si(text, si_unit, kind_of(si_unit)); }
 
-} // namespace rotordrop
+}  // namespace rotordrop

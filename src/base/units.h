@@ -8,11 +8,11 @@ namespace rotordrop {
 
 /// What a quantity means beyond its dimension; it decides which units a user may write.
 enum class QuantityKind {
-  plain,                 ///< anything without a special rule
-  angle,                 ///< rad; "25 deg" is pi/180 rad each
-  angular_speed,         ///< rad/s; "rpm" is 2 pi/60 rad/s; Hz and 1/s are refused: radians or revolutions?
-  temperature,           ///< K, absolute: "20 degC" is 293.15 K
-  temperature_difference ///< K, without an offset: "5 degC" is 5 K
+  plain,                  ///< anything without a special rule
+  angle,                  ///< rad; "25 deg" is pi/180 rad each
+  angular_speed,          ///< rad/s; "rpm" is 2 pi/60 rad/s; Hz and 1/s are refused: radians or revolutions?
+  temperature,            ///< K, absolute: "20 degC" is 293.15 K
+  temperature_difference  ///< K, without an offset: "5 degC" is 5 K
 };
 
 /// The kind that a declared SI unit implies: "rad" angle, "rad/s" angular_speed, "K" temperature (absolute), else
@@ -22,8 +22,8 @@ QuantityKind kind_of(std::string_view si_unit);
 /// A value in SI, or the reason why there is none.
 struct Conversion {
   double value = 0.0;
-  std::string error;  ///< a sentence without a full stop; empty if the conversion succeeded
-  std::string advice; ///< may be empty
+  std::string error;   ///< a sentence without a full stop; empty if the conversion succeeded
+  std::string advice;  ///< may be empty
 
   explicit operator bool() const { return error.empty(); }
 };
@@ -65,4 +65,4 @@ std::optional<double> bare_number(std::string_view text);
 /// The shortest text that reads back to the same double: "0.1", "1e-06", "1144000000".
 std::string shortest(double value);
 
-} // namespace rotordrop
+}  // namespace rotordrop

@@ -25,8 +25,8 @@ constexpr double idle = -1.;  // added to an idle ball's penetration [m]
 struct KernelInput {
   const double* cosine;
   const double* sine;
-  const double* added;  // to every delta: ball growth and waviness [n]
-  std::size_t n;  // a multiple of vector_length
+  const double* added;                                 // to every delta: ball growth and waviness [n]
+  std::size_t n;                                       // a multiple of vector_length
   double A, radial, axial, arm, position, K, damping;  // damping = 1.5 beta
   double cage_cosine, cage_sine;
   RingDisplacement e, v;
@@ -192,9 +192,9 @@ template <class Kernel>
 void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out) const {
   std::array<double, max_balls> added;
   fill_added(in, added.data());
-  kernel({cosine_.data(), sine_.data(), added.data(), n_padded_, constants_.A,
-          constants_.radial + in.radial_growth, constants_.axial, constants_.arm, geometry_.position,
-          geometry_.stiffness, 1.5 * geometry_.damping_beta, in.cage_cosine, in.cage_sine, in.displacement, in.rate},
+  kernel({cosine_.data(), sine_.data(), added.data(), n_padded_, constants_.A, constants_.radial + in.radial_growth,
+          constants_.axial, constants_.arm, geometry_.position, geometry_.stiffness, 1.5 * geometry_.damping_beta,
+          in.cage_cosine, in.cage_sine, in.displacement, in.rate},
          out);
   out.cage_power *= in.cage_speed;
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
@@ -222,9 +222,9 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
     const double Bx = constants_.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
     const double distance = std::sqrt(Br * Br + Bx * Bx);
     const double delta = std::max(distance - constants_.A + added[k], 0.);
-    const double rate = (Br * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) +
-                         Bx * (v.x + arm * (v.psi_y * s - v.psi_z * c))) /
-                        distance;
+    const double rate =
+        (Br * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) + Bx * (v.x + arm * (v.psi_y * s - v.psi_z * c))) /
+        distance;
     load[k] = std::max(geometry_.stiffness * std::sqrt(delta) * (delta + 1.5 * geometry_.damping_beta * rate), 0.);
   }
 }

@@ -6,8 +6,8 @@ namespace rotordrop {
 
 /// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
 struct RingDisplacement {
-  double x = 0, y = 0, z = 0;    ///< [m] ([m/s])
-  double psi_y = 0, psi_z = 0;   ///< [rad] ([rad/s])
+  double x = 0, y = 0, z = 0;   ///< [m] ([m/s])
+  double psi_y = 0, psi_z = 0;  ///< [rad] ([rad/s])
 };
 
 /// One row of balls between two races.
@@ -40,23 +40,23 @@ struct BallRowInput {
   RingDisplacement displacement;
   RingDisplacement rate;
   double cage_angle = 0, cage_cosine = 1, cage_sine = 0;
-  double cage_speed = 0;       ///< [rad/s], for the work of the prescribed cage
-  double ring_angle = 0;       ///< theta_i [rad]
-  double ring_speed = 0;       ///< omega_i [rad/s]
-  double radial_growth = 0;    ///< eps_in - eps_out [m]
-  double ball_growth = 0;      ///< eps_b, growth of a ball's radius [m]
+  double cage_speed = 0;     ///< [rad/s], for the work of the prescribed cage
+  double ring_angle = 0;     ///< theta_i [rad]
+  double ring_speed = 0;     ///< omega_i [rad/s]
+  double radial_growth = 0;  ///< eps_in - eps_out [m]
+  double ball_growth = 0;    ///< eps_b, growth of a ball's radius [m]
 };
 
 /// What a row does to the inner ring, and the sums that energy and heat need. Evaluation writes every member.
 struct BallRowOutput {
   double force_x, force_y, force_z;  ///< on the inner ring [N]
-  double moment_y, moment_z;             ///< on the inner ring [N m]
-  double damping_power;      ///< dissipated in the contacts [W]
-  double elastic_radial;     ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
-  double elastic_normal;     ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
-  double cage_power;         ///< work rate of the prescribed cage motion [W]
-  double waviness_power;     ///< work rate of the prescribed travel of the waves [W]
-  double largest_load;       ///< of the row's balls [N]
+  double moment_y, moment_z;         ///< on the inner ring [N m]
+  double damping_power;              ///< dissipated in the contacts [W]
+  double elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
+  double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
+  double cage_power;                 ///< work rate of the prescribed cage motion [W]
+  double waviness_power;             ///< work rate of the prescribed travel of the waves [W]
+  double largest_load;               ///< of the row's balls [N]
 };
 
 /// Forces of a row of balls after Sopanen & Mikkola (2003), without trigonometry per ball. With b the azimuth of a ball,
@@ -99,7 +99,8 @@ class BallRow {
 
   BallRowGeometry geometry_;
   Constants constants_{};
-  std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
+  std::vector<double> cosine_,
+      sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;
   std::vector<Wave> waves_;
 };

@@ -66,7 +66,8 @@ RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, double force
     }
     const Eigen::Matrix2d damped = damping * Eigen::Matrix2d::Identity() - 0.5 * (stiffness + stiffness.transpose());
     const Vector next = place + damped.ldlt().solve(residual);
-    const bool is_better = potential(next) < potential(place) || (ball_force(rows, next) + force).norm() < residual.norm();
+    const bool is_better =
+        potential(next) < potential(place) || (ball_force(rows, next) + force).norm() < residual.norm();
     damping *= is_better ? 0.2 : 4.;
     if (is_better) place = next;
   }

@@ -43,11 +43,16 @@ TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(
 }
 
 std::vector<StateEntry> TouchdownBearing::state_entries() const {
-  return {{"inner ring y", "m", 1e-4},           {"inner ring z", "m", 1e-4},
-          {"inner ring velocity y", "m/s", 0.1}, {"inner ring velocity z", "m/s", 0.1},
-          {"inner ring angle", "rad", 1.},       {"inner ring spin", "rad/s", 100.},
-          {"support y", "m", 1e-5},              {"support z", "m", 1e-5},
-          {"support velocity y", "m/s", 0.01},   {"support velocity z", "m/s", 0.01},
+  return {{"inner ring y", "m", 1e-4},
+          {"inner ring z", "m", 1e-4},
+          {"inner ring velocity y", "m/s", 0.1},
+          {"inner ring velocity z", "m/s", 0.1},
+          {"inner ring angle", "rad", 1.},
+          {"inner ring spin", "rad/s", 100.},
+          {"support y", "m", 1e-5},
+          {"support z", "m", 1e-5},
+          {"support velocity y", "m/s", 0.01},
+          {"support velocity z", "m/s", 0.01},
           {"cage angle", "rad", 1.}};
 }
 
@@ -180,8 +185,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   const double ring_speed = y[ring_spin];
   const double M_L = load_torque_of(balls);
   const double M_spin = data_.add_spin_heat ? spin_drag(rows_in) : 0.;
-  const double M_v =
-      drag_torque(data_.drag_viscosity, ring_speed, data_.rows.front().pitch_diameter, data_.f2);
+  const double M_v = drag_torque(data_.drag_viscosity, ring_speed, data_.rows.front().pitch_diameter, data_.f2);
   const double M = (M_L + M_v + M_spin) * std::tanh(ring_speed / data_.drag_regularisation);
   const double drive = c.friction * data_.bore_radius;  // J omega_i' + M
 

@@ -37,8 +37,8 @@ struct TouchdownBearingData {
   HuntCrossley contact;
   CoulombFriction friction;
 
-  double f1_z = 0, f1_y = 0;     ///< f1 = z (P/C0)^y
-  double static_rating = 0;      ///< C0 of all rows together [N]
+  double f1_z = 0, f1_y = 0;  ///< f1 = z (P/C0)^y
+  double static_rating = 0;   ///< C0 of all rows together [N]
   double f2 = 0;
   double drag_viscosity = 0;       ///< [m^2/s]
   double drag_regularisation = 1;  ///< M tanh(omega_i / this) [rad/s]
@@ -48,10 +48,10 @@ struct TouchdownBearingData {
   double spin_elliptic_integral = 1;     ///< E of the inner contact
   bool add_spin_heat = false;            ///< spin moments add torque and heat to M
 
-  double support_mass = 0;               ///< [kg]
+  double support_mass = 0;                                  ///< [kg]
   double support_stiffness_y = 0, support_stiffness_z = 0;  ///< [N/m]
   double support_damping_y = 0, support_damping_z = 0;      ///< [N s/m]
-  double gravity_y = 0, gravity_z = 0;   ///< on the inner ring [m/s^2]
+  double gravity_y = 0, gravity_z = 0;                      ///< on the inner ring [m/s^2]
 };
 
 /// Ball bearing that catches a falling rotor: rotor surface against bore, inner-ring body, ball rows, outer ring on its support.
@@ -61,11 +61,32 @@ class TouchdownBearing final : public Support {
   explicit TouchdownBearing(TouchdownBearingData data);
 
   /// Offsets in this support's part of the state vector.
-  enum State : std::size_t { ring_y, ring_z, ring_vy, ring_vz, ring_angle, ring_spin, support_y, support_z, support_vy,
-                             support_vz, cage_angle, n_state };
+  enum State : std::size_t {
+    ring_y,
+    ring_z,
+    ring_vy,
+    ring_vz,
+    ring_angle,
+    ring_spin,
+    support_y,
+    support_z,
+    support_vy,
+    support_vz,
+    cage_angle,
+    n_state
+  };
   /// Offsets in its own ledgers.
-  enum Ledger : std::size_t { contact_impulse, contact_damping, ball_damping, support_damping, waviness_work, cage_work,
-                              spin_up_drive, spin_up_centres, n_ledger };
+  enum Ledger : std::size_t {
+    contact_impulse,
+    contact_damping,
+    ball_damping,
+    support_damping,
+    waviness_work,
+    cage_work,
+    spin_up_drive,
+    spin_up_centres,
+    n_ledger
+  };
 
   [[nodiscard]] const TouchdownBearingData& data() const { return data_; }
   [[nodiscard]] const std::string& name() const override { return data_.name; }
@@ -80,8 +101,8 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] double energy(const SupportInput& input, std::span<const double> y) const override;
 
  private:
-  struct Contact;      // rotor against bore at one instant
-  struct BallForces;   // sums over the rows
+  struct Contact;     // rotor against bore at one instant
+  struct BallForces;  // sums over the rows
   [[nodiscard]] Contact contact(const SupportInput& input, std::span<const double> y) const;
   [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input) const;

@@ -11,23 +11,33 @@ namespace {
 constexpr const char* paper = "Neisi, Heikkinen & Sopanen 2019";
 
 Section<WavinessParameters> waviness_section() {
-  Section<WavinessParameters> s("waviness", "Sinusoidal deviations of bearing surfaces, any number; their depths add up.");
+  Section<WavinessParameters> s("waviness",
+                                "Sinusoidal deviations of bearing surfaces, any number; their depths add up.");
   using W = WavySurface;
   s.choice("surface", &WavinessParameters::surface,
-           {{"inner_race", W::inner_race}, {"outer_race", W::outer_race}, {"bore", W::bore}, {"inner", W::inner_race}, {"outer", W::outer_race}},
-           {.help = "Which surface is wavy; \"inner\" and \"outer\" are the races. Waves of inner race and bore turn with the inner ring."});
+           {{"inner_race", W::inner_race},
+            {"outer_race", W::outer_race},
+            {"bore", W::bore},
+            {"inner", W::inner_race},
+            {"outer", W::outer_race}},
+           {.help = "Which surface is wavy; \"inner\" and \"outer\" are the races. Waves of inner race and bore turn "
+                    "with the inner ring."});
   s.integer("order", &WavinessParameters::order,
             {.range = between(1, 1000), .help = "Waves per turn: 1 is eccentricity, 2 ellipticity, 3 a triangle."});
   s.quantity("amplitude", &WavinessParameters::amplitude,
-             {.unit = "m", .range = between(-1e-3, 1e-3), .help = "Half the height from valley to peak; positive means more penetration."});
+             {.unit = "m",
+              .range = between(-1e-3, 1e-3),
+              .help = "Half the height from valley to peak; positive means more penetration."});
   s.quantity("phase", &WavinessParameters::phase,
              {.unit = "rad", .fallback = "0", .help = "Phase of the wave at +y when the ring has not turned."});
   return s;
 }
 
 Section<SupportParameters> support_section() {
-  Section<SupportParameters> s("support", "Housing that carries the outer ring: effective mass on springs and dampers.");
-  s.quantity("mass", &SupportParameters::mass, {.unit = "kg", .range = positive(), .help = "Effective mass of the support. Gravity does not act on it."});
+  Section<SupportParameters> s("support",
+                               "Housing that carries the outer ring: effective mass on springs and dampers.");
+  s.quantity("mass", &SupportParameters::mass,
+             {.unit = "kg", .range = positive(), .help = "Effective mass of the support. Gravity does not act on it."});
   s.quantity("K_y", &SupportParameters::K_y, {.unit = "N/m", .range = positive(), .help = "Vertical stiffness."});
   s.quantity("K_z", &SupportParameters::K_z, {.unit = "N/m", .range = positive(), .help = "Horizontal stiffness."});
   s.quantity("C_y", &SupportParameters::C_y, {.unit = "N s/m", .range = at_least(0), .help = "Vertical damping."});
@@ -37,84 +47,131 @@ Section<SupportParameters> support_section() {
 
 void add_row_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
-  s.integer("rows", &P::rows, {.range = between(1, 8), .fallback = 1, .help = "Rows of balls on one inner ring (or rings clamped together)."});
-  s.choice("arrangement", &P::arrangement,
-           {{"X", RowArrangement::face_to_face}, {"O", RowArrangement::back_to_back}, {"tandem", RowArrangement::tandem}},
-           {.fallback = "X", .help = "Of two rows: X (face to face), O (back to back) or tandem. A single row has none."});
-  s.integer("balls_per_row", &P::balls_per_row, {.range = between(3, BallRow::max_balls), .help = "Number of balls Z of one row."});
+  s.integer(
+      "rows", &P::rows,
+      {.range = between(1, 8), .fallback = 1, .help = "Rows of balls on one inner ring (or rings clamped together)."});
+  s.choice(
+      "arrangement", &P::arrangement,
+      {{"X", RowArrangement::face_to_face}, {"O", RowArrangement::back_to_back}, {"tandem", RowArrangement::tandem}},
+      {.fallback = "X", .help = "Of two rows: X (face to face), O (back to back) or tandem. A single row has none."});
+  s.integer("balls_per_row", &P::balls_per_row,
+            {.range = between(3, BallRow::max_balls), .help = "Number of balls Z of one row."});
   s.quantity("ball_diameter", &P::ball_diameter, {.unit = "m", .range = positive(), .help = "Diameter d of a ball."});
-  s.quantity("pitch_diameter", &P::pitch_diameter, {.unit = "m", .range = positive(), .help = "Diameter d_m of the circle of ball centres."});
+  s.quantity("pitch_diameter", &P::pitch_diameter,
+             {.unit = "m", .range = positive(), .help = "Diameter d_m of the circle of ball centres."});
   s.quantities("conformity", &P::conformity,
-               {.range = between(0.501, 0.6), .fallback = {"0.52", "0.52"}, .source = "usual value",
+               {.range = between(0.501, 0.6),
+                .fallback = {"0.52", "0.52"},
+                .source = "usual value",
                 .help = "Groove radius over ball diameter, inner and outer race. Smaller values stiffen the contact."});
   s.quantity("contact_angle", &P::contact_angle,
-             {.unit = "rad", .range = between(0, 1.2), .fallback = "0 deg", .help = "Nominal contact angle; 0 for a deep-groove bearing."});
+             {.unit = "rad",
+              .range = between(0, 1.2),
+              .fallback = "0 deg",
+              .help = "Nominal contact angle; 0 for a deep-groove bearing."});
   s.quantity("radial_clearance", &P::radial_clearance,
-             {.unit = "m", .range = between(-1e-4, 1e-3), .fallback = "0 um",
+             {.unit = "m",
+              .range = between(-1e-4, 1e-3),
+              .fallback = "0 um",
               .help = "Half the diametral clearance, mounted, cold and standing. For deep-groove bearings."});
   s.quantity("preload", &P::preload,
-             {.unit = "N", .range = at_least(0), .fallback = "0 N",
-              .help = "Axial preload of a set of angular contact rows, mounted, cold and standing. More preload stiffens the bearing."});
+             {.unit = "N",
+              .range = at_least(0),
+              .fallback = "0 N",
+              .help = "Axial preload of a set of angular contact rows, mounted, cold and standing. More preload "
+                      "stiffens the bearing."});
   s.quantity("row_phase", &P::row_phase,
-             {.range = between(-1, 1), .fallback = "0", .help = "Azimuth of a row's first ball ahead of the row before, in ball spacings."});
-  s.quantity("row_spacing", &P::row_spacing,
-             {.unit = "m", .range = positive(), .help = "Axial distance of neighbouring rows; width / rows if not given."});
+             {.range = between(-1, 1),
+              .fallback = "0",
+              .help = "Azimuth of a row's first ball ahead of the row before, in ball spacings."});
+  s.quantity(
+      "row_spacing", &P::row_spacing,
+      {.unit = "m", .range = positive(), .help = "Axial distance of neighbouring rows; width / rows if not given."});
   s.text("ball", &P::ball, {.fallback = "steel", .help = "Material of the balls, a name of [materials]."});
-  s.text("ring", &P::ring, {.fallback = "steel", .help = "Material of rings, housing and shaft lump, a name of [materials]."});
+  s.text("ring", &P::ring,
+         {.fallback = "steel", .help = "Material of rings, housing and shaft lump, a name of [materials]."});
   s.choice("elliptic_integrals", &P::elliptic_integrals,
            {{"fit", EllipticIntegrals::brewe_hamrock}, {"exact", EllipticIntegrals::exact}},
-           {.fallback = "fit", .source = "Brewe & Hamrock 1977; the fits are within 1.2 % of the exact integrals",
+           {.fallback = "fit",
+            .source = "Brewe & Hamrock 1977; the fits are within 1.2 % of the exact integrals",
             .help = "How the Hertz stiffness of balls and races is found."});
   s.quantity("ball_damping_beta", &P::ball_damping_beta,
-             {.unit = "s", .range = between(0, 1e-3), .fallback = "2.5e-5 s", .source = std::string(paper) + ", upper end of the range 0.25..2.5e-5",
+             {.unit = "s",
+              .range = between(0, 1e-3),
+              .fallback = "2.5e-5 s",
+              .source = std::string(paper) + ", upper end of the range 0.25..2.5e-5",
               .help = "Damping of a ball's contacts over their tangent stiffness."});
 }
 
 void add_ring_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
-  s.quantity("ring_mass", &P::ring_mass, {.unit = "kg", .range = positive(), .help = "Mass of the inner ring, of all rows together."});
+  s.quantity("ring_mass", &P::ring_mass,
+             {.unit = "kg", .range = positive(), .help = "Mass of the inner ring, of all rows together."});
   s.quantity("ring_spin_inertia", &P::ring_spin_inertia,
-             {.unit = "kg m2", .range = positive(), .help = "Spin inertia of the inner ring with its balls and cage. Sets spin-up time and rub heat."});
+             {.unit = "kg m2",
+              .range = positive(),
+              .help = "Spin inertia of the inner ring with its balls and cage. Sets spin-up time and rub heat."});
   s.choice("ring_motion", &P::ring_motion, {"translations"},
-           {.fallback = "translations", .help = "What the inner ring may do besides spinning; axial and tilting motion are locked."});
-  s.quantity("width", &P::width, {.unit = "m", .range = positive(), .help = "Width of the bearing, all rows together."});
+           {.fallback = "translations",
+            .help = "What the inner ring may do besides spinning; axial and tilting motion are locked."});
+  s.quantity("width", &P::width,
+             {.unit = "m", .range = positive(), .help = "Width of the bearing, all rows together."});
   s.quantities("inner_ring_diameters", &P::inner_ring_diameters,
                {.unit = "m", .range = positive(), .help = "Inner ring: bore and outside (shoulder) diameter."});
   s.quantities("outer_ring_diameters", &P::outer_ring_diameters,
                {.unit = "m", .range = positive(), .help = "Outer ring: inside (shoulder) and outside diameter."});
-  s.quantities("housing_diameters", &P::housing_diameters, {.unit = "m", .range = positive(), .help = "Housing: bore and outside diameter."});
-  s.quantity("housing_length", &P::housing_length, {.unit = "m", .range = positive(), .help = "Axial length of housing that takes heat, all rows."});
+  s.quantities("housing_diameters", &P::housing_diameters,
+               {.unit = "m", .range = positive(), .help = "Housing: bore and outside diameter."});
+  s.quantity("housing_length", &P::housing_length,
+             {.unit = "m", .range = positive(), .help = "Axial length of housing that takes heat, all rows."});
   s.quantity("shaft_lump_length", &P::shaft_lump_length,
-             {.unit = "m", .range = positive(), .help = "Length of shaft that takes rub heat; the bearing's width if not given."});
+             {.unit = "m",
+              .range = positive(),
+              .help = "Length of shaft that takes rub heat; the bearing's width if not given."});
   s.table("support", &P::support, support_section());
   s.list("waviness", &P::waviness, waviness_section());
 }
 
 void add_friction_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
-  s.quantity("f1_z", &P::f1_z, {.range = at_least(0), .help = "z in f1 = z (P/C0)^y of the load-dependent friction torque f1 P d_m."});
+  s.quantity("f1_z", &P::f1_z,
+             {.range = at_least(0), .help = "z in f1 = z (P/C0)^y of the load-dependent friction torque f1 P d_m."});
   s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .help = "y in f1 = z (P/C0)^y."});
   s.quantity("C0", &P::C0, {.unit = "N", .range = positive(), .help = "Static load rating of all rows together."});
-  s.quantity("C", &P::C, {.unit = "N", .range = positive(), .help = "Dynamic load rating; not used by the drop, kept with the bearing's data."});
+  s.quantity("C", &P::C,
+             {.unit = "N",
+              .range = positive(),
+              .help = "Dynamic load rating; not used by the drop, kept with the bearing's data."});
   s.quantity("f2", &P::f2,
-             {.range = at_least(0), .fallback = "0.25",
+             {.range = at_least(0),
+              .fallback = "0.25",
               .source = "calibration: 0.25 per bearing gives the paper's 110 W; catalogues' 1-2 would give 0.4-0.7 kW",
               .help = "Factor of the speed-dependent friction torque, for the whole bearing or set."});
   s.quantity("drag_viscosity", &P::drag_viscosity,
-             {.unit = "m2/s", .range = positive(), .fallback = "15e-6 m2/s", .source = std::string(paper) + ", air",
+             {.unit = "m2/s",
+              .range = positive(),
+              .fallback = "15e-6 m2/s",
+              .source = std::string(paper) + ", air",
               .help = "Kinematic viscosity in the speed-dependent friction torque."});
   s.quantity("drag_regularisation", &P::drag_regularisation,
-             {.unit = "rad/s", .range = positive(), .fallback = "2 rad/s", .source = "estimate",
+             {.unit = "rad/s",
+              .range = positive(),
+              .fallback = "2 rad/s",
+              .source = "estimate",
               .help = "The friction torque grows as tanh(speed / this) through standstill."});
   s.choice("load_law", &P::load_law, {{"radial", FrictionLoadLaw::radial}, {"equivalent", FrictionLoadLaw::equivalent}},
            {.fallback = "radial",
-            .help = "Load in the friction torque: the radial resultant without preload, or per row max(F_r, 0.9 F_a cot phi - 0.1 F_r) with it."});
-  s.choice("internal_heat", &P::internal_heat,
-           {{"energy-consistent", InternalHeat::energy_consistent}, {"with-spin", InternalHeat::with_spin}},
-           {.fallback = "energy-consistent",
-            .help = "Heat of the bearing's friction torque alone, or with the balls' spin moments as an additional torque."});
+            .help = "Load in the friction torque: the radial resultant without preload, or per row max(F_r, 0.9 F_a "
+                    "cot phi - 0.1 F_r) with it."});
+  s.choice(
+      "internal_heat", &P::internal_heat,
+      {{"energy-consistent", InternalHeat::energy_consistent}, {"with-spin", InternalHeat::with_spin}},
+      {.fallback = "energy-consistent",
+       .help =
+           "Heat of the bearing's friction torque alone, or with the balls' spin moments as an additional torque."});
   s.quantity("race_friction_coefficient", &P::race_friction_coefficient,
-             {.range = at_least(0), .help = "Friction of balls and races in the spin moment; contact.friction_coefficient if not given."});
+             {.range = at_least(0),
+              .help = "Friction of balls and races in the spin moment; contact.friction_coefficient if not given."});
 }
 
 /// @param path  name of the bearing's table, "bearings.TB1"
@@ -125,59 +182,72 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
   };
   const double circumference = b.balls_per_row * b.ball_diameter;
   if (circumference > std::numbers::pi * b.pitch_diameter)
-    fault("balls_per_row", fmt::format("{} balls of {} do not fit on a pitch circle of {}", b.balls_per_row, mm(b.ball_diameter),
-                                       mm(b.pitch_diameter)),
+    fault("balls_per_row",
+          fmt::format("{} balls of {} do not fit on a pitch circle of {}", b.balls_per_row, mm(b.ball_diameter),
+                      mm(b.pitch_diameter)),
           "Check balls_per_row, ball_diameter and pitch_diameter.");
   const auto rising = [&](const char* key, const std::array<double, 2>& pair) {
     if (!(pair[0] < pair[1]))
       fault(key, fmt::format("{} = [{}, {}]: the second must be larger than the first", key, mm(pair[0]), mm(pair[1])));
     return pair[0] < pair[1];
   };
-  const bool sane = rising("inner_ring_diameters", b.inner_ring_diameters) & rising("outer_ring_diameters", b.outer_ring_diameters) &
+  const bool sane = rising("inner_ring_diameters", b.inner_ring_diameters) &
+                    rising("outer_ring_diameters", b.outer_ring_diameters) &
                     rising("housing_diameters", b.housing_diameters);
   if (sane) {
     if (!(b.inner_ring_diameters[1] < b.pitch_diameter))
-      fault("inner_ring_diameters", fmt::format("the inner ring's outside diameter {} is not smaller than the pitch_diameter {}",
-                                                mm(b.inner_ring_diameters[1]), mm(b.pitch_diameter)),
+      fault("inner_ring_diameters",
+            fmt::format("the inner ring's outside diameter {} is not smaller than the pitch_diameter {}",
+                        mm(b.inner_ring_diameters[1]), mm(b.pitch_diameter)),
             "A ring cannot be outside its own balls; check which drawing the two numbers come from.");
     if (!(b.outer_ring_diameters[0] > b.pitch_diameter))
-      fault("outer_ring_diameters", fmt::format("the outer ring's inside diameter {} is not larger than the pitch_diameter {}",
-                                                mm(b.outer_ring_diameters[0]), mm(b.pitch_diameter)),
+      fault("outer_ring_diameters",
+            fmt::format("the outer ring's inside diameter {} is not larger than the pitch_diameter {}",
+                        mm(b.outer_ring_diameters[0]), mm(b.pitch_diameter)),
             "A ring cannot be inside its own balls; check which drawing the two numbers come from.");
     if (b.housing_diameters[1] <= b.outer_ring_diameters[1])
       fault("housing_diameters", fmt::format("the housing's outside diameter {} is not larger than the outer ring's {}",
                                              mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])));
     else if (std::abs(b.housing_diameters[0] - b.outer_ring_diameters[1]) > 0.01 * b.outer_ring_diameters[1])
-      fault("housing_diameters", fmt::format("the housing's bore {} does not fit the outer ring's outside diameter {}",
-                                             mm(b.housing_diameters[0]), mm(b.outer_ring_diameters[1])),
+      fault("housing_diameters",
+            fmt::format("the housing's bore {} does not fit the outer ring's outside diameter {}",
+                        mm(b.housing_diameters[0]), mm(b.outer_ring_diameters[1])),
             "The ring sits in the housing; count a sleeve between them as part of the housing.");
     const double projected = b.ball_diameter * std::cos(b.contact_angle);
     if (b.pitch_diameter - projected <= b.inner_ring_diameters[0])
-      fault("ball_diameter", fmt::format("balls of {} on a pitch circle of {} reach into the bore of {}", mm(b.ball_diameter),
-                                         mm(b.pitch_diameter), mm(b.inner_ring_diameters[0])),
+      fault("ball_diameter",
+            fmt::format("balls of {} on a pitch circle of {} reach into the bore of {}", mm(b.ball_diameter),
+                        mm(b.pitch_diameter), mm(b.inner_ring_diameters[0])),
             "Check ball_diameter, pitch_diameter and inner_ring_diameters.");
     if (b.pitch_diameter + projected >= b.outer_ring_diameters[1])
-      fault("ball_diameter", fmt::format("balls of {} on a pitch circle of {} reach out of the outer ring of {}", mm(b.ball_diameter),
-                                         mm(b.pitch_diameter), mm(b.outer_ring_diameters[1])),
+      fault("ball_diameter",
+            fmt::format("balls of {} on a pitch circle of {} reach out of the outer ring of {}", mm(b.ball_diameter),
+                        mm(b.pitch_diameter), mm(b.outer_ring_diameters[1])),
             "Check ball_diameter, pitch_diameter and outer_ring_diameters.");
   }
   const double A = (b.conformity[0] + b.conformity[1] - 1.) * b.ball_diameter;
   if (b.radial_clearance >= A * std::cos(b.contact_angle))
-    fault("radial_clearance", fmt::format("radial_clearance = {} is not smaller than the distance of the groove centres, {}",
-                                          mm(b.radial_clearance), mm(A)));
+    fault("radial_clearance",
+          fmt::format("radial_clearance = {} is not smaller than the distance of the groove centres, {}",
+                      mm(b.radial_clearance), mm(A)));
   if (b.preload > 0. && b.contact_angle == 0.)
     fault("preload", fmt::format("preload = {:.6g} N on a bearing with contact_angle = 0", b.preload),
           "Balls at a contact angle of zero take no axial load: give a contact_angle, or no preload.");
   else if (b.preload > 0. && b.radial_clearance > 0.)
-    fault("radial_clearance", fmt::format("radial_clearance = {} on a bearing with preload = {:.6g} N, which closes it", mm(b.radial_clearance), b.preload),
+    fault("radial_clearance",
+          fmt::format("radial_clearance = {} on a bearing with preload = {:.6g} N, which closes it",
+                      mm(b.radial_clearance), b.preload),
           "Leave out one of the two.");
   if (b.rows > 2 && b.arrangement != RowArrangement::tandem)
-    fault("arrangement", fmt::format("{} rows can only be in tandem", b.rows), "Allowed: X, O with rows = 2; tandem with any.");
+    fault("arrangement", fmt::format("{} rows can only be in tandem", b.rows),
+          "Allowed: X, O with rows = 2; tandem with any.");
   // The ring's mass at half the pitch radius spins with a quarter of a hoop's inertia; balls and cage add less than the ring has.
   const double hoop = 0.25 * b.ring_mass * b.pitch_diameter * b.pitch_diameter;
   if (b.ring_spin_inertia > 20. * hoop || b.ring_spin_inertia < 0.05 * hoop)
-    fault("ring_spin_inertia", fmt::format("the ring_spin_inertia of {:.6g} kg m2 is far from that of a hoop of the ring's mass on the pitch circle, {:.3g} kg m2.",
-                                           b.ring_spin_inertia, hoop),
+    fault("ring_spin_inertia",
+          fmt::format("the ring_spin_inertia of {:.6g} kg m2 is far from that of a hoop of the ring's mass on the "
+                      "pitch circle, {:.3g} kg m2.",
+                      b.ring_spin_inertia, hoop),
           "Allowed: a twentieth to twenty times as much. Check the unit: kg m2, not kg mm2.");
 }
 
@@ -187,31 +257,52 @@ Section<ContactParameters> contact_section() {
   using P = ContactParameters;
   Section<P> s("contact", "Rotor surface against inner-ring bore, for all touchdown bearings.");
   s.quantity("friction_coefficient", &P::friction_coefficient,
-             {.range = between(0, 2), .fallback = "0.1", .source = std::string(paper) + ", table 2",
-              .help = "Dynamic friction of rotor and bore. Larger values spin the ring up faster and move the rotor further aside."});
+             {.range = between(0, 2),
+              .fallback = "0.1",
+              .source = std::string(paper) + ", table 2",
+              .help = "Dynamic friction of rotor and bore. Larger values spin the ring up faster and move the rotor "
+                      "further aside."});
   s.quantity("air_gap", &P::air_gap,
-             {.unit = "m", .range = positive(), .fallback = "250 um", .source = std::string(paper) + ", table 2",
+             {.unit = "m",
+              .range = positive(),
+              .fallback = "250 um",
+              .source = std::string(paper) + ", table 2",
               .help = "Radial gap between rotor and inner ring at rest and ambient temperature."});
   s.quantity("exponent", &P::exponent,
-             {.range = between(1, 3), .fallback = "1.1111111111111112", .source = std::string(paper) + ", n = 10/9",
+             {.range = between(1, 3),
+              .fallback = "1.1111111111111112",
+              .source = std::string(paper) + ", n = 10/9",
               .help = "Exponent n of the normal force K delta^n."});
   s.quantity("lambda", &P::lambda,
-             {.unit = "s/m", .range = between(0, 5), .fallback = "0.08 s/m", .source = std::string(paper) + "; Hunt & Crossley 1975 give 0.08..0.32",
+             {.unit = "s/m",
+              .range = between(0, 5),
+              .fallback = "0.08 s/m",
+              .source = std::string(paper) + "; Hunt & Crossley 1975 give 0.08..0.32",
               .help = "Contact damping; for small impact speeds v the restitution is 1 - lambda v."});
-  s.quantity("regularisation_speed", &P::regularisation_speed,
-             {.unit = "m/s", .range = positive(), .fallback = "0.05 m/s", .source = "estimate",
-              .help = "Friction goes through zero as v / sqrt(v^2 + this^2). Smaller is sharper and harder to integrate."});
+  s.quantity(
+      "regularisation_speed", &P::regularisation_speed,
+      {.unit = "m/s",
+       .range = positive(),
+       .fallback = "0.05 m/s",
+       .source = "estimate",
+       .help = "Friction goes through zero as v / sqrt(v^2 + this^2). Smaller is sharper and harder to integrate."});
   s.quantity("bore_radius", &P::bore_radius,
-             {.unit = "m", .range = positive(), .help = "Radius of the inner rings' bore; half of the inner ring's bore diameter if not given."});
+             {.unit = "m",
+              .range = positive(),
+              .help = "Radius of the inner rings' bore; half of the inner ring's bore diameter if not given."});
   s.quantity("static_friction_coefficient", &P::static_friction_coefficient,
              {.range = between(0, 2), .help = "Friction near rest (Stribeck); the dynamic value if not given."});
   s.quantity("stribeck_speed", &P::stribeck_speed,
-             {.unit = "m/s", .range = positive(), .fallback = "0.5 m/s", .source = "estimate",
+             {.unit = "m/s",
+              .range = positive(),
+              .fallback = "0.5 m/s",
+              .source = "estimate",
               .help = "Slip speed over which static friction falls to dynamic."});
   s.check([](const P& p, const Node& table, Faults& faults) {
     if (p.bore_radius && p.air_gap >= *p.bore_radius)
       faults.add(position_of_value(table, "air_gap"),
-                 fmt::format("contact.air_gap = {:.6g} mm is not smaller than bore_radius = {:.6g} mm.", p.air_gap * 1e3, *p.bore_radius * 1e3),
+                 fmt::format("contact.air_gap = {:.6g} mm is not smaller than bore_radius = {:.6g} mm.",
+                             p.air_gap * 1e3, *p.bore_radius * 1e3),
                  "The rotor's radius is bore_radius - air_gap.");
   });
   return s;
@@ -220,18 +311,26 @@ Section<ContactParameters> contact_section() {
 Section<TouchdownParameters> touchdown_section() {
   using P = TouchdownParameters;
   Section<P> s("touchdown", "Ball bearing that catches the falling rotor.");
-  s.text("catalogue", &P::catalogue,
-         {.help = "Name of a bearing of params/bearings, such as \"6014\": its values hold where this table says nothing."});
+  s.text(
+      "catalogue", &P::catalogue,
+      {.help =
+           "Name of a bearing of params/bearings, such as \"6014\": its values hold where this table says nothing."});
   s.integer("node", &P::node, {.range = at_least(1), .help = "Rotor node at which the bearing sits, numbered from 1."});
   s.quantity("contact_stiffness", &P::contact_stiffness,
-             {.unit = "N/m^n", .range = positive(), .help = "K of the normal force K delta^n between rotor and bore. Stiffens the first impact."});
-  s.quantity("bore_radius", &P::bore_radius, {.unit = "m", .range = positive(), .help = "This bearing's bore; contact.bore_radius if not given."});
-  s.quantity("air_gap", &P::air_gap, {.unit = "m", .range = positive(), .help = "This bearing's air gap; contact.air_gap if not given."});
+             {.unit = "N/m^n",
+              .range = positive(),
+              .help = "K of the normal force K delta^n between rotor and bore. Stiffens the first impact."});
+  s.quantity("bore_radius", &P::bore_radius,
+             {.unit = "m", .range = positive(), .help = "This bearing's bore; contact.bore_radius if not given."});
+  s.quantity("air_gap", &P::air_gap,
+             {.unit = "m", .range = positive(), .help = "This bearing's air gap; contact.air_gap if not given."});
   add_row_keys(s);
   add_ring_keys(s);
   add_friction_keys(s);
-  s.quantity("bore_diameter", &P::bore_diameter, {.unit = "m", .range = positive(), .help = "Catalogue dimension; kept with the bearing's data."});
-  s.quantity("outside_diameter", &P::outside_diameter, {.unit = "m", .range = positive(), .help = "Catalogue dimension; kept with the bearing's data."});
+  s.quantity("bore_diameter", &P::bore_diameter,
+             {.unit = "m", .range = positive(), .help = "Catalogue dimension; kept with the bearing's data."});
+  s.quantity("outside_diameter", &P::outside_diameter,
+             {.unit = "m", .range = positive(), .help = "Catalogue dimension; kept with the bearing's data."});
   s.check(check_geometry);
   return s;
 }
@@ -245,28 +344,32 @@ double air_gap(const TouchdownParameters& bearing, const ContactParameters& cont
   return bearing.air_gap.value_or(contact.air_gap);
 }
 
-void check_touchdown(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact, const Node& table,
-                     const Node& contact_table, Faults& faults) {
+void check_touchdown(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact,
+                     const Node& table, const Node& contact_table, Faults& faults) {
   const double bore = bore_radius(b, contact), gap = air_gap(b, contact);
   if (gap >= 0.2 * bore)
-    faults.add(position_of_value(b.air_gap ? table : contact_table, "air_gap"),
-               fmt::format("bearings.{}: the air gap of {:.6g} mm is more than a fifth of the bore radius of {:.6g} mm.", name, gap * 1e3, bore * 1e3),
-               "Air gaps are a few tenths of a millimetre; check the unit.");
+    faults.add(
+        position_of_value(b.air_gap ? table : contact_table, "air_gap"),
+        fmt::format("bearings.{}: the air gap of {:.6g} mm is more than a fifth of the bore radius of {:.6g} mm.", name,
+                    gap * 1e3, bore * 1e3),
+        "Air gaps are a few tenths of a millimetre; check the unit.");
   if (std::fabs(2. * bore - b.inner_ring_diameters[0]) > 0.01 * b.inner_ring_diameters[0])
     faults.add(b.bore_radius         ? position_of_value(table, "bore_radius")
                : contact.bore_radius ? position_of_value(contact_table, "bore_radius")
                                      : position_of_value(table, "inner_ring_diameters"),
-               fmt::format("bearings.{}: the bore radius of {:.6g} mm is not half the inner ring's bore diameter of {:.6g} mm.", name, bore * 1e3,
-                           b.inner_ring_diameters[0] * 1e3),
+               fmt::format(
+                   "bearings.{}: the bore radius of {:.6g} mm is not half the inner ring's bore diameter of {:.6g} mm.",
+                   name, bore * 1e3, b.inner_ring_diameters[0] * 1e3),
                "contact.bore_radius holds for all bearings; bearings.NAME.bore_radius for one.");
   if (b.preload > b.C0)
     faults.add(position_of_value(table, "preload"),
-               fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating C0 = {:.6g} N.", name, b.preload, b.C0),
+               fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating C0 = {:.6g} N.",
+                           name, b.preload, b.C0),
                "Preloads are a few hundredths of C0; check the unit.");
 }
 
-TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact,
-                                    const TouchdownSurroundings& around) {
+TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& b,
+                                    const ContactParameters& contact, const TouchdownSurroundings& around) {
   const double modulus = effective_modulus(around.ring, around.ball);
   const double projected = 0.5 * b.ball_diameter * std::cos(b.contact_angle);
   const auto inner = inner_race_contact(b.ball_diameter, 0.5 * b.pitch_diameter - projected, b.conformity[0]);
@@ -291,15 +394,18 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   for (int i = 0; i < b.rows; ++i) {
     row.position = (i - 0.5 * (b.rows - 1)) * spacing;
     row.phase = i * b.row_phase * 2. * std::numbers::pi / b.balls_per_row;
-    const double inwards = row.position > 0. ? 1. : -1.;  // in an X set each row's inner ring is loaded away from the other row
+    const double inwards =
+        row.position > 0. ? 1. : -1.;  // in an X set each row's inner ring is loaded away from the other row
     row.direction = b.rows == 1 || b.arrangement == RowArrangement::tandem ? 1.
-                    : b.arrangement == RowArrangement::face_to_face       ? inwards
-                                                                          : -inwards;
+                    : b.arrangement == RowArrangement::face_to_face        ? inwards
+                                                                           : -inwards;
     d.rows.push_back(row);
   }
   for (const auto& w : b.waviness) {
-    if (w.surface == WavySurface::bore) d.bore_waves.push_back({w.order, w.amplitude, w.phase});
-    else d.race_waves.push_back({w.surface == WavySurface::inner_race, w.order, w.amplitude, w.phase});
+    if (w.surface == WavySurface::bore)
+      d.bore_waves.push_back({w.order, w.amplitude, w.phase});
+    else
+      d.race_waves.push_back({w.surface == WavySurface::inner_race, w.order, w.amplitude, w.phase});
   }
   d.ring_mass = b.ring_mass;
   d.ring_spin_inertia = b.ring_spin_inertia;
@@ -307,8 +413,9 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.air_gap = air_gap(b, contact);
   d.rotor_radius = d.bore_radius - d.air_gap;
   d.contact = {b.contact_stiffness, contact.exponent, contact.lambda};
-  d.friction = {contact.friction_coefficient, contact.regularisation_speed, contact.static_friction_coefficient.value_or(0.),
-                contact.stribeck_speed, contact.static_friction_coefficient.has_value()};
+  d.friction = {contact.friction_coefficient, contact.regularisation_speed,
+                contact.static_friction_coefficient.value_or(0.), contact.stribeck_speed,
+                contact.static_friction_coefficient.has_value()};
   d.f1_z = b.f1_z;
   d.f1_y = b.f1_y;
   d.static_rating = b.C0;

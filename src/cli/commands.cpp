@@ -50,15 +50,17 @@ std::string header(const Case& c) {
   const auto& p = c.parameters;
   std::string bearings;
   for (const auto& entry : p.bearings) bearings += (bearings.empty() ? "" : ", ") + entry.name;
-  return fmt::format("rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; expansion driven by the {}\n", version(), git_revision(), c.name,
-                     rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi, bearings,
-                     p.thermal.growth ? "lumped thermal circuit" : "nothing (thermal.growth = false)");
+  return fmt::format(
+      "rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; expansion driven by the {}\n",
+      version(), git_revision(), c.name, rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi,
+      bearings, p.thermal.growth ? "lumped thermal circuit" : "nothing (thermal.growth = false)");
 }
 
 }  // namespace
 
 std::string version_text() {
-  return fmt::format("rotordrop {} (revision {}; SUNDIALS {}, HDF5 {})", version(), git_revision(), sundials_version(), hdf5_version());
+  return fmt::format("rotordrop {} (revision {}; SUNDIALS {}, HDF5 {})", version(), git_revision(), sundials_version(),
+                     hdf5_version());
 }
 
 int run_command(const RunCommand& command) {
@@ -87,12 +89,15 @@ int run_command(const RunCommand& command) {
   if (!command.quiet) {
     std::ifstream file(options.directory / "summary.json");
     fmt::print("{}", summary_text(nlohmann::ordered_json::parse(file)));
-    fmt::print("{} steps, {:.3g} s; results in {}\n", result.statistics.steps, result.wall_time, options.directory.string());
+    fmt::print("{} steps, {:.3g} s; results in {}\n", result.statistics.steps, result.wall_time,
+               options.directory.string());
   }
   if (result.completed) return 0;
-  std::string again = fmt::format("rotordrop run {} -o {} --resume", quoted(command.file.string()), quoted(options.directory.string()));
+  std::string again =
+      fmt::format("rotordrop run {} -o {} --resume", quoted(command.file.string()), quoted(options.directory.string()));
   for (const auto& assignment : command.overrides) again += " --set " + quoted(assignment);
-  fmt::print(stderr, "interrupted at t = {:.6g} s; what was computed is in {}. Go on with: {}\n", result.end_time, options.directory.string(), again);
+  fmt::print(stderr, "interrupted at t = {:.6g} s; what was computed is in {}. Go on with: {}\n", result.end_time,
+             options.directory.string(), again);
   return 128 + static_cast<int>(caught_signal);
 }
 
@@ -101,8 +106,8 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   build_machine(c.parameters, c.tree);
   fmt::print("{}", header(c));
   const auto report = rotor_report(c.parameters.rotor);
-  fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass, report.body.Ip, report.body.Id,
-             report.body.centre_of_gravity);
+  fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
+             report.body.Ip, report.body.Id, report.body.centre_of_gravity);
   fmt::print("{}: no faults. Not checked: whether the step suits the stiffest contact.\n", file.string());
   return 0;
 }
@@ -133,7 +138,8 @@ int heat_command(const HeatCommand& command) {
   catch_signals();
   const auto summary = run_heat(heat_case, options);
   if (!command.quiet) {
-    fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), heat_case.name, heat_summary_text(summary));
+    fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), heat_case.name,
+               heat_summary_text(summary));
     fmt::print("results in {}\n", options.directory.string());
   }
   if (summary["completed"].get<bool>()) return 0;
@@ -143,10 +149,13 @@ int heat_command(const HeatCommand& command) {
 
 int modes_command(const ModesCommand& command) {
   const Case c = read_case(command.file, command.overrides);
-  const auto speeds = command.speeds.empty() ? std::vector<double>{0., c.parameters.run.initial_speed} : parse_speeds(command.speeds);
+  const auto speeds =
+      command.speeds.empty() ? std::vector<double>{0., c.parameters.run.initial_speed} : parse_speeds(command.speeds);
   const auto report = find_modes(c, speeds);
-  if (command.json) fmt::print("{}\n", to_json(report, command.n_modes).dump(2));
-  else fmt::print("{}", to_table(report, command.n_modes));
+  if (command.json)
+    fmt::print("{}\n", to_json(report, command.n_modes).dump(2));
+  else
+    fmt::print("{}", to_table(report, command.n_modes));
   const auto shapes = command.shapes.empty() ? std::filesystem::path("out") / c.name / "modes.h5" : command.shapes;
   if (shapes.has_parent_path()) std::filesystem::create_directories(shapes.parent_path());
   write_mode_shapes(report, command.n_modes, shapes);

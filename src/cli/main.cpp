@@ -18,10 +18,13 @@ int run_program(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
 
   RunCommand run;
-  auto* run_app = app.add_subcommand("run", "Run a case: results.h5, summary.json and parameters.toml into a directory.");
+  auto* run_app =
+      app.add_subcommand("run", "Run a case: results.h5, summary.json and parameters.toml into a directory.");
   run_app->add_option("case", run.file, "Parameter file")->required();
   run_app->add_option("-o,--output", run.directory, "Directory for the results; default out/CASE");
-  run_app->add_option("--set", run.overrides, "Override a parameter: contact.friction_coefficient=0.05")->type_name("KEY=VALUE")->allow_extra_args(false);
+  run_app->add_option("--set", run.overrides, "Override a parameter: contact.friction_coefficient=0.05")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
   run_app->add_flag("--force", run.force, "Replace results that are in the directory");
   run_app->add_flag("--resume", run.resume, "Go on with an interrupted run");
   run_app->add_flag("--quiet", run.quiet, "Only messages about trouble");
@@ -35,21 +38,28 @@ int run_program(int argc, char** argv) {
   ModesCommand modes;
   auto* modes_app = app.add_subcommand("modes", "Natural modes: on the case's linear supports, or free-free.");
   modes_app->add_option("case", modes.file, "Parameter file")->required();
-  modes_app->add_option("--speeds", modes.speeds, "Spin speeds, such as \"0 rpm,15200 rpm\"; default: 0 and the initial speed");
+  modes_app->add_option("--speeds", modes.speeds,
+                        "Spin speeds, such as \"0 rpm,15200 rpm\"; default: 0 and the initial speed");
   modes_app->add_option("--modes", modes.n_modes, "Number of modes to report")->check(CLI::Range(1, 10000));
   modes_app->add_flag("--json", modes.json, "Report as JSON");
   modes_app->add_option("--shapes", modes.shapes, "HDF5 file for the mode shapes; default out/CASE/modes.h5");
-  modes_app->add_option("--set", modes.overrides, "Override a parameter")->type_name("KEY=VALUE")->allow_extra_args(false);
+  modes_app->add_option("--set", modes.overrides, "Override a parameter")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
 
   HeatCommand heat;
-  auto* heat_app = app.add_subcommand("heat", "Heat conduction alone, by finite elements: temperatures at probes under prescribed heat.");
+  auto* heat_app = app.add_subcommand(
+      "heat", "Heat conduction alone, by finite elements: temperatures at probes under prescribed heat.");
   heat_app->add_option("case", heat.file, "Parameter file")->required();
   heat_app->add_option("-o,--output", heat.directory, "Directory for the results; default out/CASE");
-  heat_app->add_option("--set", heat.overrides, "Override a parameter: fe.cells=16")->type_name("KEY=VALUE")->allow_extra_args(false);
+  heat_app->add_option("--set", heat.overrides, "Override a parameter: fe.cells=16")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
   heat_app->add_flag("--force", heat.force, "Replace results that are in the directory");
   heat_app->add_flag("--quiet", heat.quiet, "Only messages about trouble");
 
-  auto* defaults = app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
+  auto* defaults =
+      app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
   auto* schema = app.add_subcommand("schema", "JSON Schema of case files, for editors.");
   std::string new_directory;
   auto* fresh = app.add_subcommand("new", "Start a case in a new folder.");
@@ -82,7 +92,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", error.what());
     return run_failed;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n       This is a fault of the program, not of the input; please report it with the parameter file.\n", error.what());
+    fmt::print(stderr,
+               "error: {}\n       This is a fault of the program, not of the input; please report it with the "
+               "parameter file.\n",
+               error.what());
     return run_failed;
   }
 }

@@ -29,7 +29,7 @@ using hdf5::Handle;
 namespace {
 
 class FileDescriptor {
-public:
+ public:
   explicit FileDescriptor(int descriptor) : descriptor_(descriptor) {}
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;
@@ -38,7 +38,7 @@ public:
   }
   [[nodiscard]] int get() const { return descriptor_; }
 
-private:
+ private:
   int descriptor_;
 };
 
@@ -64,10 +64,11 @@ void sync_directory(const fs::path& directory) {
   if (opened.get() >= 0) ::fsync(opened.get());
 }
 
-} // namespace
+}  // namespace
 
 void write_text_atomically(const fs::path& path, std::string_view text) {
-  const fs::path beside = path.string() + ".writing"; // a fixed name: what a killed writer left is overwritten by the next
+  const fs::path beside =
+      path.string() + ".writing";  // a fixed name: what a killed writer left is overwritten by the next
   try {
     write_all(beside, text);
     if (std::rename(beside.c_str(), path.c_str()) != 0) throw_not_written(path, errno);
@@ -100,7 +101,8 @@ Handle in_memory() {
 }
 
 std::string file_image(const Checkpoint& checkpoint) {
-  Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory().id()), H5Fclose, "cannot make checkpoint");
+  Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory().id()), H5Fclose,
+              "cannot make checkpoint");
   hdf5::write_attribute(file.id(), "format", "rotordrop checkpoint 1");
   hdf5::write_attribute(file.id(), "parameter_digest", checkpoint.parameter_digest);
   hdf5::write_numbers(file.id(), "/time", {checkpoint.time});
@@ -204,12 +206,13 @@ std::string difference(const std::vector<std::string>& stored, const std::vector
   if (only_stored.empty() && only_present.empty()) {
     const auto [a, b] = std::mismatch(stored.begin(), stored.end(), present.begin(), present.end());
     text += "\nThe order differs from entry " + std::to_string(a - stored.begin()) + " on: \"" +
-            (a == stored.end() ? "(end)" : *a) + "\" in the checkpoint, \"" + (b == present.end() ? "(end)" : *b) + "\" in this case.";
+            (a == stored.end() ? "(end)" : *a) + "\" in the checkpoint, \"" + (b == present.end() ? "(end)" : *b) +
+            "\" in this case.";
   }
   return text;
 }
 
-} // namespace
+}  // namespace
 
 fs::path write_checkpoint(const fs::path& directory, const Checkpoint& checkpoint, std::size_t keep) {
   if (keep == 0) throw std::invalid_argument("write_checkpoint: keep is 0");
@@ -247,7 +250,8 @@ Checkpoint read_checkpoint(const fs::path& path) {
   try {
     return from_image(bytes);
   } catch (const std::exception& error) {
-    throw InputError({path.string()}, std::string("this checkpoint was written by another version (") + error.what() + ").");
+    throw InputError({path.string()},
+                     std::string("this checkpoint was written by another version (") + error.what() + ").");
   }
 }
 
@@ -255,11 +259,12 @@ void require_same_case(const fs::path& path, const Checkpoint& checkpoint, const
                        const std::vector<std::string>& entry_names) {
   Faults faults;
   if (checkpoint.entry_names != entry_names)
-    faults.add({path.string()}, "this checkpoint belongs to another machine: " + difference(checkpoint.entry_names, entry_names));
+    faults.add({path.string()},
+               "this checkpoint belongs to another machine: " + difference(checkpoint.entry_names, entry_names));
   if (checkpoint.parameter_digest != parameter_digest)
     faults.add({path.string()},
-               "this checkpoint was written with other parameters (digest " + checkpoint.parameter_digest + "; this case has " +
-                   parameter_digest + ").",
+               "this checkpoint was written with other parameters (digest " + checkpoint.parameter_digest +
+                   "; this case has " + parameter_digest + ").",
                "Compare the parameters saved beside the results with those of this case, or start afresh.");
   faults.throw_if_any();
 }
@@ -279,4 +284,4 @@ FoundCheckpoint newest_valid_checkpoint(const fs::path& directory) {
   return found;
 }
 
-} // namespace rotordrop
+}  // namespace rotordrop

@@ -13,11 +13,12 @@ namespace rotordrop {
 
 /// What a run needs to go on from a time.
 struct Checkpoint {
-  double time = 0;                                       ///< [s]
-  std::vector<double> state;                             ///< [n_state], SI
-  std::map<std::string, std::vector<double>> extras;     ///< what is not in the state: "window/TB2", "integrator"; any size
-  std::string parameter_digest;                          ///< tells whether the parameters are the same
-  std::vector<std::string> entry_names;                  ///< [n_state] names of the state's entries, from StateLayout
+  double time = 0;            ///< [s]
+  std::vector<double> state;  ///< [n_state], SI
+  std::map<std::string, std::vector<double>>
+      extras;                            ///< what is not in the state: "window/TB2", "integrator"; any size
+  std::string parameter_digest;          ///< tells whether the parameters are the same
+  std::vector<std::string> entry_names;  ///< [n_state] names of the state's entries, from StateLayout
 
   bool operator==(const Checkpoint&) const = default;
 };
@@ -27,7 +28,8 @@ struct Checkpoint {
 /// @param keep  >= 1; two or more, so that one can be damaged
 /// @return the path of the new file
 /// @throws SolverError if it cannot be written
-std::filesystem::path write_checkpoint(const std::filesystem::path& directory, const Checkpoint& checkpoint, std::size_t keep = 3);
+std::filesystem::path write_checkpoint(const std::filesystem::path& directory, const Checkpoint& checkpoint,
+                                       std::size_t keep = 3);
 
 /// @throws InputError if the file is missing, cut off or altered
 [[nodiscard]] Checkpoint read_checkpoint(const std::filesystem::path& path);
@@ -35,13 +37,13 @@ std::filesystem::path write_checkpoint(const std::filesystem::path& directory, c
 /// Refuses a checkpoint of another case; the message says which entries differ.
 /// @param path  of the checkpoint, for the message
 /// @throws InputError
-void require_same_case(const std::filesystem::path& path, const Checkpoint& checkpoint, const std::string& parameter_digest,
-                       const std::vector<std::string>& entry_names);
+void require_same_case(const std::filesystem::path& path, const Checkpoint& checkpoint,
+                       const std::string& parameter_digest, const std::vector<std::string>& entry_names);
 
 struct FoundCheckpoint {
-  std::filesystem::path path;           ///< empty if none was found
-  std::optional<Checkpoint> checkpoint; ///< the newest that can be read
-  std::vector<std::string> skipped;     ///< for each newer one that could not be read: path and reason
+  std::filesystem::path path;            ///< empty if none was found
+  std::optional<Checkpoint> checkpoint;  ///< the newest that can be read
+  std::vector<std::string> skipped;      ///< for each newer one that could not be read: path and reason
 };
 
 /// The newest checkpoint in a directory that can be read; unreadable ones are skipped and named. No directory: nothing found.
@@ -51,4 +53,4 @@ struct FoundCheckpoint {
 /// even if the program is killed or the disk is full. @throws SolverError
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 
-} // namespace rotordrop
+}  // namespace rotordrop

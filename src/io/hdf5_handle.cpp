@@ -39,7 +39,7 @@ herr_t keep_innermost(unsigned depth, const H5E_error2_t* error, void* text) {
   return 0;
 }
 
-} // namespace
+}  // namespace
 
 std::string last_error() {
   std::string text;
@@ -62,7 +62,8 @@ Handle open_for_reading(const std::filesystem::path& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status)) throw InputError({path.string()}, "there is no such file.");
-  if (std::filesystem::is_directory(status)) throw InputError({path.string()}, "this is a directory, not an HDF5 file.");
+  if (std::filesystem::is_directory(status))
+    throw InputError({path.string()}, "this is a directory, not an HDF5 file.");
   hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT);
   // Files in HDF5's older format (from other programs) cannot be opened that way.
   if (id < 0) id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -92,12 +93,13 @@ Handle one_dimension(std::size_t n) {
 }
 
 Handle new_dataset(hid_t file, const std::string& path, hid_t type, hid_t space) {
-  return Handle(H5Dcreate2(file, path.c_str(), type, space, with_missing_groups().id(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
-                "cannot make dataset " + path);
+  return Handle(H5Dcreate2(file, path.c_str(), type, space, with_missing_groups().id(), H5P_DEFAULT, H5P_DEFAULT),
+                H5Dclose, "cannot make dataset " + path);
 }
 
 /// `read(type, buffer)` fills the buffer: one char* per text, or fixed-size slots.
-template <class Read> std::vector<std::string> texts_of(Handle type, Handle space, std::string_view what, Read read) {
+template <class Read>
+std::vector<std::string> texts_of(Handle type, Handle space, std::string_view what, Read read) {
   if (H5Tget_class(type.id()) != H5T_STRING) throw SolverError(std::string(what) + " is not text.");
   const auto n = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space.id())));
   std::vector<std::string> texts;
@@ -112,12 +114,13 @@ template <class Read> std::vector<std::string> texts_of(Handle type, Handle spac
     const std::size_t slot = H5Tget_size(type.id());
     std::string buffer(n * slot, '\0');
     require(read(type.id(), buffer.data()), what);
-    for (std::size_t i = 0; i < n; ++i) texts.emplace_back(buffer.data() + i * slot, strnlen(buffer.data() + i * slot, slot));
+    for (std::size_t i = 0; i < n; ++i)
+      texts.emplace_back(buffer.data() + i * slot, strnlen(buffer.data() + i * slot, slot));
   }
   return texts;
 }
 
-} // namespace
+}  // namespace
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text) {
   const Handle type = text_type();
@@ -148,13 +151,15 @@ void write_texts(hid_t file, const std::string& path, const std::vector<std::str
   const Handle type = text_type();
   const Handle dataset = new_dataset(file, path, type.id(), one_dimension(texts.size()).id());
   if (texts.empty()) return;
-  require(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers(texts).data()), "cannot write " + path);
+  require(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers(texts).data()),
+          "cannot write " + path);
 }
 
 void write_numbers(hid_t file, const std::string& path, const std::vector<double>& numbers) {
   const Handle dataset = new_dataset(file, path, H5T_IEEE_F64LE, one_dimension(numbers.size()).id());
   if (numbers.empty()) return;
-  require(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()), "cannot write " + path);
+  require(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
+          "cannot write " + path);
 }
 
 std::vector<std::string> read_texts(hid_t dataset, std::string_view what) {
@@ -170,10 +175,12 @@ std::vector<std::string> read_attribute_texts(hid_t attribute, std::string_view 
 std::vector<std::string> dataset_paths(hid_t file) {
   std::vector<std::string> paths;
   const auto keep_datasets = [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t {
-    if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(list)->push_back(std::string("/") + name);
+    if (info->type == H5O_TYPE_DATASET)
+      static_cast<std::vector<std::string>*>(list)->push_back(std::string("/") + name);
     return 0;
   };
-  require(H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, keep_datasets, &paths, H5O_INFO_BASIC), "cannot list the datasets");
+  require(H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, keep_datasets, &paths, H5O_INFO_BASIC),
+          "cannot list the datasets");
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -193,4 +200,4 @@ Handle with_missing_groups() {
   return list;
 }
 
-} // namespace rotordrop::hdf5
+}  // namespace rotordrop::hdf5

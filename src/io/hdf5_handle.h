@@ -13,7 +13,7 @@ namespace rotordrop::hdf5 {
 
 /// Owns one HDF5 identifier and closes it with the function that belongs to its kind.
 class Handle {
-public:
+ public:
   using Close = herr_t (*)(hid_t);
 
   Handle() = default;
@@ -32,7 +32,7 @@ public:
   /// Forgets the object without closing it.
   void leak() noexcept { id_ = -1; }
 
-private:
+ private:
   hid_t id_ = -1;
   Close close_ = nullptr;
 };
@@ -75,4 +75,4 @@ void write_numbers(hid_t file, const std::string& path, const std::vector<double
 /// Property list that makes the groups on the way to a new object.
 [[nodiscard]] Handle with_missing_groups();
 
-} // namespace rotordrop::hdf5
+}  // namespace rotordrop::hdf5

@@ -14,19 +14,17 @@ namespace {
 /// Walks through JSON text beside the parser, which does not tell where its tokens begin. It may rely on the text being
 /// valid as far as the parser has come.
 class TokenScanner {
-public:
+ public:
   TokenScanner(std::string_view text, std::string file) : text_(text), where_{std::move(file), 1, 1} {
-    if (text_.starts_with("\xEF\xBB\xBF")) // byte order mark
+    if (text_.starts_with("\xEF\xBB\xBF"))  // byte order mark
       at_ = 3;
   }
 
   /// Where the next token other than a comma or colon begins; goes on to its end.
   SourcePosition next() {
-    while (at_ < text_.size() && std::string_view(" \t\r\n,:").find(text_[at_]) != std::string_view::npos)
-      advance();
+    while (at_ < text_.size() && std::string_view(" \t\r\n,:").find(text_[at_]) != std::string_view::npos) advance();
     const SourcePosition start = where_;
-    if (at_ >= text_.size())
-      return start;
+    if (at_ >= text_.size()) return start;
     if (text_[at_] == '"')
       skip_string();
     else if (std::string_view("{}[]").find(text_[at_]) != std::string_view::npos)
@@ -39,31 +37,27 @@ public:
 
   /// The place of a byte, counted from 0.
   SourcePosition place_of(std::size_t byte) {
-    while (at_ < std::min(byte, text_.size()))
-      advance();
+    while (at_ < std::min(byte, text_.size())) advance();
     return where_;
   }
 
-private:
+ private:
   void advance() {
     const char c = text_[at_++];
     if (c == '\n') {
       ++where_.line;
       where_.column = 1;
-    } else if ((c & 0xC0) != 0x80) { // the further bytes of a UTF-8 character are in the same column
+    } else if ((c & 0xC0) != 0x80) {  // the further bytes of a UTF-8 character are in the same column
       ++where_.column;
     }
   }
   void skip_string() {
     advance();
     while (at_ < text_.size() && text_[at_] != '"') {
-      if (text_[at_] == '\\')
-        advance();
-      if (at_ < text_.size())
-        advance();
+      if (text_[at_] == '\\') advance();
+      if (at_ < text_.size()) advance();
     }
-    if (at_ < text_.size())
-      advance();
+    if (at_ < text_.size()) advance();
   }
 
   std::string_view text_;
@@ -73,7 +67,7 @@ private:
 
 /// Builds the tree from the parser's events. The names are those of nlohmann::json_sax.
 class TreeBuilder {
-public:
+ public:
   TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file), scanner_(text, file) {}
 
   bool null() {
@@ -91,15 +85,14 @@ public:
   }
   bool number_float(double value, const std::string&) { return add(Node(value, scanner_.next())); }
   bool string(std::string& value) { return add(Node(value, scanner_.next())); }
-  bool binary(nlohmann::json::binary_t&) { return false; } // does not occur in text
+  bool binary(nlohmann::json::binary_t&) { return false; }  // does not occur in text
   bool start_object(std::size_t) { return open(Node::table(scanner_.next())); }
   bool start_array(std::size_t) { return open(Node::array({}, scanner_.next())); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool key(std::string& name) {
     const SourcePosition where = scanner_.next();
-    if (open_.back().node.has(name))
-      faults_.add(where, fmt::format("key \"{}\" occurs twice in this object.", name));
+    if (open_.back().node.has(name)) faults_.add(where, fmt::format("key \"{}\" occurs twice in this object.", name));
     open_.back().key = name;
     open_.back().where_key = where;
     return true;
@@ -116,7 +109,7 @@ public:
     return std::move(root_).value_or(Node());
   }
 
-private:
+ private:
   struct Open {
     Node node;
     std::string key;
@@ -159,7 +152,7 @@ private:
   Faults faults_;
 };
 
-} // namespace
+}  // namespace
 
 Node parse_json(std::string_view text, const std::string& file) {
   TreeBuilder builder(text, file);
@@ -177,4 +170,4 @@ Node read_json(const std::filesystem::path& path) {
   return parse_json(text, path.string());
 }
 
-} // namespace rotordrop
+}  // namespace rotordrop

@@ -15,4 +15,4 @@ Node read_json(const std::filesystem::path& path);
 /// As read_json, from text; `file` is how positions call it.
 Node parse_json(std::string_view text, const std::string& file);
 
-} // namespace rotordrop
+}  // namespace rotordrop

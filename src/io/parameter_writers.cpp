@@ -41,8 +41,7 @@ std::string toml_key(const std::string& key) {
 }
 
 std::string toml_number(double value) {
-  if (std::isnan(value))
-    return "nan";
+  if (std::isnan(value)) return "nan";
   const std::string text = shortest(value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
@@ -66,13 +65,11 @@ std::vector<ErasedSection> top_level_first(std::vector<ErasedSection> sections) 
 
 /// Comments begin with "# ", keys and tables that are only shown begin with "#".
 class DefaultsWriter {
-public:
+ public:
   void section(const SectionDeclaration& section, const std::string& path, bool is_shown_only) {
     for (const Declaration& d : section.declarations)
-      if (is_one_value(d) || d.fallback)
-        value(d, is_shown_only);
-    for (const Declaration& d : section.declarations)
-      tables(d, joined_path(path, d.key), is_shown_only);
+      if (is_one_value(d) || d.fallback) value(d, is_shown_only);
+    for (const Declaration& d : section.declarations) tables(d, joined_path(path, d.key), is_shown_only);
   }
   void header(const std::string& header, const std::string& help, bool is_shown_only) {
     comment(help);
@@ -80,11 +77,10 @@ public:
   }
   const std::string& text() const { return text_; }
 
-private:
+ private:
   void value(const Declaration& d, bool is_shown_only) {
     comment(fmt::format("{}{}[{}]", d.help, d.help.empty() ? "" : "  ", type_text(d)));
-    if (!d.source.empty())
-      comment("source: " + d.source);
+    if (!d.source.empty()) comment("source: " + d.source);
     if (d.fallback)
       text_ += fmt::format("{}{} = {}\n\n", is_shown_only ? "#" : "", toml_key(d.key), toml_value(*d.fallback));
     else
@@ -122,26 +118,25 @@ private:
       return bare_number(text) ? text : quoted_text(text);
     };
     switch (d.kind) {
-    case Kind::quantity:
-      return one();
-    case Kind::integer:
-      return std::isfinite(d.range.lower) ? fmt::format("{}", std::ceil(d.range.lower)) : "1";
-    case Kind::boolean:
-      return "true";
-    case Kind::choice:
-      return quoted_text(d.choices.front());
-    case Kind::quantities: {
-      std::string items;
-      for (std::size_t i = 0; i < std::max<std::size_t>(d.min_count, 1); ++i)
-        items += (i == 0 ? "" : ", ") + one();
-      return "[" + items + "]";
-    }
-    case Kind::matrix:
-      return fmt::format("[[{0}, {0}], [{0}, {0}]]", one());
-    case Kind::function:
-      return fmt::format("[[0.0, {}]]", one());
-    default:
-      return "\"\"";
+      case Kind::quantity:
+        return one();
+      case Kind::integer:
+        return std::isfinite(d.range.lower) ? fmt::format("{}", std::ceil(d.range.lower)) : "1";
+      case Kind::boolean:
+        return "true";
+      case Kind::choice:
+        return quoted_text(d.choices.front());
+      case Kind::quantities: {
+        std::string items;
+        for (std::size_t i = 0; i < std::max<std::size_t>(d.min_count, 1); ++i) items += (i == 0 ? "" : ", ") + one();
+        return "[" + items + "]";
+      }
+      case Kind::matrix:
+        return fmt::format("[[{0}, {0}], [{0}, {0}]]", one());
+      case Kind::function:
+        return fmt::format("[[0.0, {}]]", one());
+      default:
+        return "\"\"";
     }
   }
   /// Breaks lines at 120 columns.
@@ -154,15 +149,14 @@ private:
         text_ += line + "\n";
         line = "#";
       }
-      if (end == start && line == "#") { // no double space at the start of a line
+      if (end == start && line == "#") {  // no double space at the start of a line
         start = end + 1;
         continue;
       }
       line += " " + text.substr(start, end - start);
       start = end + 1;
     }
-    if (line != "#")
-      text_ += line + "\n";
+    if (line != "#") text_ += line + "\n";
   }
 
   std::string text_;
@@ -172,7 +166,7 @@ private:
 // parameters
 
 class ResolvedWriter {
-public:
+ public:
   /// @param shared  for a named table of variants: the values that come from its parent table
   void section(const SectionDeclaration& section, const Node& table, const std::string& path,
                const Node& shared = Node(), const std::string& path_of_shared = "") {
@@ -198,7 +192,7 @@ public:
   void header(const std::string& header) { text_ += (text_.empty() ? "" : "\n") + header + "\n"; }
   const std::string& text() const { return text_; }
 
-private:
+ private:
   static bool is_empty_list(const Declaration& d, const Node* given) {
     return d.kind == Kind::list && given && given->is_array() && given->items().empty();
   }
@@ -220,7 +214,7 @@ private:
         section(*d.nested, item, path);
       }
     } else if (d.kind == Kind::tables && node.is_table()) {
-      if (node.entries().empty()) // given as empty: that is not the default
+      if (node.entries().empty())  // given as empty: that is not the default
         header(fmt::format("[{}]{}", path, mark));
       for (const Node::Entry& entry : node.entries()) {
         header(fmt::format("[{}]{}", joined_path(path, entry.key), mark));
@@ -253,37 +247,33 @@ using Json = nlohmann::ordered_json;
 
 Json json_value(const Node& node) {
   switch (node.kind()) {
-  case Node::Kind::null:
-    return nullptr;
-  case Node::Kind::boolean:
-    return node.boolean();
-  case Node::Kind::integer:
-    return node.integer();
-  case Node::Kind::real:
-    return node.number();
-  case Node::Kind::text:
-    return node.text();
-  case Node::Kind::array: {
-    Json array = Json::array();
-    for (const Node& item : node.items())
-      array.push_back(json_value(item));
-    return array;
-  }
-  case Node::Kind::table: {
-    Json object = Json::object();
-    for (const Node::Entry& entry : node.entries())
-      object[entry.key] = json_value(entry.value);
-    return object;
-  }
+    case Node::Kind::null:
+      return nullptr;
+    case Node::Kind::boolean:
+      return node.boolean();
+    case Node::Kind::integer:
+      return node.integer();
+    case Node::Kind::real:
+      return node.number();
+    case Node::Kind::text:
+      return node.text();
+    case Node::Kind::array: {
+      Json array = Json::array();
+      for (const Node& item : node.items()) array.push_back(json_value(item));
+      return array;
+    }
+    case Node::Kind::table: {
+      Json object = Json::object();
+      for (const Node::Entry& entry : node.entries()) object[entry.key] = json_value(entry.value);
+      return object;
+    }
   }
   return nullptr;
 }
 
 void add_limits(Json& schema, const Range& range) {
-  if (std::isfinite(range.lower))
-    schema[range.lower_is_open ? "exclusiveMinimum" : "minimum"] = range.lower;
-  if (std::isfinite(range.upper))
-    schema[range.upper_is_open ? "exclusiveMaximum" : "maximum"] = range.upper;
+  if (std::isfinite(range.lower)) schema[range.lower_is_open ? "exclusiveMinimum" : "minimum"] = range.lower;
+  if (std::isfinite(range.upper)) schema[range.upper_is_open ? "exclusiveMaximum" : "maximum"] = range.upper;
 }
 
 /// A number in SI or a text with a unit. The limits hold for numbers; texts are checked when the program reads them.
@@ -296,10 +286,8 @@ Json quantity_schema(const std::string& unit, const Range& range) {
 
 Json array_schema(Json items, std::size_t min_count, std::size_t max_count) {
   Json schema{{"type", "array"}, {"items", std::move(items)}};
-  if (min_count > 0)
-    schema["minItems"] = min_count;
-  if (max_count < std::numeric_limits<std::size_t>::max())
-    schema["maxItems"] = max_count;
+  if (min_count > 0) schema["minItems"] = min_count;
+  if (max_count < std::numeric_limits<std::size_t>::max()) schema["maxItems"] = max_count;
   return schema;
 }
 
@@ -312,12 +300,10 @@ Json variants_schema(const Declaration& d) {
     Json schema = section_schema(*variant.section);
     Json properties{{d.tag_key, {{"const", variant.tag}}}};
     properties.update(schema["properties"]);
-    if (variant.takes_defaults)
-      defaults.update(schema["properties"]);
+    if (variant.takes_defaults) defaults.update(schema["properties"]);
     properties[d.tag_key]["const"] = variant.tag;
     schema["properties"] = std::move(properties);
-    if (d.fallback_tag != variant.tag)
-      schema["required"] = Json::array({d.tag_key});
+    if (d.fallback_tag != variant.tag) schema["required"] = Json::array({d.tag_key});
     alternatives.push_back(std::move(schema));
   }
   return {{"type", "object"},
@@ -327,42 +313,41 @@ Json variants_schema(const Declaration& d) {
 
 Json shape_schema(const Declaration& d) {
   switch (d.kind) {
-  case Kind::quantity:
-    return quantity_schema(d.unit, d.range);
-  case Kind::integer: {
-    Json schema{{"type", "integer"}};
-    add_limits(schema, d.range);
-    return schema;
-  }
-  case Kind::boolean:
-    return {{"type", "boolean"}};
-  case Kind::text:
-    return {{"type", "string"}};
-  case Kind::choice:
-    return {{"type", "string"}, {"enum", d.choices}};
-  case Kind::quantities:
-    return array_schema(quantity_schema(d.unit, d.range), d.min_count, d.max_count);
-  case Kind::matrix:
-    return array_schema(array_schema(quantity_schema(d.unit, d.range), 2, 2), 2, 2);
-  case Kind::function: {
-    Json pair{{"type", "array"},
-              {"prefixItems", {quantity_schema(d.argument_unit, any()), quantity_schema(d.unit, d.range)}}};
-    pair["minItems"] = 2;
-    pair["maxItems"] = 2;
-    return {{"anyOf", {quantity_schema(d.unit, d.range), array_schema(std::move(pair), 1, d.max_count)}}};
-  }
-  case Kind::list:
-    return array_schema(section_schema(*d.nested), d.min_count, d.max_count);
-  case Kind::table:
-    return section_schema(*d.nested);
-  case Kind::tables:
-    return {{"type", "object"}, {"additionalProperties", section_schema(*d.nested)}};
-  case Kind::variants:
-    return variants_schema(d);
-  case Kind::custom:
-    if (d.json_types.empty())
-      return Json::object();
-    return {{"type", d.json_types.size() == 1 ? Json(d.json_types.front()) : Json(d.json_types)}};
+    case Kind::quantity:
+      return quantity_schema(d.unit, d.range);
+    case Kind::integer: {
+      Json schema{{"type", "integer"}};
+      add_limits(schema, d.range);
+      return schema;
+    }
+    case Kind::boolean:
+      return {{"type", "boolean"}};
+    case Kind::text:
+      return {{"type", "string"}};
+    case Kind::choice:
+      return {{"type", "string"}, {"enum", d.choices}};
+    case Kind::quantities:
+      return array_schema(quantity_schema(d.unit, d.range), d.min_count, d.max_count);
+    case Kind::matrix:
+      return array_schema(array_schema(quantity_schema(d.unit, d.range), 2, 2), 2, 2);
+    case Kind::function: {
+      Json pair{{"type", "array"},
+                {"prefixItems", {quantity_schema(d.argument_unit, any()), quantity_schema(d.unit, d.range)}}};
+      pair["minItems"] = 2;
+      pair["maxItems"] = 2;
+      return {{"anyOf", {quantity_schema(d.unit, d.range), array_schema(std::move(pair), 1, d.max_count)}}};
+    }
+    case Kind::list:
+      return array_schema(section_schema(*d.nested), d.min_count, d.max_count);
+    case Kind::table:
+      return section_schema(*d.nested);
+    case Kind::tables:
+      return {{"type", "object"}, {"additionalProperties", section_schema(*d.nested)}};
+    case Kind::variants:
+      return variants_schema(d);
+    case Kind::custom:
+      if (d.json_types.empty()) return Json::object();
+      return {{"type", d.json_types.size() == 1 ? Json(d.json_types.front()) : Json(d.json_types)}};
   }
   return Json::object();
 }
@@ -371,60 +356,53 @@ Json declaration_schema(const Declaration& d) {
   std::string description = d.help;
   if (const std::string type = type_text(d); is_one_value(d) && !type.empty())
     description += fmt::format("{}[{}]", description.empty() ? "" : "  ", type);
-  if (is_one_value(d) && d.required)
-    description += "  Required.";
-  if (!d.source.empty())
-    description += "  Source: " + d.source;
+  if (is_one_value(d) && d.required) description += "  Required.";
+  if (!d.source.empty()) description += "  Source: " + d.source;
   Json schema = Json::object();
-  if (!description.empty())
-    schema["description"] = description;
+  if (!description.empty()) schema["description"] = description;
   schema.update(shape_schema(d));
-  if (d.fallback)
-    schema["default"] = json_value(*d.fallback);
+  if (d.fallback) schema["default"] = json_value(*d.fallback);
   return schema;
 }
 
 Json section_schema(const SectionDeclaration& section) {
   Json properties = Json::object();
-  for (const Declaration& d : section.declarations)
-    properties[d.key] = declaration_schema(d);
+  for (const Declaration& d : section.declarations) properties[d.key] = declaration_schema(d);
   Json schema = Json::object();
-  if (!section.help.empty())
-    schema["description"] = section.help;
+  if (!section.help.empty()) schema["description"] = section.help;
   schema["type"] = "object";
   schema["properties"] = std::move(properties);
   schema["additionalProperties"] = false;
   return schema;
 }
 
-} // namespace
+}  // namespace
 
 std::string toml_value(const Node& node) {
   const auto joined = [](const auto& range, const auto& text_of) {
     std::string result;
-    for (const auto& item : range)
-      result += (result.empty() ? "" : ", ") + text_of(item);
+    for (const auto& item : range) result += (result.empty() ? "" : ", ") + text_of(item);
     return result;
   };
   switch (node.kind()) {
-  case Node::Kind::null:
-    throw std::invalid_argument("TOML has no null");
-  case Node::Kind::boolean:
-    return node.boolean() ? "true" : "false";
-  case Node::Kind::integer:
-    return fmt::format("{}", node.integer());
-  case Node::Kind::real:
-    return toml_number(node.number());
-  case Node::Kind::text:
-    return quoted_text(node.text());
-  case Node::Kind::array:
-    return "[" + joined(node.items(), toml_value) + "]";
-  case Node::Kind::table:
-    if (node.entries().empty())
-      return "{}";
-    return "{ " +
-           joined(node.entries(), [](const Node::Entry& e) { return toml_key(e.key) + " = " + toml_value(e.value); }) +
-           " }";
+    case Node::Kind::null:
+      throw std::invalid_argument("TOML has no null");
+    case Node::Kind::boolean:
+      return node.boolean() ? "true" : "false";
+    case Node::Kind::integer:
+      return fmt::format("{}", node.integer());
+    case Node::Kind::real:
+      return toml_number(node.number());
+    case Node::Kind::text:
+      return quoted_text(node.text());
+    case Node::Kind::array:
+      return "[" + joined(node.items(), toml_value) + "]";
+    case Node::Kind::table:
+      if (node.entries().empty()) return "{}";
+      return "{ " +
+             joined(node.entries(),
+                    [](const Node::Entry& e) { return toml_key(e.key) + " = " + toml_value(e.value); }) +
+             " }";
   }
   return "";
 }
@@ -433,8 +411,7 @@ std::string write_defaults(const std::vector<ErasedSection>& sections) {
   DefaultsWriter writer;
   for (const ErasedSection& section : top_level_first(sections)) {
     const std::string path = section->name.empty() ? "" : toml_key(section->name);
-    if (!path.empty())
-      writer.header(fmt::format("[{}]", path), section->help, false);
+    if (!path.empty()) writer.header(fmt::format("[{}]", path), section->help, false);
     writer.section(*section, path, false);
   }
   return writer.text();
@@ -475,4 +452,4 @@ std::string write_json_schema(const std::vector<ErasedSection>& sections) {
   return schema.dump(2) + "\n";
 }
 
-} // namespace rotordrop
+}  // namespace rotordrop

@@ -27,4 +27,4 @@ std::string write_resolved(const std::vector<ErasedSection>& sections, const Nod
 /// has not.
 std::string toml_value(const Node& node);
 
-} // namespace rotordrop
+}  // namespace rotordrop

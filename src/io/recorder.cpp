@@ -26,9 +26,9 @@ namespace {
 struct Column {
   Handle dataset;
   std::string path;
-  std::size_t size = 1; ///< values per row
-  bool is_flat = true;  ///< [time], not [time, size]
-  std::vector<double> buffered; ///< rows not yet written [n, size]
+  std::size_t size = 1;          ///< values per row
+  bool is_flat = true;           ///< [time], not [time, size]
+  std::vector<double> buffered;  ///< rows not yet written [n, size]
 
   [[nodiscard]] int rank() const { return is_flat ? 1 : 2; }
 };
@@ -69,9 +69,10 @@ Column make_column(hid_t file, const Channel& channel, const std::string& time_p
   const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
   const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
   const std::size_t chunk_bytes = chunk_rows * channel.size * sizeof(double);
-  column.dataset = Handle(H5Dcreate2(file, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), hdf5::with_missing_groups().id(),
-                                     chunked(chunk_rows, channel.size, column.rank()).id(), small_cache(chunk_bytes).id()),
-                          H5Dclose, "cannot make dataset " + channel.path);
+  column.dataset =
+      Handle(H5Dcreate2(file, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), hdf5::with_missing_groups().id(),
+                        chunked(chunk_rows, channel.size, column.rank()).id(), small_cache(chunk_bytes).id()),
+             H5Dclose, "cannot make dataset " + channel.path);
   hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
   hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
   if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);
@@ -90,18 +91,21 @@ void write_buffered(Column& column, std::size_t from) {
   const hsize_t count[2] = {n, column.size};
   hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start, nullptr, count, nullptr), what);
   const Handle in_memory(H5Screate_simple(column.rank(), count, nullptr), H5Sclose, what);
-  hdf5::require(
-      H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, column.buffered.data()), what);
+  hdf5::require(H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT,
+                         column.buffered.data()),
+                what);
   column.buffered.clear();
 }
 
-void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups, const RecorderOptions& options) {
+void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups,
+                    const RecorderOptions& options) {
   if (options.rows_per_flush == 0 || options.rows_per_chunk == 0)
     throw std::invalid_argument("Recorder: rows_per_flush and rows_per_chunk must be 1 or more");
   std::set<std::string> known;
   const auto add = [&](const std::string& path) {
     if (path.size() < 2 || path.front() != '/' || path.back() == '/')
-      throw std::invalid_argument("Recorder: \"" + path + "\" is not a dataset's path; it must look like \"/group/name\"");
+      throw std::invalid_argument("Recorder: \"" + path +
+                                  "\" is not a dataset's path; it must look like \"/group/name\"");
     if (!known.insert(path).second) throw std::invalid_argument("Recorder: two datasets are called " + path);
   };
   for (const auto& text : header.texts) add(text.first);
@@ -136,7 +140,7 @@ void give_name(const fs::path& from, const fs::path& to, bool may_replace) {
 
 /// Removes a half-made file unless told to keep it.
 class Removal {
-public:
+ public:
   explicit Removal(fs::path path) : path_(std::move(path)) {}
   Removal(const Removal&) = delete;
   Removal& operator=(const Removal&) = delete;
@@ -146,20 +150,20 @@ public:
   }
   void cancel() { path_.clear(); }
 
-private:
+ private:
   fs::path path_;
 };
 
-} // namespace
+}  // namespace
 
 struct Recorder::Implementation {
   fs::path path;
   RecorderOptions options;
   std::vector<SeriesGroup> series;
-  Handle file;               // before the groups: their datasets close first
+  Handle file;  // before the groups: their datasets close first
   std::vector<Group> groups;
   Clock::time_point last_flush = Clock::now();
-  std::string failure; ///< why writing failed; empty while all is well
+  std::string failure;  ///< why writing failed; empty while all is well
   bool is_closed = false;
 
   void create(const RecordHeader& header);
@@ -182,7 +186,8 @@ void Recorder::Implementation::create(const RecordHeader& header) {
   const fs::path beside = path.string() + "." + std::to_string(::getpid()) + ".new";
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");
   hdf5::require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "set file format");
-  hdf5::require(H5Pset_file_locking(access.id(), true, true), "set file locking"); // true: go on where locks do not exist
+  hdf5::require(H5Pset_file_locking(access.id(), true, true),
+                "set file locking");  // true: go on where locks do not exist
   Removal removal(beside);
   try {
     file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
@@ -207,7 +212,8 @@ void Recorder::Implementation::make_datasets(const RecordHeader& header) {
   for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
   for (const auto& description : series) {
     Group group;
-    group.time = make_column(file.id(), {description.time_path, description.unit, description.long_name, 1, {}}, description.time_path, options.rows_per_chunk);
+    group.time = make_column(file.id(), {description.time_path, description.unit, description.long_name, 1, {}},
+                             description.time_path, options.rows_per_chunk);
     for (const auto& channel : description.channels) {
       group.columns.push_back(make_column(file.id(), channel, description.time_path, options.rows_per_chunk));
       group.row_size += channel.size;
@@ -224,7 +230,8 @@ void Recorder::Implementation::flush() {
     for (auto& group : groups)
       if (group.n_buffered() > 0)
         for (auto& column : group.columns) write_buffered(column, group.n_written);
-    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "flush"); // the values are out before the times that announce them
+    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL),
+                  "flush");  // the values are out before the times that announce them
     for (auto& group : groups) {
       const std::size_t n = group.n_buffered();
       if (n == 0) continue;
@@ -289,7 +296,7 @@ Recorder::~Recorder() {
   if (!implementation_) return;
   try {
     close();
-  } catch (...) { // a destructor has nobody to tell
+  } catch (...) {  // a destructor has nobody to tell
   }
 }
 
@@ -299,7 +306,8 @@ void Recorder::append(std::size_t group_index, double time, std::span<const doub
   if (row.size() != group.row_size)
     throw std::invalid_argument("Recorder: a row of " + group.time.path + " has " + std::to_string(group.row_size) +
                                 " values, given were " + std::to_string(row.size()));
-  if (!(time >= group.last_time)) throw std::invalid_argument("Recorder: times of " + group.time.path + " must not decrease");
+  if (!(time >= group.last_time))
+    throw std::invalid_argument("Recorder: times of " + group.time.path + " must not decrease");
   group.last_time = time;
   group.time.buffered.push_back(time);
   auto next = row.begin();
@@ -309,7 +317,8 @@ void Recorder::append(std::size_t group_index, double time, std::span<const doub
     next = end;
   }
   const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
-  if (group.n_buffered() >= implementation_->options.rows_per_flush || waited.count() >= implementation_->options.seconds_per_flush)
+  if (group.n_buffered() >= implementation_->options.rows_per_flush ||
+      waited.count() >= implementation_->options.seconds_per_flush)
     implementation_->flush();
 }
 
@@ -337,7 +346,9 @@ std::size_t Recorder::n_rows(std::size_t group) const {
 
 namespace {
 
-[[noreturn]] void throw_unreadable(const fs::path& path, const std::string& what) { throw InputError({path.string()}, what); }
+[[noreturn]] void throw_unreadable(const fs::path& path, const std::string& what) {
+  throw InputError({path.string()}, what);
+}
 
 bool has_object(hid_t file, const std::string& path) {
   // H5Lexists wants every group on the way to exist.
@@ -348,8 +359,9 @@ bool has_object(hid_t file, const std::string& path) {
 
 /// One dataset of numbers in an open file.
 class SeriesReader {
-public:
-  SeriesReader(hid_t file, const fs::path& file_path, const std::string& dataset) : file_path_(file_path), name_(dataset) {
+ public:
+  SeriesReader(hid_t file, const fs::path& file_path, const std::string& dataset)
+      : file_path_(file_path), name_(dataset) {
     if (!has_object(file, dataset)) throw_unreadable(file_path, "there is no dataset " + dataset + " in this file.");
     const hid_t id = H5Dopen2(file, dataset.c_str(), H5P_DEFAULT);
     if (id < 0) throw_unreadable(file_path, dataset + " cannot be read as a dataset (" + hdf5::last_error() + ").");
@@ -380,21 +392,23 @@ public:
     start[0] = from;
     count[0] = n;
     const Handle in_file(H5Dget_space(dataset_.id()), H5Sclose, name_);
-    hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name_);
+    hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+                  name_);
     const Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, name_);
     if (H5Dread(dataset_.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()) < 0)
       throw_unreadable(file_path_, "the values of " + name_ + " cannot be read (" + hdf5::last_error() + ").");
     return values;
   }
 
-private:
+ private:
   fs::path file_path_;
   std::string name_;
   Handle dataset_;
   std::vector<std::size_t> shape_;
 };
 
-std::vector<std::string> attribute_texts(hid_t object, const fs::path& path, const std::string& owner, const std::string& name) {
+std::vector<std::string> attribute_texts(hid_t object, const fs::path& path, const std::string& owner,
+                                         const std::string& name) {
   if (H5Aexists(object, name.c_str()) <= 0) throw_unreadable(path, owner + " has no attribute \"" + name + "\".");
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "attribute " + name);
   return hdf5::read_attribute_texts(attribute.id(), "attribute " + name);
@@ -416,8 +430,8 @@ Source source_of(const Channel& channel, hid_t file, const fs::path& path) {
                                " values per row in this file; this case has " + std::to_string(channel.size) + ".");
   const auto unit = attribute_texts(source.reader->id(), path, channel.path, "units");
   if (unit.empty() || unit.front() != channel.unit)
-    throw_unreadable(path, channel.path + " is in " + (unit.empty() ? "?" : unit.front()) + " in this file; now it is in " +
-                               channel.unit + ".");
+    throw_unreadable(path, channel.path + " is in " + (unit.empty() ? "?" : unit.front()) +
+                               " in this file; now it is in " + channel.unit + ".");
   return source;
 }
 
@@ -434,11 +448,13 @@ std::size_t copy_group(hid_t file, const fs::path& path, double time, std::size_
   std::vector<Source> sources;
   for (const auto& channel : group.channels) {
     sources.push_back(source_of(channel, file, path));
-    if (sources.back().reader) n_rows = std::min(n_rows, sources.back().reader->n_rows());
-    else missing.push_back(channel.path);
+    if (sources.back().reader)
+      n_rows = std::min(n_rows, sources.back().reader->n_rows());
+    else
+      missing.push_back(channel.path);
   }
 
-  constexpr std::size_t block = 4096; // rows held at once
+  constexpr std::size_t block = 4096;  // rows held at once
   const std::size_t row_size = recorder.row_size(index);
   std::vector<double> rows;
   for (std::size_t from = 0; from < n_rows; from += block) {
@@ -459,7 +475,7 @@ std::size_t copy_group(hid_t file, const fs::path& path, double time, std::size_
   return n_rows;
 }
 
-} // namespace
+}  // namespace
 
 CopiedRows copy_rows_until(const fs::path& old_path, double time, Recorder& recorder) {
   const Handle file = hdf5::open_for_reading(old_path);
@@ -470,10 +486,10 @@ CopiedRows copy_rows_until(const fs::path& old_path, double time, Recorder& reco
   return copied;
 }
 
-ResumedRecorder resume_recording(const fs::path& path, double time, const RecordHeader& header, std::vector<SeriesGroup> groups,
-                                 RecorderOptions options) {
+ResumedRecorder resume_recording(const fs::path& path, double time, const RecordHeader& header,
+                                 std::vector<SeriesGroup> groups, RecorderOptions options) {
   const fs::path beside = path.string() + ".resuming";
-  options.overwrite = true; // of what an earlier attempt to resume may have left
+  options.overwrite = true;  // of what an earlier attempt to resume may have left
   Removal removal(beside);
   Recorder recorder(beside, header, std::move(groups), options);
   CopiedRows copied = copy_rows_until(path, time, recorder);
@@ -517,4 +533,4 @@ std::vector<std::string> list_datasets(const fs::path& path) {
   return hdf5::dataset_paths(file.id());
 }
 
-} // namespace rotordrop
+}  // namespace rotordrop

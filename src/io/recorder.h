@@ -13,32 +13,34 @@ namespace rotordrop {
 
 /// One recorded quantity: a dataset [time] or [time, size].
 struct Channel {
-  std::string path;                 ///< "/bearings/TB2/contact_force"
-  std::string unit;                 ///< SI unit in UDUNITS text, "1" if it has none; attribute `units`
-  std::string long_name;            ///< what it is, in words; attribute `long_name`
-  std::size_t size = 1;             ///< values per row; 1 gives a dataset [time]
-  std::vector<std::string> columns; ///< names of the `size` values, attribute `columns`; may be empty
+  std::string path;                  ///< "/bearings/TB2/contact_force"
+  std::string unit;                  ///< SI unit in UDUNITS text, "1" if it has none; attribute `units`
+  std::string long_name;             ///< what it is, in words; attribute `long_name`
+  std::size_t size = 1;              ///< values per row; 1 gives a dataset [time]
+  std::vector<std::string> columns;  ///< names of the `size` values, attribute `columns`; may be empty
 };
 
 /// Channels that are recorded at the same times.
 struct SeriesGroup {
-  std::string time_path; ///< dataset of the times [s]: "/time", "/coarse/time"
+  std::string time_path;  ///< dataset of the times [s]: "/time", "/coarse/time"
   std::vector<Channel> channels;
-  std::string unit = "s";           ///< of the axis, if it is not time
-  std::string long_name = "time";   ///< likewise
+  std::string unit = "s";          ///< of the axis, if it is not time
+  std::string long_name = "time";  ///< likewise
 };
 
 /// What a result file says about itself.
 struct RecordHeader {
-  std::vector<std::pair<std::string, std::string>> attributes; ///< of the root: name, text ("git_revision", "a1b2c3d")
-  std::vector<std::pair<std::string, std::string>> texts;      ///< datasets: path, text ("/parameters", the resolved parameters)
+  std::vector<std::pair<std::string, std::string>> attributes;  ///< of the root: name, text ("git_revision", "a1b2c3d")
+  std::vector<std::pair<std::string, std::string>>
+      texts;  ///< datasets: path, text ("/parameters", the resolved parameters)
 };
 
 struct RecorderOptions {
-  bool overwrite = false;            ///< replace an existing file; without it an existing file is an InputError
-  std::size_t rows_per_flush = 4096; ///< rows of a group held in memory before they are written
-  double seconds_per_flush = 1;      ///< [s] of wall time after which append() writes what it holds
-  std::size_t rows_per_chunk = 1024; ///< chunk length of the datasets: larger is faster, but each dataset takes one chunk at least
+  bool overwrite = false;             ///< replace an existing file; without it an existing file is an InputError
+  std::size_t rows_per_flush = 4096;  ///< rows of a group held in memory before they are written
+  double seconds_per_flush = 1;       ///< [s] of wall time after which append() writes what it holds
+  std::size_t rows_per_chunk =
+      1024;  ///< chunk length of the datasets: larger is faster, but each dataset takes one chunk at least
 };
 
 /// Writes one result file. Everything in it is made by the constructor; after that rows are added and readers may open it at any
@@ -51,13 +53,13 @@ struct RecorderOptions {
 /// Errors: SolverError with path and reason (disk full, no permission); after a failed write the rows up to the last flush stay
 /// readable, and further calls throw again. std::invalid_argument if the caller's table of channels or a row is wrong.
 class Recorder {
-public:
+ public:
   /// @throws InputError if the file exists and options.overwrite is false; SolverError if it cannot be made
   Recorder(const std::filesystem::path& path, const RecordHeader& header, std::vector<SeriesGroup> groups,
            const RecorderOptions& options = {});
   Recorder(Recorder&&) noexcept;
   Recorder& operator=(Recorder&&) noexcept;
-  ~Recorder(); ///< closes; errors are lost here, so call close() where they matter
+  ~Recorder();  ///< closes; errors are lost here, so call close() where they matter
 
   /// Adds a row to a group. Buffered; see RecorderOptions.
   /// @param time  [s], not smaller than the group's last one
@@ -76,15 +78,15 @@ public:
   /// Rows appended so far, buffered ones included.
   [[nodiscard]] std::size_t n_rows(std::size_t group) const;
 
-private:
+ private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
 
 /// What copy_rows_until() did.
 struct CopiedRows {
-  std::vector<std::size_t> n_rows;  ///< per group
-  std::vector<std::string> missing; ///< channels the old file does not have; NaN stands in their rows
+  std::vector<std::size_t> n_rows;   ///< per group
+  std::vector<std::string> missing;  ///< channels the old file does not have; NaN stands in their rows
 };
 
 /// Copies all rows with time <= `time` [s] of the recorder's channels from an older file, finished, being written or left by a
@@ -97,13 +99,14 @@ struct ResumedRecorder {
   Recorder recorder;
   CopiedRows copied;
 };
-[[nodiscard]] ResumedRecorder resume_recording(const std::filesystem::path& path, double time, const RecordHeader& header,
-                                               std::vector<SeriesGroup> groups, RecorderOptions options = {});
+[[nodiscard]] ResumedRecorder resume_recording(const std::filesystem::path& path, double time,
+                                               const RecordHeader& header, std::vector<SeriesGroup> groups,
+                                               RecorderOptions options = {});
 
 /// Numbers of one dataset, row after row.
 struct Series {
   std::vector<double> values;
-  std::vector<std::size_t> shape; ///< [n_rows] or [n_rows, n]
+  std::vector<std::size_t> shape;  ///< [n_rows] or [n_rows, n]
 };
 
 /// Readers; they work on finished, live and abandoned files alike. In a live file a channel may have a few rows more than its times.
@@ -111,11 +114,12 @@ struct Series {
 [[nodiscard]] Series read_series(const std::filesystem::path& path, const std::string& dataset);
 [[nodiscard]] std::string read_text(const std::filesystem::path& path, const std::string& dataset);
 /// @param object  "/" for the file's own attributes, else a dataset or group
-[[nodiscard]] std::string read_attribute(const std::filesystem::path& path, const std::string& object, const std::string& name);
+[[nodiscard]] std::string read_attribute(const std::filesystem::path& path, const std::string& object,
+                                         const std::string& name);
 /// As read_attribute, for lists such as `columns`.
 [[nodiscard]] std::vector<std::string> read_attribute_list(const std::filesystem::path& path, const std::string& object,
                                                            const std::string& name);
 /// Paths of all datasets, in alphabetical order.
 [[nodiscard]] std::vector<std::string> list_datasets(const std::filesystem::path& path);
 
-} // namespace rotordrop
+}  // namespace rotordrop

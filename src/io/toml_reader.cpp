@@ -20,8 +20,7 @@ struct PositionsOf {
   bool has_lines = true;
 
   SourcePosition operator()(const toml::source_region& region) const {
-    if (!has_lines)
-      return {file, 0, 0};
+    if (!has_lines) return {file, 0, 0};
     return {file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
   }
 };
@@ -34,8 +33,7 @@ Node converted_table(const toml::table& from, const PositionsOf& position) {
     const toml::node* value;
   };
   std::vector<Item> items;
-  for (const auto& [key, value] : from)
-    items.push_back({&key, &value});
+  for (const auto& [key, value] : from) items.push_back({&key, &value});
   // toml++ sorts keys by name; we keep the order of the file.
   std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
     const auto place = [](const Item& item) {
@@ -51,22 +49,16 @@ Node converted_table(const toml::table& from, const PositionsOf& position) {
 
 Node converted(const toml::node& from, const PositionsOf& position) {
   const SourcePosition where = position(from.source());
-  if (const auto* table = from.as_table())
-    return converted_table(*table, position);
+  if (const auto* table = from.as_table()) return converted_table(*table, position);
   if (const auto* array = from.as_array()) {
     Node::Array items;
-    for (const toml::node& item : *array)
-      items.push_back(converted(item, position));
+    for (const toml::node& item : *array) items.push_back(converted(item, position));
     return Node::array(std::move(items), where);
   }
-  if (const auto* text = from.as_string())
-    return Node(text->get(), where);
-  if (const auto* integer = from.as_integer())
-    return Node(integer->get(), where);
-  if (const auto* real = from.as_floating_point())
-    return Node(real->get(), where);
-  if (const auto* boolean = from.as_boolean())
-    return Node(boolean->get(), where);
+  if (const auto* text = from.as_string()) return Node(text->get(), where);
+  if (const auto* integer = from.as_integer()) return Node(integer->get(), where);
+  if (const auto* real = from.as_floating_point()) return Node(real->get(), where);
+  if (const auto* boolean = from.as_boolean()) return Node(boolean->get(), where);
   throw InputError(where, "dates and times have no meaning here.", "If it is meant as text, put it in quotes.");
 }
 
@@ -76,8 +68,7 @@ SourcePosition position_of_error(const toml::parse_error& error, const std::stri
 
 std::string syntax_message(const toml::parse_error& error) {
   std::string description(error.description());
-  if (description.starts_with("Error"))
-    description.front() = 'e';
+  if (description.starts_with("Error")) description.front() = 'e';
   return fmt::format("this is not valid TOML: {}.", description);
 }
 
@@ -100,11 +91,9 @@ Node read_with_bases(const std::filesystem::path& path, const SourcePosition& na
                      std::vector<std::filesystem::path> including,
                      const std::function<void(Node&, const std::filesystem::path&)>& complete) {
   Node tree = parse_toml(content_of(path, named_at), path.string());
-  if (complete)
-    complete(tree, path);
+  if (complete) complete(tree, path);
   const Node* base = tree.find("base");
-  if (!base)
-    return tree;
+  if (!base) return tree;
   if (!base->is_text())
     throw InputError(base->where(),
                      fmt::format("base is {}; it must be the name of a file in quotes.", kind_name(*base)));
@@ -115,8 +104,7 @@ Node read_with_bases(const std::filesystem::path& path, const SourcePosition& na
   const auto again = std::find(including.begin(), including.end(), std::filesystem::weakly_canonical(base_path));
   if (again != including.end()) {
     std::string chain;
-    for (auto file = again; file != including.end(); ++file)
-      chain += file->filename().string() + " -> ";
+    for (auto file = again; file != including.end(); ++file) chain += file->filename().string() + " -> ";
     throw InputError(where_base, fmt::format("base \"{}\" leads back to a file that is being read.", base->text()),
                      fmt::format("The chain of bases is {}{}.", chain, again->filename().string()));
   }
@@ -129,16 +117,14 @@ Node read_with_bases(const std::filesystem::path& path, const SourcePosition& na
 
 /// The keys of "a.b.'c d'"; nothing if it is no key of TOML.
 std::optional<std::vector<std::string>> keys_of_path(const std::string& path) {
-  if (path.find('\n') != std::string::npos)
-    return {};
+  if (path.find('\n') != std::string::npos) return {};
   try {
     const toml::table parsed = toml::parse(path + " = 0");
     std::vector<std::string> keys;
     const toml::table* table = &parsed;
     while (table) {
-      if (table->size() != 1)
-        return {};
-      const auto only = table->begin(); // must outlive what it points to: it holds the pair itself
+      if (table->size() != 1) return {};
+      const auto only = table->begin();  // must outlive what it points to: it holds the pair itself
       keys.emplace_back(only->first.str());
       table = only->second.as_table();
     }
@@ -151,8 +137,7 @@ std::optional<std::vector<std::string>> keys_of_path(const std::string& path) {
 Node override_value(const std::string& text, const std::string& name) {
   try {
     const Node tree = parsed_toml("value = " + text, {name, false});
-    if (tree.entries().size() == 1 && tree.has("value"))
-      return *tree.find("value");
+    if (tree.entries().size() == 1 && tree.has("value")) return *tree.find("value");
   } catch (const toml::parse_error& error) {
     // What looks like a list, a table or a quoted text is meant as one: its mistake must not become a text.
     if (std::string_view("[{\"'").find(text.front()) != std::string_view::npos)
@@ -169,7 +154,7 @@ std::string trimmed(std::string_view text) {
                                          : std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
-} // namespace
+}  // namespace
 
 Node parse_toml(std::string_view text, const std::string& file) {
   try {
@@ -197,8 +182,7 @@ void apply_override(Node& tree, std::string_view assignment) {
     throw InputError({fmt::format("--set {}", assignment)}, "this sets no parameter: it must be KEY=VALUE.", example);
   const SourcePosition where{fmt::format("--set {}", path)};
   const auto keys = keys_of_path(path);
-  if (!keys)
-    throw InputError(where, fmt::format("\"{}\" is not the name of a parameter.", path), example);
+  if (!keys) throw InputError(where, fmt::format("\"{}\" is not the name of a parameter.", path), example);
 
   Node* table = &tree;
   for (std::size_t i = 0; i + 1 < keys->size(); ++i) {
@@ -211,4 +195,4 @@ void apply_override(Node& tree, std::string_view assignment) {
   table->set(keys->back(), override_value(text, where.file), where);
 }
 
-} // namespace rotordrop
+}  // namespace rotordrop

@@ -28,4 +28,4 @@ Node parse_toml(std::string_view text, const std::string& file);
 /// Throws an InputError if the text is no assignment, or if the path goes through a value that is no table.
 void apply_override(Node& tree, std::string_view assignment);
 
-} // namespace rotordrop
+}  // namespace rotordrop

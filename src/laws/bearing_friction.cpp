@@ -16,9 +16,9 @@ double equivalent_friction_load(double radial_load, double axial_load, double co
 }
 
 double drag_torque(double viscosity, double ring_speed, double pitch_diameter, double f2) {
-  const double nu = viscosity * 1e6;                                   // cSt
-  const double N = std::fabs(ring_speed) * 30. / std::numbers::pi;     // rpm
-  const double d_m = pitch_diameter * 1e3;                             // mm
+  const double nu = viscosity * 1e6;                                // cSt
+  const double N = std::fabs(ring_speed) * 30. / std::numbers::pi;  // rpm
+  const double d_m = pitch_diameter * 1e3;                          // mm
   const double root = std::cbrt(nu * N);
   const double M_v = f2 * d_m * d_m * d_m * (nu * N > 2000. ? 1e-7 * root * root : 160e-7);  // N mm
   return M_v * 1e-3;

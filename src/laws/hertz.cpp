@@ -42,13 +42,11 @@ double effective_modulus(const ElasticMaterial& first, const ElasticMaterial& se
 }
 
 ContactGeometry inner_race_contact(double ball_diameter, double race_radius, double conformity) {
-  return {1. / (2. / ball_diameter + 1. / race_radius),
-          1. / (2. / ball_diameter - 1. / (conformity * ball_diameter))};
+  return {1. / (2. / ball_diameter + 1. / race_radius), 1. / (2. / ball_diameter - 1. / (conformity * ball_diameter))};
 }
 
 ContactGeometry outer_race_contact(double ball_diameter, double race_radius, double conformity) {
-  return {1. / (2. / ball_diameter - 1. / race_radius),
-          1. / (2. / ball_diameter - 1. / (conformity * ball_diameter))};
+  return {1. / (2. / ball_diameter - 1. / race_radius), 1. / (2. / ball_diameter - 1. / (conformity * ball_diameter))};
 }
 
 ContactEllipse contact_ellipse(const ContactGeometry& g, EllipticIntegrals method) {

@@ -51,7 +51,8 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.contact_half_width = t.contact_half_width;
   c.plane_strain_growth = t.plane_strain_growth;
   c.shaft_ring_link = t.shaft_ring_link;
-  c.gap_resistance = std::log1p(air_gap(b, p.contact) / c.journal_radius) / (2. * std::numbers::pi * t.gas_conductivity * b.width);
+  c.gap_resistance =
+      std::log1p(air_gap(b, p.contact) / c.journal_radius) / (2. * std::numbers::pi * t.gas_conductivity * b.width);
   c.share_to_ring = t.share_to_ring;
   c.share_by_jaeger = t.heat_share == HeatShare::jaeger;
   c.jaeger = {t.rub_band_length, t.rub_contact_time, 1.};
@@ -70,8 +71,8 @@ ThermalNetworkData network_data(const MachineParameters& p, const Node& case_nod
 using RingCentre = std::pair<double, std::pair<double, double>>;  // x, (y, z)
 
 /// A rotor that starts inside a ring would be shot out of it.
-void check_start(const MachineParameters& p, const Node& case_node, const RotorModel& rotor, const Machine::Parts& parts,
-                 const std::vector<RingCentre>& ring_centres) {
+void check_start(const MachineParameters& p, const Node& case_node, const RotorModel& rotor,
+                 const Machine::Parts& parts, const std::vector<RingCentre>& ring_centres) {
   std::vector<Motion> motions(p.bearings.size());
   rotor.motions(parts.initial_rotor_state, motions);
   Faults faults;
@@ -82,10 +83,11 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
     const auto& [y, z] = ring_centres[ring++].second;
     const double distance = std::hypot(motions[i].y - y, motions[i].z - z), gap = air_gap(*b, p.contact);
     if (distance > gap)
-      faults.add(position_of(case_node, "rotor"),
-                 fmt::format("the rotor starts {:.6g} um from the centre of the ring of {}, beyond the air gap of {:.6g} um.", distance * 1e6,
-                             p.bearings[i].name, gap * 1e6),
-                 "Check rotor.initial_offset, initial_tilt and initial_orbit.");
+      faults.add(
+          position_of(case_node, "rotor"),
+          fmt::format("the rotor starts {:.6g} um from the centre of the ring of {}, beyond the air gap of {:.6g} um.",
+                      distance * 1e6, p.bearings[i].name, gap * 1e6),
+          "Check rotor.initial_offset, initial_tilt and initial_orbit.");
     if (!faults.empty()) break;  // one fault, whatever the number of rings
   }
   faults.throw_if_any();
@@ -93,8 +95,11 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
 
 /// Names become paths in results and in messages.
 void check_name(const std::string& name, const std::string& what, const SourcePosition& where, Faults& faults) {
-  const bool is_good = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
-  if (!is_good) faults.add(where, fmt::format("{} cannot be called \"{}\".", what, name), "Use letters, digits, _ and -.");
+  const bool is_good = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+  if (!is_good)
+    faults.add(where, fmt::format("{} cannot be called \"{}\".", what, name), "Use letters, digits, _ and -.");
 }
 
 }  // namespace
@@ -102,7 +107,8 @@ void check_name(const std::string& name, const std::string& what, const SourcePo
 void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& bearings = table_of(case_node, "bearings");
   if (p.bearings.empty())
-    faults.add(position_of(case_node, "bearings"), "the case has no bearings.", "Add at least one table [bearings.NAME] with type = \"touchdown\" or \"linear\".");
+    faults.add(position_of(case_node, "bearings"), "the case has no bearings.",
+               "Add at least one table [bearings.NAME] with type = \"touchdown\" or \"linear\".");
   check_against_geometry(p.rotor, p.rotor.geometry, table_of(case_node, "rotor"), faults);
   std::map<int, std::string> taken;
   bool materials_are_known = true;
@@ -110,11 +116,13 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
     const Node* own = bearings.find(entry.name);
     const Node& table = own ? *own : bearings;
     check_name(entry.name, "a bearing", position_of(bearings, entry.name), faults);
-    check_rotor_node(p.rotor.geometry, entry.node(), position_of_value(table, "node"), "bearings." + entry.name + ".node", faults);
+    check_rotor_node(p.rotor.geometry, entry.node(), position_of_value(table, "node"),
+                     "bearings." + entry.name + ".node", faults);
     if (const auto* b = entry.touchdown()) {
       if (const auto [other, is_first] = taken.emplace(b->node, entry.name); !is_first)
         faults.add(position_of_value(table, "node"),
-                   fmt::format("bearings.{}.node = {}: another touchdown bearing, {}, sits at this node.", entry.name, b->node, other->second),
+                   fmt::format("bearings.{}.node = {}: another touchdown bearing, {}, sits at this node.", entry.name,
+                               b->node, other->second),
                    "Give each its own node, or make one bearing with several rows.");
       check_touchdown(entry.name, *b, p.contact, table, table_of(case_node, "contact"), faults);
       for (const auto& [key, name] : {std::pair{"ball", b->ball}, std::pair{"ring", b->ring}}) {
@@ -123,8 +131,10 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
         std::vector<std::string> known;
         for (const auto& m : p.materials) known.push_back(m.first);
         const std::string guess = closest_name(name, known);
-        faults.add(position_of_value(table, key), fmt::format("bearings.{}.{} = \"{}\" is no material.", entry.name, key, name),
-                   (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") + fmt::format("Known in [materials]: {}.", fmt::join(known, ", ")));
+        faults.add(position_of_value(table, key),
+                   fmt::format("bearings.{}.{} = \"{}\" is no material.", entry.name, key, name),
+                   (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") +
+                       fmt::format("Known in [materials]: {}.", fmt::join(known, ", ")));
       }
     }
   }
@@ -147,11 +157,12 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
         const auto* m = find_material(p, name);
         return ElasticMaterial{m->E, m->nu};
       };
-      auto bearing = std::make_unique<TouchdownBearing>(
-          touchdown_data(entry.name, *b, p.contact, {material(b->ring), material(b->ball), p.run.gravity[1], p.run.gravity[2]}));
+      auto bearing = std::make_unique<TouchdownBearing>(touchdown_data(
+          entry.name, *b, p.contact, {material(b->ring), material(b->ball), p.run.gravity[1], p.run.gravity[2]}));
       std::vector<double> state(TouchdownBearing::n_state);
       bearing->initial_state(state);
-      ring_centres.push_back({p.rotor.geometry.position(b->node), {state[TouchdownBearing::ring_y], state[TouchdownBearing::ring_z]}});
+      ring_centres.push_back(
+          {p.rotor.geometry.position(b->node), {state[TouchdownBearing::ring_y], state[TouchdownBearing::ring_z]}});
       parts.supports.push_back(std::move(bearing));
       parts.thermal_place.push_back(n_places++);
     } else {
@@ -163,18 +174,21 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   parts.thermal = std::make_unique<ThermalNetwork>(network);
   parts.growth_is_fed_back = p.thermal.growth;
 
-  auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry, rotor_settings(p.rotor, p.run.gravity[1], p.run.gravity[2]), nodes);
+  auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry,
+                                            rotor_settings(p.rotor, p.run.gravity[1], p.run.gravity[2]), nodes);
   // The rotor starts as a straight line through the ring centres of the outermost touchdown bearings.
   const double x_cg = rotor->body().centre_of_gravity;
   Motion start;
   if (!ring_centres.empty()) {
-    const auto [first, last] = std::minmax_element(ring_centres.begin(), ring_centres.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    start = first->first < last->first
-                ? straight_line(first->first, first->second.first, first->second.second, last->first, last->second.first, last->second.second, x_cg)
-                : Motion{.y = first->second.first, .z = first->second.second};
+    const auto [first, last] = std::minmax_element(ring_centres.begin(), ring_centres.end(),
+                                                   [](const auto& a, const auto& b) { return a.first < b.first; });
+    start = first->first < last->first ? straight_line(first->first, first->second.first, first->second.second,
+                                                       last->first, last->second.first, last->second.second, x_cg)
+                                       : Motion{.y = first->second.first, .z = first->second.second};
   }
   parts.initial_rotor_state.resize(rotor->n_state());
-  rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {0., p.run.initial_speed}, parts.initial_rotor_state);
+  rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {0., p.run.initial_speed},
+                             parts.initial_rotor_state);
   check_start(p, case_node, *rotor, parts, ring_centres);
   parts.rotor = std::move(rotor);
   return std::make_unique<Machine>(std::move(parts));

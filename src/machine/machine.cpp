@@ -24,12 +24,13 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   n_thermal_ = layout_.size() - thermal_;
   first_ledger_ = layout_.size();
   for (std::size_t i = 0; i < n; ++i) {
-    std::vector<StateEntry> entries = {{"rub heat", "J", 100., "friction heat of rotor and inner ring"},
-                                       {"inner heat", "J", 10., "friction heat of balls and inner race"},
-                                       {"outer heat", "J", 10., "friction heat of balls and outer race"},
-                                       {"other dissipation", "J", 1., "energy dissipated by damping, which heats nothing here"},
-                                       {"prescribed work", "J", 1., "work of prescribed cage and waviness motion on the machine"},
-                                       {"growth work", "J", 1., "work of thermal growth on the machine"}};
+    std::vector<StateEntry> entries = {
+        {"rub heat", "J", 100., "friction heat of rotor and inner ring"},
+        {"inner heat", "J", 10., "friction heat of balls and inner race"},
+        {"outer heat", "J", 10., "friction heat of balls and outer race"},
+        {"other dissipation", "J", 1., "energy dissipated by damping, which heats nothing here"},
+        {"prescribed work", "J", 1., "work of prescribed cage and waviness motion on the machine"},
+        {"growth work", "J", 1., "work of thermal growth on the machine"}};
     const auto own = parts_.supports[i]->ledger_entries();
     entries.insert(entries.end(), own.begin(), own.end());
     places_[i].ledger = layout_.size();
@@ -74,7 +75,9 @@ void Machine::list_observables() {
     places_[i].n_step = add(step_observables_, prefix, support.observables());
     places_[i].n_detail = add(detail_observables_, prefix, support.detailed_observables());
   }
-  add(state_observables_, "/rotor/", {{"spin_speed", "rad/s", "spin speed of the rotor", 1, {}}, {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
+  add(state_observables_, "/rotor/",
+      {{"spin_speed", "rad/s", "spin speed of the rotor", 1, {}},
+       {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
   n_thermal_observed_ = add(state_observables_, "/thermal/", parts_.thermal->observables());
   add(state_observables_, "/energy/",
       {{"mechanical", "J", "kinetic, elastic and gravitational energy", 1, {}},
@@ -92,8 +95,10 @@ void Machine::list_observables() {
     const auto& entry = layout_.entries()[i];
     // "TB1 ledger/rub heat" becomes /ledger/TB1/rub_heat, "energy/heat lost" /ledger/heat_lost.
     std::string path = entry.name;
-    if (const auto at = path.find(" ledger/"); at != std::string::npos) path.erase(at, 7);
-    else path.erase(0, path.find('/') + 1);
+    if (const auto at = path.find(" ledger/"); at != std::string::npos)
+      path.erase(at, 7);
+    else
+      path.erase(0, path.find('/') + 1);
     std::replace(path.begin(), path.end(), ' ', '_');
     Observable o{"/ledger/" + path, entry.unit, entry.long_name, 1, {}};
     state_observables_.push_back(std::move(o));
@@ -103,7 +108,8 @@ void Machine::list_observables() {
 void Machine::initial_state(std::span<double> y) const {
   std::fill(y.begin(), y.end(), 0.);
   std::copy(parts_.initial_rotor_state.begin(), parts_.initial_rotor_state.end(), y.begin());
-  for (std::size_t i = 0; i < places_.size(); ++i) parts_.supports[i]->initial_state(y.subspan(places_[i].state, places_[i].n_state));
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    parts_.supports[i]->initial_state(y.subspan(places_[i].state, places_[i].n_state));
   parts_.thermal->initial_state(y.subspan(thermal_, n_thermal_));
 }
 
@@ -180,7 +186,8 @@ EnergyBalance Machine::energy_balance(double t, std::span<const double> y) const
   b.dissipated += b.heat_deposited + ledger[rotor_damping];
   b.unbalance_work = ledger[unbalance_work];
   b.drive_work = ledger[drive_work];
-  b.residual = initial_mechanical_ - b.mechanical - b.dissipated + b.growth_work + b.prescribed_work + b.unbalance_work + b.drive_work;
+  b.residual = initial_mechanical_ - b.mechanical - b.dissipated + b.growth_work + b.prescribed_work +
+               b.unbalance_work + b.drive_work;
   b.heat_stored = parts_.thermal->stored_energy(thermal_part(y));
   b.heat_lost = ledger[heat_lost];
   b.heat_residual = b.heat_deposited - b.heat_stored - b.heat_lost;
@@ -194,8 +201,8 @@ void Machine::observe_state(double t, std::span<const double> y, std::span<doubl
   parts_.thermal->observe(thermal_part(y), heats_, out.subspan(2, n_thermal_observed_));
   const EnergyBalance b = energy_balance(t, y);
   std::size_t at = 2 + n_thermal_observed_;
-  for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work, b.drive_work, b.residual,
-                             b.heat_deposited, b.heat_stored, b.heat_lost, b.heat_residual})
+  for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work,
+                             b.drive_work, b.residual, b.heat_deposited, b.heat_stored, b.heat_lost, b.heat_residual})
     out[at++] = value;
   for (std::size_t i = first_ledger_; i < y.size(); ++i) out[at++] = y[i];
 }

@@ -13,15 +13,15 @@ namespace rotordrop {
 
 /// Where the joules are at one instant [J].
 struct EnergyBalance {
-  double mechanical = 0;           ///< kinetic, elastic, gravitational
-  double dissipated = 0;           ///< heat deposited and damping, since the start
-  double growth_work = 0;          ///< done on the machine by thermal growth
-  double prescribed_work = 0;      ///< by the prescribed motion of cages and waves
+  double mechanical = 0;       ///< kinetic, elastic, gravitational
+  double dissipated = 0;       ///< heat deposited and damping, since the start
+  double growth_work = 0;      ///< done on the machine by thermal growth
+  double prescribed_work = 0;  ///< by the prescribed motion of cages and waves
   double unbalance_work = 0;
-  double drive_work = 0;           ///< by motor or brake
-  double residual = 0;             ///< initial - mechanical - dissipated + works: 0 if every joule is found
+  double drive_work = 0;  ///< by motor or brake
+  double residual = 0;    ///< initial - mechanical - dissipated + works: 0 if every joule is found
   double heat_deposited = 0, heat_stored = 0, heat_lost = 0;
-  double heat_residual = 0;        ///< deposited - stored - lost
+  double heat_residual = 0;  ///< deposited - stored - lost
 };
 
 /// Rotor, supports and thermal model wired to one state vector with its energy ledgers:
@@ -32,9 +32,9 @@ class Machine final : public OdeSystem {
  public:
   struct Parts {
     std::unique_ptr<RotorModel> rotor;
-    std::vector<std::unique_ptr<Support>> supports;       ///< one per station of the rotor, in their order
+    std::vector<std::unique_ptr<Support>> supports;  ///< one per station of the rotor, in their order
     std::unique_ptr<ThermalModel> thermal;
-    std::vector<std::optional<std::size_t>> thermal_place; ///< of each support, if it gives off heat
+    std::vector<std::optional<std::size_t>> thermal_place;  ///< of each support, if it gives off heat
     bool growth_is_fed_back = true;
     std::vector<double> initial_rotor_state;
   };
@@ -59,7 +59,8 @@ class Machine final : public OdeSystem {
   /// Rates, and on the way what the supports report; empty spans are not written.
   /// @param step    [sum of sizes of step_observables()]
   /// @param details [sum of sizes of detail_observables()]
-  void evaluate(double t, std::span<const double> y, std::span<double> dydt, std::span<double> step, std::span<double> details) const;
+  void evaluate(double t, std::span<const double> y, std::span<double> dydt, std::span<double> step,
+                std::span<double> details) const;
   /// @param out [sum of sizes of state_observables()]. Call after evaluate() at the same t, y: uses its heat rates.
   void observe_state(double t, std::span<const double> y, std::span<double> out) const;
 
@@ -71,7 +72,15 @@ class Machine final : public OdeSystem {
 
  private:
   /// Ledgers that every support has, in this order, before its own.
-  enum SupportLedger : std::size_t { rub_heat, inner_heat, outer_heat, other_dissipation, prescribed_work, growth_work, n_support_ledger };
+  enum SupportLedger : std::size_t {
+    rub_heat,
+    inner_heat,
+    outer_heat,
+    other_dissipation,
+    prescribed_work,
+    growth_work,
+    n_support_ledger
+  };
   enum MachineLedger : std::size_t { rotor_damping, unbalance_work, drive_work, heat_lost, n_machine_ledger };
   struct Place {
     std::size_t state = 0, n_state = 0;    // of the support
@@ -79,7 +88,9 @@ class Machine final : public OdeSystem {
     std::size_t n_step = 0, n_detail = 0;  // sizes of what it reports
   };
   [[nodiscard]] std::span<const double> rotor_part(std::span<const double> y) const { return y.subspan(0, n_rotor_); }
-  [[nodiscard]] std::span<const double> thermal_part(std::span<const double> y) const { return y.subspan(thermal_, n_thermal_); }
+  [[nodiscard]] std::span<const double> thermal_part(std::span<const double> y) const {
+    return y.subspan(thermal_, n_thermal_);
+  }
   void prepare_inputs(double t, std::span<const double> y) const;
   void list_observables();
 
@@ -97,7 +108,7 @@ class Machine final : public OdeSystem {
   mutable std::vector<SupportInput> inputs_;
   mutable std::vector<SupportOutput> outputs_;
   mutable std::vector<Force> forces_;
-  mutable std::vector<HeatInput> heats_;                 // per thermal place
+  mutable std::vector<HeatInput> heats_;  // per thermal place
 };
 
 }  // namespace rotordrop

@@ -5,24 +5,41 @@ namespace rotordrop {
 Section<RunParameters> run_section() {
   using P = RunParameters;
   Section<P> s("run", "What happens, for how long, in what surroundings.");
-  s.quantity("end_time", &P::end_time, {.unit = "s", .range = positive(), .fallback = "0.3 s", .source = "Neisi, Heikkinen & Sopanen 2019",
-                                        .help = "Simulated time."});
+  s.quantity("end_time", &P::end_time,
+             {.unit = "s",
+              .range = positive(),
+              .fallback = "0.3 s",
+              .source = "Neisi, Heikkinen & Sopanen 2019",
+              .help = "Simulated time."});
   s.quantity("initial_speed", &P::initial_speed,
-             {.unit = "rad/s", .range = between(-2e4, 2e4), .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
+             {.unit = "rad/s",
+              .range = between(-2e4, 2e4),
+              .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
   s.custom("gravity",
-           {.unit = "m/s2", .accepts = "a number (along -y), or [x, y, z]", .json_types = {"number", "string", "array"}, .fallback = Node(9.81),
-            .source = "standard", .help = "Acceleration of gravity on rotor and inner rings. A single number acts along -y. Axial motion is not computed: x has no effect."},
+           {.unit = "m/s2",
+            .accepts = "a number (along -y), or [x, y, z]",
+            .json_types = {"number", "string", "array"},
+            .fallback = Node(9.81),
+            .source = "standard",
+            .help = "Acceleration of gravity on rotor and inner rings. A single number acts along -y. Axial motion is "
+                    "not computed: x has no effect."},
            [](const Node& node, P& target, Faults& faults) {
              const Quantity along_axis{.unit = "m/s2", .range = between(-1e3, 1e3)};
-             const Quantity downwards{.unit = "m/s2", .range = between(0, 1e3)};  // upwards only as a vector, not by a slip of sign
+             const Quantity downwards{.unit = "m/s2",
+                                      .range = between(0, 1e3)};  // upwards only as a vector, not by a slip of sign
              if (node.is_array()) {
-               if (const auto xyz = read_quantities(node, along_axis, 3, 3, "run.gravity", faults)) target.gravity = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
+               if (const auto xyz = read_quantities(node, along_axis, 3, 3, "run.gravity", faults))
+                 target.gravity = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
              } else if (const auto down = read_quantity(node, downwards, "run.gravity", faults)) {
                target.gravity = {0., -*down, 0.};
              }
            });
-  s.quantity("ambient", &P::ambient, {.unit = "K", .range = between(60, 2000), .fallback = "293.15 K", .source = "estimate: the paper's plots start near 293 K",
-                                      .help = "Temperature of the surroundings and of everything at the start."});
+  s.quantity("ambient", &P::ambient,
+             {.unit = "K",
+              .range = between(60, 2000),
+              .fallback = "293.15 K",
+              .source = "estimate: the paper's plots start near 293 K",
+              .help = "Temperature of the surroundings and of everything at the start."});
   return s;
 }
 
@@ -34,13 +51,17 @@ Section<MaterialParameters> material_section() {
   s.quantity("rho", &P::rho, {.unit = "kg/m3", .range = between(10, 3e4), .help = "Density."});
   s.quantity("k", &P::k, {.unit = "W/(m K)", .range = positive(), .help = "Thermal conductivity."});
   s.quantity("c", &P::c, {.unit = "J/(kg K)", .range = positive(), .help = "Specific heat capacity."});
-  s.quantity("alpha", &P::alpha, {.unit = "1/K", .range = between(-1e-3, 1e-3), .help = "Linear thermal expansion coefficient."});
+  s.quantity("alpha", &P::alpha,
+             {.unit = "1/K", .range = between(-1e-3, 1e-3), .help = "Linear thermal expansion coefficient."});
   return s;
 }
 
 Node default_materials() {
-  return Node::table({{"steel", Node::table({{"E", 2.0e11}, {"nu", 0.30}, {"rho", 7800.}, {"k", 70.}, {"c", 510.}, {"alpha", 11.8e-6}})},
-                      {"Si3N4", Node::table({{"E", 3.15e11}, {"nu", 0.26}, {"rho", 3200.}, {"k", 35.}, {"c", 673.}, {"alpha", 3.2e-6}})}});
+  return Node::table(
+      {{"steel",
+        Node::table({{"E", 2.0e11}, {"nu", 0.30}, {"rho", 7800.}, {"k", 70.}, {"c", 510.}, {"alpha", 11.8e-6}})},
+       {"Si3N4",
+        Node::table({{"E", 3.15e11}, {"nu", 0.26}, {"rho", 3200.}, {"k", 35.}, {"c", 673.}, {"alpha", 3.2e-6}})}});
 }
 
 }  // namespace rotordrop

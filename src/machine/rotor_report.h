@@ -9,7 +9,8 @@ namespace rotordrop {
 /// What a rotor is, without any support.
 struct RotorReport {
   RigidBody body;
-  std::vector<double> free_free_frequencies;  ///< of the flexible modes of one plane at rest that take part in the run [Hz]
+  std::vector<double>
+      free_free_frequencies;  ///< of the flexible modes of one plane at rest that take part in the run [Hz]
 };
 RotorReport rotor_report(const RotorParameters& rotor);
 

@@ -51,7 +51,8 @@ class PropertyTable {
  private:
   using Point = std::array<double, 2>;
   [[nodiscard]] std::pair<const Point&, const Point&> interval(double T) const {
-    const auto high = std::upper_bound(points_.begin(), points_.end(), T, [](double x, const Point& p) { return x < p[0]; });
+    const auto high =
+        std::upper_bound(points_.begin(), points_.end(), T, [](double x, const Point& p) { return x < p[0]; });
     return {*(high - 1), *high};
   }
   std::vector<Point> points_ = {{0., 0.}};
@@ -81,8 +82,9 @@ using HeatFunction = std::function<double(double x, double r, double t)>;
 /// Heat into a boundary [W/m2], on the part of it that no interface covers. Several on one boundary add up.
 struct HeatFlux {
   HeatBoundary boundary;
-  std::vector<double> times, values;  ///< values[i] holds from times[i] to times[i + 1]; nothing before the first, the last one for ever
-  HeatFunction function = {};         ///< added to that
+  std::vector<double> times,
+      values;  ///< values[i] holds from times[i] to times[i + 1]; nothing before the first, the last one for ever
+  HeatFunction function = {};  ///< added to that
 };
 
 /// Loss [W/m2] = coefficient rise |rise|^exponent with rise = T - ambient; none below ambient if the exponent is positive.
@@ -100,12 +102,12 @@ struct HeatInterface {
 
 /// Mesh and accuracy in time.
 struct HeatNumerics {
-  int degree = 2;               ///< of the elements
-  int cells = 8;                ///< across the smallest body, per direction, where nothing grades them
-  double grading = 30;          ///< cells at boundaries with flux are this many times thinner
-  double growth = 1.5;          ///< largest ratio of neighbouring cells
-  double tolerance = 1e-6;      ///< error of one step over the largest change of temperature
-  double fixed_step = 0;        ///< [s]; if positive, steps of this length without error control
+  int degree = 2;           ///< of the elements
+  int cells = 8;            ///< across the smallest body, per direction, where nothing grades them
+  double grading = 30;      ///< cells at boundaries with flux are this many times thinner
+  double growth = 1.5;      ///< largest ratio of neighbouring cells
+  double tolerance = 1e-6;  ///< error of one step over the largest change of temperature
+  double fixed_step = 0;    ///< [s]; if positive, steps of this length without error control
 };
 
 struct HeatConductionProblem {
@@ -113,9 +115,9 @@ struct HeatConductionProblem {
   std::vector<HeatFlux> fluxes;
   std::vector<HeatConvection> convections;
   std::vector<HeatInterface> interfaces;
-  double initial_temperature = 293.15;  ///< [K]
-  std::function<double(std::size_t body, double x, double r)> initial_field = {};             ///< instead of that
-  std::function<double(std::size_t body, double x, double r, double t)> volume_source = {};   ///< [W/m3]
+  double initial_temperature = 293.15;                                                       ///< [K]
+  std::function<double(std::size_t body, double x, double r)> initial_field = {};            ///< instead of that
+  std::function<double(std::size_t body, double x, double r, double t)> volume_source = {};  ///< [W/m3]
   HeatNumerics numerics;
 };
 
@@ -149,7 +151,8 @@ class HeatConductionSolver {
   [[nodiscard]] virtual HeatEnergy energy() const = 0;
   [[nodiscard]] virtual HeatStatistics statistics() const = 0;
   /// sqrt of the volume integral of (T - f)^2 [K m^1.5].
-  [[nodiscard]] virtual double difference(const std::function<double(std::size_t body, double x, double r)>& f) const = 0;
+  [[nodiscard]] virtual double difference(
+      const std::function<double(std::size_t body, double x, double r)>& f) const = 0;
 };
 
 /// What the finite-element room's module exports under the name `rotordrop_make_heat_solver`; the caller deletes it.

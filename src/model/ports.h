@@ -6,10 +6,10 @@ namespace rotordrop {
 
 /// Motion of one station on the rotor (or of a ring). Tilts are small rotations about y and z.
 struct Motion {
-  double x = 0, y = 0, z = 0;              ///< displacement [m]
-  double theta_y = 0, theta_z = 0;         ///< tilt [rad]
+  double x = 0, y = 0, z = 0;                             ///< displacement [m]
+  double theta_y = 0, theta_z = 0;                        ///< tilt [rad]
   double velocity_x = 0, velocity_y = 0, velocity_z = 0;  ///< [m/s]
-  double tilt_rate_y = 0, tilt_rate_z = 0; ///< [rad/s]
+  double tilt_rate_y = 0, tilt_rate_z = 0;                ///< [rad/s]
 };
 
 /// Rotation about +x.
@@ -20,9 +20,9 @@ struct Spin {
 
 /// Force and moments on the part named where it is used.
 struct Force {
-  double x = 0, y = 0, z = 0;          ///< [N]
-  double moment_y = 0, moment_z = 0;   ///< [N m]
-  double torque = 0;                   ///< about +x [N m]
+  double x = 0, y = 0, z = 0;         ///< [N]
+  double moment_y = 0, moment_z = 0;  ///< [N m]
+  double torque = 0;                  ///< about +x [N m]
 };
 
 /// Growth of the surfaces that clearances and preload see; positive outwards (every radius grows). [m]
@@ -42,9 +42,9 @@ struct Expansion {
 
 /// Heat that a bearing releases, by port, and what a law for sharing it needs to know.
 struct HeatInput {
-  double rub = 0;    ///< H_r: rotor surface against bore [W] (eq. 19)
-  double inner = 0;  ///< H_i: balls against inner race [W] (eq. 24, energy-consistent form)
-  double outer = 0;  ///< H_o: balls against outer race [W]
+  double rub = 0;                  ///< H_r: rotor surface against bore [W] (eq. 19)
+  double inner = 0;                ///< H_i: balls against inner race [W] (eq. 24, energy-consistent form)
+  double outer = 0;                ///< H_o: balls against outer race [W]
   double rotor_surface_speed = 0;  ///< speed of the rotor's surface relative to the rubbing spot [m/s]
   double ring_surface_speed = 0;   ///< speed of the bore's surface relative to the rubbing spot [m/s]
   bool is_in_contact = false;      ///< rotor and bore touch

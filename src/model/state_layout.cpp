@@ -6,7 +6,8 @@ namespace rotordrop {
 
 std::size_t StateLayout::add_block(const std::string& name, const std::vector<StateEntry>& entries) {
   blocks_.push_back({name, entries_.size(), entries.size()});
-  for (const auto& entry : entries) entries_.push_back({name + "/" + entry.name, entry.unit, entry.scale, entry.long_name});
+  for (const auto& entry : entries)
+    entries_.push_back({name + "/" + entry.name, entry.unit, entry.scale, entry.long_name});
   return blocks_.size() - 1;
 }
 

@@ -7,9 +7,9 @@ namespace rotordrop {
 
 /// One entry of the state vector.
 struct StateEntry {
-  std::string name;       ///< e.g. "TB2/inner ring spin"; used in messages and as a dataset name
-  std::string unit;       ///< UDUNITS text of the SI unit
-  double scale = 1;       ///< typical size; absolute tolerance = relative tolerance * scale
+  std::string name;            ///< e.g. "TB2/inner ring spin"; used in messages and as a dataset name
+  std::string unit;            ///< UDUNITS text of the SI unit
+  double scale = 1;            ///< typical size; absolute tolerance = relative tolerance * scale
   std::string long_name = {};  ///< what it is, in words; empty: the name says it
 };
 

@@ -127,10 +127,14 @@ bool separate_planes(Eigen::VectorXcd& a, Eigen::VectorXcd& b) {
 
 std::string_view to_string(Whirl whirl) {
   switch (whirl) {
-    case Whirl::forward: return "forward";
-    case Whirl::backward: return "backward";
-    case Whirl::planar: return "planar";
-    case Whirl::mixed: return "mixed";
+    case Whirl::forward:
+      return "forward";
+    case Whirl::backward:
+      return "backward";
+    case Whirl::planar:
+      return "planar";
+    case Whirl::mixed:
+      return "mixed";
   }
   return "";
 }

@@ -18,9 +18,12 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 double highest_frequency(const RotorSettings& settings) {
   switch (settings.representation) {
-    case RotorRepresentation::rigid: return 0;
-    case RotorRepresentation::modal: return settings.cut_off_frequency;
-    case RotorRepresentation::full: break;
+    case RotorRepresentation::rigid:
+      return 0;
+    case RotorRepresentation::modal:
+      return settings.cut_off_frequency;
+    case RotorRepresentation::full:
+      break;
   }
   return std::numeric_limits<double>::infinity();
 }

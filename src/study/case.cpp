@@ -20,11 +20,20 @@ Section<OutputParameters> output_section() {
   using P = OutputParameters;
   Section<P> s("output", "What is written, and how often.");
   s.quantity("interval", &P::interval,
-             {.unit = "s", .range = at_least(1e-7), .fallback = "50 us", .help = "Time between rows of the series in results.h5. Peaks in the summary are taken at every step."});
+             {.unit = "s",
+              .range = at_least(1e-7),
+              .fallback = "50 us",
+              .help = "Time between rows of the series in results.h5. Peaks in the summary are taken at every step."});
   s.quantity("detail_interval", &P::detail_interval,
-             {.unit = "s", .range = at_least(1e-7), .fallback = "1 ms", .help = "Time between rows of the detailed series: the load of every ball."});
+             {.unit = "s",
+              .range = at_least(1e-7),
+              .fallback = "1 ms",
+              .help = "Time between rows of the detailed series: the load of every ball."});
   s.quantity("checkpoint_interval", &P::checkpoint_interval,
-             {.unit = "s", .range = positive(), .fallback = "10 s", .help = "Wall time between checkpoints, from which `rotordrop run --resume` goes on."});
+             {.unit = "s",
+              .range = positive(),
+              .fallback = "10 s",
+              .help = "Wall time between checkpoints, from which `rotordrop run --resume` goes on."});
   return s;
 }
 
@@ -35,11 +44,12 @@ Section<CaseParameters> case_section() {
   s.table<RotorParameters>("rotor", &P::rotor, rotor_section());
   s.table<ContactParameters>("contact", &P::contact, contact_section());
   declare_bearings<P>(s, &P::bearings);
-  s.tables<MaterialParameters>("materials", &P::materials, material_section(),
-                               {.source = "Neisi, Heikkinen & Sopanen 2019, table 3, Poisson columns swapped back",
-                                .help = "Materials by name. Those given here add to, or replace, the built-in steel (E 200 GPa, nu 0.30, "
-                                        "rho 7800 kg/m3, k 70 W/(m K), c 510 J/(kg K), alpha 11.8e-6 1/K) and Si3N4 (315 GPa, 0.26, 3200, 35, "
-                                        "673, 3.2e-6)."});
+  s.tables<MaterialParameters>(
+      "materials", &P::materials, material_section(),
+      {.source = "Neisi, Heikkinen & Sopanen 2019, table 3, Poisson columns swapped back",
+       .help = "Materials by name. Those given here add to, or replace, the built-in steel (E 200 GPa, nu 0.30, "
+               "rho 7800 kg/m3, k 70 W/(m K), c 510 J/(kg K), alpha 11.8e-6 1/K) and Si3N4 (315 GPa, 0.26, 3200, 35, "
+               "673, 3.2e-6)."});
   s.table<ThermalParameters>("thermal", &P::thermal, thermal_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
@@ -61,7 +71,8 @@ void load_rotor_geometry(Node& tree) {
   if (!geometry || !geometry->is_text()) return;
   const fs::path path = resolve_path(*geometry);
   if (!fs::is_regular_file(path))
-    throw InputError(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file.", geometry->text()),
+    throw InputError(geometry->where(),
+                     fmt::format("rotor.geometry = \"{}\": there is no such file.", geometry->text()),
                      fmt::format("Looked for {}.", path.string()));
   const SourcePosition key = position_of(*rotor, "geometry");
   rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
@@ -83,8 +94,11 @@ void load_catalogue(Node& bearing, const std::string& name, const fs::path& case
   }
   std::sort(known.begin(), known.end());
   const std::string guess = closest_name(entry->text(), known);
-  throw InputError(entry->where(), fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
-                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) + fmt::format("Known: {}.", fmt::join(known, ", ")));
+  throw InputError(
+      entry->where(),
+      fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
+      (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
+          fmt::format("Known: {}.", fmt::join(known, ", ")));
 }
 
 /// Puts the catalogue's data under each bearing of one file that names them, so that they go before what a base says of that bearing.
@@ -120,8 +134,10 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   load_rotor_geometry(result.tree);
   // Built-in materials lie under those that the case gives.
   const Node* materials = result.tree.find("materials");
-  if (!materials) result.tree.set("materials", default_materials());
-  else if (materials->is_table()) result.tree.set("materials", merged(default_materials(), *materials), position_of(result.tree, "materials"));
+  if (!materials)
+    result.tree.set("materials", default_materials());
+  else if (materials->is_table())
+    result.tree.set("materials", merged(default_materials(), *materials), position_of(result.tree, "materials"));
 
   Faults faults;
   const auto section = case_section();

@@ -25,8 +25,8 @@ struct CaseParameters : MachineParameters {
 /// A case as read, checked and completed.
 struct Case {
   std::filesystem::path file;
-  std::string name;      ///< the file's name without its ending
-  Node tree;             ///< with its bases, bearings' catalogue data, rotor geometry and overrides merged in
+  std::string name;  ///< the file's name without its ending
+  Node tree;         ///< with its bases, bearings' catalogue data, rotor geometry and overrides merged in
   CaseParameters parameters;
   std::string resolved;  ///< complete TOML that reads back to the same values
 };

@@ -38,9 +38,12 @@ std::string digest_of(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
   bool is_quoted = false, is_comment = false;
   for (const char c : text) {
-    if (c == '\n') is_comment = false;
-    else if (c == '"') is_quoted = !is_quoted;
-    else if (c == '#' && !is_quoted) is_comment = true;
+    if (c == '\n')
+      is_comment = false;
+    else if (c == '"')
+      is_quoted = !is_quoted;
+    else if (c == '#' && !is_quoted)
+      is_comment = true;
     if (!is_comment && (is_quoted || !std::isspace(static_cast<unsigned char>(c))))
       hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   }
@@ -50,10 +53,12 @@ std::string digest_of(const std::string& text) {
 void prepare_directory(const RunOptions& options) {
   const fs::path& directory = options.directory;
   std::error_code error;
-  const bool holds_results = fs::exists(directory / "results.h5", error) || fs::exists(directory / "summary.json", error);
+  const bool holds_results =
+      fs::exists(directory / "results.h5", error) || fs::exists(directory / "summary.json", error);
   if (holds_results && !options.force && !options.resume)
-    throw InputError({directory.string(), 0, 0}, "the directory holds results already",
-                     "Choose another with -o DIR, replace them with --force, or go on with --resume if the run was interrupted.");
+    throw InputError(
+        {directory.string(), 0, 0}, "the directory holds results already",
+        "Choose another with -o DIR, replace them with --force, or go on with --resume if the run was interrupted.");
   fs::create_directories(directory, error);
   if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
 }
@@ -61,10 +66,12 @@ void prepare_directory(const RunOptions& options) {
 /// Keeps two runs out of one directory; ends with the program, however that ends.
 class DirectoryLock {
  public:
-  explicit DirectoryLock(const fs::path& directory) : file_(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  explicit DirectoryLock(const fs::path& directory)
+      : file_(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0) return;
     close(file_);
-    throw InputError({directory.string(), 0, 0}, "another run is writing into the directory", "Choose another with -o DIR, or wait for its end.");
+    throw InputError({directory.string(), 0, 0}, "another run is writing into the directory",
+                     "Choose another with -o DIR, or wait for its end.");
   }
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
@@ -101,7 +108,9 @@ RecordHeader record_header(const Case& drop_case) {
            {"sundials_version", sundials_version()},
            {"hdf5_version", hdf5_version()},
            {"case", drop_case.name},
-           {"frame", "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y towards +z"}},
+           {"frame",
+            "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y "
+            "towards +z"}},
           {{"/parameters", drop_case.resolved}}};
 }
 
@@ -109,7 +118,11 @@ RecordHeader record_header(const Case& drop_case) {
 class DropRun {
  public:
   DropRun(const Case& drop_case, const Machine& machine, const RunOptions& options)
-      : case_(drop_case), machine_(machine), options_(options), scalars_(machine), digest_(digest_of(drop_case.resolved)),
+      : case_(drop_case),
+        machine_(machine),
+        options_(options),
+        scalars_(machine),
+        digest_(digest_of(drop_case.resolved)),
         end_time_(drop_case.parameters.run.end_time) {
     const std::size_t n = machine.layout().size();
     state_.resize(n);
@@ -155,7 +168,8 @@ class DropRun {
     result.state = state_;
     result.impulse_before_end = impulse_;
     result.averaging_start = is_averaging_ ? averaging_start_ : 0.;
-    write_text_atomically(options_.directory / "summary.json", summarise(case_, machine_, scalars_, result).dump(2) + "\n");
+    write_text_atomically(options_.directory / "summary.json",
+                          summarise(case_, machine_, scalars_, result).dump(2) + "\n");
     if (result.completed) fs::remove_all(options_.directory / "checkpoints");
     return result;
   }
@@ -232,8 +246,12 @@ class DropRun {
   }
 
   [[nodiscard]] bool is_stopped() const { return options_.stop && *options_.stop; }
-  [[nodiscard]] double record_time(std::size_t index) const { return static_cast<double>(index) * case_.parameters.output.interval; }
-  [[nodiscard]] double detail_time(std::size_t index) const { return static_cast<double>(index) * case_.parameters.output.detail_interval; }
+  [[nodiscard]] double record_time(std::size_t index) const {
+    return static_cast<double>(index) * case_.parameters.output.interval;
+  }
+  [[nodiscard]] double detail_time(std::size_t index) const {
+    return static_cast<double>(index) * case_.parameters.output.detail_interval;
+  }
   // A record time this close to a step's end is that end.
   [[nodiscard]] bool is_now(double t) const { return std::fabs(t - time_) <= 1e-9 * std::max(time_, 1e-3); }
 
@@ -255,7 +273,8 @@ class DropRun {
       is_averaging_ = true;
       if (averaging_start_ > 0.) {
         integrator_->interpolate(std::min(averaging_start_, time_), at_record_);
-        for (std::size_t i = 0; i < scalars_.size(); ++i) impulse_[i] = machine_.ledger(scalars_.support(i), "contact impulse", at_record_);
+        for (std::size_t i = 0; i < scalars_.size(); ++i)
+          impulse_[i] = machine_.ledger(scalars_.support(i), "contact impulse", at_record_);
       }
     }
   }
@@ -321,8 +340,12 @@ class DropRun {
     c.extras["scalars"] = scalars_.packed();
     c.extras["impulse"] = impulse_;
     const auto s = statistics();
-    c.extras["statistics"] = {static_cast<double>(s.steps), static_cast<double>(s.rhs_evaluations), static_cast<double>(s.rejected_steps),
-                              earlier_wall_ + seconds_since(wall_start_), earlier_cpu_ + cpu_seconds() - cpu_start_, is_averaging_ ? 1. : 0.};
+    c.extras["statistics"] = {static_cast<double>(s.steps),
+                              static_cast<double>(s.rhs_evaluations),
+                              static_cast<double>(s.rejected_steps),
+                              earlier_wall_ + seconds_since(wall_start_),
+                              earlier_cpu_ + cpu_seconds() - cpu_start_,
+                              is_averaging_ ? 1. : 0.};
     return c;
   }
 
@@ -331,14 +354,17 @@ class DropRun {
     if (!found.checkpoint) {
       const std::string where = options_.directory.string();
       if (!found.skipped.empty())
-        throw InputError({where, 0, 0}, "none of the checkpoints can be read", fmt::format("{}", fmt::join(found.skipped, "\n")));
+        throw InputError({where, 0, 0}, "none of the checkpoints can be read",
+                         fmt::format("{}", fmt::join(found.skipped, "\n")));
       if (fs::exists(options_.directory / "summary.json"))
-        throw InputError({options_.directory.string(), 0, 0}, "there is no checkpoint to go on from", "The run was finished, or its checkpoints were removed.");
+        throw InputError({options_.directory.string(), 0, 0}, "there is no checkpoint to go on from",
+                         "The run was finished, or its checkpoints were removed.");
       // Killed before its first checkpoint: it starts anew, but only as what it was.
       std::ifstream earlier(options_.directory / "parameters.toml");
       const std::string text{std::istreambuf_iterator<char>(earlier), {}};
       if (!text.empty() && digest_of(text) != digest_)
-        throw InputError({where, 0, 0}, "the directory holds the run of another case", "Choose another with -o DIR, or replace the results with --force.");
+        throw InputError({where, 0, 0}, "the directory holds the run of another case",
+                         "Choose another with -o DIR, or replace the results with --force.");
       if (options_.tell) options_.tell("there is no checkpoint yet: the run starts anew");
       return;
     }
@@ -365,7 +391,8 @@ class DropRun {
       } catch (const SolverError&) {  // the recorder is what failed: the state may still find room
       }
       const fs::path file = write_checkpoint(options_.directory / "failed", checkpoint());
-      text += fmt::format("\n       The last good state, at t = {:.6g} ms, is saved in {}.", time_ * 1e3, file.string());
+      text +=
+          fmt::format("\n       The last good state, at t = {:.6g} ms, is saved in {}.", time_ * 1e3, file.string());
       recorder_->close();
     } catch (const std::exception& other) {
       text += fmt::format("\n       The state could not be saved: {}", other.what());
@@ -410,6 +437,8 @@ class DropRun {
 
 }  // namespace
 
-DropResult run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options) { return DropRun(drop_case, machine, options).run(); }
+DropResult run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options) {
+  return DropRun(drop_case, machine, options).run();
+}
 
 }  // namespace rotordrop

@@ -33,9 +33,10 @@ struct RunOptions {
 /// A finished or interrupted drop.
 struct DropResult {
   bool completed = false;
-  double end_time = 0;     ///< reached [s]
-  double wall_time = 0, cpu_time = 0;  ///< of the time integration, results included, over all parts of a resumed run [s]
-  IntegrationStatistics statistics;    ///< likewise
+  double end_time = 0;  ///< reached [s]
+  double wall_time = 0,
+         cpu_time = 0;               ///< of the time integration, results included, over all parts of a resumed run [s]
+  IntegrationStatistics statistics;  ///< likewise
   std::vector<double> state;
   std::vector<double> impulse_before_end;  ///< of each touchdown bearing at averaging_start [N s]
   double averaging_start = 0;              ///< [s]

@@ -58,9 +58,10 @@ DropScalars::DropScalars(const Machine& machine) {
     const std::string prefix = "/bearings/" + machine.support(i).name() + "/";
     if (!where.contains(prefix + "contact_force")) continue;  // not a touchdown bearing
     const auto column = [&](const char* name) { return where.at(prefix + name).first; };
-    columns_.push_back({i, column("orbit"), column("penetration"), column("contact_force"), column("rub_heat_rate"), column("spin_lag"),
-                        column("load_torque"), column("spin_torque"), column("inner_heat_rate"), column("outer_heat_rate"),
-                        column("ring_speed"), column("ball_force"), where.at(prefix + "ball_force").second});
+    columns_.push_back({i, column("orbit"), column("penetration"), column("contact_force"), column("rub_heat_rate"),
+                        column("spin_lag"), column("load_torque"), column("spin_torque"), column("inner_heat_rate"),
+                        column("outer_heat_rate"), column("ring_speed"), column("ball_force"),
+                        where.at(prefix + "ball_force").second});
   }
   scalars_.resize(columns_.size());
 }
@@ -75,8 +76,10 @@ void DropScalars::follow(double t, std::span<const double> step) {
     const bool touched = s.penetration > 0.;
     if (touches && !touched) {
       const double start = crossing(s.time, s.penetration, t, penetration, 0.);
-      if (std::isnan(s.first_contact_time)) s.first_contact_time = start;
-      else if (std::isnan(s.second_contact_time)) s.second_contact_time = start;
+      if (std::isnan(s.first_contact_time))
+        s.first_contact_time = start;
+      else if (std::isnan(s.second_contact_time))
+        s.second_contact_time = start;
     } else if (touched && !touches && std::isnan(s.first_contact_end)) {
       s.first_contact_end = crossing(s.time, s.penetration, t, penetration, 0.);
     }
@@ -117,7 +120,8 @@ std::vector<double> DropScalars::packed() const {
 }
 
 void DropScalars::unpack(std::span<const double> values) {
-  if (values.size() * sizeof(double) != scalars_.size() * sizeof(BearingScalars)) throw std::invalid_argument("scalars of another machine");
+  if (values.size() * sizeof(double) != scalars_.size() * sizeof(BearingScalars))
+    throw std::invalid_argument("scalars of another machine");
   if (!values.empty()) std::memcpy(static_cast<void*>(scalars_.data()), values.data(), values.size() * sizeof(double));
 }
 

@@ -10,8 +10,8 @@ namespace rotordrop {
 
 /// Largest value of a quantity known at steps; between them by the parabola through three steps.
 struct FollowedPeak {
-  double value = 0;                                         ///< 0 if it never rose above
-  double time = std::numeric_limits<double>::quiet_NaN();   ///< [s]
+  double value = 0;                                        ///< 0 if it never rose above
+  double time = std::numeric_limits<double>::quiet_NaN();  ///< [s]
   void follow(double t, double f);
 
  private:
@@ -21,17 +21,17 @@ struct FollowedPeak {
 /// Scalars of one touchdown bearing, followed from step to step. NaN where something has not happened.
 struct BearingScalars {
   static constexpr double never = std::numeric_limits<double>::quiet_NaN();
-  double first_contact_time = never;       ///< penetration first passes zero [s]
-  double first_contact_end = never;        ///< and first falls below it [s]
-  double second_contact_time = never;      ///< [s]
-  FollowedPeak contact_force;              ///< [N]
-  double first_bounce_apex = never;        ///< highest y of the rotor between first and second contact [m]
-  FollowedPeak friction_heat_rate;         ///< [W]
-  double catch_up_time = never;            ///< spin lag first below 1 % [s]
-  FollowedPeak load_torque, spin_torque;   ///< [N m]
+  double first_contact_time = never;              ///< penetration first passes zero [s]
+  double first_contact_end = never;               ///< and first falls below it [s]
+  double second_contact_time = never;             ///< [s]
+  FollowedPeak contact_force;                     ///< [N]
+  double first_bounce_apex = never;               ///< highest y of the rotor between first and second contact [m]
+  FollowedPeak friction_heat_rate;                ///< [W]
+  double catch_up_time = never;                   ///< spin lag first below 1 % [s]
+  FollowedPeak load_torque, spin_torque;          ///< [N m]
   FollowedPeak inner_heat_rate, outer_heat_rate;  ///< [W]
-  FollowedPeak ball_force;                 ///< of the most loaded ball [N]
-  double ring_speed_end = never;           ///< [rad/s]
+  FollowedPeak ball_force;                        ///< of the most loaded ball [N]
+  double ring_speed_end = never;                  ///< [rad/s]
   // The last step, for crossings.
   double time = never, penetration = never, spin_lag = never;
 };
@@ -53,8 +53,8 @@ class DropScalars {
 
  private:
   struct Columns {
-    std::size_t support, orbit, penetration, contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque, inner_heat_rate,
-        outer_heat_rate, ring_speed, ball_force, n_rows;
+    std::size_t support, orbit, penetration, contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque,
+        inner_heat_rate, outer_heat_rate, ring_speed, ball_force, n_rows;
   };
   std::vector<Columns> columns_;
   std::vector<BearingScalars> scalars_;

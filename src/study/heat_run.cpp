@@ -26,7 +26,8 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 void prepare_directory(const HeatRunOptions& options) {
   const fs::path& directory = options.directory;
   if (!options.force && (fs::exists(directory / "results.h5") || fs::exists(directory / "summary.json")))
-    throw InputError({directory.string(), 0, 0}, "the directory holds results already", "Choose another with -o DIR, or replace them with --force.");
+    throw InputError({directory.string(), 0, 0}, "the directory holds results already",
+                     "Choose another with -o DIR, or replace them with --force.");
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
@@ -36,8 +37,15 @@ void prepare_directory(const HeatRunOptions& options) {
 Recorder make_recorder(const HeatCase& heat_case, const HeatRunOptions& options) {
   SeriesGroup series{"/time", {}};
   for (const auto& probe : heat_case.study.probes)
-    series.channels.push_back({"/probes/" + probe.name, "K", probe.boundary ? "mean temperature of a boundary" : "temperature at a point", 1, {}});
-  const RecordHeader header{{{"program", std::string("rotordrop ") + version()}, {"git_revision", git_revision()}, {"hdf5_version", hdf5_version()}, {"case", heat_case.name}},
+    series.channels.push_back({"/probes/" + probe.name,
+                               "K",
+                               probe.boundary ? "mean temperature of a boundary" : "temperature at a point",
+                               1,
+                               {}});
+  const RecordHeader header{{{"program", std::string("rotordrop ") + version()},
+                             {"git_revision", git_revision()},
+                             {"hdf5_version", hdf5_version()},
+                             {"case", heat_case.name}},
                             {{"/parameters", heat_case.resolved}}};
   RecorderOptions recorder_options;
   recorder_options.overwrite = options.force;
@@ -47,7 +55,8 @@ Recorder make_recorder(const HeatCase& heat_case, const HeatRunOptions& options)
 std::vector<double> probe_values(const HeatConductionSolver& solver, const std::vector<HeatProbe>& probes) {
   std::vector<double> values;
   for (const auto& probe : probes)
-    values.push_back(probe.boundary ? solver.mean_temperature(*probe.boundary) : solver.temperature(probe.body, probe.x, probe.r));
+    values.push_back(probe.boundary ? solver.mean_temperature(*probe.boundary)
+                                    : solver.temperature(probe.body, probe.x, probe.r));
   return values;
 }
 
@@ -104,7 +113,8 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   recorder.close();
 
   j["probes"] = Json::object();
-  for (std::size_t i = 0; i < study.probes.size(); ++i) j["probes"][study.probes[i].name] = {{"time", times}, {"temperature", series[i]}};
+  for (std::size_t i = 0; i < study.probes.size(); ++i)
+    j["probes"][study.probes[i].name] = {{"time", times}, {"temperature", series[i]}};
   const HeatEnergy e = solver->energy();
   j["energy"] = {{"input", e.input}, {"stored", e.stored}, {"lost", e.lost}, {"residual", e.residual()}};
   const HeatStatistics s = solver->statistics();
@@ -125,12 +135,14 @@ std::string heat_summary_text(const Json& j) {
   std::string text;
   for (const auto& [name, probe] : j["probes"].items())
     if (!probe["time"].empty())
-      text += fmt::format("{}: {:.4f} K at {:.6g} s\n", name, probe["temperature"].back().get<double>(), probe["time"].back().get<double>());
+      text += fmt::format("{}: {:.4f} K at {:.6g} s\n", name, probe["temperature"].back().get<double>(),
+                          probe["time"].back().get<double>());
   const auto& e = j["energy"];
-  text += fmt::format("Energy: {:.6g} J in, {:.6g} J stored, {:.6g} J lost, residual {:.1e} J\n", e["input"].get<double>(), e["stored"].get<double>(), e["lost"].get<double>(),
-                      e["residual"].get<double>());
-  text += fmt::format("{} unknowns, {} steps, {:.3g} s of CPU after {:.3g} s of set-up\n", j["unknowns"].get<long>(), j["steps"].get<long>(), j["cpu_time"].get<double>(),
-                      j["setup_cpu_time"].get<double>());
+  text +=
+      fmt::format("Energy: {:.6g} J in, {:.6g} J stored, {:.6g} J lost, residual {:.1e} J\n", e["input"].get<double>(),
+                  e["stored"].get<double>(), e["lost"].get<double>(), e["residual"].get<double>());
+  text += fmt::format("{} unknowns, {} steps, {:.3g} s of CPU after {:.3g} s of set-up\n", j["unknowns"].get<long>(),
+                      j["steps"].get<long>(), j["cpu_time"].get<double>(), j["setup_cpu_time"].get<double>());
   return text;
 }
 

@@ -12,7 +12,7 @@ namespace rotordrop {
 /// A case of heat conduction alone, as read, checked and completed.
 struct HeatCase {
   std::filesystem::path file;
-  std::string name;      ///< the file's name without its ending
+  std::string name;  ///< the file's name without its ending
   HeatStudy study;
   std::string resolved;  ///< complete TOML that reads back to the same values
 };

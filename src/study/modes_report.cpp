@@ -21,8 +21,10 @@ std::vector<double> parse_speeds(const std::string& text) {
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t comma = std::min(text.find(',', from), text.size());
     const auto speed = convert_to_si(text.substr(from, comma - from), "rad/s", QuantityKind::angular_speed, "a speed");
-    if (speed) speeds.push_back(speed.value);
-    else faults.add({"--speeds", 0, 0}, speed.error, speed.advice);
+    if (speed)
+      speeds.push_back(speed.value);
+    else
+      faults.add({"--speeds", 0, 0}, speed.error, speed.advice);
     from = comma + 1;
   }
   faults.throw_if_any();
@@ -62,14 +64,17 @@ nlohmann::ordered_json to_json(const ModesReport& report, std::size_t n_modes) {
 }
 
 std::string to_table(const ModesReport& report, std::size_t n_modes) {
-  std::string text = report.is_free_free ? "Natural modes, free-free (the case has no linear supports)\n" : "Natural modes on the case's linear supports\n";
+  std::string text = report.is_free_free ? "Natural modes, free-free (the case has no linear supports)\n"
+                                         : "Natural modes on the case's linear supports\n";
   for (std::size_t i = 0; i < report.speeds.size(); ++i) {
     text += fmt::format("\n{:.6g} rpm", report.speeds[i] * 30. / std::numbers::pi);
-    if (report.modes[i].n_rigid_body_modes > 0) text += fmt::format("   ({} rigid-body motions at 0 Hz left out)", report.modes[i].n_rigid_body_modes);
+    if (report.modes[i].n_rigid_body_modes > 0)
+      text += fmt::format("   ({} rigid-body motions at 0 Hz left out)", report.modes[i].n_rigid_body_modes);
     text += fmt::format("\n  {:>4}  {:>12}  {:>10}  {}\n", "mode", "frequency", "damping", "whirl");
     for (std::size_t k = 0; k < shown(report.modes[i], n_modes); ++k) {
       const auto& mode = report.modes[i].modes[k];
-      text += fmt::format("  {:>4}  {:>9.3f} Hz  {:>8.4f} %  {}\n", k + 1, mode.frequency, 100. * mode.damping_ratio, to_string(mode.whirl));
+      text += fmt::format("  {:>4}  {:>9.3f} Hz  {:>8.4f} %  {}\n", k + 1, mode.frequency, 100. * mode.damping_ratio,
+                          to_string(mode.whirl));
     }
   }
   return text;
@@ -93,7 +98,8 @@ void write_mode_shapes(const ModesReport& report, std::size_t n_modes, const std
                        {at + "shape_y_imaginary", "1", "deflection along y, a quarter turn ahead", n, {}},
                        {at + "shape_z_real", "1", "deflection along z, in phase", n, {}},
                        {at + "shape_z_imaginary", "1", "deflection along z, a quarter turn ahead", n, {}}},
-                      "1", "number of the mode"});
+                      "1",
+                      "number of the mode"});
   }
   RecorderOptions options;
   options.overwrite = true;
@@ -103,7 +109,9 @@ void write_mode_shapes(const ModesReport& report, std::size_t n_modes, const std
     for (std::size_t k = 0; k < shown(report.modes[i], n_modes); ++k) {
       const auto& mode = report.modes[i].modes[k];
       std::vector<double> row = {mode.frequency, mode.damping_ratio, report.speeds[i],
-                                 mode.whirl == Whirl::forward ? 1. : mode.whirl == Whirl::backward ? -1. : 0.};
+                                 mode.whirl == Whirl::forward    ? 1.
+                                 : mode.whirl == Whirl::backward ? -1.
+                                                                 : 0.};
       row.insert(row.end(), report.node_positions.begin(), report.node_positions.end());
       for (const auto* shape : {&mode.v, &mode.w})
         for (const bool real : {true, false})

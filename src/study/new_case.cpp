@@ -38,7 +38,8 @@ fs::path new_case(const fs::path& directory) {
   fs::create_directories(directory, error);
   if (error) throw InputError({directory.string(), 0, 0}, "the folder cannot be made: " + error.message());
   const fs::path params = ROTORDROP_PARAMS_DIRECTORY;
-  for (const auto& [from, to] : {std::pair{"neisi2019.toml", "reference.toml"}, std::pair{"neisi2019-rotor.json", "neisi2019-rotor.json"}}) {
+  for (const auto& [from, to] :
+       {std::pair{"neisi2019.toml", "reference.toml"}, std::pair{"neisi2019-rotor.json", "neisi2019-rotor.json"}}) {
     fs::copy_file(params / from, directory / to, error);
     if (error) throw InputError({(directory / to).string(), 0, 0}, "cannot be written: " + error.message());
   }

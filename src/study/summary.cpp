@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 // JSON has no NaN: what has not happened is null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json bearing_summary(const Machine& machine, const BearingScalars& s, std::size_t support, std::span<const double> y, double mean_force_end) {
+Json bearing_summary(const Machine& machine, const BearingScalars& s, std::size_t support, std::span<const double> y,
+                     double mean_force_end) {
   const auto ledger = [&](const char* name) { return machine.ledger(support, name, y); };
   Json j;
   j["first_contact_time"] = number(s.first_contact_time);
@@ -47,8 +48,8 @@ Json spin_up_balance(const Machine& machine, std::size_t support, std::span<cons
   if (!bearing) return nullptr;
   const auto& d = bearing->data();
   const double balance = d.rotor_radius / d.bore_radius * machine.ledger(support, "spin-up drive", y) -
-                         0.5 * d.ring_spin_inertia * ring_speed * ring_speed - machine.ledger(support, "inner heat", y) -
-                         machine.ledger(support, "outer heat", y) +
+                         0.5 * d.ring_spin_inertia * ring_speed * ring_speed -
+                         machine.ledger(support, "inner heat", y) - machine.ledger(support, "outer heat", y) +
                          machine.ledger(support, "spin-up centres", y);
   return {{"slip_energy", balance}, {"residual", machine.ledger(support, "rub heat", y) - balance}};
 }
@@ -75,12 +76,14 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     const std::size_t support = scalars.support(i);
     const std::string name = machine.support(support).name();
     const auto& s = scalars.of(i);
-    const double mean = (machine.ledger(support, "contact impulse", y) - result.impulse_before_end[i]) / (result.end_time - result.averaging_start);
+    const double mean = (machine.ledger(support, "contact impulse", y) - result.impulse_before_end[i]) /
+                        (result.end_time - result.averaging_start);
     Json bearing = bearing_summary(machine, s, support, y, mean);
     std::size_t at = 0;
     const std::string prefix = "/thermal/" + name + "/";
     for (const auto& o : machine.state_observables()) {
-      if (o.name.starts_with(prefix)) bearing["temperature_rise_end"][o.name.substr(prefix.size())] = observed[at] - drop_case.parameters.run.ambient;
+      if (o.name.starts_with(prefix))
+        bearing["temperature_rise_end"][o.name.substr(prefix.size())] = observed[at] - drop_case.parameters.run.ambient;
       at += o.size;
     }
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
@@ -112,21 +115,25 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
 
 std::string summary_text(const Json& j) {
   std::string text;
-  const auto time = [](const Json& v, double unit, const char* name) { return v.is_null() ? std::string("never") : fmt::format("{:.4g} {}", v.get<double>() * unit, name); };
+  const auto time = [](const Json& v, double unit, const char* name) {
+    return v.is_null() ? std::string("never") : fmt::format("{:.4g} {}", v.get<double>() * unit, name);
+  };
   const double rpm = 30. / std::numbers::pi;
   if (j.contains("bearings"))
     for (const auto& [name, b] : j["bearings"].items()) {
-      text += fmt::format("{}: first contact {}, peak force {:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", name, time(b["first_contact_time"], 1e3, "ms"),
-                          b["peak_contact_force"].get<double>() * 1e-3, b["friction_heat"].get<double>(), b["peak_friction_heat_rate"].get<double>() * 1e-3);
-      text += fmt::format("{:{}}ring {:.0f} rpm at the end, catches up: {}; ", "", name.size() + 2, b["ring_speed_end"].get<double>() * rpm,
-                          time(b["catch_up_time"], 1e3, "ms"));
+      text += fmt::format("{}: first contact {}, peak force {:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", name,
+                          time(b["first_contact_time"], 1e3, "ms"), b["peak_contact_force"].get<double>() * 1e-3,
+                          b["friction_heat"].get<double>(), b["peak_friction_heat_rate"].get<double>() * 1e-3);
+      text += fmt::format("{:{}}ring {:.0f} rpm at the end, catches up: {}; ", "", name.size() + 2,
+                          b["ring_speed_end"].get<double>() * rpm, time(b["catch_up_time"], 1e3, "ms"));
       const auto& rise = b["temperature_rise_end"];
-      text += fmt::format("warmer by {:.2f} K inner ring, {:.2f} K shaft, {:.2f} K balls\n", rise["inner_ring"].get<double>(), rise["shaft"].get<double>(),
-                          rise["ball"].get<double>());
+      text += fmt::format("warmer by {:.2f} K inner ring, {:.2f} K shaft, {:.2f} K balls\n",
+                          rise["inner_ring"].get<double>(), rise["shaft"].get<double>(), rise["ball"].get<double>());
     }
   const auto& e = j["energy"];
-  text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited, residual {:.1e} J\n", e["dissipated"].get<double>(),
-                      e["residual"].get<double>(), e["heat_deposited"].get<double>(), e["heat_residual"].get<double>());
+  text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited, residual {:.1e} J\n",
+                      e["dissipated"].get<double>(), e["residual"].get<double>(), e["heat_deposited"].get<double>(),
+                      e["heat_residual"].get<double>());
   return text;
 }
 

@@ -7,7 +7,8 @@
 namespace rotordrop {
 
 /// Scalars of a run, SI; see docs/results.md for every key.
-nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars, const DropResult& result);
+nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
+                                 const DropResult& result);
 
 /// A few lines that answer a user's first questions.
 std::string summary_text(const nlohmann::ordered_json& summary);

@@ -51,8 +51,10 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
     network.resistors.push_back({a, c, R, Law::constant, 0., 0., 0});
   };
   join(s, ambient_node, R1);
-  if (b.shaft_ring_link == BearingCircuitData::Link::permanent) join(s, i, R2 + R3);
-  else network.resistors.push_back({s, i, R2 + R3, Law::contact, 0., R2 + R3 + b.gap_resistance, place});
+  if (b.shaft_ring_link == BearingCircuitData::Link::permanent)
+    join(s, i, R2 + R3);
+  else
+    network.resistors.push_back({s, i, R2 + R3, Law::contact, 0., R2 + R3 + b.gap_resistance, place});
   join(i, ci, R4);
   join(ci, ball, R5);
   join(ball, co, R5);
@@ -63,8 +65,9 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   network.places.push_back({s, i, ci, co, b.share_to_ring, b.share_by_jaeger, b.jaeger});
 
   const double constraint = b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.;
-  const double a_i = 0.5 * b.inner_bore, b_i = 0.5 * b.inner_outside, a_o = 0.5 * b.outer_bore, b_o = 0.5 * b.housing_outside;
-  const auto grow = [&](double Expansion::* surface, const std::string& node, double coefficient) {
+  const double a_i = 0.5 * b.inner_bore, b_i = 0.5 * b.inner_outside, a_o = 0.5 * b.outer_bore,
+               b_o = 0.5 * b.housing_outside;
+  const auto grow = [&](double Expansion::*surface, const std::string& node, double coefficient) {
     network.growths.push_back({place, surface, node, coefficient});
   };
   const auto bore = ring_growth(b.ring.expansion, a_i, b_i, a_i, constraint);

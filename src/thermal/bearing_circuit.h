@@ -16,24 +16,24 @@ struct ThermalMaterial {
 
 /// What the circuit of one touchdown bearing is made from (docs/model.md; Neisi 2019, section 3.4, fig. 6, table 1).
 struct BearingCircuitData {
-  std::string name;                         ///< of the bearing
-  ThermalMaterial ring, ball;               ///< steel of rings, housing and shaft; balls
-  double width = 0;                         ///< W, all rows [m]
-  double journal_radius = 0;                ///< rotor's contact surface [m]
-  double ring_mass = 0;                     ///< inner ring(s) [kg]
-  double inner_bore = 0, inner_outside = 0; ///< inner ring's diameters [m]
-  double outer_bore = 0, outer_outside = 0; ///< outer ring's [m]
+  std::string name;                              ///< of the bearing
+  ThermalMaterial ring, ball;                    ///< steel of rings, housing and shaft; balls
+  double width = 0;                              ///< W, all rows [m]
+  double journal_radius = 0;                     ///< rotor's contact surface [m]
+  double ring_mass = 0;                          ///< inner ring(s) [kg]
+  double inner_bore = 0, inner_outside = 0;      ///< inner ring's diameters [m]
+  double outer_bore = 0, outer_outside = 0;      ///< outer ring's [m]
   double housing_bore = 0, housing_outside = 0;  ///< [m]
-  double housing_length = 0;                ///< L_h, all rows [m]
-  double shaft_length = 0;                  ///< of the lump of shaft [m]
-  int n_balls = 0;                          ///< of all rows
-  double ball_diameter = 0;                 ///< [m]
-  double h_shaft = 0, h_ball = 0;           ///< convection [W/(m^2 K)]
-  double fit_resistance = 0;                ///< outer ring to housing [K/W]
-  double contact_half_width = 0;            ///< a of the constriction [m]
-  bool plane_strain_growth = false;         ///< growth times (1 + nu)
+  double housing_length = 0;                     ///< L_h, all rows [m]
+  double shaft_length = 0;                       ///< of the lump of shaft [m]
+  int n_balls = 0;                               ///< of all rows
+  double ball_diameter = 0;                      ///< [m]
+  double h_shaft = 0, h_ball = 0;                ///< convection [W/(m^2 K)]
+  double fit_resistance = 0;                     ///< outer ring to housing [K/W]
+  double contact_half_width = 0;                 ///< a of the constriction [m]
+  bool plane_strain_growth = false;              ///< growth times (1 + nu)
   enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
-  double gap_resistance = 0;                ///< of Link::in_contact, when apart [K/W]
+  double gap_resistance = 0;  ///< of Link::in_contact, when apart [K/W]
   double share_to_ring = 0.5;
   bool share_by_jaeger = false;
   JaegerShare jaeger;

@@ -9,35 +9,52 @@ namespace {
 Section<HeatRunParameters> run_section() {
   using P = HeatRunParameters;
   Section<P> s("run", "Surroundings, start and end.");
-  s.quantity("ambient", &P::ambient, {.unit = "K", .range = between(1, 2000), .fallback = "293.15 K", .help = "Temperature of the surroundings."});
-  s.quantity("initial_temperature", &P::initial_temperature, {.unit = "K", .range = between(1, 2000), .help = "Temperature of everything at the start; ambient if left out."});
-  s.quantity("end_time", &P::end_time, {.unit = "s", .range = positive(), .help = "Where to stop; the last of output_times if left out."});
+  s.quantity(
+      "ambient", &P::ambient,
+      {.unit = "K", .range = between(1, 2000), .fallback = "293.15 K", .help = "Temperature of the surroundings."});
+  s.quantity(
+      "initial_temperature", &P::initial_temperature,
+      {.unit = "K", .range = between(1, 2000), .help = "Temperature of everything at the start; ambient if left out."});
+  s.quantity("end_time", &P::end_time,
+             {.unit = "s", .range = positive(), .help = "Where to stop; the last of output_times if left out."});
   return s;
 }
 
 Section<HeatMaterialParameters> material_section() {
   using P = HeatMaterialParameters;
-  Section<P> s("material", "A material of bodies. Of k and k_table one is needed (k_table counts if both are there), and so for c.");
+  Section<P> s(
+      "material",
+      "A material of bodies. Of k and k_table one is needed (k_table counts if both are there), and so for c.");
   s.quantity("rho", &P::rho, {.unit = "kg/m3", .range = between(1, 3e4), .help = "Density."});
   s.quantity("k", &P::k, {.unit = "W/(m K)", .range = positive(), .help = "Thermal conductivity."});
   s.quantity("c", &P::c, {.unit = "J/(kg K)", .range = positive(), .help = "Specific heat capacity."});
-  s.function("k_table", &P::k_table, {.unit = "W/(m K)", .argument_unit = "K", .range = positive(),
-                                      .help = "Conductivity over temperature: linear between the pairs, constant outside."});
-  s.function("c_table", &P::c_table, {.unit = "J/(kg K)", .argument_unit = "K", .range = positive(),
-                                      .help = "Specific heat capacity over temperature: linear between the pairs, constant outside."});
+  s.function("k_table", &P::k_table,
+             {.unit = "W/(m K)",
+              .argument_unit = "K",
+              .range = positive(),
+              .help = "Conductivity over temperature: linear between the pairs, constant outside."});
+  s.function("c_table", &P::c_table,
+             {.unit = "J/(kg K)",
+              .argument_unit = "K",
+              .range = positive(),
+              .help = "Specific heat capacity over temperature: linear between the pairs, constant outside."});
   s.quantity("E", &P::E, {.unit = "Pa", .help = "Not used by conduction."});
   s.quantity("nu", &P::nu, {.help = "Not used by conduction."});
   s.quantity("alpha", &P::alpha, {.unit = "1/K", .help = "Not used by conduction."});
   return s;
 }
 
-void check_rising(const std::array<double, 2>& extent, const char* key, const Node& table, const std::string& path, Faults& faults) {
-  if (!(extent[1] > extent[0])) faults.add(position_of_value(table, key), path + "." + key + " does not rise.", "Write [smaller, larger].");
+void check_rising(const std::array<double, 2>& extent, const char* key, const Node& table, const std::string& path,
+                  Faults& faults) {
+  if (!(extent[1] > extent[0]))
+    faults.add(position_of_value(table, key), path + "." + key + " does not rise.", "Write [smaller, larger].");
 }
 
 Section<HeatRectangleParameters> rectangle_section() {
   using P = HeatRectangleParameters;
-  Section<P> s("rectangle", "A ring of rectangular section. Its boundaries are called NAME.inner, NAME.outer (radius), NAME.left and NAME.right (x).");
+  Section<P> s("rectangle",
+               "A ring of rectangular section. Its boundaries are called NAME.inner, NAME.outer (radius), NAME.left "
+               "and NAME.right (x).");
   s.text("name", &P::name, {.help = "Name of the body."});
   s.quantities("x", &P::x, {.unit = "m", .help = "From and to, along the axis."});
   s.quantities("r", &P::r, {.unit = "m", .range = at_least(0), .help = "Inner and outer radius; 0 for a solid body."});
@@ -46,7 +63,8 @@ Section<HeatRectangleParameters> rectangle_section() {
     check_rising(p.x, "x", table, path, faults);
     check_rising(p.r, "r", table, path, faults);
     if (p.name.empty() || p.name.find('.') != std::string::npos)
-      faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a dot in it.", "Boundaries are called NAME.inner and so on.");
+      faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a dot in it.",
+                 "Boundaries are called NAME.inner and so on.");
   });
   return s;
 }
@@ -55,37 +73,60 @@ Section<HeatFluxParameters> flux_section() {
   using P = HeatFluxParameters;
   Section<P> s("flux", "Heat into a boundary, where no interface covers it.");
   s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right."});
-  s.quantities("times", &P::times, {.unit = "s", .min_count = 1, .help = "Rising; values[i] holds from times[i] until the next one."});
-  s.quantities("values", &P::values, {.unit = "W/m2", .min_count = 1, .help = "Heat flux density from each of the times."});
+  s.quantities("times", &P::times,
+               {.unit = "s", .min_count = 1, .help = "Rising; values[i] holds from times[i] until the next one."});
+  s.quantities("values", &P::values,
+               {.unit = "W/m2", .min_count = 1, .help = "Heat flux density from each of the times."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     if (p.times.size() != p.values.size())
-      faults.add(position_of_value(table, "values"), path + " has " + std::to_string(p.times.size()) + " times and " + std::to_string(p.values.size()) + " values.", "Give one value for every time.");
-    if (!std::is_sorted(p.times.begin(), p.times.end(), std::less_equal<>())) faults.add(position_of_value(table, "times"), path + ".times do not rise.");
+      faults.add(position_of_value(table, "values"),
+                 path + " has " + std::to_string(p.times.size()) + " times and " + std::to_string(p.values.size()) +
+                     " values.",
+                 "Give one value for every time.");
+    if (!std::is_sorted(p.times.begin(), p.times.end(), std::less_equal<>()))
+      faults.add(position_of_value(table, "times"), path + ".times do not rise.");
   });
   return s;
 }
 
 Section<HeatConvectionParameters> convection_section() {
   using P = HeatConvectionParameters;
-  Section<P> s("convection", "Heat lost from a boundary, where no interface covers it: coefficient * rise^(1 + exponent), the rise over `ambient`.");
+  Section<P> s("convection",
+               "Heat lost from a boundary, where no interface covers it: coefficient * rise^(1 + exponent), the rise "
+               "over `ambient`.");
   s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right."});
-  s.quantity("coefficient", &P::coefficient, {.unit = "W/(m2 K^n)", .range = at_least(0), .help = "In W/m2 at a rise of 1 K."});
-  s.quantity("exponent", &P::exponent, {.range = between(0, 3), .fallback = "0", .help = "0: in proportion to the rise. Above 0 nothing is exchanged below ambient."});
-  s.quantity("ambient", &P::ambient, {.unit = "K", .range = between(1, 2000), .help = "Temperature of the surroundings there; run.ambient if left out."});
+  s.quantity("coefficient", &P::coefficient,
+             {.unit = "W/(m2 K^n)", .range = at_least(0), .help = "In W/m2 at a rise of 1 K."});
+  s.quantity("exponent", &P::exponent,
+             {.range = between(0, 3),
+              .fallback = "0",
+              .help = "0: in proportion to the rise. Above 0 nothing is exchanged below ambient."});
+  s.quantity("ambient", &P::ambient,
+             {.unit = "K",
+              .range = between(1, 2000),
+              .help = "Temperature of the surroundings there; run.ambient if left out."});
   return s;
 }
 
 Section<HeatInterfaceParameters> interface_section() {
   using P = HeatInterfaceParameters;
-  Section<P> s("interface", "Two boundaries that lie on each other and exchange heat where they do. Bodies that only touch exchange none.");
-  s.custom("between", {.accepts = "[\"BODY.side\", \"BODY.side\"]", .json_types = {"array"}, .required = true, .help = "The two boundaries."},
+  Section<P> s(
+      "interface",
+      "Two boundaries that lie on each other and exchange heat where they do. Bodies that only touch exchange none.");
+  s.custom("between",
+           {.accepts = "[\"BODY.side\", \"BODY.side\"]",
+            .json_types = {"array"},
+            .required = true,
+            .help = "The two boundaries."},
            [](const Node& node, P& target, Faults& faults) {
              if (node.is_array() && node.items().size() == 2 && node.items()[0].is_text() && node.items()[1].is_text())
                target.between = {node.items()[0].text(), node.items()[1].text()};
              else
-               faults.add(node.where(), "interface.between must be two names of boundaries, not " + to_text(node) + ".");
+               faults.add(node.where(),
+                          "interface.between must be two names of boundaries, not " + to_text(node) + ".");
            });
-  s.quantity("resistance", &P::resistance, {.unit = "m2 K/W", .range = positive(), .help = "Temperature jump over heat flux density."});
+  s.quantity("resistance", &P::resistance,
+             {.unit = "m2 K/W", .range = positive(), .help = "Temperature jump over heat flux density."});
   return s;
 }
 
@@ -95,13 +136,15 @@ Section<HeatProbeParameters> probe_section() {
   s.text("name", &P::name, {.help = "Its name in the results."});
   s.quantity("x", &P::x, {.unit = "m", .help = "Of the point."});
   s.quantity("r", &P::r, {.unit = "m", .help = "Of the point."});
-  s.text("body", &P::body, {.help = "Which body is meant where two meet; the first one that holds the point if left out."});
+  s.text("body", &P::body,
+         {.help = "Which body is meant where two meet; the first one that holds the point if left out."});
   s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right: the mean over its area."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     const bool point = p.x && p.r;
     if (point == p.boundary.has_value() || p.x.has_value() != p.r.has_value())
       faults.add(position_of(table, "name"), path + " (\"" + p.name + "\") needs either x and r, or boundary.");
-    if (p.name.empty() || p.name.find('/') != std::string::npos) faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a slash in it.");
+    if (p.name.empty() || p.name.find('/') != std::string::npos)
+      faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a slash in it.");
   });
   return s;
 }
@@ -110,11 +153,21 @@ Section<HeatNumericsParameters> numerics_section() {
   using P = HeatNumericsParameters;
   Section<P> s("fe", "Mesh and accuracy of the finite-element model.");
   s.integer("degree", &P::degree, {.range = between(1, 4), .fallback = 2, .help = "Of the elements: 2 is quadratic."});
-  s.integer("cells", &P::cells, {.range = between(1, 1000), .fallback = 8, .help = "Cells across every body, in both directions, before grading."});
-  s.quantity("grading", &P::grading, {.range = between(1, 1e5), .fallback = "30",
-                                      .help = "How many times thinner the cells are at boundaries with flux. The first one should be thinner than sqrt(diffusivity * first output time)."});
-  s.quantity("growth", &P::growth, {.range = between(1.05, 5), .fallback = "1.5", .help = "Largest ratio of neighbouring cells."});
-  s.quantity("time_tolerance", &P::time_tolerance, {.range = between(1e-12, 1e-1), .fallback = "1e-6", .help = "Error of one time step, over the largest change of temperature."});
+  s.integer("cells", &P::cells,
+            {.range = between(1, 1000),
+             .fallback = 8,
+             .help = "Cells across every body, in both directions, before grading."});
+  s.quantity("grading", &P::grading,
+             {.range = between(1, 1e5),
+              .fallback = "30",
+              .help = "How many times thinner the cells are at boundaries with flux. The first one should be thinner "
+                      "than sqrt(diffusivity * first output time)."});
+  s.quantity("growth", &P::growth,
+             {.range = between(1.05, 5), .fallback = "1.5", .help = "Largest ratio of neighbouring cells."});
+  s.quantity("time_tolerance", &P::time_tolerance,
+             {.range = between(1e-12, 1e-1),
+              .fallback = "1e-6",
+              .help = "Error of one time step, over the largest change of temperature."});
   return s;
 }
 
@@ -125,19 +178,26 @@ const char* const side_names[] = {"left", "right", "inner", "outer"};
 /// Finds names and places in the parameters of one case.
 class StudyMaker {
  public:
-  StudyMaker(const HeatParameters& parameters, const Node& tree, Faults& faults) : p_(parameters), tree_(tree), faults_(faults) {}
+  StudyMaker(const HeatParameters& parameters, const Node& tree, Faults& faults)
+      : p_(parameters), tree_(tree), faults_(faults) {}
 
   HeatStudy make() {
     auto& problem = study_.problem;
     problem.initial_temperature = p_.run.initial_temperature.value_or(p_.run.ambient);
-    problem.numerics = {.degree = p_.fe.degree, .cells = p_.fe.cells, .grading = p_.fe.grading, .growth = p_.fe.growth, .tolerance = p_.fe.time_tolerance};
+    problem.numerics = {.degree = p_.fe.degree,
+                        .cells = p_.fe.cells,
+                        .grading = p_.fe.grading,
+                        .growth = p_.fe.growth,
+                        .tolerance = p_.fe.time_tolerance};
     add_bodies();
     for (std::size_t i = 0; i < p_.interfaces.size(); ++i) add_interface(i);
     for (std::size_t i = 0; i < p_.fluxes.size(); ++i)
-      if (const auto b = exposed("flux", i, p_.fluxes[i].boundary)) problem.fluxes.push_back({*b, p_.fluxes[i].times, p_.fluxes[i].values});
+      if (const auto b = exposed("flux", i, p_.fluxes[i].boundary))
+        problem.fluxes.push_back({*b, p_.fluxes[i].times, p_.fluxes[i].values});
     for (std::size_t i = 0; i < p_.convections.size(); ++i) {
       const auto& law = p_.convections[i];
-      if (const auto b = exposed("convection", i, law.boundary)) problem.convections.push_back({*b, law.coefficient, law.exponent, law.ambient.value_or(p_.run.ambient)});
+      if (const auto b = exposed("convection", i, law.boundary))
+        problem.convections.push_back({*b, law.coefficient, law.exponent, law.ambient.value_or(p_.run.ambient)});
     }
     for (std::size_t i = 0; i < p_.probes.size(); ++i) add_probe(i);
     add_times();
@@ -150,10 +210,12 @@ class StudyMaker {
     const Node* found = parent ? parent->find(list) : nullptr;
     return found && found->is_array() && i < found->items().size() ? &found->items()[i] : nullptr;
   }
-  void fault(const char* list, std::size_t i, const char* key, const std::string& message, const std::string& advice = "") {
+  void fault(const char* list, std::size_t i, const char* key, const std::string& message,
+             const std::string& advice = "") {
     const Node* table = entry(list, i);
     const std::string place = std::string(list) == "rectangle" ? "section.rectangle" : list;
-    faults_.add(table ? position_of_value(*table, key) : SourcePosition{}, place + "#" + std::to_string(i + 1) + ": " + message, advice);
+    faults_.add(table ? position_of_value(*table, key) : SourcePosition{},
+                place + "#" + std::to_string(i + 1) + ": " + message, advice);
   }
   static std::string known(const std::string& word, const std::vector<std::string>& names) {
     const std::string guess = closest_name(word, names);
@@ -168,23 +230,31 @@ class StudyMaker {
     for (std::size_t i = 0; i < p_.section.rectangles.size(); ++i) {
       const auto& from = p_.section.rectangles[i];
       HeatBody body{from.name, from.x, from.r, 0., {}, {}};
-      const auto found = std::find_if(p_.materials.begin(), p_.materials.end(), [&](const auto& m) { return m.first == from.material; });
+      const auto found = std::find_if(p_.materials.begin(), p_.materials.end(),
+                                      [&](const auto& m) { return m.first == from.material; });
       if (found == p_.materials.end()) {
-        fault("rectangle", i, "material", "there is no material \"" + from.material + "\".", known(from.material, materials));
+        fault("rectangle", i, "material", "there is no material \"" + from.material + "\".",
+              known(from.material, materials));
       } else {
         const auto& m = found->second;
-        if ((!m.k && !m.k_table) || (!m.c && !m.c_table)) fault("rectangle", i, "material", "material \"" + from.material + "\" lacks its conductivity or heat capacity.", "Give k or k_table, and c or c_table.");
+        if ((!m.k && !m.k_table) || (!m.c && !m.c_table))
+          fault("rectangle", i, "material",
+                "material \"" + from.material + "\" lacks its conductivity or heat capacity.",
+                "Give k or k_table, and c or c_table.");
         body.density = m.rho;
         if (m.k_table || m.k) body.conductivity = m.k_table ? PropertyTable(*m.k_table) : PropertyTable(*m.k);
         if (m.c_table || m.c) body.heat_capacity = m.c_table ? PropertyTable(*m.c_table) : PropertyTable(*m.c);
       }
       for (const auto& other : study_.problem.bodies) {
-        if (other.name == body.name) fault("rectangle", i, "name", "the name \"" + body.name + "\" is taken.", "Choose another name.");
+        if (other.name == body.name)
+          fault("rectangle", i, "name", "the name \"" + body.name + "\" is taken.", "Choose another name.");
         const auto overlap = [](const auto& a, const auto& b) {
           const double shared = std::min(a[1], b[1]) - std::max(a[0], b[0]);
           return shared > 1e-6 * std::min(a[1] - a[0], b[1] - b[0]);
         };
-        if (overlap(body.x, other.x) && overlap(body.r, other.r)) fault("rectangle", i, "name", "\"" + body.name + "\" lies partly inside \"" + other.name + "\".", "Correct x or r of one of them.");
+        if (overlap(body.x, other.x) && overlap(body.r, other.r))
+          fault("rectangle", i, "name", "\"" + body.name + "\" lies partly inside \"" + other.name + "\".",
+                "Correct x or r of one of them.");
       }
       study_.problem.bodies.push_back(body);
     }
@@ -207,10 +277,14 @@ class StudyMaker {
   [[nodiscard]] double line(const HeatBoundary& b) const {
     const auto& body = study_.problem.bodies[b.body];
     switch (b.side) {
-      case HeatSide::left: return body.x[0];
-      case HeatSide::right: return body.x[1];
-      case HeatSide::inner: return body.r[0];
-      case HeatSide::outer: return body.r[1];
+      case HeatSide::left:
+        return body.x[0];
+      case HeatSide::right:
+        return body.x[1];
+      case HeatSide::inner:
+        return body.r[0];
+      case HeatSide::outer:
+        return body.r[1];
     }
     return 0.;
   }
@@ -236,25 +310,35 @@ class StudyMaker {
       is_free = is_free || from > reached + slack;
       reached = std::max(reached, to);
     }
-    if (!is_free && reached >= whole[1] - slack) fault(list, i, "boundary", "all of \"" + name + "\" is covered by interfaces.", "Flux and convection act on the part that is free.");
+    if (!is_free && reached >= whole[1] - slack)
+      fault(list, i, "boundary", "all of \"" + name + "\" is covered by interfaces.",
+            "Flux and convection act on the part that is free.");
     return b;
   }
 
   void add_interface(std::size_t i) {
     const auto& from = p_.interfaces[i];
-    const auto a = boundary("interface", i, "between", from.between[0]), b = boundary("interface", i, "between", from.between[1]);
+    const auto a = boundary("interface", i, "between", from.between[0]),
+               b = boundary("interface", i, "between", from.between[1]);
     if (!a || !b) return;
     const auto faces = [](HeatSide one, HeatSide other) {
-      return (one == HeatSide::outer && other == HeatSide::inner) || (one == HeatSide::inner && other == HeatSide::outer) ||
+      return (one == HeatSide::outer && other == HeatSide::inner) ||
+             (one == HeatSide::inner && other == HeatSide::outer) ||
              (one == HeatSide::right && other == HeatSide::left) || (one == HeatSide::left && other == HeatSide::right);
     };
     const std::string both = "\"" + from.between[0] + "\" and \"" + from.between[1] + "\"";
     const auto along_a = extent_along(*a), along_b = extent_along(*b);
     const double size = std::max(along_a[1] - along_a[0], along_b[1] - along_b[0]);
-    if (a->body == b->body || !faces(a->side, b->side)) fault("interface", i, "between", both + " do not face each other.", "Join outer with inner, or right with left, of two bodies.");
-    else if (std::fabs(line(*a) - line(*b)) > 1e-9 * size) fault("interface", i, "between", both + " do not lie on each other.", "The radii, or places x, of the two must be equal.");
-    else if (std::min(along_a[1], along_b[1]) - std::max(along_a[0], along_b[0]) < 1e-6 * size) fault("interface", i, "between", both + " do not meet anywhere.");
-    else study_.problem.interfaces.push_back({*a, *b, from.resistance});
+    if (a->body == b->body || !faces(a->side, b->side))
+      fault("interface", i, "between", both + " do not face each other.",
+            "Join outer with inner, or right with left, of two bodies.");
+    else if (std::fabs(line(*a) - line(*b)) > 1e-9 * size)
+      fault("interface", i, "between", both + " do not lie on each other.",
+            "The radii, or places x, of the two must be equal.");
+    else if (std::min(along_a[1], along_b[1]) - std::max(along_a[0], along_b[0]) < 1e-6 * size)
+      fault("interface", i, "between", both + " do not meet anywhere.");
+    else
+      study_.problem.interfaces.push_back({*a, *b, from.resistance});
   }
 
   void add_probe(std::size_t i) {
@@ -262,21 +346,29 @@ class StudyMaker {
     HeatProbe probe;
     probe.name = from.name;
     for (const auto& other : study_.probes)
-      if (other.name == probe.name) fault("probe", i, "name", "the name \"" + probe.name + "\" is taken.", "Choose another name.");
+      if (other.name == probe.name)
+        fault("probe", i, "name", "the name \"" + probe.name + "\" is taken.", "Choose another name.");
     if (from.boundary) {
       probe.boundary = boundary("probe", i, "boundary", *from.boundary);
-      if (probe.boundary && probe.boundary->side == HeatSide::inner && line(*probe.boundary) == 0.) fault("probe", i, "boundary", "\"" + *from.boundary + "\" is the axis, which has no area.", "Give a point x, r = 0 instead.");
+      if (probe.boundary && probe.boundary->side == HeatSide::inner && line(*probe.boundary) == 0.)
+        fault("probe", i, "boundary", "\"" + *from.boundary + "\" is the axis, which has no area.",
+              "Give a point x, r = 0 instead.");
     } else {
       probe.x = *from.x;
       probe.r = *from.r;
       const auto& bodies = study_.problem.bodies;
       const auto holds = [&](const HeatBody& body) {
         const double slack = 1e-9 * (body.x[1] - body.x[0] + body.r[1] - body.r[0]);
-        return (!from.body || *from.body == body.name) && probe.x >= body.x[0] - slack && probe.x <= body.x[1] + slack && probe.r >= body.r[0] - slack && probe.r <= body.r[1] + slack;
+        return (!from.body || *from.body == body.name) && probe.x >= body.x[0] - slack &&
+               probe.x <= body.x[1] + slack && probe.r >= body.r[0] - slack && probe.r <= body.r[1] + slack;
       };
       const auto found = std::find_if(bodies.begin(), bodies.end(), holds);
-      if (found == bodies.end()) fault("probe", i, "x", "\"" + probe.name + "\" lies in no body" + (from.body ? " called \"" + *from.body + "\"." : "."), "Compare its x and r with those of section.rectangle.");
-      else probe.body = static_cast<std::size_t>(found - bodies.begin());
+      if (found == bodies.end())
+        fault("probe", i, "x",
+              "\"" + probe.name + "\" lies in no body" + (from.body ? " called \"" + *from.body + "\"." : "."),
+              "Compare its x and r with those of section.rectangle.");
+      else
+        probe.body = static_cast<std::size_t>(found - bodies.begin());
     }
     study_.probes.push_back(probe);
   }
@@ -285,12 +377,14 @@ class StudyMaker {
     auto& times = study_.output_times;
     times = p_.output_times;
     const SourcePosition where = position_of_value(tree_, "output_times");
-    if (!std::is_sorted(times.begin(), times.end(), std::less_equal<>())) faults_.add(where, "output_times do not rise.");
+    if (!std::is_sorted(times.begin(), times.end(), std::less_equal<>()))
+      faults_.add(where, "output_times do not rise.");
     if (p_.run.end_time) {
       if (!times.empty() && times.back() > *p_.run.end_time) faults_.add(where, "output_times go beyond run.end_time.");
       if (times.empty() || times.back() < *p_.run.end_time) times.push_back(*p_.run.end_time);
     }
-    if (times.empty() || times.back() <= 0.) faults_.add(where, "nothing says how long to compute.", "Give output_times = [...], or run.end_time.");
+    if (times.empty() || times.back() <= 0.)
+      faults_.add(where, "nothing says how long to compute.", "Give output_times = [...], or run.end_time.");
   }
 
   const HeatParameters& p_;
@@ -305,22 +399,30 @@ Section<HeatParameters> heat_section(const Node& default_materials) {
   using P = HeatParameters;
   Section<P> s("", "Heat conduction alone.");
   s.table<HeatRunParameters>("run", &P::run, run_section());
-  s.tables<HeatMaterialParameters>("materials", &P::materials, material_section(),
-                                   {.fallback = default_materials, .help = "Materials by name. Those given here add to, or replace, the built-in ones."});
+  s.tables<HeatMaterialParameters>(
+      "materials", &P::materials, material_section(),
+      {.fallback = default_materials,
+       .help = "Materials by name. Those given here add to, or replace, the built-in ones."});
   s.table<HeatSectionParameters>("section", &P::section, [] {
-    Section<HeatSectionParameters> section("section", "The section of all bodies in the plane of axis (x) and radius (r).");
-    section.list("rectangle", &HeatSectionParameters::rectangles, rectangle_section(), {.min_count = 1, .help = "Rings of rectangular section."});
+    Section<HeatSectionParameters> section("section",
+                                           "The section of all bodies in the plane of axis (x) and radius (r).");
+    section.list("rectangle", &HeatSectionParameters::rectangles, rectangle_section(),
+                 {.min_count = 1, .help = "Rings of rectangular section."});
     return section;
   }());
-  s.list("flux", &P::fluxes, flux_section(), {.help = "Prescribed heat; boundaries are insulated where nothing is said."});
+  s.list("flux", &P::fluxes, flux_section(),
+         {.help = "Prescribed heat; boundaries are insulated where nothing is said."});
   s.list("convection", &P::convections, convection_section(), {.help = "Losses to the surroundings."});
   s.list("interface", &P::interfaces, interface_section(), {.help = "Contact between bodies."});
   s.list("probe", &P::probes, probe_section(), {.help = "Temperatures to report."});
-  s.quantities("output_times", &P::output_times, {.unit = "s", .range = at_least(0), .help = "When probes are reported; met exactly."});
+  s.quantities("output_times", &P::output_times,
+               {.unit = "s", .range = at_least(0), .help = "When probes are reported; met exactly."});
   s.table<HeatNumericsParameters>("fe", &P::fe, numerics_section());
   return s;
 }
 
-HeatStudy make_heat_study(const HeatParameters& parameters, const Node& tree, Faults& faults) { return StudyMaker(parameters, tree, faults).make(); }
+HeatStudy make_heat_study(const HeatParameters& parameters, const Node& tree, Faults& faults) {
+  return StudyMaker(parameters, tree, faults).make();
+}
 
 }  // namespace rotordrop

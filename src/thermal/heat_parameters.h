@@ -13,8 +13,8 @@ namespace rotordrop {
 
 /// [run] of such a case.
 struct HeatRunParameters {
-  double ambient = 0;                                    ///< [K]
-  std::optional<double> initial_temperature, end_time;   ///< [K], [s]
+  double ambient = 0;                                   ///< [K]
+  std::optional<double> initial_temperature, end_time;  ///< [K], [s]
 };
 
 /// [materials.NAME] as conduction needs it.
@@ -22,7 +22,7 @@ struct HeatMaterialParameters {
   double rho = 0;
   std::optional<double> k, c;
   std::optional<std::vector<std::array<double, 2>>> k_table, c_table;  ///< pairs of temperature [K] and value
-  std::optional<double> E, nu, alpha;  ///< not used
+  std::optional<double> E, nu, alpha;                                  ///< not used
 };
 
 struct HeatRectangleParameters {

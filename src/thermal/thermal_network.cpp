@@ -32,9 +32,9 @@ class Names {
 /// Elimination of the massless nodes: L_mm T_m = -L_mk T_k + H_m, with L the conductances' Laplacian, k the kept nodes and ambient.
 struct Elimination {
   std::vector<std::size_t> massless;
-  Eigen::MatrixXd weights;     // T_m from T of all nodes and ambient (zero columns for massless ones)
-  Eigen::MatrixXd impedance;   // T_m from heat into massless nodes
-  Eigen::MatrixXd laplacian;   // of all nodes and ambient, before elimination
+  Eigen::MatrixXd weights;    // T_m from T of all nodes and ambient (zero columns for massless ones)
+  Eigen::MatrixXd impedance;  // T_m from heat into massless nodes
+  Eigen::MatrixXd laplacian;  // of all nodes and ambient, before elimination
 };
 
 Elimination eliminate(const Data& data, const Names& index) {
@@ -123,8 +123,10 @@ ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
     for (std::size_t k = 0; k <= n; ++k) {
       const double weight = elimination.weights(row, static_cast<Eigen::Index>(k));
       if (weight == 0.) continue;
-      if (k == n) lost = weight;
-      else terms.push_back({state_of[k], weight});
+      if (k == n)
+        lost = weight;
+      else
+        terms.push_back({state_of[k], weight});
     }
   };
   for (const auto& place : data_.places) {
@@ -160,8 +162,10 @@ ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
     for (std::size_t k = 0; k <= n; ++k) {
       const double weight = elimination.weights(row, static_cast<Eigen::Index>(k));
       if (weight == 0.) continue;
-      if (k == n) shown.of_ambient = weight;
-      else shown.of_temperature.push_back({state_of[k], weight});
+      if (k == n)
+        shown.of_ambient = weight;
+      else
+        shown.of_temperature.push_back({state_of[k], weight});
     }
     for (std::size_t p = 0; p < data_.places.size(); ++p) {
       const auto& place = data_.places[p];
@@ -186,7 +190,8 @@ void ThermalNetwork::initial_state(std::span<double> T) const {
 
 void ThermalNetwork::growth(std::span<const double> T, std::span<Expansion> out) const {
   for (auto& expansion : out) expansion = {};
-  for (const auto& term : growth_terms_) out[term.place].*term.surface += term.coefficient * (T[term.node] - data_.ambient);
+  for (const auto& term : growth_terms_)
+    out[term.place].*term.surface += term.coefficient * (T[term.node] - data_.ambient);
 }
 
 void ThermalNetwork::growth_rates(std::span<const double> rate, std::span<Expansion> out) const {
@@ -206,8 +211,10 @@ double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInpu
   // Flows first, as watts into each node; what leaves one node enters the other.
   const auto flow = [&](std::size_t a, std::size_t b, double q) {
     dydt[a] -= q;
-    if (b == n) lost += q;
-    else dydt[b] += q;
+    if (b == n)
+      lost += q;
+    else
+      dydt[b] += q;
   };
   for (const auto& link : links_)
     flow(link.a, link.b, link.conductance * (T[link.a] - (link.b == n ? data_.ambient : T[link.b])));

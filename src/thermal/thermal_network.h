@@ -10,37 +10,37 @@ namespace rotordrop {
 /// A thermal network as data: named nodes, resistors between them, heat ports, and the growth that temperatures cause.
 struct ThermalNetworkData {
   struct Node {
-    std::string name;        ///< "TB1/inner_ring"
-    double capacity = 0;     ///< [J/K]; 0: massless, eliminated
+    std::string name;     ///< "TB1/inner_ring"
+    double capacity = 0;  ///< [J/K]; 0: massless, eliminated
     std::string long_name;
   };
   /// How a resistor's flow depends on more than the difference of temperatures.
   enum class Law {
-    constant,           ///< q = (T_a - T_b) / R
-    housing_convection, ///< q = h(T_a - T_b) area (T_a - T_b), eq. (16)
-    contact             ///< q = (T_a - T_b) / R while rotor and ring of `place` touch, else / R_apart
+    constant,            ///< q = (T_a - T_b) / R
+    housing_convection,  ///< q = h(T_a - T_b) area (T_a - T_b), eq. (16)
+    contact              ///< q = (T_a - T_b) / R while rotor and ring of `place` touch, else / R_apart
   };
   struct Resistor {
     std::string between;  ///< node names; "ambient" is the surroundings
     std::string and_node;
     double resistance = 0;  ///< R [K/W]
     Law law = Law::constant;
-    double area = 0;          ///< of housing_convection [m^2]
-    double R_apart = 0;       ///< of contact [K/W]
-    std::size_t place = 0;    ///< of contact
+    double area = 0;        ///< of housing_convection [m^2]
+    double R_apart = 0;     ///< of contact [K/W]
+    std::size_t place = 0;  ///< of contact
   };
   /// Where the heat of one place enters.
   struct Place {
-    std::string shaft_node, ring_node;        ///< take the rub heat by the share
-    std::string inner_contact, outer_contact; ///< take the bearing's internal heat
-    double share_to_ring = 0.5;               ///< constant share of the rub heat, if not by Jaeger
+    std::string shaft_node, ring_node;         ///< take the rub heat by the share
+    std::string inner_contact, outer_contact;  ///< take the bearing's internal heat
+    double share_to_ring = 0.5;                ///< constant share of the rub heat, if not by Jaeger
     bool share_by_jaeger = false;
     JaegerShare jaeger;
   };
   /// One linear term of a place's growth: coefficient times the rise of a node.
   struct Growth {
     std::size_t place = 0;
-    double Expansion::* surface = nullptr;
+    double Expansion::*surface = nullptr;
     std::string node;
     double coefficient = 0;  ///< [m/K]
   };
@@ -66,13 +66,15 @@ class ThermalNetwork final : public ThermalModel {
   void initial_state(std::span<double> temperature) const override;
   void growth(std::span<const double> temperature, std::span<Expansion> out) const override;
   void growth_rates(std::span<const double> temperature_rate, std::span<Expansion> out) const override;
-  double rates(std::span<const double> temperature, std::span<const HeatInput> heat, std::span<double> dydt) const override;
+  double rates(std::span<const double> temperature, std::span<const HeatInput> heat,
+               std::span<double> dydt) const override;
   [[nodiscard]] std::vector<Observable> observables() const override;
-  void observe(std::span<const double> temperature, std::span<const HeatInput> heat, std::span<double> out) const override;
+  void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
+               std::span<double> out) const override;
   [[nodiscard]] double stored_energy(std::span<const double> temperature) const override;
 
  private:
-  struct Link {           // between two nodes with capacity, or one and the surroundings (b = ambient_index)
+  struct Link {  // between two nodes with capacity, or one and the surroundings (b = ambient_index)
     std::size_t a, b;
     double conductance;
   };
@@ -80,21 +82,21 @@ class ThermalNetwork final : public ThermalModel {
     std::size_t a, b;
     ThermalNetworkData::Resistor resistor;
   };
-  struct Term {           // of heat into a node, or of growth
+  struct Term {  // of heat into a node, or of growth
     std::size_t node;
     double factor;
   };
   struct Port {
-    std::vector<Term> ring, shaft, inner, outer;  // how a watt at each port spreads over nodes with capacity
+    std::vector<Term> ring, shaft, inner, outer;           // how a watt at each port spreads over nodes with capacity
     double ring_lost, shaft_lost, inner_lost, outer_lost;  // and what of it goes straight to the surroundings
   };
   struct GrowthTerm {
     std::size_t place;
-    double Expansion::* surface;
+    double Expansion::*surface;
     std::size_t node;
     double coefficient;
   };
-  struct Shown {          // a massless node: weights of temperatures [K/K] and of the ports' heats [K/W]
+  struct Shown {  // a massless node: weights of temperatures [K/K] and of the ports' heats [K/W]
     double of_ambient = 0;
     std::vector<Term> of_temperature;
     std::vector<double> of_heat;  // [4 n_places]: ring, shaft, inner, outer
@@ -108,7 +110,7 @@ class ThermalNetwork final : public ThermalModel {
   std::vector<LawLink> law_links_;
   std::vector<Port> ports_;
   std::vector<GrowthTerm> growth_terms_;
-  std::vector<Shown> shown_;                // one per node
+  std::vector<Shown> shown_;  // one per node
 };
 
 }  // namespace rotordrop

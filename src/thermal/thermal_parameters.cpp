@@ -8,22 +8,32 @@ namespace {
 
 Section<ExtraNode> node_section() {
   Section<ExtraNode> s("node", "A node added to the circuit.");
-  s.text("name", &ExtraNode::name, {.help = "Name, unlike all others; the built-in nodes are BEARING/shaft, /inner_ring, /inner_contact, /ball, /outer_contact, /outer_ring, /housing."});
-  s.quantity("capacity", &ExtraNode::capacity, {.unit = "J/K", .range = at_least(0), .help = "Heat capacity; 0 for a point without mass."});
+  s.text("name", &ExtraNode::name,
+         {.help = "Name, unlike all others; the built-in nodes are BEARING/shaft, /inner_ring, /inner_contact, /ball, "
+                  "/outer_contact, /outer_ring, /housing."});
+  s.quantity("capacity", &ExtraNode::capacity,
+             {.unit = "J/K", .range = at_least(0), .help = "Heat capacity; 0 for a point without mass."});
   return s;
 }
 
 Section<ExtraResistor> resistor_section() {
   Section<ExtraResistor> s("resistor", "A resistor added to the circuit.");
-  s.custom("between", {.accepts = "two node names", .json_types = {"array"}, .required = true, .help = "The two nodes that it joins; \"ambient\" is the surroundings."},
-           [](const Node& node, ExtraResistor& target, Faults& faults) {
-             if (node.is_array() && node.items().size() == 2 && node.items()[0].is_text() && node.items()[1].is_text()) {
-               target.between = {node.items()[0].text(), node.items()[1].text()};
-               return;
-             }
-             faults.add(node.where(), "thermal.resistor.between must be two node names, such as [\"TB1/housing\", \"ambient\"].");
-           });
-  s.quantity("resistance", &ExtraResistor::resistance, {.unit = "K/W", .range = positive(), .help = "Thermal resistance."});
+  s.custom(
+      "between",
+      {.accepts = "two node names",
+       .json_types = {"array"},
+       .required = true,
+       .help = "The two nodes that it joins; \"ambient\" is the surroundings."},
+      [](const Node& node, ExtraResistor& target, Faults& faults) {
+        if (node.is_array() && node.items().size() == 2 && node.items()[0].is_text() && node.items()[1].is_text()) {
+          target.between = {node.items()[0].text(), node.items()[1].text()};
+          return;
+        }
+        faults.add(node.where(),
+                   "thermal.resistor.between must be two node names, such as [\"TB1/housing\", \"ambient\"].");
+      });
+  s.quantity("resistance", &ExtraResistor::resistance,
+             {.unit = "K/W", .range = positive(), .help = "Thermal resistance."});
   return s;
 }
 
@@ -32,58 +42,103 @@ Section<ExtraResistor> resistor_section() {
 Section<ThermalParameters> thermal_section() {
   using P = ThermalParameters;
   Section<P> s("thermal", "Lumped thermal circuit of every touchdown bearing.");
-  s.boolean("growth", &P::growth, {.fallback = true, .help = "Whether thermal growth is fed back into clearances and ball loads."});
+  s.boolean("growth", &P::growth,
+            {.fallback = true, .help = "Whether thermal growth is fed back into clearances and ball loads."});
   s.choice("heat_share", &P::heat_share, {{"constant", HeatShare::constant}, {"jaeger", HeatShare::jaeger}},
-           {.fallback = "constant", .help = "How the rub heat is shared by ring and rotor: share_to_ring, or Blok and Jaeger's from the surface speeds."});
+           {.fallback = "constant",
+            .help = "How the rub heat is shared by ring and rotor: share_to_ring, or Blok and Jaeger's from the "
+                    "surface speeds."});
   s.quantity("share_to_ring", &P::share_to_ring,
-             {.range = between(0, 1), .fallback = "0.66", .source = "calibration: gives the paper's ratio of ring and shaft rise",
+             {.range = between(0, 1),
+              .fallback = "0.66",
+              .source = "calibration: gives the paper's ratio of ring and shaft rise",
               .help = "Part of the rub heat that enters the inner ring; the rest enters the shaft."});
   s.quantity("rub_band_length", &P::rub_band_length,
-             {.unit = "m", .range = positive(), .fallback = "5.9 mm", .source = "estimate: Hertz width of a 35 mm bore on a 34.75 mm rotor at 5 kN",
+             {.unit = "m",
+              .range = positive(),
+              .fallback = "5.9 mm",
+              .source = "estimate: Hertz width of a 35 mm bore on a 34.75 mm rotor at 5 kN",
               .help = "Length of the rubbing spot along the surface, for Jaeger's share."});
   s.quantity("rub_contact_time", &P::rub_contact_time,
-             {.unit = "s", .range = positive(), .fallback = "2.2 ms", .source = "estimate: duration of the first contact",
+             {.unit = "s",
+              .range = positive(),
+              .fallback = "2.2 ms",
+              .source = "estimate: duration of the first contact",
               .help = "How long a surface at rest is heated, for Jaeger's share."});
-  s.quantity("h_shaft", &P::h_shaft, {.unit = "W/(m2 K)", .range = positive(), .fallback = "50 W/(m2 K)", .source = "estimate", .help = "Convection from the shaft."});
-  s.quantity("h_ball", &P::h_ball, {.unit = "W/(m2 K)", .range = positive(), .fallback = "50 W/(m2 K)", .source = "estimate", .help = "Convection from the balls."});
+  s.quantity("h_shaft", &P::h_shaft,
+             {.unit = "W/(m2 K)",
+              .range = positive(),
+              .fallback = "50 W/(m2 K)",
+              .source = "estimate",
+              .help = "Convection from the shaft."});
+  s.quantity("h_ball", &P::h_ball,
+             {.unit = "W/(m2 K)",
+              .range = positive(),
+              .fallback = "50 W/(m2 K)",
+              .source = "estimate",
+              .help = "Convection from the balls."});
   s.quantity("fit_resistance", &P::fit_resistance,
-             {.unit = "K/W", .range = at_least(0), .fallback = "0.005 K/W", .source = "estimate", .help = "Resistance of the fit between outer ring and housing."});
+             {.unit = "K/W",
+              .range = at_least(0),
+              .fallback = "0.005 K/W",
+              .source = "estimate",
+              .help = "Resistance of the fit between outer ring and housing."});
   s.quantity("contact_half_width", &P::contact_half_width,
-             {.unit = "m", .range = positive(), .fallback = "0.4 mm", .source = "estimate", .help = "Half width a of the contact spot in the balls' constriction resistance."});
+             {.unit = "m",
+              .range = positive(),
+              .fallback = "0.4 mm",
+              .source = "estimate",
+              .help = "Half width a of the contact spot in the balls' constriction resistance."});
   s.choice("shaft_ring_link", &P::shaft_ring_link,
            {{"permanent", BearingCircuitData::Link::permanent}, {"in-contact", BearingCircuitData::Link::in_contact}},
-           {.fallback = "permanent", .source = "Neisi, Heikkinen & Sopanen 2019, fig. 6",
-            .help = "Whether shaft and inner ring conduct always (the paper's circuit), or through the air gap while they do not touch."});
+           {.fallback = "permanent",
+            .source = "Neisi, Heikkinen & Sopanen 2019, fig. 6",
+            .help = "Whether shaft and inner ring conduct always (the paper's circuit), or through the air gap while "
+                    "they do not touch."});
   s.quantity("gas_conductivity", &P::gas_conductivity,
-             {.unit = "W/(m K)", .range = positive(), .fallback = "0.026 W/(m K)", .source = "air at 20 degC", .help = "Conductivity of the gas in the air gap."});
+             {.unit = "W/(m K)",
+              .range = positive(),
+              .fallback = "0.026 W/(m K)",
+              .source = "air at 20 degC",
+              .help = "Conductivity of the gas in the air gap."});
   s.boolean("plane_strain_growth", &P::plane_strain_growth,
-            {.fallback = false, .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise."});
+            {.fallback = false,
+             .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise."});
   s.list("node", &P::nodes, node_section(), {.help = "Further nodes."});
   s.list("resistor", &P::resistors, resistor_section(), {.help = "Further resistors."});
   return s;
 }
 
-void add_extra_parts(const ThermalParameters& parameters, const Node& table, ThermalNetworkData& network, Faults& faults) {
+void add_extra_parts(const ThermalParameters& parameters, const Node& table, ThermalNetworkData& network,
+                     Faults& faults) {
   std::vector<std::string> names = {ambient_node};
   for (const auto& node : network.nodes) names.push_back(node.name);
-  const auto known = [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  const auto known = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   // Place of a key of the k-th table of a list.
   const auto place = [&](const char* list, std::size_t k, const char* key) {
     const Node* found = table.find(list);
-    return found && found->is_array() && k < found->items().size() ? position_of_value(found->items()[k], key) : position_of(table, list);
+    return found && found->is_array() && k < found->items().size() ? position_of_value(found->items()[k], key)
+                                                                   : position_of(table, list);
   };
   for (std::size_t k = 0; k < parameters.nodes.size(); ++k) {
     const auto& node = parameters.nodes[k];
     // Names become paths in results: "TB1/flange" or "frame".
-    const bool is_good = std::all_of(node.name.begin(), node.name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '/'; }) &&
-                         !node.name.empty() && node.name.front() != '/' && node.name.back() != '/' && node.name.find("//") == std::string::npos;
+    const bool is_good =
+        std::all_of(node.name.begin(), node.name.end(),
+                    [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '/'; }) &&
+        !node.name.empty() && node.name.front() != '/' && node.name.back() != '/' &&
+        node.name.find("//") == std::string::npos;
     const bool hides = std::any_of(names.begin(), names.end(), [&](const std::string& other) {
       return other.starts_with(node.name + "/") || node.name.starts_with(other + "/");
     });
     if (!is_good || hides)
       faults.add(place("node", k, "name"), "thermal.node cannot be called \"" + node.name + "\".",
                  hides ? "It is part of another node's name." : "Use letters, digits, _ and -, and / between parts.");
-    if (known(node.name)) faults.add(place("node", k, "name"), "thermal.node: the name \"" + node.name + "\" is taken.", "Choose another name.");
+    if (known(node.name))
+      faults.add(place("node", k, "name"), "thermal.node: the name \"" + node.name + "\" is taken.",
+                 "Choose another name.");
     names.push_back(node.name);
     network.nodes.push_back({node.name, node.capacity, "node \"" + node.name + "\" of the parameter file"});
   }
@@ -100,14 +155,19 @@ void add_extra_parts(const ThermalParameters& parameters, const Node& table, The
                    (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") + ("Known: " + list + "."));
       }
     if (resistor.between[0] == resistor.between[1])
-      faults.add(place("resistor", k, "between"), "thermal.resistor joins \"" + resistor.between[0] + "\" with itself.", "Name two different nodes.");
-    if (complete) network.resistors.push_back({resistor.between[0], resistor.between[1], resistor.resistance, ThermalNetworkData::Law::constant, 0., 0., 0});
+      faults.add(place("resistor", k, "between"), "thermal.resistor joins \"" + resistor.between[0] + "\" with itself.",
+                 "Name two different nodes.");
+    if (complete)
+      network.resistors.push_back({resistor.between[0], resistor.between[1], resistor.resistance,
+                                   ThermalNetworkData::Law::constant, 0., 0., 0});
   }
   // A point without mass has a temperature only if resistors lead from it to a node with capacity or to the surroundings.
   std::vector<std::string> reached = {ambient_node};
   for (const auto& node : network.nodes)
     if (node.capacity > 0.) reached.push_back(node.name);
-  const auto is_reached = [&](const std::string& name) { return std::find(reached.begin(), reached.end(), name) != reached.end(); };
+  const auto is_reached = [&](const std::string& name) {
+    return std::find(reached.begin(), reached.end(), name) != reached.end();
+  };
   for (bool grows = true; grows;) {
     grows = false;
     for (const auto& r : network.resistors)
@@ -118,7 +178,8 @@ void add_extra_parts(const ThermalParameters& parameters, const Node& table, The
   }
   for (std::size_t k = 0; k < parameters.nodes.size(); ++k)
     if (const auto& name = parameters.nodes[k].name; !is_reached(name))
-      faults.add(place("node", k, "capacity"), "thermal.node \"" + name + "\" has no capacity, and no resistor leads from it to a node that has.",
+      faults.add(place("node", k, "capacity"),
+                 "thermal.node \"" + name + "\" has no capacity, and no resistor leads from it to a node that has.",
                  "Give it a capacity, or a resistor to the rest of the circuit.");
 }
 

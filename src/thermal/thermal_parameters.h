@@ -37,6 +37,7 @@ struct ThermalParameters {
 Section<ThermalParameters> thermal_section();
 
 /// The user's nodes and resistors; names that do not exist become faults.
-void add_extra_parts(const ThermalParameters& parameters, const Node& thermal_table, ThermalNetworkData& network, Faults& faults);
+void add_extra_parts(const ThermalParameters& parameters, const Node& thermal_table, ThermalNetworkData& network,
+                     Faults& faults);
 
 }  // namespace rotordrop

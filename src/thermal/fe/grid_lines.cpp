@@ -21,7 +21,8 @@ void divide(double a, double b, const auto& size, std::vector<double>& lines) {
   constexpr int n_samples = 4000;
   std::vector<double> sum(n_samples + 1, 0.);
   const double h = (b - a) / n_samples;
-  for (int i = 0; i < n_samples; ++i) sum[static_cast<std::size_t>(i) + 1] = sum[static_cast<std::size_t>(i)] + h / size(a + (i + 0.5) * h);
+  for (int i = 0; i < n_samples; ++i)
+    sum[static_cast<std::size_t>(i) + 1] = sum[static_cast<std::size_t>(i)] + h / size(a + (i + 0.5) * h);
   const int n = std::max(1, static_cast<int>(std::ceil(sum.back() - 1e-6)));
   for (int k = 1; k < n; ++k) {
     const double wanted = sum.back() * k / n;
@@ -60,12 +61,21 @@ Grid make_grid(const HeatConductionProblem& problem) {
   }
   for (const auto& flux : problem.fluxes) {
     const auto& body = problem.bodies.at(flux.boundary.body);
-    const double thin_x = (body.x[1] - body.x[0]) / n.cells / n.grading, thin_r = (body.r[1] - body.r[0]) / n.cells / n.grading;
+    const double thin_x = (body.x[1] - body.x[0]) / n.cells / n.grading,
+                 thin_r = (body.r[1] - body.r[0]) / n.cells / n.grading;
     switch (flux.boundary.side) {
-      case HeatSide::left: demands_x.push_back({body.x[0], body.x[0], thin_x}); break;
-      case HeatSide::right: demands_x.push_back({body.x[1], body.x[1], thin_x}); break;
-      case HeatSide::inner: demands_r.push_back({body.r[0], body.r[0], thin_r}); break;
-      case HeatSide::outer: demands_r.push_back({body.r[1], body.r[1], thin_r}); break;
+      case HeatSide::left:
+        demands_x.push_back({body.x[0], body.x[0], thin_x});
+        break;
+      case HeatSide::right:
+        demands_x.push_back({body.x[1], body.x[1], thin_x});
+        break;
+      case HeatSide::inner:
+        demands_r.push_back({body.r[0], body.r[0], thin_r});
+        break;
+      case HeatSide::outer:
+        demands_r.push_back({body.r[1], body.r[1], thin_r});
+        break;
     }
   }
   return {grid_lines(x, demands_x, n.growth), grid_lines(r, demands_r, n.growth)};

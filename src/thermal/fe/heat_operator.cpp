@@ -15,24 +15,34 @@ using std::numbers::pi;
 constexpr unsigned int side_number(HeatSide side) {
   // deal.II's numbers of a quadrilateral's faces, with x and r as its two directions.
   switch (side) {
-    case HeatSide::left: return 0;
-    case HeatSide::right: return 1;
-    case HeatSide::inner: return 2;
-    case HeatSide::outer: return 3;
+    case HeatSide::left:
+      return 0;
+    case HeatSide::right:
+      return 1;
+    case HeatSide::inner:
+      return 2;
+    case HeatSide::outer:
+      return 3;
   }
   return 0;
 }
 // The line of the section on which a boundary lies: direction across (0 x, 1 r) and coordinate.
 std::pair<unsigned int, double> line_of(const HeatBody& body, HeatSide side) {
   switch (side) {
-    case HeatSide::left: return {0, body.x[0]};
-    case HeatSide::right: return {0, body.x[1]};
-    case HeatSide::inner: return {1, body.r[0]};
-    case HeatSide::outer: return {1, body.r[1]};
+    case HeatSide::left:
+      return {0, body.x[0]};
+    case HeatSide::right:
+      return {0, body.x[1]};
+    case HeatSide::inner:
+      return {1, body.r[0]};
+    case HeatSide::outer:
+      return {1, body.r[1]};
   }
   return {0, 0.};
 }
-std::array<double, 2> extent_along(const HeatBody& body, HeatSide side) { return side == HeatSide::left || side == HeatSide::right ? body.r : body.x; }
+std::array<double, 2> extent_along(const HeatBody& body, HeatSide side) {
+  return side == HeatSide::left || side == HeatSide::right ? body.r : body.x;
+}
 
 // Area of the part of a boundary between two coordinates along it.
 double area_between(const HeatBody& body, HeatSide side, double a, double b) {
@@ -54,21 +64,29 @@ bool is_curved(const HeatBody& body) { return !body.conductivity.is_constant() |
 
 using Values = std::vector<double>;
 using Indices = std::vector<dealii::types::global_dof_index>;
-const auto cell_flags = dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
+const auto cell_flags =
+    dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
 const auto face_flags = dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values;
-double interpolated(const dealii::Vector<double>& T, const std::vector<unsigned int>& dofs, const std::vector<double>& shape) {
+double interpolated(const dealii::Vector<double>& T, const std::vector<unsigned int>& dofs,
+                    const std::vector<double>& shape) {
   double sum = 0.;
   for (std::size_t i = 0; i < dofs.size(); ++i) sum += T(dofs[i]) * shape[i];
   return sum;
 }
 // 2 pi r times the quadrature's weight.
-double weight(const dealii::FEValuesBase<2>& fe, unsigned int q) { return 2. * pi * fe.quadrature_point(q)[1] * fe.JxW(q); }
+double weight(const dealii::FEValuesBase<2>& fe, unsigned int q) {
+  return 2. * pi * fe.quadrature_point(q)[1] * fe.JxW(q);
+}
 
 }  // namespace
 
 HeatOperator::HeatOperator(const HeatConductionProblem& problem)
-    : problem_(problem), grid_(make_grid(problem)), fe_(static_cast<unsigned int>(problem.numerics.degree)), cell_quadrature_(fe_.degree + 1),
-      face_quadrature_(fe_.degree + 1), dofs_(triangulation_) {
+    : problem_(problem),
+      grid_(make_grid(problem)),
+      fe_(static_cast<unsigned int>(problem.numerics.degree)),
+      cell_quadrature_(fe_.degree + 1),
+      face_quadrature_(fe_.degree + 1),
+      dofs_(triangulation_) {
   make_triangulation();
   dofs_.distribute_dofs(fe_);
   find_cells();
@@ -148,7 +166,11 @@ void HeatOperator::prepare_curved_cells() {
     if (!is_curved(body_of(cell))) continue;
     fe.reinit(cell);
     cell->get_dof_indices(dofs);
-    CurvedCell prepared{&body_of(cell), {dofs.begin(), dofs.end()}, {}, 1. / cell->extent_in_direction(0), 1. / cell->extent_in_direction(1)};
+    CurvedCell prepared{&body_of(cell),
+                        {dofs.begin(), dofs.end()},
+                        {},
+                        1. / cell->extent_in_direction(0),
+                        1. / cell->extent_in_direction(1)};
     for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) prepared.weights.push_back(weight(fe, q));
     curved_cells_.push_back(std::move(prepared));
   }
@@ -181,7 +203,8 @@ std::vector<HeatOperator::Face> HeatOperator::faces_of(const HeatBoundary& bound
   std::vector<Face> faces;
   const unsigned int number = side_number(boundary.side);
   for (const auto& cell : cells_)
-    if (cell->material_id() == boundary.body && cell->at_boundary(number) && !(free_part_only && is_covered(boundary, cell->face(number)->center())))
+    if (cell->material_id() == boundary.body && cell->at_boundary(number) &&
+        !(free_part_only && is_covered(boundary, cell->face(number)->center())))
       faces.push_back({cell, number});
   return faces;
 }
@@ -208,14 +231,16 @@ double HeatOperator::free_area(const HeatBoundary& boundary) const {
   return area;
 }
 
-std::vector<std::pair<HeatOperator::Face, HeatOperator::Face>> HeatOperator::pairs_of(const HeatInterface& interface) const {
+std::vector<std::pair<HeatOperator::Face, HeatOperator::Face>> HeatOperator::pairs_of(
+    const HeatInterface& interface) const {
   std::vector<std::pair<Face, Face>> pairs;
   const auto first = faces_of(interface.first, false), second = faces_of(interface.second, false);
   const unsigned int along = interface.first.side == HeatSide::inner || interface.first.side == HeatSide::outer ? 0 : 1;
   for (const auto& a : first)
     for (const auto& b : second) {
       const auto face_a = a.cell->face(a.number), face_b = b.cell->face(b.number);
-      if (std::fabs(face_a->center()[along] - face_b->center()[along]) < 1e-3 * face_a->measure()) pairs.emplace_back(a, b);
+      if (std::fabs(face_a->center()[along] - face_b->center()[along]) < 1e-3 * face_a->measure())
+        pairs.emplace_back(a, b);
     }
   return pairs;
 }
@@ -269,7 +294,8 @@ void HeatOperator::assemble_bodies() {
 }
 
 void HeatOperator::assemble_interfaces() {
-  dealii::FEFaceValues<2> fe_1(mapping_, fe_, face_quadrature_, face_flags), fe_2(mapping_, fe_, face_quadrature_, face_flags);
+  dealii::FEFaceValues<2> fe_1(mapping_, fe_, face_quadrature_, face_flags),
+      fe_2(mapping_, fe_, face_quadrature_, face_flags);
   const unsigned int n = fe_.dofs_per_cell;
   Indices dofs(2 * n), part(n);
   for (const auto& interface : problem_.interfaces)
@@ -379,7 +405,8 @@ void HeatOperator::heat_flow(const Vector& T, double t, Vector& out) const {
       const double k = cell.body->conductivity.value(interpolated(T, cell.dofs, shape_[q])) * cell.weights[q];
       const double k_T_x = k * interpolated(T, cell.dofs, shape_x_[q]) * cell.per_x * cell.per_x;
       const double k_T_r = k * interpolated(T, cell.dofs, shape_r_[q]) * cell.per_r * cell.per_r;
-      for (std::size_t i = 0; i < cell.dofs.size(); ++i) out(cell.dofs[i]) -= k_T_x * shape_x_[q][i] + k_T_r * shape_r_[q][i];
+      for (std::size_t i = 0; i < cell.dofs.size(); ++i)
+        out(cell.dofs[i]) -= k_T_x * shape_x_[q][i] + k_T_r * shape_r_[q][i];
     }
   for (const auto& face : power_faces_)
     for (std::size_t q = 0; q < face.weights.size(); ++q) {
@@ -429,12 +456,16 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
     for (std::size_t i = 0; i < n; ++i) {
       std::fill(local.begin(), local.end(), 0.);
       for (std::size_t q = 0; q < cell.weights.size(); ++q) {
-        const double now = interpolated(T, cell.dofs, shape_[q]), w = cell.weights[q], xx = cell.per_x * cell.per_x, rr = cell.per_r * cell.per_r;
+        const double now = interpolated(T, cell.dofs, shape_[q]), w = cell.weights[q], xx = cell.per_x * cell.per_x,
+                     rr = cell.per_r * cell.per_r;
         const double k = scaled_step * w * k_of.value(now), steeper = scaled_step * w * k_of.slope(now);
-        const double flow_i = interpolated(T, cell.dofs, shape_x_[q]) * xx * shape_x_[q][i] + interpolated(T, cell.dofs, shape_r_[q]) * rr * shape_r_[q][i];
-        const double by_value = cell.body->density * cell.body->heat_capacity.value(now) * w * shape_[q][i] + steeper * flow_i;
+        const double flow_i = interpolated(T, cell.dofs, shape_x_[q]) * xx * shape_x_[q][i] +
+                              interpolated(T, cell.dofs, shape_r_[q]) * rr * shape_r_[q][i];
+        const double by_value =
+            cell.body->density * cell.body->heat_capacity.value(now) * w * shape_[q][i] + steeper * flow_i;
         for (std::size_t j = 0; j < n; ++j)
-          local[j] += by_value * shape_[q][j] + k * (xx * shape_x_[q][i] * shape_x_[q][j] + rr * shape_r_[q][i] * shape_r_[q][j]);
+          local[j] += by_value * shape_[q][j] +
+                      k * (xx * shape_x_[q][i] * shape_x_[q][j] + rr * shape_r_[q][i] * shape_r_[q][j]);
       }
       for (std::size_t j = 0; j < n; ++j) out.add(cell.dofs[i], cell.dofs[j], local[j]);
     }
@@ -444,7 +475,8 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
       const auto& shape = (*face.shape)[q];
       const double film = scaled_step * loss_slope(*face.law, interpolated(T, face.dofs, shape)) * face.weights[q];
       for (std::size_t i = 0; i < face.dofs.size(); ++i)
-        for (std::size_t j = 0; j < face.dofs.size(); ++j) out.add(face.dofs[i], face.dofs[j], film * shape[i] * shape[j]);
+        for (std::size_t j = 0; j < face.dofs.size(); ++j)
+          out.add(face.dofs[i], face.dofs[j], film * shape[i] * shape[j]);
     }
 }
 
@@ -469,7 +501,8 @@ double HeatOperator::lost_power(const Vector& T) const {
   double power = 0.;
   for (const auto* faces : {&linear_faces_, &power_faces_})
     for (const auto& face : *faces)
-      for (std::size_t q = 0; q < face.weights.size(); ++q) power += loss(*face.law, interpolated(T, face.dofs, (*face.shape)[q])) * face.weights[q];
+      for (std::size_t q = 0; q < face.weights.size(); ++q)
+        power += loss(*face.law, interpolated(T, face.dofs, (*face.shape)[q])) * face.weights[q];
   return power;
 }
 
@@ -556,7 +589,8 @@ double HeatOperator::shortest_time() const {
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& cell : cells_) {
     const auto& body = body_of(cell);
-    const double h = std::min(cell->extent_in_direction(0), cell->extent_in_direction(1)) / static_cast<double>(fe_.degree);
+    const double h =
+        std::min(cell->extent_in_direction(0), cell->extent_in_direction(1)) / static_cast<double>(fe_.degree);
     const double k = body.conductivity.value(problem_.initial_temperature);
     shortest = std::min(shortest, h * h * body.density * body.heat_capacity.value(problem_.initial_temperature) / k);
   }

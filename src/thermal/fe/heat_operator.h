@@ -48,8 +48,8 @@ class HeatOperator {
 
   /// Held fluxes times their areas, the areas taken from the bodies' dimensions [W]; functions of place and time by quadrature.
   [[nodiscard]] double input_power(double t) const;
-  [[nodiscard]] double lost_power(const Vector& T) const;                         ///< [W]
-  [[nodiscard]] double stored_energy(const Vector& T, const Vector& T_0) const;   ///< [J], by quadrature of H
+  [[nodiscard]] double lost_power(const Vector& T) const;                        ///< [W]
+  [[nodiscard]] double stored_energy(const Vector& T, const Vector& T_0) const;  ///< [J], by quadrature of H
 
   [[nodiscard]] double temperature(const Vector& T, std::size_t body, double x, double r) const;
   [[nodiscard]] double mean_temperature(const Vector& T, const HeatBoundary& boundary) const;
@@ -76,8 +76,8 @@ class HeatOperator {
   /// The same of a face with convection.
   struct FilmFace {
     const HeatConvection* law = nullptr;
-    std::vector<unsigned int> dofs;               ///< of the shape functions that do not vanish there
-    std::vector<double> weights;                  ///< [n_points]
+    std::vector<unsigned int> dofs;                           ///< of the shape functions that do not vanish there
+    std::vector<double> weights;                              ///< [n_points]
     const std::vector<std::vector<double>>* shape = nullptr;  ///< [n_points][n_dofs]
   };
   struct FluxLoad {
@@ -117,9 +117,10 @@ class HeatOperator {
   dealii::QGauss<1> face_quadrature_;
   dealii::DoFHandler<2> dofs_;
   std::vector<CellOfBody> layout_;
-  std::vector<Cell> cells_;         ///< body after body, rows of rising x, r rising from row to row
+  std::vector<Cell> cells_;               ///< body after body, rows of rising x, r rising from row to row
   std::vector<CurvedCell> curved_cells_;  ///< of bodies whose k or c depends on temperature
-  std::vector<std::vector<double>> shape_, shape_x_, shape_r_;  ///< [n_points][n_dofs] of curved cells, on the unit cell
+  std::vector<std::vector<double>> shape_, shape_x_,
+      shape_r_;  ///< [n_points][n_dofs] of curved cells, on the unit cell
   std::array<std::vector<std::vector<double>>, 4> face_shape_;
   std::array<std::vector<unsigned int>, 4> face_dofs_;
   std::vector<FilmFace> power_faces_, linear_faces_;

@@ -23,7 +23,9 @@ constexpr double a[6][6] = {
     {15267082809. / 155376265600., -71443401. / 120774400., 730878875. / 902184768., 2285395. / 8070912., gamma_, 0.},
     {82889. / 524892., 0., 15625. / 83664., 69875. / 102672., -2260. / 8211., gamma_}};
 constexpr const double (&b)[6] = a[5];
-constexpr double b_embedded[6] = {4586570599. / 29645900160., 0., 178811875. / 945068544., 814220225. / 1159782912., -3700637. / 11593932., 61727. / 225920.};
+constexpr double b_embedded[6] = {4586570599. / 29645900160., 0.,
+                                  178811875. / 945068544.,    814220225. / 1159782912.,
+                                  -3700637. / 11593932.,      61727. / 225920.};
 
 constexpr double safety = 0.9, largest_growth = 4., worth_a_factorisation = 1.7;
 constexpr int most_iterations = 12;
@@ -35,7 +37,8 @@ HeatSolver::HeatSolver(const HeatConductionProblem& problem) : operator_(problem
   for (const auto& flux : problem.fluxes) changes_.insert(changes_.end(), flux.times.begin(), flux.times.end());
   std::sort(changes_.begin(), changes_.end());
   for (const auto& law : problem.convections)
-    if (law.coefficient > 0.) smallest_scale_ = std::max(smallest_scale_, 1e-3 * std::fabs(problem.initial_temperature - law.ambient));
+    if (law.coefficient > 0.)
+      smallest_scale_ = std::max(smallest_scale_, 1e-3 * std::fabs(problem.initial_temperature - law.ambient));
   smallest_scale_ = std::max(smallest_scale_, 1e-6);
 
   operator_.initial_temperature(T_0_);
@@ -71,8 +74,10 @@ void HeatSolver::advance_to(double target) {
         time_ = stop;
         continue;
       }
-      if (numerics_.fixed_step > 0.) integrate_fixed(stop);
-      else integrate_to(stop);
+      if (numerics_.fixed_step > 0.)
+        integrate_fixed(stop);
+      else
+        integrate_to(stop);
       time_ = stop;
     }
   } catch (const dealii::ExceptionBase& error) {
@@ -87,7 +92,9 @@ void HeatSolver::integrate_fixed(double stop) {
   scale_ = std::max(smallest_scale_, operator_.expected_rise(stop - start));
   for (long i = 0; i < n; ++i) {
     time_ = start + static_cast<double>(i) * step;
-    if (!compute_stages(step)) throw SolverError(fmt::format("Newton's iteration does not converge at t = {:.6g} s with the fixed step {:.3g} s.", time_, step));
+    if (!compute_stages(step))
+      throw SolverError(fmt::format(
+          "Newton's iteration does not converge at t = {:.6g} s with the fixed step {:.3g} s.", time_, step));
     accept(step);
   }
 }
@@ -105,7 +112,8 @@ void HeatSolver::integrate_to(double stop) {
     for (unsigned int i = 0; i < T_.size(); ++i) scale_ = std::max(scale_, std::fabs(T_(i) - T_0_(i)));
 
     for (double left = n; left > 0.; --left) {
-      const double error = compute_stages(step) ? estimate_error(step) / std::max(numerics_.tolerance * scale_, roundoff) : 1e9;
+      const double error =
+          compute_stages(step) ? estimate_error(step) / std::max(numerics_.tolerance * scale_, roundoff) : 1e9;
       const double factor = std::clamp(safety * std::pow(std::max(error, 1e-12), -0.25), 0.2, largest_growth);
       if (!(error <= 1.)) {
         ++statistics_.rejected_steps;
@@ -198,7 +206,8 @@ void HeatSolver::accept(double step) {
 
 }  // namespace rotordrop
 
-extern "C" __attribute__((visibility("default"))) rotordrop::HeatConductionSolver* rotordrop_make_heat_solver(const rotordrop::HeatConductionProblem& problem) {
+extern "C" __attribute__((visibility("default"))) rotordrop::HeatConductionSolver* rotordrop_make_heat_solver(
+    const rotordrop::HeatConductionProblem& problem) {
   dealii::MultithreadInfo::set_thread_limit(1);
   return new rotordrop::HeatSolver(problem);
 }

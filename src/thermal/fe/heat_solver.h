@@ -16,11 +16,17 @@ class HeatSolver final : public HeatConductionSolver {
 
   [[nodiscard]] double time() const override { return time_; }
   void advance_to(double time) override;
-  [[nodiscard]] double temperature(std::size_t body, double x, double r) const override { return operator_.temperature(T_, body, x, r); }
-  [[nodiscard]] double mean_temperature(const HeatBoundary& boundary) const override { return operator_.mean_temperature(T_, boundary); }
+  [[nodiscard]] double temperature(std::size_t body, double x, double r) const override {
+    return operator_.temperature(T_, body, x, r);
+  }
+  [[nodiscard]] double mean_temperature(const HeatBoundary& boundary) const override {
+    return operator_.mean_temperature(T_, boundary);
+  }
   [[nodiscard]] HeatEnergy energy() const override { return {input_, operator_.stored_energy(T_, T_0_), lost_}; }
   [[nodiscard]] HeatStatistics statistics() const override { return statistics_; }
-  [[nodiscard]] double difference(const std::function<double(std::size_t, double, double)>& f) const override { return operator_.difference(T_, f); }
+  [[nodiscard]] double difference(const std::function<double(std::size_t, double, double)>& f) const override {
+    return operator_.difference(T_, f);
+  }
 
  private:
   using Vector = HeatOperator::Vector;
@@ -38,19 +44,19 @@ class HeatSolver final : public HeatConductionSolver {
 
   HeatOperator operator_;
   const HeatNumerics numerics_;
-  std::vector<double> changes_;    ///< times at which a flux changes, rising
-  double smallest_scale_ = 0;      ///< [K]
-  double time_ = 0, step_ = 0;     ///< step_: wanted next
-  bool must_restart_ = true;       ///< an input has changed
-  double input_ = 0, lost_ = 0;    ///< [J]
-  double scale_ = 0;               ///< [K] of errors, in this step
+  std::vector<double> changes_;  ///< times at which a flux changes, rising
+  double smallest_scale_ = 0;    ///< [K]
+  double time_ = 0, step_ = 0;   ///< step_: wanted next
+  bool must_restart_ = true;     ///< an input has changed
+  double input_ = 0, lost_ = 0;  ///< [J]
+  double scale_ = 0;             ///< [K] of errors, in this step
   Vector T_, T_0_;
   std::array<Vector, n_stages> stage_, flow_;
   Vector known_, residual_;
   dealii::SparseMatrix<double> matrix_;
   DirectSolver inverse_;
   double factorised_step_ = 0;
-  bool is_stale_ = false;          ///< the matrix belongs to temperatures too far away
+  bool is_stale_ = false;  ///< the matrix belongs to temperatures too far away
   HeatStatistics statistics_;
 };
 

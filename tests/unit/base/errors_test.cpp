@@ -7,8 +7,9 @@ using namespace rotordrop;
 TEST(Errors, AFaultIsRenderedWithItsPlaceAndIndentedAdvice) {
   const InputError error({"params/drop.toml", 14, 1}, "unknown key \"air_gpa\" in [contact].",
                          "Did you mean \"air_gap\"?  Known here: air_gap, exponent.");
-  EXPECT_STREQ(error.what(), "error: params/drop.toml:14:1: unknown key \"air_gpa\" in [contact].\n"
-                             "       Did you mean \"air_gap\"?  Known here: air_gap, exponent.");
+  EXPECT_STREQ(error.what(),
+               "error: params/drop.toml:14:1: unknown key \"air_gpa\" in [contact].\n"
+               "       Did you mean \"air_gap\"?  Known here: air_gap, exponent.");
 }
 
 TEST(Errors, APlaceOnTheCommandLineHasNoNumbers) {
@@ -23,10 +24,11 @@ TEST(Errors, FilesComeInTheOrderOfTheirFirstFaultAndEachByLine) {
   faults.add({"a.toml", 1, 1}, "fourth.");
   faults.add({"b.toml", 2, 7}, "second.");
   faults.add({"b.toml", 2, 3}, "first.");
-  EXPECT_STREQ(InputError(faults).what(), "error: b.toml:2:3: first.\n\n"
-                                          "error: b.toml:2:7: second.\n\n"
-                                          "error: b.toml:9:1: third.\n\n"
-                                          "error: a.toml:1:1: fourth.");
+  EXPECT_STREQ(InputError(faults).what(),
+               "error: b.toml:2:3: first.\n\n"
+               "error: b.toml:2:7: second.\n\n"
+               "error: b.toml:9:1: third.\n\n"
+               "error: a.toml:1:1: fourth.");
 }
 
 TEST(Errors, TheSameFaultIsReportedOnce) {
@@ -38,8 +40,7 @@ TEST(Errors, TheSameFaultIsReportedOnce) {
 
 TEST(Errors, LongAdviceIsBrokenAtSpacesWithinThePage) {
   std::string advice = "Known here:";
-  for (int i = 0; i < 40; ++i)
-    advice += " key_" + std::to_string(i) + ",";
+  for (int i = 0; i < 40; ++i) advice += " key_" + std::to_string(i) + ",";
   const std::string text = InputError({}, "wrong.", advice).what();
   std::size_t start = 0;
   std::size_t n_lines = 0;

@@ -18,7 +18,7 @@ Node contact() {
   return table;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Node, TablesKeepTheOrderOfTheirKeys) {
   Node table = Node::table({{"z", 1}, {"a", 2}, {"m", 3}});

@@ -95,7 +95,8 @@ Node placed(Node table) {
   return table;
 }
 
-template <class T> std::string faults_of(const Section<T>& section, const Node& table) {
+template <class T>
+std::string faults_of(const Section<T>& section, const Node& table) {
   Faults faults;
   section.read(table, faults);
   return faults.empty() ? "" : InputError(faults).what();
@@ -119,7 +120,7 @@ Everything read_with(const std::string& key, const Node& value) {
   return result;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Parameters, AbsentKeysHaveTheirDefaults) {
   const Everything all = read_with("main_wave", main_wave);
@@ -237,8 +238,7 @@ TEST(Parameters, AllFaultsAreReportedAtOnceInTheOrderOfTheFile) {
   everything_section().read(table, faults);
   ASSERT_EQ(faults.size(), 4U);
   const InputError error(faults);
-  for (int i = 0; i < 4; ++i)
-    EXPECT_EQ(error.faults()[static_cast<std::size_t>(i)].where.line, i + 1);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(error.faults()[static_cast<std::size_t>(i)].where.line, i + 1);
 }
 
 TEST(Parameters, AMissingKeyIsNamedWithItsTableAndAnExample) {
@@ -324,13 +324,12 @@ Section<Ring> ring_section() {
   s.quantity("outer", &Ring::outer, {.unit = "m", .fallback = "1"});
   s.quantity("pitch", &Ring::pitch, {.unit = "m", .fallback = "2"});
   s.check([](const Ring& ring, const Node& table, Faults& faults) {
-    if (ring.outer <= ring.pitch)
-      faults.add(position_of_value(table, "outer"), "outer is not larger than pitch.");
+    if (ring.outer <= ring.pitch) faults.add(position_of_value(table, "outer"), "outer is not larger than pitch.");
   });
   return s;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Parameters, ACheckOverSeveralKeysPointsAtOneOfThem) {
   Faults faults;
@@ -415,7 +414,7 @@ Node bearings(std::initializer_list<std::pair<std::string, Node>> entries) {
   return Node::table({{"bearings", placed(Node::table(entries))}});
 }
 
-} // namespace
+}  // namespace
 
 TEST(Variants, EachNamedTableIsReadAsItsKindSays) {
   Faults faults;
@@ -466,8 +465,8 @@ TEST(Variants, AnUnknownKindIsAnsweredWithTheAllowedOnes) {
 }
 
 TEST(Variants, MissingAndUnknownKeysAreNamedInTheirTable) {
-  EXPECT_THAT(faults_of(machine_section(), bearings({{"TB1", Node::table({{"stiffness", 1}})}})),
-              AllOf(HasSubstr("missing key \"mass\" in [bearings.TB1]"),
-                    HasSubstr("unknown key \"stiffness\" in [bearings.TB1]"),
-                    HasSubstr("Known here: friction, mass, type.")));
+  EXPECT_THAT(
+      faults_of(machine_section(), bearings({{"TB1", Node::table({{"stiffness", 1}})}})),
+      AllOf(HasSubstr("missing key \"mass\" in [bearings.TB1]"),
+            HasSubstr("unknown key \"stiffness\" in [bearings.TB1]"), HasSubstr("Known here: friction, mass, type.")));
 }

@@ -1,5 +1,5 @@
-#include "base/errors.h"
 #include "base/units.h"
+#include "base/errors.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::string refusal(std::string_view text, std::string_view unit, QuantityKind k
 }
 std::string refusal(std::string_view text, std::string_view unit) { return refusal(text, unit, kind_of(unit)); }
 
-} // namespace
+}  // namespace
 
 TEST(Units, ABareNumberIsInSi) {
   EXPECT_EQ(to_si("1.144e9", "N/m"), 1.144e9);

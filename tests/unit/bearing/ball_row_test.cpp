@@ -54,7 +54,8 @@ std::vector<BallRowGeometry> some_rows() {
 const std::vector<RaceWave> waves = {{true, 2, 4e-6, 0.3}, {false, 5, 2e-6, 1.}};
 
 std::vector<double> numbers(const BallRowOutput& o) {
-  return {o.force_x, o.force_y, o.force_z, o.moment_y, o.moment_z, o.damping_power, o.elastic_radial, o.elastic_normal, o.cage_power, o.waviness_power, o.largest_load};
+  return {o.force_x,        o.force_y,        o.force_z,    o.moment_y,       o.moment_z,    o.damping_power,
+          o.elastic_radial, o.elastic_normal, o.cage_power, o.waviness_power, o.largest_load};
 }
 
 TEST(BallRow, ShortKernelAgreesWithTheGeneralOneWithoutTilt) {
@@ -69,7 +70,9 @@ TEST(BallRow, ShortKernelAgreesWithTheGeneralOneWithoutTilt) {
       auto a = numbers(all), b = numbers(translations);
       a[3] = a[4] = 0.;  // the short one leaves the moments at zero
       const double scale = 1. + std::fabs(all.elastic_normal);
-      for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-11 * scale * (k >= 8 ? 1. : 1.)) << "member " << k << " of " << g.n_balls << " balls";
+      for (std::size_t k = 0; k < a.size(); ++k)
+        EXPECT_NEAR(a[k], b[k], 1e-11 * scale * (k >= 8 ? 1. : 1.))
+            << "member " << k << " of " << g.n_balls << " balls";
     }
 }
 
@@ -87,7 +90,9 @@ TEST(BallRow, BallsNeverPull) {
       row.ball_loads(in, standing);
       for (std::size_t j = 0; j < load.size(); ++j) {
         ASSERT_GE(load[j], 0.) << "N";
-        if (standing[j] == 0.) { ASSERT_EQ(load[j], 0.) << "a free ball carries nothing at any speed"; }
+        if (standing[j] == 0.) {
+          ASSERT_EQ(load[j], 0.) << "a free ball carries nothing at any speed";
+        }
         clamped |= standing[j] > 0. && load[j] == 0.;
       }
     }
@@ -106,12 +111,15 @@ TEST(BallRow, LoadsOfAllBallsAddUpToTheRowsForce) {
     row.ball_loads(in, load);
     EXPECT_NEAR(out.largest_load, *std::max_element(load.begin(), load.end()), 1e-10 * out.largest_load) << "N";
     double fx = 0., fy = 0., fz = 0.;
-    const double A = 0.04 * g.ball_diameter, R_c = 0.5 * g.pitch_diameter + 0.02 * g.ball_diameter * std::cos(g.contact_angle);
+    const double A = 0.04 * g.ball_diameter,
+                 R_c = 0.5 * g.pitch_diameter + 0.02 * g.ball_diameter * std::cos(g.contact_angle);
     const auto& e = in.displacement;
     for (int j = 0; j < g.n_balls; ++j) {
       const double b = g.phase + 2. * pi * j / g.n_balls + in.cage_angle, c = std::cos(b), s = std::sin(b);
-      const double Br = A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth + (e.y + g.position * e.psi_z) * c + (e.z - g.position * e.psi_y) * s;
-      const double Bx = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + e.x + R_c * (e.psi_y * s - e.psi_z * c);
+      const double Br = A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth +
+                        (e.y + g.position * e.psi_z) * c + (e.z - g.position * e.psi_y) * s;
+      const double Bx =
+          g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + e.x + R_c * (e.psi_y * s - e.psi_z * c);
       const double F = load[static_cast<std::size_t>(j)], B = std::hypot(Br, Bx);
       fx -= F * Bx / B;
       fy -= F * Br / B * c;
@@ -134,9 +142,11 @@ TEST(BallRow, LetsANumberThatIsNoneThrough) {
       (which == 0 ? in.displacement.y : which == 1 ? in.displacement.z : in.radial_growth) = nan;
       BallRowOutput out;
       row.evaluate_translations(in, out);
-      EXPECT_TRUE(std::isnan(out.force_y) || std::isnan(out.force_z)) << "translations, input " << which << ", " << g.n_balls << " balls";
+      EXPECT_TRUE(std::isnan(out.force_y) || std::isnan(out.force_z))
+          << "translations, input " << which << ", " << g.n_balls << " balls";
       row.evaluate(in, out);
-      EXPECT_TRUE(std::isnan(out.force_y) || std::isnan(out.force_z)) << "general, input " << which << ", " << g.n_balls << " balls";
+      EXPECT_TRUE(std::isnan(out.force_y) || std::isnan(out.force_z))
+          << "general, input " << which << ", " << g.n_balls << " balls";
       EXPECT_TRUE(std::isnan(row.energy(in)));
     }
     std::mt19937 random(4);
@@ -160,7 +170,8 @@ TEST(BallRow, ForcesTurnWithTheDisplacementWhenBallsAndDisplacementTurnTogether)
     in.cage_sine = std::sin(in.cage_angle);
     BallRowOutput out;
     row.evaluate_translations(in, out);
-    return std::pair{out.force_y * std::cos(turn) + out.force_z * std::sin(turn), out.force_z * std::cos(turn) - out.force_y * std::sin(turn)};
+    return std::pair{out.force_y * std::cos(turn) + out.force_z * std::sin(turn),
+                     out.force_z * std::cos(turn) - out.force_y * std::sin(turn)};
   };
   const auto start = force(0.);
   EXPECT_LT(start.first, -100.) << "N: against the displacement";

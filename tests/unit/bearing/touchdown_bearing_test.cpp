@@ -15,7 +15,8 @@ namespace {
 using namespace rotordrop::testing;
 using TB = TouchdownBearing;
 
-double observed(const TB& bearing, const SupportInput& in, const std::vector<double>& y, const std::string& name, std::size_t column = 0) {
+double observed(const TB& bearing, const SupportInput& in, const std::vector<double>& y, const std::string& name,
+                std::size_t column = 0) {
   std::vector<double> rates(TB::n_state), ledger(TB::n_ledger), values(observed_size(bearing.observables()));
   SupportOutput out;
   out.observed = values;
@@ -78,7 +79,9 @@ TEST(TouchdownBearing, WavesOfTheBoreTurnWithTheRing) {
     for (const double ring : {0., 1., 30.}) {
       y[TB::ring_angle] = ring;
       const auto in = journal_at(260 * um * std::cos(direction), 260 * um * std::sin(direction));
-      EXPECT_NEAR(observed(bearing, in, y, "penetration"), 10 * um + 2 * um * std::sin(3. * (direction - ring) + 0.4), 1e-15) << "m";
+      EXPECT_NEAR(observed(bearing, in, y, "penetration"), 10 * um + 2 * um * std::sin(3. * (direction - ring) + 0.4),
+                  1e-15)
+          << "m";
     }
 }
 
@@ -117,7 +120,7 @@ TEST(TouchdownBearing, FrictionTorqueOpposesTheRingEitherWay) {
     y[TB::ring_spin] = speed;
     bearing.evaluate({}, y, rates, ledger, out);
     EXPECT_EQ(rates[TB::ring_spin] > 0., speed < 0.);
-    EXPECT_EQ(rates[TB::ring_spin] < 0., speed > 0.);
+    EXPECT_EQ(rates[TB::ring_spin]<0., speed> 0.);
   }
 }
 
@@ -129,7 +132,8 @@ TEST(TouchdownBearing, ReportsAsManyNumbersAsItAnnounces) {
     EXPECT_EQ(bearing.state_entries().size(), static_cast<std::size_t>(TB::n_state));
     EXPECT_EQ(bearing.ledger_entries().size(), static_cast<std::size_t>(TB::n_ledger));
     const double untouched = -12345.678;
-    std::vector<double> y(TB::n_state), rates(TB::n_state, untouched), ledger(TB::n_ledger, untouched), values(n + 1, untouched), loads(n_balls + 1, untouched);
+    std::vector<double> y(TB::n_state), rates(TB::n_state, untouched), ledger(TB::n_ledger, untouched),
+        values(n + 1, untouched), loads(n_balls + 1, untouched);
     bearing.initial_state(y);
     y[TB::ring_y] -= 30 * um;
     SupportOutput out;
@@ -154,7 +158,8 @@ TEST(TouchdownBearing, ReportsTheSpinOfTheBallsUnderOuterRaceControl) {
   std::vector<double> y(TB::n_state);
   bearing.initial_state(y);
   y[TB::ring_spin] = 1000.;
-  EXPECT_NEAR(observed(bearing, {}, y, "spin_speed_inner"), 1000. * std::sin(25 * deg), 1e-9) << "rad/s: omega_i sin phi";
+  EXPECT_NEAR(observed(bearing, {}, y, "spin_speed_inner"), 1000. * std::sin(25 * deg), 1e-9)
+      << "rad/s: omega_i sin phi";
 }
 
 }  // namespace

@@ -26,8 +26,14 @@ TouchdownParameters tb2() {
   p.inner_ring_diameters = {70e-3, 78e-3};
   return p;
 }
-const ContactParameters contact = {.friction_coefficient = 0.1, .air_gap = 250e-6, .exponent = 10. / 9., .lambda = 0.08, .regularisation_speed = 0.05,
-                                   .bore_radius = {}, .static_friction_coefficient = {}, .stribeck_speed = 0.5};
+const ContactParameters contact = {.friction_coefficient = 0.1,
+                                   .air_gap = 250e-6,
+                                   .exponent = 10. / 9.,
+                                   .lambda = 0.08,
+                                   .regularisation_speed = 0.05,
+                                   .bore_radius = {},
+                                   .static_friction_coefficient = {},
+                                   .stribeck_speed = 0.5};
 const TouchdownSurroundings around = {steel, steel, -9.81, 0.};
 
 TEST(TouchdownData, BallStiffnessOfTheReferenceBearings) {
@@ -41,7 +47,9 @@ TEST(TouchdownData, BallStiffnessOfTheReferenceBearings) {
   p.ball_diameter = 11.906e-3;
   p.pitch_diameter = 90e-3;
   p.contact_angle = p.preload = 0.;
-  EXPECT_NEAR(touchdown_data("TB1", p, contact, {steel, silicon_nitride, -9.81, 0.}).rows[0].stiffness, 1.3439e10, 0.0001e10) << "N/m^1.5";
+  EXPECT_NEAR(touchdown_data("TB1", p, contact, {steel, silicon_nitride, -9.81, 0.}).rows[0].stiffness, 1.3439e10,
+              0.0001e10)
+      << "N/m^1.5";
 }
 
 TEST(TouchdownData, RowsOfAPairStandSymmetricallyHalfABallSpacingApart) {
@@ -101,7 +109,9 @@ TEST(TouchdownData, RotorRadiusIsTheBoreLessTheGap) {
 
 TEST(TouchdownData, WavesGoToTheSurfaceThatIsNamed) {
   auto p = tb2();
-  p.waviness = {{WavySurface::inner_race, 2, 1e-6, 0.1}, {WavySurface::bore, 3, 2e-6, 0.2}, {WavySurface::outer_race, 4, 3e-6, 0.3}};
+  p.waviness = {{WavySurface::inner_race, 2, 1e-6, 0.1},
+                {WavySurface::bore, 3, 2e-6, 0.2},
+                {WavySurface::outer_race, 4, 3e-6, 0.3}};
   const auto d = touchdown_data("TB2", p, contact, around);
   ASSERT_EQ(d.race_waves.size(), 2u);
   ASSERT_EQ(d.bore_waves.size(), 1u);

@@ -28,7 +28,7 @@ using namespace rotordrop;
 namespace fs = std::filesystem;
 
 class CheckpointTest : public testing::Test {
-protected:
+ protected:
   CheckpointTest() {
     std::string pattern = (fs::temp_directory_path() / "rotordrop-checkpoint-XXXXXX").string();
     directory = ::mkdtemp(pattern.data());
@@ -95,7 +95,8 @@ TEST_F(CheckpointTest, MakesItsDirectory) {
 
 TEST_F(CheckpointTest, KeepsTheNewestAndCountsOn) {
   for (int i = 0; i < 12; ++i) write_checkpoint(directory, example(i), 3);
-  EXPECT_EQ(files(), (std::vector<std::string>{"checkpoint-000010.h5", "checkpoint-000011.h5", "checkpoint-000012.h5"}));
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"checkpoint-000010.h5", "checkpoint-000011.h5", "checkpoint-000012.h5"}));
   write_checkpoint(directory, example(12), 1);
   EXPECT_EQ(files(), (std::vector<std::string>{"checkpoint-000013.h5"}));
   EXPECT_EQ(newest_valid_checkpoint(directory).checkpoint->time, 12);
@@ -175,7 +176,8 @@ TEST_F(CheckpointTest, AKilledWriterLeavesAWholeCheckpoint) {
 
 TEST_F(CheckpointTest, RefusesOtherParametersAndSaysWhatToDo) {
   const auto message = message_of([] { require_same_case("c.h5", example(), "0000", example().entry_names); });
-  EXPECT_NE(message.find("other parameters (digest 9f86d081884c7d65; this case has 0000)"), std::string::npos) << message;
+  EXPECT_NE(message.find("other parameters (digest 9f86d081884c7d65; this case has 0000)"), std::string::npos)
+      << message;
 }
 
 TEST_F(CheckpointTest, NamesTheEntriesThatDiffer) {
@@ -185,15 +187,17 @@ TEST_F(CheckpointTest, NamesTheEntriesThatDiffer) {
   const auto message = message_of([&] { require_same_case("c.h5", example(), example().parameter_digest, names); });
   EXPECT_NE(message.find("its state has 4 entries, that of this case 5"), std::string::npos) << message;
   EXPECT_NE(message.find("Only in the checkpoint: \"TB2/inner ring spin\"."), std::string::npos) << message;
-  EXPECT_NE(message.find("Only in this case: \"TB3/cage angle\", \"TB3/inner ring spin\"."), std::string::npos) << message;
+  EXPECT_NE(message.find("Only in this case: \"TB3/cage angle\", \"TB3/inner ring spin\"."), std::string::npos)
+      << message;
 }
 
 TEST_F(CheckpointTest, NamesTheFirstEntryWhoseOrderDiffers) {
   auto names = example().entry_names;
   std::swap(names[1], names[2]);
   const auto message = message_of([&] { require_same_case("c.h5", example(), example().parameter_digest, names); });
-  EXPECT_NE(message.find("order differs from entry 1 on: \"rotor/velocity y\" in the checkpoint, \"TB2/inner ring spin\""),
-            std::string::npos)
+  EXPECT_NE(
+      message.find("order differs from entry 1 on: \"rotor/velocity y\" in the checkpoint, \"TB2/inner ring spin\""),
+      std::string::npos)
       << message;
 }
 
@@ -219,7 +223,7 @@ TEST_F(CheckpointTest, AFullDiskLeavesTheOlderCheckpointsAndNoRemains) {
   const pid_t writer = ::fork();
   if (writer == 0) {
     ::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{1000, 1000}; // [bytes] a file may have; stands for a full disk
+    const rlimit limit{1000, 1000};  // [bytes] a file may have; stands for a full disk
     ::setrlimit(RLIMIT_FSIZE, &limit);
     const auto message = message_of([&] { write_checkpoint(directory, example(2), 1); });
     std::_Exit(message.find("File too large") != std::string::npos ? 0 : 1);
@@ -234,9 +238,10 @@ TEST_F(CheckpointTest, AFullDiskLeavesTheOlderCheckpointsAndNoRemains) {
 TEST_F(CheckpointTest, H5pyReadsACheckpoint) {
   if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0) GTEST_SKIP() << "no h5py";
   const fs::path path = write_checkpoint(directory, example());
-  const std::string script = "import h5py; f = h5py.File('" + path.string() +
-                             "', 'r'); assert f['time'][0] == 0.125; assert f['state'].shape == (4,); "
-                             "assert f['entry_names'].asstr()[2] == 'TB2/inner ring spin'; assert f['extras/window/TB2'][1] == 0.2";
+  const std::string script =
+      "import h5py; f = h5py.File('" + path.string() +
+      "', 'r'); assert f['time'][0] == 0.125; assert f['state'].shape == (4,); "
+      "assert f['entry_names'].asstr()[2] == 'TB2/inner ring spin'; assert f['extras/window/TB2'][1] == 0.2";
   EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
 }
 
@@ -274,4 +279,4 @@ TEST_F(CheckpointTest, WriteTextAtomicallySaysWhyItCannot) {
   EXPECT_TRUE(files().empty());
 }
 
-} // namespace
+}  // namespace

@@ -20,7 +20,7 @@ std::string error_of(const std::string& text) {
   return "no error";
 }
 
-} // namespace
+}  // namespace
 
 TEST(Json, KeepsTheOrderOfTheFileAndTheTypesOfValues) {
   const Node tree =
@@ -31,12 +31,13 @@ TEST(Json, KeepsTheOrderOfTheFileAndTheTypesOfValues) {
 }
 
 TEST(Json, KnowsThePlaceOfKeysAndValues) {
-  const Node tree = parse_json("{\n"
-                               "  \"mass\": 85.5,\n"
-                               "  \"\\\"é\\\\\" : \"a,b:{\", \"x\":[ 1,\n"
-                               "   {\"y\": false}],\"z\":{}\n"
-                               "}\n",
-                               "rotor.json");
+  const Node tree = parse_json(
+      "{\n"
+      "  \"mass\": 85.5,\n"
+      "  \"\\\"é\\\\\" : \"a,b:{\", \"x\":[ 1,\n"
+      "   {\"y\": false}],\"z\":{}\n"
+      "}\n",
+      "rotor.json");
   EXPECT_EQ(to_string(tree.where()), "rotor.json:1:1");
   EXPECT_EQ(to_string(position_of(tree, "mass")), "rotor.json:2:3");
   EXPECT_EQ(to_string(position_of_value(tree, "mass")), "rotor.json:2:11");

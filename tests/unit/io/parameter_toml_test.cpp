@@ -16,7 +16,7 @@ namespace {
 
 /// A directory of its own for each test, removed afterwards.
 class TomlFiles : public testing::Test {
-protected:
+ protected:
   TomlFiles() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     directory_ =
@@ -32,7 +32,8 @@ protected:
   std::filesystem::path directory_;
 };
 
-template <class Action> std::string error_of(Action action) {
+template <class Action>
+std::string error_of(Action action) {
   try {
     action();
   } catch (const InputError& error) {
@@ -52,7 +53,7 @@ Node with_override(const std::string& assignment) {
   return tree;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Toml, KeepsTheOrderOfTheFileAndTheTypesOfValues) {
   const Node tree =

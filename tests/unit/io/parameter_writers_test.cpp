@@ -157,7 +157,7 @@ stiffness = 1e6
 )";
 const char* const short_case = "[run]\nend_time = 0.3\n";
 
-} // namespace
+}  // namespace
 
 TEST(ResolvedParameters, ReadBackToTheSameValues) {
   for (const std::string text :
@@ -226,10 +226,9 @@ TEST(Defaults, AreAnnotated) {
 TEST(Defaults, ShowTablesThatBecomeValidWhenTheirCommentSignsAreRemoved) {
   std::string text = "\n" + write_defaults(sections());
   for (std::size_t at = text.find("\n#"); at != std::string::npos; at = text.find("\n#", at + 1))
-    if (text[at + 2] != ' ')
-      text.erase(at + 1, 1);
+    if (text[at + 2] != ' ') text.erase(at + 1, 1);
   text.erase(
-      text.find("[run.bearings.NAME]", text.find("[run.bearings.NAME]") + 1)); // the second variant has the same name
+      text.find("[run.bearings.NAME]", text.find("[run.bearings.NAME]") + 1));  // the second variant has the same name
   EXPECT_NO_THROW(parse_toml(text, "defaults.toml")) << text;
   const Case shown = read(text.substr(0, text.find("[run.materials")));
   EXPECT_EQ(shown.touchdown.size(), 1U);

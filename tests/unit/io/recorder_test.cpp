@@ -30,7 +30,7 @@ using namespace rotordrop;
 namespace fs = std::filesystem;
 
 class RecorderTest : public testing::Test {
-protected:
+ protected:
   RecorderTest() {
     std::string pattern = (fs::temp_directory_path() / "rotordrop-recorder-XXXXXX").string();
     directory = ::mkdtemp(pattern.data());
@@ -90,7 +90,7 @@ void expect_rows(const fs::path& path, std::size_t n) {
 
 /// A process of its own; killed, if it still runs, when the test ends.
 class Child {
-public:
+ public:
   explicit Child(const std::function<int()>& work) : id_(::fork()) {
     if (id_ != 0) return;
     int code = 99;
@@ -119,7 +119,7 @@ public:
   }
   [[nodiscard]] bool is_running() const { return ::waitpid(id_, nullptr, WNOHANG) == 0; }
 
-private:
+ private:
   pid_t id_;
 };
 
@@ -135,7 +135,7 @@ bool eventually(const std::function<bool()>& is_true) {
 /// Writes for ever; made to be killed.
 int write_without_end(const fs::path& path) {
   RecorderOptions options;
-  options.rows_per_flush = 37; // not a divisor of the chunk length
+  options.rows_per_flush = 37;  // not a divisor of the chunk length
   options.rows_per_chunk = 64;
   Recorder recorder(path, header, machine(), options);
   for (std::size_t i = 0;; ++i) append_rows(recorder, i, i + 1);
@@ -182,8 +182,8 @@ TEST_F(RecorderTest, EveryDatasetSaysItsUnitItsMeaningAndItsTimeAxis) {
   EXPECT_EQ(read_attribute(path, "/thermal/TB1/ball", "time"), "/coarse/time");
   EXPECT_EQ(read_attribute(path, "/coarse/time", "units"), "s");
   EXPECT_EQ(list_datasets(path),
-            (std::vector<std::string>{"/bearings/TB1/contact_force", "/bearings/TB1/orbit", "/coarse/time", "/parameters",
-                                      "/thermal/TB1/ball", "/time"}));
+            (std::vector<std::string>{"/bearings/TB1/contact_force", "/bearings/TB1/orbit", "/coarse/time",
+                                      "/parameters", "/thermal/TB1/ball", "/time"}));
 }
 
 TEST_F(RecorderTest, CarriesTheCaseAndItsParametersInside) {
@@ -230,11 +230,12 @@ TEST_F(RecorderTest, H5pyReadsWhileTheRunGoesOn) {
   Recorder recorder(path, header, machine());
   append_rows(recorder, 0, 50);
   recorder.flush();
-  const std::string script = "import h5py, sys; f = h5py.File('" + path.string() +
-                             "', 'r', swmr=True); d = f['/bearings/TB1/orbit']; "
-                             "assert f['/time'].shape == (50,), f['/time'].shape; assert d[49, 1] == -49; "
-                             "assert d.attrs['units'] == 'm'; assert list(d.attrs['columns']) == ['y', 'z']; "
-                             "assert f.attrs['case'] == 'two bearings'; assert f['/parameters'].asstr()[()].startswith('[contact]')";
+  const std::string script =
+      "import h5py, sys; f = h5py.File('" + path.string() +
+      "', 'r', swmr=True); d = f['/bearings/TB1/orbit']; "
+      "assert f['/time'].shape == (50,), f['/time'].shape; assert d[49, 1] == -49; "
+      "assert d.attrs['units'] == 'm'; assert list(d.attrs['columns']) == ['y', 'z']; "
+      "assert f.attrs['case'] == 'two bearings'; assert f['/parameters'].asstr()[()].startswith('[contact]')";
   EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
 }
 
@@ -272,7 +273,7 @@ TEST_F(RecorderTest, WritesWhatItHoldsWhenTheTimeForItHasPassed) {
     options.rows_per_flush = 1000000;
     options.seconds_per_flush = 0.02;
     Recorder recorder(path, header, machine(), options);
-    for (std::size_t i = 0;; ++i) { // closing it would show the rows, too
+    for (std::size_t i = 0;; ++i) {  // closing it would show the rows, too
       append_rows(recorder, i, i + 1);
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
@@ -283,7 +284,7 @@ TEST_F(RecorderTest, WritesWhatItHoldsWhenTheTimeForItHasPassed) {
 }
 
 TEST_F(RecorderTest, KeepsEveryFlushedRowThroughSigkill) {
-  for (int attempt = 0; attempt < 5; ++attempt) { // the moment of the kill differs
+  for (int attempt = 0; attempt < 5; ++attempt) {  // the moment of the kill differs
     fs::remove(path);
     Child writer([&] { return write_without_end(path); });
     ASSERT_TRUE(eventually([&] { return fs::exists(path) && read_series(path, "/time").values.size() > 200; }));
@@ -320,7 +321,8 @@ TEST_F(RecorderTest, AResumeThatFailsLeavesTheOldFileAsItWas) {
   auto other = machine();
   other[0].channels[0].unit = "kN";
   const auto message = message_of([&] { (void)resume_recording(path, 1, header, other); });
-  EXPECT_NE(message.find("/bearings/TB1/contact_force is in N in this file; now it is in kN"), std::string::npos) << message;
+  EXPECT_NE(message.find("/bearings/TB1/contact_force is in N in this file; now it is in kN"), std::string::npos)
+      << message;
   other = machine();
   other[0].channels[1].size = 3;
   other[0].channels[1].columns.clear();
@@ -378,10 +380,12 @@ TEST_F(RecorderTest, SaysWhyTheFileCouldNotBeMadeAndLeavesNothingBehind) {
 TEST_F(RecorderTest, ADiskThatIsFullAtTheStartLeavesNothingBehind) {
   Child writer([&] {
     ::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{1000, 1000}; // [bytes] a file may have; stands for a full disk
+    const rlimit limit{1000, 1000};  // [bytes] a file may have; stands for a full disk
     ::setrlimit(RLIMIT_FSIZE, &limit);
     const auto message = message_of([&] { Recorder(path, header, machine()); });
-    return message.find("could not be made") != std::string::npos && message.find("File too large") != std::string::npos ? 0 : 1;
+    return message.find("could not be made") != std::string::npos && message.find("File too large") != std::string::npos
+               ? 0
+               : 1;
   });
   EXPECT_EQ(writer.wait(), 0);
   EXPECT_EQ(n_files(), 0U);
@@ -406,8 +410,8 @@ TEST_F(RecorderTest, ADiskThatFillsUpKeepsTheEarlierRowsAndIsReportedQuietly) {
       // Once it failed, every further call says so.
       if (message_of([&] { recorder.flush(); }) != message) return 3;
       if (message_of([&] { recorder.close(); }) != message) return 4;
-    } // the destructor must cope, too
-    std::exit(0); // runs HDF5's own clean-up, which must neither print nor hang
+    }              // the destructor must cope, too
+    std::exit(0);  // runs HDF5's own clean-up, which must neither print nor hang
   });
   EXPECT_EQ(writer.wait(), 0);
   EXPECT_EQ(content(screen), "");
@@ -469,4 +473,4 @@ TEST_F(RecorderTest, ReadersSayWhatIsNotThere) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "HDF5 must not print";
 }
 
-} // namespace
+}  // namespace

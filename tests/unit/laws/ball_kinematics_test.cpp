@@ -19,8 +19,8 @@
 namespace rotordrop {
 namespace {
 
-using std::numbers::pi;
 using Eigen::Vector3d;  // components along x, r, t
+using std::numbers::pi;
 constexpr double deg = pi / 180.;
 
 struct Rolling {
@@ -56,7 +56,8 @@ TEST(BallKinematics, CageAndBallRollWithoutSlip) {
 TEST(BallKinematics, CageOfADeepGrooveBearingTurnsAtTheMeanOfTheRaceSpeeds) {
   // Speed of a ball's centre is half the speed of the inner race: omega_c d_m/2 = omega_i (d_m - d)/4. TB1: (90 - 11.906)/180.
   EXPECT_NEAR(cage_speed_ratio(11.906e-3, 90e-3, 0.), 78.094 / 180., 1e-14);
-  EXPECT_NEAR(cage_speed_ratio(9.525e-3, 85e-3, 90. * deg), 0.5, 1e-14) << "a thrust bearing's cage turns at half speed";
+  EXPECT_NEAR(cage_speed_ratio(9.525e-3, 85e-3, 90. * deg), 0.5, 1e-14)
+      << "a thrust bearing's cage turns at half speed";
 }
 
 TEST(BallKinematics, SpinsAgreeWithRollingInSpace) {
@@ -98,7 +99,8 @@ TEST(BallKinematics, EffectiveInertiaIsTheKineticEnergyOfRingBallsAndCage) {
   const double m = 3.5e-3, d = 9.525e-3, d_m = 85e-3, phi = 25. * deg, J_ring = 1.9e-4, J_cage = 2e-5, omega_i = 700.;
   const auto speeds = rolling(omega_i, phi, phi, phi, d, d_m);
   const double v = speeds.omega_c * 0.5 * d_m, w = speeds.omega_c - speeds.omega_b, I = 0.4 * m * 0.25 * d * d;
-  const double energy = 0.5 * J_ring * omega_i * omega_i + 23 * 0.5 * (m * v * v + I * w * w) + 0.5 * J_cage * speeds.omega_c * speeds.omega_c;
+  const double energy = 0.5 * J_ring * omega_i * omega_i + 23 * 0.5 * (m * v * v + I * w * w) +
+                        0.5 * J_cage * speeds.omega_c * speeds.omega_c;
   EXPECT_NEAR(0.5 * effective_spin_inertia(J_ring, 23, m, d, d_m, phi, J_cage) * omega_i * omega_i / energy, 1., 1e-13);
 }
 

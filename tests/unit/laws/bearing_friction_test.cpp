@@ -35,7 +35,8 @@ TEST(DragTorque, IsConstantAtLowSpeed) {
 TEST(DragTorque, BranchesMeetWithinOnePercent) {
   // 2000^(2/3) = 158.74: Palmgren's 160 is that, rounded.
   const double limit = 2000. / 15. * pi / 30.;
-  EXPECT_NEAR(drag_torque(15e-6, limit * 1.0000001, 90e-3, 0.25) / drag_torque(15e-6, limit * 0.9999999, 90e-3, 0.25), 158.74 / 160., 1e-5);
+  EXPECT_NEAR(drag_torque(15e-6, limit * 1.0000001, 90e-3, 0.25) / drag_torque(15e-6, limit * 0.9999999, 90e-3, 0.25),
+              158.74 / 160., 1e-5);
 }
 
 TEST(DragTorque, DoesNotKnowTheSenseOfRotation) {

@@ -24,7 +24,9 @@ double restitution(const HuntCrossley& law, double mass, double speed) {
   const double omega = std::sqrt(law.K * std::pow(speed * std::sqrt(mass / law.K), law.n - 1.) / mass);
   const double h = 1e-3 / omega;
   double x = 0., v = speed;
-  const auto acceleration = [&](double position, double rate) { return -law.total(law.elastic(position), rate) / mass; };
+  const auto acceleration = [&](double position, double rate) {
+    return -law.total(law.elastic(position), rate) / mass;
+  };
   const auto step = [&](double dt, double& x1, double& v1) {
     const double a1 = acceleration(x, v), v2 = v + 0.5 * dt * a1, a2 = acceleration(x + 0.5 * dt * v, v2);
     const double v3 = v + 0.5 * dt * a2, a3 = acceleration(x + 0.5 * dt * v2, v3), v4 = v + dt * a3;
@@ -67,8 +69,10 @@ TEST(HuntCrossley, RestitutionDoesNotDependOnStiffnessExponentOrMass) {
   for (const double lambda : {0.08, 0.32})
     for (const double speed : {0.07, 2.}) {
       const double expected = exact_restitution(lambda, speed);
-      for (const HuntCrossley law : {HuntCrossley{1.144e9, 10. / 9., lambda}, HuntCrossley{2e7, 1., lambda}, HuntCrossley{1e10, 1.5, lambda}})
-        for (const double mass : {0.2, 55.}) EXPECT_NEAR(restitution(law, mass, speed), expected, 3e-6) << "the integration's error";
+      for (const HuntCrossley law :
+           {HuntCrossley{1.144e9, 10. / 9., lambda}, HuntCrossley{2e7, 1., lambda}, HuntCrossley{1e10, 1.5, lambda}})
+        for (const double mass : {0.2, 55.})
+          EXPECT_NEAR(restitution(law, mass, speed), expected, 3e-6) << "the integration's error";
     }
 }
 
@@ -80,7 +84,9 @@ TEST(HuntCrossley, NeverPullsASeparatingRotorBack) {
   for (int i = 0; i < 10000; ++i) {
     const double delta = depth(random), v = rate(random), F = law.total(law.elastic(delta), v);
     ASSERT_GE(F, 0.) << "at delta = " << delta << " m, rate " << v << " m/s";
-    if (delta <= 0.) { ASSERT_EQ(F, 0.); }
+    if (delta <= 0.) {
+      ASSERT_EQ(F, 0.);
+    }
     clamped |= delta > 0. && F == 0.;
   }
   EXPECT_TRUE(clamped) << "the states include some beyond 1/(1.5 lambda) = 8.3 m/s";
@@ -97,7 +103,9 @@ TEST(HuntCrossley, ForceIsTheSlopeOfItsEnergy) {
   const HuntCrossley law{1.73e9, 10. / 9., 0.08};
   for (const double delta : {1e-6, 1e-5, 5e-5}) {
     const double h = 1e-3 * delta;
-    const double slope = (8. * (law.energy(delta + h) - law.energy(delta - h)) - law.energy(delta + 2. * h) + law.energy(delta - 2. * h)) / (12. * h);
+    const double slope = (8. * (law.energy(delta + h) - law.energy(delta - h)) - law.energy(delta + 2. * h) +
+                          law.energy(delta - 2. * h)) /
+                         (12. * h);
     EXPECT_NEAR(slope / law.elastic(delta), 1., 1e-10);
   }
   EXPECT_EQ(law.energy(-1e-5), 0.);

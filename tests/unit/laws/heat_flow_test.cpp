@@ -27,7 +27,9 @@ TEST(HousingConvection, IsTwentyThreeTimesTheFourthRoot) {
 }
 
 TEST(Constriction, OfACircularSpotIsTheTextbookOne) {
-  EXPECT_NEAR(elliptic_constriction(0.4e-3, 0.5 * pi, 70., 35.), 1. / (4. * 0.4e-3 * 70.) + 1. / (4. * 0.4e-3 * 35.), 1e-12) << "K/W";
+  EXPECT_NEAR(elliptic_constriction(0.4e-3, 0.5 * pi, 70., 35.), 1. / (4. * 0.4e-3 * 70.) + 1. / (4. * 0.4e-3 * 35.),
+              1e-12)
+      << "K/W";
 }
 
 TEST(JaegerShare, GivesTheRotorMostWhileTheRingRests) {

@@ -34,8 +34,12 @@ struct Example {
 const Example tb1{"TB1", silicon_nitride, 11.906e-3, 90e-3, 0., 1.3439e10, 1.3296e10};
 const Example tb2{"TB2", steel, 9.525e-3, 85e-3, 25. * deg, 9.923e9, 9.819e9};
 
-ContactGeometry inner(const Example& b) { return inner_race_contact(b.d, 0.5 * b.d_m - 0.5 * b.d * std::cos(b.phi), 0.52); }
-ContactGeometry outer(const Example& b) { return outer_race_contact(b.d, 0.5 * b.d_m + 0.5 * b.d * std::cos(b.phi), 0.52); }
+ContactGeometry inner(const Example& b) {
+  return inner_race_contact(b.d, 0.5 * b.d_m - 0.5 * b.d * std::cos(b.phi), 0.52);
+}
+ContactGeometry outer(const Example& b) {
+  return outer_race_contact(b.d, 0.5 * b.d_m + 0.5 * b.d * std::cos(b.phi), 0.52);
+}
 double row_stiffness(const Example& b, EllipticIntegrals method) {
   const double modulus = effective_modulus(steel, b.ball);
   return stiffness_in_series(hertz_stiffness(inner(b), modulus, method), hertz_stiffness(outer(b), modulus, method));
@@ -50,12 +54,15 @@ double integral(const std::function<double(double)>& f) {
 }
 
 TEST(Hertz, StiffnessOfTheReferenceBearingsIsThatOfTheFits) {
-  EXPECT_NEAR(row_stiffness(tb1, EllipticIntegrals::brewe_hamrock), 1.3439e10, 0.00005e10 * 1.01) << "N/m^1.5, published digits";
-  EXPECT_NEAR(row_stiffness(tb2, EllipticIntegrals::brewe_hamrock), 9.923e9, 0.001e9) << "N/m^1.5; 9.9238e9 by hand, published cut off, not rounded";
+  EXPECT_NEAR(row_stiffness(tb1, EllipticIntegrals::brewe_hamrock), 1.3439e10, 0.00005e10 * 1.01)
+      << "N/m^1.5, published digits";
+  EXPECT_NEAR(row_stiffness(tb2, EllipticIntegrals::brewe_hamrock), 9.923e9, 0.001e9)
+      << "N/m^1.5; 9.9238e9 by hand, published cut off, not rounded";
 }
 
 TEST(Hertz, StiffnessOfTheReferenceBearingsByExactIntegrals) {
-  EXPECT_NEAR(row_stiffness(tb1, EllipticIntegrals::exact), 1.3296e10, 0.00005e10 * 1.01) << "N/m^1.5, published digits";
+  EXPECT_NEAR(row_stiffness(tb1, EllipticIntegrals::exact), 1.3296e10, 0.00005e10 * 1.01)
+      << "N/m^1.5, published digits";
   EXPECT_NEAR(row_stiffness(tb2, EllipticIntegrals::exact), 9.819e9, 0.0005e9 * 1.01) << "N/m^1.5, published digits";
 }
 
@@ -63,12 +70,15 @@ TEST(Hertz, FitsAreWithinOneAndAHalfPercentOfTheExactIntegrals) {
   for (const auto& b : {tb1, tb2})
     for (const auto& g : {inner(b), outer(b)}) {
       const double modulus = effective_modulus(steel, b.ball);
-      const double error = hertz_stiffness(g, modulus, EllipticIntegrals::brewe_hamrock) / hertz_stiffness(g, modulus, EllipticIntegrals::exact) - 1.;
+      const double error = hertz_stiffness(g, modulus, EllipticIntegrals::brewe_hamrock) /
+                               hertz_stiffness(g, modulus, EllipticIntegrals::exact) -
+                           1.;
       printf("%s  R_y/R_x = %5.2f  fit / exact - 1 = %+.2f %%\n", b.name, g.R_y / g.R_x, 100. * error);
       EXPECT_LT(std::fabs(error), 0.015);
     }
   for (const auto& b : {tb1, tb2})
-    EXPECT_NEAR(row_stiffness(b, EllipticIntegrals::brewe_hamrock) / row_stiffness(b, EllipticIntegrals::exact), 1., 0.012);
+    EXPECT_NEAR(row_stiffness(b, EllipticIntegrals::brewe_hamrock) / row_stiffness(b, EllipticIntegrals::exact), 1.,
+                0.012);
 }
 
 TEST(Hertz, ExactEllipseIsTheSolutionOfTheContactProblem) {
@@ -76,12 +86,14 @@ TEST(Hertz, ExactEllipseIsTheSolutionOfTheContactProblem) {
     for (const auto& g : {inner(b), outer(b), ContactGeometry{1e-3, 1.05e-3}, ContactGeometry{1e-3, 0.2}}) {
       const double modulus = effective_modulus(steel, b.ball), F = 734.;
       const auto e = contact_ellipse(g, EllipticIntegrals::exact);
-      const double a = semi_major_axis_factor(g, modulus, EllipticIntegrals::exact) * std::cbrt(F), q = 1. / (e.k * e.k);
+      const double a = semi_major_axis_factor(g, modulus, EllipticIntegrals::exact) * std::cbrt(F),
+                   q = 1. / (e.k * e.k);
       const double pressure = 3. * F / (4. * pi * 0.5 * modulus);
       const auto root = [&](double u) { return std::sqrt(q * std::cos(u) * std::cos(u) + std::sin(u) * std::sin(u)); };
       const double of_delta = 2. / a * integral([&](double u) { return 1. / root(u); });
       // (b^2 + s) = a^2 (q cos^2 u + sin^2 u) / cos^2 u, (a^2 + s) = a^2 / cos^2 u
-      const double of_x = 2. / (a * a * a) * integral([&](double u) { return std::pow(std::cos(u), 2) / std::pow(root(u), 3); });
+      const double of_x =
+          2. / (a * a * a) * integral([&](double u) { return std::pow(std::cos(u), 2) / std::pow(root(u), 3); });
       const double of_y = 2. / (a * a * a) * integral([&](double u) { return std::pow(std::cos(u), 2) / root(u); });
       EXPECT_NEAR(2. * g.R_x * pressure * of_x, 1., 1e-9);
       EXPECT_NEAR(2. * g.R_y * pressure * of_y, 1., 1e-9);
@@ -99,8 +111,11 @@ TEST(Hertz, ExactEllipseIsTheSolutionOfTheContactProblem) {
 TEST(Hertz, TwoSpheresFollowTheClosedForm) {
   const double modulus = effective_modulus(steel, silicon_nitride), R = 3e-3;
   const ContactGeometry spheres{R, R};
-  EXPECT_NEAR(hertz_stiffness(spheres, modulus, EllipticIntegrals::exact) / (4. / 3. * 0.5 * modulus * std::sqrt(R)), 1., 1e-8);
-  EXPECT_NEAR(std::pow(semi_major_axis_factor(spheres, modulus, EllipticIntegrals::exact), 3) / (0.75 * R / (0.5 * modulus)), 1., 1e-8);
+  EXPECT_NEAR(hertz_stiffness(spheres, modulus, EllipticIntegrals::exact) / (4. / 3. * 0.5 * modulus * std::sqrt(R)),
+              1., 1e-8);
+  EXPECT_NEAR(
+      std::pow(semi_major_axis_factor(spheres, modulus, EllipticIntegrals::exact), 3) / (0.75 * R / (0.5 * modulus)),
+      1., 1e-8);
 }
 
 TEST(Hertz, EffectiveModulusIsTwiceThatOfJohnson) {

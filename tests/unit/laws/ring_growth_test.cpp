@@ -19,13 +19,14 @@ double linear_rise(double r, double T_a, double T_b) { return T_a + (T_b - T_a) 
 
 double moment(double T_a, double T_b, double r) {  // int_a^r T r dr by Simpson: exact for the quadratic integrand
   const double m = 0.5 * (a + r);
-  return (r - a) / 6. * (linear_rise(a, T_a, T_b) * a + 4. * linear_rise(m, T_a, T_b) * m + linear_rise(r, T_a, T_b) * r);
+  return (r - a) / 6. *
+         (linear_rise(a, T_a, T_b) * a + 4. * linear_rise(m, T_a, T_b) * m + linear_rise(r, T_a, T_b) * r);
 }
 
 double thermoelastic_growth(double T_a, double T_b, double r) {
   // sigma_r = -alpha E / r^2 int T r dr + E/(1 - nu^2) [C1 (1 + nu) - C2 (1 - nu) / r^2]
-  const double p = E / (1. - nu);     // of C1
-  const double q = E / (1. + nu);     // of C2 / r^2
+  const double p = E / (1. - nu);  // of C1
+  const double q = E / (1. + nu);  // of C2 / r^2
   const double load = alpha * E * moment(T_a, T_b, b) / (b * b);
   // p C1 - q C2/a^2 = 0;  p C1 - q C2/b^2 = load
   const double C2 = load / (q * (1. / (a * a) - 1. / (b * b)));

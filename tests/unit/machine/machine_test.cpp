@@ -22,7 +22,8 @@ std::vector<double> rates(const Machine& machine, const std::vector<double>& y, 
 TEST(Machine, LaysItsPartsOutOneAfterTheOther) {
   const auto machine = reference_machine();
   const auto& blocks = machine->layout().blocks();
-  const std::vector<std::string> expected = {"rotor", "TB1", "TB2", "temperature", "TB1 ledger", "TB2 ledger", "energy"};
+  const std::vector<std::string> expected = {"rotor",      "TB1",        "TB2",   "temperature",
+                                             "TB1 ledger", "TB2 ledger", "energy"};
   ASSERT_EQ(blocks.size(), expected.size());
   std::size_t at = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -32,7 +33,8 @@ TEST(Machine, LaysItsPartsOutOneAfterTheOther) {
   }
   EXPECT_EQ(at, machine->layout().size());
   EXPECT_EQ(machine->first_quadrature(), machine->layout().block("TB1 ledger").offset);
-  EXPECT_EQ(machine->layout().block("rotor").size, 4u * 7 + 2) << "rigid translation and tilt, five flexible modes, spin";
+  EXPECT_EQ(machine->layout().block("rotor").size, 4u * 7 + 2)
+      << "rigid translation and tilt, five flexible modes, spin";
   EXPECT_EQ(machine->layout().block("TB1").size, static_cast<std::size_t>(TB::n_state));
   EXPECT_EQ(machine->layout().block("temperature").size, 10u) << "five nodes with capacity a bearing";
 }
@@ -150,7 +152,10 @@ TEST(Machine, BalanceAddsUpItsLedgers) {
   EXPECT_NEAR(b.mechanical, machine->initial_mechanical_energy(), 1e-9);
   EXPECT_NEAR(b.heat_deposited, heat, 1e-12);
   EXPECT_NEAR(b.dissipated, heat + other + at("energy/rotor damping"), 1e-12);
-  EXPECT_NEAR(b.residual, -heat - other - at("energy/rotor damping") + growth + prescribed + at("energy/unbalance work") + at("energy/drive work"), 1e-9);
+  EXPECT_NEAR(b.residual,
+              -heat - other - at("energy/rotor damping") + growth + prescribed + at("energy/unbalance work") +
+                  at("energy/drive work"),
+              1e-9);
   EXPECT_NEAR(b.heat_residual, heat - at("energy/heat lost"), 1e-9) << "nothing stored at ambient";
 }
 
@@ -160,14 +165,18 @@ TEST(Machine, WritesAllThatItAnnounces) {
   const auto y = random_state(*machine, random, true);
   std::vector<double> dydt(y.size());
   const double untouched = -12345.678;
-  for (const auto* list : {&machine->step_observables(), &machine->detail_observables(), &machine->state_observables()}) {
+  for (const auto* list :
+       {&machine->step_observables(), &machine->detail_observables(), &machine->state_observables()}) {
     std::vector<std::string> names;
     for (const auto& o : *list) names.push_back(o.name);
     std::sort(names.begin(), names.end());
     EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end()) << "no name twice";
   }
-  const auto sized = [&](const std::vector<Observable>& list) { return std::vector<double>(observed_size(list), untouched); };
-  auto step = sized(machine->step_observables()), details = sized(machine->detail_observables()), state = sized(machine->state_observables());
+  const auto sized = [&](const std::vector<Observable>& list) {
+    return std::vector<double>(observed_size(list), untouched);
+  };
+  auto step = sized(machine->step_observables()), details = sized(machine->detail_observables()),
+       state = sized(machine->state_observables());
   EXPECT_EQ(details.size(), 14u + 2 * 23) << "every ball";
   machine->evaluate(0., y, dydt, step, details);
   machine->observe_state(0., y, state);
@@ -185,7 +194,9 @@ TEST(Machine, RefusesPartsThatDoNotFitTogether) {
           [[nodiscard]] std::size_t n_stations() const override { return 1; }
           void motions(std::span<const double>, std::span<Motion>) const override {}
           [[nodiscard]] Spin spin(std::span<const double>) const override { return {}; }
-          RotorPower rates(double, std::span<const double>, std::span<const Force>, std::span<double>) const override { return {}; }
+          RotorPower rates(double, std::span<const double>, std::span<const Force>, std::span<double>) const override {
+            return {};
+          }
           [[nodiscard]] double energy(std::span<const double>) const override { return 0.; }
         };
         Machine::Parts parts;

@@ -65,7 +65,8 @@ TEST(ThermalNetwork, HeatsAdiabaticallyByHeatOverCapacity) {
   EXPECT_NEAR(r.of_temperature[1], (660. + 42.) / 40., 1e-12) << "K/s";
   EXPECT_EQ(r.lost, 0.);
   // The same as energy: a pulse of 1 J, whatever its shape, is a rise of (share / C) K.
-  EXPECT_NEAR(network.stored_energy(std::vector<double>{ambient + 0.34 / 100., ambient + 0.66 / 40.}), 1., 1e-12) << "J";
+  EXPECT_NEAR(network.stored_energy(std::vector<double>{ambient + 0.34 / 100., ambient + 0.66 / 40.}), 1., 1e-12)
+      << "J";
 }
 
 TEST(ThermalNetwork, FollowsOhmsLawBetweenNodes) {
@@ -136,7 +137,8 @@ TEST(ThermalNetwork, SharesTheRubHeatByJaegerFromTheSpeeds) {
 
 TEST(ThermalNetwork, GrowthIsLinearInTheRises) {
   auto d = two_nodes();
-  d.growths = {{0, &Expansion::bore, "ring", 4e-7}, {0, &Expansion::bore, "shaft", 1e-7}, {0, &Expansion::shaft, "shaft", 5e-7}};
+  d.growths = {
+      {0, &Expansion::bore, "ring", 4e-7}, {0, &Expansion::bore, "shaft", 1e-7}, {0, &Expansion::shaft, "shaft", 5e-7}};
   const ThermalNetwork network(d);
   Expansion growth, rate;
   network.growth(std::vector<double>{ambient + 2., ambient + 10.}, {&growth, 1});
@@ -153,16 +155,33 @@ TEST(ThermalNetwork, RefusesCircuitsThatMakeNoSense) {
     change(d);
     return d;
   };
-  EXPECT_THROW(ThermalNetwork(with([](Data& d) { d.resistors.push_back(resistor("ring", "rign", 1.)); })), std::invalid_argument) << "unknown node";
-  EXPECT_THROW(ThermalNetwork(with([](Data& d) { d.nodes.push_back({"ring", 1., ""}); })), std::invalid_argument) << "twice the same name";
-  EXPECT_THROW(ThermalNetwork(with([](Data& d) { d.nodes.push_back({"lonely", 0., ""}); })), std::invalid_argument) << "massless without resistor";
+  EXPECT_THROW(ThermalNetwork(with([](Data& d) { d.resistors.push_back(resistor("ring", "rign", 1.)); })),
+               std::invalid_argument)
+      << "unknown node";
   EXPECT_THROW(ThermalNetwork(with([](Data& d) {
-    d.nodes.push_back({"point", 0., ""});
-    d.resistors.push_back(resistor("point", "ring", 1.));
-    d.resistors.push_back({"point", "ambient", 0., Law::housing_convection, 1., 0., 0});
-  })), std::invalid_argument) << "a law on a massless node";
-  EXPECT_THROW(ThermalNetwork(with([](Data& d) { d.places[0].inner_contact = "ambient"; })), std::invalid_argument) << "heat into the surroundings";
-  EXPECT_THROW(ThermalNetwork(with([](Data& d) { d.growths = {{0, &Expansion::bore, "none", 1.}}; })), std::invalid_argument) << "growth of nothing";
+                 d.nodes.push_back({"ring", 1., ""});
+               })),
+               std::invalid_argument)
+      << "twice the same name";
+  EXPECT_THROW(ThermalNetwork(with([](Data& d) {
+                 d.nodes.push_back({"lonely", 0., ""});
+               })),
+               std::invalid_argument)
+      << "massless without resistor";
+  EXPECT_THROW(ThermalNetwork(with([](Data& d) {
+                 d.nodes.push_back({"point", 0., ""});
+                 d.resistors.push_back(resistor("point", "ring", 1.));
+                 d.resistors.push_back({"point", "ambient", 0., Law::housing_convection, 1., 0., 0});
+               })),
+               std::invalid_argument)
+      << "a law on a massless node";
+  EXPECT_THROW(ThermalNetwork(with([](Data& d) { d.places[0].inner_contact = "ambient"; })), std::invalid_argument)
+      << "heat into the surroundings";
+  EXPECT_THROW(ThermalNetwork(with([](Data& d) {
+                 d.growths = {{0, &Expansion::bore, "none", 1.}};
+               })),
+               std::invalid_argument)
+      << "growth of nothing";
 }
 
 }  // namespace

@@ -39,11 +39,13 @@ BallRowOutput evaluate(const std::vector<BallRowGeometry>& rows, const BallRowIn
 }
 
 double axial_stiffness(const std::vector<BallRowGeometry>& rows) {
-  return -derivative([&](double x) {
-    BallRowInput in;
-    in.displacement.x = x;
-    return evaluate(rows, in).force_x;
-  }, 1e-8);
+  return -derivative(
+      [&](double x) {
+        BallRowInput in;
+        in.displacement.x = x;
+        return evaluate(rows, in).force_x;
+      },
+      1e-8);
 }
 
 TEST(BallRow, AxialStiffnessOfA15DegreePairIsTheCatalogues) {
@@ -77,7 +79,8 @@ TEST(BallRow, InnerGrowthRaisesThePreloadOfAnXPair) {
     in.radial_growth = growth;
     BallRowOutput out;
     BallRow(g, {}).evaluate(in, out);
-    const double Br = A * std::cos(25 * deg) + growth, Bx = A * std::sin(25 * deg) + g.preload_offset, B = std::hypot(Br, Bx);
+    const double Br = A * std::cos(25 * deg) + growth, Bx = A * std::sin(25 * deg) + g.preload_offset,
+                 B = std::hypot(Br, Bx);
     EXPECT_NEAR(-out.force_x, 23 * g.stiffness * std::pow(B - A, 1.5) * Bx / B, 1e-8 * 290.) << "N";
     return -out.force_x;
   };
@@ -90,18 +93,22 @@ TEST(BallRow, InnerGrowthRaisesThePreloadOfAnXPair) {
 
 TEST(BallRow, OArrangementResistsTiltMoreThanX) {
   const auto tilt_stiffness = [&](Pair arrangement) {
-    return -derivative([&](double psi) {
-      BallRowInput in;
-      in.displacement.psi_z = psi;
-      return evaluate(angular_contact_pair(290., arrangement), in).moment_z;
-    }, 1e-6);
+    return -derivative(
+        [&](double psi) {
+          BallRowInput in;
+          in.displacement.psi_z = psi;
+          return evaluate(angular_contact_pair(290., arrangement), in).moment_z;
+        },
+        1e-6);
   };
   const double X = tilt_stiffness(Pair::X), O = tilt_stiffness(Pair::O);
   const auto g = angular_contact_pair(290.)[1];
-  const double A = 0.04 * 9.525e-3, Br = A * std::cos(25 * deg), Bx = A * std::sin(25 * deg) + g.preload_offset, B = std::hypot(Br, Bx);
+  const double A = 0.04 * 9.525e-3, Br = A * std::cos(25 * deg), Bx = A * std::sin(25 * deg) + g.preload_offset,
+               B = std::hypot(Br, Bx);
   const double R_c = 42.5e-3 + 0.02 * 9.525e-3 * std::cos(25 * deg), c = Br / B, s = Bx / B, delta = B - A;
   const auto expected = [&](double x) {  // of the pair
-    return g.n_balls * g.stiffness * std::sqrt(delta) * (1.5 * std::pow(x * c - R_c * s, 2) + delta / B * std::pow(x * s + R_c * c, 2));
+    return g.n_balls * g.stiffness * std::sqrt(delta) *
+           (1.5 * std::pow(x * c - R_c * s, 2) + delta / B * std::pow(x * s + R_c * c, 2));
   };
   printf("tilting stiffness: X %.4g N m/rad, O %.4g N m/rad\n", X, O);
   EXPECT_GT(O, 3. * X);

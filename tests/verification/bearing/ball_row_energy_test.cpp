@@ -25,7 +25,8 @@ namespace {
 using namespace rotordrop::testing;
 
 /// Energy by vectors. Waves' arguments may have a cage angle of their own.
-double oracle_energy(const BallRowGeometry& g, const std::vector<RaceWave>& waves, const BallRowInput& in, double wave_cage_angle) {
+double oracle_energy(const BallRowGeometry& g, const std::vector<RaceWave>& waves, const BallRowInput& in,
+                     double wave_cage_angle) {
   const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
   const double R_c = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
   const auto& q = in.displacement;
@@ -38,7 +39,8 @@ double oracle_energy(const BallRowGeometry& g, const std::vector<RaceWave>& wave
     const double B_r = A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth + u.dot(radial);
     const double B_x = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + u[0];
     double delta = std::hypot(B_r, B_x) - A + 2. * in.ball_growth;
-    for (const auto& w : waves) delta += w.amplitude * std::sin(w.order * (b_wave - (w.on_inner_race ? in.ring_angle : 0.)) + w.phase);
+    for (const auto& w : waves)
+      delta += w.amplitude * std::sin(w.order * (b_wave - (w.on_inner_race ? in.ring_angle : 0.)) + w.phase);
     U += 0.4 * g.stiffness * std::pow(std::max(delta, 0.), 2.5);
   }
   return U;
@@ -67,15 +69,20 @@ std::vector<Sample> samples(bool with_free_balls) {
   auto tight = deep_groove_row();
   tight.radial_clearance = -15 * um;
   auto pair_rows = angular_contact_pair(600.);
-  std::vector<std::pair<const char*, BallRowGeometry>> geometries = {{"deep groove, tight", tight}, {"X row 1", pair_rows[0]}, {"X row 2", pair_rows[1]}};
+  std::vector<std::pair<const char*, BallRowGeometry>> geometries = {
+      {"deep groove, tight", tight}, {"X row 1", pair_rows[0]}, {"X row 2", pair_rows[1]}};
   if (with_free_balls) geometries = {{"deep groove with clearance", deep_groove_row()}};
   for (const auto& [name, g] : geometries)
     for (int i = 0; i < 10; ++i) {
       Sample s{name, g, i % 2 ? some_waves : std::vector<RaceWave>{}, {}};
       auto& in = s.input;
       const double tilt = 2.0 * um / 42.5e-3;
-      if (with_free_balls) in.displacement = {2 * um * one(random), -22 * um, 8 * um * one(random), tilt * one(random), tilt * one(random)};
-      else in.displacement = {1 * um * one(random), 1.5 * um * one(random), 1.5 * um * one(random), 0.5 * tilt * one(random), 0.5 * tilt * one(random)};
+      if (with_free_balls)
+        in.displacement = {2 * um * one(random), -22 * um, 8 * um * one(random), tilt * one(random),
+                           tilt * one(random)};
+      else
+        in.displacement = {1 * um * one(random), 1.5 * um * one(random), 1.5 * um * one(random),
+                           0.5 * tilt * one(random), 0.5 * tilt * one(random)};
       set_cage(in, 10. * one(random));
       in.cage_speed = 700. * one(random);
       in.ring_angle = 10. * one(random);
@@ -124,11 +131,13 @@ TEST(BallRow, ForcesAndMomentsAreTheGradientOfTheEnergy) {
     ASSERT_TRUE(all_balls_carry(row, s.input)) << s.name;
     const Vector5 F = forces(row, s.input);
     for (int axis = 0; axis < 5; ++axis) {
-      const double slope = derivative([&](double h) {
-        BallRowInput moved = s.input;
-        displace(moved, axis, h);
-        return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
-      }, 1e-7);
+      const double slope = derivative(
+          [&](double h) {
+            BallRowInput moved = s.input;
+            displace(moved, axis, h);
+            return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
+          },
+          1e-7);
       EXPECT_NEAR(F[axis], -slope, 1e-8 * F.norm()) << s.name << ", component " << axis;
     }
   }
@@ -141,11 +150,13 @@ TEST(BallRow, ForcesAreTheGradientOfTheEnergyWhenSomeBallsAreFree) {
     const Vector5 F = forces(row, s.input);
     ASSERT_GT(F.norm(), 10.) << "N";
     for (int axis = 0; axis < 5; ++axis) {
-      const double slope = derivative([&](double h) {
-        BallRowInput moved = s.input;
-        displace(moved, axis, h);
-        return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
-      }, 3e-9);
+      const double slope = derivative(
+          [&](double h) {
+            BallRowInput moved = s.input;
+            displace(moved, axis, h);
+            return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
+          },
+          3e-9);
       // A ball that just touches is not smooth: 2/5 K (3e-9 m)^2.5 / 3e-9 m = 1e-3 N.
       EXPECT_NEAR(F[axis], -slope, 2e-3) << s.name << ", component " << axis;
     }
@@ -159,15 +170,18 @@ TEST(BallRow, TangentStiffnessIsSymmetric) {
     Matrix5 K;
     for (int column = 0; column < 5; ++column)
       for (int i = 0; i < 5; ++i)
-        K(i, column) = derivative([&](double h) {
-          BallRowInput moved = s.input;
-          displace(moved, column, h);
-          return -forces(row, moved)[i];
-        }, 2e-8);
+        K(i, column) = derivative(
+            [&](double h) {
+              BallRowInput moved = s.input;
+              displace(moved, column, h);
+              return -forces(row, moved)[i];
+            },
+            2e-8);
     const double largest = K.cwiseAbs().maxCoeff();
     EXPECT_LT((K - K.transpose()).cwiseAbs().maxCoeff(), 1e-9 * largest) << s.name << "\n" << K;
     Eigen::SelfAdjointEigenSolver<Matrix5> eigen(K);
-    EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-3 * largest) << s.name << ": a loaded row resists, but for a small geometric part";
+    EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-3 * largest)
+        << s.name << ": a loaded row resists, but for a small geometric part";
   }
 }
 
@@ -176,16 +190,20 @@ TEST(BallRow, GrowthForcesAreTheEnergysDerivativesByGrowth) {
     const BallRow row(s.geometry, s.waves);
     BallRowOutput out;
     row.evaluate(s.input, out);
-    const double radial = derivative([&](double h) {
-      BallRowInput moved = s.input;
-      moved.radial_growth += h;
-      return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
-    }, 1e-7);
-    const double normal = derivative([&](double h) {
-      BallRowInput moved = s.input;
-      moved.ball_growth += h;
-      return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
-    }, 5e-8);
+    const double radial = derivative(
+        [&](double h) {
+          BallRowInput moved = s.input;
+          moved.radial_growth += h;
+          return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
+        },
+        1e-7);
+    const double normal = derivative(
+        [&](double h) {
+          BallRowInput moved = s.input;
+          moved.ball_growth += h;
+          return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
+        },
+        5e-8);
     EXPECT_NEAR(out.elastic_radial, radial, 1e-8 * radial) << s.name;
     EXPECT_NEAR(2. * out.elastic_normal, normal, 1e-8 * normal) << s.name;
   }
@@ -209,7 +227,9 @@ TEST(BallRow, CageAndWavesWorkIsTheEnergysChangeWithTime) {
     EXPECT_NEAR(out.cage_power, cage, 1e-8 * scale) << s.name << " W";
     EXPECT_NEAR(out.waviness_power, waves, 1e-8 * scale) << s.name << " W";
     EXPECT_NEAR(out.cage_power + out.waviness_power, both, 1e-8 * scale) << s.name << " W";
-    if (!s.waves.empty()) { EXPECT_GT(std::fabs(out.waviness_power), 0.); }
+    if (!s.waves.empty()) {
+      EXPECT_GT(std::fabs(out.waviness_power), 0.);
+    }
   }
 }
 
@@ -224,8 +244,10 @@ TEST(BallRow, DampingIsBetaTimesTheTangentStiffness) {
   damped.evaluate(in, rest);
   in.rate.x = 1e-4;
   damped.evaluate(in, moving);
-  const double A = 0.04 * 9.525e-3, Br = A * std::cos(25 * deg), Bx = A * std::sin(25 * deg) + g.preload_offset, distance = std::hypot(Br, Bx);
-  const double sin_phi = Bx / distance, stiffness = 23 * 1.5 * g.stiffness * std::sqrt(distance - A) * sin_phi * sin_phi;
+  const double A = 0.04 * 9.525e-3, Br = A * std::cos(25 * deg), Bx = A * std::sin(25 * deg) + g.preload_offset,
+               distance = std::hypot(Br, Bx);
+  const double sin_phi = Bx / distance,
+               stiffness = 23 * 1.5 * g.stiffness * std::sqrt(distance - A) * sin_phi * sin_phi;
   const double damper = -(moving.force_x - rest.force_x);
   EXPECT_NEAR(damper / (2.5e-5 * stiffness * 1e-4), 1., 1e-9);
   EXPECT_NEAR(moving.damping_power / (damper * 1e-4), 1., 1e-9) << "what the damper takes is dissipated";
@@ -242,15 +264,19 @@ TEST(BallRow, DampingPowerIsWhatTheRatesTakeFromTheRing) {
     const auto& v = s.input.rate;
     BallRowOutput out;
     row.evaluate(s.input, out);
-    const double on_ring = out.force_x * v.x + out.force_y * v.y + out.force_z * v.z + out.moment_y * v.psi_y + out.moment_z * v.psi_z;
-    const double stored = derivative([&](double t) {
-      BallRowInput in = s.input;
-      auto& q = in.displacement;
-      q = {q.x + v.x * t, q.y + v.y * t, q.z + v.z * t, q.psi_y + v.psi_y * t, q.psi_z + v.psi_z * t};
-      return oracle_energy(s.geometry, s.waves, in, in.cage_angle);
-    }, 3e-7);
+    const double on_ring =
+        out.force_x * v.x + out.force_y * v.y + out.force_z * v.z + out.moment_y * v.psi_y + out.moment_z * v.psi_z;
+    const double stored = derivative(
+        [&](double t) {
+          BallRowInput in = s.input;
+          auto& q = in.displacement;
+          q = {q.x + v.x * t, q.y + v.y * t, q.z + v.z * t, q.psi_y + v.psi_y * t, q.psi_z + v.psi_z * t};
+          return oracle_energy(s.geometry, s.waves, in, in.cage_angle);
+        },
+        3e-7);
     EXPECT_GE(out.damping_power, 0.);
-    EXPECT_NEAR(on_ring + stored + out.damping_power, 0., 1e-8 * (std::fabs(stored) + out.damping_power)) << s.name << " W";
+    EXPECT_NEAR(on_ring + stored + out.damping_power, 0., 1e-8 * (std::fabs(stored) + out.damping_power))
+        << s.name << " W";
   }
 }
 

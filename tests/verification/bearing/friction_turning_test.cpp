@@ -16,12 +16,14 @@ using namespace rotordrop::testing;
 using TB = TouchdownBearing;
 
 double turning_angle(double mu) {
-  const auto F = [&](double a) {  // antiderivative by parts: int exp(-2 mu s) cos s = [exp(-2 mu s)(sin s - 2 mu cos s)]/(1 + 4 mu^2), and so on
-    const double e = std::exp(-2. * mu * a), q = 1. + 4. * mu * mu;
-    const double of_cos = (e * (std::sin(a) - 2. * mu * std::cos(a)) + 2. * mu) / q;
-    const double of_sin = (e * (-std::cos(a) - 2. * mu * std::sin(a)) + 1.) / q;
-    return mu * of_cos - of_sin;
-  };
+  const auto F =
+      [&](double
+              a) {  // antiderivative by parts: int exp(-2 mu s) cos s = [exp(-2 mu s)(sin s - 2 mu cos s)]/(1 + 4 mu^2), and so on
+        const double e = std::exp(-2. * mu * a), q = 1. + 4. * mu * mu;
+        const double of_cos = (e * (std::sin(a) - 2. * mu * std::cos(a)) + 2. * mu) / q;
+        const double of_sin = (e * (-std::cos(a) - 2. * mu * std::sin(a)) + 1.) / q;
+        return mu * of_cos - of_sin;
+      };
   double low = mu, high = 4. * mu;
   for (int i = 0; i < 100; ++i) {
     const double a = 0.5 * (low + high);
@@ -92,10 +94,11 @@ TEST(Friction, ClosedFormOfTheTurningAngle) {
 TEST(Friction, CarriesARotorSetDownAtTheBottomToItsTurningAngle) {
   for (const double mu : {0.05, 0.10, 0.15}) {
     const auto s = swing(mu, 1591.7);
-    printf("mu = %.2f: turns at %.3f deg (closed form %.3f), mean %.3f deg (atan mu %.3f), %.2f Hz\n", mu, s.turning, turning_angle(mu), s.mean,
-           std::atan(mu) / deg, s.frequency);
+    printf("mu = %.2f: turns at %.3f deg (closed form %.3f), mean %.3f deg (atan mu %.3f), %.2f Hz\n", mu, s.turning,
+           turning_angle(mu), s.mean, std::atan(mu) / deg, s.frequency);
     // The bore gives by 0.27 um of the 250 um under the weight, and the contact's own vibration adds as much: 0.2 %.
-    EXPECT_NEAR(s.turning, turning_angle(mu), 0.003 * turning_angle(mu)) << "deg, towards +z for spin from +y towards +z";
+    EXPECT_NEAR(s.turning, turning_angle(mu), 0.003 * turning_angle(mu))
+        << "deg, towards +z for spin from +y towards +z";
   }
 }
 

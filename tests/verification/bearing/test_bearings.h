@@ -25,8 +25,9 @@ inline BallRowGeometry row(int n_balls, double d, double d_m, double contact_ang
   g.inner_conformity = g.outer_conformity = 0.52;
   g.contact_angle = contact_angle;
   const double modulus = effective_modulus(steel, ball), projected = 0.5 * d * std::cos(contact_angle);
-  g.stiffness = stiffness_in_series(hertz_stiffness(inner_race_contact(d, 0.5 * d_m - projected, 0.52), modulus, method),
-                                    hertz_stiffness(outer_race_contact(d, 0.5 * d_m + projected, 0.52), modulus, method));
+  g.stiffness =
+      stiffness_in_series(hertz_stiffness(inner_race_contact(d, 0.5 * d_m - projected, 0.52), modulus, method),
+                          hertz_stiffness(outer_race_contact(d, 0.5 * d_m + projected, 0.52), modulus, method));
   return g;
 }
 
@@ -39,7 +40,8 @@ inline BallRowGeometry deep_groove_row() {
 
 enum class Pair { X, O, tandem };
 /// Two rows of a preloaded set, `spacing` apart.
-inline std::vector<BallRowGeometry> pair(BallRowGeometry one, double preload, Pair arrangement = Pair::X, double spacing = 16e-3) {
+inline std::vector<BallRowGeometry> pair(BallRowGeometry one, double preload, Pair arrangement = Pair::X,
+                                         double spacing = 16e-3) {
   one.preload_offset = BallRow::offset_for_axial_load(one, preload);
   std::vector<BallRowGeometry> rows(2, one);
   rows[0].position = -0.5 * spacing;

@@ -60,13 +60,15 @@ Instant random_instant(std::mt19937& random, bool in_contact) {
   y[TB::ring_angle] = 20 * one(random);
   y[TB::cage_angle] = 20 * one(random);
   y[TB::ring_spin] = 1500 * one(random);
-  const double direction = pi * one(random), distance = (in_contact ? 275 + 10 * one(random) : 150 + 50 * one(random)) * um;
+  const double direction = pi * one(random),
+               distance = (in_contact ? 275 + 10 * one(random) : 150 + 50 * one(random)) * um;
   s.in.journal.y = y[TB::ring_y] + distance * std::cos(direction);
   s.in.journal.z = y[TB::ring_z] + distance * std::sin(direction);
   s.in.journal.velocity_y = 0.5 * one(random);
   s.in.journal.velocity_z = 0.5 * one(random);
   s.in.rotor_spin = {3., 1500 * one(random)};
-  s.in.growth = {1 * um * one(random), 1 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random), 0.2 * um * one(random)};
+  s.in.growth = {1 * um * one(random), 1 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random),
+                 0.2 * um * one(random)};
   s.growth_rate = {3e-3 * one(random), 3e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random)};
   return s;
 }
@@ -91,17 +93,20 @@ std::vector<TouchdownBearingData> lively_bearings() {
 }
 
 double energy_rate(const TB& bearing, const Instant& s, const std::vector<double>& rates) {
-  return derivative([&](double t) {
-    Instant moved = s;
-    for (std::size_t i = 0; i < rates.size(); ++i) moved.y[i] += t * rates[i];
-    auto& j = moved.in.journal;
-    j.y += t * j.velocity_y;
-    j.z += t * j.velocity_z;
-    auto& g = moved.in.growth;
-    const auto& v = s.growth_rate;
-    g = {g.shaft + t * v.shaft, g.bore + t * v.bore, g.inner_race + t * v.inner_race, g.outer_race + t * v.outer_race, g.ball + t * v.ball};
-    return bearing.energy(moved.in, moved.y);
-  }, 5e-7);
+  return derivative(
+      [&](double t) {
+        Instant moved = s;
+        for (std::size_t i = 0; i < rates.size(); ++i) moved.y[i] += t * rates[i];
+        auto& j = moved.in.journal;
+        j.y += t * j.velocity_y;
+        j.z += t * j.velocity_z;
+        auto& g = moved.in.growth;
+        const auto& v = s.growth_rate;
+        g = {g.shaft + t * v.shaft, g.bore + t * v.bore, g.inner_race + t * v.inner_race,
+             g.outer_race + t * v.outer_race, g.ball + t * v.ball};
+        return bearing.energy(moved.in, moved.y);
+      },
+      5e-7);
 }
 
 TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
@@ -117,13 +122,16 @@ TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
       const auto& j = s.in.journal;
       const double work_of_rotor = -e.out.force_on_rotor.y * j.velocity_y - e.out.force_on_rotor.z * j.velocity_z -
                                    e.out.force_on_rotor.torque * s.in.rotor_spin.speed;
-      const double heat = e.out.heat.rub + e.out.heat.inner + e.out.heat.outer, growth = e.out.energy_gradient.dot(s.growth_rate);
+      const double heat = e.out.heat.rub + e.out.heat.inner + e.out.heat.outer,
+                   growth = e.out.energy_gradient.dot(s.growth_rate);
       const double dU = energy_rate(bearing, s, e.rates);
       const double residual = dU - work_of_rotor + heat + e.out.other_dissipation - e.out.prescribed_work - growth;
       double scale = std::fabs(dU);
-      for (const double P : {work_of_rotor, heat, e.out.other_dissipation, e.out.prescribed_work, growth}) scale = std::max(scale, std::fabs(P));
+      for (const double P : {work_of_rotor, heat, e.out.other_dissipation, e.out.prescribed_work, growth})
+        scale = std::max(scale, std::fabs(P));
       worst = std::max(worst, std::fabs(residual) / scale);
-      EXPECT_LT(std::fabs(residual), 1e-9 * scale + 1e-7) << data.name << (in_contact ? ", in contact" : ", apart") << " W of " << scale
+      EXPECT_LT(std::fabs(residual), 1e-9 * scale + 1e-7)
+          << data.name << (in_contact ? ", in contact" : ", apart") << " W of " << scale
           << "; 1e-7 W is roundoff of 400 J over 0.5 us";
     }
     printf("%s: worst residual %.1e of the largest power\n", data.name.c_str(), worst);
@@ -140,16 +148,18 @@ TEST(TouchdownBearing, BalancesItsPowerWithFreeBallsToo) {
   for (int i = 0; i < 30; ++i) {
     auto s = random_instant(random, true);
     const double direction = angle(random);
-    const double dy = 24 * um * std::cos(direction), dz = 24 * um * std::sin(direction);  // the ring lies in its clearance of 19 um
+    const double dy = 24 * um * std::cos(direction),
+                 dz = 24 * um * std::sin(direction);  // the ring lies in its clearance of 19 um
     s.y[TB::ring_y] += dy;
     s.y[TB::ring_z] += dz;
     s.in.journal.y += dy;
     s.in.journal.z += dz;
     const auto e = evaluate(bearing, s.in, s.y);
     const auto& j = s.in.journal;
-    const double balance = energy_rate(bearing, s, e.rates) + e.out.force_on_rotor.y * j.velocity_y + e.out.force_on_rotor.z * j.velocity_z +
-                           e.out.force_on_rotor.torque * s.in.rotor_spin.speed + e.out.heat.rub + e.out.heat.inner + e.out.heat.outer +
-                           e.out.other_dissipation - e.out.prescribed_work - e.out.energy_gradient.dot(s.growth_rate);
+    const double balance = energy_rate(bearing, s, e.rates) + e.out.force_on_rotor.y * j.velocity_y +
+                           e.out.force_on_rotor.z * j.velocity_z + e.out.force_on_rotor.torque * s.in.rotor_spin.speed +
+                           e.out.heat.rub + e.out.heat.inner + e.out.heat.outer + e.out.other_dissipation -
+                           e.out.prescribed_work - e.out.energy_gradient.dot(s.growth_rate);
     EXPECT_NEAR(balance, 0., 0.1) << "W, of some 1e4 W";
   }
 }
@@ -168,9 +178,10 @@ TEST(TouchdownBearing, DissipatesNeverLessThanNothing) {
       EXPECT_GE(e.ledger[TB::contact_damping], 0.);
       EXPECT_GE(e.ledger[TB::ball_damping], 0.);
       EXPECT_GE(e.ledger[TB::support_damping], 0.);
-      EXPECT_NEAR(e.ledger[TB::contact_damping] + e.ledger[TB::ball_damping] + e.ledger[TB::support_damping], e.out.other_dissipation,
-                  1e-12 * e.out.other_dissipation);
-      EXPECT_NEAR(e.ledger[TB::waviness_work] + e.ledger[TB::cage_work], e.out.prescribed_work, 1e-10 * (1. + std::fabs(e.out.prescribed_work)));
+      EXPECT_NEAR(e.ledger[TB::contact_damping] + e.ledger[TB::ball_damping] + e.ledger[TB::support_damping],
+                  e.out.other_dissipation, 1e-12 * e.out.other_dissipation);
+      EXPECT_NEAR(e.ledger[TB::waviness_work] + e.ledger[TB::cage_work], e.out.prescribed_work,
+                  1e-10 * (1. + std::fabs(e.out.prescribed_work)));
     }
   }
 }
@@ -183,10 +194,12 @@ TEST(TouchdownBearing, GivesTheRotorWhatRingAndSupportGet) {
       const auto s = random_instant(random, i % 2);
       const auto& y = s.y;
       const auto e = evaluate(bearing, s.in, y);
-      const double on_ring_y = d.ring_mass * (e.rates[TB::ring_vy] - d.gravity_y) + d.support_mass * e.rates[TB::support_vy] +
-                               d.support_stiffness_y * y[TB::support_y] + d.support_damping_y * y[TB::support_vy];
-      const double on_ring_z = d.ring_mass * (e.rates[TB::ring_vz] - d.gravity_z) + d.support_mass * e.rates[TB::support_vz] +
-                               d.support_stiffness_z * y[TB::support_z] + d.support_damping_z * y[TB::support_vz];
+      const double on_ring_y = d.ring_mass * (e.rates[TB::ring_vy] - d.gravity_y) +
+                               d.support_mass * e.rates[TB::support_vy] + d.support_stiffness_y * y[TB::support_y] +
+                               d.support_damping_y * y[TB::support_vy];
+      const double on_ring_z = d.ring_mass * (e.rates[TB::ring_vz] - d.gravity_z) +
+                               d.support_mass * e.rates[TB::support_vz] + d.support_stiffness_z * y[TB::support_z] +
+                               d.support_damping_z * y[TB::support_vz];
       const double scale = d.support_mass * (std::fabs(e.rates[TB::support_vy]) + std::fabs(e.rates[TB::support_vz])) +
                            std::hypot(e.out.force_on_rotor.y, e.out.force_on_rotor.z) + 1e4;
       EXPECT_NEAR(on_ring_y, -e.out.force_on_rotor.y, 1e-11 * scale) << "N";
@@ -202,19 +215,30 @@ TEST(TouchdownBearing, RubHeatIsFrictionTimesSlipAndBothTorquesHaveTheirOwnRadiu
     for (int i = 0; i < 40; ++i) {
       const auto s = random_instant(random, true);
       const auto e = evaluate(bearing, s.in, s.y);
-      const double ey = s.in.journal.y - s.y[TB::ring_y], ez = s.in.journal.z - s.y[TB::ring_z], r = std::hypot(ey, ez), ny = ey / r, nz = ez / r;
+      const double ey = s.in.journal.y - s.y[TB::ring_y], ez = s.in.journal.z - s.y[TB::ring_z], r = std::hypot(ey, ez),
+                   ny = ey / r, nz = ez / r;
       // On the ring, along t = x cross n = (-n_z, n_y): the force's part across the normal.
-      const double F_t = e.out.force_on_rotor.y * nz - e.out.force_on_rotor.z * ny, N = -e.out.force_on_rotor.y * ny - e.out.force_on_rotor.z * nz;
-      const double v_t = (s.in.journal.velocity_z - s.y[TB::ring_vz]) * ny - (s.in.journal.velocity_y - s.y[TB::ring_vy]) * nz;
+      const double F_t = e.out.force_on_rotor.y * nz - e.out.force_on_rotor.z * ny,
+                   N = -e.out.force_on_rotor.y * ny - e.out.force_on_rotor.z * nz;
+      const double v_t =
+          (s.in.journal.velocity_z - s.y[TB::ring_vz]) * ny - (s.in.journal.velocity_y - s.y[TB::ring_vy]) * nz;
       const double v_s = s.in.rotor_spin.speed * d.rotor_radius - s.y[TB::ring_spin] * d.bore_radius + v_t;
       EXPECT_NEAR(e.out.heat.rub, F_t * v_s, 1e-9 * std::fabs(F_t * v_s)) << "W";
       EXPECT_NEAR(e.out.force_on_rotor.torque, -F_t * d.rotor_radius, 1e-9 * std::fabs(F_t) * d.rotor_radius) << "N m";
       EXPECT_EQ(F_t > 0., v_s > 0.) << "friction drags the ring along";
-      const double mu = d.friction.mu + (d.friction.has_stribeck ? (d.friction.static_mu - d.friction.mu) * std::exp(-std::pow(v_s / d.friction.stribeck_speed, 2)) : 0.);
-      EXPECT_NEAR(std::fabs(F_t), mu * N * std::fabs(v_s) / std::hypot(v_s, d.friction.regularisation_speed), 1e-9 * N) << "N";
+      const double mu =
+          d.friction.mu + (d.friction.has_stribeck ? (d.friction.static_mu - d.friction.mu) *
+                                                         std::exp(-std::pow(v_s / d.friction.stribeck_speed, 2))
+                                                   : 0.);
+      EXPECT_NEAR(std::fabs(F_t), mu * N * std::fabs(v_s) / std::hypot(v_s, d.friction.regularisation_speed), 1e-9 * N)
+          << "N";
       const double M = (e.out.heat.inner + e.out.heat.outer) / s.y[TB::ring_spin];
-      EXPECT_NEAR(d.ring_spin_inertia * e.rates[TB::ring_spin], F_t * d.bore_radius - M, 1e-10 * (std::fabs(F_t) * d.bore_radius + std::fabs(M))) << "N m";
-      EXPECT_NEAR(e.ledger[TB::spin_up_drive], s.in.rotor_spin.speed * F_t * d.bore_radius, 1e-9 * std::fabs(s.in.rotor_spin.speed * F_t) * d.bore_radius) << "W";
+      EXPECT_NEAR(d.ring_spin_inertia * e.rates[TB::ring_spin], F_t * d.bore_radius - M,
+                  1e-10 * (std::fabs(F_t) * d.bore_radius + std::fabs(M)))
+          << "N m";
+      EXPECT_NEAR(e.ledger[TB::spin_up_drive], s.in.rotor_spin.speed * F_t * d.bore_radius,
+                  1e-9 * std::fabs(s.in.rotor_spin.speed * F_t) * d.bore_radius)
+          << "W";
       EXPECT_NEAR(e.ledger[TB::spin_up_centres], F_t * v_t, 1e-9 * std::fabs(F_t)) << "W";
       EXPECT_NEAR(e.ledger[TB::contact_impulse], N, 1e-9 * N) << "N";
     }
@@ -231,7 +255,8 @@ TEST(TouchdownBearing, ARotorSpinningTowardsZRollsTowardsZOnTheBottom) {
   in.rotor_spin.speed = 1591.7;
   const auto e = evaluate(bearing, in, y);
   EXPECT_GT(e.out.force_on_rotor.y, 0.) << "the floor holds it";
-  EXPECT_NEAR(e.out.force_on_rotor.z / e.out.force_on_rotor.y, 0.1, 1e-6) << "and pushes it towards +z with mu times that";
+  EXPECT_NEAR(e.out.force_on_rotor.z / e.out.force_on_rotor.y, 0.1, 1e-6)
+      << "and pushes it towards +z with mu times that";
   EXPECT_LT(e.out.force_on_rotor.torque, 0.) << "braking it";
   EXPECT_GT(e.rates[TB::ring_spin], 0.) << "while the ring spins up in the same sense";
   in.rotor_spin.speed = -1591.7;
@@ -273,7 +298,8 @@ TEST(TouchdownBearing, InternalHeatIsFrictionTorqueTimesRingSpeed) {
   pair_bearing.initial_state(y);
   y[TB::ring_spin] = 1591.7;
   const auto p = evaluate(pair_bearing, {}, y);
-  const double P = 0.9 * 290. * 2.1445069, M_pair = 2. * 0.001 * std::pow(P / 31e3, 0.33) * P * 85e-3 + drag_torque(15e-6, 1591.7, 85e-3, 0.25);
+  const double P = 0.9 * 290. * 2.1445069,
+               M_pair = 2. * 0.001 * std::pow(P / 31e3, 0.33) * P * 85e-3 + drag_torque(15e-6, 1591.7, 85e-3, 0.25);
   EXPECT_NEAR(p.out.heat.inner + p.out.heat.outer, M_pair * 1591.7, 1e-6 * M_pair * 1591.7) << "W";
 }
 
@@ -288,9 +314,12 @@ TEST(TouchdownBearing, SpinMomentsAddTheirPowerIfAsked) {
   plain.initial_state(y);
   y[TB::ring_spin] = 1000.;
   const auto a = evaluate(plain, {}, y), b = evaluate(spinning, {}, y);
-  const double A = 0.04 * 9.525e-3, Bx = A * std::sin(25 * deg) + d.rows[0].preload_offset, B = std::hypot(A * std::cos(25 * deg), Bx), Q = 290. / 23. * B / Bx;
+  const double A = 0.04 * 9.525e-3, Bx = A * std::sin(25 * deg) + d.rows[0].preload_offset,
+               B = std::hypot(A * std::cos(25 * deg), Bx), Q = 290. / 23. * B / Bx;
   const double M_s = 3. / 8. * 0.1 * Q * 6e-5 * std::cbrt(Q) * 1.02;
-  EXPECT_NEAR(b.out.heat.inner + b.out.heat.outer - a.out.heat.inner - a.out.heat.outer, 46. * M_s * 1000. * std::sin(25 * deg), 1e-6 * 46. * M_s * 1000.) << "W";
+  EXPECT_NEAR(b.out.heat.inner + b.out.heat.outer - a.out.heat.inner - a.out.heat.outer,
+              46. * M_s * 1000. * std::sin(25 * deg), 1e-6 * 46. * M_s * 1000.)
+      << "W";
 }
 
 TEST(TouchdownBearing, StartsAtRestInEquilibrium) {
@@ -302,7 +331,8 @@ TEST(TouchdownBearing, StartsAtRestInEquilibrium) {
     EXPECT_NEAR(e.rates[TB::ring_vy], 0., 1e-6 * 9.81) << "m/s2, " << d.name;
     EXPECT_NEAR(e.rates[TB::ring_vz], 0., 1e-6 * 9.81) << "m/s2";
     EXPECT_NEAR(e.rates[TB::support_vy], 0., 1e-6 * 9.81) << "m/s2";
-    EXPECT_NEAR(y[TB::support_y], -d.ring_mass * 9.81 / d.support_stiffness_y, 1e-18) << "m: the support carries the ring";
+    EXPECT_NEAR(y[TB::support_y], -d.ring_mass * 9.81 / d.support_stiffness_y, 1e-18)
+        << "m: the support carries the ring";
   }
   std::vector<double> y(TB::n_state);
   auto d = touchdown("TB1", {deep_groove_row()});

@@ -21,9 +21,9 @@ using namespace rotordrop::testing;
 using Complex = std::complex<double>;
 
 struct Response {
-  double axial;                // amplitude of the axial force over a ring turn [N]
-  double radial;               // largest radial force over a ring turn [N]
-  Complex forward, backward;   // of F_y + i F_z: parts that turn +m and -m times per ring turn [N]
+  double axial;               // amplitude of the axial force over a ring turn [N]
+  double radial;              // largest radial force over a ring turn [N]
+  Complex forward, backward;  // of F_y + i F_z: parts that turn +m and -m times per ring turn [N]
 };
 
 Response response(const BallRowGeometry& g, int order, double amplitude, double cage_angle, bool inner) {
@@ -55,14 +55,18 @@ Response response(const BallRowGeometry& g, int order, double amplitude, double 
 TEST(Waviness, OfTheInnerRaceExcitesOnlyOrdersNextToMultiplesOfTheBallCount) {
   const auto g = angular_contact_pair(290.)[1];
   const int Z = g.n_balls;
-  const double A = 0.04 * 9.525e-3, Br = A * std::cos(25 * deg), Bx = A * std::sin(25 * deg) + g.preload_offset, B = std::hypot(Br, Bx);
+  const double A = 0.04 * 9.525e-3, Br = A * std::cos(25 * deg), Bx = A * std::sin(25 * deg) + g.preload_offset,
+               B = std::hypot(Br, Bx);
   const double delta_0 = B - A, amplitude = 1e-7 * delta_0, f = 1.5 * g.stiffness * std::sqrt(delta_0) * amplitude;
   const double axial = Z * f * Bx / B, radial = 0.5 * Z * f * Br / B;
   for (const double cage_angle : {0., 0.4, 2.9})
     for (int m = 1; m <= 3 * Z; ++m) {
       const auto r = response(g, m, amplitude, cage_angle, true);
-      if (m % Z == 0) { EXPECT_NEAR(r.axial, axial, 2e-4 * axial) << "order " << m << ": largest of 720 places"; }
-      else { EXPECT_LT(r.axial, 1e-6 * axial) << "order " << m; }
+      if (m % Z == 0) {
+        EXPECT_NEAR(r.axial, axial, 2e-4 * axial) << "order " << m << ": largest of 720 places";
+      } else {
+        EXPECT_LT(r.axial, 1e-6 * axial) << "order " << m;
+      }
       const bool above = m % Z == 1, below = m % Z == Z - 1;
       EXPECT_NEAR(std::abs(r.forward), above ? radial : 0., 1e-6 * radial) << "order " << m;
       EXPECT_NEAR(std::abs(r.backward), below ? radial : 0., 1e-6 * radial) << "order " << m;
@@ -73,7 +77,8 @@ TEST(Waviness, OfTheInnerRaceExcitesOnlyOrdersNextToMultiplesOfTheBallCount) {
 TEST(Waviness, OfTheOuterRaceExcitesTheSameOrdersAsTheCageTurns) {
   const auto g = angular_contact_pair(290.)[0];
   const int Z = g.n_balls;
-  const double A = 0.04 * 9.525e-3, delta_0 = std::hypot(A * std::cos(25 * deg), A * std::sin(25 * deg) + g.preload_offset) - A;
+  const double A = 0.04 * 9.525e-3,
+               delta_0 = std::hypot(A * std::cos(25 * deg), A * std::sin(25 * deg) + g.preload_offset) - A;
   const double amplitude = 1e-7 * delta_0, f = 1.5 * g.stiffness * std::sqrt(delta_0) * amplitude;
   for (int m = 1; m <= 2 * Z + 1; ++m) {
     const auto r = response(g, m, amplitude, 0., false);

@@ -14,10 +14,14 @@ namespace {
 HeatConductionProblem ring_in_housing() {
   HeatConductionProblem p;
   const PropertyTable k({{293., 46.}, {400., 43.}, {600., 38.}}), c({{293., 460.}, {330., 480.}, {600., 560.}});
-  p.bodies = {{"ring", {0., 20e-3}, {35e-3, 40e-3}, 7800., k, c}, {"housing", {-5e-3, 25e-3}, {40e-3, 60e-3}, 7100., PropertyTable(40.), PropertyTable(500.)}};
+  p.bodies = {{"ring", {0., 20e-3}, {35e-3, 40e-3}, 7800., k, c},
+              {"housing", {-5e-3, 25e-3}, {40e-3, 60e-3}, 7100., PropertyTable(40.), PropertyTable(500.)}};
   p.interfaces = {{{0, HeatSide::outer}, {1, HeatSide::inner}, 1e-4}};
-  p.fluxes = {{{0, HeatSide::inner}, {0., 2e-3, 10e-3, 11e-3}, {3e7, 0., 5e7, 2e5}}, {{0, HeatSide::left}, {5e-3}, {1e5}}};
-  p.convections = {{{1, HeatSide::outer}, 23., 0.25, 293.15}, {{1, HeatSide::inner}, 40., 0., 293.15}, {{0, HeatSide::right}, 300., 1., 293.15}};
+  p.fluxes = {{{0, HeatSide::inner}, {0., 2e-3, 10e-3, 11e-3}, {3e7, 0., 5e7, 2e5}},
+              {{0, HeatSide::left}, {5e-3}, {1e5}}};
+  p.convections = {{{1, HeatSide::outer}, 23., 0.25, 293.15},
+                   {{1, HeatSide::inner}, 40., 0., 293.15},
+                   {{0, HeatSide::right}, 300., 1., 293.15}};
   return p;
 }
 
@@ -26,7 +30,8 @@ TEST(HeatEnergy, ClosesWithTablesPowerLawsAndPulses) {
   for (const double t : {1e-3, 2e-3, 12e-3, 0.3, 20.}) {
     solver->advance_to(t);
     const HeatEnergy e = solver->energy();
-    std::printf("  t = %6.3f s: input %12.6f J, stored %12.6f J, lost %12.8f J, residual/input %8.1e\n", t, e.input, e.stored, e.lost, e.residual() / e.input);
+    std::printf("  t = %6.3f s: input %12.6f J, stored %12.6f J, lost %12.8f J, residual/input %8.1e\n", t, e.input,
+                e.stored, e.lost, e.residual() / e.input);
     EXPECT_LT(std::fabs(e.residual()), 1e-10 * e.input);
   }
   // By hand: bore 2 pi 35 mm 20 mm, left face pi (40^2 - 35^2) mm^2.
@@ -35,7 +40,8 @@ TEST(HeatEnergy, ClosesWithTablesPowerLawsAndPulses) {
   EXPECT_NEAR(solver->energy().input, expected, 1e-11 * expected);
   EXPECT_GT(solver->energy().lost, 0.);
   const auto s = solver->statistics();
-  std::printf("  %zu unknowns, %ld steps (%ld rejected), %ld factorisations, %ld solves\n", s.unknowns, s.steps, s.rejected_steps, s.factorisations, s.solves);
+  std::printf("  %zu unknowns, %ld steps (%ld rejected), %ld factorisations, %ld solves\n", s.unknowns, s.steps,
+              s.rejected_steps, s.factorisations, s.solves);
 }
 
 TEST(HeatEnergy, FluxAndConvectionSpareWhatAnInterfaceCovers) {

@@ -18,17 +18,22 @@
 namespace rotordrop {
 namespace {
 
-using std::numbers::pi;
 using boost::math::cyl_bessel_j;
 using boost::math::cyl_neumann;
+using std::numbers::pi;
 
 struct Cylinder {
   double a = 35e-3, b = 50e-3, k = 46., rho = 7800., c = 460., q = 1e6, h = 2000.;
   [[nodiscard]] double diffusivity() const { return k / (rho * c); }
   [[nodiscard]] double time(double fourier) const { return fourier * (b - a) * (b - a) / diffusivity(); }
 
-  [[nodiscard]] double R(double beta, double r) const { return cyl_bessel_j(0, beta * r) * cyl_neumann(1, beta * a) - cyl_neumann(0, beta * r) * cyl_bessel_j(1, beta * a); }
-  [[nodiscard]] double dR(double beta, double r) const { return -beta * (cyl_bessel_j(1, beta * r) * cyl_neumann(1, beta * a) - cyl_neumann(1, beta * r) * cyl_bessel_j(1, beta * a)); }
+  [[nodiscard]] double R(double beta, double r) const {
+    return cyl_bessel_j(0, beta * r) * cyl_neumann(1, beta * a) - cyl_neumann(0, beta * r) * cyl_bessel_j(1, beta * a);
+  }
+  [[nodiscard]] double dR(double beta, double r) const {
+    return -beta * (cyl_bessel_j(1, beta * r) * cyl_neumann(1, beta * a) -
+                    cyl_neumann(1, beta * r) * cyl_bessel_j(1, beta * a));
+  }
   [[nodiscard]] std::vector<double> roots(std::size_t n) const {
     const auto f = [&](double beta) { return k * dR(beta, b) + h * R(beta, b); };
     std::vector<double> found;
@@ -85,7 +90,8 @@ TEST(HollowCylinder, FollowsTheEigenfunctionSeriesTo1e5OfTheBoresRise) {
     EXPECT_LT(std::fabs(e.residual()), 1e-10 * e.input);
   }
   const auto s = solver->statistics();
-  std::printf("  %zu unknowns, %ld steps (%ld rejected), %ld factorisations\n", s.unknowns, s.steps, s.rejected_steps, s.factorisations);
+  std::printf("  %zu unknowns, %ld steps (%ld rejected), %ld factorisations\n", s.unknowns, s.steps, s.rejected_steps,
+              s.factorisations);
 }
 
 // The same after a pulse: superposition of the flux and, from its end on, of its negative.
@@ -101,7 +107,8 @@ TEST(HollowCylinder, ForgetsAPulseAsTheSeriesDoes) {
     solver->advance_to(t);
     for (const double r : {c.a, 0.5 * (c.a + c.b), c.b}) {
       const double later = t > end ? c.rise(r, t - end, betas) : 0.;
-      EXPECT_NEAR(solver->temperature(0, 3e-3, r) - 293.15, c.rise(r, t, betas) - later, 1e-5 * c.rise(c.a, end, betas)) << "Fourier " << fourier;
+      EXPECT_NEAR(solver->temperature(0, 3e-3, r) - 293.15, c.rise(r, t, betas) - later, 1e-5 * c.rise(c.a, end, betas))
+          << "Fourier " << fourier;
     }
   }
   EXPECT_LT(std::fabs(solver->energy().residual()), 1e-10 * solver->energy().input);

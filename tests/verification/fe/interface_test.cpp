@@ -24,11 +24,20 @@ TEST(Interfaces, WithoutResistanceMakeOneBodyOfItsPieces) {
 
   HeatConductionProblem cut = whole;
   cut.numerics.cells = 10;
-  cut.bodies = {piece("a", 0., 12e-3, 30e-3, 38e-3), piece("b", 12e-3, 20e-3, 30e-3, 38e-3), piece("c", 0., 12e-3, 38e-3, 50e-3), piece("d", 12e-3, 20e-3, 38e-3, 50e-3)};
-  cut.interfaces = {{{0, HeatSide::right}, {1, HeatSide::left}, none}, {{3, HeatSide::left}, {2, HeatSide::right}, none},
-                    {{0, HeatSide::outer}, {2, HeatSide::inner}, none}, {{3, HeatSide::inner}, {1, HeatSide::outer}, none}};
-  cut.fluxes = {{{0, HeatSide::left}, {0.}, {4e5}}, {{2, HeatSide::left}, {0.}, {4e5}}, {{0, HeatSide::inner}, {0., 0.5}, {3e5, 0.}}, {{1, HeatSide::inner}, {0., 0.5}, {3e5, 0.}}};
-  cut.convections = {{{2, HeatSide::outer}, 500., 0., 293.15}, {{3, HeatSide::outer}, 500., 0., 293.15}, {{1, HeatSide::right}, 900., 0., 293.15}, {{3, HeatSide::right}, 900., 0., 293.15}};
+  cut.bodies = {piece("a", 0., 12e-3, 30e-3, 38e-3), piece("b", 12e-3, 20e-3, 30e-3, 38e-3),
+                piece("c", 0., 12e-3, 38e-3, 50e-3), piece("d", 12e-3, 20e-3, 38e-3, 50e-3)};
+  cut.interfaces = {{{0, HeatSide::right}, {1, HeatSide::left}, none},
+                    {{3, HeatSide::left}, {2, HeatSide::right}, none},
+                    {{0, HeatSide::outer}, {2, HeatSide::inner}, none},
+                    {{3, HeatSide::inner}, {1, HeatSide::outer}, none}};
+  cut.fluxes = {{{0, HeatSide::left}, {0.}, {4e5}},
+                {{2, HeatSide::left}, {0.}, {4e5}},
+                {{0, HeatSide::inner}, {0., 0.5}, {3e5, 0.}},
+                {{1, HeatSide::inner}, {0., 0.5}, {3e5, 0.}}};
+  cut.convections = {{{2, HeatSide::outer}, 500., 0., 293.15},
+                     {{3, HeatSide::outer}, 500., 0., 293.15},
+                     {{1, HeatSide::right}, 900., 0., 293.15},
+                     {{3, HeatSide::right}, 900., 0., 293.15}};
 
   const auto one = make_solver(whole), four = make_solver(cut);
   for (const double t : {0.1, 0.5, 3.}) {
@@ -39,8 +48,11 @@ TEST(Interfaces, WithoutResistanceMakeOneBodyOfItsPieces) {
     const struct {
       std::size_t body;
       double x, r;
-    } points[] = {{0, 0., 30e-3}, {0, 12e-3, 38e-3}, {1, 12e-3, 38e-3}, {2, 12e-3, 38e-3}, {3, 12e-3, 38e-3}, {1, 20e-3, 33e-3}, {2, 5e-3, 44e-3}, {3, 16e-3, 50e-3}};
-    for (const auto& p : points) EXPECT_NEAR(four->temperature(p.body, p.x, p.r), one->temperature(0, p.x, p.r), 1e-4 * rise) << p.body << " at " << p.x << ", " << p.r << ", t = " << t;
+    } points[] = {{0, 0., 30e-3},    {0, 12e-3, 38e-3}, {1, 12e-3, 38e-3}, {2, 12e-3, 38e-3},
+                  {3, 12e-3, 38e-3}, {1, 20e-3, 33e-3}, {2, 5e-3, 44e-3},  {3, 16e-3, 50e-3}};
+    for (const auto& p : points)
+      EXPECT_NEAR(four->temperature(p.body, p.x, p.r), one->temperature(0, p.x, p.r), 1e-4 * rise)
+          << p.body << " at " << p.x << ", " << p.r << ", t = " << t;
     EXPECT_NEAR(four->energy().input, one->energy().input, 1e-12 * one->energy().input);
     EXPECT_NEAR(four->energy().lost, one->energy().lost, 1e-5 * one->energy().input);
     EXPECT_LT(std::fabs(four->energy().residual()), 1e-10 * four->energy().input);

@@ -28,7 +28,8 @@ struct Body {
   [[nodiscard]] double k(double T) const { return k_0 * (1. + beta * (T - T_r)); }
   [[nodiscard]] double c(double T) const { return c_0 + c_1 * (T - T_r); }
 };
-const Body bodies[2] = {{46., -6e-4, 460., 0.4, 7800., 5e5, T_20 + R * q_0, 1. + R* q_1}, {20., 1.5e-3, 700., 0.9, 4000., 1e5, T_20, 1.}};
+const Body bodies[2] = {{46., -6e-4, 460., 0.4, 7800., 5e5, T_20 + R* q_0, 1. + R* q_1},
+                        {20., 1.5e-3, 700., 0.9, 4000., 1e5, T_20, 1.}};
 
 double s_of(double x, double t) { return S * std::cos(w * x + 0.4) * std::exp(-t / tau); }
 double s_x_of(double x, double t) { return -w * S * std::sin(w * x + 0.4) * std::exp(-t / tau); }
@@ -54,12 +55,21 @@ HeatConductionProblem manufactured(int degree, int cells) {
   const std::array<double, 2> r[2] = {{30e-3, m}, {m, 70e-3}};
   for (std::size_t i = 0; i < 2; ++i) {
     const Body& b = bodies[i];
-    p.bodies.push_back({i == 0 ? "ring" : "housing", {0., length}, r[i], b.rho, table([&](double T) { return b.k(T); }), table([&](double T) { return b.c(T); })});
-    p.fluxes.push_back({{i, HeatSide::left}, {}, {}, [i](double x, double y, double t) { return -exact(i, x, y, t).theta_x; }});
-    p.fluxes.push_back({{i, HeatSide::right}, {}, {}, [i](double x, double y, double t) { return exact(i, x, y, t).theta_x; }});
+    p.bodies.push_back({i == 0 ? "ring" : "housing",
+                        {0., length},
+                        r[i],
+                        b.rho,
+                        table([&](double T) { return b.k(T); }),
+                        table([&](double T) { return b.c(T); })});
+    p.fluxes.push_back(
+        {{i, HeatSide::left}, {}, {}, [i](double x, double y, double t) { return -exact(i, x, y, t).theta_x; }});
+    p.fluxes.push_back(
+        {{i, HeatSide::right}, {}, {}, [i](double x, double y, double t) { return exact(i, x, y, t).theta_x; }});
   }
-  p.fluxes.push_back({{0, HeatSide::inner}, {}, {}, [](double x, double y, double t) { return -exact(0, x, y, t).theta_r; }});
-  p.fluxes.push_back({{1, HeatSide::outer}, {}, {}, [](double x, double y, double t) { return exact(1, x, y, t).theta_r; }});
+  p.fluxes.push_back(
+      {{0, HeatSide::inner}, {}, {}, [](double x, double y, double t) { return -exact(0, x, y, t).theta_r; }});
+  p.fluxes.push_back(
+      {{1, HeatSide::outer}, {}, {}, [](double x, double y, double t) { return exact(1, x, y, t).theta_r; }});
   p.interfaces = {{{0, HeatSide::outer}, {1, HeatSide::inner}, R}};
   p.initial_temperature = T_20;
   p.initial_field = [](std::size_t i, double x, double y) { return exact(i, x, y, 0.).T; };
@@ -85,7 +95,9 @@ TEST(HeatOfTwoMaterials, ConvergesInSpaceWithOneOrderMoreThanTheDegree) {
       const double error = error_at(*solver, 0.2);
       const double order = last > 0. ? std::log2(last / error) : 0.;
       std::printf("           %5d  %18.3e  %5.2f\n", cells, error, order);
-      if (cells == 12) { EXPECT_GT(order, degree + 0.85); }
+      if (cells == 12) {
+        EXPECT_GT(order, degree + 0.85);
+      }
       last = error;
     }
   }
@@ -101,7 +113,9 @@ TEST(HeatOfTwoMaterials, ConvergesInTimeWithOrderThreeOrBetter) {
     const double error = error_at(*solver, 0.2);
     const double order = last > 0. ? std::log2(last / error) : 0.;
     std::printf("  %8.4f   %18.3e  %5.2f\n", step, error, order);
-    if (last > 0.) { EXPECT_GT(order, 3.); }
+    if (last > 0.) {
+      EXPECT_GT(order, 3.);
+    }
     last = error;
   }
 }

@@ -21,7 +21,10 @@ namespace {
 class KnownSolution : public OdeSystem {
  public:
   static constexpr double w = 3.;
-  KnownSolution() { layout_.add_block("part", {{"cosine", "m", 1.}, {"sine", "m/s", 3.}, {"parabola", "1", 1.}, {"hyperbola", "1", 1.}}); }
+  KnownSolution() {
+    layout_.add_block("part",
+                      {{"cosine", "m", 1.}, {"sine", "m/s", 3.}, {"parabola", "1", 1.}, {"hyperbola", "1", 1.}});
+  }
   [[nodiscard]] const StateLayout& layout() const override { return layout_; }
   void initial_state(std::span<double> y) const override { exact(0., y); }
   void rhs(double t, std::span<const double> y, std::span<double> dydt) const override {
@@ -83,8 +86,9 @@ TEST_P(ErrorControlled, ErrorFallsWithTheTolerance) {
   const KnownSolution system;
   double before = 1.;
   for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
-    const double error = error_at_end(system, {GetParam(), 1., tolerance}, 1.);  // the bound is the whole interval: the tolerance decides
-    EXPECT_LT(error, 100. * tolerance);  // global over local error: about the number of steps
+    const double error = error_at_end(system, {GetParam(), 1., tolerance},
+                                      1.);  // the bound is the whole interval: the tolerance decides
+    EXPECT_LT(error, 100. * tolerance);     // global over local error: about the number of steps
     EXPECT_LE(error, before);
     before = error;
   }
@@ -105,7 +109,8 @@ TEST_P(ErrorControlled, StepsNoLongerThanTheBound) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, ErrorControlled,
-                         testing::Values(IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8, IntegrationMethod::adams));
+                         testing::Values(IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8,
+                                         IntegrationMethod::adams));
 
 class AnyMethod : public testing::TestWithParam<IntegrationMethod> {};
 
@@ -188,8 +193,8 @@ TEST_P(AnyMethod, ExceptionsComeOutOfTheIntegratorAsTheyWentIn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, AnyMethod,
-                         testing::Values(IntegrationMethod::runge_kutta_4, IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8,
-                                         IntegrationMethod::adams));
+                         testing::Values(IntegrationMethod::runge_kutta_4, IntegrationMethod::dormand_prince,
+                                         IntegrationMethod::fehlberg_8, IntegrationMethod::adams));
 
 TEST(WorstComponents, AreNamedWithTheirSharesOfTheSquaredNorm) {
   StateLayout layout;

@@ -25,7 +25,8 @@ struct Sample {
 
 class Drop {
  public:
-  explicit Drop(const std::vector<std::string>& overrides, const std::string& file = "neisi2019.toml") : machine(reference_machine(overrides, file)) {}
+  explicit Drop(const std::vector<std::string>& overrides, const std::string& file = "neisi2019.toml")
+      : machine(reference_machine(overrides, file)) {}
 
   void to(double end_time) {
     const auto& system = *machine;
@@ -95,7 +96,8 @@ TEST(FirstImpact, RotorFallsThroughTheGapIn7Point14Milliseconds) {
   for (const std::size_t bearing : {0u, 1u}) {
     const auto [t, v] = run.first_contact(bearing);
     printf("bearing %zu touches at %.5f ms with %.5f m/s\n", bearing + 1, t * 1e3, v);
-    EXPECT_NEAR(t, fall_time(0.), 2e-8) << "s; the penetration is interpolated within a step of 5 us: 3e-11 m at 0.07 m/s";
+    EXPECT_NEAR(t, fall_time(0.), 2e-8)
+        << "s; the penetration is interpolated within a step of 5 us: 3e-11 m at 0.07 m/s";
     EXPECT_NEAR(v, -0.0700, 0.0001) << "m/s";
   }
 }
@@ -112,7 +114,8 @@ TEST(FirstImpact, RotorWithMassProportionalDampingFallsIn7Point40Milliseconds) {
   Drop run({"rotor.unbalance=[]"}, "neisi2019-settling.toml");
   run.to(7.6e-3);
   for (const std::size_t bearing : {0u, 1u}) {
-    printf("bearing %zu touches at %.5f ms, closed form %.5f ms\n", bearing + 1, run.first_contact(bearing).first * 1e3, fall_time(30.) * 1e3);
+    printf("bearing %zu touches at %.5f ms, closed form %.5f ms\n", bearing + 1, run.first_contact(bearing).first * 1e3,
+           fall_time(30.) * 1e3);
     EXPECT_NEAR(run.first_contact(bearing).first, fall_time(30.), 2e-8) << "s";
   }
 }
@@ -121,11 +124,16 @@ TEST(FirstImpact, PeakForceAndPeakHeatBelongTogether) {
   Drop run({});
   run.to(9e-3);
   for (const std::size_t bearing : {0u, 1u}) {
-    const auto strongest = *std::max_element(run.samples.begin(), run.samples.end(), [&](const Sample& a, const Sample& b) { return a.force[bearing] < b.force[bearing]; });
-    const auto hottest = *std::max_element(run.samples.begin(), run.samples.end(), [&](const Sample& a, const Sample& b) { return a.heat[bearing] < b.heat[bearing]; });
+    const auto strongest =
+        *std::max_element(run.samples.begin(), run.samples.end(),
+                          [&](const Sample& a, const Sample& b) { return a.force[bearing] < b.force[bearing]; });
+    const auto hottest =
+        *std::max_element(run.samples.begin(), run.samples.end(),
+                          [&](const Sample& a, const Sample& b) { return a.heat[bearing] < b.heat[bearing]; });
     const double slip = strongest.rotor_speed * 34.75e-3 - strongest.ring_speed[bearing] * 35e-3;
-    printf("bearing %zu: %.0f N at %.3f ms, slip %.2f m/s, %.0f W; hottest %.0f W at %.3f ms\n", bearing + 1, strongest.force[bearing], strongest.time * 1e3, slip,
-           strongest.heat[bearing], hottest.heat[bearing], hottest.time * 1e3);
+    printf("bearing %zu: %.0f N at %.3f ms, slip %.2f m/s, %.0f W; hottest %.0f W at %.3f ms\n", bearing + 1,
+           strongest.force[bearing], strongest.time * 1e3, slip, strongest.heat[bearing], hottest.heat[bearing],
+           hottest.time * 1e3);
     EXPECT_GT(strongest.force[bearing], 1000.) << "N: there was an impact";
     // The centres' tangential speed, some 0.01 m/s of 55, is left out here.
     EXPECT_NEAR(strongest.heat[bearing], 0.1 * strongest.force[bearing] * slip, 2e-3 * strongest.heat[bearing]) << "W";
@@ -143,7 +151,8 @@ TEST(FirstImpact, SpinUpHeatIsThatOfItsBalance) {
     const double J = i == 0 ? 3.4e-4 : 3.9e-4, omega = run.samples.back().ring_speed[i];
     const double balance = 34.75 / 35. * ledger("spin-up drive") - 0.5 * J * omega * omega - ledger("inner heat") -
                            ledger("outer heat") + ledger("spin-up centres");
-    printf("bearing %zu: ring at %.1f rad/s, rub heat %.5f J, by its balance %.5f J\n", i + 1, omega, ledger("rub heat"), balance);
+    printf("bearing %zu: ring at %.1f rad/s, rub heat %.5f J, by its balance %.5f J\n", i + 1, omega,
+           ledger("rub heat"), balance);
     EXPECT_GT(omega, 100.) << "rad/s";
     EXPECT_NEAR(balance / ledger("rub heat"), 1., 1e-6) << "the step's error";
   }
@@ -153,8 +162,10 @@ TEST(FirstImpact, EveryJouleIsFoundAfterThirtyMilliseconds) {
   Drop run({"bearings.TB2.waviness=[{ surface = \"inner_race\", order = 2, amplitude = \"2 um\" }]"});
   run.to(30e-3);
   const auto b = run.machine->energy_balance(30e-3, run.state);
-  printf("dissipated %.4f J, growth work %.3g J, prescribed %.3g J, unbalance %.3g J, residual %.2g J; heat residual %.2g J\n", b.dissipated, b.growth_work,
-         b.prescribed_work, b.unbalance_work, b.residual, b.heat_residual);
+  printf(
+      "dissipated %.4f J, growth work %.3g J, prescribed %.3g J, unbalance %.3g J, residual %.2g J; heat residual %.2g "
+      "J\n",
+      b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work, b.residual, b.heat_residual);
   EXPECT_GT(b.dissipated, 50.) << "J";
   EXPECT_NEAR(b.residual, 0., 1e-6 * b.dissipated) << "J: the step's error";
   EXPECT_NEAR(b.heat_residual, 0., 1e-9 * b.heat_deposited) << "J: roundoff, whatever the step";

@@ -21,11 +21,18 @@ using namespace rotordrop::testing;
 
 // All balls loaded, so that the energy is smooth; waves on every surface, unbalance a thousandfold, a brake, damping, Jaeger's share.
 const std::vector<std::string> lively = {
-    "bearings.TB1.radial_clearance=\"-12 um\"", "bearings.TB2.preload=\"900 N\"", "rotor.mass_proportional_alpha=30", "rotor.modal_damping=0.02",
-    "rotor.unbalance=[{ node = 5, me = \"1.07e-3 kg m\", angle = \"180 deg\" }, { node = 16, me = \"2.78e-3 kg m\", angle = \"20 deg\" }]",
-    "bearings.TB1.waviness=[{ surface = \"inner_race\", order = 2, amplitude = \"0.4 um\" }, { surface = \"bore\", order = 3, amplitude = \"2 um\" }]",
+    "bearings.TB1.radial_clearance=\"-12 um\"",
+    "bearings.TB2.preload=\"900 N\"",
+    "rotor.mass_proportional_alpha=30",
+    "rotor.modal_damping=0.02",
+    "rotor.unbalance=[{ node = 5, me = \"1.07e-3 kg m\", angle = \"180 deg\" }, { node = 16, me = \"2.78e-3 kg m\", "
+    "angle = \"20 deg\" }]",
+    "bearings.TB1.waviness=[{ surface = \"inner_race\", order = 2, amplitude = \"0.4 um\" }, { surface = \"bore\", "
+    "order = 3, amplitude = \"2 um\" }]",
     "bearings.TB2.waviness=[{ surface = \"outer_race\", order = 23, amplitude = \"0.3 um\", phase = 1.0 }]",
-    "bearings.load_law=\"equivalent\"", "thermal.heat_share=\"jaeger\"", "run.gravity=[0, -9.81, 1.3]"};
+    "bearings.load_law=\"equivalent\"",
+    "thermal.heat_share=\"jaeger\"",
+    "run.gravity=[0, -9.81, 1.3]"};
 
 struct Balance {
   double rate, scale;  // of what is not accounted for; of the largest power [W]
@@ -34,11 +41,13 @@ struct Balance {
 Balance mechanical_balance(const Machine& machine, const std::vector<double>& y, double t = 0.) {
   std::vector<double> dydt(y.size());
   machine.rhs(t, y, dydt);
-  const double dE = derivative([&](double s) {
-    auto moved = y;
-    for (std::size_t i = 0; i < y.size(); ++i) moved[i] += s * dydt[i];
-    return machine.mechanical_energy(t + s, moved);
-  }, 1e-6);
+  const double dE = derivative(
+      [&](double s) {
+        auto moved = y;
+        for (std::size_t i = 0; i < y.size(); ++i) moved[i] += s * dydt[i];
+        return machine.mechanical_energy(t + s, moved);
+      },
+      1e-6);
   const auto rate = [&](const std::string& name) { return dydt[entry(machine, name)]; };
   double sum = dE, scale = std::fabs(dE);
   const auto book = [&](double sign, double power) {
@@ -46,7 +55,8 @@ Balance mechanical_balance(const Machine& machine, const std::vector<double>& y,
     scale = std::max(scale, std::fabs(power));
   };
   for (const std::string bearing : {"TB1", "TB2"}) {
-    for (const char* taken : {"rub heat", "inner heat", "outer heat", "other dissipation"}) book(1., rate(bearing + " ledger/" + taken));
+    for (const char* taken : {"rub heat", "inner heat", "outer heat", "other dissipation"})
+      book(1., rate(bearing + " ledger/" + taken));
     for (const char* given : {"prescribed work", "growth work"}) book(-1., rate(bearing + " ledger/" + given));
   }
   book(1., rate("energy/rotor damping"));
@@ -85,9 +95,11 @@ TEST(MachineEnergy, EveryTermMattersInTheStatesTested) {
     for (std::size_t k = 0; k < y.size(); ++k) largest[k] = std::max(largest[k], std::fabs(dydt[k]));
     scale = std::max(scale, mechanical_balance(*machine, y).scale);
   }
-  for (const char* name : {"TB1 ledger/rub heat", "TB1 ledger/inner heat", "TB1 ledger/outer heat", "TB1 ledger/other dissipation", "TB1 ledger/prescribed work",
-                           "TB1 ledger/growth work", "TB2 ledger/rub heat", "TB2 ledger/inner heat", "TB2 ledger/outer heat", "TB2 ledger/other dissipation",
-                           "TB2 ledger/prescribed work", "TB2 ledger/growth work", "energy/rotor damping", "energy/unbalance work"}) {
+  for (const char* name :
+       {"TB1 ledger/rub heat", "TB1 ledger/inner heat", "TB1 ledger/outer heat", "TB1 ledger/other dissipation",
+        "TB1 ledger/prescribed work", "TB1 ledger/growth work", "TB2 ledger/rub heat", "TB2 ledger/inner heat",
+        "TB2 ledger/outer heat", "TB2 ledger/other dissipation", "TB2 ledger/prescribed work", "TB2 ledger/growth work",
+        "energy/rotor damping", "energy/unbalance work"}) {
     printf("%-32s up to %10.3g W\n", name, largest[entry(*machine, name)]);
     EXPECT_GT(largest[entry(*machine, name)], 1e-6 * scale) << name;
   }
@@ -121,7 +133,8 @@ TEST(MachineEnergy, HeatIsStoredOrLost) {
     machine->rhs(0., y, dydt);
     double heat = 0.;
     for (const std::string bearing : {"TB1", "TB2"})
-      for (const char* port : {"rub heat", "inner heat", "outer heat"}) heat += dydt[entry(*machine, bearing + " ledger/" + port)];
+      for (const char* port : {"rub heat", "inner heat", "outer heat"})
+        heat += dydt[entry(*machine, bearing + " ledger/" + port)];
     // Linear in the temperatures: the difference over one second along the rates is the rate.
     auto later = y;
     for (std::size_t k = 0; k < y.size(); ++k) later[k] += dydt[k];
@@ -136,8 +149,10 @@ TEST(MachineEnergy, BuildsTheCircuitOfItsParameterFile) {
     double R1, R2, R3, R4, R5, R6, R7, R8, C_s, C_i, C_b, C_o, C_h;
   };
   const std::array<Published, 2> circuits = {
-      {{"TB1", 4.5799984, 0.05684105, 0.00713223, 0.00598465, 2.6601439, 3.2078964, 0.00724912, 0.01972776, 301.8243, 107.1, 26.6434, 165.7236, 374.9177},
-       {"TB2", 2.8624990, 0.03552566, 0.00445764, 0.00374041, 0.4089555, 1.5254301, 0.00302392, 0.01223448, 482.9189, 107.1, 82.7973, 153.5663, 687.3491}}};
+      {{"TB1", 4.5799984, 0.05684105, 0.00713223, 0.00598465, 2.6601439, 3.2078964, 0.00724912, 0.01972776, 301.8243,
+        107.1, 26.6434, 165.7236, 374.9177},
+       {"TB2", 2.8624990, 0.03552566, 0.00445764, 0.00374041, 0.4089555, 1.5254301, 0.00302392, 0.01223448, 482.9189,
+        107.1, 82.7973, 153.5663, 687.3491}}};
   const auto machine = reference_machine();
   std::vector<double> y(machine->layout().size()), dydt(y.size());
   const std::size_t offset = machine->layout().block("temperature").offset;
@@ -167,7 +182,8 @@ TEST(MachineEnergy, BuildsTheCircuitOfItsParameterFile) {
         const double convection = node == 4 && warm == 4 ? 23. * area : 0.;  // at a rise of 1 K
         const double expected = (G[node][warm] - convection) / C[node];
         EXPECT_NEAR(dydt[offset + 5 * place + node], expected, 3e-6 * std::fabs(G[node][node]) / C[node])
-            << c.name << ", K/s of node " << node << " for 1 K at node " << warm << "; digits of the independent implementation";
+            << c.name << ", K/s of node " << node << " for 1 K at node " << warm
+            << "; digits of the independent implementation";
         EXPECT_EQ(dydt[offset + 5 * (1 - place) + node], 0.) << "the other bearing does not feel it";
       }
     }

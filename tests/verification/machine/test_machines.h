@@ -20,7 +20,8 @@ struct Example {
   [[nodiscard]] const Machine& operator*() const { return *machine; }
 };
 
-inline Example reference_machine(const std::vector<std::string>& overrides = {}, const std::string& file = "neisi2019.toml") {
+inline Example reference_machine(const std::vector<std::string>& overrides = {},
+                                 const std::string& file = "neisi2019.toml") {
   Example e{read_case(std::string(ROTORDROP_SOURCE_DIR) + "/params/" + file, overrides), nullptr};
   e.machine = build_machine(e.settings.parameters, e.settings.tree);
   return e;

@@ -69,13 +69,16 @@ BearingCircuitData tb2() {
 }
 
 struct Circuit {
-  std::array<double, 9> R{};                  // R[1] .. R[8]
+  std::array<double, 9> R{};  // R[1] .. R[8]
   double C_s = 0, C_i = 0, C_b = 0, C_o = 0, C_h = 0, area = 0;
 };
 
 Circuit by_hand(const BearingCircuitData& b) {
-  const auto wall = [&](double d1, double d2, double length) { return std::log(d2 / d1) / (2. * pi * b.ring.conductivity * length); };
-  const double d_mi = 0.5 * (b.inner_bore + b.inner_outside), d_om = 0.5 * (b.outer_bore + b.outer_outside), d_hm = 0.5 * (b.housing_bore + b.housing_outside);
+  const auto wall = [&](double d1, double d2, double length) {
+    return std::log(d2 / d1) / (2. * pi * b.ring.conductivity * length);
+  };
+  const double d_mi = 0.5 * (b.inner_bore + b.inner_outside), d_om = 0.5 * (b.outer_bore + b.outer_outside),
+               d_hm = 0.5 * (b.housing_bore + b.housing_outside);
   Circuit c;
   c.R[1] = 1. / (b.h_shaft * pi * 2. * b.journal_radius * b.width);
   c.R[2] = 1. / (4. * pi * b.ring.conductivity * b.width);
@@ -117,7 +120,8 @@ double capacity(const ThermalNetworkData& d, const std::string& name) {
 }
 
 /// States in the circuit's order: s, i, b, o, h.
-std::vector<double> rates(const ThermalNetwork& network, const std::vector<double>& T, const HeatInput& heat, double* lost = nullptr) {
+std::vector<double> rates(const ThermalNetwork& network, const std::vector<double>& T, const HeatInput& heat,
+                          double* lost = nullptr) {
   std::vector<double> rate(T.size());
   const double away = network.rates(T, {&heat, 1}, rate);
   if (lost) *lost = away;
@@ -141,24 +145,36 @@ std::vector<double> random_temperatures(std::mt19937& random, std::size_t n = 5)
 TEST(BearingCircuit, HasTheResistancesAndCapacitiesOfItsDimensions) {
   // s-x-i is one resistor R2 + R3: the rub enters s and i by the share.
   const std::map<std::string, std::array<double, 13>> published = {
-      {"TB1", {4.5799984, 0.05684105, 0.00713223, 0.00598465, 2.6601439, 3.2078964, 0.00724912, 0.01972776, 301.8243, 107.1, 26.6434, 165.7236, 374.9177}},
-      {"TB2", {2.8624990, 0.03552566, 0.00445764, 0.00374041, 0.4089555, 1.5254301, 0.00302392, 0.01223448, 482.9189, 107.1, 82.7973, 153.5663, 687.3491}}};
+      {"TB1",
+       {4.5799984, 0.05684105, 0.00713223, 0.00598465, 2.6601439, 3.2078964, 0.00724912, 0.01972776, 301.8243, 107.1,
+        26.6434, 165.7236, 374.9177}},
+      {"TB2",
+       {2.8624990, 0.03552566, 0.00445764, 0.00374041, 0.4089555, 1.5254301, 0.00302392, 0.01223448, 482.9189, 107.1,
+        82.7973, 153.5663, 687.3491}}};
   for (const auto& b : {tb1(), tb2()}) {
     const auto d = data_of(b);
     const auto hand = by_hand(b);
     const auto& peer = published.at(b.name);
     const auto name = [&](const char* node) { return b.name + "/" + node; };
-    const std::array<double, 8> R = {resistance(d, name("shaft"), "ambient"), resistance(d, name("shaft"), name("inner_ring")),
-                                     resistance(d, name("inner_ring"), name("inner_contact")), resistance(d, name("inner_contact"), name("ball")),
-                                     resistance(d, name("ball"), name("outer_contact")), resistance(d, name("ball"), "ambient"),
-                                     resistance(d, name("outer_contact"), name("outer_ring")), resistance(d, name("outer_ring"), name("housing"))};
-    const std::array<double, 8> expected = {hand.R[1], hand.R[2] + hand.R[3], hand.R[4], hand.R[5], hand.R[5], hand.R[6], hand.R[7], hand.R[8]};
-    const std::array<double, 8> theirs = {peer[0], peer[1] + peer[2], peer[3], peer[4], peer[4], peer[5], peer[6], peer[7]};
+    const std::array<double, 8> R = {resistance(d, name("shaft"), "ambient"),
+                                     resistance(d, name("shaft"), name("inner_ring")),
+                                     resistance(d, name("inner_ring"), name("inner_contact")),
+                                     resistance(d, name("inner_contact"), name("ball")),
+                                     resistance(d, name("ball"), name("outer_contact")),
+                                     resistance(d, name("ball"), "ambient"),
+                                     resistance(d, name("outer_contact"), name("outer_ring")),
+                                     resistance(d, name("outer_ring"), name("housing"))};
+    const std::array<double, 8> expected = {
+        hand.R[1], hand.R[2] + hand.R[3], hand.R[4], hand.R[5], hand.R[5], hand.R[6], hand.R[7], hand.R[8]};
+    const std::array<double, 8> theirs = {peer[0], peer[1] + peer[2], peer[3], peer[4],
+                                          peer[4], peer[5],           peer[6], peer[7]};
     for (std::size_t i = 0; i < 8; ++i) {
       EXPECT_NEAR(R[i] / expected[i], 1., 1e-12) << b.name << " " << i;
       EXPECT_NEAR(R[i] / theirs[i], 1., 2e-6) << b.name << " " << i << ": digits of the independent implementation";
     }
-    const std::array<double, 5> C = {capacity(d, name("shaft")), capacity(d, name("inner_ring")), capacity(d, name("ball")), capacity(d, name("outer_ring")), capacity(d, name("housing"))};
+    const std::array<double, 5> C = {capacity(d, name("shaft")), capacity(d, name("inner_ring")),
+                                     capacity(d, name("ball")), capacity(d, name("outer_ring")),
+                                     capacity(d, name("housing"))};
     const std::array<double, 5> C_hand = {hand.C_s, hand.C_i, hand.C_b, hand.C_o, hand.C_h};
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_NEAR(C[i] / C_hand[i], 1., 1e-12) << b.name << " " << i;
@@ -175,8 +191,10 @@ TEST(BearingCircuit, RestsInTheSteadyStateSolvedByHand) {
     const auto c = by_hand(b);
     const double rise = 9., H_i = 25., H_o = 3.;
     const double q_h = 23. * std::pow(rise, 1.25) * c.area;
-    const double T_h = ambient + rise, T_o = T_h + q_h * c.R[8], T_co = T_o + q_h * c.R[7], T_b = T_co + (q_h - H_o) * c.R[5];
-    const double q_b = q_h - H_o + (T_b - ambient) / c.R[6], T_ci = T_b + q_b * c.R[5], T_i = T_ci + (q_b - H_i) * c.R[4];
+    const double T_h = ambient + rise, T_o = T_h + q_h * c.R[8], T_co = T_o + q_h * c.R[7],
+                 T_b = T_co + (q_h - H_o) * c.R[5];
+    const double q_b = q_h - H_o + (T_b - ambient) / c.R[6], T_ci = T_b + q_b * c.R[5],
+                 T_i = T_ci + (q_b - H_i) * c.R[4];
     const double q_i = q_b - H_i, R_x = c.R[2] + c.R[3], share = b.share_to_ring;
     // share H_r + (T_s - T_i)/R_x = q_i;  (1 - share) H_r - (T_s - ambient)/R1 - (T_s - T_i)/R_x = 0
     Eigen::Matrix2d A;
@@ -216,7 +234,8 @@ TEST(BearingCircuit, KeepsEveryJoule) {
         // Stored energy is linear in the temperatures: its rate is its value at ambient + rates.
         std::vector<double> at = rate;
         for (auto& value : at) value += ambient;
-        EXPECT_NEAR(network.stored_energy(at) + lost, h.rub + h.inner + h.outer, 1e-9 * 3e4) << "W; 1e-9: ambient + rate rounds to 6e-14 K of some K";
+        EXPECT_NEAR(network.stored_energy(at) + lost, h.rub + h.inner + h.outer, 1e-9 * 3e4)
+            << "W; 1e-9: ambient + rate rounds to 6e-14 K of some K";
       }
     }
 }
@@ -268,7 +287,8 @@ TEST(BearingCircuit, SmallCapacitiesGiveTheSameHistory) {
     advance(full, T_full, input);
   }
   const std::array<std::size_t, 5> index = {0, 1, 3, 5, 6};
-  for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(T_full[index[k]], T[k], 2e-5) << "K, node " << k << "; 1e-4 J/K keeps about 1e-5 of the heat";
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_NEAR(T_full[index[k]], T[k], 2e-5) << "K, node " << k << "; 1e-4 J/K keeps about 1e-5 of the heat";
   EXPECT_GT(T[1], ambient + 0.3) << "K: 60 J, two thirds of them into 107 J/K";
 }
 
@@ -297,13 +317,15 @@ TEST(BearingCircuit, GrowsByTheVolumeMeanRise) {
     Expansion growth;
     network.growth(T, {&growth, 1});
     const double T_ci = (T[1] / c.R[4] + T[2] / c.R[5]) / (1. / c.R[4] + 1. / c.R[5]);
-    const auto mean_rise = [](double d1, double d2, double T1, double T2) {  // by Gauss' two points: exact for T r, quadratic
+    const auto mean_rise = [](double d1, double d2, double T1,
+                              double T2) {  // by Gauss' two points: exact for T r, quadratic
       const double a = 0.5 * d1, e = 0.5 * d2, m = 0.5 * (a + e), w = 0.5 * (e - a) / std::sqrt(3.);
       double sum = 0.;
       for (const double r : {m - w, m + w}) sum += (T1 + (T2 - T1) * (r - a) / (e - a) - ambient) * r * 0.5 * (e - a);
       return 2. * sum / (e * e - a * a);
     };
-    const double inner = mean_rise(b.inner_bore, b.inner_outside, T[1], T_ci), outer = mean_rise(b.outer_bore, b.housing_outside, T[3], T[4]);
+    const double inner = mean_rise(b.inner_bore, b.inner_outside, T[1], T_ci),
+                 outer = mean_rise(b.outer_bore, b.housing_outside, T[3], T[4]);
     EXPECT_NEAR(growth.bore, 11.8e-6 * 35e-3 * inner, 1e-16) << "m";
     EXPECT_NEAR(growth.inner_race, 11.8e-6 * 39e-3 * inner, 1e-16) << "m";
     EXPECT_NEAR(growth.outer_race, 11.8e-6 * 0.5 * b.outer_bore * outer, 1e-16) << "m";
