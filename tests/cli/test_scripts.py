@@ -116,6 +116,8 @@ class Documents(WithAResult):
             path = ".".join([parts[0], "NAME", *parts[2:]])
         if parts[:1] == ["bearings"] and len(parts) == 2:
             return True  # a key that holds for all bearings, or a bearing
+        if parts[:2] == ["rotor", "geometry"]:
+            return True  # one parameter, whose inline tables test_the_rotor_of_the_documents_is_accepted reads
         return path in self.keys
 
     def test_defaults_are_understood(self):
@@ -164,6 +166,19 @@ class Documents(WithAResult):
                     with self.subTest(document=document.name, parameter=path):
                         self.assertTrue(self.known(path), path)
         self.assertGreater(n_found, 5)
+
+    def test_the_rotor_of_the_documents_is_accepted(self):
+        """The inline geometry of docs/parameters.md, on two linear supports."""
+        (block,) = [b for b in code_blocks(ROOT / "docs/parameters.md", "toml") if "[rotor.geometry]" in b]
+        case = self.folder / "inline-rotor.toml"
+        support = 'type = "linear"\nnode = {}\nstiffness = [[1e8, 0.0], [0.0, 1e8]]\n'
+        case.write_text('[run]\ninitial_speed = "1000 rpm"\n' + block + "".join(f"[bearings.B{node}]\n{support.format(node)}" for node in (1, 3)), encoding="utf-8")
+        self.assertIn("rotor: 5.8361 kg", call(PROGRAM, "check", case))
+        misspelt = self.folder / "misspelt-rotor.toml"
+        misspelt.write_text(case.read_text(encoding="utf-8").replace("mass_points", "mass_point"), encoding="utf-8")
+        done = subprocess.run([PROGRAM, "check", misspelt], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('Did you mean "mass_points"?', done.stderr)
 
     def test_files_that_documents_link_to_exist(self):
         for document in DOCUMENTS:
