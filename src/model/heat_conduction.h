@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/section_mesh.h"
+
 /// Axisymmetric heat conduction as plain data, and the solver that a finite-element room provides for it.
 ///   rho c(T) dT/dt = div(k(T) grad T)   in rectangles of the r-z half plane (x along the axis), weight r.
 namespace rotordrop {
@@ -58,9 +60,6 @@ class PropertyTable {
   std::vector<Point> points_ = {{0., 0.}};
 };
 
-/// Sides of a rectangle: inner and outer by radius, left and right by x.
-enum class HeatSide { left, right, inner, outer };
-
 /// A ring of rectangular section.
 struct HeatBody {
   std::string name;
@@ -68,12 +67,6 @@ struct HeatBody {
   double density = 0;              ///< [kg/m3]
   PropertyTable conductivity;      ///< [W/(m K)]
   PropertyTable heat_capacity;     ///< [J/(kg K)]
-};
-
-struct HeatBoundary {
-  std::size_t body = 0;
-  HeatSide side = HeatSide::inner;
-  bool operator==(const HeatBoundary&) const = default;
 };
 
 /// A function of place and time, f(x, r, t): tests with manufactured solutions use these.
