@@ -6,15 +6,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/wide_vectors.h"
+
 // The row kernel is compiled for several kinds of machine and chosen when the program starts. AVX-512 serves for its 32 registers: the
 // loop keeps eight sums.
 // Sanitizers cannot see through the chooser.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define ROTORDROP_WIDE_VECTORS __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
-#else
-#define ROTORDROP_WIDE_VECTORS
-#endif
-
 namespace rotordrop {
 namespace {
 

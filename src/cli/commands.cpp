@@ -17,6 +17,7 @@
 #include "machine/rotor_report.h"
 #include "study/case.h"
 #include "study/drop_run.h"
+#include "study/fe_module.h"
 #include "study/heat_run.h"
 #include "study/modes_report.h"
 #include "study/new_case.h"
@@ -46,6 +47,20 @@ std::string quoted(const std::string& word) {
   return result + "'";
 }
 
+std::string driver_in_words(const ThermalParameters& t) {
+  if (!t.growth) return "nothing (thermal.growth = false)";
+  switch (driver_of(t)) {
+    case GrowthDriver::lumped:
+      return "lumped thermal circuit";
+    case GrowthDriver::fe:
+      return "finite elements";
+    case GrowthDriver::recorded:
+      return "growth that an earlier run recorded";
+    default:
+      return "nothing (thermal.driver = \"none\")";
+  }
+}
+
 std::string header(const Case& c) {
   const auto& p = c.parameters;
   std::string bearings;
@@ -53,7 +68,7 @@ std::string header(const Case& c) {
   return fmt::format(
       "rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; expansion driven by the {}\n",
       version(), git_revision(), c.name, rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi,
-      bearings, p.thermal.growth ? "lumped thermal circuit" : "nothing (thermal.growth = false)");
+      bearings, driver_in_words(p.thermal));
 }
 
 }  // namespace
@@ -74,7 +89,9 @@ int run_command(const RunCommand& command) {
   ProgressLine line;
   if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
 
-  const auto machine = build_machine(drop_case.parameters, drop_case.tree);
+  FiniteElements elements = finite_elements_of(drop_case);
+  const auto machine = build_machine(drop_case.parameters, drop_case.tree, &elements);
+  options.elements = &elements;
   if (!command.quiet) fmt::print("{}", header(drop_case));
   std::fflush(stdout);
   catch_signals();
@@ -103,7 +120,8 @@ int run_command(const RunCommand& command) {
 
 int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Case c = read_case(file, overrides);
-  build_machine(c.parameters, c.tree);
+  FiniteElements elements = finite_elements_of(c);
+  build_machine(c.parameters, c.tree, &elements);
   fmt::print("{}", header(c));
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,

@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define ROTORDROP_WIDE_VECTORS __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
-#else
-#define ROTORDROP_WIDE_VECTORS
-#endif
+#include "base/wide_vectors.h"
 
 namespace rotordrop {
 namespace {

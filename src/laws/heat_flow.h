@@ -23,4 +23,14 @@ struct JaegerShare {
   [[nodiscard]] double to_ring(double rotor_surface_speed, double ring_surface_speed) const;
 };
 
+/// How the rubbing heat divides between ring and rotor: a constant, or Blok and Jaeger's share.
+struct RubShare {
+  double constant = 0.5;  ///< into the ring
+  bool by_jaeger = false;
+  JaegerShare jaeger;
+  [[nodiscard]] double to_ring(double rotor_surface_speed, double ring_surface_speed) const {
+    return by_jaeger ? jaeger.to_ring(rotor_surface_speed, ring_surface_speed) : constant;
+  }
+};
+
 }  // namespace rotordrop

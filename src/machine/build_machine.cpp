@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "bearing/linear_support.h"
+#include "thermal/reduced_sections.h"
 
 namespace rotordrop {
 namespace {
@@ -53,10 +55,82 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.shaft_ring_link = t.shaft_ring_link;
   c.gap_resistance =
       std::log1p(air_gap(b, p.contact) / c.journal_radius) / (2. * std::numbers::pi * t.gas_conductivity * b.width);
-  c.share_to_ring = t.share_to_ring;
-  c.share_by_jaeger = t.heat_share == HeatShare::jaeger;
-  c.jaeger = {t.rub_band_length, t.rub_contact_time, 1.};
   return c;
+}
+
+RubShare rub_share(const ThermalParameters& t) {
+  return {t.share_to_ring, t.heat_share == HeatShare::jaeger, {t.rub_band_length, t.rub_contact_time, 1.}};
+}
+
+/// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
+void make_sections(const MachineParameters& p, FiniteElements& elements) {
+  const auto& fe = p.thermal.fe;
+  elements.coupling = fe.coupling;
+  elements.drives = driver_of(p.thermal) == GrowthDriver::fe;
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    if (!b) continue;
+    const auto circuit = circuit_data(p, entry.name, *b);
+    SectionSettings settings{fe.shaft, {}};
+    settings.numerics.degree = fe.degree;
+    settings.numerics.cells = std::max(2, static_cast<int>(std::lround(8 * fe.refinement)));
+    const SectionMesh mesh = fe.section == FeSection::plain ? SectionMesh{} : elements.make_mesh(entry.name);
+    FiniteElements::Section section;
+    section.name = entry.name;
+    section.problem = bearing_heat_problem(circuit, mesh, p.run.ambient, settings);
+    section.solver = elements.make_solver(section.problem);
+    section.growth = section_growth(circuit);
+    if (fe.coupling != FeCoupling::windowed) {
+      ReductionSettings reduction;
+      if (fe.coupling == FeCoupling::monolithic) {
+        reduction.modes = 0;
+        reduction.fastest = std::numeric_limits<double>::infinity();
+      } else {
+        reduction.modes = static_cast<std::size_t>(fe.modes);
+      }
+      section.reduced = section.solver->reduce(reduction);
+    }
+    elements.sections.push_back(std::move(section));
+  }
+  if (fe.coupling == FeCoupling::windowed) elements.growth = std::make_shared<GrowthHistory>(elements.sections.size());
+}
+
+std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const FiniteElements& elements) {
+  std::vector<ReducedSection> sections;
+  std::size_t k = 0;
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    if (!b) continue;
+    const auto& made = elements.sections[k++];
+    ReducedSection section{made.name, made.reduced, made.growth, {}};
+    const auto circuit = circuit_data(p, entry.name, *b);
+    if (circuit.shaft_ring_link == BearingCircuitData::Link::in_contact) {
+      const double touching = shaft_surface_resistance(circuit);
+      section.contact_link = {touching, touching + circuit.gap_resistance};
+    }
+    sections.push_back(std::move(section));
+  }
+  return std::make_unique<ReducedSections>(std::move(sections), p.run.ambient);
+}
+
+/// The thermal models that a case asks for, and who drives.
+void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& network, FiniteElements* elements,
+                        std::shared_ptr<const GrowthHistory> recorded, Machine::Parts& parts) {
+  const GrowthDriver driver = p.thermal.growth ? driver_of(p.thermal) : GrowthDriver::none;
+  if (p.thermal.has_lumped) {
+    parts.thermal.push_back({"lumped", "/thermal/", std::make_unique<ThermalNetwork>(network)});
+    if (driver == GrowthDriver::lumped) parts.driver = 0;
+  }
+  if (p.thermal.has_fe) {
+    make_sections(p, *elements);
+    if (elements->coupling == FeCoupling::windowed) {
+      if (driver == GrowthDriver::fe) parts.prescribed_growth = elements->growth;
+    } else {
+      if (driver == GrowthDriver::fe) parts.driver = parts.thermal.size();
+      parts.thermal.push_back({"fe", "/fe/", reduced_sections(p, *elements)});
+    }
+  }
+  if (driver == GrowthDriver::recorded) parts.prescribed_growth = std::move(recorded);
 }
 
 ThermalNetworkData network_data(const MachineParameters& p, const Node& case_node, Faults& faults) {
@@ -102,7 +176,31 @@ void check_name(const std::string& name, const std::string& what, const SourcePo
     faults.add(where, fmt::format("{} cannot be called \"{}\".", what, name), "Use letters, digits, _ and -.");
 }
 
+void check_thermal_models(const MachineParameters& p, const Node& table, Faults& faults) {
+  const auto& t = p.thermal;
+  const auto driver = driver_of(t);
+  if ((driver == GrowthDriver::lumped && !t.has_lumped) || (driver == GrowthDriver::fe && !t.has_fe))
+    faults.add(position_of_value(table, "driver"), "thermal.driver names a model that does not run.",
+               "Add it to thermal.models.");
+  if (driver == GrowthDriver::recorded && !t.recorded)
+    faults.add(position_of_value(table, "driver"), "thermal.driver = \"recorded\" needs thermal.recorded, the results of an earlier run.");
+  if (!t.has_fe) return;
+  if (!t.nodes.empty() || !t.resistors.empty())
+    faults.add(position_of(table, t.nodes.empty() ? "resistor" : "node"),
+               "thermal.node and thermal.resistor add to the lumped circuit alone, and the finite elements run too.",
+               "Both models would not describe the same bearing. Leave them out, or run thermal.models = [\"lumped\"].");
+  if (t.fe.coupling == FeCoupling::windowed && t.shaft_ring_link == BearingCircuitData::Link::in_contact)
+    faults.add(position_of_value(table, "shaft_ring_link"),
+               "thermal.shaft_ring_link = \"in-contact\" changes within a window; thermal.fe.coupling = \"windowed\" cannot follow it.",
+               "Take the reduced coupling, or the permanent link.");
+}
+
 }  // namespace
+
+GrowthDriver driver_of(const ThermalParameters& t) {
+  if (t.driver != GrowthDriver::automatic) return t.driver;
+  return t.has_lumped ? GrowthDriver::lumped : GrowthDriver::fe;
+}
 
 void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& bearings = table_of(case_node, "bearings");
@@ -139,9 +237,11 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
     }
   }
   if (materials_are_known) network_data(p, case_node, faults);
+  check_thermal_models(p, table_of(case_node, "thermal"), faults);
 }
 
-std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node) {
+std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node, FiniteElements* finite_elements,
+                                       std::shared_ptr<const GrowthHistory> recorded) {
   Faults faults;
   const auto network = network_data(p, case_node, faults);
   faults.throw_if_any();
@@ -171,8 +271,8 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
       parts.thermal_place.push_back(std::nullopt);
     }
   }
-  parts.thermal = std::make_unique<ThermalNetwork>(network);
-  parts.growth_is_fed_back = p.thermal.growth;
+  parts.rub_share.assign(n_places, rub_share(p.thermal));
+  add_thermal_models(p, network, finite_elements, std::move(recorded), parts);
 
   auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry,
                                             rotor_settings(p.rotor, p.run.gravity[1], p.run.gravity[2]), nodes);

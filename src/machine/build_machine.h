@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "machine/finite_elements.h"
 #include "machine/machine.h"
 #include "machine/machine_parameters.h"
 
@@ -9,7 +10,14 @@ namespace rotordrop {
 /// Checks that need several sections at once; `case_node` gives the positions.
 void check_machine(const MachineParameters& parameters, const Node& case_node, Faults& faults);
 
+/// Which model's growth is fed back when a case leaves it open.
+GrowthDriver driver_of(const ThermalParameters& parameters);
+
 /// The machine of a case whose parameters were checked. @throws InputError, SolverError
-std::unique_ptr<Machine> build_machine(const MachineParameters& parameters, const Node& case_node);
+/// @param finite_elements  the room's doors if the case has finite elements; takes the sections that are made
+/// @param recorded         growth of an earlier run, if that drives
+std::unique_ptr<Machine> build_machine(const MachineParameters& parameters, const Node& case_node,
+                                       FiniteElements* finite_elements = nullptr,
+                                       std::shared_ptr<const GrowthHistory> recorded = nullptr);
 
 }  // namespace rotordrop

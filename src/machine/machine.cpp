@@ -19,13 +19,16 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
     places_[i].n_state = entries.size();
     layout_.add_block(parts_.supports[i]->name(), entries);
   }
-  thermal_ = layout_.size();
-  layout_.add_block("temperature", parts_.thermal->state_entries());
-  n_thermal_ = layout_.size() - thermal_;
+  for (const auto& part : parts_.thermal) {
+    const std::size_t start = layout_.size();
+    layout_.add_block(part.name == "lumped" ? "temperature" : part.name + " temperature", part.model->state_entries());
+    thermal_.push_back({start, layout_.size() - start, 0});
+  }
   first_ledger_ = layout_.size();
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<StateEntry> entries = {
         {"rub heat", "J", 100., "friction heat of rotor and inner ring"},
+        {"rub heat into ring", "J", 100., "part of the rub heat that enters the inner ring"},
         {"inner heat", "J", 10., "friction heat of balls and inner race"},
         {"outer heat", "J", 10., "friction heat of balls and outer race"},
         {"other dissipation", "J", 1., "energy dissipated by damping, which heats nothing here"},
@@ -38,13 +41,20 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
     layout_.add_block(parts_.supports[i]->name() + " ledger", entries);
   }
   machine_ledger_ = layout_.size();
-  layout_.add_block("energy", {{"rotor damping", "J", 1., "energy dissipated by the rotor's damping"},
-                               {"unbalance work", "J", 1., "work of the unbalance forces on the rotor"},
-                               {"drive work", "J", 1., "work of motor or brake on the rotor"},
-                               {"heat lost", "J", 1., "heat lost to ambient"}});
+  std::vector<StateEntry> entries = {{"rotor damping", "J", 1., "energy dissipated by the rotor's damping"},
+                                     {"unbalance work", "J", 1., "work of the unbalance forces on the rotor"},
+                                     {"drive work", "J", 1., "work of motor or brake on the rotor"}};
+  for (const auto& part : parts_.thermal)
+    entries.push_back(part.name == "lumped"
+                          ? StateEntry{"heat lost", "J", 1., "heat lost to ambient"}
+                          : StateEntry{part.name + " heat lost", "J", 1., "heat lost to ambient by model " + part.name});
+  n_machine_ledger_ = entries.size();
+  layout_.add_block("energy", entries);
 
   std::size_t n_places = 0;
   for (const auto& place : parts_.thermal_place) n_places += place.has_value();
+  if (parts_.rub_share.size() != n_places)
+    throw std::invalid_argument("a machine needs one share of the rub heat per thermal place");
   motions_.resize(n);
   inputs_.resize(n);
   outputs_.resize(n);
@@ -78,7 +88,8 @@ void Machine::list_observables() {
   add(state_observables_, "/rotor/",
       {{"spin_speed", "rad/s", "spin speed of the rotor", 1, {}},
        {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
-  n_thermal_observed_ = add(state_observables_, "/thermal/", parts_.thermal->observables());
+  for (std::size_t i = 0; i < thermal_.size(); ++i)
+    thermal_[i].n_observed = add(state_observables_, parts_.thermal[i].place, parts_.thermal[i].model->observables());
   add(state_observables_, "/energy/",
       {{"mechanical", "J", "kinetic, elastic and gravitational energy", 1, {}},
        {"dissipated", "J", "mechanical energy dissipated since the start", 1, {}},
@@ -87,10 +98,15 @@ void Machine::list_observables() {
        {"unbalance_work", "J", "work of the unbalance forces on the rotor", 1, {}},
        {"drive_work", "J", "work of motor or brake on the rotor", 1, {}},
        {"residual", "J", "mechanical energy not accounted for", 1, {}},
-       {"heat_deposited", "J", "heat given to the thermal model since the start", 1, {}},
-       {"heat_stored", "J", "heat stored over ambient", 1, {}},
-       {"heat_lost", "J", "heat lost to ambient since the start", 1, {}},
-       {"heat_residual", "J", "heat not accounted for", 1, {}}});
+       {"heat_deposited", "J", "heat given to each thermal model since the start", 1, {}}});
+  for (const auto& part : parts_.thermal) {
+    const bool is_lumped = part.name == "lumped";
+    const std::string prefix = is_lumped ? "" : part.name + "_", of = is_lumped ? "" : " by model " + part.name;
+    add(state_observables_, "/energy/",
+        {{prefix + "heat_stored", "J", "heat stored over ambient" + of, 1, {}},
+         {prefix + "heat_lost", "J", "heat lost to ambient since the start" + of, 1, {}},
+         {prefix + "heat_residual", "J", "heat not accounted for" + of, 1, {}}});
+  }
   for (std::size_t i = first_ledger_; i < layout_.size(); ++i) {
     const auto& entry = layout_.entries()[i];
     // "TB1 ledger/rub heat" becomes /ledger/TB1/rub_heat, "energy/heat lost" /ledger/heat_lost.
@@ -110,13 +126,17 @@ void Machine::initial_state(std::span<double> y) const {
   std::copy(parts_.initial_rotor_state.begin(), parts_.initial_rotor_state.end(), y.begin());
   for (std::size_t i = 0; i < places_.size(); ++i)
     parts_.supports[i]->initial_state(y.subspan(places_[i].state, places_[i].n_state));
-  parts_.thermal->initial_state(y.subspan(thermal_, n_thermal_));
+  for (std::size_t i = 0; i < thermal_.size(); ++i)
+    parts_.thermal[i].model->initial_state(y.subspan(thermal_[i].state, thermal_[i].n_state));
 }
 
 void Machine::prepare_inputs(double t, std::span<const double> y) const {
   parts_.rotor->motions(rotor_part(y), motions_);
   const Spin spin = parts_.rotor->spin(rotor_part(y));
-  if (parts_.growth_is_fed_back) parts_.thermal->growth(thermal_part(y), growth_);
+  if (parts_.driver)
+    parts_.thermal[*parts_.driver].model->growth(driver_part(y), growth_);
+  else if (parts_.prescribed_growth)
+    parts_.prescribed_growth->at(t, growth_);
   for (std::size_t i = 0; i < places_.size(); ++i) {
     inputs_[i].time = t;
     inputs_[i].journal = motions_[i];
@@ -139,11 +159,20 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
     parts_.supports[i]->evaluate(inputs_[i], y.subspan(p.state, p.n_state), dydt.subspan(p.state, p.n_state),
                                  dydt.subspan(p.ledger + n_support_ledger, p.n_own), out);
     forces_[i] = out.force_on_rotor;
-    if (const auto place = parts_.thermal_place[i]) heats_[*place] = out.heat;
+    if (const auto place = parts_.thermal_place[i]) {
+      auto& heat = heats_[*place];
+      heat = out.heat;
+      heat.rub_into_ring =
+          heat.rub * parts_.rub_share[*place].to_ring(heat.rotor_surface_speed, heat.ring_surface_speed);
+    }
   }
-  const auto temperature_rates = dydt.subspan(thermal_, n_thermal_);
-  const double lost = parts_.thermal->rates(thermal_part(y), heats_, temperature_rates);
-  if (parts_.growth_is_fed_back) parts_.thermal->growth_rates(temperature_rates, growth_rate_);
+  const auto machine_ledger = dydt.subspan(machine_ledger_, n_machine_ledger_);
+  for (std::size_t k = 0; k < thermal_.size(); ++k) {
+    const auto rates = dydt.subspan(thermal_[k].state, thermal_[k].n_state);
+    machine_ledger[heat_lost + k] = parts_.thermal[k].model->rates(thermal_part(k, y), heats_, rates);
+    if (parts_.driver == k) parts_.thermal[k].model->growth_rates(rates, growth_rate_);
+  }
+  if (!parts_.driver && parts_.prescribed_growth) parts_.prescribed_growth->rate(t, growth_rate_);
   const RotorPower power = parts_.rotor->rates(t, rotor_part(y), forces_, dydt.subspan(0, n_rotor_));
 
   for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -155,13 +184,12 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
     ledger[other_dissipation] = out.other_dissipation;
     ledger[prescribed_work] = out.prescribed_work;
     const auto place = parts_.thermal_place[i];
+    ledger[rub_heat_into_ring] = place ? heats_[*place].rub_into_ring : 0.;
     ledger[growth_work] = place ? out.energy_gradient.dot(growth_rate_[*place]) : 0.;
   }
-  const auto ledger = dydt.subspan(machine_ledger_, n_machine_ledger);
-  ledger[rotor_damping] = power.damping;
-  ledger[unbalance_work] = power.unbalance_work;
-  ledger[drive_work] = power.drive_work;
-  ledger[heat_lost] = lost;
+  machine_ledger[rotor_damping] = power.damping;
+  machine_ledger[unbalance_work] = power.unbalance_work;
+  machine_ledger[drive_work] = power.drive_work;
 }
 
 double Machine::mechanical_energy(double t, std::span<const double> y) const {
@@ -182,15 +210,16 @@ EnergyBalance Machine::energy_balance(double t, std::span<const double> y) const
     b.prescribed_work += ledger[prescribed_work];
     b.growth_work += ledger[growth_work];
   }
-  const auto ledger = y.subspan(machine_ledger_, n_machine_ledger);
+  const auto ledger = y.subspan(machine_ledger_, n_machine_ledger_);
   b.dissipated += b.heat_deposited + ledger[rotor_damping];
   b.unbalance_work = ledger[unbalance_work];
   b.drive_work = ledger[drive_work];
   b.residual = initial_mechanical_ - b.mechanical - b.dissipated + b.growth_work + b.prescribed_work +
                b.unbalance_work + b.drive_work;
-  b.heat_stored = parts_.thermal->stored_energy(thermal_part(y));
-  b.heat_lost = ledger[heat_lost];
-  b.heat_residual = b.heat_deposited - b.heat_stored - b.heat_lost;
+  for (std::size_t k = 0; k < thermal_.size(); ++k) {
+    const double stored = parts_.thermal[k].model->stored_energy(thermal_part(k, y)), lost = ledger[heat_lost + k];
+    b.heat.push_back({stored, lost, b.heat_deposited - stored - lost});
+  }
   return b;
 }
 
@@ -198,13 +227,23 @@ void Machine::observe_state(double t, std::span<const double> y, std::span<doubl
   const Spin spin = parts_.rotor->spin(rotor_part(y));
   out[0] = spin.speed;
   out[1] = spin.angle;
-  parts_.thermal->observe(thermal_part(y), heats_, out.subspan(2, n_thermal_observed_));
+  std::size_t at = 2;
+  for (std::size_t k = 0; k < thermal_.size(); ++k) {
+    parts_.thermal[k].model->observe(thermal_part(k, y), heats_, out.subspan(at, thermal_[k].n_observed));
+    at += thermal_[k].n_observed;
+  }
   const EnergyBalance b = energy_balance(t, y);
-  std::size_t at = 2 + n_thermal_observed_;
   for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work,
-                             b.drive_work, b.residual, b.heat_deposited, b.heat_stored, b.heat_lost, b.heat_residual})
+                             b.drive_work, b.residual, b.heat_deposited})
     out[at++] = value;
+  for (const auto& heat : b.heat)
+    for (const double value : {heat.stored, heat.lost, heat.residual}) out[at++] = value;
   for (std::size_t i = first_ledger_; i < y.size(); ++i) out[at++] = y[i];
+}
+
+std::size_t Machine::support_of_place(std::size_t place) const {
+  const auto found = std::find(parts_.thermal_place.begin(), parts_.thermal_place.end(), std::optional(place));
+  return static_cast<std::size_t>(found - parts_.thermal_place.begin());
 }
 
 double Machine::ledger(std::size_t support, const std::string& name, std::span<const double> y) const {

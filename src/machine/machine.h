@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "laws/heat_flow.h"
+#include "machine/growth_history.h"
 #include "model/ode_system.h"
 #include "model/rotor_model.h"
 #include "model/support.h"
@@ -20,12 +22,16 @@ struct EnergyBalance {
   double unbalance_work = 0;
   double drive_work = 0;  ///< by motor or brake
   double residual = 0;    ///< initial - mechanical - dissipated + works: 0 if every joule is found
-  double heat_deposited = 0, heat_stored = 0, heat_lost = 0;
-  double heat_residual = 0;  ///< deposited - stored - lost
+  double heat_deposited = 0;
+  struct Heat {
+    double stored = 0, lost = 0;
+    double residual = 0;  ///< deposited - stored - lost
+  };
+  std::vector<Heat> heat;  ///< of each thermal model in the state vector
 };
 
-/// Rotor, supports and thermal model wired to one state vector with its energy ledgers:
-///   y = [ rotor | each support | temperatures | ledgers ].
+/// Rotor, supports and thermal models wired to one state vector with its energy ledgers:
+///   y = [ rotor | each support | temperatures of each thermal model | ledgers ].
 /// One pass computes all rates: motion and growth from states, then forces and heats, then rates. Holds scratch space: one
 /// thread at a time.
 class Machine final : public OdeSystem {
@@ -33,9 +39,16 @@ class Machine final : public OdeSystem {
   struct Parts {
     std::unique_ptr<RotorModel> rotor;
     std::vector<std::unique_ptr<Support>> supports;  ///< one per station of the rotor, in their order
-    std::unique_ptr<ThermalModel> thermal;
+    struct Thermal {
+      std::string name;   ///< "lumped", "fe"
+      std::string place;  ///< of its datasets, "/thermal/"
+      std::unique_ptr<ThermalModel> model;
+    };
+    std::vector<Thermal> thermal;  ///< all take the same heat; may be none
     std::vector<std::optional<std::size_t>> thermal_place;  ///< of each support, if it gives off heat
-    bool growth_is_fed_back = true;
+    std::vector<RubShare> rub_share;                        ///< of each thermal place
+    std::optional<std::size_t> driver;                      ///< the thermal model whose growth is fed back
+    std::shared_ptr<const GrowthHistory> prescribed_growth;  ///< fed back instead, if there is no driver
     std::vector<double> initial_rotor_state;
   };
   explicit Machine(Parts parts);
@@ -65,6 +78,11 @@ class Machine final : public OdeSystem {
   void observe_state(double t, std::span<const double> y, std::span<double> out) const;
 
   [[nodiscard]] EnergyBalance energy_balance(double t, std::span<const double> y) const;
+  [[nodiscard]] std::size_t n_thermal_places() const { return heats_.size(); }
+  [[nodiscard]] std::size_t n_thermal_models() const { return parts_.thermal.size(); }
+  [[nodiscard]] const std::string& thermal_name(std::size_t i) const { return parts_.thermal[i].name; }
+  /// Index of the support at a thermal place.
+  [[nodiscard]] std::size_t support_of_place(std::size_t place) const;
   [[nodiscard]] double initial_mechanical_energy() const { return initial_mechanical_; }
   [[nodiscard]] double mechanical_energy(double t, std::span<const double> y) const;
   /// Value of a ledger of a support, by its name, e.g. "rub heat" or "contact impulse". @throws std::out_of_range
@@ -74,6 +92,7 @@ class Machine final : public OdeSystem {
   /// Ledgers that every support has, in this order, before its own.
   enum SupportLedger : std::size_t {
     rub_heat,
+    rub_heat_into_ring,
     inner_heat,
     outer_heat,
     other_dissipation,
@@ -81,25 +100,31 @@ class Machine final : public OdeSystem {
     growth_work,
     n_support_ledger
   };
-  enum MachineLedger : std::size_t { rotor_damping, unbalance_work, drive_work, heat_lost, n_machine_ledger };
+  enum MachineLedger : std::size_t { rotor_damping, unbalance_work, drive_work, heat_lost };  // heat_lost: one for each thermal model
   struct Place {
     std::size_t state = 0, n_state = 0;    // of the support
     std::size_t ledger = 0, n_own = 0;     // its ledgers: n_support_ledger common ones, then its own
     std::size_t n_step = 0, n_detail = 0;  // sizes of what it reports
   };
   [[nodiscard]] std::span<const double> rotor_part(std::span<const double> y) const { return y.subspan(0, n_rotor_); }
-  [[nodiscard]] std::span<const double> thermal_part(std::span<const double> y) const {
-    return y.subspan(thermal_, n_thermal_);
+  struct ThermalBlock {
+    std::size_t state = 0, n_state = 0, n_observed = 0;
+  };
+  [[nodiscard]] std::span<const double> thermal_part(std::size_t model, std::span<const double> y) const {
+    return y.subspan(thermal_[model].state, thermal_[model].n_state);
+  }
+  [[nodiscard]] std::span<const double> driver_part(std::span<const double> y) const {
+    return thermal_part(*parts_.driver, y);
   }
   void prepare_inputs(double t, std::span<const double> y) const;
   void list_observables();
 
   Parts parts_;
   StateLayout layout_;
-  std::size_t n_rotor_ = 0, thermal_ = 0, n_thermal_ = 0, first_ledger_ = 0, machine_ledger_ = 0;
+  std::size_t n_rotor_ = 0, first_ledger_ = 0, machine_ledger_ = 0, n_machine_ledger_ = 0;
+  std::vector<ThermalBlock> thermal_;
   std::vector<Place> places_;
   std::vector<Observable> step_observables_, detail_observables_, state_observables_;
-  std::size_t n_thermal_observed_ = 0;
   double initial_mechanical_ = 0;
 
   // Scratch of one evaluation.

@@ -4,14 +4,17 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "model/reduced_heat.h"
 #include "model/section_mesh.h"
 
 /// Axisymmetric heat conduction as plain data, and the solver that a finite-element room provides for it.
-///   rho c(T) dT/dt = div(k(T) grad T)   in rectangles of the r-z half plane (x along the axis), weight r.
+///   rho c(T) dT/dt = div(k(T) grad T)   in bodies of the r-z half plane (x along the axis), weight r.
 namespace rotordrop {
 
 /// A material property over temperature: linear between its points, constant outside them.
@@ -60,10 +63,10 @@ class PropertyTable {
   std::vector<Point> points_ = {{0., 0.}};
 };
 
-/// A ring of rectangular section.
+/// A ring: rectangular, unless the problem has a mesh.
 struct HeatBody {
   std::string name;
-  std::array<double, 2> x{}, r{};  ///< extent [m], rising; r >= 0
+  std::array<double, 2> x{}, r{};  ///< extent [m], rising; r >= 0; of a rectangle
   double density = 0;              ///< [kg/m3]
   PropertyTable conductivity;      ///< [W/(m K)]
   PropertyTable heat_capacity;     ///< [J/(kg K)]
@@ -93,6 +96,26 @@ struct HeatInterface {
   double resistance = 0;  ///< [m2 K/W], > 0
 };
 
+/// A part without a section, of one temperature: the balls, a lump of shaft.
+struct HeatNode {
+  std::string name;
+  double capacity = 0;  ///< [J/K], > 0
+};
+
+/// Where heat comes in as watts, spread evenly over the area of its boundaries, or into a node. Its temperature is the mean over that area.
+struct HeatPort {
+  std::string name;
+  std::vector<HeatBoundary> boundaries;
+  std::optional<std::size_t> node = {};  ///< instead of boundaries
+};
+
+/// A thermal resistance between two ports, or a port and the surroundings (at the initial temperature).
+struct HeatLink {
+  std::size_t from = 0;
+  std::optional<std::size_t> to = {};  ///< none: the surroundings
+  double resistance = 0;               ///< [K/W], > 0
+};
+
 /// Mesh and accuracy in time.
 struct HeatNumerics {
   int degree = 2;           ///< of the elements
@@ -105,9 +128,13 @@ struct HeatNumerics {
 
 struct HeatConductionProblem {
   std::vector<HeatBody> bodies;
+  SectionMesh mesh = {};  ///< of the bodies, in their order; empty: rectangles, meshed by grid lines
   std::vector<HeatFlux> fluxes;
   std::vector<HeatConvection> convections;
   std::vector<HeatInterface> interfaces;
+  std::vector<HeatNode> nodes = {};
+  std::vector<HeatPort> ports = {};
+  std::vector<HeatLink> links = {};
   double initial_temperature = 293.15;                                                       ///< [K]
   std::function<double(std::size_t body, double x, double r)> initial_field = {};            ///< instead of that
   std::function<double(std::size_t body, double x, double r, double t)> volume_source = {};  ///< [W/m3]
@@ -116,10 +143,15 @@ struct HeatConductionProblem {
 
 /// [J], whole circumference. Each is computed on its own; see docs/heat.md.
 struct HeatEnergy {
-  double input = 0;   ///< through [[flux]]
+  double input = 0;   ///< through fluxes and ports
   double stored = 0;  ///< enthalpy of the temperature field over that of the initial one
-  double lost = 0;    ///< through [[convection]]
+  double lost = 0;    ///< through convection, and links to the surroundings
   [[nodiscard]] double residual() const { return input - stored - lost; }
+};
+
+/// Temperatures over a boundary [K].
+struct SurfaceRange {
+  double mean = 0, lowest = 0, highest = 0;
 };
 
 struct HeatStatistics {
@@ -141,8 +173,30 @@ class HeatConductionSolver {
   [[nodiscard]] virtual double temperature(std::size_t body, double x, double r) const = 0;
   /// Mean over the area of a boundary [K].
   [[nodiscard]] virtual double mean_temperature(const HeatBoundary& boundary) const = 0;
+  [[nodiscard]] virtual SurfaceRange surface(const std::vector<HeatBoundary>& boundaries) const = 0;
+  /// Mean over the volume of a body [K].
+  [[nodiscard]] virtual double body_mean(std::size_t body) const = 0;
+  [[nodiscard]] virtual double port_temperature(std::size_t port) const = 0;  ///< [K]
   [[nodiscard]] virtual HeatEnergy energy() const = 0;
   [[nodiscard]] virtual HeatStatistics statistics() const = 0;
+  /// Heat into each port [W] [n_ports], from now on.
+  virtual void set_port_heat(std::span<const double> watts) = 0;
+  /// One implicit step of second order without error control; factorisations are kept by step length.
+  /// @param step  [s]; @throws SolverError
+  virtual void advance_window(double step) = 0;
+  /// Temperatures of all unknowns [K], for checkpoints.
+  [[nodiscard]] virtual std::vector<double> field() const = 0;
+  /// A field of an earlier computation, with the energies that came in and were lost until then.
+  virtual void set_field(std::span<const double> temperatures, double time, double input, double lost) = 0;
+
+  /// The linear part of the problem seen from its ports; convections that are not linear become ports of their own, after the others.
+  /// Keeps what lift() needs. @throws SolverError if a property depends on temperature
+  virtual ReducedHeat reduce(const ReductionSettings& settings) = 0;
+  /// The field that a state of the last reduce() stands for [n_modes].
+  virtual void lift(std::span<const double> state, double time) = 0;
+  /// The field as a VTU file: temperature [K] and body of every cell. @throws SolverError
+  virtual void write_vtu(const std::string& file) const = 0;
+
   /// sqrt of the volume integral of (T - f)^2 [K m^1.5].
   [[nodiscard]] virtual double difference(
       const std::function<double(std::size_t body, double x, double r)>& f) const = 0;

@@ -89,7 +89,7 @@ void remove_older_results(const fs::path& directory) {
   fs::remove_all(directory / "failed");
 }
 
-std::vector<SeriesGroup> series_groups(const Machine& machine) {
+std::vector<SeriesGroup> series_groups(const Machine& machine, const WindowedSections* windows) {
   const auto channels = [](std::vector<Channel>& to, const std::vector<Observable>& from) {
     for (const auto& o : from) to.push_back({o.name, o.unit, o.long_name, o.size, o.columns});
   };
@@ -99,6 +99,10 @@ std::vector<SeriesGroup> series_groups(const Machine& machine) {
   channels(details.channels, machine.detail_observables());
   std::vector<SeriesGroup> groups = {std::move(series)};
   if (!details.channels.empty()) groups.push_back(std::move(details));
+  if (windows) {
+    groups.push_back({"/windows/time", {}});
+    channels(groups.back().channels, windows->observables());
+  }
   return groups;
 }
 
@@ -133,6 +137,12 @@ class DropRun {
     step_.resize(n_step_);
     row_.resize(n_step_ + observed_size(machine.state_observables()));
     details_.resize(n_detail_);
+    if (options.elements && options.elements->coupling == FeCoupling::windowed && !options.elements->sections.empty()) {
+      const auto& fe = drop_case.parameters.thermal.fe;
+      windows_.emplace(*options.elements, fe.window_tolerance, fe.longest_window);
+      energies_.resize(machine.n_thermal_places());
+      window_row_.resize(observed_size(windows_->observables()));
+    }
     averaging_start_ = std::max(end_time_ - averaging_time, 0.);
     impulse_.assign(scalars_.size(), 0.);
     for (const auto& entry : machine.layout().entries()) entry_names_.push_back(entry.name);
@@ -157,6 +167,10 @@ class DropRun {
     cpu_start_ = cpu_seconds();
     start_time_ = time_;
     if (time_ < end_time_) integrate();
+    if (windows_ && !interrupted_) {
+      windows_->finish(end_time_, energies(state_));
+      record_window(end_time_);
+    }
     recorder_->close();
 
     DropResult result;
@@ -168,6 +182,10 @@ class DropRun {
     result.state = state_;
     result.impulse_before_end = impulse_;
     result.averaging_start = is_averaging_ ? averaging_start_ : 0.;
+    if (windows_) {
+      result.windows = windows_->report();
+      result.windows_energy = windows_->energy();
+    }
     write_text_atomically(options_.directory / "summary.json",
                           summarise(case_, machine_, scalars_, result).dump(2) + "\n");
     if (result.completed) fs::remove_all(options_.directory / "checkpoints");
@@ -224,11 +242,37 @@ class DropRun {
         evaluate_step(time_, y);
         record_at(y);
       }
+      advance_windows();
     } catch (...) {
       time_ = last_time;
       throw;
     }
     std::copy(y.begin(), y.end(), state_.begin());
+  }
+
+  /// Energies of the thermal places in a state.
+  std::span<const PlaceEnergy> energies(std::span<const double> y) {
+    for (std::size_t place = 0; place < energies_.size(); ++place) {
+      const auto ledger = [&, support = machine_.support_of_place(place)](const char* name) {
+        return machine_.ledger(support, name, y);
+      };
+      energies_[place] = {ledger("rub heat"), ledger("rub heat into ring"), ledger("inner heat"), ledger("outer heat")};
+    }
+    return energies_;
+  }
+
+  void advance_windows() {
+    while (windows_ && windows_->next_end() <= time_ && !is_stopped()) {
+      const double end = windows_->next_end();
+      integrator_->interpolate(end, at_record_);
+      windows_->advance(time_, energies(at_record_));
+      record_window(end);
+    }
+  }
+
+  void record_window(double t) {
+    windows_->observe(window_row_);
+    recorder_->append(n_detail_ > 0 ? 2 : 1, t, window_row_);
   }
 
   /// Every step where that costs nothing; else as often as peaks need: 12 times in a period of the rings' fastest motion, 8 kHz.
@@ -305,11 +349,11 @@ class DropRun {
     RecorderOptions recorder_options;
     recorder_options.overwrite = options_.force;
     if (time_ > 0.) {
-      auto resumed = resume_recording(file, time_, record_header(case_), series_groups(machine_), recorder_options);
+      auto resumed = resume_recording(file, time_, record_header(case_), series_groups(machine_, windows()), recorder_options);
       recorder_.emplace(std::move(resumed.recorder));
     } else {
       recorder_options.overwrite |= options_.resume;
-      recorder_.emplace(file, record_header(case_), series_groups(machine_), recorder_options);
+      recorder_.emplace(file, record_header(case_), series_groups(machine_, windows()), recorder_options);
     }
     while (next_record_ > 0 || time_ > 0.) {  // the first record time after the checkpoint
       if (record_time(next_record_) > time_ && !is_now(record_time(next_record_))) break;
@@ -339,6 +383,7 @@ class DropRun {
     c.entry_names = entry_names_;
     c.extras["scalars"] = scalars_.packed();
     c.extras["impulse"] = impulse_;
+    if (windows_) c.extras["windows"] = windows_->packed();
     const auto s = statistics();
     c.extras["statistics"] = {static_cast<double>(s.steps),
                               static_cast<double>(s.rhs_evaluations),
@@ -376,6 +421,7 @@ class DropRun {
     state_ = c.state;
     scalars_.unpack(c.extras.at("scalars"));
     impulse_ = c.extras.at("impulse");
+    if (windows_) windows_->unpack(c.extras.at("windows"));
     const auto& s = c.extras.at("statistics");
     earlier_ = {static_cast<long>(s[0]), static_cast<long>(s[1]), static_cast<long>(s[2])};
     earlier_wall_ = s[3];
@@ -414,6 +460,8 @@ class DropRun {
     options_.report(p);
   }
 
+  [[nodiscard]] const WindowedSections* windows() const { return windows_ ? &*windows_ : nullptr; }
+
   const Case& case_;
   const Machine& machine_;
   const RunOptions& options_;
@@ -422,6 +470,9 @@ class DropRun {
   std::vector<std::string> entry_names_;
   std::unique_ptr<Integrator> integrator_;
   std::optional<Recorder> recorder_;
+  std::optional<WindowedSections> windows_;
+  std::vector<PlaceEnergy> energies_;
+  std::vector<double> window_row_;
 
   double time_ = 0, start_time_ = 0, observed_time_ = 0, end_time_;
   std::vector<double> state_, rates_, at_record_, step_, row_, details_;

@@ -2,9 +2,11 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "integrate/integrator.h"
+#include "machine/finite_elements.h"
 #include "machine/machine.h"
 #include "study/case.h"
 #include "study/drop_scalars.h"
@@ -26,6 +28,7 @@ struct RunOptions {
   bool force = false;                                ///< replace results that are there
   bool resume = false;                               ///< go on from the newest checkpoint there
   const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the current step, as if interrupted
+  FiniteElements* elements = nullptr;                ///< those that the machine was built with, if any
   std::function<void(const Progress&)> report;       ///< called a few times a second
   std::function<void(const std::string&)> tell;      ///< called with what a user should know
 };
@@ -40,6 +43,8 @@ struct DropResult {
   std::vector<double> state;
   std::vector<double> impulse_before_end;  ///< of each touchdown bearing at averaging_start [N s]
   double averaging_start = 0;              ///< [s]
+  std::optional<WindowedSections::Report> windows;  ///< of a windowed coupling
+  HeatEnergy windows_energy;
 };
 
 /// Length of the means that summaries call "_end" [s].

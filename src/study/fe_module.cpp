@@ -42,4 +42,11 @@ std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProbl
   return std::unique_ptr<HeatConductionSolver>(make(problem));
 }
 
+FiniteElements finite_elements_of(const Case& drop_case) {
+  FiniteElements elements;
+  elements.make_solver = make_heat_solver;
+  (void)drop_case;
+  return elements;
+}
+
 }  // namespace rotordrop

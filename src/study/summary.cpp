@@ -99,10 +99,13 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
                  {"unbalance_work", e.unbalance_work},
                  {"drive_work", e.drive_work},
                  {"residual", e.residual},
-                 {"heat_deposited", e.heat_deposited},
-                 {"heat_stored", e.heat_stored},
-                 {"heat_lost", e.heat_lost},
-                 {"heat_residual", e.heat_residual}};
+                 {"heat_deposited", e.heat_deposited}};
+  for (std::size_t k = 0; k < e.heat.size(); ++k) {
+    const std::string prefix = machine.thermal_name(k) == "lumped" ? "" : machine.thermal_name(k) + "_";
+    j["energy"][prefix + "heat_stored"] = e.heat[k].stored;
+    j["energy"][prefix + "heat_lost"] = e.heat[k].lost;
+    j["energy"][prefix + "heat_residual"] = e.heat[k].residual;
+  }
   j["run"] = {{"completed", result.completed},
               {"end_time", result.end_time},
               {"wall_time", result.wall_time},

@@ -62,7 +62,7 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   join(co, o, R7);
   join(o, h, R8);
   network.resistors.push_back({h, ambient_node, 0., Law::housing_convection, housing_area, 0., place});
-  network.places.push_back({s, i, ci, co, b.share_to_ring, b.share_by_jaeger, b.jaeger});
+  network.places.push_back({s, i, ci, co});
 
   const double constraint = b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.;
   const double a_i = 0.5 * b.inner_bore, b_i = 0.5 * b.inner_outside, a_o = 0.5 * b.outer_bore,

@@ -34,9 +34,6 @@ struct BearingCircuitData {
   bool plane_strain_growth = false;              ///< growth times (1 + nu)
   enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
   double gap_resistance = 0;  ///< of Link::in_contact, when apart [K/W]
-  double share_to_ring = 0.5;
-  bool share_by_jaeger = false;
-  JaegerShare jaeger;
 };
 
 /// Adds a bearing's nodes, resistors, port and growth to a network; the bearing becomes its next place.

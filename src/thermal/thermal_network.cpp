@@ -199,11 +199,6 @@ void ThermalNetwork::growth_rates(std::span<const double> rate, std::span<Expans
   for (const auto& term : growth_terms_) out[term.place].*term.surface += term.coefficient * rate[term.node];
 }
 
-double ThermalNetwork::share_to_ring(std::size_t place, const HeatInput& heat) const {
-  const auto& p = data_.places[place];
-  return p.share_by_jaeger ? p.jaeger.to_ring(heat.rotor_surface_speed, heat.ring_surface_speed) : p.share_to_ring;
-}
-
 double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInput> heat, std::span<double> dydt) const {
   const std::size_t n = with_capacity_.size();
   double lost = 0.;
@@ -228,8 +223,7 @@ double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInpu
   }
   for (std::size_t p = 0; p < ports_.size(); ++p) {
     const Port& port = ports_[p];
-    const double to_ring = heat[p].rub * share_to_ring(p, heat[p]);
-    const double to_shaft = heat[p].rub - to_ring;
+    const double to_ring = heat[p].rub_into_ring, to_shaft = heat[p].rub - to_ring;
     for (const auto& term : port.ring) dydt[term.node] += term.factor * to_ring;
     for (const auto& term : port.shaft) dydt[term.node] += term.factor * to_shaft;
     for (const auto& term : port.inner) dydt[term.node] += term.factor * heat[p].inner;
@@ -253,7 +247,7 @@ void ThermalNetwork::observe(std::span<const double> T, std::span<const HeatInpu
     double value = shown.of_ambient * data_.ambient;
     for (const auto& term : shown.of_temperature) value += term.factor * T[term.node];
     for (std::size_t p = 0; p < ports_.size(); ++p) {
-      const double to_ring = heat[p].rub * share_to_ring(p, heat[p]);
+      const double to_ring = heat[p].rub_into_ring;
       value += shown.of_heat[4 * p] * to_ring + shown.of_heat[4 * p + 1] * (heat[p].rub - to_ring) +
                shown.of_heat[4 * p + 2] * heat[p].inner + shown.of_heat[4 * p + 3] * heat[p].outer;
     }

@@ -31,11 +31,8 @@ struct ThermalNetworkData {
   };
   /// Where the heat of one place enters.
   struct Place {
-    std::string shaft_node, ring_node;         ///< take the rub heat by the share
+    std::string shaft_node, ring_node;         ///< take the rub heat
     std::string inner_contact, outer_contact;  ///< take the bearing's internal heat
-    double share_to_ring = 0.5;                ///< constant share of the rub heat, if not by Jaeger
-    bool share_by_jaeger = false;
-    JaegerShare jaeger;
   };
   /// One linear term of a place's growth: coefficient times the rise of a node.
   struct Growth {
@@ -101,7 +98,6 @@ class ThermalNetwork final : public ThermalModel {
     std::vector<Term> of_temperature;
     std::vector<double> of_heat;  // [4 n_places]: ring, shaft, inner, outer
   };
-  [[nodiscard]] double share_to_ring(std::size_t place, const HeatInput& heat) const;
 
   ThermalNetworkData data_;
   std::vector<std::size_t> with_capacity_;  // state index -> node index

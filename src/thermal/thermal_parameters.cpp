@@ -42,6 +42,35 @@ Section<ExtraResistor> resistor_section() {
 Section<ThermalParameters> thermal_section() {
   using P = ThermalParameters;
   Section<P> s("thermal", "Lumped thermal circuit of every touchdown bearing.");
+  s.custom(
+      "models",
+      {.accepts = "a list of \"lumped\" and \"fe\"",
+       .json_types = {"array"},
+       .fallback = Node::array({Node("lumped")}),
+       .help = "Thermal models that run: the lumped circuit, the finite elements, or both on the same heat."},
+      [](const Node& node, P& target, Faults& faults) {
+        target.has_lumped = target.has_fe = false;
+        bool is_good = node.is_array();
+        for (const Node& item : is_good ? node.items() : std::vector<Node>{}) {
+          const bool is_lumped = item.is_text() && item.text() == "lumped", is_fe = item.is_text() && item.text() == "fe";
+          is_good = is_good && (is_lumped || is_fe);
+          target.has_lumped = target.has_lumped || is_lumped;
+          target.has_fe = target.has_fe || is_fe;
+        }
+        if (!is_good || (!target.has_lumped && !target.has_fe))
+          faults.add(node.where(), "thermal.models must be a list of \"lumped\" and \"fe\", such as [\"lumped\", \"fe\"].");
+      });
+  s.choice("driver", &P::driver,
+           {{"automatic", GrowthDriver::automatic},
+            {"lumped", GrowthDriver::lumped},
+            {"fe", GrowthDriver::fe},
+            {"none", GrowthDriver::none},
+            {"recorded", GrowthDriver::recorded}},
+           {.fallback = "automatic",
+            .help = "Whose thermal growth is fed back: that of a model, none, or what an earlier run recorded. "
+                    "automatic: of the first of lumped and fe that runs."});
+  s.text("recorded", &P::recorded,
+         {.help = "results.h5 whose expansion drives, if driver is recorded; a path beside the case."});
   s.boolean("growth", &P::growth,
             {.fallback = true, .help = "Whether thermal growth is fed back into clearances and ball loads."});
   s.choice("heat_share", &P::heat_share, {{"constant", HeatShare::constant}, {"jaeger", HeatShare::jaeger}},
@@ -104,6 +133,7 @@ Section<ThermalParameters> thermal_section() {
   s.boolean("plane_strain_growth", &P::plane_strain_growth,
             {.fallback = false,
              .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise."});
+  s.table("fe", &P::fe, fe_section(), {.help = "Finite elements of every touchdown bearing."});
   s.list("node", &P::nodes, node_section(), {.help = "Further nodes."});
   s.list("resistor", &P::resistors, resistor_section(), {.help = "Further resistors."});
   return s;

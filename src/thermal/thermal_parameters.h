@@ -5,10 +5,14 @@
 
 #include "base/parameters.h"
 #include "thermal/bearing_circuit.h"
+#include "thermal/fe_parameters.h"
 
 namespace rotordrop {
 
 enum class HeatShare { constant, jaeger };
+
+/// Whose growth is fed back into clearances and ball loads.
+enum class GrowthDriver { automatic, lumped, fe, none, recorded };
 
 /// A node that a user adds to the circuit.
 struct ExtraNode {
@@ -23,6 +27,9 @@ struct ExtraResistor {
 
 /// [thermal]: the lumped circuit of every touchdown bearing, and what a user adds to it.
 struct ThermalParameters {
+  bool has_lumped = true, has_fe = false;  ///< models
+  GrowthDriver driver = GrowthDriver::automatic;
+  std::optional<std::string> recorded;  ///< results.h5 of an earlier run
   bool growth = true;
   HeatShare heat_share = HeatShare::constant;
   double share_to_ring = 0;
@@ -31,6 +38,7 @@ struct ThermalParameters {
   BearingCircuitData::Link shaft_ring_link = BearingCircuitData::Link::permanent;
   double gas_conductivity = 0;
   bool plane_strain_growth = false;
+  FeParameters fe;
   std::vector<ExtraNode> nodes;
   std::vector<ExtraResistor> resistors;
 };

@@ -59,11 +59,14 @@ Grid make_grid(const HeatConductionProblem& problem) {
     demands_x.push_back({body.x[0], body.x[1], (body.x[1] - body.x[0]) / n.cells});
     demands_r.push_back({body.r[0], body.r[1], (body.r[1] - body.r[0]) / n.cells});
   }
-  for (const auto& flux : problem.fluxes) {
-    const auto& body = problem.bodies.at(flux.boundary.body);
+  std::vector<HeatBoundary> heated;
+  for (const auto& flux : problem.fluxes) heated.push_back(flux.boundary);
+  for (const auto& port : problem.ports) heated.insert(heated.end(), port.boundaries.begin(), port.boundaries.end());
+  for (const auto& boundary : heated) {
+    const auto& body = problem.bodies.at(boundary.body);
     const double thin_x = (body.x[1] - body.x[0]) / n.cells / n.grading,
                  thin_r = (body.r[1] - body.r[0]) / n.cells / n.grading;
-    switch (flux.boundary.side) {
+    switch (boundary.side) {
       case HeatSide::left:
         demands_x.push_back({body.x[0], body.x[0], thin_x});
         break;
@@ -76,6 +79,9 @@ Grid make_grid(const HeatConductionProblem& problem) {
       case HeatSide::outer:
         demands_r.push_back({body.r[1], body.r[1], thin_r});
         break;
+      case HeatSide::raceway:
+      case HeatSide::strip:
+        break;  // rectangles have none
     }
   }
   return {grid_lines(x, demands_x, n.growth), grid_lines(r, demands_r, n.growth)};

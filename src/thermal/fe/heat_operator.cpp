@@ -1,6 +1,5 @@
 #include "thermal/fe/heat_operator.h"
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 
@@ -8,48 +7,12 @@
 #include <limits>
 #include <numbers>
 
+#include "base/errors.h"
+
 namespace rotordrop {
 namespace {
 
 using std::numbers::pi;
-constexpr unsigned int side_number(HeatSide side) {
-  // deal.II's numbers of a quadrilateral's faces, with x and r as its two directions.
-  switch (side) {
-    case HeatSide::left:
-      return 0;
-    case HeatSide::right:
-      return 1;
-    case HeatSide::inner:
-      return 2;
-    case HeatSide::outer:
-      return 3;
-  }
-  return 0;
-}
-// The line of the section on which a boundary lies: direction across (0 x, 1 r) and coordinate.
-std::pair<unsigned int, double> line_of(const HeatBody& body, HeatSide side) {
-  switch (side) {
-    case HeatSide::left:
-      return {0, body.x[0]};
-    case HeatSide::right:
-      return {0, body.x[1]};
-    case HeatSide::inner:
-      return {1, body.r[0]};
-    case HeatSide::outer:
-      return {1, body.r[1]};
-  }
-  return {0, 0.};
-}
-std::array<double, 2> extent_along(const HeatBody& body, HeatSide side) {
-  return side == HeatSide::left || side == HeatSide::right ? body.r : body.x;
-}
-
-// Area of the part of a boundary between two coordinates along it.
-double area_between(const HeatBody& body, HeatSide side, double a, double b) {
-  const auto [across, at] = line_of(body, side);
-  return across == 0 ? pi * (b * b - a * a) : 2. * pi * at * (b - a);
-}
-
 double loss(const HeatConvection& law, double T) {
   const double rise = T - law.ambient;
   if (law.exponent == 0.) return law.coefficient * rise;
@@ -82,60 +45,85 @@ double weight(const dealii::FEValuesBase<2>& fe, unsigned int q) {
 
 HeatOperator::HeatOperator(const HeatConductionProblem& problem)
     : problem_(problem),
-      grid_(make_grid(problem)),
-      fe_(static_cast<unsigned int>(problem.numerics.degree)),
+      mesh_(problem.mesh.empty() ? mesh_of_rectangles(problem) : problem.mesh,
+            static_cast<unsigned int>(problem.numerics.degree)),
+      fe_(mesh_.element()),
+      mapping_(mesh_.mapping()),
       cell_quadrature_(fe_.degree + 1),
       face_quadrature_(fe_.degree + 1),
-      dofs_(triangulation_) {
-  make_triangulation();
-  dofs_.distribute_dofs(fe_);
-  find_cells();
+      cells_(mesh_.cells()),
+      n_field_(mesh_.dofs().n_dofs()) {
+  find_covered_edges();
+  for (auto* v : {&capacity_weights_, &ambient_load_, &loss_weights_, &scratch_}) v->reinit(size());
+  make_ports();
   make_pattern();
   prepare_curved_cells();
   capacity_.reinit(pattern_);
   conductance_.reinit(pattern_);
-  for (auto* v : {&capacity_weights_, &ambient_load_, &scratch_}) v->reinit(size());
   assemble_bodies();
   assemble_interfaces();
   assemble_boundaries();
+  assemble_nodes_and_links();
 }
 
-// ---------------------------------------------------------------------------------------------------------------------- mesh
-
-void HeatOperator::make_triangulation() {
-  std::vector<dealii::Point<2>> vertices;
-  std::vector<dealii::CellData<2>> cells;
-  const auto inside = [](const std::vector<double>& lines, const std::array<double, 2>& extent) {
-    std::vector<std::size_t> found;  // lines of the body, the last one included
-    const double slack = 1e-9 * (lines.back() - lines.front());
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      if (lines[i] >= extent[0] - slack && lines[i] <= extent[1] + slack) found.push_back(i);
-    return found;
-  };
-  for (std::size_t b = 0; b < problem_.bodies.size(); ++b) {
-    const auto& body = problem_.bodies[b];
-    const auto x = inside(grid_.x, body.x), r = inside(grid_.r, body.r);
-    layout_.push_back({x, r, cells.size()});
-    const auto first = static_cast<unsigned int>(vertices.size());
-    const auto n_x = static_cast<unsigned int>(x.size()), n_r = static_cast<unsigned int>(r.size());
-    for (const auto j : r)
-      for (const auto i : x) vertices.emplace_back(grid_.x[i], grid_.r[j]);
-    for (unsigned int j = 0; j + 1 < n_r; ++j)
-      for (unsigned int i = 0; i + 1 < n_x; ++i) {
-        dealii::CellData<2> cell;
-        const unsigned int corner = first + j * n_x + i;
-        cell.vertices = {corner, corner + 1, corner + n_x, corner + n_x + 1};
-        cell.material_id = static_cast<dealii::types::material_id>(b);
-        cells.push_back(cell);
+void HeatOperator::find_covered_edges() {
+  for (const auto& interface : problem_.interfaces)
+    for (const auto& [first, second] : mesh_.pairs_of(interface.first, interface.second))
+      for (const auto edge : {first.edge, second.edge}) {
+        is_covered_.resize(std::max(is_covered_.size(), edge + 1));
+        is_covered_[edge] = true;
       }
-  }
-  triangulation_.create_triangulation(vertices, cells, dealii::SubCellData());
 }
 
-void HeatOperator::find_cells() {
-  // A coarse mesh keeps the order in which its cells were given.
-  for (const auto& cell : dofs_.active_cell_iterators()) {
-    cells_.push_back(cell);
+std::vector<HeatOperator::Face> HeatOperator::free_faces_of(const HeatBoundary& boundary) const {
+  auto faces = mesh_.faces_of(boundary);
+  std::erase_if(faces, [&](const Face& face) { return face.edge < is_covered_.size() && is_covered_[face.edge]; });
+  return faces;
+}
+
+// Integral of v over faces [m2]. On curved ones scaled to the exact area: a watt given is a watt received.
+HeatOperator::Vector HeatOperator::integral_over(const std::vector<Face>& faces) const {
+  Vector out(size());
+  dealii::FEFaceValues<2> fe(mapping_, fe_, face_quadrature_, face_flags);
+  Indices dofs(fe_.dofs_per_cell);
+  double discrete = 0., exact = 0.;
+  for (const auto& face : faces) {
+    fe.reinit(face.cell, face.number);
+    face.cell->get_dof_indices(dofs);
+    exact += mesh_.area(face);
+    for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
+      discrete += weight(fe, q);
+      for (unsigned int i = 0; i < fe_.dofs_per_cell; ++i)
+        if (fe_.has_support_on_face(i, face.number)) out(dofs[i]) += weight(fe, q) * fe.shape_value(i, q);
+    }
+  }
+  if (mesh_.is_curved() && discrete > 0.) out *= exact / discrete;
+  return out;
+}
+
+void HeatOperator::make_ports() {
+  for (const auto& port : problem_.ports) {
+    Port made{port.name, Vector(size()), 0., 0.};
+    if (port.node) {
+      made.weights(index_of_node(*port.node)) = 1.;
+    } else {
+      std::vector<Face> faces;
+      for (const auto& boundary : port.boundaries)
+        for (const auto& face : free_faces_of(boundary)) faces.push_back(face);
+      if (faces.empty()) throw SolverError("the heat port \"" + port.name + "\" has no free face of the mesh.");
+      for (const auto& face : faces) made.area += mesh_.area(face);
+      made.weights = integral_over(faces);
+      made.weights /= made.area;
+    }
+    ports_.push_back(std::move(made));
+  }
+  for (const auto& law : problem_.convections) {
+    if (law.exponent == 0.) continue;
+    const auto faces = free_faces_of(law.boundary);
+    Port made{problem_.bodies[law.boundary.body].name + " convection", integral_over(faces), 0., 0.};
+    for (const auto& face : faces) made.area += mesh_.area(face);
+    made.weights /= made.area;
+    ports_.push_back(std::move(made));
   }
 }
 
@@ -160,18 +148,19 @@ void HeatOperator::prepare_curved_cells() {
       for (const auto i : face_dofs_[number]) face_shape_[number].back().push_back(fe_.shape_value(i, p));
     }
   }
-  dealii::FEValues<2> fe(mapping_, fe_, cell_quadrature_, cell_flags);
+  dealii::FEValues<2> fe(mapping_, fe_, cell_quadrature_, cell_flags | dealii::update_inverse_jacobians);
   Indices dofs(n);
   for (const auto& cell : cells_) {
     if (!is_curved(body_of(cell))) continue;
     fe.reinit(cell);
     cell->get_dof_indices(dofs);
-    CurvedCell prepared{&body_of(cell),
-                        {dofs.begin(), dofs.end()},
-                        {},
-                        1. / cell->extent_in_direction(0),
-                        1. / cell->extent_in_direction(1)};
-    for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) prepared.weights.push_back(weight(fe, q));
+    CurvedCell prepared{&body_of(cell), {dofs.begin(), dofs.end()}, {}, {}};
+    for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
+      prepared.weights.push_back(weight(fe, q));
+      const auto& inverse = fe.inverse_jacobian(q);  // rows: directions of the unit cell
+      prepared.metric.push_back(
+          {inverse[0] * inverse[0], inverse[0] * inverse[1], inverse[1] * inverse[1]});
+    }
     curved_cells_.push_back(std::move(prepared));
   }
 }
@@ -187,70 +176,16 @@ HeatOperator::FilmFace HeatOperator::film_face(const Face& face, const HeatConve
   return prepared;
 }
 
-bool HeatOperator::is_covered(const HeatBoundary& boundary, const dealii::Point<2>& centre) const {
-  for (const auto& interface : problem_.interfaces)
-    for (const auto* side : {&interface.first, &interface.second}) {
-      if (!(*side == boundary)) continue;
-      const auto& other = side == &interface.first ? interface.second : interface.first;
-      const auto along = extent_along(problem_.bodies[other.body], other.side);
-      const double at = boundary.side == HeatSide::left || boundary.side == HeatSide::right ? centre[1] : centre[0];
-      if (at > along[0] && at < along[1]) return true;
-    }
-  return false;
-}
-
-std::vector<HeatOperator::Face> HeatOperator::faces_of(const HeatBoundary& boundary, bool free_part_only) const {
-  std::vector<Face> faces;
-  const unsigned int number = side_number(boundary.side);
-  for (const auto& cell : cells_)
-    if (cell->material_id() == boundary.body && cell->at_boundary(number) &&
-        !(free_part_only && is_covered(boundary, cell->face(number)->center())))
-      faces.push_back({cell, number});
-  return faces;
-}
-
-double HeatOperator::free_area(const HeatBoundary& boundary) const {
-  // Union of the covered stretches, cut out of the whole.
-  const auto& body = problem_.bodies[boundary.body];
-  const auto whole = extent_along(body, boundary.side);
-  std::vector<std::array<double, 2>> covered;
-  for (const auto& interface : problem_.interfaces)
-    for (const auto* side : {&interface.first, &interface.second}) {
-      if (!(*side == boundary)) continue;
-      const auto& other = side == &interface.first ? interface.second : interface.first;
-      const auto along = extent_along(problem_.bodies[other.body], other.side);
-      covered.push_back({std::max(along[0], whole[0]), std::min(along[1], whole[1])});
-    }
-  std::sort(covered.begin(), covered.end());
-  double area = area_between(body, boundary.side, whole[0], whole[1]), reached = whole[0];
-  for (const auto& [a, b] : covered) {
-    if (b <= reached) continue;
-    area -= area_between(body, boundary.side, std::max(a, reached), b);
-    reached = b;
-  }
-  return area;
-}
-
-std::vector<std::pair<HeatOperator::Face, HeatOperator::Face>> HeatOperator::pairs_of(
-    const HeatInterface& interface) const {
-  std::vector<std::pair<Face, Face>> pairs;
-  const auto first = faces_of(interface.first, false), second = faces_of(interface.second, false);
-  const unsigned int along = interface.first.side == HeatSide::inner || interface.first.side == HeatSide::outer ? 0 : 1;
-  for (const auto& a : first)
-    for (const auto& b : second) {
-      const auto face_a = a.cell->face(a.number), face_b = b.cell->face(b.number);
-      if (std::fabs(face_a->center()[along] - face_b->center()[along]) < 1e-3 * face_a->measure())
-        pairs.emplace_back(a, b);
-    }
-  return pairs;
-}
-
 void HeatOperator::make_pattern() {
   dealii::DynamicSparsityPattern pattern(size());
-  dealii::DoFTools::make_sparsity_pattern(dofs_, pattern);
   Indices a(fe_.dofs_per_cell), b(fe_.dofs_per_cell);
+  for (const auto& cell : cells_) {
+    cell->get_dof_indices(a);
+    for (const auto i : a)
+      for (const auto j : a) pattern.add(i, j);
+  }
   for (const auto& interface : problem_.interfaces)
-    for (const auto& [first, second] : pairs_of(interface)) {
+    for (const auto& [first, second] : mesh_.pairs_of(interface.first, interface.second)) {
       first.cell->get_dof_indices(a);
       second.cell->get_dof_indices(b);
       for (unsigned int i = 0; i < a.size(); ++i)
@@ -260,7 +195,26 @@ void HeatOperator::make_pattern() {
           pattern.add(b[j], a[i]);
         }
     }
+  for (std::size_t k = 0; k < problem_.nodes.size(); ++k) pattern.add(index_of_node(k), index_of_node(k));
+  for (const auto& link : problem_.links) {
+    const auto ends = ends_of(link);
+    for (const auto& [i, at_i] : ends)
+      for (const auto& [j, at_j] : ends) pattern.add(i, j);
+  }
   pattern_.copy_from(pattern);
+}
+
+// Weights of the temperature difference that drives a link.
+std::vector<std::pair<unsigned int, double>> HeatOperator::ends_of(const HeatLink& link) const {
+  std::vector<std::pair<unsigned int, double>> ends;
+  const auto add = [&](std::size_t port, double sign) {
+    const auto& weights = ports_[port].weights;
+    for (unsigned int i = 0; i < weights.size(); ++i)
+      if (weights(i) != 0.) ends.emplace_back(i, sign * weights(i));
+  };
+  add(link.from, 1.);
+  if (link.to) add(*link.to, -1.);
+  return ends;
 }
 
 // ------------------------------------------------------------------------------------------------------------------ assembly
@@ -270,14 +224,18 @@ void HeatOperator::assemble_bodies() {
   const unsigned int n = fe_.dofs_per_cell;
   dealii::FullMatrix<double> capacity(n, n), conductance(n, n);
   Indices dofs(n);
+  for (std::size_t b = 0; b < problem_.bodies.size(); ++b) bodies_.push_back({Vector(size()), 0.});
   for (const auto& cell : cells_) {
     const auto& body = body_of(cell);
+    fe.reinit(cell);
+    cell->get_dof_indices(dofs);
+    auto& mean = bodies_[cell->material_id()];
+    for (unsigned int q = 0; q < fe.n_quadrature_points; ++q)
+      for (unsigned int i = 0; i < n; ++i) mean.weights(dofs[i]) += weight(fe, q) * fe.shape_value(i, q);
     if (is_curved(body)) continue;
     const double k = body.conductivity.value(0.), rho_c = body.density * body.heat_capacity.value(0.);
-    fe.reinit(cell);
     capacity = 0.;
     conductance = 0.;
-    cell->get_dof_indices(dofs);
     for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
       const double w = weight(fe, q);
       for (unsigned int i = 0; i < n; ++i) {
@@ -291,6 +249,13 @@ void HeatOperator::assemble_bodies() {
     capacity_.add(dofs, capacity);
     conductance_.add(dofs, conductance);
   }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& body = problem_.bodies[b];
+    double volume = 0.;
+    for (const double w : bodies_[b].weights) volume += w;
+    bodies_[b].capacity = volume * body.density * body.heat_capacity.value(problem_.initial_temperature);
+    bodies_[b].weights /= volume;
+  }
 }
 
 void HeatOperator::assemble_interfaces() {
@@ -299,9 +264,12 @@ void HeatOperator::assemble_interfaces() {
   const unsigned int n = fe_.dofs_per_cell;
   Indices dofs(2 * n), part(n);
   for (const auto& interface : problem_.interfaces)
-    for (const auto& [first, second] : pairs_of(interface)) {
+    for (const auto& [first, second] : mesh_.pairs_of(interface.first, interface.second)) {
       fe_1.reinit(first.cell, first.number);
       fe_2.reinit(second.cell, second.number);
+      // Cells may number the points of their common side from either end.
+      const bool runs_backwards =
+          fe_1.quadrature_point(0).distance(fe_2.quadrature_point(0)) > 1e-3 * first.cell->face(first.number)->measure();
       first.cell->get_dof_indices(part);
       std::copy(part.begin(), part.end(), dofs.begin());
       second.cell->get_dof_indices(part);
@@ -311,7 +279,7 @@ void HeatOperator::assemble_interfaces() {
         const double w = weight(fe_1, q) / interface.resistance;
         for (unsigned int i = 0; i < n; ++i) {
           jump[i] = fe_1.shape_value(i, q);
-          jump[n + i] = -fe_2.shape_value(i, q);
+          jump[n + i] = -fe_2.shape_value(i, runs_backwards ? fe_2.n_quadrature_points - 1 - q : q);
         }
         for (unsigned int i = 0; i < 2 * n; ++i)
           for (unsigned int j = 0; j < 2 * n; ++j)
@@ -331,7 +299,7 @@ void HeatOperator::assemble_boundaries() {
   dealii::FullMatrix<double> film(n, n);
   Indices dofs(n);
   for (const auto& law : problem_.convections)
-    for (const auto& face : faces_of(law.boundary, true)) {
+    for (const auto& face : free_faces_of(law.boundary)) {
       (law.exponent == 0. ? linear_faces_ : power_faces_).push_back(film_face(face, law));
       if (law.exponent != 0.) continue;
       fe.reinit(face.cell, face.number);
@@ -342,18 +310,31 @@ void HeatOperator::assemble_boundaries() {
           const double part = law.coefficient * weight(fe, q) * fe.shape_value(i, q);
           for (unsigned int j = 0; j < n; ++j) film(i, j) += part * fe.shape_value(j, q);
           ambient_load_(dofs[i]) += part * (law.ambient - problem_.initial_temperature);
+          loss_weights_(dofs[i]) += part;
         }
       conductance_.add(dofs, film);
     }
   for (const auto& flux : problem_.fluxes) {
-    FluxLoad load{&flux, faces_of(flux.boundary, true), Vector(size()), free_area(flux.boundary), 0.};
-    for (const auto& face : load.faces) {
-      fe.reinit(face.cell, face.number);
-      face.cell->get_dof_indices(dofs);
-      for (unsigned int q = 0; q < fe.n_quadrature_points; ++q)
-        for (unsigned int i = 0; i < n; ++i) load.unit(dofs[i]) += weight(fe, q) * fe.shape_value(i, q);
-    }
+    FluxLoad load{&flux, free_faces_of(flux.boundary), {}, 0., 0.};
+    load.unit = integral_over(load.faces);
+    for (const auto& face : load.faces) load.area += mesh_.area(face);
     loads_.push_back(std::move(load));
+  }
+}
+
+void HeatOperator::assemble_nodes_and_links() {
+  for (std::size_t k = 0; k < problem_.nodes.size(); ++k) {
+    const auto i = index_of_node(k);
+    capacity_.add(i, i, problem_.nodes[k].capacity);
+    capacity_weights_(i) += problem_.nodes[k].capacity;
+  }
+  for (const auto& link : problem_.links) {
+    const auto ends = ends_of(link);
+    const double G = 1. / link.resistance;
+    for (const auto& [i, at_i] : ends) {
+      for (const auto& [j, at_j] : ends) conductance_.add(i, j, G * at_i * at_j);
+      if (!link.to) loss_weights_(i) += G * at_i;
+    }
   }
 }
 
@@ -381,6 +362,10 @@ void HeatOperator::hold_fluxes_of(double time) {
   }
 }
 
+void HeatOperator::hold_port_heat(std::span<const double> watts) {
+  for (std::size_t p = 0; p < watts.size(); ++p) ports_[p].held = watts[p];
+}
+
 void HeatOperator::enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const {
   scratch_ = T;
   scratch_ -= T_before;
@@ -399,12 +384,15 @@ void HeatOperator::heat_flow(const Vector& T, double t, Vector& out) const {
   conductance_.vmult(out, scratch_);
   out.sadd(-1., ambient_load_);
   for (const auto& load : loads_) out.add(load.held, load.unit);
+  for (const auto& port : ports_)
+    if (port.held != 0.) out.add(port.held, port.weights);
 
   for (const auto& cell : curved_cells_)
     for (std::size_t q = 0; q < cell.weights.size(); ++q) {
       const double k = cell.body->conductivity.value(interpolated(T, cell.dofs, shape_[q])) * cell.weights[q];
-      const double k_T_x = k * interpolated(T, cell.dofs, shape_x_[q]) * cell.per_x * cell.per_x;
-      const double k_T_r = k * interpolated(T, cell.dofs, shape_r_[q]) * cell.per_r * cell.per_r;
+      const double T_x = interpolated(T, cell.dofs, shape_x_[q]), T_r = interpolated(T, cell.dofs, shape_r_[q]);
+      const auto& [xx, xr, rr] = cell.metric[q];
+      const double k_T_x = k * (xx * T_x + xr * T_r), k_T_r = k * (xr * T_x + rr * T_r);
       for (std::size_t i = 0; i < cell.dofs.size(); ++i)
         out(cell.dofs[i]) -= k_T_x * shape_x_[q][i] + k_T_r * shape_r_[q][i];
     }
@@ -456,16 +444,16 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
     for (std::size_t i = 0; i < n; ++i) {
       std::fill(local.begin(), local.end(), 0.);
       for (std::size_t q = 0; q < cell.weights.size(); ++q) {
-        const double now = interpolated(T, cell.dofs, shape_[q]), w = cell.weights[q], xx = cell.per_x * cell.per_x,
-                     rr = cell.per_r * cell.per_r;
+        const double now = interpolated(T, cell.dofs, shape_[q]), w = cell.weights[q];
+        const auto& [xx, xr, rr] = cell.metric[q];
         const double k = scaled_step * w * k_of.value(now), steeper = scaled_step * w * k_of.slope(now);
-        const double flow_i = interpolated(T, cell.dofs, shape_x_[q]) * xx * shape_x_[q][i] +
-                              interpolated(T, cell.dofs, shape_r_[q]) * rr * shape_r_[q][i];
+        // Gradient of shape i raised by the metric.
+        const double i_x = xx * shape_x_[q][i] + xr * shape_r_[q][i], i_r = xr * shape_x_[q][i] + rr * shape_r_[q][i];
+        const double flow_i = interpolated(T, cell.dofs, shape_x_[q]) * i_x + interpolated(T, cell.dofs, shape_r_[q]) * i_r;
         const double by_value =
             cell.body->density * cell.body->heat_capacity.value(now) * w * shape_[q][i] + steeper * flow_i;
         for (std::size_t j = 0; j < n; ++j)
-          local[j] += by_value * shape_[q][j] +
-                      k * (xx * shape_x_[q][i] * shape_x_[q][j] + rr * shape_r_[q][i] * shape_r_[q][j]);
+          local[j] += by_value * shape_[q][j] + k * (i_x * shape_x_[q][j] + i_r * shape_r_[q][j]);
       }
       for (std::size_t j = 0; j < n; ++j) out.add(cell.dofs[i], cell.dofs[j], local[j]);
     }
@@ -484,6 +472,7 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
 
 double HeatOperator::input_power(double t) const {
   double power = 0.;
+  for (const auto& port : ports_) power += port.held;
   for (const auto& load : loads_) {
     power += load.held * load.area;
     if (!load.flux->function) continue;
@@ -503,6 +492,8 @@ double HeatOperator::lost_power(const Vector& T) const {
     for (const auto& face : *faces)
       for (std::size_t q = 0; q < face.weights.size(); ++q)
         power += loss(*face.law, interpolated(T, face.dofs, (*face.shape)[q])) * face.weights[q];
+  for (const auto& link : problem_.links)
+    if (!link.to) power += (port_temperature(T, link.from) - problem_.initial_temperature) / link.resistance;
   return power;
 }
 
@@ -520,36 +511,56 @@ double HeatOperator::stored_energy(const Vector& T, const Vector& T_0) const {
 // --------------------------------------------------------------------------------------------------------------------- probes
 
 double HeatOperator::temperature(const Vector& T, std::size_t body, double x, double r) const {
-  const auto& layout = layout_.at(body);
-  // The cell between the lines, and the place in it from 0 to 1.
-  const auto locate = [](const std::vector<double>& lines, const std::vector<std::size_t>& own, double at) {
-    std::size_t i = 0;
-    while (i + 2 < own.size() && lines[own[i + 1]] <= at) ++i;
-    return std::pair{i, (at - lines[own[i]]) / (lines[own[i + 1]] - lines[own[i]])};
-  };
-  const auto [i, xi] = locate(grid_.x, layout.x, x);
-  const auto [j, eta] = locate(grid_.r, layout.r, r);
-  const auto& cell = cells_[layout.first_cell + j * (layout.x.size() - 1) + i];
+  const auto place = mesh_.locate(body, x, r);
   Indices dofs(fe_.dofs_per_cell);
-  cell->get_dof_indices(dofs);
+  place.cell->get_dof_indices(dofs);
   double value = 0.;
-  for (unsigned int k = 0; k < dofs.size(); ++k) value += T(dofs[k]) * fe_.shape_value(k, {xi, eta});
+  for (unsigned int k = 0; k < dofs.size(); ++k) value += T(dofs[k]) * fe_.shape_value(k, place.on_unit_cell);
   return value;
 }
 
 double HeatOperator::mean_temperature(const Vector& T, const HeatBoundary& boundary) const {
+  return surface(T, {boundary}).mean;
+}
+
+SurfaceRange HeatOperator::surface(const Vector& T, const std::vector<HeatBoundary>& boundaries) const {
   dealii::FEFaceValues<2> fe(mapping_, fe_, face_quadrature_, face_flags);
   Values now(fe.n_quadrature_points);
+  Indices dofs(fe_.dofs_per_cell);
+  SurfaceRange range{0., std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   double sum = 0., area = 0.;
-  for (const auto& face : faces_of(boundary, false)) {
-    fe.reinit(face.cell, face.number);
-    fe.get_function_values(T, now);
-    for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
-      sum += (now[q] - problem_.initial_temperature) * weight(fe, q);
-      area += weight(fe, q);
+  for (const auto& boundary : boundaries)
+    for (const auto& face : mesh_.faces_of(boundary)) {
+      fe.reinit(face.cell, face.number);
+      face.cell->get_dof_indices(dofs);
+      for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
+        double value = 0.;
+        for (const auto i : face_dofs_[face.number]) value += T(dofs[i]) * fe.shape_value(i, q);
+        sum += (value - problem_.initial_temperature) * weight(fe, q);
+        area += weight(fe, q);
+      }
+      for (const auto i : face_dofs_[face.number]) {
+        range.lowest = std::min(range.lowest, T(dofs[i]));
+        range.highest = std::max(range.highest, T(dofs[i]));
+      }
     }
-  }
-  return problem_.initial_temperature + sum / area;
+  range.mean = problem_.initial_temperature + sum / area;
+  return range;
+}
+
+double HeatOperator::body_mean(const Vector& T, std::size_t body) const {
+  const auto& weights = bodies_[body].weights;
+  double rise = 0.;
+  for (unsigned int i = 0; i < n_field_; ++i) rise += weights(i) * (T(i) - problem_.initial_temperature);
+  return problem_.initial_temperature + rise;
+}
+
+double HeatOperator::port_temperature(const Vector& T, std::size_t port) const {
+  const auto& weights = ports_[port].weights;
+  double rise = 0.;
+  for (unsigned int i = 0; i < size(); ++i)
+    if (weights(i) != 0.) rise += weights(i) * (T(i) - problem_.initial_temperature);
+  return problem_.initial_temperature + rise;
 }
 
 double HeatOperator::difference(const Vector& T, const std::function<double(std::size_t, double, double)>& f) const {
@@ -576,8 +587,9 @@ double HeatOperator::expected_rise(double duration) const {
     const auto& body = problem_.bodies[load.flux->boundary.body];
     const double k = body.conductivity.value(problem_.initial_temperature);
     const double rho_c = body.density * body.heat_capacity.value(problem_.initial_temperature);
-    const auto across = line_of(body, load.flux->boundary.side).first;
-    const double thickness = across == 0 ? body.x[1] - body.x[0] : body.r[1] - body.r[0];
+    const auto side = load.flux->boundary.side;
+    const double thickness =
+        side == HeatSide::left || side == HeatSide::right ? body.x[1] - body.x[0] : body.r[1] - body.r[0];
     // Until 0.1 thickness^2/diffusivity the body is thick.
     const double t = std::min(duration, 0.1 * thickness * thickness * rho_c / k);
     rise = std::max(rise, 2. * std::fabs(load.held) * std::sqrt(t / (pi * k * rho_c)));
@@ -589,8 +601,9 @@ double HeatOperator::shortest_time() const {
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& cell : cells_) {
     const auto& body = body_of(cell);
-    const double h =
-        std::min(cell->extent_in_direction(0), cell->extent_in_direction(1)) / static_cast<double>(fe_.degree);
+    double side = std::numeric_limits<double>::infinity();
+    for (const unsigned int f : cell->face_indices()) side = std::min(side, cell->face(f)->measure());
+    const double h = side / static_cast<double>(fe_.degree);
     const double k = body.conductivity.value(problem_.initial_temperature);
     shortest = std::min(shortest, h * h * body.density * body.heat_capacity.value(problem_.initial_temperature) / k);
   }

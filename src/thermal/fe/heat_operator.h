@@ -1,10 +1,6 @@
 #pragma once
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_cartesian.h>
-#include <deal.II/grid/tria.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
@@ -14,7 +10,7 @@
 #include <vector>
 
 #include "model/heat_conduction.h"
-#include "thermal/fe/grid_lines.h"
+#include "thermal/fe/heat_mesh.h"
 
 namespace rotordrop {
 
@@ -30,8 +26,11 @@ class HeatOperator {
 
   explicit HeatOperator(const HeatConductionProblem& problem);
 
-  [[nodiscard]] unsigned int size() const { return dofs_.n_dofs(); }
-  [[nodiscard]] std::size_t n_cells() const { return triangulation_.n_active_cells(); }
+  /// Unknowns: those of the mesh, then the nodes' temperatures.
+  [[nodiscard]] unsigned int size() const { return n_field_ + static_cast<unsigned int>(problem_.nodes.size()); }
+  [[nodiscard]] std::size_t n_cells() const { return mesh_.cells().size(); }
+  [[nodiscard]] const HeatMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const HeatConductionProblem& problem() const { return problem_; }
   [[nodiscard]] const dealii::SparsityPattern& pattern() const { return pattern_; }
   /// No property depends on temperature, no convection is a power law: one Jacobian for all.
   [[nodiscard]] bool is_linear() const { return curved_cells_.empty() && power_faces_.empty(); }
@@ -39,6 +38,8 @@ class HeatOperator {
 
   /// Fluxes keep, until the next call, the values that hold right after this time [s].
   void hold_fluxes_of(double time);
+  /// Heat into each port [W] [n_ports], until the next call.
+  void hold_port_heat(std::span<const double> watts);
   /// out(v) = integral rho (H(T) - H(T_before)) v  [J]
   void enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const;
   /// out(v) = F(T, t)(v)  [W]
@@ -53,6 +54,27 @@ class HeatOperator {
 
   [[nodiscard]] double temperature(const Vector& T, std::size_t body, double x, double r) const;
   [[nodiscard]] double mean_temperature(const Vector& T, const HeatBoundary& boundary) const;
+  [[nodiscard]] SurfaceRange surface(const Vector& T, const std::vector<HeatBoundary>& boundaries) const;
+  [[nodiscard]] double body_mean(const Vector& T, std::size_t body) const;
+  [[nodiscard]] double port_temperature(const Vector& T, std::size_t port) const;
+
+  // What a reduction needs; T = initial temperature + rise.
+  [[nodiscard]] const Matrix& capacity() const { return capacity_; }
+  [[nodiscard]] const Matrix& conductance() const { return conductance_; }
+  /// out(v) = a watt into the port, spread over its area; port n_ports + k is the k-th convection that is not linear.
+  [[nodiscard]] const Vector& port_weights(std::size_t port) const { return ports_[port].weights; }
+  [[nodiscard]] std::size_t n_all_ports() const { return ports_.size(); }
+  [[nodiscard]] double port_area(std::size_t port) const { return ports_[port].area; }
+  [[nodiscard]] const std::string& port_name(std::size_t port) const { return ports_[port].name; }
+  /// Weights of a mean over a body's volume, and the body's heat capacity [J/K].
+  [[nodiscard]] const Vector& body_weights(std::size_t body) const { return bodies_[body].weights; }
+  [[nodiscard]] double body_capacity(std::size_t body) const { return bodies_[body].capacity; }
+  [[nodiscard]] unsigned int index_of_node(std::size_t node) const {
+    return n_field_ + static_cast<unsigned int>(node);
+  }
+  /// Heat lost by linear convection and links [W] = weights . rise, if the surroundings have the initial temperature.
+  [[nodiscard]] const Vector& loss_weights() const { return loss_weights_; }
+
   [[nodiscard]] double difference(const Vector& T, const std::function<double(std::size_t, double, double)>& f) const;
 
   /// Rise of a half space [K] under the largest held flux after this time [s], as long as it has not felt the body's other side: a scale.
@@ -61,17 +83,14 @@ class HeatOperator {
   [[nodiscard]] double shortest_time() const;
 
  private:
-  using Cell = dealii::DoFHandler<2>::active_cell_iterator;
-  struct Face {
-    Cell cell;
-    unsigned int number = 0;
-  };
+  using Cell = HeatMesh::Cell;
+  using Face = HeatMesh::Face;
   /// Of a cell with temperature-dependent properties, what its integrals need.
   struct CurvedCell {
     const HeatBody* body = nullptr;
     std::vector<unsigned int> dofs;
     std::vector<double> weights;  ///< 2 pi r times the quadrature's weight [n_points]
-    double per_x = 0, per_r = 0;  ///< 1/size [1/m]
+    std::vector<std::array<double, 3>> metric;  ///< xx, xr, rr of J^-1 J^-T: gradients on the unit cell to those in space
   };
   /// The same of a face with convection.
   struct FilmFace {
@@ -87,37 +106,42 @@ class HeatOperator {
     double area = 0;  ///< [m2]
     double held = 0;  ///< [W/m2]
   };
-  struct CellOfBody {
-    std::vector<std::size_t> x, r;  ///< indices of the grid lines at which its cells begin
-    std::size_t first_cell = 0;
+  struct Port {
+    std::string name;
+    Vector weights;   ///< integral v / area; sums to 1
+    double area = 0;  ///< [m2]; 0 for a node
+    double held = 0;  ///< [W]
+  };
+  struct BodyMean {
+    Vector weights;
+    double capacity = 0;
   };
 
-  void make_triangulation();
-  void find_cells();
+  void find_covered_edges();
+  void make_ports();
   void make_pattern();
   void prepare_curved_cells();
   [[nodiscard]] FilmFace film_face(const Face& face, const HeatConvection& law) const;
   void assemble_bodies();
   void assemble_interfaces();
   void assemble_boundaries();
+  void assemble_nodes_and_links();
   void add_functions(double t, Vector& out) const;
 
   [[nodiscard]] const HeatBody& body_of(const Cell& cell) const { return problem_.bodies[cell->material_id()]; }
-  [[nodiscard]] std::vector<Face> faces_of(const HeatBoundary& boundary, bool free_part_only) const;
-  [[nodiscard]] bool is_covered(const HeatBoundary& boundary, const dealii::Point<2>& centre) const;
-  [[nodiscard]] double free_area(const HeatBoundary& boundary) const;
-  [[nodiscard]] std::vector<std::pair<Face, Face>> pairs_of(const HeatInterface& interface) const;
+  [[nodiscard]] std::vector<Face> free_faces_of(const HeatBoundary& boundary) const;
+  [[nodiscard]] std::vector<std::pair<unsigned int, double>> ends_of(const HeatLink& link) const;
+  [[nodiscard]] Vector integral_over(const std::vector<Face>& faces) const;
 
   const HeatConductionProblem problem_;
-  Grid grid_;
-  dealii::Triangulation<2> triangulation_;
-  dealii::MappingCartesian<2> mapping_;
-  dealii::FE_Q<2> fe_;
+  const HeatMesh mesh_;
+  const dealii::FE_Q<2>& fe_;
+  const dealii::MappingQ<2>& mapping_;
   dealii::QGauss<2> cell_quadrature_;
   dealii::QGauss<1> face_quadrature_;
-  dealii::DoFHandler<2> dofs_;
-  std::vector<CellOfBody> layout_;
-  std::vector<Cell> cells_;               ///< body after body, rows of rising x, r rising from row to row
+  const std::vector<Cell>& cells_;
+  const unsigned int n_field_;
+  std::vector<bool> is_covered_;  ///< edges of the section that an interface covers
   std::vector<CurvedCell> curved_cells_;  ///< of bodies whose k or c depends on temperature
   std::vector<std::vector<double>> shape_, shape_x_,
       shape_r_;  ///< [n_points][n_dofs] of curved cells, on the unit cell
@@ -125,9 +149,12 @@ class HeatOperator {
   std::array<std::vector<unsigned int>, 4> face_dofs_;
   std::vector<FilmFace> power_faces_, linear_faces_;
   std::vector<FluxLoad> loads_;
+  std::vector<Port> ports_;
+  std::vector<BodyMean> bodies_;
   dealii::SparsityPattern pattern_;
   Matrix capacity_, conductance_;  ///< of all that is linear
   Vector capacity_weights_;        ///< stored energy of linear bodies = weights . (T - T_0)
+  Vector loss_weights_;
   Vector ambient_load_;            ///< coefficient (ambient - initial) v of linear convections
   mutable Vector scratch_;
 };

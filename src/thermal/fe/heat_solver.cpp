@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/errors.h"
+#include "thermal/fe/vtu_output.h"
 
 namespace rotordrop {
 namespace {
@@ -203,6 +204,88 @@ void HeatSolver::accept(double step) {
   T_ = stage_[n_stages - 1];
   ++statistics_.steps;
 }
+
+// ------------------------------------------------------------------------------------------------------------------- windows
+
+void HeatSolver::set_port_heat(std::span<const double> watts) {
+  operator_.hold_port_heat(watts);
+  must_restart_ = true;
+}
+
+// Alexander (1977): two stages of order 2, L-stable; the second one is the new state.
+void HeatSolver::advance_window(double step) {
+  static const double g = 1. - 1. / std::sqrt(2.);
+  Vector &first = stage_[1], &second = stage_[2];
+  known_ = 0.;
+  first = T_;
+  solve_window_stage(step, time_ + g * step, first, flow_[1]);
+  known_ = 0.;
+  known_.add(step * (1. - g), flow_[1]);
+  second = first;
+  solve_window_stage(step, time_ + step, second, flow_[2]);
+  const double weights[2] = {1. - g, g};
+  for (std::size_t i = 0; i < 2; ++i) {
+    input_ += step * weights[i] * operator_.input_power(time_);
+    lost_ += step * weights[i] * operator_.lost_power(stage_[i + 1]);
+  }
+  T_ = second;
+  time_ += step;
+  ++statistics_.steps;
+}
+
+void HeatSolver::solve_window_stage(double step, double t, Vector& T, Vector& flow) {
+  static const double g = 1. - 1. / std::sqrt(2.);
+  const bool is_linear = operator_.is_linear();
+  auto found = window_inverse_.find(step);
+  const auto factorise_at = [&](const Vector& at) {
+    operator_.jacobian(at, step * g, matrix_);
+    found = window_inverse_.insert_or_assign(step, DirectSolver()).first;
+    found->second.factorise(matrix_);
+    ++statistics_.factorisations;
+  };
+  if (found == window_inverse_.end()) factorise_at(T);
+  double last = 0.;
+  for (int k = 0; k < most_iterations; ++k) {
+    operator_.heat_flow(T, t, flow);
+    operator_.enthalpy_difference(T, T_, residual_);
+    residual_.sadd(-1., step * g, flow);
+    residual_ += known_;
+    found->second.solve(residual_);
+    ++statistics_.solves;
+    T += residual_;
+    const double change = residual_.linfty_norm();
+    if (is_linear || change <= 1e-10) {
+      operator_.heat_flow(T, t, flow);
+      return;
+    }
+    if (!std::isfinite(change)) break;
+    if (k > 2 && change > 0.3 * last) factorise_at(T);
+    last = change;
+  }
+  throw SolverError(fmt::format("Newton's iteration does not converge in the window after t = {:.6g} s.", time_));
+}
+
+void HeatSolver::set_field(std::span<const double> temperatures, double time, double input, double lost) {
+  std::copy(temperatures.begin(), temperatures.end(), T_.begin());
+  time_ = time;
+  input_ = input;
+  lost_ = lost;
+  must_restart_ = true;
+}
+
+ReducedHeat HeatSolver::reduce(const ReductionSettings& settings) {
+  reduction_ = reduce_heat(operator_, settings);
+  return reduction_->data;
+}
+
+void HeatSolver::lift(std::span<const double> state, double time) {
+  const double T_start = operator_.problem().initial_temperature;
+  T_ = T_start;
+  for (std::size_t i = 0; i < state.size(); ++i) T_.add(state[i] - T_start, reduction_->fields[i]);
+  time_ = time;
+}
+
+void HeatSolver::write_vtu(const std::string& file) const { write_heat_vtu(operator_, T_, time_, file); }
 
 }  // namespace rotordrop
 

@@ -1,9 +1,12 @@
 #pragma once
 #include <array>
+#include <map>
+#include <optional>
 
 #include "model/heat_conduction.h"
 #include "thermal/fe/direct_solver.h"
 #include "thermal/fe/heat_operator.h"
+#include "thermal/fe/reduction.h"
 
 namespace rotordrop {
 
@@ -22,6 +25,20 @@ class HeatSolver final : public HeatConductionSolver {
   [[nodiscard]] double mean_temperature(const HeatBoundary& boundary) const override {
     return operator_.mean_temperature(T_, boundary);
   }
+  [[nodiscard]] SurfaceRange surface(const std::vector<HeatBoundary>& boundaries) const override {
+    return operator_.surface(T_, boundaries);
+  }
+  [[nodiscard]] double body_mean(std::size_t body) const override { return operator_.body_mean(T_, body); }
+  [[nodiscard]] double port_temperature(std::size_t port) const override {
+    return operator_.port_temperature(T_, port);
+  }
+  void set_port_heat(std::span<const double> watts) override;
+  void advance_window(double step) override;
+  [[nodiscard]] std::vector<double> field() const override { return {T_.begin(), T_.end()}; }
+  void set_field(std::span<const double> temperatures, double time, double input, double lost) override;
+  ReducedHeat reduce(const ReductionSettings& settings) override;
+  void lift(std::span<const double> state, double time) override;
+  void write_vtu(const std::string& file) const override;
   [[nodiscard]] HeatEnergy energy() const override { return {input_, operator_.stored_energy(T_, T_0_), lost_}; }
   [[nodiscard]] HeatStatistics statistics() const override { return statistics_; }
   [[nodiscard]] double difference(const std::function<double(std::size_t, double, double)>& f) const override {
@@ -41,6 +58,7 @@ class HeatSolver final : public HeatConductionSolver {
   [[nodiscard]] double estimate_error(double step);  ///< [K], largest of all nodes
   void accept(double step);
   void factorise(double step, const Vector& T);
+  void solve_window_stage(double step, double t, Vector& T, Vector& flow);
 
   HeatOperator operator_;
   const HeatNumerics numerics_;
@@ -58,6 +76,8 @@ class HeatSolver final : public HeatConductionSolver {
   double factorised_step_ = 0;
   bool is_stale_ = false;  ///< the matrix belongs to temperatures too far away
   HeatStatistics statistics_;
+  std::map<double, DirectSolver> window_inverse_;  ///< by step
+  std::optional<Reduction> reduction_;
 };
 
 }  // namespace rotordrop

@@ -44,6 +44,13 @@ TEST(JaegerShare, GivesTheRotorMostWhileTheRingRests) {
   EXPECT_NEAR(1. - law.to_ring(v, 0.95 * v), 0.51, 0.005);
 }
 
+TEST(RubShare, IsTheConstantOrJaegers) {
+  RubShare share{0.66, false, {5.9e-3, 2.2e-3, 1.}};
+  EXPECT_EQ(share.to_ring(40., 10.), 0.66);
+  share.by_jaeger = true;
+  EXPECT_NEAR(share.to_ring(40., 10.), 1. / 3., 1e-12) << "sqrt(40/10) = 2: one third into the ring";
+}
+
 TEST(JaegerShare, LetsTheSurfacesRisesAgree) {
   for (const double e : {0.5, 1., 2.3})  // e_rotor / e_ring
     for (const double v_rotor : {0.3, 20., -55.})

@@ -156,7 +156,7 @@ TEST(Machine, BalanceAddsUpItsLedgers) {
               -heat - other - at("energy/rotor damping") + growth + prescribed + at("energy/unbalance work") +
                   at("energy/drive work"),
               1e-9);
-  EXPECT_NEAR(b.heat_residual, heat - at("energy/heat lost"), 1e-9) << "nothing stored at ambient";
+  EXPECT_NEAR(b.heat.at(0).residual, heat - at("energy/heat lost"), 1e-9) << "nothing stored at ambient";
 }
 
 TEST(Machine, WritesAllThatItAnnounces) {

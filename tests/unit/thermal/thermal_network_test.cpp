@@ -22,13 +22,14 @@ Data two_nodes() {
   d.ambient = ambient;
   d.nodes = {{"shaft", 100., ""}, {"ring", 40., ""}};
   d.resistors = {resistor("shaft", "ring", 2.), resistor("shaft", "ambient", 5.), resistor("ring", "ambient", 10.)};
-  d.places = {{"shaft", "ring", "ring", "ring", 0.66, false, {}}};
+  d.places = {{"shaft", "ring", "ring", "ring"}};
   return d;
 }
 
 HeatInput heat(double rub, double inner, double outer, bool in_contact = true) {
   HeatInput h;
   h.rub = rub;
+  h.rub_into_ring = 0.66 * rub;
   h.inner = inner;
   h.outer = outer;
   h.is_in_contact = in_contact;
@@ -121,15 +122,12 @@ TEST(ThermalNetwork, MasslessPointPassesHeatOnAsItsResistorsSay) {
   EXPECT_NEAR(shown[2], ambient + 6. + 12., 1e-10) << "K: with its own heat";
 }
 
-TEST(ThermalNetwork, SharesTheRubHeatByJaegerFromTheSpeeds) {
+TEST(ThermalNetwork, TakesTheRubHeatAsItIsDivided) {
   auto d = two_nodes();
   d.resistors.clear();
-  d.places[0].share_by_jaeger = true;
-  d.places[0].jaeger = {5.9e-3, 2.2e-3, 1.};
   const ThermalNetwork network(d);
   auto h = heat(1000., 0., 0.);
-  h.rotor_surface_speed = 40.;
-  h.ring_surface_speed = 10.;  // sqrt(40/10) = 2: one third into the ring
+  h.rub_into_ring = 1000. / 3.;
   const auto r = rates(network, {ambient, ambient}, h);
   EXPECT_NEAR(r.of_temperature[1], 1000. / 3. / 40., 1e-9) << "K/s";
   EXPECT_NEAR(r.of_temperature[0], 2000. / 3. / 100., 1e-9) << "K/s";

@@ -165,10 +165,10 @@ TEST(FirstImpact, EveryJouleIsFoundAfterThirtyMilliseconds) {
   printf(
       "dissipated %.4f J, growth work %.3g J, prescribed %.3g J, unbalance %.3g J, residual %.2g J; heat residual %.2g "
       "J\n",
-      b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work, b.residual, b.heat_residual);
+      b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work, b.residual, b.heat.at(0).residual);
   EXPECT_GT(b.dissipated, 50.) << "J";
   EXPECT_NEAR(b.residual, 0., 1e-6 * b.dissipated) << "J: the step's error";
-  EXPECT_NEAR(b.heat_residual, 0., 1e-9 * b.heat_deposited) << "J: roundoff, whatever the step";
+  EXPECT_NEAR(b.heat.at(0).residual, 0., 1e-9 * b.heat_deposited) << "J: roundoff, whatever the step";
 }
 
 }  // namespace

@@ -50,7 +50,6 @@ BearingCircuitData tb1() {
   b.h_shaft = b.h_ball = 50.;
   b.fit_resistance = 0.005;
   b.contact_half_width = 0.4e-3;
-  b.share_to_ring = 0.66;
   return b;
 }
 
@@ -127,9 +126,11 @@ std::vector<double> rates(const ThermalNetwork& network, const std::vector<doubl
   if (lost) *lost = away;
   return rate;
 }
+constexpr double share_to_ring = 0.66;
 HeatInput heat(double rub, double inner, double outer) {
   HeatInput h;
   h.rub = rub;
+  h.rub_into_ring = share_to_ring * rub;
   h.inner = inner;
   h.outer = outer;
   return h;
@@ -195,7 +196,7 @@ TEST(BearingCircuit, RestsInTheSteadyStateSolvedByHand) {
                  T_b = T_co + (q_h - H_o) * c.R[5];
     const double q_b = q_h - H_o + (T_b - ambient) / c.R[6], T_ci = T_b + q_b * c.R[5],
                  T_i = T_ci + (q_b - H_i) * c.R[4];
-    const double q_i = q_b - H_i, R_x = c.R[2] + c.R[3], share = b.share_to_ring;
+    const double q_i = q_b - H_i, R_x = c.R[2] + c.R[3], share = share_to_ring;
     // share H_r + (T_s - T_i)/R_x = q_i;  (1 - share) H_r - (T_s - ambient)/R1 - (T_s - T_i)/R_x = 0
     Eigen::Matrix2d A;
     A << share, 1. / R_x, 1. - share, -1. / c.R[1] - 1. / R_x;
@@ -219,16 +220,13 @@ TEST(BearingCircuit, RestsInTheSteadyStateSolvedByHand) {
 TEST(BearingCircuit, KeepsEveryJoule) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> watts(0., 3e4);
-  for (auto b : {tb1(), tb2()})
-    for (const bool jaeger : {false, true}) {
-      b.share_by_jaeger = jaeger;
-      b.jaeger = {5.9e-3, 2.2e-3, 1.};
+  for (const auto& b : {tb1(), tb2()})
+    for (const double share : {0.66, 0.3}) {
       const ThermalNetwork network(data_of(b));
       for (int i = 0; i < 50; ++i) {
         const auto T = random_temperatures(random);
         auto h = heat(watts(random), 0.01 * watts(random), 0.01 * watts(random));
-        h.rotor_surface_speed = 50.;
-        h.ring_surface_speed = 0.01 * watts(random);
+        h.rub_into_ring = share * h.rub;
         double lost = 0.;
         const auto rate = rates(network, T, h, &lost);
         // Stored energy is linear in the temperatures: its rate is its value at ambient + rates.

@@ -1,0 +1,98 @@
+#include "thermal/bearing_heat.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+
+namespace rotordrop {
+namespace {
+
+using std::numbers::pi;
+
+std::size_t body_index(const HeatConductionProblem& p, const std::string& name) {
+  for (std::size_t i = 0; i < p.bodies.size(); ++i)
+    if (p.bodies[i].name == name) return i;
+  throw std::invalid_argument("the section has no body named " + name);
+}
+
+HeatBody body(const std::string& name, double length, double inside, double outside, const ThermalMaterial& m) {
+  return {name,           {-0.5 * length, 0.5 * length}, {0.5 * inside, 0.5 * outside},
+          m.density, PropertyTable(m.conductivity), PropertyTable(m.heat_capacity)};
+}
+
+/// Strips of all rows, or where the mesh has none the whole side.
+std::vector<HeatBoundary> race(const SectionMesh& mesh, std::size_t body, HeatSide plain) {
+  std::vector<HeatBoundary> found;
+  for (const auto& edge : mesh.edges)
+    if (edge.boundary.body == body && edge.boundary.side == HeatSide::strip &&
+        std::find(found.begin(), found.end(), edge.boundary) == found.end())
+      found.push_back(edge.boundary);
+  if (found.empty()) found.push_back({body, plain});
+  return found;
+}
+
+}  // namespace
+
+double shaft_surface_resistance(const BearingCircuitData& b) { return 1. / (4. * pi * b.ring.conductivity * b.width); }
+
+HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const SectionMesh& mesh, double ambient,
+                                           const SectionSettings& settings) {
+  HeatConductionProblem p;
+  p.mesh = mesh;
+  p.initial_temperature = ambient;
+  p.numerics = settings.numerics;
+  std::vector<HeatBody> bodies = {body("inner_ring", b.width, b.inner_bore, b.inner_outside, b.ring),
+                                  body("outer_ring", b.width, b.outer_bore, b.outer_outside, b.ring),
+                                  body("housing", b.housing_length, b.outer_outside, b.housing_outside, b.ring)};
+  if (settings.shaft_is_meshed) bodies.push_back(body("shaft", b.shaft_length, 0., 2. * b.journal_radius, b.ring));
+  if (mesh.empty()) {
+    p.bodies = bodies;
+  } else {
+    for (const auto& name : mesh.bodies) {
+      const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const HeatBody& x) { return x.name == name; });
+      if (found == bodies.end()) throw std::invalid_argument("the section's mesh has a body named " + name);
+      p.bodies.push_back(*found);
+    }
+  }
+  const std::size_t inner = body_index(p, "inner_ring"), outer = body_index(p, "outer_ring"),
+                    housing = body_index(p, "housing");
+
+  const double ball_volume = pi / 6. * b.ball_diameter * b.ball_diameter * b.ball_diameter;
+  p.nodes = {{"ball", b.n_balls * ball_volume * b.ball.density * b.ball.heat_capacity}};
+  HeatPort shaft{"shaft", {}};
+  if (settings.shaft_is_meshed) {
+    shaft.boundaries = {{body_index(p, "shaft"), HeatSide::outer}};
+  } else {
+    const double section = 0.25 * pi * 4. * b.journal_radius * b.journal_radius;
+    p.nodes.push_back({"shaft", section * b.shaft_length * b.ring.density * b.ring.heat_capacity});
+    shaft.node = 1;
+  }
+  p.ports = {{"bore", {{inner, HeatSide::inner}}},
+             shaft,
+             {"inner_raceway", race(p.mesh, inner, HeatSide::outer)},
+             {"outer_raceway", race(p.mesh, outer, HeatSide::inner)},
+             {"ball", {}, 0}};
+  const std::size_t ball_port = 4;
+
+  const double Z = b.n_balls, d_s = 2. * b.journal_radius;
+  const double R1 = 1. / (b.h_shaft * pi * d_s * b.width);
+  const double R5 = 2. / (pi * b.ball.conductivity * b.ball_diameter * Z) +
+                    2. / (4. * b.ball.conductivity * b.contact_half_width * Z);
+  const double R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
+  p.links = {{shaft_port, {}, R1}, {inner_raceway_port, ball_port, R5}, {outer_raceway_port, ball_port, R5}, {ball_port, {}, R6}};
+  if (b.shaft_ring_link == BearingCircuitData::Link::permanent)
+    p.links.push_back({shaft_port, bore_port, shaft_surface_resistance(b)});
+
+  const double fit_area = pi * b.outer_outside * std::min(b.width, b.housing_length);
+  p.interfaces = {{{outer, HeatSide::outer}, {housing, HeatSide::inner}, std::max(b.fit_resistance * fit_area, 1e-8)}};
+  p.convections = {{{housing, HeatSide::outer}, 23., 0.25, ambient}};
+  return p;
+}
+
+SectionGrowth section_growth(const BearingCircuitData& b) {
+  const double alpha = b.ring.expansion * (b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.);
+  return {0.5 * alpha * b.inner_bore, 0.5 * alpha * b.inner_outside, 0.5 * alpha * b.outer_bore,
+          b.ring.expansion * b.journal_radius, b.ball.expansion * 0.5 * b.ball_diameter};
+}
+
+}  // namespace rotordrop

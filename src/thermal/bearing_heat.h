@@ -1,0 +1,41 @@
+#pragma once
+#include "model/heat_conduction.h"
+#include "thermal/bearing_circuit.h"
+
+namespace rotordrop {
+
+/// Ports of a bearing's section, in the order of its problem.
+enum BearingPort : std::size_t {
+  bore_port,           ///< the inner ring's bore: the rub heat's share
+  shaft_port,          ///< the rest of it
+  inner_raceway_port,  ///< strips of the contact ellipses
+  outer_raceway_port,
+  n_bearing_ports,
+  housing_film = n_bearing_ports  ///< port of eq. (16) in a reduced problem
+};
+
+struct SectionSettings {
+  bool shaft_is_meshed = false;  ///< otherwise a lump, as in the circuit
+  HeatNumerics numerics;
+};
+
+/// The section of a touchdown bearing with the circuit's data: inner ring, outer ring and housing as bodies, balls (and shaft) as nodes.
+///   ambient -R1- shaft -R2- bore,  strips -R5- balls -R5- strips,  balls -R6- ambient,  fit between ring and housing, eq. (16) outside.
+/// R3, R4, R7 and R8 are what the section itself conducts. A link that acts only in contact is left out: see ReducedSections.
+/// @param mesh     with bodies inner_ring, outer_ring, housing (and shaft); empty: plain rectangles of the rings' diameters
+/// @param ambient  [K]
+HeatConductionProblem bearing_heat_problem(const BearingCircuitData& bearing, const SectionMesh& mesh, double ambient,
+                                           const SectionSettings& settings);
+
+/// R2 of the circuit [K/W].
+double shaft_surface_resistance(const BearingCircuitData& bearing);
+
+/// Growth of the surfaces per rise of means [m/K] (MODEL: alpha r times the volume-mean rise).
+struct SectionGrowth {
+  double bore = 0, inner_race = 0;  ///< per rise of the inner ring
+  double outer_race = 0;            ///< per rise of outer ring and housing together
+  double shaft = 0, ball = 0;
+};
+SectionGrowth section_growth(const BearingCircuitData& bearing);
+
+}  // namespace rotordrop

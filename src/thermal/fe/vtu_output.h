@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "thermal/fe/heat_operator.h"
+
+namespace rotordrop {
+
+/// A temperature field for ParaView: temperature [K] and rise [K] at the nodes, body and its name by number in every cell; coordinates x, r [m].
+/// @throws SolverError if the file cannot be written
+void write_heat_vtu(const HeatOperator& problem, const HeatOperator::Vector& T, double time, const std::string& file);
+
+}  // namespace rotordrop

@@ -1,0 +1,219 @@
+#include "thermal/reduced_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/wide_vectors.h"
+#include "laws/heat_flow.h"
+
+namespace rotordrop {
+namespace {
+
+struct TwoSums {
+  double a, b;
+};
+
+// Weighted sums of y - zero; states are absolute temperatures.
+ROTORDROP_WIDE_VECTORS
+TwoSums two_sums(const double* y, double zero, const double* a, const double* b, std::size_t n) {
+  double sum_a = 0., sum_b = 0.;
+#pragma omp simd reduction(+ : sum_a, sum_b)
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = y[i] - zero;
+    sum_a += a[i] * z;
+    sum_b += b[i] * z;
+  }
+  return {sum_a, sum_b};
+}
+
+struct FourSums {
+  double a, b, c, d;
+};
+ROTORDROP_WIDE_VECTORS
+FourSums four_sums(const double* y, double zero, const double* a, const double* b, const double* c, const double* d,
+                   std::size_t n) {
+  double sum_a = 0., sum_b = 0., sum_c = 0., sum_d = 0.;
+#pragma omp simd reduction(+ : sum_a, sum_b, sum_c, sum_d)
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = y[i] - zero;
+    sum_a += a[i] * z;
+    sum_b += b[i] * z;
+    sum_c += c[i] * z;
+    sum_d += d[i] * z;
+  }
+  return {sum_a, sum_b, sum_c, sum_d};
+}
+
+struct Heats {
+  const double *bore, *shaft, *inner, *outer, *film;    // rows
+  double q_bore, q_shaft, q_inner, q_outer, q_film;     // [W]
+};
+ROTORDROP_WIDE_VECTORS
+void modal_rates(const double* y, double zero, const double* rate, const Heats& h, double* dydt, std::size_t n) {
+#pragma omp simd
+  for (std::size_t i = 0; i < n; ++i)
+    dydt[i] = -rate[i] * (y[i] - zero) + h.q_bore * h.bore[i] + h.q_shaft * h.shaft[i] + h.q_inner * h.inner[i] +
+              h.q_outer * h.outer[i] + h.q_film * h.film[i];
+}
+
+double sum(const std::vector<double>& shape, const double* y, double zero) {
+  double s = 0.;
+  for (std::size_t i = 0; i < shape.size(); ++i) s += shape[i] * (y[i] - zero);
+  return s;
+}
+
+const ReducedHeat::Output& find(const std::vector<ReducedHeat::Output>& list, const std::string& name) {
+  for (const auto& output : list)
+    if (output.name == name) return output;
+  throw std::invalid_argument("the reduced section has no \"" + name + "\"");
+}
+
+std::vector<double> times(double factor, std::vector<double> v) {
+  for (double& x : v) x *= factor;
+  return v;
+}
+
+// What observe() writes for a surface.
+const std::vector<std::string> surface_columns = {"mean", "lowest", "highest"};
+constexpr const char* surface_ports[] = {"bore", "inner_raceway", "outer_raceway", "housing convection"};
+constexpr const char* surface_names[] = {"bore", "inner_raceway", "outer_raceway", "housing_surface"};
+
+}  // namespace
+
+ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double ambient)
+    : sections_(std::move(sections)), ambient_(ambient) {
+  std::size_t first = 0;
+  for (const auto& section : sections_) {
+    const ReducedHeat& heat = section.heat;
+    Place p;
+    p.first = first;
+    p.n = heat.n_modes();
+    first += p.n;
+    p.rate = heat.rate;
+    const auto input = [&](std::size_t port) { return times(1. / heat.capacity, heat.ports.at(port).shape); };
+    p.bore_input = input(bore_port);
+    p.shaft_input = input(shaft_port);
+    p.inner_input = input(inner_raceway_port);
+    p.outer_input = input(outer_raceway_port);
+    const auto& film = find(heat.ports, "housing convection");
+    p.film = film.shape;
+    p.film_input = times(1. / heat.capacity, film.shape);
+    p.film_area = heat.film_area.at(0);
+    p.loss = heat.loss;
+    p.bore = heat.ports[bore_port].shape;
+    p.shaft_surface = heat.ports[shaft_port].shape;
+    p.inner_mean = find(heat.bodies, "inner_ring").shape;
+    const auto &outer = find(heat.bodies, "outer_ring"), &housing = find(heat.bodies, "housing");
+    const double C = outer.capacity + housing.capacity;
+    p.outer_mean = times(outer.capacity / C, outer.shape);
+    for (std::size_t i = 0; i < p.n; ++i) p.outer_mean[i] += housing.capacity / C * housing.shape[i];
+    const bool is_lump = std::any_of(heat.nodes.begin(), heat.nodes.end(), [](const auto& o) { return o.name == "shaft"; });
+    p.shaft_mean = find(is_lump ? heat.nodes : heat.bodies, "shaft").shape;
+    p.ball_mean = find(heat.nodes, "ball").shape;
+    p.stored.assign(p.n, 0.);
+    for (const auto* list : {&heat.bodies, &heat.nodes})
+      for (const auto& output : *list)
+        for (std::size_t i = 0; i < p.n; ++i) p.stored[i] += output.capacity * output.shape[i];
+    places_.push_back(std::move(p));
+  }
+}
+
+std::vector<StateEntry> ReducedSections::state_entries() const {
+  std::vector<StateEntry> entries;
+  for (const auto& section : sections_)
+    for (std::size_t i = 0; i < section.heat.n_modes(); ++i)
+      entries.push_back({section.name + "/mode " + std::to_string(i + 1), "K", 1.,
+                         "amplitude of a thermal mode of the section, over zero at ambient"});
+  return entries;
+}
+
+void ReducedSections::initial_state(std::span<double> state) const { std::fill(state.begin(), state.end(), ambient_); }
+
+void ReducedSections::add_growth(const Place& p, std::span<const double> values, double zero, const SectionGrowth& g,
+                                 Expansion& out) const {
+  const auto rise = four_sums(values.data() + p.first, zero, p.inner_mean.data(), p.outer_mean.data(),
+                              p.shaft_mean.data(), p.ball_mean.data(), p.n);
+  out = {.shaft = g.shaft * rise.c,
+         .bore = g.bore * rise.a,
+         .inner_race = g.inner_race * rise.a,
+         .outer_race = g.outer_race * rise.b,
+         .ball = g.ball * rise.d};
+}
+
+void ReducedSections::growth(std::span<const double> state, std::span<Expansion> out) const {
+  for (std::size_t k = 0; k < places_.size(); ++k) add_growth(places_[k], state, ambient_, sections_[k].growth, out[k]);
+}
+
+void ReducedSections::growth_rates(std::span<const double> rate, std::span<Expansion> out) const {
+  for (std::size_t k = 0; k < places_.size(); ++k) add_growth(places_[k], rate, 0., sections_[k].growth, out[k]);
+}
+
+double ReducedSections::rates(std::span<const double> state, std::span<const HeatInput> heat,
+                              std::span<double> dydt) const {
+  double lost = 0.;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const Place& p = places_[k];
+    const double* y = state.data() + p.first;
+    const auto [housing_rise, linear_loss] = two_sums(y, ambient_, p.film.data(), p.loss.data(), p.n);
+    // Eq. (16) with the mean rise of the housing's surface.
+    const double film_loss = housing_convection(housing_rise) * p.film_area * housing_rise;
+    double q_bore = heat[k].rub_into_ring, q_shaft = heat[k].rub - q_bore;
+    if (const auto& link = sections_[k].contact_link) {
+      const auto [bore, shaft] = two_sums(y, ambient_, p.bore.data(), p.shaft_surface.data(), p.n);
+      const double q = (bore - shaft) / (heat[k].is_in_contact ? link->touching : link->apart);
+      q_bore -= q;
+      q_shaft += q;
+    }
+    modal_rates(y, ambient_, p.rate.data(),
+                {p.bore_input.data(), p.shaft_input.data(), p.inner_input.data(), p.outer_input.data(),
+                 p.film_input.data(), q_bore, q_shaft, heat[k].inner, heat[k].outer, -film_loss},
+                dydt.data() + p.first, p.n);
+    lost += linear_loss + film_loss;
+  }
+  return lost;
+}
+
+std::vector<Observable> ReducedSections::observables() const {
+  std::vector<Observable> list;
+  for (const auto& section : sections_) {
+    for (const auto* outputs : {&section.heat.bodies, &section.heat.nodes})
+      for (const auto& output : *outputs)
+        list.push_back({section.name + "/" + output.name, "K", "volume mean of " + output.name, 1, {}});
+    for (const char* name : surface_names)
+      list.push_back({section.name + "/" + name, "K", std::string("temperature of a surface, over its circumference the mean: ") + name,
+                      3, surface_columns});
+  }
+  return list;
+}
+
+void ReducedSections::observe(std::span<const double> state, std::span<const HeatInput>, std::span<double> out) const {
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const ReducedHeat& heat = sections_[k].heat;
+    const double* y = state.data() + places_[k].first;
+    for (const auto* outputs : {&heat.bodies, &heat.nodes})
+      for (const auto& output : *outputs) out[at++] = ambient_ + sum(output.shape, y, ambient_);
+    for (const char* name : surface_ports) {
+      const auto& port = find(heat.ports, name);
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+      for (std::size_t i = 0; i < port.points.size(); i += heat.n_modes()) {
+        double rise = 0.;
+        for (std::size_t j = 0; j < heat.n_modes(); ++j) rise += port.points[i + j] * (y[j] - ambient_);
+        lowest = std::min(lowest, rise);
+        highest = std::max(highest, rise);
+      }
+      out[at++] = ambient_ + sum(port.shape, y, ambient_);
+      out[at++] = ambient_ + lowest;
+      out[at++] = ambient_ + highest;
+    }
+  }
+}
+
+double ReducedSections::stored_energy(std::span<const double> state) const {
+  double stored = 0.;
+  for (const auto& p : places_) stored += sum(p.stored, state.data() + p.first, ambient_);
+  return stored;
+}
+
+}  // namespace rotordrop

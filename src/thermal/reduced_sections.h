@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+
+#include "model/reduced_heat.h"
+#include "model/thermal_model.h"
+#include "thermal/bearing_heat.h"
+
+namespace rotordrop {
+
+/// A bearing's section on a few modes, and what its mesh does not know.
+struct ReducedSection {
+  std::string name;  ///< of the bearing
+  ReducedHeat heat;  ///< of bearing_heat_problem()
+  SectionGrowth growth;
+  struct ContactLink {
+    double touching = 0, apart = 0;  ///< resistance between shaft and bore [K/W]
+  };
+  std::optional<ContactLink> contact_link;  ///< if it is not permanent
+};
+
+/// The finite-element model of every touchdown bearing in reduced coordinates: part of the state vector, at about the cost of the circuit.
+class ReducedSections final : public ThermalModel {
+ public:
+  ReducedSections(std::vector<ReducedSection> sections, double ambient);
+
+  [[nodiscard]] std::vector<StateEntry> state_entries() const override;
+  void initial_state(std::span<double> state) const override;
+  void growth(std::span<const double> state, std::span<Expansion> out) const override;
+  void growth_rates(std::span<const double> rate, std::span<Expansion> out) const override;
+  double rates(std::span<const double> state, std::span<const HeatInput> heat, std::span<double> dydt) const override;
+  [[nodiscard]] std::vector<Observable> observables() const override;
+  void observe(std::span<const double> state, std::span<const HeatInput> heat, std::span<double> out) const override;
+  [[nodiscard]] double stored_energy(std::span<const double> state) const override;
+
+ private:
+  struct Place {
+    std::size_t first = 0, n = 0;  ///< of its states
+    /// Rows of n numbers: rate, the ports' inputs [K/(s W)], mean shapes.
+    std::vector<double> rate, bore_input, shaft_input, inner_input, outer_input, film_input;
+    std::vector<double> bore, shaft_surface, film, loss;
+    std::vector<double> inner_mean, outer_mean, shaft_mean, ball_mean, stored;
+    double film_area = 0;
+  };
+  void add_growth(const Place& place, std::span<const double> values, double zero, const SectionGrowth& growth,
+                  Expansion& out) const;
+
+  std::vector<ReducedSection> sections_;
+  std::vector<Place> places_;
+  double ambient_;
+};
+
+}  // namespace rotordrop
