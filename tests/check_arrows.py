@@ -33,7 +33,7 @@ ROOMS = {
     "bearing": {"base", "model", "laws"},
     "thermal": {"base", "model", "laws"},
     "thermal/fe": {"base", "model", "laws"},
-    "machine": {"base", "model", "rotor", "bearing", "thermal"},
+    "machine": {"base", "model", "laws", "rotor", "bearing", "thermal"},
     "integrate": {"base", "model"},
     "io": {"base", "model"},
     "study": {"base", "model", "machine", "integrate", "io"} | PARAMETERS_OF_PARTS,

@@ -80,6 +80,7 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
     section.problem = bearing_heat_problem(circuit, mesh, p.run.ambient, settings);
     section.solver = elements.make_solver(section.problem);
     section.growth = section_growth(circuit);
+    complete(section);
     if (fe.coupling != FeCoupling::windowed) {
       ReductionSettings reduction;
       if (fe.coupling == FeCoupling::monolithic) {
@@ -183,15 +184,18 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
     faults.add(position_of_value(table, "driver"), "thermal.driver names a model that does not run.",
                "Add it to thermal.models.");
   if (driver == GrowthDriver::recorded && !t.recorded)
-    faults.add(position_of_value(table, "driver"), "thermal.driver = \"recorded\" needs thermal.recorded, the results of an earlier run.");
+    faults.add(position_of_value(table, "driver"),
+               "thermal.driver = \"recorded\" needs thermal.recorded, the results of an earlier run.");
   if (!t.has_fe) return;
   if (!t.nodes.empty() || !t.resistors.empty())
-    faults.add(position_of(table, t.nodes.empty() ? "resistor" : "node"),
-               "thermal.node and thermal.resistor add to the lumped circuit alone, and the finite elements run too.",
-               "Both models would not describe the same bearing. Leave them out, or run thermal.models = [\"lumped\"].");
+    faults.add(
+        position_of(table, t.nodes.empty() ? "resistor" : "node"),
+        "thermal.node and thermal.resistor add to the lumped circuit alone, and the finite elements run too.",
+        "Both models would not describe the same bearing. Leave them out, or run thermal.models = [\"lumped\"].");
   if (t.fe.coupling == FeCoupling::windowed && t.shaft_ring_link == BearingCircuitData::Link::in_contact)
     faults.add(position_of_value(table, "shaft_ring_link"),
-               "thermal.shaft_ring_link = \"in-contact\" changes within a window; thermal.fe.coupling = \"windowed\" cannot follow it.",
+               "thermal.shaft_ring_link = \"in-contact\" changes within a window; thermal.fe.coupling = \"windowed\" "
+               "cannot follow it.",
                "Take the reduced coupling, or the permanent link.");
 }
 
@@ -240,8 +244,8 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
 }
 
-std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node, FiniteElements* finite_elements,
-                                       std::shared_ptr<const GrowthHistory> recorded) {
+std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node,
+                                       FiniteElements* finite_elements, std::shared_ptr<const GrowthHistory> recorded) {
   Faults faults;
   const auto network = network_data(p, case_node, faults);
   faults.throw_if_any();

@@ -5,27 +5,51 @@
 #include <cmath>
 #include <ctime>
 
+#include "laws/heat_flow.h"
+
 namespace rotordrop {
 namespace {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-constexpr int most_halvings = 5;           // of the longest window
-constexpr double worth_a_longer_one = 0.1;  // of the tolerance: the error grows with the square of the window
-constexpr std::size_t ball_port = n_bearing_ports;
+constexpr long units_of_longest = 32;
+
+PlaceEnergy combined(double f, const PlaceEnergy& a, double g, const PlaceEnergy& b) {
+  return {f * a.rub + g * b.rub, f * a.rub_into_ring + g * b.rub_into_ring, f * a.inner + g * b.inner,
+          f * a.outer + g * b.outer};
+}
+PlaceEnergy difference(const PlaceEnergy& a, const PlaceEnergy& b) { return combined(1., a, -1., b); }
+PlaceEnergy sum(const PlaceEnergy& a, const PlaceEnergy& b) { return combined(1., a, 1., b); }
+PlaceEnergy scaled(double f, const PlaceEnergy& a) { return combined(f, a, 0., a); }
 
 std::size_t body_index(const HeatConductionProblem& p, const std::string& name) {
-  return static_cast<std::size_t>(std::find_if(p.bodies.begin(), p.bodies.end(), [&](const auto& b) { return b.name == name; }) -
-                                  p.bodies.begin());
+  return static_cast<std::size_t>(
+      std::find_if(p.bodies.begin(), p.bodies.end(), [&](const auto& b) { return b.name == name; }) - p.bodies.begin());
 }
 
 constexpr std::array<double Expansion::*, 5> surfaces = {&Expansion::shaft, &Expansion::bore, &Expansion::inner_race,
                                                          &Expansion::outer_race, &Expansion::ball};
 
+Expansion difference(const Expansion& a, const Expansion& b) {
+  Expansion d;
+  for (const auto surface : surfaces) d.*surface = a.*surface - b.*surface;
+  return d;
+}
 double largest(const Expansion& e) {
   double value = 0.;
   for (const auto surface : surfaces) value = std::max(value, std::fabs(e.*surface));
   return value;
+}
+
+/// What heat adds to the means of the bodies that it enters, before any of it is conducted on.
+Expansion growth_at_once(const FiniteElements::Section& s, const PlaceEnergy& heat) {
+  const double inner = (heat.rub_into_ring + heat.inner) / s.inner_capacity,
+               shaft = (heat.rub - heat.rub_into_ring) / s.shaft_capacity;
+  return {.shaft = s.growth.shaft * shaft,
+          .bore = s.growth.bore * inner,
+          .inner_race = s.growth.inner_race * inner,
+          .outer_race = s.growth.outer_race * heat.outer / s.outer_capacity,
+          .ball = 0.};
 }
 
 }  // namespace
@@ -34,15 +58,11 @@ Expansion growth_of(const FiniteElements::Section& s) {
   const auto& p = s.problem;
   const double zero = p.initial_temperature;
   const std::size_t shaft = body_index(p, "shaft");
-  const auto volume_share = [&](const char* name) {  // rings and housing are of one material
-    const auto& b = p.bodies[body_index(p, name)];
-    return (b.r[1] * b.r[1] - b.r[0] * b.r[0]) * (b.x[1] - b.x[0]);
-  };
   const double inner = s.solver->body_mean(body_index(p, "inner_ring")) - zero;
-  const double V_o = volume_share("outer_ring"), V_h = volume_share("housing");
-  const double outer = (V_o * (s.solver->body_mean(body_index(p, "outer_ring")) - zero) +
-                        V_h * (s.solver->body_mean(body_index(p, "housing")) - zero)) /
-                       (V_o + V_h);
+  const std::size_t ring = body_index(p, "outer_ring"), housing = body_index(p, "housing");
+  const double outer = (s.solver->body_capacity(ring) * (s.solver->body_mean(ring) - zero) +
+                        s.solver->body_capacity(housing) * (s.solver->body_mean(housing) - zero)) /
+                       s.outer_capacity;
   const double shaft_rise =
       (shaft < p.bodies.size() ? s.solver->body_mean(shaft) : s.solver->port_temperature(shaft_port)) - zero;
   return {.shaft = s.growth.shaft * shaft_rise,
@@ -55,9 +75,15 @@ Expansion growth_of(const FiniteElements::Section& s) {
 WindowedSections::WindowedSections(FiniteElements& elements, double tolerance, double longest)
     : elements_(elements),
       tolerance_(tolerance),
-      longest_(longest),
-      window_(longest),
+      unit_(longest / units_of_longest),
+      longest_units_(units_of_longest),
+      units_(units_of_longest),
       energy_(elements.sections.size()),
+      seen_(elements.sections.size()),
+      power_(elements.sections.size()),
+      promised_(elements.sections.size()),
+      promised_power_(elements.sections.size()),
+      port_heat_(elements.sections.size()),
       before_(elements.sections.size()),
       now_(elements.sections.size()) {
   report_.shortest = longest;
@@ -69,24 +95,40 @@ std::vector<Expansion> WindowedSections::present_growth() const {
   return growth;
 }
 
+void WindowedSections::watch(double now, std::span<const PlaceEnergy> energy) {
+  double error = 0.;
+  for (std::size_t k = 0; k < energy.size(); ++k) {
+    if (now > watched_) power_[k] = scaled(1. / (now - watched_), difference(energy[k], seen_[k]));
+    seen_[k] = energy[k];
+    const auto expected = sum(promised_[k], scaled(now - promised_at_, promised_power_[k]));
+    error = std::max(error, largest(growth_at_once(elements_.sections[k], difference(energy[k], expected))));
+  }
+  watched_ = now;
+  if (error > 0.5 * tolerance_) units_ = std::clamp(static_cast<long>(std::ceil((now - time_) / unit_)), 1L, units_);
+}
+
+/// Steps of powers of two units, each with a factorisation of its own.
 void WindowedSections::step(double length, std::span<const PlaceEnergy> energy) {
   const double start = cpu_seconds();
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
-    const auto& now = energy[k];
-    auto& then = energy_[k];
-    std::array<double, n_bearing_ports> power{};
-    const double ring = now.rub_into_ring - then.rub_into_ring;
-    power[bore_port] = ring / length;
-    power[shaft_port] = (now.rub - then.rub - ring) / length;
-    power[inner_raceway_port] = (now.inner - then.inner) / length;
-    power[outer_raceway_port] = (now.outer - then.outer) / length;
-    elements_.sections[k].solver->set_port_heat(power);
-    elements_.sections[k].solver->advance_window(length);
-    then = now;
+    const auto power = scaled(1. / length, difference(energy[k], energy_[k]));
+    auto& heat = port_heat_.at(k);
+    heat[bore_port] = power.rub_into_ring;
+    heat[shaft_port] = power.rub - power.rub_into_ring;
+    heat[inner_raceway_port] = power.inner;
+    heat[outer_raceway_port] = power.outer;
+    energy_[k] = energy[k];
   }
+  const long n = std::lround(length / unit_);
+  if (std::fabs(length - static_cast<double>(n) * unit_) > 1e-9 * unit_)
+    advance_sections(length);
+  else
+    for (long left = n, size = longest_units_; left > 0; size /= 2)
+      for (; left >= size; left -= size) advance_sections(static_cast<double>(size) * unit_);
   time_ += length;
   before_ = now_;
   now_ = present_growth();
+  last_length_ = length;
   ++report_.windows;
   report_.shortest = std::min(report_.shortest, length);
   report_.longest = std::max(report_.longest, length);
@@ -95,33 +137,60 @@ void WindowedSections::step(double length, std::span<const PlaceEnergy> energy) 
   report_.cpu_time += cpu_seconds() - start;
 }
 
+void WindowedSections::advance_sections(double length) {
+  for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
+    auto& solver = *elements_.sections[k].solver;
+    // Eq. (16), from the rise at the start: the housing takes minutes to warm.
+    const double rise = solver.port_temperature(housing_port) - elements_.sections[k].problem.initial_temperature;
+    port_heat_[k][housing_port] = -housing_convection(rise) * solver.port_area(housing_port) * rise;
+    film_loss_ -= port_heat_[k][housing_port] * length;
+    solver.set_port_heat(port_heat_[k]);
+    solver.advance_window(length);
+  }
+}
+
 void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy) {
-  const double length = window_;
-  step(length, energy);
+  const auto energy_before = energy_;
+  const long units = units_;
+  step(static_cast<double>(units) * unit_, energy);
 
   // What was in force at the window's end against what should have been.
   std::vector<Expansion> in_force(now_.size());
   elements_.growth->at(time_, in_force);
   last_error_ = 0.;
   for (std::size_t k = 0; k < now_.size(); ++k)
-    for (const auto surface : surfaces) last_error_ = std::max(last_error_, std::fabs(in_force[k].*surface - now_[k].*surface));
+    last_error_ = std::max(last_error_, largest(difference(in_force[k], now_[k])));
   report_.largest_error = std::max(report_.largest_error, last_error_);
-  const double allowed = tolerance_ * std::max(report_.largest_growth, 1e-12);
-  if (last_error_ > allowed && window_ > longest_ * std::ldexp(1.5, -most_halvings))
-    window_ *= 0.5;
-  else if (last_error_ < worth_a_longer_one * allowed && window_ < 0.75 * longest_)
-    window_ *= 2.;
+  // The end was brought forward for the heat's sake; what conduction does is smooth.
+  units_ = last_error_ > tolerance_ ? std::max(units / 2, 1L) : longest_units_;
 
-  // From what is in force now, straight to what is expected after another window.
+  // From what is in force now, straight to what is expected after another window: what the heat of the last step adds, and what conduction did in this one.
   elements_.growth->cut(now);
   elements_.growth->at(now, in_force);
   std::vector<Expansion> expected = now_;
-  const double ahead = std::max(window_, now - time_ + 0.25 * window_);
-  for (std::size_t k = 0; k < now_.size(); ++k)
+  const double ahead = std::max(static_cast<double>(units_) * unit_, now - time_ + 0.25 * unit_);
+  for (std::size_t k = 0; k < now_.size(); ++k) {
+    const auto& section = elements_.sections[k];
+    const Expansion by_heat = growth_at_once(section, difference(energy[k], energy_before[k]));
+    const Expansion to_come =
+        growth_at_once(section, sum(difference(seen_[k], energy[k]), scaled(time_ + ahead - now, power_[k])));
     for (const auto surface : surfaces)
-      expected[k].*surface += (now_[k].*surface - before_[k].*surface) / length * ahead;
+      expected[k].*surface +=
+          to_come.*surface + (now_[k].*surface - before_[k].*surface - by_heat.*surface) / last_length_ * ahead;
+  }
   elements_.growth->append(now, in_force);
   elements_.growth->append(time_ + ahead, expected);
+  promised_ = seen_;
+  promised_power_ = power_;
+  promised_at_ = now;
+}
+
+void complete(FiniteElements::Section& s) {
+  const auto& p = s.problem;
+  const auto capacity = [&](const char* body) { return s.solver->body_capacity(body_index(p, body)); };
+  s.inner_capacity = capacity("inner_ring");
+  s.outer_capacity = capacity("outer_ring") + capacity("housing");
+  s.shaft_capacity = p.ports[shaft_port].node ? p.nodes[*p.ports[shaft_port].node].capacity : capacity("shaft");
 }
 
 void WindowedSections::finish(double end, std::span<const PlaceEnergy> energy) {
@@ -138,6 +207,8 @@ HeatEnergy WindowedSections::energy() const {
     sum.stored += e.stored;
     sum.lost += e.lost;
   }
+  sum.input += film_loss_;  // which the solver books as heat taken out
+  sum.lost += film_loss_;
   return sum;
 }
 
@@ -146,22 +217,27 @@ std::vector<Observable> WindowedSections::observables() const {
                                   {"/windows/error", "m", "error of the growth that was in force at its end", 1, {}}};
   for (const auto& section : elements_.sections) {
     const std::string path = "/windows/" + section.name + "/";
-    for (const auto& body : section.problem.bodies) list.push_back({path + body.name, "K", "volume mean of " + body.name, 1, {}});
+    for (const auto& body : section.problem.bodies)
+      list.push_back({path + body.name, "K", "volume mean of " + body.name, 1, {}});
     for (const auto& port : section.problem.ports) {
       if (port.node)
         list.push_back({path + port.name, "K", "temperature of " + port.name, 1, {}});
       else
-        list.push_back({path + port.name + "_surface", "K", "temperature of a surface, over its circumference the mean: " + port.name,
-                        3, {"mean", "lowest", "highest"}});
+        list.push_back({path + port.name + "_surface",
+                        "K",
+                        "temperature of a surface, over its circumference the mean: " + port.name,
+                        3,
+                        {"mean", "lowest", "highest"}});
     }
-    list.push_back({path + "growth", "m", "thermal growth", 5, {"shaft", "bore", "inner race", "outer race", "ball radius"}});
+    list.push_back(
+        {path + "growth", "m", "thermal growth", 5, {"shaft", "bore", "inner race", "outer race", "ball radius"}});
   }
   return list;
 }
 
 void WindowedSections::observe(std::span<double> out) const {
   std::size_t at = 0;
-  out[at++] = report_.windows > 0 ? window_ : 0.;
+  out[at++] = last_length_;
   out[at++] = last_error_;
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
     const auto& section = elements_.sections[k];
@@ -179,16 +255,31 @@ void WindowedSections::observe(std::span<double> out) const {
 }
 
 std::vector<double> WindowedSections::packed() const {
-  std::vector<double> values = {time_, window_, last_error_, static_cast<double>(report_.windows), report_.shortest, report_.longest,
-                                report_.mean, report_.largest_error, report_.largest_growth, report_.cpu_time};
+  std::vector<double> values = {time_,
+                                static_cast<double>(units_),
+                                last_error_,
+                                last_length_,
+                                film_loss_,
+                                watched_,
+                                promised_at_,
+                                static_cast<double>(report_.windows),
+                                report_.shortest,
+                                report_.longest,
+                                report_.mean,
+                                report_.largest_error,
+                                report_.largest_growth,
+                                report_.cpu_time};
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
-    const auto& e = energy_[k];
-    values.insert(values.end(), {e.rub, e.rub_into_ring, e.inner, e.outer});
+    for (const auto* list : {&energy_, &seen_, &power_, &promised_, &promised_power_}) {
+      const auto& e = (*list)[k];
+      values.insert(values.end(), {e.rub, e.rub_into_ring, e.inner, e.outer});
+    }
     for (const auto* growth : {&before_[k], &now_[k]})
       for (const auto surface : surfaces) values.push_back(growth->*surface);
-    const HeatEnergy energy = elements_.sections[k].solver->energy();
+    const auto& solver = *elements_.sections[k].solver;
+    const HeatEnergy energy = solver.energy();
     values.insert(values.end(), {energy.input, energy.lost});
-    const auto field = elements_.sections[k].solver->field();
+    const auto field = solver.field();
     values.insert(values.end(), field.begin(), field.end());
   }
   const auto in_force = elements_.growth->packed_tail();
@@ -200,15 +291,17 @@ void WindowedSections::unpack(std::span<const double> values) {
   std::size_t at = 0;
   const auto next = [&] { return values[at++]; };
   time_ = next();
-  window_ = next();
-  last_error_ = next();
+  units_ = static_cast<long>(next());
+  for (double* value : {&last_error_, &last_length_, &film_loss_, &watched_, &promised_at_}) *value = next();
   report_.windows = static_cast<long>(next());
-  for (double* value : {&report_.shortest, &report_.longest, &report_.mean, &report_.largest_error, &report_.largest_growth,
-                        &report_.cpu_time})
+  for (double* value : {&report_.shortest, &report_.longest, &report_.mean, &report_.largest_error,
+                        &report_.largest_growth, &report_.cpu_time})
     *value = next();
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
-    auto& e = energy_[k];
-    for (double* value : {&e.rub, &e.rub_into_ring, &e.inner, &e.outer}) *value = next();
+    for (auto* list : {&energy_, &seen_, &power_, &promised_, &promised_power_}) {
+      auto& e = (*list)[k];
+      for (double* value : {&e.rub, &e.rub_into_ring, &e.inner, &e.outer}) *value = next();
+    }
     for (auto* growth : {&before_[k], &now_[k]})
       for (const auto surface : surfaces) growth->*surface = next();
     const double input = next(), lost = next();

@@ -22,8 +22,8 @@ void GrowthHistory::cut(double time) {
   if (times_.empty() || times_.back() <= time) return;
   std::vector<Expansion> now(n_places_);
   at(time, now);
-  const std::size_t kept = static_cast<std::size_t>(
-      std::lower_bound(times_.begin(), times_.end(), time) - times_.begin());
+  const std::size_t kept =
+      static_cast<std::size_t>(std::lower_bound(times_.begin(), times_.end(), time) - times_.begin());
   times_.resize(kept);
   growth_.resize(kept * n_places_);
   append(time, now);

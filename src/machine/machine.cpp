@@ -45,14 +45,18 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
                                      {"unbalance work", "J", 1., "work of the unbalance forces on the rotor"},
                                      {"drive work", "J", 1., "work of motor or brake on the rotor"}};
   for (const auto& part : parts_.thermal)
-    entries.push_back(part.name == "lumped"
-                          ? StateEntry{"heat lost", "J", 1., "heat lost to ambient"}
-                          : StateEntry{part.name + " heat lost", "J", 1., "heat lost to ambient by model " + part.name});
+    entries.push_back(part.name == "lumped" ? StateEntry{"heat lost", "J", 1., "heat lost to ambient"}
+                                            : StateEntry{part.name + " heat lost", "J", 1.,
+                                                         "heat lost to ambient by model " + part.name});
   n_machine_ledger_ = entries.size();
   layout_.add_block("energy", entries);
 
-  std::size_t n_places = 0;
-  for (const auto& place : parts_.thermal_place) n_places += place.has_value();
+  for (std::size_t i = 0; i < n; ++i)
+    if (const auto place = parts_.thermal_place[i]) {
+      ledger_of_place_.resize(std::max(ledger_of_place_.size(), *place + 1));
+      ledger_of_place_[*place] = places_[i].ledger;
+    }
+  const std::size_t n_places = ledger_of_place_.size();
   if (parts_.rub_share.size() != n_places)
     throw std::invalid_argument("a machine needs one share of the rub heat per thermal place");
   motions_.resize(n);
@@ -90,6 +94,15 @@ void Machine::list_observables() {
        {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
   for (std::size_t i = 0; i < thermal_.size(); ++i)
     thermal_[i].n_observed = add(state_observables_, parts_.thermal[i].place, parts_.thermal[i].model->observables());
+  for (const auto& part : parts_.thermal)
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (parts_.thermal_place[i])
+        add(state_observables_, "/growth/" + part.name + "/",
+            {{parts_.supports[i]->name(),
+              "m",
+              "thermal growth by model " + part.name,
+              5,
+              {"shaft", "bore", "inner race", "outer race", "ball radius"}}});
   add(state_observables_, "/energy/",
       {{"mechanical", "J", "kinetic, elastic and gravitational energy", 1, {}},
        {"dissipated", "J", "mechanical energy dissipated since the start", 1, {}},
@@ -232,6 +245,15 @@ void Machine::observe_state(double t, std::span<const double> y, std::span<doubl
     parts_.thermal[k].model->observe(thermal_part(k, y), heats_, out.subspan(at, thermal_[k].n_observed));
     at += thermal_[k].n_observed;
   }
+  std::vector<Expansion> growth(heats_.size());
+  for (std::size_t k = 0; k < thermal_.size(); ++k) {
+    parts_.thermal[k].model->growth(thermal_part(k, y), growth);
+    for (const auto& place : parts_.thermal_place)
+      if (place)
+        for (const double value : {growth[*place].shaft, growth[*place].bore, growth[*place].inner_race,
+                                   growth[*place].outer_race, growth[*place].ball})
+          out[at++] = value;
+  }
   const EnergyBalance b = energy_balance(t, y);
   for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work,
                              b.drive_work, b.residual, b.heat_deposited})
@@ -241,9 +263,9 @@ void Machine::observe_state(double t, std::span<const double> y, std::span<doubl
   for (std::size_t i = first_ledger_; i < y.size(); ++i) out[at++] = y[i];
 }
 
-std::size_t Machine::support_of_place(std::size_t place) const {
-  const auto found = std::find(parts_.thermal_place.begin(), parts_.thermal_place.end(), std::optional(place));
-  return static_cast<std::size_t>(found - parts_.thermal_place.begin());
+PlaceEnergy Machine::heat_given(std::size_t place, std::span<const double> y) const {
+  const auto ledger = y.subspan(ledger_of_place_[place], n_support_ledger);
+  return {ledger[rub_heat], ledger[rub_heat_into_ring], ledger[inner_heat], ledger[outer_heat]};
 }
 
 double Machine::ledger(std::size_t support, const std::string& name, std::span<const double> y) const {

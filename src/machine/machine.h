@@ -6,6 +6,7 @@
 
 #include "laws/heat_flow.h"
 #include "machine/growth_history.h"
+#include "machine/place_energy.h"
 #include "model/ode_system.h"
 #include "model/rotor_model.h"
 #include "model/support.h"
@@ -44,10 +45,10 @@ class Machine final : public OdeSystem {
       std::string place;  ///< of its datasets, "/thermal/"
       std::unique_ptr<ThermalModel> model;
     };
-    std::vector<Thermal> thermal;  ///< all take the same heat; may be none
-    std::vector<std::optional<std::size_t>> thermal_place;  ///< of each support, if it gives off heat
-    std::vector<RubShare> rub_share;                        ///< of each thermal place
-    std::optional<std::size_t> driver;                      ///< the thermal model whose growth is fed back
+    std::vector<Thermal> thermal;                            ///< all take the same heat; may be none
+    std::vector<std::optional<std::size_t>> thermal_place;   ///< of each support, if it gives off heat
+    std::vector<RubShare> rub_share;                         ///< of each thermal place
+    std::optional<std::size_t> driver;                       ///< the thermal model whose growth is fed back
     std::shared_ptr<const GrowthHistory> prescribed_growth;  ///< fed back instead, if there is no driver
     std::vector<double> initial_rotor_state;
   };
@@ -81,8 +82,8 @@ class Machine final : public OdeSystem {
   [[nodiscard]] std::size_t n_thermal_places() const { return heats_.size(); }
   [[nodiscard]] std::size_t n_thermal_models() const { return parts_.thermal.size(); }
   [[nodiscard]] const std::string& thermal_name(std::size_t i) const { return parts_.thermal[i].name; }
-  /// Index of the support at a thermal place.
-  [[nodiscard]] std::size_t support_of_place(std::size_t place) const;
+  /// Heat that a thermal place has been given since the start.
+  [[nodiscard]] PlaceEnergy heat_given(std::size_t place, std::span<const double> y) const;
   [[nodiscard]] double initial_mechanical_energy() const { return initial_mechanical_; }
   [[nodiscard]] double mechanical_energy(double t, std::span<const double> y) const;
   /// Value of a ledger of a support, by its name, e.g. "rub heat" or "contact impulse". @throws std::out_of_range
@@ -100,7 +101,12 @@ class Machine final : public OdeSystem {
     growth_work,
     n_support_ledger
   };
-  enum MachineLedger : std::size_t { rotor_damping, unbalance_work, drive_work, heat_lost };  // heat_lost: one for each thermal model
+  enum MachineLedger : std::size_t {
+    rotor_damping,
+    unbalance_work,
+    drive_work,
+    heat_lost
+  };  // heat_lost: one for each thermal model
   struct Place {
     std::size_t state = 0, n_state = 0;    // of the support
     std::size_t ledger = 0, n_own = 0;     // its ledgers: n_support_ledger common ones, then its own
@@ -124,6 +130,7 @@ class Machine final : public OdeSystem {
   std::size_t n_rotor_ = 0, first_ledger_ = 0, machine_ledger_ = 0, n_machine_ledger_ = 0;
   std::vector<ThermalBlock> thermal_;
   std::vector<Place> places_;
+  std::vector<std::size_t> ledger_of_place_;  ///< of each thermal place: where the ledgers of its support begin
   std::vector<Observable> step_observables_, detail_observables_, state_observables_;
   double initial_mechanical_ = 0;
 

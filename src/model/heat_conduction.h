@@ -107,6 +107,7 @@ struct HeatPort {
   std::string name;
   std::vector<HeatBoundary> boundaries;
   std::optional<std::size_t> node = {};  ///< instead of boundaries
+  double importance = 1;                 ///< typical heat, in any unit: what a reduction weighs the ports by
 };
 
 /// A thermal resistance between two ports, or a port and the surroundings (at the initial temperature).
@@ -176,7 +177,9 @@ class HeatConductionSolver {
   [[nodiscard]] virtual SurfaceRange surface(const std::vector<HeatBoundary>& boundaries) const = 0;
   /// Mean over the volume of a body [K].
   [[nodiscard]] virtual double body_mean(std::size_t body) const = 0;
+  [[nodiscard]] virtual double body_capacity(std::size_t body) const = 0;     ///< at the initial temperature [J/K]
   [[nodiscard]] virtual double port_temperature(std::size_t port) const = 0;  ///< [K]
+  [[nodiscard]] virtual double port_area(std::size_t port) const = 0;         ///< [m2]; 0 of a node
   [[nodiscard]] virtual HeatEnergy energy() const = 0;
   [[nodiscard]] virtual HeatStatistics statistics() const = 0;
   /// Heat into each port [W] [n_ports], from now on.
@@ -189,11 +192,12 @@ class HeatConductionSolver {
   /// A field of an earlier computation, with the energies that came in and were lost until then.
   virtual void set_field(std::span<const double> temperatures, double time, double input, double lost) = 0;
 
-  /// The linear part of the problem seen from its ports; convections that are not linear become ports of their own, after the others.
-  /// Keeps what lift() needs. @throws SolverError if a property depends on temperature
+  /// The problem seen from its ports, on few modes. Keeps what lift() needs.
+  /// @throws SolverError if a property depends on temperature or a convection is not linear
   virtual ReducedHeat reduce(const ReductionSettings& settings) = 0;
-  /// The field that a state of the last reduce() stands for [n_modes].
-  virtual void lift(std::span<const double> state, double time) = 0;
+  /// The field that a state of the last reduce() stands for.
+  /// @param state  [n_modes]; @param watts  heat into the ports at that instant [n_ports]
+  virtual void lift(std::span<const double> state, std::span<const double> watts, double time) = 0;
   /// The field as a VTU file: temperature [K] and body of every cell. @throws SolverError
   virtual void write_vtu(const std::string& file) const = 0;
 

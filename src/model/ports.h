@@ -42,10 +42,11 @@ struct Expansion {
 
 /// Heat that a bearing releases, by port, and what a law for sharing it needs to know.
 struct HeatInput {
-  double rub = 0;                  ///< H_r: rotor surface against bore [W] (eq. 19)
-  double rub_into_ring = 0;        ///< part of H_r that enters the ring, the rest enters the rotor [W]; the machine divides it
-  double inner = 0;                ///< H_i: balls against inner race [W] (eq. 24, energy-consistent form)
-  double outer = 0;                ///< H_o: balls against outer race [W]
+  double rub = 0;  ///< H_r: rotor surface against bore [W] (eq. 19)
+  double rub_into_ring =
+      0;             ///< part of H_r that enters the ring, the rest enters the rotor [W]; the machine divides it
+  double inner = 0;  ///< H_i: balls against inner race [W] (eq. 24, energy-consistent form)
+  double outer = 0;  ///< H_o: balls against outer race [W]
   double rotor_surface_speed = 0;  ///< speed of the rotor's surface relative to the rubbing spot [m/s]
   double ring_surface_speed = 0;   ///< speed of the bore's surface relative to the rubbing spot [m/s]
   bool is_in_contact = false;      ///< rotor and bore touch

@@ -15,23 +15,26 @@ struct ReductionSettings {
 
 /// Mean temperatures and heat of a linear problem in coordinates z [K] of its modes:
 ///   dz_i/dt = - rate_i (z_i - T_0) + sum_p input[p][i] q_p,    T = T_0 + sum_i shape[i] (z_i - T_0)
-/// with q_p the heat into port p [W]. Modes are normalised so that their heat capacity is that of the whole, so input[p] = port[p].shape/capacity.
+/// with q_p the heat into port p [W]; a port's own rise has at_once q_p besides. Modes are normalised so that their heat capacity is that of the whole, so input[p] = port[p].shape/capacity.
 /// The uniform temperature is among what the modes span: the energy of the reduced problem closes exactly.
 struct ReducedHeat {
   /// A temperature as a weighted sum of states.
   struct Output {
     std::string name;
-    std::vector<double> shape;  ///< [n_modes]
-    double capacity = 0;        ///< of a body or node [J/K]
+    std::vector<double> shape;        ///< [n_modes]
+    double capacity = 0;              ///< of a body or node [J/K]
+    double area = 0;                  ///< of a surface [m2]
     std::vector<double> points = {};  ///< of a surface: the same for single points [n_points * n_modes]
+    /// Of a port: what the modes left out add to its own rise per watt into it, at once; and to the points' [K/W].
+    double at_once = 0;
+    std::vector<double> points_at_once = {};
   };
-  std::vector<double> rate;     ///< [1/s], rising [n_modes]
-  double capacity = 0;          ///< of everything [J/K]
-  std::vector<Output> ports;    ///< as in the problem, then one for each convection that is not linear
-  std::vector<Output> bodies;   ///< volume means
+  std::vector<double> rate;    ///< [1/s], rising [n_modes]
+  double capacity = 0;         ///< of everything [J/K]
+  std::vector<Output> ports;   ///< as in the problem
+  std::vector<Output> bodies;  ///< volume means
   std::vector<Output> nodes;
-  std::vector<double> film_area;  ///< of those convections [m2]
-  std::vector<double> loss;       ///< heat lost by linear convection and links [W/K] [n_modes]
+  std::vector<double> loss;  ///< heat lost by linear convection and links [W/K] [n_modes]
   /// Largest relative error of a port's response to its own heat, at times from the shortest to the longest; a few are tried.
   double response_error = 0;
   [[nodiscard]] std::size_t n_modes() const { return rate.size(); }

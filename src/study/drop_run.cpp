@@ -252,16 +252,12 @@ class DropRun {
 
   /// Energies of the thermal places in a state.
   std::span<const PlaceEnergy> energies(std::span<const double> y) {
-    for (std::size_t place = 0; place < energies_.size(); ++place) {
-      const auto ledger = [&, support = machine_.support_of_place(place)](const char* name) {
-        return machine_.ledger(support, name, y);
-      };
-      energies_[place] = {ledger("rub heat"), ledger("rub heat into ring"), ledger("inner heat"), ledger("outer heat")};
-    }
+    for (std::size_t place = 0; place < energies_.size(); ++place) energies_[place] = machine_.heat_given(place, y);
     return energies_;
   }
 
   void advance_windows() {
+    if (windows_) windows_->watch(time_, energies(integrator_->state()));
     while (windows_ && windows_->next_end() <= time_ && !is_stopped()) {
       const double end = windows_->next_end();
       integrator_->interpolate(end, at_record_);
@@ -349,7 +345,8 @@ class DropRun {
     RecorderOptions recorder_options;
     recorder_options.overwrite = options_.force;
     if (time_ > 0.) {
-      auto resumed = resume_recording(file, time_, record_header(case_), series_groups(machine_, windows()), recorder_options);
+      auto resumed =
+          resume_recording(file, time_, record_header(case_), series_groups(machine_, windows()), recorder_options);
       recorder_.emplace(std::move(resumed.recorder));
     } else {
       recorder_options.overwrite |= options_.resume;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-
 namespace rotordrop {
 namespace {
 
@@ -16,7 +15,7 @@ std::size_t body_index(const HeatConductionProblem& p, const std::string& name) 
 }
 
 HeatBody body(const std::string& name, double length, double inside, double outside, const ThermalMaterial& m) {
-  return {name,           {-0.5 * length, 0.5 * length}, {0.5 * inside, 0.5 * outside},
+  return {name,      {-0.5 * length, 0.5 * length}, {0.5 * inside, 0.5 * outside},
           m.density, PropertyTable(m.conductivity), PropertyTable(m.heat_capacity)};
 }
 
@@ -71,21 +70,26 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
              shaft,
              {"inner_raceway", race(p.mesh, inner, HeatSide::outer)},
              {"outer_raceway", race(p.mesh, outer, HeatSide::inner)},
+             {"housing_surface", {{housing, HeatSide::outer}}},
              {"ball", {}, 0}};
-  const std::size_t ball_port = 4;
+  // Typical watts of a drop: 10 kW of rub, 0.1 kW inside the bearing, next to nothing lost from the housing.
+  p.ports[inner_raceway_port].importance = p.ports[outer_raceway_port].importance = 0.03;
+  p.ports[housing_port].importance = p.ports[ball_port].importance = 0.01;
 
   const double Z = b.n_balls, d_s = 2. * b.journal_radius;
   const double R1 = 1. / (b.h_shaft * pi * d_s * b.width);
   const double R5 = 2. / (pi * b.ball.conductivity * b.ball_diameter * Z) +
                     2. / (4. * b.ball.conductivity * b.contact_half_width * Z);
   const double R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
-  p.links = {{shaft_port, {}, R1}, {inner_raceway_port, ball_port, R5}, {outer_raceway_port, ball_port, R5}, {ball_port, {}, R6}};
+  p.links = {{shaft_port, {}, R1},
+             {inner_raceway_port, ball_port, R5},
+             {outer_raceway_port, ball_port, R5},
+             {ball_port, {}, R6}};
   if (b.shaft_ring_link == BearingCircuitData::Link::permanent)
     p.links.push_back({shaft_port, bore_port, shaft_surface_resistance(b)});
 
   const double fit_area = pi * b.outer_outside * std::min(b.width, b.housing_length);
   p.interfaces = {{{outer, HeatSide::outer}, {housing, HeatSide::inner}, std::max(b.fit_resistance * fit_area, 1e-8)}};
-  p.convections = {{{housing, HeatSide::outer}, 23., 0.25, ambient}};
   return p;
 }
 

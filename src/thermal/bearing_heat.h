@@ -10,8 +10,9 @@ enum BearingPort : std::size_t {
   shaft_port,          ///< the rest of it
   inner_raceway_port,  ///< strips of the contact ellipses
   outer_raceway_port,
-  n_bearing_ports,
-  housing_film = n_bearing_ports  ///< port of eq. (16) in a reduced problem
+  housing_port,  ///< the housing's outside: eq. (16) is applied there by whoever advances the problem, with the mean rise
+  ball_port,
+  n_bearing_ports
 };
 
 struct SectionSettings {
@@ -20,7 +21,7 @@ struct SectionSettings {
 };
 
 /// The section of a touchdown bearing with the circuit's data: inner ring, outer ring and housing as bodies, balls (and shaft) as nodes.
-///   ambient -R1- shaft -R2- bore,  strips -R5- balls -R5- strips,  balls -R6- ambient,  fit between ring and housing, eq. (16) outside.
+///   ambient -R1- shaft -R2- bore,  strips -R5- balls -R5- strips,  balls -R6- ambient,  fit between ring and housing.
 /// R3, R4, R7 and R8 are what the section itself conducts. A link that acts only in contact is left out: see ReducedSections.
 /// @param mesh     with bodies inner_ring, outer_ring, housing (and shaft); empty: plain rectangles of the rings' diameters
 /// @param ambient  [K]

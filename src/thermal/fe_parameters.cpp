@@ -36,32 +36,33 @@ Section<FeParameters> fe_section() {
   s.text("mesh", &P::mesh,
          {.help = "Your own mesh instead, a .msh file beside the case. NAME in it stands for the bearing's name: "
                   "\"meshes/NAME.msh\". docs/mesh.md says what it must have."});
-  s.choice("section", &P::section, {{"grooved", FeSection::grooved}, {"plain", FeSection::plain}},
-           {.fallback = "grooved",
-            .help = "Races with their grooves, meshed by gmsh; or plain rectangles of the rings' diameters, heated over "
-                    "their whole width."});
-  s.choice("coupling", &P::coupling,
-           {{"reduced", FeCoupling::reduced},
-            {"windowed", FeCoupling::windowed},
-            {"monolithic", FeCoupling::monolithic}},
-           {.fallback = "reduced",
-            .help = "How the finite elements take part in a drop: reduced to few modes in the state vector; windowed, "
-                    "advanced implicitly beside it with the energy of each window; monolithic, with all modes of a small "
-                    "mesh, for tests."});
-  s.integer("degree", &P::degree, {.range = between(1, 4), .fallback = 2, .help = "Polynomial degree of the elements."});
+  s.choice(
+      "section", &P::section, {{"grooved", FeSection::grooved}, {"plain", FeSection::plain}},
+      {.fallback = "grooved",
+       .help = "Races with their grooves, meshed by gmsh; or plain rectangles of the rings' diameters, heated over "
+               "their whole width."});
+  s.choice(
+      "coupling", &P::coupling,
+      {{"reduced", FeCoupling::reduced}, {"windowed", FeCoupling::windowed}, {"monolithic", FeCoupling::monolithic}},
+      {.fallback = "reduced",
+       .help = "How the finite elements take part in a drop: reduced to few modes in the state vector; windowed, "
+               "advanced implicitly beside it with the energy of each window; monolithic, with all modes of a small "
+               "mesh, for tests."});
+  s.integer("degree", &P::degree,
+            {.range = between(1, 4), .fallback = 2, .help = "Polynomial degree of the elements."});
   s.integer("modes", &P::modes,
             {.range = between(8, 200),
              .fallback = 24,
              .help = "Modes of each bearing's section that a reduced coupling keeps. More follow faster changes."});
   s.quantity("window_tolerance", &P::window_tolerance,
-             {.range = between(1e-6, 0.1),
-              .fallback = "5e-4",
-              .help = "Error of the growth that a window may leave, over the largest growth so far. Decides how long "
-                      "windows are."});
+             {.unit = "m",
+              .range = between(1e-13, 1e-6),
+              .fallback = "0.25 nm",
+              .help = "Error of a surface's growth that a window may leave. Decides how long windows are."});
   s.quantity("longest_window", &P::longest_window,
              {.unit = "s",
               .range = between(1e-5, 0.1),
-              .fallback = "1 ms",
+              .fallback = "0.5 ms",
               .help = "The longest window of a windowed coupling; the others are halves, quarters and so on."});
   s.check([](const P& p, const Node& table, Faults& faults) {
     if (p.surface_cell > p.largest_cell)

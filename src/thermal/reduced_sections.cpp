@@ -46,8 +46,8 @@ FourSums four_sums(const double* y, double zero, const double* a, const double* 
 }
 
 struct Heats {
-  const double *bore, *shaft, *inner, *outer, *film;    // rows
-  double q_bore, q_shaft, q_inner, q_outer, q_film;     // [W]
+  const double *bore, *shaft, *inner, *outer, *film;  // rows
+  double q_bore, q_shaft, q_inner, q_outer, q_film;   // [W]
 };
 ROTORDROP_WIDE_VECTORS
 void modal_rates(const double* y, double zero, const double* rate, const Heats& h, double* dydt, std::size_t n) {
@@ -76,8 +76,7 @@ std::vector<double> times(double factor, std::vector<double> v) {
 
 // What observe() writes for a surface.
 const std::vector<std::string> surface_columns = {"mean", "lowest", "highest"};
-constexpr const char* surface_ports[] = {"bore", "inner_raceway", "outer_raceway", "housing convection"};
-constexpr const char* surface_names[] = {"bore", "inner_raceway", "outer_raceway", "housing_surface"};
+constexpr std::size_t surface_ports[] = {bore_port, inner_raceway_port, outer_raceway_port, housing_port};
 
 }  // namespace
 
@@ -96,10 +95,10 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     p.shaft_input = input(shaft_port);
     p.inner_input = input(inner_raceway_port);
     p.outer_input = input(outer_raceway_port);
-    const auto& film = find(heat.ports, "housing convection");
+    const auto& film = heat.ports.at(housing_port);
     p.film = film.shape;
     p.film_input = times(1. / heat.capacity, film.shape);
-    p.film_area = heat.film_area.at(0);
+    p.film_area = film.area;
     p.loss = heat.loss;
     p.bore = heat.ports[bore_port].shape;
     p.shaft_surface = heat.ports[shaft_port].shape;
@@ -108,7 +107,8 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     const double C = outer.capacity + housing.capacity;
     p.outer_mean = times(outer.capacity / C, outer.shape);
     for (std::size_t i = 0; i < p.n; ++i) p.outer_mean[i] += housing.capacity / C * housing.shape[i];
-    const bool is_lump = std::any_of(heat.nodes.begin(), heat.nodes.end(), [](const auto& o) { return o.name == "shaft"; });
+    const bool is_lump =
+        std::any_of(heat.nodes.begin(), heat.nodes.end(), [](const auto& o) { return o.name == "shaft"; });
     p.shaft_mean = find(is_lump ? heat.nodes : heat.bodies, "shaft").shape;
     p.ball_mean = find(heat.nodes, "ball").shape;
     p.stored.assign(p.n, 0.);
@@ -180,30 +180,35 @@ std::vector<Observable> ReducedSections::observables() const {
     for (const auto* outputs : {&section.heat.bodies, &section.heat.nodes})
       for (const auto& output : *outputs)
         list.push_back({section.name + "/" + output.name, "K", "volume mean of " + output.name, 1, {}});
-    for (const char* name : surface_names)
-      list.push_back({section.name + "/" + name, "K", std::string("temperature of a surface, over its circumference the mean: ") + name,
-                      3, surface_columns});
+    for (const std::size_t port : surface_ports) {
+      const std::string& name = section.heat.ports[port].name;
+      list.push_back({section.name + "/" + name, "K",
+                      "temperature of a surface, over its circumference the mean: " + name, 3, surface_columns});
+    }
   }
   return list;
 }
 
-void ReducedSections::observe(std::span<const double> state, std::span<const HeatInput>, std::span<double> out) const {
+void ReducedSections::observe(std::span<const double> state, std::span<const HeatInput> heats,
+                              std::span<double> out) const {
   std::size_t at = 0;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const ReducedHeat& heat = sections_[k].heat;
     const double* y = state.data() + places_[k].first;
     for (const auto* outputs : {&heat.bodies, &heat.nodes})
       for (const auto& output : *outputs) out[at++] = ambient_ + sum(output.shape, y, ambient_);
-    for (const char* name : surface_ports) {
-      const auto& port = find(heat.ports, name);
+    const double watts[] = {heats[k].rub_into_ring, heats[k].inner, heats[k].outer, 0.};
+    for (std::size_t i = 0; i < std::size(surface_ports); ++i) {
+      const auto& port = heat.ports[surface_ports[i]];
       double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-      for (std::size_t i = 0; i < port.points.size(); i += heat.n_modes()) {
-        double rise = 0.;
-        for (std::size_t j = 0; j < heat.n_modes(); ++j) rise += port.points[i + j] * (y[j] - ambient_);
+      for (std::size_t point = 0; point * heat.n_modes() < port.points.size(); ++point) {
+        double rise = point < port.points_at_once.size() ? port.points_at_once[point] * watts[i] : 0.;
+        for (std::size_t j = 0; j < heat.n_modes(); ++j)
+          rise += port.points[point * heat.n_modes() + j] * (y[j] - ambient_);
         lowest = std::min(lowest, rise);
         highest = std::max(highest, rise);
       }
-      out[at++] = ambient_ + sum(port.shape, y, ambient_);
+      out[at++] = ambient_ + sum(port.shape, y, ambient_) + port.at_once * watts[i];
       out[at++] = ambient_ + lowest;
       out[at++] = ambient_ + highest;
     }

@@ -42,24 +42,25 @@ Section<ExtraResistor> resistor_section() {
 Section<ThermalParameters> thermal_section() {
   using P = ThermalParameters;
   Section<P> s("thermal", "Lumped thermal circuit of every touchdown bearing.");
-  s.custom(
-      "models",
-      {.accepts = "a list of \"lumped\" and \"fe\"",
-       .json_types = {"array"},
-       .fallback = Node::array({Node("lumped")}),
-       .help = "Thermal models that run: the lumped circuit, the finite elements, or both on the same heat."},
-      [](const Node& node, P& target, Faults& faults) {
-        target.has_lumped = target.has_fe = false;
-        bool is_good = node.is_array();
-        for (const Node& item : is_good ? node.items() : std::vector<Node>{}) {
-          const bool is_lumped = item.is_text() && item.text() == "lumped", is_fe = item.is_text() && item.text() == "fe";
-          is_good = is_good && (is_lumped || is_fe);
-          target.has_lumped = target.has_lumped || is_lumped;
-          target.has_fe = target.has_fe || is_fe;
-        }
-        if (!is_good || (!target.has_lumped && !target.has_fe))
-          faults.add(node.where(), "thermal.models must be a list of \"lumped\" and \"fe\", such as [\"lumped\", \"fe\"].");
-      });
+  s.custom("models",
+           {.accepts = "a list of \"lumped\" and \"fe\"",
+            .json_types = {"array"},
+            .fallback = Node::array({Node("lumped")}),
+            .help = "Thermal models that run: the lumped circuit, the finite elements, or both on the same heat."},
+           [](const Node& node, P& target, Faults& faults) {
+             target.has_lumped = target.has_fe = false;
+             bool is_good = node.is_array();
+             for (const Node& item : is_good ? node.items() : std::vector<Node>{}) {
+               const bool is_lumped = item.is_text() && item.text() == "lumped",
+                          is_fe = item.is_text() && item.text() == "fe";
+               is_good = is_good && (is_lumped || is_fe);
+               target.has_lumped = target.has_lumped || is_lumped;
+               target.has_fe = target.has_fe || is_fe;
+             }
+             if (!is_good || (!target.has_lumped && !target.has_fe))
+               faults.add(node.where(),
+                          "thermal.models must be a list of \"lumped\" and \"fe\", such as [\"lumped\", \"fe\"].");
+           });
   s.choice("driver", &P::driver,
            {{"automatic", GrowthDriver::automatic},
             {"lumped", GrowthDriver::lumped},

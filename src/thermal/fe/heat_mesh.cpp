@@ -72,7 +72,7 @@ std::vector<HeatMesh::Face> HeatMesh::faces_of(const HeatBoundary& boundary) con
 }
 
 std::vector<std::pair<HeatMesh::Face, HeatMesh::Face>> HeatMesh::pairs_of(const HeatBoundary& first,
-                                                                           const HeatBoundary& second) const {
+                                                                          const HeatBoundary& second) const {
   std::vector<std::pair<Face, Face>> pairs;
   const auto others = faces_of(second);
   for (const auto& a : faces_of(first))
@@ -101,7 +101,8 @@ HeatMesh::Place HeatMesh::locate(std::size_t body, double x, double r) const {
   Place best;
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& cell : cells_) {
-    if (cell->material_id() != body || cell->bounding_box().get_boundary_points().first.distance(wanted) > 4. * cell->diameter())
+    if (cell->material_id() != body ||
+        cell->bounding_box().get_boundary_points().first.distance(wanted) > 4. * cell->diameter())
       continue;
     try {
       const auto on_unit = mapping_.transform_real_to_unit_cell(cell, wanted);

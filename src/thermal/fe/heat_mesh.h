@@ -33,7 +33,8 @@ class HeatMesh {
 
   [[nodiscard]] std::vector<Face> faces_of(const HeatBoundary& boundary) const;
   /// Faces of two boundaries that lie on each other.
-  [[nodiscard]] std::vector<std::pair<Face, Face>> pairs_of(const HeatBoundary& first, const HeatBoundary& second) const;
+  [[nodiscard]] std::vector<std::pair<Face, Face>> pairs_of(const HeatBoundary& first,
+                                                            const HeatBoundary& second) const;
   /// Area of the surface that a face sweeps [m2], exact: a frustum or a piece of a torus.
   [[nodiscard]] double area(const Face& face) const;
 

@@ -117,14 +117,6 @@ void HeatOperator::make_ports() {
     }
     ports_.push_back(std::move(made));
   }
-  for (const auto& law : problem_.convections) {
-    if (law.exponent == 0.) continue;
-    const auto faces = free_faces_of(law.boundary);
-    Port made{problem_.bodies[law.boundary.body].name + " convection", integral_over(faces), 0., 0.};
-    for (const auto& face : faces) made.area += mesh_.area(face);
-    made.weights /= made.area;
-    ports_.push_back(std::move(made));
-  }
 }
 
 void HeatOperator::prepare_curved_cells() {
@@ -158,8 +150,7 @@ void HeatOperator::prepare_curved_cells() {
     for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
       prepared.weights.push_back(weight(fe, q));
       const auto& inverse = fe.inverse_jacobian(q);  // rows: directions of the unit cell
-      prepared.metric.push_back(
-          {inverse[0] * inverse[0], inverse[0] * inverse[1], inverse[1] * inverse[1]});
+      prepared.metric.push_back({inverse[0] * inverse[0], inverse[0] * inverse[1], inverse[1] * inverse[1]});
     }
     curved_cells_.push_back(std::move(prepared));
   }
@@ -268,8 +259,8 @@ void HeatOperator::assemble_interfaces() {
       fe_1.reinit(first.cell, first.number);
       fe_2.reinit(second.cell, second.number);
       // Cells may number the points of their common side from either end.
-      const bool runs_backwards =
-          fe_1.quadrature_point(0).distance(fe_2.quadrature_point(0)) > 1e-3 * first.cell->face(first.number)->measure();
+      const bool runs_backwards = fe_1.quadrature_point(0).distance(fe_2.quadrature_point(0)) >
+                                  1e-3 * first.cell->face(first.number)->measure();
       first.cell->get_dof_indices(part);
       std::copy(part.begin(), part.end(), dofs.begin());
       second.cell->get_dof_indices(part);
@@ -449,7 +440,8 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
         const double k = scaled_step * w * k_of.value(now), steeper = scaled_step * w * k_of.slope(now);
         // Gradient of shape i raised by the metric.
         const double i_x = xx * shape_x_[q][i] + xr * shape_r_[q][i], i_r = xr * shape_x_[q][i] + rr * shape_r_[q][i];
-        const double flow_i = interpolated(T, cell.dofs, shape_x_[q]) * i_x + interpolated(T, cell.dofs, shape_r_[q]) * i_r;
+        const double flow_i =
+            interpolated(T, cell.dofs, shape_x_[q]) * i_x + interpolated(T, cell.dofs, shape_r_[q]) * i_r;
         const double by_value =
             cell.body->density * cell.body->heat_capacity.value(now) * w * shape_[q][i] + steeper * flow_i;
         for (std::size_t j = 0; j < n; ++j)

@@ -61,9 +61,8 @@ class HeatOperator {
   // What a reduction needs; T = initial temperature + rise.
   [[nodiscard]] const Matrix& capacity() const { return capacity_; }
   [[nodiscard]] const Matrix& conductance() const { return conductance_; }
-  /// out(v) = a watt into the port, spread over its area; port n_ports + k is the k-th convection that is not linear.
+  /// out(v) = a watt into the port, spread over its area.
   [[nodiscard]] const Vector& port_weights(std::size_t port) const { return ports_[port].weights; }
-  [[nodiscard]] std::size_t n_all_ports() const { return ports_.size(); }
   [[nodiscard]] double port_area(std::size_t port) const { return ports_[port].area; }
   [[nodiscard]] const std::string& port_name(std::size_t port) const { return ports_[port].name; }
   /// Weights of a mean over a body's volume, and the body's heat capacity [J/K].
@@ -90,7 +89,8 @@ class HeatOperator {
     const HeatBody* body = nullptr;
     std::vector<unsigned int> dofs;
     std::vector<double> weights;  ///< 2 pi r times the quadrature's weight [n_points]
-    std::vector<std::array<double, 3>> metric;  ///< xx, xr, rr of J^-1 J^-T: gradients on the unit cell to those in space
+    std::vector<std::array<double, 3>>
+        metric;  ///< xx, xr, rr of J^-1 J^-T: gradients on the unit cell to those in space
   };
   /// The same of a face with convection.
   struct FilmFace {
@@ -141,7 +141,7 @@ class HeatOperator {
   dealii::QGauss<1> face_quadrature_;
   const std::vector<Cell>& cells_;
   const unsigned int n_field_;
-  std::vector<bool> is_covered_;  ///< edges of the section that an interface covers
+  std::vector<bool> is_covered_;          ///< edges of the section that an interface covers
   std::vector<CurvedCell> curved_cells_;  ///< of bodies whose k or c depends on temperature
   std::vector<std::vector<double>> shape_, shape_x_,
       shape_r_;  ///< [n_points][n_dofs] of curved cells, on the unit cell
@@ -155,7 +155,7 @@ class HeatOperator {
   Matrix capacity_, conductance_;  ///< of all that is linear
   Vector capacity_weights_;        ///< stored energy of linear bodies = weights . (T - T_0)
   Vector loss_weights_;
-  Vector ambient_load_;            ///< coefficient (ambient - initial) v of linear convections
+  Vector ambient_load_;  ///< coefficient (ambient - initial) v of linear convections
   mutable Vector scratch_;
 };
 

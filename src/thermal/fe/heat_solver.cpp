@@ -278,10 +278,12 @@ ReducedHeat HeatSolver::reduce(const ReductionSettings& settings) {
   return reduction_->data;
 }
 
-void HeatSolver::lift(std::span<const double> state, double time) {
+void HeatSolver::lift(std::span<const double> state, std::span<const double> watts, double time) {
   const double T_start = operator_.problem().initial_temperature;
   T_ = T_start;
   for (std::size_t i = 0; i < state.size(); ++i) T_.add(state[i] - T_start, reduction_->fields[i]);
+  for (std::size_t p = 0; p < std::min(watts.size(), reduction_->residues.size()); ++p)
+    T_.add(watts[p], reduction_->residues[p]);
   time_ = time;
 }
 

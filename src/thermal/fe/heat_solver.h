@@ -29,15 +29,17 @@ class HeatSolver final : public HeatConductionSolver {
     return operator_.surface(T_, boundaries);
   }
   [[nodiscard]] double body_mean(std::size_t body) const override { return operator_.body_mean(T_, body); }
+  [[nodiscard]] double body_capacity(std::size_t body) const override { return operator_.body_capacity(body); }
   [[nodiscard]] double port_temperature(std::size_t port) const override {
     return operator_.port_temperature(T_, port);
   }
+  [[nodiscard]] double port_area(std::size_t port) const override { return operator_.port_area(port); }
   void set_port_heat(std::span<const double> watts) override;
   void advance_window(double step) override;
   [[nodiscard]] std::vector<double> field() const override { return {T_.begin(), T_.end()}; }
   void set_field(std::span<const double> temperatures, double time, double input, double lost) override;
   ReducedHeat reduce(const ReductionSettings& settings) override;
-  void lift(std::span<const double> state, double time) override;
+  void lift(std::span<const double> state, std::span<const double> watts, double time) override;
   void write_vtu(const std::string& file) const override;
   [[nodiscard]] HeatEnergy energy() const override { return {input_, operator_.stored_energy(T_, T_0_), lost_}; }
   [[nodiscard]] HeatStatistics statistics() const override { return statistics_; }

@@ -79,7 +79,9 @@ struct Response {
   double s;
   std::size_t port;
   double value;
+  Vector field;
 };
+constexpr double shift_of_residue = 1e3;  // [1/s]: modes left out are far faster
 
 struct Space {
   MatrixXd modes;  ///< orthonormal by capacity [n][n_modes]
@@ -101,7 +103,7 @@ Space all_modes(const HeatOperator& problem) {
 }
 
 Space krylov_modes(const HeatOperator& problem, const ReductionSettings& settings) {
-  const std::size_t n_ports = problem.n_all_ports();
+  const std::size_t n_ports = problem.problem().ports.size();
   Space space;
   Basis basis(problem.capacity());
   const auto uniform = uniform_fields(problem);
@@ -118,7 +120,7 @@ Space krylov_modes(const HeatOperator& problem, const ReductionSettings& setting
     for (std::size_t p = 0; p < n_ports; ++p) {
       Vector v = problem.port_weights(p);
       solver.solve(v);
-      space.responses.push_back({s, p, v * problem.port_weights(p)});
+      space.responses.push_back({s, p, v * problem.port_weights(p), v});
       basis.add(dense(v));
     }
   }
@@ -127,14 +129,15 @@ Space krylov_modes(const HeatOperator& problem, const ReductionSettings& setting
   const MatrixXd modes = V * all.eigenvectors();
   const VectorXd rate = all.eigenvalues().cwiseMax(0.);
 
-  // Gramian of the modes over about the longest time, every port counting alike.
+  // Gramian of the modes over about the longest time, every port by its importance.
   MatrixXd gramian = MatrixXd::Zero(rate.size(), rate.size());
   for (std::size_t p = 0; p < n_ports; ++p) {
     const VectorXd b = modes.transpose() * dense(problem.port_weights(p));
     MatrixXd own(rate.size(), rate.size());
     for (Index i = 0; i < rate.size(); ++i)
       for (Index j = 0; j < rate.size(); ++j) own(i, j) = b(i) * b(j) / (rate(i) + rate(j) + 2. * slowest);
-    gramian += own / own.trace();
+    const double importance = problem.problem().ports[p].importance;
+    gramian += importance * importance / own.trace() * own;
   }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> balanced(gramian);
 
@@ -165,9 +168,20 @@ std::vector<double> weighted(const MatrixXd& modes, const Vector& weights) {
   return {sum.begin(), sum.end()};
 }
 
+/// Rise of a port per watt into it, in the reduced problem.
+double reduced_response(const ReducedHeat& d, std::size_t port, double s) {
+  const auto& shape = d.ports[port].shape;
+  double sum = d.ports[port].at_once;
+  for (std::size_t i = 0; i < d.n_modes(); ++i) sum += shape[i] * shape[i] / (d.capacity * (d.rate[i] + s));
+  return sum;
+}
+
 }  // namespace
 
 Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& settings) {
+  for (const auto& law : problem.problem().convections)
+    if (law.exponent != 0.)
+      throw SolverError("the heat conduction cannot be reduced: its convection is no linear function of temperature.");
   for (const auto& body : problem.problem().bodies)
     if (!body.conductivity.is_constant() || !body.heat_capacity.is_constant())
       throw SolverError("the heat conduction of body \"" + body.name +
@@ -186,33 +200,45 @@ Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& sett
   space.modes *= std::sqrt(d.capacity);
 
   for (const double rate : space.rate) d.rate.push_back(std::max(rate, 0.));
-  for (std::size_t k = 0; k < problem.n_all_ports(); ++k) {
-    d.ports.push_back({problem.port_name(k), weighted(space.modes, problem.port_weights(k)), 0., {}});
-    if (k >= p.ports.size()) d.film_area.push_back(problem.port_area(k));
+  for (std::size_t k = 0; k < p.ports.size(); ++k) {
+    d.ports.push_back(
+        {problem.port_name(k), weighted(space.modes, problem.port_weights(k)), 0., problem.port_area(k), {}, 0., {}});
     for (unsigned int i = 0; i < problem.size(); ++i)
       if (problem.port_weights(k)(i) != 0.)
         for (const double shape : space.modes.row(i)) d.ports.back().points.push_back(shape);
   }
   for (std::size_t b = 0; b < p.bodies.size(); ++b)
-    d.bodies.push_back({p.bodies[b].name, weighted(space.modes, problem.body_weights(b)), problem.body_capacity(b), {}});
+    d.bodies.push_back(
+        {p.bodies[b].name, weighted(space.modes, problem.body_weights(b)), problem.body_capacity(b), 0., {}, 0., {}});
   for (std::size_t k = 0; k < p.nodes.size(); ++k) {
     const VectorXd row = space.modes.row(problem.index_of_node(k));
-    d.nodes.push_back({p.nodes[k].name, {row.begin(), row.end()}, p.nodes[k].capacity, {}});
+    d.nodes.push_back({p.nodes[k].name, {row.begin(), row.end()}, p.nodes[k].capacity, 0., {}, 0., {}});
   }
   d.loss = weighted(space.modes, problem.loss_weights());
-  for (const auto& response : space.responses) {
-    double reduced = 0.;
-    for (std::size_t i = 0; i < d.n_modes(); ++i) {
-      const double b = d.ports[response.port].shape[i];
-      reduced += b * b / (d.capacity * (d.rate[i] + response.s));
-    }
-    if (response.s <= 1. / settings.shortest_time)
-      d.response_error = std::max(d.response_error, std::fabs(reduced / response.value - 1.));
-  }
   for (Index i = 0; i < space.modes.cols(); ++i) {
     Vector field(problem.size());
     std::copy(space.modes.col(i).begin(), space.modes.col(i).end(), field.begin());
     r.fields.push_back(std::move(field));
+  }
+  // What the modes leave of a port's response where it is nearly static.
+  for (std::size_t k = 0; k < p.ports.size() && !space.responses.empty(); ++k) {
+    const Response* nearest = nullptr;
+    const auto distance = [](const Response& x) { return std::fabs(std::log(x.s / shift_of_residue)); };
+    for (const auto& response : space.responses)
+      if (response.port == k && (!nearest || distance(response) < distance(*nearest))) nearest = &response;
+    Vector residue = nearest->field;
+    for (std::size_t i = 0; i < d.n_modes(); ++i)
+      residue.add(-d.ports[k].shape[i] / (d.capacity * (d.rate[i] + nearest->s)), r.fields[i]);
+    auto& port = d.ports[k];
+    port.at_once = residue * problem.port_weights(k);
+    for (unsigned int i = 0; i < problem.size(); ++i)
+      if (problem.port_weights(k)(i) != 0.) port.points_at_once.push_back(residue(i));
+    r.residues.push_back(std::move(residue));
+  }
+  for (const auto& response : space.responses) {
+    const double reduced = reduced_response(d, response.port, response.s);
+    if (response.s <= 1. / settings.shortest_time && p.ports[response.port].importance >= 0.03)
+      d.response_error = std::max(d.response_error, std::fabs(reduced / response.value - 1.));
   }
   return r;
 }

@@ -6,10 +6,12 @@
 
 namespace rotordrop {
 
-/// A problem on few modes, and the modes' fields: T = T_0 + sum_i field[i] (z_i - T_0).
+/// A problem on few modes, and the modes' fields: T = T_0 + sum_i field[i] (z_i - T_0) + sum_p residue[p] q_p.
 struct Reduction {
   ReducedHeat data;
   std::vector<HeatOperator::Vector> fields;
+  std::vector<HeatOperator::Vector>
+      residues;  ///< of each port: what the modes leave out per watt [K/W]; none if all are kept
 };
 
 /// Projects on what the ports excite: solutions of (K + s C) v = port for s between the settings' times (a rational Krylov space), of which

@@ -117,7 +117,7 @@ TEST(Machine, TemperaturesActOnForcesOnlyIfGrowthIsFedBack) {
     const std::size_t velocity = machine->layout().block("TB2").offset + TB::ring_vy;
     EXPECT_EQ(warm[velocity] != cold[velocity], fed_back);
     if (!fed_back) {
-      EXPECT_EQ(machine->layout().block("TB1 ledger").size, 6u + TB::n_ledger);
+      EXPECT_EQ(machine->layout().block("TB1 ledger").size, 7u + TB::n_ledger);
       EXPECT_EQ(cold[entry(*machine, "TB1 ledger/growth work")], 0.);
     }
   }
