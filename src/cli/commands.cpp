@@ -71,6 +71,15 @@ std::string header(const Case& c) {
       bearings, driver_in_words(p.thermal));
 }
 
+int check_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const HeatCase heat_case = read_heat_case(file, overrides);
+  fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), heat_case.name,
+             heat_case_text(heat_case));
+  fmt::print("{}: no faults. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough.\n",
+             file.string());
+  return 0;
+}
+
 }  // namespace
 
 std::string version_text() {
@@ -119,6 +128,7 @@ int run_command(const RunCommand& command) {
 }
 
 int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  if (is_heat_case(file)) return check_heat_case(file, overrides);
   const Case c = read_case(file, overrides);
   FiniteElements elements = finite_elements_of(c);
   build_machine(c.parameters, c.tree, &elements);
@@ -130,13 +140,13 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   return 0;
 }
 
-int defaults_command() {
-  fmt::print("{}", write_defaults(case_sections()));
+int defaults_command(bool heat) {
+  fmt::print("{}", write_defaults(heat ? heat_sections() : case_sections()));
   return 0;
 }
 
-int schema_command() {
-  fmt::print("{}", write_json_schema(case_sections()));
+int schema_command(bool heat) {
+  fmt::print("{}", write_json_schema(heat ? heat_sections() : case_sections()));
   return 0;
 }
 

@@ -13,8 +13,9 @@ struct RunCommand {
 };
 int run_command(const RunCommand& command);
 int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides);
-int defaults_command();
-int schema_command();
+/// @param heat  of a case of heat alone
+int defaults_command(bool heat);
+int schema_command(bool heat);
 int new_command(const std::filesystem::path& directory);
 
 struct HeatCommand {

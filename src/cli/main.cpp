@@ -31,7 +31,7 @@ int run_program(int argc, char** argv) {
 
   std::string check_file;
   std::vector<std::string> check_overrides;
-  auto* check = app.add_subcommand("check", "Read and check a case without running it.");
+  auto* check = app.add_subcommand("check", "Read and check a case, of a drop or of heat alone, without running it.");
   check->add_option("case", check_file, "Parameter file")->required();
   check->add_option("--set", check_overrides, "Override a parameter")->type_name("KEY=VALUE")->allow_extra_args(false);
 
@@ -60,7 +60,10 @@ int run_program(int argc, char** argv) {
 
   auto* defaults =
       app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
+  bool heat_defaults = false, heat_schema = false;
+  defaults->add_flag("--heat", heat_defaults, "Those of a case of heat alone (rotordrop heat)");
   auto* schema = app.add_subcommand("schema", "JSON Schema of case files, for editors.");
+  schema->add_flag("--heat", heat_schema, "Of a case of heat alone (rotordrop heat)");
   std::string new_directory;
   auto* fresh = app.add_subcommand("new", "Start a case in a new folder.");
   fresh->add_option("directory", new_directory, "Folder")->required();
@@ -74,8 +77,8 @@ int run_program(int argc, char** argv) {
   if (*check) return check_command(check_file, check_overrides);
   if (*heat_app) return heat_command(heat);
   if (*modes_app) return modes_command(modes);
-  if (*defaults) return defaults_command();
-  if (*schema) return schema_command();
+  if (*defaults) return defaults_command(heat_defaults);
+  if (*schema) return schema_command(heat_schema);
   if (*fresh) return new_command(new_directory);
   return bad_input;
 }

@@ -83,6 +83,12 @@ struct HeatFlux {
   HeatFunction function = {};  ///< added to that
 };
 
+/// A boundary that is held at a temperature [K] from the start on, on the part of it that no interface covers.
+struct HeatFixed {
+  HeatBoundary boundary;
+  double temperature = 0;
+};
+
 /// Loss [W/m2] = coefficient rise |rise|^exponent with rise = T - ambient; none below ambient if the exponent is positive.
 /// On the part of the boundary that no interface covers.
 struct HeatConvection {
@@ -140,6 +146,7 @@ struct HeatConductionProblem {
   std::function<double(std::size_t body, double x, double r)> initial_field = {};            ///< instead of that
   std::function<double(std::size_t body, double x, double r, double t)> volume_source = {};  ///< [W/m3]
   HeatNumerics numerics;
+  std::vector<HeatFixed> fixed = {};
 };
 
 /// [J], whole circumference. Each is computed on its own; see docs/heat.md.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <fmt/ranges.h>
+#include <algorithm>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
@@ -60,7 +62,80 @@ std::vector<double> probe_values(const HeatConductionSolver& solver, const std::
   return values;
 }
 
+/// Fluxes name results beside the file that names them, or in the working folder on the command line. The full path is kept, so that the case as
+/// resolved runs from anywhere.
+void complete_recorded_paths(Node& tree) {
+  Node* fluxes = tree.find("flux");
+  if (!fluxes || !fluxes->is_array()) return;
+  for (Node& flux : fluxes->items()) {
+    const Node* file = flux.is_table() ? flux.find("recorded") : nullptr;
+    if (!file || !file->is_text()) continue;
+    const SourcePosition where = file->where(), key = position_of(flux, "recorded");
+    fs::path path = file->text();
+    if (path.is_relative() && where.line != 0) path = fs::path(where.file).parent_path() / path;
+    std::error_code ignored;
+    flux.set("recorded", Node(fs::absolute(path, ignored).lexically_normal().string(), where), key);
+  }
+}
+
+/// Heat from the ledger of an earlier drop.
+std::optional<RecordedHeat> read_recorded_heat(const HeatFluxParameters& flux, const Node& table,
+                                               const std::string& name, Faults& faults) {
+  const fs::path file = *flux.recorded;
+  const std::string prefix = "/ledger/", suffix = "/" + *flux.heat + "_heat", dataset = prefix + *flux.bearing + suffix;
+  try {
+    const auto datasets = list_datasets(file);
+    if (std::find(datasets.begin(), datasets.end(), dataset) == datasets.end()) {
+      std::vector<std::string> bearings;
+      for (const auto& path : datasets)
+        if (path.starts_with(prefix) && path.ends_with(suffix))
+          bearings.push_back(path.substr(prefix.size(), path.size() - prefix.size() - suffix.size()));
+      const std::string guess = closest_name(*flux.bearing, bearings);
+      if (bearings.empty())
+        faults.add(position_of_value(table, "recorded"),
+                   fmt::format("{}.recorded: \"{}\" holds no {} heat of any bearing.", name, file.string(), *flux.heat),
+                   "It should be the results.h5 of a drop, with datasets /ledger/BEARING/rub_heat and so on.");
+      else
+        faults.add(position_of_value(table, "bearing"),
+                   fmt::format("{}.bearing = \"{}\": no such bearing in \"{}\".", name, *flux.bearing, file.string()),
+                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
+                       fmt::format("Known: {}.", fmt::join(bearings, ", ")));
+      return {};
+    }
+    // Of a file that is being written, a series may have rows whose times are not there yet.
+    RecordedHeat heat{read_series(file, read_attribute(file, dataset, "time")).values,
+                      read_series(file, dataset).values};
+    const std::size_t n = std::min(heat.times.size(), heat.joules.size());
+    heat.times.resize(n);
+    heat.joules.resize(n);
+    if (n < 2)
+      faults.add(position_of_value(table, "recorded"),
+                 fmt::format("{}.recorded: {} of \"{}\" has {} rows; two at least are needed.", name, dataset,
+                             file.string(), n));
+    return n < 2 ? std::nullopt : std::optional(heat);
+  } catch (const InputError& error) {
+    for (const auto& fault : error.faults())
+      faults.add(position_of_value(table, "recorded"),
+                 fmt::format("{}.recorded = \"{}\": {}", name, file.string(), fault.message), fault.advice);
+    return {};
+  }
+}
+
+/// What the finite-element room does not compute yet must not be left out silently.
+void refuse_what_is_not_there(const HeatConductionProblem& problem) {
+  if (!problem.fixed.empty())
+    throw InputError({}, "fixed temperatures ([[fixed]]) can be checked, but not computed yet",
+                     "A convection with a large coefficient and its own ambient comes close: coefficient = 1e6.");
+}
+
 }  // namespace
+
+std::vector<ErasedSection> heat_sections() { return {heat_section(default_materials()).erased()}; }
+
+bool is_heat_case(const fs::path& file) {
+  const Node tree = read_toml(file);
+  return !tree.has("rotor") && (tree.has("section") || tree.has("output_times"));
+}
 
 HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& overrides) {
   HeatCase result;
@@ -73,11 +148,12 @@ HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& ov
     const SourcePosition where = position_of(tree, "materials");
     tree.set("materials", merged(default_materials(), *materials), where);
   }
+  complete_recorded_paths(tree);
   Faults faults;
   const auto section = heat_section(default_materials());
   const auto parameters = section.read(tree, faults);
   faults.throw_if_any();
-  result.study = make_heat_study(parameters, tree, faults);
+  result.study = make_heat_study(parameters, tree, read_recorded_heat, faults);
   faults.throw_if_any();
   result.resolved = write_resolved({section.erased()}, tree);
   return result;
@@ -85,6 +161,7 @@ HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& ov
 
 Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   const auto& study = heat_case.study;
+  refuse_what_is_not_there(study.problem);
   // The module first: where it is missing, nothing is written.
   const double start_0 = cpu_seconds();
   const auto solver = make_heat_solver(study.problem);
@@ -129,6 +206,20 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   j["completed"] = completed;
   write_text_atomically(options.directory / "summary.json", j.dump(2) + "\n");
   return j;
+}
+
+std::string heat_case_text(const HeatCase& heat_case) {
+  const auto& problem = heat_case.study.problem;
+  std::string bodies;
+  for (const auto& body : problem.bodies) bodies += (bodies.empty() ? "" : ", ") + body.name;
+  std::size_t n_steps = 0;
+  for (const auto& flux : problem.fluxes) n_steps += flux.times.size();
+  return fmt::format(
+      "bodies: {}; {} fluxes in {} steps, {} convections, {} fixed temperatures, {} interfaces\n{} probes at {} times "
+      "up to {:.6g} s\n",
+      bodies, problem.fluxes.size(), n_steps, problem.convections.size(), problem.fixed.size(),
+      problem.interfaces.size(), heat_case.study.probes.size(), heat_case.study.output_times.size(),
+      heat_case.study.output_times.back());
 }
 
 std::string heat_summary_text(const Json& j) {

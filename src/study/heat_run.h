@@ -16,8 +16,14 @@ struct HeatCase {
   HeatStudy study;
   std::string resolved;  ///< complete TOML that reads back to the same values
 };
-/// @throws InputError with all faults
+/// @throws InputError with all faults; also about recorded heat that is not there
 HeatCase read_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// Whether a case file is one of heat alone: it has [section] or output_times, and no [rotor]. @throws InputError if it cannot be read
+bool is_heat_case(const std::filesystem::path& file);
+
+/// The declarations of such a case, for defaults, schema and resolved parameters.
+std::vector<ErasedSection> heat_sections();
 
 struct HeatRunOptions {
   std::filesystem::path directory;
@@ -27,6 +33,8 @@ struct HeatRunOptions {
 /// Computes a case into a directory: results.h5, summary.json, parameters.toml. @return the summary
 nlohmann::ordered_json run_heat(const HeatCase& heat_case, const HeatRunOptions& options);
 
+/// What a case consists of, in a few lines.
+std::string heat_case_text(const HeatCase& heat_case);
 /// A few lines for the screen.
 std::string heat_summary_text(const nlohmann::ordered_json& summary);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rotordrop {
 namespace {
@@ -69,15 +70,73 @@ Section<HeatRectangleParameters> rectangle_section() {
   return s;
 }
 
+Section<HeatPulseParameters> pulse_section() {
+  using P = HeatPulseParameters;
+  Section<P> s("pulse", "Equal pulses at equal distances.");
+  s.quantity("height", &P::height, {.unit = "W/m2", .help = "Heat flux density during a pulse."});
+  s.quantity("width", &P::width, {.unit = "s", .range = positive(), .help = "Duration of a pulse."});
+  s.quantity(
+      "period", &P::period,
+      {.unit = "s", .range = positive(), .help = "From one pulse's beginning to the next one's; for several pulses."});
+  s.quantity("start", &P::start,
+             {.unit = "s", .range = at_least(0), .fallback = "0 s", .help = "Beginning of the first pulse."});
+  s.integer("count", &P::count, {.range = between(1, 100000), .fallback = 1, .help = "Number of pulses."});
+  s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
+    if (p.count > 1 && !p.period)
+      faults.add(position_of(table, "count"), path + ".count = " + std::to_string(p.count) + " needs a period.",
+                 "Give period = ..., from one pulse's beginning to the next one's.");
+    if (p.period && *p.period < p.width)
+      faults.add(position_of_value(table, "period"), path + ".period is shorter than its width.",
+                 "Pulses must not overlap; a second flux on the same boundary adds to the first.");
+  });
+  return s;
+}
+
+/// Which of three ways says what flows, and whether it is said completely.
+void check_flux_form(const HeatFluxParameters& p, const Node& table, const std::string& path, Faults& faults) {
+  const bool has_steps = table.has("times") || table.has("values");
+  const int n_ways = int{has_steps} + int{p.pulse.has_value()} + int{p.recorded.has_value()};
+  if (n_ways != 1)
+    faults.add(table.where(), path + (n_ways == 0 ? " does not say what flows." : " says in several ways what flows."),
+               "Give one of: times and values; pulse = { height, width, ... }; recorded, with bearing and heat.");
+  if (has_steps && (p.times.empty() || p.values.empty()))
+    faults.add(table.where(), path + " needs times and values, one at least.");
+  for (const char* key : {"bearing", "heat", "share", "interval"})
+    if (!p.recorded && table.has(key))
+      faults.add(position_of(table, key), path + "." + key + " belongs to a recorded heat.",
+                 "Name its file: recorded = \"out/CASE/results.h5\".");
+  if (!p.recorded) return;
+  for (const auto& [key, is_given] :
+       {std::pair("bearing", p.bearing.has_value()), std::pair("heat", p.heat.has_value())})
+    if (!is_given)
+      faults.add(position_of(table, "recorded"), path + ".recorded needs " + key + " beside it.",
+                 "Such as bearing = \"TB1\", heat = \"rub\".");
+}
+
 Section<HeatFluxParameters> flux_section() {
   using P = HeatFluxParameters;
-  Section<P> s("flux", "Heat into a boundary, where no interface covers it.");
+  Section<P> s("flux",
+               "Heat into a boundary, where no interface covers it: as steps (times and values), as pulses, or as an "
+               "earlier drop recorded it.");
   s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right."});
-  s.quantities("times", &P::times,
-               {.unit = "s", .min_count = 1, .help = "Rising; values[i] holds from times[i] until the next one."});
-  s.quantities("values", &P::values,
-               {.unit = "W/m2", .min_count = 1, .help = "Heat flux density from each of the times."});
+  s.quantities("times", &P::times, {.unit = "s", .help = "Rising; values[i] holds from times[i] until the next one."});
+  s.quantities("values", &P::values, {.unit = "W/m2", .help = "Heat flux density from each of the times."});
+  s.table<HeatPulseParameters>("pulse", &P::pulse, pulse_section());
+  s.text("recorded", &P::recorded,
+         {.help = "results.h5 of an earlier drop, relative to this file: the flux that brings its heat, row by row."});
+  s.text("bearing", &P::bearing, {.help = "Of a recorded heat: the bearing's name."});
+  s.choice("heat", &P::heat, {"rub", "inner", "outer"},
+           {.help = "Of a recorded heat: rub of rotor and ring, or friction at the inner or outer race."});
+  s.quantity(
+      "share", &P::share,
+      {.range = between(0, 1), .help = "Of a recorded heat: the part that goes into this boundary; 1 if left out."});
+  s.quantity("interval", &P::interval,
+             {.unit = "s",
+              .range = positive(),
+              .help = "Of a recorded heat: shortest step; rows between are left out. The heat stays the same, and is "
+                      "spread over longer steps."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
+    check_flux_form(p, table, path, faults);
     if (p.times.size() != p.values.size())
       faults.add(position_of_value(table, "values"),
                  path + " has " + std::to_string(p.times.size()) + " times and " + std::to_string(p.values.size()) +
@@ -105,6 +164,14 @@ Section<HeatConvectionParameters> convection_section() {
              {.unit = "K",
               .range = between(1, 2000),
               .help = "Temperature of the surroundings there; run.ambient if left out."});
+  return s;
+}
+
+Section<HeatFixedParameters> fixed_section() {
+  using P = HeatFixedParameters;
+  Section<P> s("fixed", "A boundary that is held at a temperature, where no interface covers it.");
+  s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right."});
+  s.quantity("temperature", &P::temperature, {.unit = "K", .range = between(1, 2000), .help = "Held from the start."});
   return s;
 }
 
@@ -178,8 +245,8 @@ const char* const side_names[] = {"left", "right", "inner", "outer"};
 /// Finds names and places in the parameters of one case.
 class StudyMaker {
  public:
-  StudyMaker(const HeatParameters& parameters, const Node& tree, Faults& faults)
-      : p_(parameters), tree_(tree), faults_(faults) {}
+  StudyMaker(const HeatParameters& parameters, const Node& tree, const ReadRecordedHeat& read_recorded, Faults& faults)
+      : p_(parameters), tree_(tree), read_recorded_(read_recorded), faults_(faults) {}
 
   HeatStudy make() {
     auto& problem = study_.problem;
@@ -191,14 +258,13 @@ class StudyMaker {
                         .tolerance = p_.fe.time_tolerance};
     add_bodies();
     for (std::size_t i = 0; i < p_.interfaces.size(); ++i) add_interface(i);
-    for (std::size_t i = 0; i < p_.fluxes.size(); ++i)
-      if (const auto b = exposed("flux", i, p_.fluxes[i].boundary))
-        problem.fluxes.push_back({*b, p_.fluxes[i].times, p_.fluxes[i].values});
+    for (std::size_t i = 0; i < p_.fluxes.size(); ++i) add_flux(i);
     for (std::size_t i = 0; i < p_.convections.size(); ++i) {
       const auto& law = p_.convections[i];
       if (const auto b = exposed("convection", i, law.boundary))
         problem.convections.push_back({*b, law.coefficient, law.exponent, law.ambient.value_or(p_.run.ambient)});
     }
+    for (std::size_t i = 0; i < p_.fixed.size(); ++i) add_fixed(i);
     for (std::size_t i = 0; i < p_.probes.size(); ++i) add_probe(i);
     add_times();
     return std::move(study_);
@@ -300,23 +366,70 @@ class StudyMaker {
       fault(list, i, "boundary", "\"" + name + "\" is the axis, which has no area.");
       return {};
     }
-    auto whole = extent_along(*b);
-    std::vector<std::array<double, 2>> covered;
+    if (free_parts(*b).empty())
+      fault(list, i, "boundary", "all of \"" + name + "\" is covered by interfaces.",
+            "Flux, convection and fixed temperatures act on the part that is free.");
+    return b;
+  }
+  /// What interfaces leave of a boundary, from and to along it [m].
+  [[nodiscard]] std::vector<std::array<double, 2>> free_parts(const HeatBoundary& b) const {
+    const auto whole = extent_along(b);
+    std::vector<std::array<double, 2>> covered, parts;
     for (const auto& interface : study_.problem.interfaces)
       for (const auto* side : {&interface.first, &interface.second})
-        if (*side == *b) covered.push_back(extent_along(side == &interface.first ? interface.second : interface.first));
+        if (*side == b) covered.push_back(extent_along(side == &interface.first ? interface.second : interface.first));
     std::sort(covered.begin(), covered.end());
+    covered.push_back({whole[1], whole[1]});
     double reached = whole[0];
-    bool is_free = false;
     const double slack = 1e-6 * (whole[1] - whole[0]);
     for (const auto& [from, to] : covered) {
-      is_free = is_free || from > reached + slack;
+      const double end = std::min(from, whole[1]);
+      if (end > reached + slack) parts.push_back({reached, end});
       reached = std::max(reached, to);
     }
-    if (!is_free && reached >= whole[1] - slack)
-      fault(list, i, "boundary", "all of \"" + name + "\" is covered by interfaces.",
-            "Flux and convection act on the part that is free.");
-    return b;
+    return parts;
+  }
+  /// Of the free part of a boundary [m2].
+  [[nodiscard]] double free_area(const HeatBoundary& b) const {
+    const bool is_face = b.side == HeatSide::left || b.side == HeatSide::right;
+    double area = 0.;
+    for (const auto& [from, to] : free_parts(b))
+      area += std::numbers::pi * (to - from) * (is_face ? to + from : 2. * line(b));
+    return area;
+  }
+
+  void add_flux(std::size_t i) {
+    const auto& from = p_.fluxes[i];
+    const auto b = exposed("flux", i, from.boundary);
+    FluxSteps steps{from.times, from.values};
+    if (from.pulse) {
+      const auto& pulse = *from.pulse;
+      steps =
+          steps_of(PulseTrain{pulse.height, pulse.width, pulse.period.value_or(pulse.width), pulse.start, pulse.count});
+    } else if (from.recorded) {
+      const Node* table = entry("flux", i);
+      if (!table || !read_recorded_) return;
+      const auto heat = read_recorded_(from, *table, "flux#" + std::to_string(i + 1), faults_);
+      if (!heat || !b) return;
+      const double area = free_area(*b);
+      if (area > 0.) steps = steps_of(*heat, area, from.share.value_or(1.), from.interval.value_or(0.));
+    }
+    if (b) study_.problem.fluxes.push_back({*b, steps.times, steps.values});
+  }
+
+  void add_fixed(std::size_t i) {
+    const auto& from = p_.fixed[i];
+    const auto b = exposed("fixed", i, from.boundary);
+    if (!b) return;
+    const auto conflict = [&](const auto& list, const char* what) {
+      if (std::any_of(list.begin(), list.end(), [&](const auto& other) { return other.boundary == *b; }))
+        fault("fixed", i, "boundary", "\"" + from.boundary + "\" has " + what + ".",
+              "A boundary that is held at a temperature takes what heat it needs; say one or the other.");
+    };
+    conflict(study_.problem.fluxes, "a flux, too");
+    conflict(study_.problem.convections, "convection, too");
+    conflict(study_.problem.fixed, "a fixed temperature already");
+    study_.problem.fixed.push_back({*b, from.temperature});
   }
 
   void add_interface(std::size_t i) {
@@ -392,6 +505,7 @@ class StudyMaker {
 
   const HeatParameters& p_;
   const Node& tree_;
+  const ReadRecordedHeat& read_recorded_;
   Faults& faults_;
   HeatStudy study_;
 };
@@ -416,6 +530,7 @@ Section<HeatParameters> heat_section(const Node& default_materials) {
   s.list("flux", &P::fluxes, flux_section(),
          {.help = "Prescribed heat; boundaries are insulated where nothing is said."});
   s.list("convection", &P::convections, convection_section(), {.help = "Losses to the surroundings."});
+  s.list("fixed", &P::fixed, fixed_section(), {.help = "Temperatures that are held."});
   s.list("interface", &P::interfaces, interface_section(), {.help = "Contact between bodies."});
   s.list("probe", &P::probes, probe_section(), {.help = "Temperatures to report."});
   s.quantities("output_times", &P::output_times,
@@ -424,8 +539,9 @@ Section<HeatParameters> heat_section(const Node& default_materials) {
   return s;
 }
 
-HeatStudy make_heat_study(const HeatParameters& parameters, const Node& tree, Faults& faults) {
-  return StudyMaker(parameters, tree, faults).make();
+HeatStudy make_heat_study(const HeatParameters& parameters, const Node& tree, const ReadRecordedHeat& read_recorded,
+                          Faults& faults) {
+  return StudyMaker(parameters, tree, read_recorded, faults).make();
 }
 
 }  // namespace rotordrop

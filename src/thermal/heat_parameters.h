@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "base/parameters.h"
 #include "model/heat_conduction.h"
+#include "thermal/heat_history.h"
 
 /// The keys of a case of heat conduction alone (`rotordrop heat`), and the problem that they state.
 namespace rotordrop {
@@ -32,9 +34,22 @@ struct HeatRectangleParameters {
 struct HeatSectionParameters {
   std::vector<HeatRectangleParameters> rectangles;
 };
+struct HeatPulseParameters {
+  double height = 0, width = 0, start = 0;
+  std::optional<double> period;
+  int count = 1;
+};
+/// One of three: times and values, pulse, recorded.
 struct HeatFluxParameters {
   std::string boundary;
   std::vector<double> times, values;
+  std::optional<HeatPulseParameters> pulse;
+  std::optional<std::string> recorded, bearing, heat;  ///< a results.h5, and which heat in it
+  std::optional<double> share, interval;
+};
+struct HeatFixedParameters {
+  std::string boundary;
+  double temperature = 0;  ///< [K]
 };
 struct HeatConvectionParameters {
   std::string boundary;
@@ -61,6 +76,7 @@ struct HeatParameters {
   HeatSectionParameters section;
   std::vector<HeatFluxParameters> fluxes;
   std::vector<HeatConvectionParameters> convections;
+  std::vector<HeatFixedParameters> fixed;
   std::vector<HeatInterfaceParameters> interfaces;
   std::vector<HeatProbeParameters> probes;
   std::vector<double> output_times;
@@ -83,7 +99,14 @@ struct HeatStudy {
   std::vector<double> output_times;  ///< rising; [run] end_time is the last of them
 };
 
+/// Reads the heat that a flux with `recorded` names, or adds faults and returns nothing.
+/// @param table  the flux's own, for places
+/// @param name   of that table in messages: "flux#1"
+using ReadRecordedHeat = std::function<std::optional<RecordedHeat>(const HeatFluxParameters& flux, const Node& table,
+                                                                   const std::string& name, Faults& faults)>;
+
 /// Names become indices; what does not fit together becomes faults.
-HeatStudy make_heat_study(const HeatParameters& parameters, const Node& tree, Faults& faults);
+HeatStudy make_heat_study(const HeatParameters& parameters, const Node& tree, const ReadRecordedHeat& read_recorded,
+                          Faults& faults);
 
 }  // namespace rotordrop

@@ -1,0 +1,285 @@
+#include "laws/moving_band.h"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/expint.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace rotordrop {
+namespace {
+
+using std::numbers::egamma;
+using std::numbers::pi;
+
+// exp(x) K0(x) and exp(x) K1(x); the asymptotic series where the plain functions would leave the range of numbers.
+double scaled_K(int order, double x) {
+  if (x < 100.) return std::exp(x) * boost::math::cyl_bessel_k(order, x);
+  const double m = 4. * order * order;
+  double term = 1., sum = 1.;
+  for (int j = 1; j < 8; ++j) {
+    term *= (m - (2. * j - 1.) * (2. * j - 1.)) / (8. * j * x);
+    sum += term;
+  }
+  return std::sqrt(0.5 * pi / x) * sum;
+}
+
+/// Integral of exp(u) K0(u) from 0 to x >= 0: x exp(x) [K0(x) + K1(x)] - 1.
+double slow_side(double x) {
+  if (x < 1e-8) return x > 0. ? x * (1. - std::log(0.5 * x) - egamma) : 0.;
+  return x * (scaled_K(0, x) + scaled_K(1, x)) - 1.;
+}
+
+/// Integral of exp(-u) K0(u) from 0 to x >= 0: x exp(-x) [K0(x) - K1(x)] + 1.
+double fast_side(double x) {
+  if (x < 1e-8) return slow_side(x);
+  return x * std::exp(-2. * x) * (scaled_K(0, x) - scaled_K(1, x)) + 1.;
+}
+
+/// Largest value over (-1, 1) of a function with one hump.
+template <class Function>
+double largest(Function f) {
+  return -boost::math::tools::brent_find_minima([&](double x) { return -f(x); }, -1., 1., 30).second;
+}
+
+/// Largest rise of a band at rest over q b/k, after the time Fo b^2/kappa.
+double rise_at_rest(double Fo) {
+  if (!(Fo > 0.)) return 0.;
+  const double root = std::sqrt(Fo), z = 0.25 / Fo;
+  return 2. * root / std::sqrt(pi) * std::erf(0.5 / root) + (z < 700. ? boost::math::expint(1, z) / pi : 0.);
+}
+
+}  // namespace
+
+double surface_rise(double flux, double time, double conductivity, double capacity) {
+  return 2. * flux * std::sqrt(time / (pi * conductivity * capacity));
+}
+
+// ---------------------------------------------------------------------------------------------------------- moving band
+
+double MovingBand::peclet() const { return 0.5 * std::fabs(speed) * half_width * capacity / conductivity; }
+
+double MovingBand::rise(double x, double t) const {
+  if (!(t > 0.)) return 0.;
+  // In units of b and b^2/kappa, with s = p^2; the band moves towards positive x. The integrand is smooth except where an edge passes at small p, so
+  // it is cut there and in decades.
+  const double L = peclet(), X = (speed < 0. ? -x : x) / half_width;
+  const double last = std::sqrt(t * conductivity / capacity) / half_width;
+  const auto integrand = [&](double p) {
+    if (p == 0.) return std::fabs(X) < 1. ? 2. : (std::fabs(X) > 1. ? 0. : 1.);
+    const double place = X + 2. * L * p * p;
+    return std::erf(0.5 * (place + 1.) / p) - std::erf(0.5 * (place - 1.) / p);
+  };
+  std::vector<double> cuts = {0., last};
+  for (double p = 0.1 * last; p > 1e-6 * last; p *= 0.1) cuts.push_back(p);
+  for (const double edge : {-1., 1.})
+    if (L > 0. && edge > X) {
+      const double passed = std::sqrt(0.5 * (edge - X) / L);
+      // The edge is smeared over the heat's way in that time: sqrt(time).
+      for (const double factor : {1., 0.5, 2.}) cuts.push_back(factor * passed);
+      for (const double n : {-4., 4.}) {
+        const double place = edge - X + n * passed;
+        if (place > 0.) cuts.push_back(std::sqrt(0.5 * place / L));
+      }
+    }
+  std::sort(cuts.begin(), cuts.end());
+  double sum = 0.;
+  for (std::size_t i = 1; i < cuts.size() && cuts[i - 1] < last; ++i)
+    if (cuts[i] > cuts[i - 1])
+      sum += boost::math::quadrature::gauss_kronrod<double, 15>::integrate(integrand, cuts[i - 1],
+                                                                           std::min(cuts[i], last), 8, 1e-9);
+  return flux * half_width / conductivity * sum / std::sqrt(pi);
+}
+
+double MovingBand::steady_rise(double x) const {
+  const double L = peclet(), ahead = L * (1. - (speed < 0. ? -x : x) / half_width), behind = 2. * L - ahead;
+  if (L == 0.) return std::numeric_limits<double>::infinity();
+  // Heat that fell on a place when the band's front passed it decays slowly; heat from behind would have to run after it.
+  double sum = 0.;
+  if (ahead >= 0. && behind >= 0.)
+    sum = slow_side(ahead) + fast_side(behind);
+  else if (behind < 0.)  // the place is behind the band
+    sum = slow_side(ahead) - slow_side(-behind);
+  else  // in front of it
+    sum = fast_side(behind) - fast_side(-ahead);
+  return flux * half_width / (pi * conductivity * L) * sum;
+}
+
+double MovingBand::largest_rise(double t) const {
+  return largest([&](double place) { return rise(place * half_width, t); });
+}
+
+double MovingBand::largest_steady_rise() const {
+  if (speed == 0.) return std::numeric_limits<double>::infinity();
+  return largest([&](double place) { return steady_rise((speed < 0. ? -1. : 1.) * place * half_width); });
+}
+
+double MovingBand::largest_rise_estimate(double t) const {
+  constexpr double p = 1.4;
+  const double L = peclet(), n = 1.4 + 1.6 * std::sqrt(L);
+  const double limit =
+      L > 0. ? std::pow(1. + std::pow(std::exp(-egamma) / L, p), 1. / p) / L : std::numeric_limits<double>::infinity();
+  const double Fo_t = t * conductivity / (capacity * half_width * half_width);
+  const double less = std::min(Fo_t, limit), ratio = less / std::max(Fo_t, limit);
+  if (!(less > 0.)) return 0.;
+  if (std::isinf(less)) return less;
+  return flux * half_width / conductivity * rise_at_rest(less * std::pow(1. + std::pow(ratio, n), -1. / n));
+}
+
+// ------------------------------------------------------------------------------------------------------------ swept arc
+
+std::size_t SweptArcHistory::cells_for(double radius, double half_width) {
+  return std::max<std::size_t>(720, static_cast<std::size_t>(std::ceil(2. * pi * radius / (0.5 * half_width))) + 1);
+}
+
+SweptArcHistory::SweptArcHistory(const BoreSurface& surface, const Options& options, double start_time)
+    : surface_(surface), slot_of_cell_(options.n_cells, untouched) {
+  state_.time = start_time;
+  // 1/sqrt(s) = pi^(-1/2) sum H e^(z/2) exp(-s e^z) over z = z_0 + j H; error 2 sqrt(2) exp(-pi^2/H) of it. Terms that have died at the shortest
+  // interval are left out; those that do not change within the duration are one constant.
+  constexpr double H = 1.1;
+  const double lowest = std::log(4e-3 / options.duration), highest = std::log(10. / options.shortest_interval);
+  const auto weight = [](double z) { return H / std::sqrt(pi) * std::exp(0.5 * z); };
+  rate_.push_back(0.);
+  weight_.push_back(weight(lowest - H) / (1. - std::exp(-0.5 * H)));
+  for (double z = lowest; z < highest + H; z += H) {
+    rate_.push_back(std::exp(z));
+    weight_.push_back(weight(z));
+  }
+  decay_.resize(rate_.size());
+  gain_.resize(rate_.size());
+  memory_.resize(rate_.size());
+}
+
+void SweptArcHistory::set_interval(double step) {
+  if (step == interval_) return;
+  interval_ = step;
+  const double scale = 1. / std::sqrt(pi * surface_.conductivity * surface_.capacity);
+  for (std::size_t l = 0; l < rate_.size(); ++l) {
+    decay_[l] = std::exp(-rate_[l] * step);
+    gain_[l] = scale * weight_[l] * (rate_[l] > 0. ? -std::expm1(-rate_[l] * step) / rate_[l] : step);
+  }
+}
+
+std::size_t SweptArcHistory::slot_for(std::size_t cell) {
+  std::size_t& slot = slot_of_cell_[cell];
+  if (slot == untouched) {
+    slot = cell_of_slot_.size();
+    cell_of_slot_.push_back(cell);
+    for (auto* column : {&flux_, &rise_, &total_}) column->push_back(0.);
+    for (auto& column : memory_) column.push_back(0.);
+  }
+  return slot;
+}
+
+// The spot's middle goes from one angle to the other evenly. Length of a cell under the spot, summed over the way:
+//   integral of [r(c1 - p + b) - r(c0 - p + b) - r(c1 - p - b) + r(c0 - p - b)] dp,  r(x) = max(x, 0), whose integral is r^2/2.
+void SweptArcHistory::deposit(double from, double to, const RubbingSpot& spot, double heat) {
+  const double n = static_cast<double>(n_cells()), cell_angle = 2. * pi / n;
+  // A spot that reaches round is one that covers all.
+  const double b = std::min(spot.half_width / surface_.radius, pi);
+  const double low = std::min(from, to), high = std::max(from, to), way = high - low, middle = 0.5 * (low + high);
+  const bool rests = way < 1e-7 * b;
+  const auto ramp = [&](double x) {
+    if (rests) return std::max(x - middle, 0.);
+    const double at_low = std::max(x - low, 0.), at_high = std::max(x - high, 0.);
+    // (at_low^2 - at_high^2)/(2 way), without the difference of squares where both are positive
+    return at_high > 0. ? 0.5 * (at_low + at_high) : 0.5 * at_low * at_low / way;
+  };
+  const auto covered = [&](double x) { return ramp(x + b) - ramp(x - b); };
+  const double area = surface_.radius * cell_angle * spot.axial_width;
+  const auto first = static_cast<long>(std::floor((low - b) / cell_angle)),
+             last = static_cast<long>(std::floor((high + b) / cell_angle));
+  const auto count = static_cast<long>(n_cells());
+  double before = 0.;
+  for (long i = first; i <= last; ++i) {
+    const double after = i == last ? 2. * b : covered(static_cast<double>(i + 1) * cell_angle);
+    const double share = (after - before) / (2. * b);
+    before = after;
+    if (share <= 0.) continue;
+    const std::size_t slot = slot_for(static_cast<std::size_t>(((i % count) + count) % count));
+    total_[slot] += share * heat;
+    flux_[slot] += share * heat / (interval_ * area);
+  }
+}
+
+void SweptArcHistory::decay_and_heat(double step) {
+  const std::size_t n = cell_of_slot_.size();
+  const double direct = 2. * std::sqrt(step / (pi * surface_.conductivity * surface_.capacity));
+  double* const rise = rise_.data();
+  const double* const flux = flux_.data();
+  for (std::size_t i = 0; i < n; ++i) rise[i] = direct * flux[i];
+  for (std::size_t l = 0; l < rate_.size(); ++l) {
+    double* const y = memory_[l].data();
+    const double d = decay_[l], g = gain_[l];
+    for (std::size_t i = 0; i < n; ++i) {
+      const double old = d * y[i];
+      rise[i] += old;
+      // What has died away must not become denormal, which is slow to compute with.
+      y[i] = old + g * flux[i] + 1e-250;
+    }
+  }
+}
+
+void SweptArcHistory::advance(double time, const RubbingSpot& spot) {
+  const double step = time - state_.time;
+  if (!(step > 0.)) return;
+  set_interval(step);
+  const bool is_in_contact = spot.heat_rate > 0.;
+  if (!has_begun_) start_ring_angle_ = spot.ring_angle;
+  has_begun_ = true;
+  const double angle = std::remainder(spot.contact_angle - spot.ring_angle, 2. * pi);
+
+  std::fill(flux_.begin(), flux_.end(), 0.);
+  double way = 0.;
+  if (is_in_contact) {
+    if (was_in_contact_) way = std::remainder(angle - last_angle_, 2. * pi);
+    deposit(angle - way, angle, spot, spot.heat_rate * step);
+  }
+  decay_and_heat(step);
+
+  const double cell_angle = 2. * pi / static_cast<double>(n_cells());
+  State& s = state_;
+  s.time = time;
+  s.arc_of_contact = is_in_contact && was_in_contact_ ? s.arc_of_contact + std::fabs(way) : 0.;
+  s.arc_total += std::fabs(way);
+  s.heated_arc = cell_angle * static_cast<double>(cell_of_slot_.size());
+  s.ring_turns = (spot.ring_angle - start_ring_angle_) / (2. * pi);
+  s.rise_at_contact = 0.;
+  if (is_in_contact) {
+    const auto cell = static_cast<std::size_t>((angle < 0. ? angle + 2. * pi : angle) / cell_angle) % n_cells();
+    const std::size_t slot = slot_of_cell_[cell];
+    if (slot != untouched) s.rise_at_contact = rise_[slot];
+  }
+  s.largest_rise = s.mean_rise = 0.;
+  if (!rise_.empty()) {
+    const auto hottest = std::max_element(rise_.begin(), rise_.end());
+    s.largest_rise = *hottest;
+    const auto cell = cell_of_slot_[static_cast<std::size_t>(hottest - rise_.begin())];
+    s.largest_rise_angle = (static_cast<double>(cell) + 0.5) * cell_angle;
+    for (const double rise : rise_) s.mean_rise += rise;
+    s.mean_rise /= static_cast<double>(n_cells());
+  }
+  was_in_contact_ = is_in_contact;
+  last_angle_ = angle;
+}
+
+std::vector<double> SweptArcHistory::rises() const {
+  std::vector<double> result(n_cells(), 0.);
+  for (std::size_t slot = 0; slot < cell_of_slot_.size(); ++slot) result[cell_of_slot_[slot]] = rise_[slot];
+  return result;
+}
+
+std::vector<double> SweptArcHistory::heat() const {
+  std::vector<double> result(n_cells(), 0.);
+  for (std::size_t slot = 0; slot < cell_of_slot_.size(); ++slot) result[cell_of_slot_[slot]] = total_[slot];
+  return result;
+}
+
+double SweptArcHistory::valid_until() const {
+  return 0.25 * surface_.wall_thickness * surface_.wall_thickness * surface_.capacity / surface_.conductivity;
+}
+
+}  // namespace rotordrop
