@@ -285,6 +285,9 @@ class StudyMaker {
         return body.r[0];
       case HeatSide::outer:
         return body.r[1];
+      case HeatSide::raceway:
+      case HeatSide::strip:
+        break;  // rectangles have none
     }
     return 0.;
   }

@@ -76,6 +76,9 @@ Grid make_grid(const HeatConductionProblem& problem) {
       case HeatSide::outer:
         demands_r.push_back({body.r[1], body.r[1], thin_r});
         break;
+      case HeatSide::raceway:
+      case HeatSide::strip:
+        break;  // rectangles have none
     }
   }
   return {grid_lines(x, demands_x, n.growth), grid_lines(r, demands_r, n.growth)};

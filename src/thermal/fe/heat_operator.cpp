@@ -23,6 +23,9 @@ constexpr unsigned int side_number(HeatSide side) {
       return 2;
     case HeatSide::outer:
       return 3;
+    case HeatSide::raceway:
+    case HeatSide::strip:
+      break;  // rectangles have none
   }
   return 0;
 }
@@ -37,6 +40,9 @@ std::pair<unsigned int, double> line_of(const HeatBody& body, HeatSide side) {
       return {1, body.r[0]};
     case HeatSide::outer:
       return {1, body.r[1]};
+    case HeatSide::raceway:
+    case HeatSide::strip:
+      break;  // rectangles have none
   }
   return {0, 0.};
 }
