@@ -2,11 +2,16 @@
 #include <memory>
 
 #include "model/heat_conduction.h"
+#include "model/section_mesher.h"
 
 namespace rotordrop {
 
 /// Loads the finite-element room, a module beside the program, and makes its solver. The module stays loaded.
 /// @throws InputError if the program was built without it
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem);
+
+/// Loads the mesh room, another module beside the program. It keeps its one generator, and stays loaded.
+/// @throws InputError if the program was built without it
+SectionMesher& section_mesher();
 
 }  // namespace rotordrop

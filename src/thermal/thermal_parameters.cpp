@@ -106,6 +106,7 @@ Section<ThermalParameters> thermal_section() {
              .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise."});
   s.list("node", &P::nodes, node_section(), {.help = "Further nodes."});
   s.list("resistor", &P::resistors, resistor_section(), {.help = "Further resistors."});
+  s.table<FeParameters>("fe", &P::fe, fe_section());
   return s;
 }
 

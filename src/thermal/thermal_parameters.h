@@ -5,6 +5,7 @@
 
 #include "base/parameters.h"
 #include "thermal/bearing_circuit.h"
+#include "thermal/fe_parameters.h"
 
 namespace rotordrop {
 
@@ -33,6 +34,7 @@ struct ThermalParameters {
   bool plane_strain_growth = false;
   std::vector<ExtraNode> nodes;
   std::vector<ExtraResistor> resistors;
+  FeParameters fe;
 };
 Section<ThermalParameters> thermal_section();
 

@@ -1,0 +1,54 @@
+#include "thermal/fe_parameters.h"
+
+namespace rotordrop {
+
+Section<FeParameters> fe_section() {
+  using P = FeParameters;
+  Section<P> s("fe", "Finite elements of every touchdown bearing: the mesh of rings and housing (docs/mesh.md).");
+  s.quantity("surface_cell", &P::surface_cell,
+             {.unit = "m",
+              .range = between(1e-7, 1e-2),
+              .fallback = "25 um",
+              .source = "estimate: a sixth of the layer that an impact of 2 ms heats",
+              .help = "Thickness of the cells on the bore and on the raceways' strips."});
+  s.quantity("largest_cell", &P::largest_cell,
+             {.unit = "m",
+              .range = between(1e-6, 0.1),
+              .fallback = "2 mm",
+              .source = "estimate",
+              .help = "Size of cells far from heated surfaces."});
+  s.quantity("refinement", &P::refinement,
+             {.range = between(0.25, 16), .fallback = "1", .help = "All cells are divided by this; 2 halves them."});
+  s.quantity(
+      "strip_half_width", &P::strip_half_width,
+      {.unit = "m",
+       .range = positive(),
+       .help = "Half width of the raceways' strips that take the balls' heat, along the arc: the semi-major axis "
+               "of the contact ellipse. thermal.contact_half_width if not given."});
+  s.quantity("relieved_shoulder", &P::relieved_shoulder,
+             {.range = between(0, 1),
+              .fallback = "0.4",
+              .source = "estimate from drawings of spindle bearings",
+              .help = "Part of the groove's depth that the outer ring's shoulder keeps on the side away from the load, "
+                      "where balls and cage go in. Of bearings with a contact angle; 1: not relieved."});
+  s.boolean("shaft", &P::shaft,
+            {.fallback = false, .help = "Whether the shaft is meshed too, over shaft_lump_length; a lump otherwise."});
+  s.text("mesh", &P::mesh,
+         {.help = "Your own mesh instead, a .msh file beside the case. NAME in it stands for the bearing's name: "
+                  "\"meshes/NAME.msh\". docs/mesh.md says what it must have."});
+  s.check([](const P& p, const Node& table, Faults& faults) {
+    if (p.surface_cell > p.largest_cell)
+      faults.add(position_of_value(table, "surface_cell"),
+                 "thermal.fe.surface_cell is larger than thermal.fe.largest_cell.", "Cells grow away from surfaces.");
+  });
+  return s;
+}
+
+std::string own_mesh_file(const std::string& pattern, const std::string& bearing) {
+  std::string file = pattern;
+  for (std::size_t at = file.find("NAME"); at != std::string::npos; at = file.find("NAME", at + bearing.size()))
+    file.replace(at, 4, bearing);
+  return file;
+}
+
+}  // namespace rotordrop
