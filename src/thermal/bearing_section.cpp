@@ -158,7 +158,7 @@ Division graded(double length, double first, double growth, double largest) {
 Division between_sizes(double length, double at_start, double at_end) {
   const double mean =
       std::fabs(at_end - at_start) < 1e-9 * at_start ? at_start : (at_end - at_start) / std::log(at_end / at_start);
-  const int n = std::max(1, static_cast<int>(std::ceil(length / mean - 1e-6)));
+  const int n = std::max(1, static_cast<int>(std::lround(length / mean)));
   return {n, n > 1 ? std::pow(at_end / at_start, 1. / n) : 1.};
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "base/parameters.h"
 
@@ -34,6 +35,7 @@ class Reader {
     if (faults_.size() == n_before) check_parts();
     if (faults_.size() != n_before) return {};
     find_arcs();
+    leave_out_unused_vertices();
     return std::move(mesh_);
   }
 
@@ -144,12 +146,18 @@ class Reader {
         auto [found, is_new] =
             sides.try_emplace(sorted(cell.vertices[i], cell.vertices[(i + 1) % 4]), Side{cell.body, 0});
         ++found->second.n_cells;
-        if (found->second.body != cell.body) n_shared_ += n_shared_ == 0 ? 1 : 0;
       }
-    if (n_shared_ > 0)
+    std::vector<int> owner(mesh_.vertices.size(), -1);
+    bool is_shared = false;
+    for (const auto& cell : mesh_.cells)
+      for (const auto v : cell.vertices) {
+        is_shared = is_shared || (owner[v] >= 0 && owner[v] != static_cast<int>(cell.body));
+        owner[v] = static_cast<int>(cell.body);
+      }
+    if (is_shared)
       fault("two bodies share vertices.",
-            "Where bodies touch, each needs vertices of its own at the same places: heat passes between them through a "
-            "resistance.");
+            "Where bodies touch, each needs vertices of its own at the same places: heat passes between them through "
+            "a resistance.");
     std::map<Vertices, HeatBoundary> named;
     std::map<std::string, std::string> unknown;
     for (const auto& element : content_.edges) {
@@ -250,6 +258,20 @@ class Reader {
     }
   }
 
+  void leave_out_unused_vertices() {  // such as the centres of arcs
+    std::vector<unsigned int> number(mesh_.vertices.size(), 0);
+    for (const auto& cell : mesh_.cells)
+      for (const auto v : cell.vertices) number[v] = 1;
+    std::vector<std::array<double, 2>> used;
+    for (std::size_t v = 0; v < number.size(); ++v)
+      if (std::exchange(number[v], static_cast<unsigned int>(used.size())) == 1) used.push_back(mesh_.vertices[v]);
+    mesh_.vertices = std::move(used);
+    for (auto& cell : mesh_.cells)
+      for (auto& v : cell.vertices) v = number[v];
+    for (auto& edge : mesh_.edges)
+      for (auto& v : edge.vertices) v = number[v];
+  }
+
   /// The circle of the outermost and the middle vertex, if all others are on it.
   [[nodiscard]] std::optional<SectionMesh::Arc> circle_through(const std::vector<std::size_t>& edges) const {
     std::vector<std::array<double, 2>> p;
@@ -273,7 +295,7 @@ class Reader {
   const std::string& file_;
   Faults& faults_;
   SectionMesh mesh_;
-  std::size_t n_tangled_ = 0, n_shared_ = 0;
+  std::size_t n_tangled_ = 0;
   std::string first_tangled_;
 };
 

@@ -213,6 +213,7 @@ void GmshMesher::write(const SectionMesh& mesh, const std::string& file, MeshFil
 MeshFileContent GmshMesher::read(const std::string& file) {
   return in_fresh_model("read " + file, [&] {
     gmsh::merge(file);
+    if (file.ends_with(".geo")) gmsh::model::mesh::generate(2);
     MeshFileContent content;
     const auto vertex = take_vertices([&](double x, double r, double z) { content.vertices.push_back({x, r, z}); });
     const auto take = [&](int dimension, std::vector<MeshFileContent::Element>& into) {
