@@ -3,9 +3,13 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -101,10 +105,124 @@ void for_each_element(int dimension, int entity, Use use) {
   }
 }
 
+using Place = std::array<double, 2>;
+
+/// Where the vertices of a curve belong, from `from` to `to`.
+std::vector<Place> places_on(const SectionPlan& plan, const SectionPlan::Curve& curve) {
+  const auto &a = plan.points[curve.from], &b = plan.points[curve.to];
+  std::vector<Place> places;
+  double whole = 0., part = 0., cell = 1.;
+  for (int k = 0; k < curve.cells; ++k, cell *= curve.ratio) whole += cell;
+  cell = 1.;
+  for (int k = 1; k < curve.cells; ++k, cell *= curve.ratio) {
+    part += cell;
+    const double s = part / whole;
+    if (curve.arc < 0) {
+      places.push_back({a.x + s * (b.x - a.x), a.r + s * (b.r - a.r)});
+    } else {
+      const auto& arc = plan.arcs[static_cast<std::size_t>(curve.arc)];
+      const double start = std::atan2(a.r - arc.r, a.x - arc.x);
+      const double turn = std::remainder(std::atan2(b.r - arc.r, b.x - arc.x) - start, 2. * std::numbers::pi);
+      places.push_back(
+          {arc.x + arc.radius * std::cos(start + s * turn), arc.r + arc.radius * std::sin(start + s * turn)});
+    }
+  }
+  places.insert(places.begin(), {a.x, a.r});
+  places.push_back({b.x, b.r});
+  return places;
+}
+
+/// Where the vertices inside a block belong: transfinite interpolation between its sides.
+std::vector<Place> places_inside(const SectionPlan& plan, const SectionPlan::Block& block) {
+  std::array<std::vector<Place>, 4> side;  // low r, high x, high r, low x; along rising x or r
+  for (std::size_t k = 0; k < 4; ++k) {
+    side[k] = places_on(plan, plan.curves[block.curves[k]]);
+    const std::size_t start = block.corners[std::array<std::size_t, 4>{0, 1, 3, 0}[k]];
+    if (plan.curves[block.curves[k]].from != start) std::reverse(side[k].begin(), side[k].end());
+  }
+  // Parts of the length of the low and the left side, by the chords.
+  const auto parts = [](const std::vector<Place>& p) {
+    std::vector<double> sum = {0.};
+    for (std::size_t i = 1; i < p.size(); ++i)
+      sum.push_back(sum.back() + std::hypot(p[i][0] - p[i - 1][0], p[i][1] - p[i - 1][1]));
+    for (auto& s : sum) s /= sum.back();
+    return sum;
+  };
+  const auto u = parts(side[0]), v = parts(side[3]);
+  std::vector<Place> places;
+  for (std::size_t i = 1; i + 1 < u.size(); ++i)
+    for (std::size_t j = 1; j + 1 < v.size(); ++j) {
+      Place p{};
+      for (std::size_t c = 0; c < 2; ++c)
+        p[c] = (1. - v[j]) * side[0][i][c] + v[j] * side[2][i][c] + (1. - u[i]) * side[3][j][c] + u[i] * side[1][j][c] -
+               (1. - u[i]) * (1. - v[j]) * side[0].front()[c] - u[i] * (1. - v[j]) * side[0].back()[c] -
+               u[i] * v[j] * side[2].back()[c] - (1. - u[i]) * v[j] * side[2].front()[c];
+      places.push_back(p);
+    }
+  return places;
+}
+
+/// Puts gmsh's vertices where the plan wants them. Gmsh's own places depend, in their last bits, on what it meshed before.
+void put_in_place(const SectionPlan& plan, const std::map<std::size_t, unsigned int>& vertex,
+                  std::vector<Place>& vertices) {
+  const auto put = [&](int dimension, std::size_t index, const std::vector<Place>& places) {
+    std::vector<std::size_t> tags;
+    std::vector<double> coordinates, parameters;
+    gmsh::model::mesh::getNodes(tags, coordinates, parameters, dimension, tag(index));
+    if (tags.size() != places.size()) throw SolverError("gmsh divided a block of the section in its own way");
+    std::vector<bool> is_taken(places.size(), false);
+    for (const auto node : tags) {
+      auto& p = vertices[vertex.at(node)];
+      std::size_t nearest = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < places.size(); ++i)
+        if (const double d = std::hypot(places[i][0] - p[0], places[i][1] - p[1]); d < least) {
+          least = d;
+          nearest = i;
+        }
+      if (is_taken[nearest]) throw SolverError("gmsh graded a block of the section in its own way");
+      is_taken[nearest] = true;
+      p = places[nearest];
+    }
+  };
+  for (std::size_t i = 0; i < plan.points.size(); ++i) put(0, i, {{plan.points[i].x, plan.points[i].r}});
+  for (std::size_t i = 0; i < plan.curves.size(); ++i) {
+    auto places = places_on(plan, plan.curves[i]);
+    put(1, i, {places.begin() + 1, places.end() - 1});
+  }
+  for (std::size_t i = 0; i < plan.blocks.size(); ++i) put(2, i, places_inside(plan, plan.blocks[i]));
+}
+
 double doubled_area(const SectionMesh& mesh, const SectionMesh::Cell& cell) {
   const auto &a = mesh.vertices[cell.vertices[0]], &b = mesh.vertices[cell.vertices[1]],
              &c = mesh.vertices[cell.vertices[2]], &d = mesh.vertices[cell.vertices[3]];
   return (c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]);
+}
+
+/// Vertices of the first body first, and so on; those that no cell uses are left out.
+void number_by_bodies(SectionMesh& mesh) {
+  std::vector<std::vector<unsigned int>> of_body(mesh.bodies.size());
+  std::vector<bool> is_used(mesh.vertices.size(), false);
+  for (const auto& cell : mesh.cells)
+    for (const auto v : cell.vertices)
+      if (!is_used[v]) {
+        is_used[v] = true;
+        of_body[cell.body].push_back(v);
+      }
+  std::vector<unsigned int> number(mesh.vertices.size(), 0);
+  std::vector<Place> ordered;
+  for (auto& vertices : of_body) {
+    std::sort(vertices.begin(), vertices.end());
+    for (const auto v : vertices) {
+      number[v] = static_cast<unsigned int>(ordered.size());
+      ordered.push_back(mesh.vertices[v]);
+    }
+  }
+  mesh.vertices = std::move(ordered);
+  for (auto& cell : mesh.cells)
+    for (auto& v : cell.vertices) v = number[v];
+  for (auto& edge : mesh.edges)
+    for (auto& v : edge.vertices) v = number[v];
 }
 
 }  // namespace
@@ -119,8 +237,6 @@ GmshMesher::GmshMesher() {
   gmsh::option::setNumber("General.NumThreads", 1);
   gmsh::option::setNumber("Mesh.ElementOrder", 1);
   gmsh::option::setNumber("Mesh.SaveAll", 0);
-  // Grading is found by numerical integration: to the last digits, so that cells follow their series.
-  gmsh::option::setNumber("Mesh.LcIntegrationPrecision", 1e-12);
 }
 
 GmshMesher::~GmshMesher() { gmsh::finalize(); }
@@ -133,6 +249,7 @@ SectionMesh GmshMesher::mesh(const SectionPlan& plan) {
     mesh.bodies = plan.bodies;
     mesh.arcs = plan.arcs;
     const auto vertex = take_vertices([&](double x, double r, double) { mesh.vertices.push_back({x, r}); });
+    put_in_place(plan, vertex, mesh.vertices);
     // Centres of arcs are points of the plan too; they have no nodes that cells use.
     for (std::size_t i = 0; i < plan.blocks.size(); ++i)
       for_each_element(2, tag(i), [&](int type, const std::vector<std::size_t>& nodes) {
@@ -150,18 +267,7 @@ SectionMesh GmshMesher::mesh(const SectionPlan& plan) {
         mesh.edges.push_back({{vertex.at(nodes[0]), vertex.at(nodes[1])}, *curve.boundary, curve.arc});
       });
     }
-    // Leave out what no cell uses, and number the rest in order.
-    std::vector<unsigned int> number(mesh.vertices.size(), 0);
-    for (const auto& cell : mesh.cells)
-      for (const auto v : cell.vertices) number[v] = 1;
-    std::vector<std::array<double, 2>> used;
-    for (std::size_t v = 0; v < number.size(); ++v)
-      if (std::exchange(number[v], static_cast<unsigned int>(used.size())) == 1) used.push_back(mesh.vertices[v]);
-    mesh.vertices = std::move(used);
-    for (auto& cell : mesh.cells)
-      for (auto& v : cell.vertices) v = number[v];
-    for (auto& edge : mesh.edges)
-      for (auto& v : edge.vertices) v = number[v];
+    number_by_bodies(mesh);
     return mesh;
   });
 }
