@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws meshed sections: the whole one, and a zoom on the first strip of the inner ring.
+"""Draws meshed sections: the whole one, the inner ring at its first row, and the strip there.
 
     build/release/rotordrop mesh params/neisi2019.toml -o out/mesh.msh
     /usr/bin/python3 docs/plot_mesh.py out/mesh-TB1.msh out/mesh-TB2.msh -o docs/images/mesh.png
@@ -112,41 +112,44 @@ def draw(axes, mesh, line_width, outline_width):
     axes.set_ylabel("r [mm]")
 
 
-def label(axes, mesh, group, text, offset):
-    """A word with an arrow to the middle of a part of the outline."""
-    points = [p for name, nodes in mesh[2] if name == group for p in in_mm(mesh[0], nodes)]
-    if not points:
-        return
-    points.sort()
-    axes.annotate(text, xy=points[len(points) // 2], xytext=offset, textcoords="offset points", ha="center", va="center", fontsize=8,
-                  color=colour_of(group), arrowprops={"arrowstyle": "-", "color": colour_of(group), "lw": 0.8},
-                  bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.9})
-
-
 def draw_whole(axes, mesh, title):
     draw(axes, mesh, 0.25, 1.4)
     axes.autoscale_view()
     axes.set_title(title, loc="left", fontsize=10)
     vertices, cells, _ = mesh
+    left, right = (1e3 * bound(x for x, _ in vertices.values()) for bound in (min, max))
     for body in sorted({body for body, _ in cells}):
         points = [p for name, nodes in cells if name == body for p in in_mm(vertices, nodes)]
-        top, bottom = max(p[1] for p in points), min(p[1] for p in points)
-        right = max(p[0] for p in points)
-        axes.text(right + 0.4, 0.5 * (top + bottom) if body != "shaft" else top - 2, body, rotation=0, va="center", fontsize=8)
+        axes.text(right + 0.02 * (right - left), 0.5 * (min(p[1] for p in points) + max(p[1] for p in points)), body, va="center", fontsize=8)
+    axes.set_xlim(left - 0.05 * (right - left), right + 0.28 * (right - left))
 
 
-def draw_zoom(axes, mesh):
-    """Around the first strip of the inner ring, from the bore to the shoulder."""
+def points_of(mesh, beginning):
     vertices, _, edges = mesh
-    strip = [p for group, nodes in edges if group == "inner_ring.strip_1" for p in in_mm(vertices, nodes)]
-    ring = [p for group, nodes in edges if group.startswith("inner_ring.") for p in in_mm(vertices, nodes)]
-    draw(axes, mesh, 0.4, 2.2)
+    return [p for group, nodes in edges if group.startswith(beginning) for p in in_mm(vertices, nodes)]
+
+
+def draw_ring(axes, mesh):
+    """The inner ring around its first strip, from the bore to the shoulder."""
+    strip, ring = points_of(mesh, "inner_ring.strip_1"), points_of(mesh, "inner_ring.")
+    draw(axes, mesh, 0.4, 2.0)
     centre = sum(p[0] for p in strip) / len(strip)
     low, high = min(p[1] for p in ring), max(p[1] for p in ring)
+    margin = 0.06 * (high - low)
     axes.set_xlim(centre - 0.6 * (high - low), centre + 0.6 * (high - low))
-    axes.set_ylim(low - 0.12, high + 0.12)
-    axes.set_title("inner ring at row 1", loc="left", fontsize=10)
-    label(axes, mesh, "inner_ring.strip_1", "strip_1", (0, 34))
+    axes.set_ylim(low - margin, high + margin)
+    axes.set_title("inner ring, row 1", loc="left", fontsize=10)
+
+
+def draw_strip(axes, mesh):
+    """The strip itself, where cells are thinnest."""
+    strip = sorted(points_of(mesh, "inner_ring.strip_1"))
+    x, r = strip[len(strip) // 2]
+    draw(axes, mesh, 0.5, 2.6)
+    half = 0.75 * (strip[-1][0] - strip[0][0])
+    axes.set_xlim(x - half, x + half)
+    axes.set_ylim(r - 1.3 * half, r + 0.7 * half)
+    axes.set_title("its strip", loc="left", fontsize=10)
 
 
 def main():
@@ -155,15 +158,16 @@ def main():
     parser.add_argument("-o", "--output", default="mesh.png")
     arguments = parser.parse_args()
     meshes = [(pathlib.Path(path), read_msh(path)) for path in arguments.meshes]
-    figure, rows = plt.subplots(len(meshes), 2, figsize=(12, 4.6 * len(meshes)), squeeze=False, width_ratios=[1.5, 1])
-    for (path, mesh), (whole, zoom) in zip(meshes, rows):
+    figure, rows = plt.subplots(len(meshes), 3, figsize=(15, 4.6 * len(meshes)), squeeze=False, width_ratios=[1.55, 1, 1])
+    for (path, mesh), (whole, ring, strip) in zip(meshes, rows):
         draw_whole(whole, mesh, f"{path.stem.rpartition('-')[2]}: {len(mesh[1])} cells")
-        draw_zoom(zoom, mesh)
+        draw_ring(ring, mesh)
+        draw_strip(strip, mesh)
     handles = [plt.Line2D([], [], color=colour, lw=2) for colour in (SIDE_COLOURS["strip"], SIDE_COLOURS["raceway"], BORE_COLOUR, SIDE_COLOURS["inner"], SIDE_COLOURS["left"])]
     figure.legend(handles, ["strip", "raceway", "bore (inner_ring.inner)", "other inner and outer sides", "left and right faces"],
                   loc="lower center", ncols=5, fontsize=9, frameon=False)
     figure.tight_layout(rect=(0, 0.035, 1, 1))
-    figure.savefig(arguments.output, dpi=150)
+    figure.savefig(arguments.output, dpi=110)
     return 0
 
 

@@ -33,6 +33,7 @@ class Reader {
     read_cells();
     if (faults_.size() == n_before) read_edges();
     if (faults_.size() == n_before) check_parts();
+    if (faults_.size() == n_before) check_fit();
     if (faults_.size() != n_before) return {};
     find_arcs();
     leave_out_unused_vertices();
@@ -242,6 +243,36 @@ class Reader {
       if (std::none_of(mesh_.edges.begin(), mesh_.edges.end(), [&](const auto& e) { return e.boundary == boundary; }))
         fault(fmt::format("the group \"{}\" is missing or empty.", boundary_name(mesh_, boundary)),
               "Heat enters or leaves there, so the mesh must name it.");
+  }
+
+  /// Over the width that outer ring and housing have in common, every vertex of one lies on a vertex of the other.
+  void check_fit() {
+    constexpr double same_place = 1e-8;  // [m]
+    const auto side = [&](const char* body, HeatSide wanted) {
+      const auto found = std::find(mesh_.bodies.begin(), mesh_.bodies.end(), body);
+      std::set<std::array<double, 2>> places;
+      for (const auto& edge : mesh_.edges)
+        if (edge.boundary == HeatBoundary{static_cast<std::size_t>(found - mesh_.bodies.begin()), wanted, 0})
+          for (const auto v : edge.vertices) places.insert(mesh_.vertices[v]);
+      return std::vector<std::array<double, 2>>(places.begin(), places.end());
+    };
+    const auto ring = side("outer_ring", HeatSide::outer), housing = side("housing", HeatSide::inner);
+    if (ring.empty() || housing.empty()) return;
+    const double from = std::max(ring.front()[0], housing.front()[0]) - same_place,
+                 to = std::min(ring.back()[0], housing.back()[0]) + same_place;
+    for (const auto& [these, those] : {std::pair{&ring, &housing}, std::pair{&housing, &ring}})
+      for (const auto& p : *these) {
+        if (p[0] < from || p[0] > to) continue;
+        const bool is_met = std::any_of(those->begin(), those->end(), [&](const auto& q) {
+          return std::hypot(p[0] - q[0], p[1] - q[1]) <= same_place;
+        });
+        if (is_met) continue;
+        fault(fmt::format("a vertex of {} at x = {:.6g} m, r = {:.6g} m lies on none of {}.",
+                          these == &ring ? "outer_ring.outer" : "housing.inner", p[0], p[1],
+                          these == &ring ? "housing.inner" : "outer_ring.outer"),
+              "In the fit, vertices of both bodies must be at the same places: divide both sides alike.");
+        return;
+      }
   }
 
   void find_arcs() {

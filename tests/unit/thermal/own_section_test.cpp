@@ -10,7 +10,7 @@ namespace {
 
 using Element = MeshFileContent::Element;
 
-/// Rings of 3 x 1 cells and a housing of one, one row; the inner ring's middle cell has its strip on top.
+/// Rings and a housing of 3 x 1 cells, one row; the inner ring's middle cell has its strip on top.
 MeshFileContent small_mesh() {
   MeshFileContent m;
   const auto quad = [&](const char* body, unsigned int a, unsigned int b, unsigned int c, unsigned int d) {
@@ -36,12 +36,14 @@ MeshFileContent small_mesh() {
   ring("outer_ring", 0.05, 0.06, true);
   const auto first = static_cast<unsigned int>(m.vertices.size());
   for (const double r : {0.06, 0.07})
-    for (int i = 0; i < 2; ++i) m.vertices.push_back({0.03 * i, r, 0.});
-  quad("housing", first, first + 1, first + 3, first + 2);
-  edge("housing.inner", first, first + 1);
-  edge("housing.outer", first + 2, first + 3);
-  edge("housing.left", first, first + 2);
-  edge("housing.right", first + 1, first + 3);
+    for (int i = 0; i < 4; ++i) m.vertices.push_back({0.01 * i, r, 0.});
+  for (unsigned int i = 0; i < 3; ++i) {
+    quad("housing", first + i, first + i + 1, first + i + 5, first + i + 4);
+    edge("housing.inner", first + i, first + i + 1);
+    edge("housing.outer", first + i + 4, first + i + 5);
+  }
+  edge("housing.left", first, first + 4);
+  edge("housing.right", first + 3, first + 7);
   return m;
 }
 
@@ -68,8 +70,8 @@ TEST(OwnSection, IsTakenAsItIs) {
   EXPECT_EQ(complaint(small_mesh()), "");
   Faults faults;
   const auto mesh = own_section(small_mesh(), wishes, "my.msh", faults);
-  EXPECT_EQ(mesh.cells.size(), 7U);
-  EXPECT_EQ(mesh.edges.size(), 20U);
+  EXPECT_EQ(mesh.cells.size(), 9U);
+  EXPECT_EQ(mesh.edges.size(), 24U);
   EXPECT_EQ(mesh.bodies, wishes.bodies);
   EXPECT_TRUE(mesh.arcs.empty()) << "a strip of one straight edge is no arc";
 }
@@ -90,7 +92,7 @@ TEST(OwnSection, MayHaveNoTriangles) {
 
 TEST(OwnSection, NeedsEveryBody) {
   auto m = small_mesh();
-  m.faces.pop_back();
+  m.faces.resize(6);
   expect_complaint(m, "no body \"housing\"");
 }
 
@@ -149,12 +151,21 @@ TEST(OwnSection, KeepsBodiesApart) {
 TEST(OwnSection, SharesNotEvenACorner) {
   auto m = small_mesh();
   // The housing's lower left corner becomes the outer ring's upper left one.
-  const auto corner = static_cast<unsigned int>(m.vertices.size()) - 4;
+  const auto corner = static_cast<unsigned int>(m.vertices.size()) - 8;
   for (auto* list : {&m.faces, &m.edges})
     for (auto& e : *list)
       for (auto& v : e.vertices)
         if (v == corner && (e.groups[0].starts_with("housing"))) v = 12;
   expect_complaint(m, "share vertices");
+}
+
+TEST(OwnSection, MeetsVertexOnVertexInTheFit) {
+  auto m = small_mesh();
+  m.vertices[17][0] += 1e-6;  // the housing's second vertex in the fit
+  expect_complaint(m, "lies on none of");
+  m = small_mesh();
+  for (std::size_t v = 16; v < 24; ++v) m.vertices[v][1] += 1e-4;  // a gap
+  expect_complaint(m, "outer_ring.outer at x = 0 m, r = 0.06 m lies on none of housing.inner");
 }
 
 TEST(OwnSection, LiesInMetresAboveTheAxisInThePlane) {
