@@ -47,9 +47,13 @@ SectionPlan section_plan(const MachineParameters& p, const Node& case_node, cons
   const Node* bearings = case_node.find("bearings");
   const Node* table = bearings ? bearings->find(name) : nullptr;
   Faults faults;
-  for (const auto& fault : faults_of_section(data))
-    faults.add(table ? position_of_value(*table, fault.key) : SourcePosition{},
+  for (const auto& fault : faults_of_section(data)) {
+    std::string key = fault.key;
+    if (table && !table->find(key) && key.ends_with("_shoulder_diameter"))
+      key = key.substr(0, key.find('_')) + "_ring_diameters";
+    faults.add(table ? position_of_value(*table, key) : SourcePosition{},
                fmt::format("bearings.{} cannot be meshed: {}.", name, fault.message), fault.advice);
+  }
   faults.throw_if_any();
   const auto& fe = p.thermal.fe;
   return plan_bearing_section(data, {fe.surface_cell, fe.largest_cell, fe.refinement});

@@ -84,7 +84,7 @@ void check_ring(const BearingSectionData& d, bool is_inner, std::vector<SectionF
       return;
     }
     if (towards * (ring.shoulder - bottom) <= 0.) {
-      faults.push_back({key,
+      faults.push_back({shoulder_key,
                         fmt::format("the {} ring's shoulder diameter of {} leaves no groove, whose bottom is at {}",
                                     name, mm(2. * ring.shoulder), mm(2. * bottom)),
                         fmt::format("Where {} holds a mean diameter of the lumped circuit, give the shoulder's as {}.",
@@ -92,7 +92,7 @@ void check_ring(const BearingSectionData& d, bool is_inner, std::vector<SectionF
       return;
     }
     if (std::max(-g.left, g.right) > steepest_edge || towards * (g.r - ring.shoulder) < 0.) {
-      faults.push_back({key,
+      faults.push_back({shoulder_key,
                         fmt::format("the {} ring's shoulder diameter of {} makes a groove so deep that it encloses the "
                                     "balls",
                                     name, mm(2. * ring.shoulder)),

@@ -41,7 +41,8 @@ struct SectionSizes {
   double growth = 1.6;          ///< largest ratio of neighbouring cells within a block, at refinement 1
 };
 
-/// What is wrong with the dimensions; `key` is the parameter of the bearing that it is best blamed on.
+/// What is wrong with the dimensions; `key` is the parameter of the bearing that it is best blamed on. Where shoulder diameters are not given
+/// apart, that of a ring stands in its ring diameters.
 struct SectionFault {
   std::string key, message, advice;
 };

@@ -10,6 +10,7 @@ import shutil
 import stat
 import sys
 import unittest
+import unittest.mock
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from program import PARAMS, PROGRAM, SOURCE, ProgramTest, content_of  # noqa: E402
@@ -38,7 +39,13 @@ class FaultyCases(ProgramTest):
         self.assertIn("bearings.TB1 cannot be meshed", message)
         self.assertIn("shoulder diameter of 78 mm leaves no groove, whose bottom is at 78.094 mm", message)
         self.assertIn("inner_shoulder_diameter", message)
-        self.assertIn("reference.toml:", message)  # where inner_ring_diameters stands
+        self.assertIn("drop.toml:4:", message)
+
+    def test_a_shoulder_that_is_not_given_apart_is_blamed_on_the_ring_s_diameters(self):
+        case = self.case('[bearings.TB2]\ninner_ring_diameters = ["70 mm", "75 mm"]\n')
+        message = self.fault(case, "-o", "m.msh")
+        self.assertIn("drop.toml:4:", message)
+        self.assertIn("bearings.TB2 cannot be meshed: the inner ring's shoulder diameter of 75 mm", message)
 
     def test_the_output_is_a_msh_file(self):
         self.assertIn("ends in .msh", self.fault("reference.toml", "-o", "m.vtu"))
@@ -166,6 +173,13 @@ class WithTheRoom(ProgramTest):
     def test_the_shaft_is_meshed_on_request(self):
         self.succeed("mesh", "reference.toml", "-o", "m.msh", "--bearing", "TB1", "--set", "thermal.fe.shaft=true")
         self.assertIn("shaft.outer", self.names("m.msh"))
+
+    def test_where_the_module_is_missing_the_message_says_how_to_get_it(self):
+        with unittest.mock.patch.dict(os.environ, {"ROTORDROP_MODULES": str(self.folder)}):
+            done = self.call("mesh", "reference.toml", "-o", "m.msh")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("built without the mesh room", done.stderr)
+        self.assertIn("install-dependencies --fe", done.stderr)
 
     @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
     def test_a_folder_without_permission_is_named(self):
