@@ -34,6 +34,20 @@ SectionMesh read_own_mesh(const Case& c, const std::string& bearing) {
   return own_section_of_bearing(content, c.parameters, bearing, file);
 }
 
+/// Faults of all bearings at once, and before the mesh room is needed.
+void check_sections(const Case& c, const std::vector<std::string>& names) {
+  if (c.parameters.thermal.fe.mesh) return;
+  Faults faults;
+  for (const auto& name : names) {
+    try {
+      static_cast<void>(section_plan(c.parameters, c.tree, name));
+    } catch (const InputError& error) {
+      for (const auto& fault : error.faults()) faults.add(fault.where, fault.message, fault.advice);
+    }
+  }
+  faults.throw_if_any();
+}
+
 std::string description(const std::string& bearing, const SectionMesh& mesh, const fs::path& file) {
   std::string bodies;
   for (std::size_t i = 0; i < mesh.bodies.size(); ++i) {
@@ -101,6 +115,7 @@ std::string write_bearing_meshes(const Case& c, const MeshOptions& options) {
                        "Choose another with -o FILE, or replace it with --force.");
     files.push_back(file);
   }
+  check_sections(c, names);
   // All meshes first: a fault in one leaves no file of another.
   std::vector<SectionMesh> meshes;
   for (const auto& name : names) meshes.push_back(bearing_mesh(c, name));

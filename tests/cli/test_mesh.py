@@ -47,6 +47,12 @@ class FaultyCases(ProgramTest):
         self.assertIn("drop.toml:4:", message)
         self.assertIn("bearings.TB2 cannot be meshed: the inner ring's shoulder diameter of 75 mm", message)
 
+    def test_faults_of_all_bearings_are_shown_at_once(self):
+        case = self.case('[bearings.TB1]\ninner_shoulder_diameter = "78 mm"\n[bearings.TB2]\nwidth = "10 mm"\n')
+        message = self.fault(case, "-o", "m.msh")
+        self.assertIn("bearings.TB1 cannot be meshed", message)
+        self.assertIn("bearings.TB2 cannot be meshed", message)
+
     def test_the_output_is_a_msh_file(self):
         self.assertIn("ends in .msh", self.fault("reference.toml", "-o", "m.vtu"))
 
