@@ -120,6 +120,16 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
                {.unit = "m", .range = positive(), .help = "Inner ring: bore and outside (shoulder) diameter."});
   s.quantities("outer_ring_diameters", &P::outer_ring_diameters,
                {.unit = "m", .range = positive(), .help = "Outer ring: inside (shoulder) and outside diameter."});
+  s.quantity("inner_shoulder_diameter", &P::inner_shoulder_diameter,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Shoulder beside the inner ring's groove in the meshed section; the second of "
+                      "inner_ring_diameters if not given."});
+  s.quantity("outer_shoulder_diameter", &P::outer_shoulder_diameter,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Shoulder beside the outer ring's groove in the meshed section; the first of "
+                      "outer_ring_diameters if not given."});
   s.quantities("housing_diameters", &P::housing_diameters,
                {.unit = "m", .range = positive(), .help = "Housing: bore and outside diameter."});
   s.quantity("housing_length", &P::housing_length,
@@ -368,6 +378,22 @@ void check_touchdown(const std::string& name, const TouchdownParameters& b, cons
                "Preloads are a few hundredths of C0; check the unit.");
 }
 
+std::vector<RowPlace> row_places(const TouchdownParameters& b) {
+  std::vector<RowPlace> places;
+  const double spacing = b.row_spacing.value_or(b.width / b.rows);
+  for (int i = 0; i < b.rows; ++i) {
+    RowPlace place;
+    place.position = (i - 0.5 * (b.rows - 1)) * spacing;
+    const double inwards =
+        place.position > 0. ? 1. : -1.;  // in an X set each row's inner ring is loaded away from the other row
+    place.direction = b.rows == 1 || b.arrangement == RowArrangement::tandem ? 1.
+                      : b.arrangement == RowArrangement::face_to_face        ? inwards
+                                                                             : -inwards;
+    places.push_back(place);
+  }
+  return places;
+}
+
 TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& b,
                                     const ContactParameters& contact, const TouchdownSurroundings& around) {
   const double modulus = effective_modulus(around.ring, around.ball);
@@ -390,15 +416,11 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
 
   TouchdownBearingData d;
   d.name = name;
-  const double spacing = b.row_spacing.value_or(b.width / b.rows);
+  const auto places = row_places(b);
   for (int i = 0; i < b.rows; ++i) {
-    row.position = (i - 0.5 * (b.rows - 1)) * spacing;
+    row.position = places[static_cast<std::size_t>(i)].position;
+    row.direction = places[static_cast<std::size_t>(i)].direction;
     row.phase = i * b.row_phase * 2. * std::numbers::pi / b.balls_per_row;
-    const double inwards =
-        row.position > 0. ? 1. : -1.;  // in an X set each row's inner ring is loaded away from the other row
-    row.direction = b.rows == 1 || b.arrangement == RowArrangement::tandem ? 1.
-                    : b.arrangement == RowArrangement::face_to_face        ? inwards
-                                                                           : -inwards;
     d.rows.push_back(row);
   }
   for (const auto& w : b.waviness) {

@@ -62,6 +62,7 @@ struct TouchdownParameters {
   EllipticIntegrals elliptic_integrals = EllipticIntegrals::brewe_hamrock;
   std::optional<double> race_friction_coefficient;
   std::array<double, 2> inner_ring_diameters{}, outer_ring_diameters{}, housing_diameters{};
+  std::optional<double> inner_shoulder_diameter, outer_shoulder_diameter;
   double housing_length = 0;
   std::optional<double> shaft_lump_length;
 };
@@ -77,6 +78,14 @@ struct TouchdownSurroundings {
 double bore_radius(const TouchdownParameters& bearing, const ContactParameters& contact);
 /// Radial air gap [m]: the bearing's own, else that of [contact].
 double air_gap(const TouchdownParameters& bearing, const ContactParameters& contact);
+
+/// Where a row of balls sits, and which way it leans.
+struct RowPlace {
+  double position = 0;   ///< along the axis, from the middle of the bearing [m]
+  double direction = 1;  ///< side to which the outer contact leans
+};
+/// Of all rows, with rising position.
+std::vector<RowPlace> row_places(const TouchdownParameters& bearing);
 
 TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& bearing,
                                     const ContactParameters& contact, const TouchdownSurroundings& surroundings);

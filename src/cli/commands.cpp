@@ -15,6 +15,7 @@
 #include "io/parameter_writers.h"
 #include "machine/build_machine.h"
 #include "machine/rotor_report.h"
+#include "study/bearing_mesh.h"
 #include "study/case.h"
 #include "study/drop_run.h"
 #include "study/fe_module.h"
@@ -173,6 +174,19 @@ int heat_command(const HeatCommand& command) {
   if (summary["completed"].get<bool>()) return 0;
   fmt::print(stderr, "interrupted; what was computed is in {}\n", options.directory.string());
   return 128 + static_cast<int>(caught_signal);
+}
+
+int mesh_command(const MeshCommand& command) {
+  const Case drop_case = read_case(command.file, command.overrides);
+  MeshOptions options;
+  options.file = command.output.empty() ? std::filesystem::path("out") / drop_case.name / "mesh.msh" : command.output;
+  options.bearing = command.bearing;
+  options.force = command.force;
+  options.format = command.format == "2.2" ? MeshFileFormat::msh_2_2 : MeshFileFormat::msh_4_1;
+  const auto text = write_bearing_meshes(drop_case, options);
+  if (!command.quiet)
+    fmt::print("rotordrop {} ({})   meshed sections, case {}\n{}", version(), git_revision(), drop_case.name, text);
+  return 0;
 }
 
 int modes_command(const ModesCommand& command) {

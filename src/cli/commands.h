@@ -25,6 +25,14 @@ struct HeatCommand {
 };
 int heat_command(const HeatCommand& command);
 
+struct MeshCommand {
+  std::filesystem::path file, output;
+  std::vector<std::string> overrides;
+  std::string bearing, format = "4.1";
+  bool force = false, quiet = false;
+};
+int mesh_command(const MeshCommand& command);
+
 struct ModesCommand {
   std::filesystem::path file, shapes;
   std::vector<std::string> overrides;

@@ -58,6 +58,19 @@ int run_program(int argc, char** argv) {
   heat_app->add_flag("--force", heat.force, "Replace results that are in the directory");
   heat_app->add_flag("--quiet", heat.quiet, "Only messages about trouble");
 
+  MeshCommand mesh;
+  auto* mesh_app = app.add_subcommand("mesh", "Mesh of the touchdown bearings' sections, as a .msh file of gmsh.");
+  mesh_app->add_option("case", mesh.file, "Parameter file")->required();
+  mesh_app->add_option("-o,--output", mesh.output,
+                       "File, default out/CASE/mesh.msh; of several bearings FILE-NAME.msh each");
+  mesh_app->add_option("--bearing", mesh.bearing, "Only this one");
+  mesh_app->add_option("--format", mesh.format, "Version of the format")->check(CLI::IsMember({"4.1", "2.2"}));
+  mesh_app->add_option("--set", mesh.overrides, "Override a parameter: thermal.fe.refinement=2")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  mesh_app->add_flag("--force", mesh.force, "Replace files that are there");
+  mesh_app->add_flag("--quiet", mesh.quiet, "Only messages about trouble");
+
   auto* defaults =
       app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
   bool heat_defaults = false, heat_schema = false;
@@ -76,6 +89,7 @@ int run_program(int argc, char** argv) {
   if (*run_app) return run_command(run);
   if (*check) return check_command(check_file, check_overrides);
   if (*heat_app) return heat_command(heat);
+  if (*mesh_app) return mesh_command(mesh);
   if (*modes_app) return modes_command(modes);
   if (*defaults) return defaults_command(heat_defaults);
   if (*schema) return schema_command(heat_schema);

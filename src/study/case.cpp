@@ -78,6 +78,16 @@ void load_rotor_geometry(Node& tree) {
   rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
 }
 
+/// A user's mesh is beside the file that names it, wherever the case is read from later.
+void complete_mesh_path(Node& tree) {
+  Node* thermal = tree.find("thermal");
+  Node* fe = thermal && thermal->is_table() ? thermal->find("fe") : nullptr;
+  const Node* mesh = fe && fe->is_table() ? fe->find("mesh") : nullptr;
+  if (!mesh || !mesh->is_text()) return;
+  const SourcePosition key = position_of(*fe, "mesh");
+  fe->set("mesh", Node(fs::absolute(resolve_path(*mesh)).lexically_normal().string(), mesh->where()), key);
+}
+
 void load_catalogue(Node& bearing, const std::string& name, const fs::path& case_file) {
   const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
   if (!entry || !entry->is_text()) return;
@@ -132,6 +142,7 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   load_catalogue_bearings(over, file);
   result.tree = merged(result.tree, over);
   load_rotor_geometry(result.tree);
+  complete_mesh_path(result.tree);
   // Built-in materials lie under those that the case gives.
   const Node* materials = result.tree.find("materials");
   if (!materials)

@@ -7,46 +7,61 @@
 #include <string>
 
 #include "base/errors.h"
+#include "study/bearing_mesh.h"
 
 namespace rotordrop {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// A shared library that is loaded when a case asks for it.
+struct Module {
+  std::string file;    ///< empty: the program was built without it
+  std::string room;    ///< for messages
+  std::string needed;  ///< who needs it, for messages
+};
+
 // Beside the program, or in the folder that ROTORDROP_MODULES names.
-fs::path module_file() {
-  const fs::path name = ROTORDROP_FE_MODULE;
-  if (name.empty()) return {};
-  if (const char* chosen = std::getenv("ROTORDROP_MODULES")) return fs::path(chosen) / name;
-  return fs::read_symlink("/proc/self/exe").parent_path() / name;
+fs::path path_of(const Module& module) {
+  if (module.file.empty()) return {};
+  if (const char* chosen = std::getenv("ROTORDROP_MODULES")) return fs::path(chosen) / module.file;
+  return fs::read_symlink("/proc/self/exe").parent_path() / module.file;
 }
 
-MakeHeatSolver* load() {
-  const fs::path file = module_file();
+template <class Function>
+Function* load(const Module& module, const char* function) {
+  const fs::path file = path_of(module);
   if (file.empty() || !fs::exists(file))
-    throw InputError({}, "this program was built without the finite-element room, which `rotordrop heat` needs",
+    throw InputError({}, "this program was built without " + module.room + ", which " + module.needed + " needs",
                      "Install its libraries with ./install-dependencies --fe, then build with\n"
                      "cmake --preset release -DROTORDROP_FE=ON && cmake --build build/release");
-  // Local symbols: the room brings libraries of its own, among them another build of HDF5 than ours.
-  void* const module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
-  if (!module) throw SolverError("the finite-element room cannot be loaded: " + std::string(dlerror()));
-  auto* const make = reinterpret_cast<MakeHeatSolver*>(dlsym(module, make_heat_solver_name));
-  if (!make) throw SolverError("the finite-element room " + file.string() + " is of another version");
-  return make;
+  // Local symbols: the rooms bring libraries of their own, among them another build of HDF5 than ours.
+  void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (!handle) throw SolverError(module.room + " cannot be loaded: " + std::string(dlerror()));
+  auto* const found = reinterpret_cast<Function*>(dlsym(handle, function));
+  if (!found) throw SolverError(module.room + " " + file.string() + " is of another version");
+  return found;
 }
 
 }  // namespace
 
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem) {
-  static MakeHeatSolver* const make = load();
+  static auto* const make =
+      load<MakeHeatSolver>({ROTORDROP_FE_MODULE, "the finite-element room", "`rotordrop heat`"}, make_heat_solver_name);
   return std::unique_ptr<HeatConductionSolver>(make(problem));
 }
 
 FiniteElements finite_elements_of(const Case& drop_case) {
   FiniteElements elements;
   elements.make_solver = make_heat_solver;
-  (void)drop_case;
+  elements.make_mesh = [&drop_case](const std::string& bearing) { return bearing_mesh(drop_case, bearing); };
   return elements;
+}
+
+SectionMesher& section_mesher() {
+  static auto* const get = load<GetSectionMesher>({ROTORDROP_MESH_MODULE, "the mesh room", "the mesh of a bearing"},
+                                                  get_section_mesher_name);
+  return *get();
 }
 
 }  // namespace rotordrop

@@ -3,15 +3,20 @@
 
 #include "machine/finite_elements.h"
 #include "model/heat_conduction.h"
+#include "model/section_mesher.h"
 #include "study/case.h"
 
 namespace rotordrop {
 
-/// The room's doors for a case that has finite elements.
+/// The rooms' doors for a case that has finite elements, which must outlive them.
 FiniteElements finite_elements_of(const Case& drop_case);
 
 /// Loads the finite-element room, a module beside the program, and makes its solver. The module stays loaded.
 /// @throws InputError if the program was built without it
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem);
+
+/// Loads the mesh room, another module beside the program. It keeps its one generator, and stays loaded.
+/// @throws InputError if the program was built without it
+SectionMesher& section_mesher();
 
 }  // namespace rotordrop

@@ -34,7 +34,8 @@ Section<FeParameters> fe_section() {
   s.boolean("shaft", &P::shaft,
             {.fallback = false, .help = "Whether the shaft is meshed too, over shaft_lump_length; a lump otherwise."});
   s.text("mesh", &P::mesh,
-         {.help = "Your own mesh instead, a .msh file beside the case. NAME in it stands for the bearing's name: "
+         {.help = "Your own mesh instead: a .msh file of gmsh, or a .geo recipe, beside the case. NAME in it stands "
+                  "for the bearing's name: "
                   "\"meshes/NAME.msh\". docs/mesh.md says what it must have."});
   s.choice(
       "section", &P::section, {{"grooved", FeSection::grooved}, {"plain", FeSection::plain}},

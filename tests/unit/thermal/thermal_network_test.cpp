@@ -103,7 +103,7 @@ TEST(ThermalNetwork, MasslessPointPassesHeatOnAsItsResistorsSay) {
   auto d = two_nodes();
   d.nodes.push_back({"point", 0., ""});
   d.resistors = {resistor("shaft", "point", 2.), resistor("point", "ring", 3.), resistor("point", "ambient", 6.)};
-  d.places = {{"shaft", "ring", "point", "ring", 0.5, false, {}}};
+  d.places = {{"shaft", "ring", "point", "ring"}};
   const ThermalNetwork network(d);
   EXPECT_EQ(network.state_entries().size(), 2u) << "it is no state";
   const auto cold = rates(network, {ambient, ambient}, heat(0., 12., 0.));

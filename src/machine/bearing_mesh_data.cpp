@@ -1,0 +1,72 @@
+#include "machine/bearing_mesh_data.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "thermal/bearing_section.h"
+#include "thermal/own_section.h"
+
+namespace rotordrop {
+namespace {
+
+const TouchdownParameters& touchdown(const MachineParameters& p, const std::string& name) {
+  for (const auto& entry : p.bearings)
+    if (entry.name == name && entry.touchdown()) return *entry.touchdown();
+  throw std::invalid_argument("no touchdown bearing is called " + name);
+}
+
+BearingSectionData section_data(const MachineParameters& p, const TouchdownParameters& b) {
+  const auto& fe = p.thermal.fe;
+  BearingSectionData d;
+  for (const auto& row : row_places(b)) d.rows.push_back({row.position, row.direction});
+  d.ball_diameter = b.ball_diameter;
+  d.pitch_diameter = b.pitch_diameter;
+  d.conformity = b.conformity;
+  d.contact_angle = b.contact_angle;
+  d.width = b.width;
+  d.inner_bore = b.inner_ring_diameters[0];
+  d.inner_shoulder = b.inner_shoulder_diameter.value_or(b.inner_ring_diameters[1]);
+  d.outer_shoulder = b.outer_shoulder_diameter.value_or(b.outer_ring_diameters[0]);
+  d.outer_outside = b.outer_ring_diameters[1];
+  d.housing_outside = b.housing_diameters[1];
+  d.housing_length = b.housing_length;
+  d.strip_half_width = fe.strip_half_width.value_or(p.thermal.contact_half_width);
+  d.outer_relief = fe.relieved_shoulder;
+  if (fe.shaft) {
+    d.shaft_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
+    d.shaft_length = b.shaft_lump_length.value_or(b.width);
+  }
+  return d;
+}
+
+}  // namespace
+
+SectionPlan section_plan(const MachineParameters& p, const Node& case_node, const std::string& name) {
+  const auto data = section_data(p, touchdown(p, name));
+  const Node* bearings = case_node.find("bearings");
+  const Node* table = bearings ? bearings->find(name) : nullptr;
+  Faults faults;
+  for (const auto& fault : faults_of_section(data)) {
+    std::string key = fault.key;
+    if (table && !table->find(key) && key.ends_with("_shoulder_diameter"))
+      key = key.substr(0, key.find('_')) + "_ring_diameters";
+    faults.add(table ? position_of_value(*table, key) : SourcePosition{},
+               fmt::format("bearings.{} cannot be meshed: {}.", name, fault.message), fault.advice);
+  }
+  faults.throw_if_any();
+  const auto& fe = p.thermal.fe;
+  return plan_bearing_section(data, {fe.surface_cell, fe.largest_cell, fe.refinement});
+}
+
+SectionMesh own_section_of_bearing(const MeshFileContent& content, const MachineParameters& p, const std::string& name,
+                                   const std::string& file) {
+  OwnSectionWishes wishes{{"inner_ring", "outer_ring", "housing"}, touchdown(p, name).rows};
+  if (p.thermal.fe.shaft) wishes.bodies.push_back("shaft");
+  Faults faults;
+  auto mesh = own_section(content, wishes, file, faults);
+  faults.throw_if_any();
+  return mesh;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+
+#include "model/section_mesh.h"
+
+namespace rotordrop {
+
+struct MeshQuality {
+  std::size_t n_cells = 0, n_vertices = 0;
+  double smallest_jacobian = 0;  ///< scaled: sine of the worst corner; 1 for rectangles, negative for inverted cells
+  double mean_jacobian = 0;      ///< of the cells' worst corners
+  double thinnest_cell = 0;      ///< smallest distance between midpoints of opposite sides [m]
+};
+MeshQuality mesh_quality(const SectionMesh& mesh);
+
+/// Area of a body's cells, straight-sided [m^2].
+double body_area(const SectionMesh& mesh, std::size_t body);
+/// Length of an outline's part, along its arcs [m].
+double boundary_length(const SectionMesh& mesh, const HeatBoundary& boundary);
+
+}  // namespace rotordrop
