@@ -22,6 +22,7 @@
 #include "study/heat_run.h"
 #include "study/modes_report.h"
 #include "study/new_case.h"
+#include "study/recorded_growth.h"
 #include "study/summary.h"
 
 namespace rotordrop {
@@ -100,7 +101,7 @@ int run_command(const RunCommand& command) {
   if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
 
   FiniteElements elements = finite_elements_of(drop_case);
-  const auto machine = build_machine(drop_case.parameters, drop_case.tree, &elements);
+  const auto machine = build_machine(drop_case.parameters, drop_case.tree, &elements, recorded_growth(drop_case));
   options.elements = &elements;
   if (!command.quiet) fmt::print("{}", header(drop_case));
   std::fflush(stdout);
@@ -132,7 +133,7 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   if (is_heat_case(file)) return check_heat_case(file, overrides);
   const Case c = read_case(file, overrides);
   FiniteElements elements = finite_elements_of(c);
-  build_machine(c.parameters, c.tree, &elements);
+  build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
   fmt::print("{}", header(c));
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,

@@ -223,7 +223,7 @@ std::vector<Observable> WindowedSections::observables() const {
       if (port.node)
         list.push_back({path + port.name, "K", "temperature of " + port.name, 1, {}});
       else
-        list.push_back({path + port.name + "_surface",
+        list.push_back({path + (port.name == "shaft" ? "shaft_surface" : port.name),
                         "K",
                         "temperature of a surface, over its circumference the mean: " + port.name,
                         3,

@@ -78,14 +78,17 @@ void load_rotor_geometry(Node& tree) {
   rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
 }
 
-/// A user's mesh is beside the file that names it, wherever the case is read from later.
-void complete_mesh_path(Node& tree) {
+/// A file is beside the one that names it, wherever the case is read from later.
+void complete_path(Node* table, const char* key) {
+  const Node* file = table && table->is_table() ? table->find(key) : nullptr;
+  if (!file || !file->is_text()) return;
+  const SourcePosition where = position_of(*table, key);
+  table->set(key, Node(fs::absolute(resolve_path(*file)).lexically_normal().string(), file->where()), where);
+}
+void complete_paths(Node& tree) {
   Node* thermal = tree.find("thermal");
-  Node* fe = thermal && thermal->is_table() ? thermal->find("fe") : nullptr;
-  const Node* mesh = fe && fe->is_table() ? fe->find("mesh") : nullptr;
-  if (!mesh || !mesh->is_text()) return;
-  const SourcePosition key = position_of(*fe, "mesh");
-  fe->set("mesh", Node(fs::absolute(resolve_path(*mesh)).lexically_normal().string(), mesh->where()), key);
+  complete_path(thermal, "recorded");
+  complete_path(thermal && thermal->is_table() ? thermal->find("fe") : nullptr, "mesh");
 }
 
 void load_catalogue(Node& bearing, const std::string& name, const fs::path& case_file) {
@@ -142,7 +145,7 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   load_catalogue_bearings(over, file);
   result.tree = merged(result.tree, over);
   load_rotor_geometry(result.tree);
-  complete_mesh_path(result.tree);
+  complete_paths(result.tree);
   // Built-in materials lie under those that the case gives.
   const Node* materials = result.tree.find("materials");
   if (!materials)

@@ -149,7 +149,8 @@ class DropRun {
     // Places of the inner rings' temperatures among the state observables, for the moving line.
     std::size_t at = n_step_;
     for (const auto& o : machine.state_observables()) {
-      if (o.name.starts_with("/thermal/") && o.name.ends_with("/inner_ring")) inner_rings_.push_back(at);
+      if ((o.name.starts_with("/thermal/") || o.name.starts_with("/fe/")) && o.name.ends_with("/inner_ring"))
+        inner_rings_.push_back(at);
       at += o.size;
     }
   }
@@ -186,8 +187,9 @@ class DropRun {
       result.windows = windows_->report();
       result.windows_energy = windows_->energy();
     }
-    write_text_atomically(options_.directory / "summary.json",
-                          summarise(case_, machine_, scalars_, result).dump(2) + "\n");
+    write_text_atomically(
+        options_.directory / "summary.json",
+        summarise(case_, machine_, scalars_, result, options_.elements, recorder_->path()).dump(2) + "\n");
     if (result.completed) fs::remove_all(options_.directory / "checkpoints");
     return result;
   }

@@ -33,7 +33,7 @@ Function* load(const Module& module, const char* function) {
   const fs::path file = path_of(module);
   if (file.empty() || !fs::exists(file))
     throw InputError({}, "this program was built without " + module.room + ", which " + module.needed + " needs",
-                     "Install its libraries with ./install-dependencies --fe, then build with\n"
+                     "Install its libraries with ./install-dependencies, then build with\n"
                      "cmake --preset release -DROTORDROP_FE=ON && cmake --build build/release");
   // Local symbols: the rooms bring libraries of their own, among them another build of HDF5 than ours.
   void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "machine/rotor_report.h"
+#include "study/fe_summary.h"
 
 namespace rotordrop {
 namespace {
@@ -54,9 +55,15 @@ Json spin_up_balance(const Machine& machine, std::size_t support, std::span<cons
   return {{"slip_energy", balance}, {"residual", machine.ledger(support, "rub heat", y) - balance}};
 }
 
+std::string rises_text(const Json& rise) {
+  return fmt::format("{:.2f} K inner ring, {:.2f} K shaft, {:.2f} K balls", rise["inner_ring"].get<double>(),
+                     rise["shaft"].get<double>(), rise["ball"].get<double>());
+}
+
 }  // namespace
 
-Json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars, const DropResult& result) {
+Json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars, const DropResult& result,
+               const FiniteElements* elements, const std::filesystem::path& results) {
   const std::span<const double> y = result.state;
   Json j;
   j["case"] = drop_case.name;
@@ -86,6 +93,9 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
         bearing["temperature_rise_end"][o.name.substr(prefix.size())] = observed[at] - drop_case.parameters.run.ambient;
       at += o.size;
     }
+    if (elements)
+      for (const auto& section : elements->sections)
+        if (section.name == name) bearing["fe"] = fe_summary(section, elements->coupling, results);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);
   }
@@ -106,6 +116,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     j["energy"][prefix + "heat_lost"] = e.heat[k].lost;
     j["energy"][prefix + "heat_residual"] = e.heat[k].residual;
   }
+  if (result.windows) j["windows"] = windows_summary(*result.windows, result.windows_energy);
   j["run"] = {{"completed", result.completed},
               {"end_time", result.end_time},
               {"wall_time", result.wall_time},
@@ -129,14 +140,32 @@ std::string summary_text(const Json& j) {
                           b["friction_heat"].get<double>(), b["peak_friction_heat_rate"].get<double>() * 1e-3);
       text += fmt::format("{:{}}ring {:.0f} rpm at the end, catches up: {}; ", "", name.size() + 2,
                           b["ring_speed_end"].get<double>() * rpm, time(b["catch_up_time"], 1e3, "ms"));
-      const auto& rise = b["temperature_rise_end"];
-      text += fmt::format("warmer by {:.2f} K inner ring, {:.2f} K shaft, {:.2f} K balls\n",
-                          rise["inner_ring"].get<double>(), rise["shaft"].get<double>(), rise["ball"].get<double>());
+      text += "warmer by ";
+      const char* separator = "";
+      if (b.contains("temperature_rise_end")) {
+        text += rises_text(b["temperature_rise_end"]);
+        separator = "; by finite elements ";
+      }
+      if (b.contains("fe"))
+        text += separator + rises_text(b["fe"]["temperature_rise_end"]) +
+                fmt::format(", bore {:.1f} K at {}", b["fe"]["surface_rise"]["bore"]["highest"].get<double>(),
+                            time(b["fe"]["surface_rise"]["bore"]["highest_time"], 1e3, "ms"));
+      text += "\n";
     }
   const auto& e = j["energy"];
-  text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited, residual {:.1e} J\n",
-                      e["dissipated"].get<double>(), e["residual"].get<double>(), e["heat_deposited"].get<double>(),
-                      e["heat_residual"].get<double>());
+  text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited",
+                      e["dissipated"].get<double>(), e["residual"].get<double>(), e["heat_deposited"].get<double>());
+  if (e.contains("heat_residual")) text += fmt::format(", residual {:.1e} J", e["heat_residual"].get<double>());
+  if (e.contains("fe_heat_residual"))
+    text += fmt::format(", of the finite elements {:.1e} J", e["fe_heat_residual"].get<double>());
+  if (j.contains("windows"))
+    text += fmt::format(
+        ", of the finite elements {:.1e} J\nWindows: {} of {:.3g} to {:.3g} ms; error of growth up to "
+        "{:.2g} nm of {:.0f} nm",
+        j["windows"]["heat_residual"].get<double>(), j["windows"]["count"].get<long>(),
+        j["windows"]["shortest"].get<double>() * 1e3, j["windows"]["longest"].get<double>() * 1e3,
+        j["windows"]["largest_growth_error"].get<double>() * 1e9, j["windows"]["largest_growth"].get<double>() * 1e9);
+  text += "\n";
   return text;
 }
 

@@ -7,8 +7,11 @@
 namespace rotordrop {
 
 /// Scalars of a run, SI; see docs/results.md for every key.
+/// @param elements  of the machine, or null
+/// @param results   the run's results.h5, closed
 nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
-                                 const DropResult& result);
+                                 const DropResult& result, const FiniteElements* elements,
+                                 const std::filesystem::path& results);
 
 /// A few lines that answer a user's first questions.
 std::string summary_text(const nlohmann::ordered_json& summary);

@@ -1,5 +1,6 @@
 #include "thermal/fe/heat_mesh.h"
 
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <fmt/format.h>
@@ -49,8 +50,9 @@ HeatMesh::HeatMesh(const SectionMesh& section, unsigned int degree)
       const auto found = edge_of.find(sorted_pair(cell->face(f)->vertex_index(0), cell->face(f)->vertex_index(1)));
       if (found == edge_of.end()) continue;
       if (const int arc = section_.edges[found->second].arc; arc >= 0)
-        cell->face(f)->set_manifold_id(static_cast<dealii::types::manifold_id>(arc + 1));
+        bend_from(cell, f, static_cast<std::size_t>(arc));
     }
+  require_upright_cells();
 
   dofs_.distribute_dofs(fe_);
   faces_.resize(section_.edges.size());
@@ -61,6 +63,38 @@ HeatMesh::HeatMesh(const SectionMesh& section, unsigned int degree)
       const auto found = edge_of.find(sorted_pair(cell->face(f)->vertex_index(0), cell->face(f)->vertex_index(1)));
       if (found != edge_of.end()) faces_[found->second] = {cell, f, found->second};
     }
+  }
+}
+
+void HeatMesh::bend_from(dealii::Triangulation<2>::active_cell_iterator cell, unsigned int f, std::size_t arc) {
+  const auto id = static_cast<dealii::types::manifold_id>(arc + 1);
+  cell->face(f)->set_manifold_id(id);
+  for (;;) {
+    const unsigned int across = f ^ 1U;
+    const auto face = cell->face(f), opposite = cell->face(across);
+    const double length = face->measure(), bulge = length * length / (8. * section_.arcs[arc].radius);
+    const double thickness = face->center().distance(opposite->center());
+    if (opposite->at_boundary() || opposite->manifold_id() != dealii::numbers::flat_manifold_id ||
+        bulge < 0.1 * thickness)
+      return;
+    opposite->set_manifold_id(id);
+    const auto neighbour = cell->neighbor(across);
+    f = static_cast<unsigned int>(cell->neighbor_of_neighbor(across));
+    cell = neighbour;
+  }
+}
+
+void HeatMesh::require_upright_cells() const {
+  const dealii::QGauss<2> quadrature(fe_.degree + 1);
+  dealii::FEValues<2> fe(mapping_, fe_, quadrature, dealii::update_jacobians);
+  for (const auto& cell : triangulation_.active_cell_iterators()) {
+    fe.reinit(cell);
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      if (!(fe.jacobian(q).determinant() > 0.))
+        throw SolverError(
+            fmt::format("the mesh of the section has a cell of {} that its curved side turns inside out, at x = {:.4g} "
+                        "mm, r = {:.4g} mm.",
+                        section_.bodies.at(cell->material_id()), cell->center()[0] * 1e3, cell->center()[1] * 1e3));
   }
 }
 

@@ -1,0 +1,77 @@
+#include "study/fe_summary.h"
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/recorder.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Mean, lowest and highest temperature of a surface over time: its largest local rise, and the end.
+Json surface_scalars(const Series& series, const std::vector<double>& times, double zero) {
+  const auto& v = series.values;
+  const std::size_t n = std::min(v.size() / 3, times.size());
+  if (n == 0) return nullptr;
+  std::size_t hottest = 0;
+  double highest_mean = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (v[3 * i + 2] > v[3 * hottest + 2]) hottest = i;
+    highest_mean = std::max(highest_mean, v[3 * i]);
+  }
+  return {{"mean_end", v[3 * (n - 1)] - zero},
+          {"highest_mean", highest_mean - zero},
+          {"highest", v[3 * hottest + 2] - zero},
+          {"highest_time", times[hottest]}};
+}
+
+}  // namespace
+
+Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std::filesystem::path& results) {
+  const std::string prefix = (coupling == FeCoupling::windowed ? "/windows/" : "/fe/") + s.name + "/";
+  const double zero = s.problem.initial_temperature;
+  Json j;
+  j["coupling"] = coupling == FeCoupling::reduced    ? "reduced"
+                  : coupling == FeCoupling::windowed ? "windowed"
+                                                     : "monolithic";
+  j["unknowns"] = s.solver->statistics().unknowns;
+  j["cells"] = s.solver->statistics().cells;
+  if (coupling != FeCoupling::windowed) {
+    j["modes"] = s.reduced.n_modes();
+    j["response_error"] = s.reduced.response_error;
+  }
+  j["heat_capacity"] = {{"inner_ring", s.inner_capacity}, {"outer_ring_and_housing", s.outer_capacity}};
+  j["temperature_rise_end"] = Json::object();
+  j["surface_rise"] = Json::object();
+  for (const auto& path : list_datasets(results)) {
+    if (!path.starts_with(prefix)) continue;
+    const std::string name = path.substr(prefix.size());
+    const Series series = read_series(results, path);
+    if (series.values.empty() || name == "growth") continue;
+    if (series.shape.size() == 1)
+      j["temperature_rise_end"][name] = series.values.back() - zero;
+    else
+      j["surface_rise"][name] =
+          surface_scalars(series, read_series(results, read_attribute(results, path, "time")).values, zero);
+  }
+  return j;
+}
+
+Json windows_summary(const WindowedSections::Report& r, const HeatEnergy& energy) {
+  return {{"count", r.windows},
+          {"shortest", r.shortest},
+          {"longest", r.longest},
+          {"mean", r.mean},
+          {"largest_growth_error", r.largest_error},
+          {"largest_growth", r.largest_growth},
+          {"cpu_time", r.cpu_time},
+          {"heat_input", energy.input},
+          {"heat_stored", energy.stored},
+          {"heat_lost", energy.lost},
+          {"heat_residual", energy.residual()}};
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,14 @@
+#pragma once
+#include <memory>
+
+#include "machine/growth_history.h"
+#include "study/case.h"
+
+namespace rotordrop {
+
+/// What an earlier run fed back as growth (/bearings/NAME/expansion), if thermal.driver asks for it; null otherwise. Linear between that
+/// run's records; what it recorded last holds on.
+/// @throws InputError if the file or one of the case's bearings is not there
+std::shared_ptr<const GrowthHistory> recorded_growth(const Case& drop_case);
+
+}  // namespace rotordrop
