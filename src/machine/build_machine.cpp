@@ -79,8 +79,7 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
     section.name = entry.name;
     section.problem = bearing_heat_problem(circuit, mesh, p.run.ambient, settings);
     section.solver = elements.make_solver(section.problem);
-    section.growth = section_growth(circuit);
-    complete(section);
+    section.adiabatic = adiabatic_section(section, section_growth(circuit));
     if (fe.coupling != FeCoupling::windowed) {
       ReductionSettings reduction;
       if (fe.coupling == FeCoupling::monolithic) {
@@ -103,7 +102,7 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
     const auto* b = entry.touchdown();
     if (!b) continue;
     const auto& made = elements.sections[k++];
-    ReducedSection section{made.name, made.reduced, made.growth, {}};
+    ReducedSection section{made.name, made.reduced, made.adiabatic.growth, {}};
     const auto circuit = circuit_data(p, entry.name, *b);
     if (circuit.shaft_ring_link == BearingCircuitData::Link::in_contact) {
       const double touching = shaft_surface_resistance(circuit);
@@ -125,7 +124,12 @@ void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& ne
   if (p.thermal.has_fe) {
     make_sections(p, *elements);
     if (elements->coupling == FeCoupling::windowed) {
-      if (driver == GrowthDriver::fe) parts.prescribed_growth = elements->growth;
+      if (driver == GrowthDriver::fe) {
+        parts.prescribed_growth = elements->growth;
+        std::vector<AdiabaticSection> sections;
+        for (const auto& section : elements->sections) sections.push_back(section.adiabatic);
+        parts.immediate_growth = std::make_unique<AdiabaticRises>(std::move(sections), p.run.ambient);
+      }
     } else {
       if (driver == GrowthDriver::fe) parts.driver = parts.thermal.size();
       parts.thermal.push_back({"fe", "/fe/", reduced_sections(p, *elements)});

@@ -12,15 +12,7 @@ namespace {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-constexpr long units_of_longest = 32;
-
-PlaceEnergy combined(double f, const PlaceEnergy& a, double g, const PlaceEnergy& b) {
-  return {f * a.rub + g * b.rub, f * a.rub_into_ring + g * b.rub_into_ring, f * a.inner + g * b.inner,
-          f * a.outer + g * b.outer};
-}
-PlaceEnergy difference(const PlaceEnergy& a, const PlaceEnergy& b) { return combined(1., a, -1., b); }
-PlaceEnergy sum(const PlaceEnergy& a, const PlaceEnergy& b) { return combined(1., a, 1., b); }
-PlaceEnergy scaled(double f, const PlaceEnergy& a) { return combined(f, a, 0., a); }
+constexpr double shortest_of_longest = 1. / 64.;
 
 std::size_t body_index(const HeatConductionProblem& p, const std::string& name) {
   return static_cast<std::size_t>(
@@ -30,29 +22,21 @@ std::size_t body_index(const HeatConductionProblem& p, const std::string& name) 
 constexpr std::array<double Expansion::*, 5> surfaces = {&Expansion::shaft, &Expansion::bore, &Expansion::inner_race,
                                                          &Expansion::outer_race, &Expansion::ball};
 
-Expansion difference(const Expansion& a, const Expansion& b) {
-  Expansion d;
-  for (const auto surface : surfaces) d.*surface = a.*surface - b.*surface;
-  return d;
-}
 double largest(const Expansion& e) {
   double value = 0.;
   for (const auto surface : surfaces) value = std::max(value, std::fabs(e.*surface));
   return value;
 }
 
-/// What heat adds to the means of the bodies that it enters, before any of it is conducted on.
-Expansion growth_at_once(const FiniteElements::Section& s, const PlaceEnergy& heat) {
-  const double inner = (heat.rub_into_ring + heat.inner) / s.inner_capacity,
-               shaft = (heat.rub - heat.rub_into_ring) / s.shaft_capacity;
-  return {.shaft = s.growth.shaft * shaft,
-          .bore = s.growth.bore * inner,
-          .inner_race = s.growth.inner_race * inner,
-          .outer_race = s.growth.outer_race * heat.outer / s.outer_capacity,
-          .ball = 0.};
-}
-
 }  // namespace
+
+AdiabaticSection adiabatic_section(const FiniteElements::Section& s, const SectionGrowth& growth) {
+  const auto& p = s.problem;
+  const auto capacity = [&](const char* body) { return s.solver->body_capacity(body_index(p, body)); };
+  const auto& shaft = p.ports[shaft_port];
+  return {s.name, capacity("inner_ring"), shaft.node ? p.nodes[*shaft.node].capacity : capacity("shaft"),
+          capacity("outer_ring") + capacity("housing"), growth};
+}
 
 Expansion growth_of(const FiniteElements::Section& s) {
   const auto& p = s.problem;
@@ -62,135 +46,85 @@ Expansion growth_of(const FiniteElements::Section& s) {
   const std::size_t ring = body_index(p, "outer_ring"), housing = body_index(p, "housing");
   const double outer = (s.solver->body_capacity(ring) * (s.solver->body_mean(ring) - zero) +
                         s.solver->body_capacity(housing) * (s.solver->body_mean(housing) - zero)) /
-                       s.outer_capacity;
+                       s.adiabatic.outer_capacity;
   const double shaft_rise =
       (shaft < p.bodies.size() ? s.solver->body_mean(shaft) : s.solver->port_temperature(shaft_port)) - zero;
-  return {.shaft = s.growth.shaft * shaft_rise,
-          .bore = s.growth.bore * inner,
-          .inner_race = s.growth.inner_race * inner,
-          .outer_race = s.growth.outer_race * outer,
-          .ball = s.growth.ball * (s.solver->port_temperature(ball_port) - zero)};
+  return {.shaft = s.adiabatic.growth.shaft * shaft_rise,
+          .bore = s.adiabatic.growth.bore * inner,
+          .inner_race = s.adiabatic.growth.inner_race * inner,
+          .outer_race = s.adiabatic.growth.outer_race * outer,
+          .ball = s.adiabatic.growth.ball * (s.solver->port_temperature(ball_port) - zero)};
 }
 
 WindowedSections::WindowedSections(FiniteElements& elements, double tolerance, double longest)
     : elements_(elements),
       tolerance_(tolerance),
-      unit_(longest / units_of_longest),
-      longest_units_(units_of_longest),
-      units_(units_of_longest),
+      shortest_(longest * shortest_of_longest),
+      longest_(longest),
+      length_(longest),
       energy_(elements.sections.size()),
-      seen_(elements.sections.size()),
-      power_(elements.sections.size()),
-      promised_(elements.sections.size()),
-      promised_power_(elements.sections.size()),
       port_heat_(elements.sections.size()),
+      growth_(elements.sections.size()),
       before_(elements.sections.size()),
-      now_(elements.sections.size()) {
+      conducted_(elements.sections.size()) {
   report_.shortest = longest;
 }
 
-std::vector<Expansion> WindowedSections::present_growth() const {
-  std::vector<Expansion> growth;
-  for (const auto& section : elements_.sections) growth.push_back(growth_of(section));
-  return growth;
-}
-
-void WindowedSections::watch(double now, std::span<const PlaceEnergy> energy) {
-  double error = 0.;
-  for (std::size_t k = 0; k < energy.size(); ++k) {
-    if (now > watched_) power_[k] = scaled(1. / (now - watched_), difference(energy[k], seen_[k]));
-    seen_[k] = energy[k];
-    const auto expected = sum(promised_[k], scaled(now - promised_at_, promised_power_[k]));
-    error = std::max(error, largest(growth_at_once(elements_.sections[k], difference(energy[k], expected))));
-  }
-  watched_ = now;
-  if (error > 0.5 * tolerance_) units_ = std::clamp(static_cast<long>(std::ceil((now - time_) / unit_)), 1L, units_);
-}
-
-/// Steps of powers of two units, each with a factorisation of its own.
 void WindowedSections::step(double length, std::span<const PlaceEnergy> energy) {
   const double start = cpu_seconds();
+  before_ = conducted_;
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
-    const auto power = scaled(1. / length, difference(energy[k], energy_[k]));
+    auto& section = elements_.sections[k];
+    auto& solver = *section.solver;
     auto& heat = port_heat_.at(k);
-    heat[bore_port] = power.rub_into_ring;
-    heat[shaft_port] = power.rub - power.rub_into_ring;
-    heat[inner_raceway_port] = power.inner;
-    heat[outer_raceway_port] = power.outer;
-    energy_[k] = energy[k];
+    const PlaceEnergy &given = energy[k], &earlier = energy_[k];
+    heat[bore_port] = (given.rub_into_ring - earlier.rub_into_ring) / length;
+    heat[shaft_port] = (given.rub - earlier.rub) / length - heat[bore_port];
+    heat[inner_raceway_port] = (given.inner - earlier.inner) / length;
+    heat[outer_raceway_port] = (given.outer - earlier.outer) / length;
+    // Eq. (16), from the rise at the start: the housing takes minutes to warm.
+    const double rise = solver.port_temperature(housing_port) - section.problem.initial_temperature;
+    heat[housing_port] = -housing_convection(rise) * solver.port_area(housing_port) * rise;
+    film_loss_ -= heat[housing_port] * length;
+    solver.set_port_heat(heat);
+    solver.advance_window(length);
+    energy_[k] = given;
+    growth_[k] = growth_of(section);
+    conducted_[k] = combined(
+        1., growth_[k], -1.,
+        section.adiabatic.growth_by(given.rub_into_ring + given.inner, given.rub - given.rub_into_ring, given.outer));
+    report_.largest_growth = std::max(report_.largest_growth, largest(growth_[k]));
   }
-  const long n = std::lround(length / unit_);
-  if (std::fabs(length - static_cast<double>(n) * unit_) > 1e-9 * unit_)
-    advance_sections(length);
-  else
-    for (long left = n, size = longest_units_; left > 0; size /= 2)
-      for (; left >= size; left -= size) advance_sections(static_cast<double>(size) * unit_);
   time_ += length;
-  before_ = now_;
-  now_ = present_growth();
   last_length_ = length;
   ++report_.windows;
   report_.shortest = std::min(report_.shortest, length);
   report_.longest = std::max(report_.longest, length);
   report_.mean += (length - report_.mean) / static_cast<double>(report_.windows);
-  for (const auto& growth : now_) report_.largest_growth = std::max(report_.largest_growth, largest(growth));
   report_.cpu_time += cpu_seconds() - start;
 }
 
-void WindowedSections::advance_sections(double length) {
-  for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
-    auto& solver = *elements_.sections[k].solver;
-    // Eq. (16), from the rise at the start: the housing takes minutes to warm.
-    const double rise = solver.port_temperature(housing_port) - elements_.sections[k].problem.initial_temperature;
-    port_heat_[k][housing_port] = -housing_convection(rise) * solver.port_area(housing_port) * rise;
-    film_loss_ -= port_heat_[k][housing_port] * length;
-    solver.set_port_heat(port_heat_[k]);
-    solver.advance_window(length);
-  }
-}
-
 void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy) {
-  const auto energy_before = energy_;
-  const long units = units_;
-  step(static_cast<double>(units) * unit_, energy);
-
-  // What was in force at the window's end against what should have been.
-  std::vector<Expansion> in_force(now_.size());
+  step(length_, energy);
+  const std::size_t n = growth_.size();
+  std::vector<Expansion> in_force(n), expected(n);
   elements_.growth->at(time_, in_force);
   last_error_ = 0.;
-  for (std::size_t k = 0; k < now_.size(); ++k)
-    last_error_ = std::max(last_error_, largest(difference(in_force[k], now_[k])));
+  for (std::size_t k = 0; k < n; ++k)
+    last_error_ = std::max(last_error_, largest(combined(1., in_force[k], -1., conducted_[k])));
   report_.largest_error = std::max(report_.largest_error, last_error_);
-  // The end was brought forward for the heat's sake; what conduction does is smooth.
-  units_ = last_error_ > tolerance_ ? std::max(units / 2, 1L) : longest_units_;
+  if (last_error_ > tolerance_)
+    length_ = std::max(0.5 * length_, shortest_);
+  else if (last_error_ < 0.25 * tolerance_)
+    length_ = std::min(2. * length_, longest_);
 
-  // From what is in force now, straight to what is expected after another window: what the heat of the last step adds, and what conduction did in this one.
+  // From what is in force now, straight to where conduction leads in another window.
   elements_.growth->cut(now);
   elements_.growth->at(now, in_force);
-  std::vector<Expansion> expected = now_;
-  const double ahead = std::max(static_cast<double>(units_) * unit_, now - time_ + 0.25 * unit_);
-  for (std::size_t k = 0; k < now_.size(); ++k) {
-    const auto& section = elements_.sections[k];
-    const Expansion by_heat = growth_at_once(section, difference(energy[k], energy_before[k]));
-    const Expansion to_come =
-        growth_at_once(section, sum(difference(seen_[k], energy[k]), scaled(time_ + ahead - now, power_[k])));
-    for (const auto surface : surfaces)
-      expected[k].*surface +=
-          to_come.*surface + (now_[k].*surface - before_[k].*surface - by_heat.*surface) / last_length_ * ahead;
-  }
+  const double ahead = std::max(length_, now - time_ + 0.25 * length_), share = ahead / last_length_;
+  for (std::size_t k = 0; k < n; ++k) expected[k] = combined(1. + share, conducted_[k], -share, before_[k]);
   elements_.growth->append(now, in_force);
   elements_.growth->append(time_ + ahead, expected);
-  promised_ = seen_;
-  promised_power_ = power_;
-  promised_at_ = now;
-}
-
-void complete(FiniteElements::Section& s) {
-  const auto& p = s.problem;
-  const auto capacity = [&](const char* body) { return s.solver->body_capacity(body_index(p, body)); };
-  s.inner_capacity = capacity("inner_ring");
-  s.outer_capacity = capacity("outer_ring") + capacity("housing");
-  s.shaft_capacity = p.ports[shaft_port].node ? p.nodes[*p.ports[shaft_port].node].capacity : capacity("shaft");
 }
 
 void WindowedSections::finish(double end, std::span<const PlaceEnergy> energy) {
@@ -250,18 +184,16 @@ void WindowedSections::observe(std::span<double> out) const {
       const SurfaceRange range = section.solver->surface(section.problem.ports[p].boundaries);
       for (const double value : {range.mean, range.lowest, range.highest}) out[at++] = value;
     }
-    for (const auto surface : surfaces) out[at++] = now_[k].*surface;
+    for (const auto surface : surfaces) out[at++] = growth_[k].*surface;
   }
 }
 
 std::vector<double> WindowedSections::packed() const {
   std::vector<double> values = {time_,
-                                static_cast<double>(units_),
+                                length_,
                                 last_error_,
                                 last_length_,
                                 film_loss_,
-                                watched_,
-                                promised_at_,
                                 static_cast<double>(report_.windows),
                                 report_.shortest,
                                 report_.longest,
@@ -270,11 +202,9 @@ std::vector<double> WindowedSections::packed() const {
                                 report_.largest_growth,
                                 report_.cpu_time};
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
-    for (const auto* list : {&energy_, &seen_, &power_, &promised_, &promised_power_}) {
-      const auto& e = (*list)[k];
-      values.insert(values.end(), {e.rub, e.rub_into_ring, e.inner, e.outer});
-    }
-    for (const auto* growth : {&before_[k], &now_[k]})
+    const auto& e = energy_[k];
+    values.insert(values.end(), {e.rub, e.rub_into_ring, e.inner, e.outer});
+    for (const auto* growth : {&growth_[k], &before_[k], &conducted_[k]})
       for (const auto surface : surfaces) values.push_back(growth->*surface);
     const auto& solver = *elements_.sections[k].solver;
     const HeatEnergy energy = solver.energy();
@@ -290,19 +220,15 @@ std::vector<double> WindowedSections::packed() const {
 void WindowedSections::unpack(std::span<const double> values) {
   std::size_t at = 0;
   const auto next = [&] { return values[at++]; };
-  time_ = next();
-  units_ = static_cast<long>(next());
-  for (double* value : {&last_error_, &last_length_, &film_loss_, &watched_, &promised_at_}) *value = next();
+  for (double* value : {&time_, &length_, &last_error_, &last_length_, &film_loss_}) *value = next();
   report_.windows = static_cast<long>(next());
   for (double* value : {&report_.shortest, &report_.longest, &report_.mean, &report_.largest_error,
                         &report_.largest_growth, &report_.cpu_time})
     *value = next();
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
-    for (auto* list : {&energy_, &seen_, &power_, &promised_, &promised_power_}) {
-      auto& e = (*list)[k];
-      for (double* value : {&e.rub, &e.rub_into_ring, &e.inner, &e.outer}) *value = next();
-    }
-    for (auto* growth : {&before_[k], &now_[k]})
+    auto& e = energy_[k];
+    for (double* value : {&e.rub, &e.rub_into_ring, &e.inner, &e.outer}) *value = next();
+    for (auto* growth : {&growth_[k], &before_[k], &conducted_[k]})
       for (const auto surface : surfaces) growth->*surface = next();
     const double input = next(), lost = next();
     auto& solver = *elements_.sections[k].solver;

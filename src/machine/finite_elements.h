@@ -8,7 +8,7 @@
 #include "machine/growth_history.h"
 #include "machine/place_energy.h"
 #include "model/heat_conduction.h"
-#include "thermal/bearing_heat.h"
+#include "thermal/adiabatic_rises.h"
 #include "thermal/fe_parameters.h"
 
 namespace rotordrop {
@@ -24,30 +24,28 @@ struct FiniteElements {
     std::string name;  ///< of the bearing
     HeatConductionProblem problem;
     std::unique_ptr<HeatConductionSolver> solver;
-    SectionGrowth growth;
-    ReducedHeat reduced;                                                ///< if it is
-    double inner_capacity = 0, outer_capacity = 0, shaft_capacity = 0;  ///< outer: ring and housing [J/K]
+    AdiabaticSection adiabatic;
+    ReducedHeat reduced;  ///< if it is
   };
   std::vector<Section> sections;  ///< of each thermal place
   FeCoupling coupling = FeCoupling::reduced;
   bool drives = false;
-  std::shared_ptr<GrowthHistory> growth;  ///< of a windowed coupling
+  std::shared_ptr<GrowthHistory> growth;  ///< of a windowed coupling: what conduction adds to the immediate growth
 };
 
-/// Sections that advance beside the drop: each window takes the energy that its ports received in it, and hands on a growth that is
-/// linear in time, from what is in force to what the next window is expected to end with. A window ends when the heat has left its
-/// prediction by so much that the growth would be wrong by more than half the tolerance.
+/// Sections that advance beside the drop. The growth of a section is what its heat causes at once (AdiabaticRises, in the state vector)
+/// and what conduction adds. Each window takes the energy that its ports received in it, and hands on how conduction's part changes: linear in
+/// time, from what is in force to what the next window is expected to end with. Windows become shorter where that was wrong by more
+/// than the tolerance.
 class WindowedSections {
  public:
   /// @param tolerance  error of a growth at a window's end [m]
-  /// @param longest    window [s]; the shortest is a 32nd of it
+  /// @param longest    window [s]; the shortest is a 64th of it
   WindowedSections(FiniteElements& elements, double tolerance, double longest);
 
-  /// Looks at the drop after every step; may bring the window's end forward.
-  void watch(double now, std::span<const PlaceEnergy> energy);
-  [[nodiscard]] double next_end() const { return time_ + static_cast<double>(units_) * unit_; }
+  [[nodiscard]] double next_end() const { return time_ + length_; }
   /// Advances to next_end().
-  /// @param now     where the drop stands [s], >= next_end(), watched
+  /// @param now     where the drop stands [s], >= next_end()
   /// @param energy  at next_end() [n_places]
   void advance(double now, std::span<const PlaceEnergy> energy);
   /// Advances to the drop's end.
@@ -73,26 +71,20 @@ class WindowedSections {
 
  private:
   void step(double length, std::span<const PlaceEnergy> energy);
-  void advance_sections(double length);
-  [[nodiscard]] std::vector<Expansion> present_growth() const;
 
   FiniteElements& elements_;
-  double tolerance_, unit_;
-  long longest_units_, units_;  ///< of the window under way
+  double tolerance_, shortest_, longest_;
+  double length_;  ///< of the window under way [s]: the longest, halved a few times
   double time_ = 0, last_error_ = 0, last_length_ = 0, film_loss_ = 0;
-  std::vector<PlaceEnergy> energy_;        ///< at time_
-  double watched_ = 0;                     ///< when the drop was last looked at
-  std::vector<PlaceEnergy> seen_, power_;  ///< energy then; power [W] over the last step
-  std::vector<PlaceEnergy> promised_;      ///< energy at promised_at_, from where the present growth was laid out
-  std::vector<PlaceEnergy> promised_power_;
-  double promised_at_ = 0;
+  std::vector<PlaceEnergy> energy_;                             ///< at time_
   std::vector<std::array<double, n_bearing_ports>> port_heat_;  ///< [W]
-  std::vector<Expansion> before_, now_;
+  std::vector<Expansion> growth_;                               ///< at time_
+  std::vector<Expansion> before_, conducted_;                   ///< conduction's part a window ago, and at time_
   Report report_;
 };
 
-/// Fills in a section's capacities once it has its solver.
-void complete(FiniteElements::Section& section);
+/// Capacities and growth of a section, once it has its solver.
+AdiabaticSection adiabatic_section(const FiniteElements::Section& section, const SectionGrowth& growth);
 /// Growth from the volume means of a section's field.
 Expansion growth_of(const FiniteElements::Section& section);
 

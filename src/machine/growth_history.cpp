@@ -3,16 +3,6 @@
 #include <algorithm>
 
 namespace rotordrop {
-namespace {
-
-Expansion combined(const Expansion& a, double weight_a, const Expansion& b, double weight_b) {
-  return {weight_a * a.shaft + weight_b * b.shaft, weight_a * a.bore + weight_b * b.bore,
-          weight_a * a.inner_race + weight_b * b.inner_race, weight_a * a.outer_race + weight_b * b.outer_race,
-          weight_a * a.ball + weight_b * b.ball};
-}
-
-}  // namespace
-
 void GrowthHistory::append(double time, std::span<const Expansion> growth) {
   times_.push_back(time);
   growth_.insert(growth_.end(), growth.begin(), growth.end());
@@ -76,7 +66,7 @@ void GrowthHistory::at(double t, std::span<Expansion> out) const {
   }
   const double weight = (t - times_[b - 1]) / (times_[b] - times_[b - 1]);
   for (std::size_t p = 0; p < n_places_; ++p)
-    out[p] = combined(growth_[(b - 1) * n_places_ + p], 1. - weight, growth_[b * n_places_ + p], weight);
+    out[p] = combined(1. - weight, growth_[(b - 1) * n_places_ + p], weight, growth_[b * n_places_ + p]);
 }
 
 void GrowthHistory::rate(double t, std::span<Expansion> out) const {
@@ -87,7 +77,7 @@ void GrowthHistory::rate(double t, std::span<Expansion> out) const {
   }
   const double per_second = 1. / (times_[b] - times_[b - 1]);
   for (std::size_t p = 0; p < n_places_; ++p)
-    out[p] = combined(growth_[(b - 1) * n_places_ + p], -per_second, growth_[b * n_places_ + p], per_second);
+    out[p] = combined(-per_second, growth_[(b - 1) * n_places_ + p], per_second, growth_[b * n_places_ + p]);
 }
 
 }  // namespace rotordrop

@@ -4,6 +4,13 @@
 #include <stdexcept>
 
 namespace rotordrop {
+namespace {
+
+void add(std::vector<Expansion>& to, const std::vector<Expansion>& from) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = combined(1., to[i], 1., from[i]);
+}
+
+}  // namespace
 
 Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   const std::size_t n = parts_.supports.size();
@@ -23,6 +30,11 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
     const std::size_t start = layout_.size();
     layout_.add_block(part.name == "lumped" ? "temperature" : part.name + " temperature", part.model->state_entries());
     thermal_.push_back({start, layout_.size() - start, 0});
+  }
+  if (parts_.immediate_growth) {
+    immediate_.state = layout_.size();
+    layout_.add_block("windows", parts_.immediate_growth->state_entries());
+    immediate_.n_state = layout_.size() - immediate_.state;
   }
   first_ledger_ = layout_.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -65,6 +77,7 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   forces_.resize(n);
   growth_.resize(n_places);
   growth_rate_.resize(n_places);
+  immediate_growth_.resize(n_places);
   heats_.resize(n_places);
   list_observables();
 
@@ -141,6 +154,7 @@ void Machine::initial_state(std::span<double> y) const {
     parts_.supports[i]->initial_state(y.subspan(places_[i].state, places_[i].n_state));
   for (std::size_t i = 0; i < thermal_.size(); ++i)
     parts_.thermal[i].model->initial_state(y.subspan(thermal_[i].state, thermal_[i].n_state));
+  if (parts_.immediate_growth) parts_.immediate_growth->initial_state(y.subspan(immediate_.state, immediate_.n_state));
 }
 
 void Machine::prepare_inputs(double t, std::span<const double> y) const {
@@ -150,6 +164,10 @@ void Machine::prepare_inputs(double t, std::span<const double> y) const {
     parts_.thermal[*parts_.driver].model->growth(driver_part(y), growth_);
   else if (parts_.prescribed_growth)
     parts_.prescribed_growth->at(t, growth_);
+  if (parts_.immediate_growth) {
+    parts_.immediate_growth->growth(y.subspan(immediate_.state, immediate_.n_state), immediate_growth_);
+    add(growth_, immediate_growth_);
+  }
   for (std::size_t i = 0; i < places_.size(); ++i) {
     inputs_[i].time = t;
     inputs_[i].journal = motions_[i];
@@ -186,6 +204,12 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
     if (parts_.driver == k) parts_.thermal[k].model->growth_rates(rates, growth_rate_);
   }
   if (!parts_.driver && parts_.prescribed_growth) parts_.prescribed_growth->rate(t, growth_rate_);
+  if (parts_.immediate_growth) {
+    const auto rates = dydt.subspan(immediate_.state, immediate_.n_state);
+    parts_.immediate_growth->rates(y.subspan(immediate_.state, immediate_.n_state), heats_, rates);
+    parts_.immediate_growth->growth_rates(rates, immediate_growth_);
+    add(growth_rate_, immediate_growth_);
+  }
   const RotorPower power = parts_.rotor->rates(t, rotor_part(y), forces_, dydt.subspan(0, n_rotor_));
 
   for (std::size_t i = 0; i < places_.size(); ++i) {

@@ -50,6 +50,8 @@ class Machine final : public OdeSystem {
     std::vector<RubShare> rub_share;                         ///< of each thermal place
     std::optional<std::size_t> driver;                       ///< the thermal model whose growth is fed back
     std::shared_ptr<const GrowthHistory> prescribed_growth;  ///< fed back instead, if there is no driver
+    /// Its growth is added to the prescribed one: what heat does at once, before any of it is conducted on. Reported nowhere.
+    std::unique_ptr<ThermalModel> immediate_growth;
     std::vector<double> initial_rotor_state;
   };
   explicit Machine(Parts parts);
@@ -129,6 +131,7 @@ class Machine final : public OdeSystem {
   StateLayout layout_;
   std::size_t n_rotor_ = 0, first_ledger_ = 0, machine_ledger_ = 0, n_machine_ledger_ = 0;
   std::vector<ThermalBlock> thermal_;
+  ThermalBlock immediate_;  // of the immediate growth
   std::vector<Place> places_;
   std::vector<std::size_t> ledger_of_place_;  ///< of each thermal place: where the ledgers of its support begin
   std::vector<Observable> step_observables_, detail_observables_, state_observables_;
@@ -136,7 +139,7 @@ class Machine final : public OdeSystem {
 
   // Scratch of one evaluation.
   mutable std::vector<Motion> motions_;
-  mutable std::vector<Expansion> growth_, growth_rate_;  // per thermal place
+  mutable std::vector<Expansion> growth_, growth_rate_, immediate_growth_;  // per thermal place
   mutable std::vector<SupportInput> inputs_;
   mutable std::vector<SupportOutput> outputs_;
   mutable std::vector<Force> forces_;

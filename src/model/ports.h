@@ -39,6 +39,11 @@ struct Expansion {
            ball * other.ball;
   }
 };
+/// f a + g b
+inline Expansion combined(double f, const Expansion& a, double g, const Expansion& b) {
+  return {f * a.shaft + g * b.shaft, f * a.bore + g * b.bore, f * a.inner_race + g * b.inner_race,
+          f * a.outer_race + g * b.outer_race, f * a.ball + g * b.ball};
+}
 
 /// Heat that a bearing releases, by port, and what a law for sharing it needs to know.
 struct HeatInput {

@@ -43,7 +43,7 @@ Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std
     j["modes"] = s.reduced.n_modes();
     j["response_error"] = s.reduced.response_error;
   }
-  j["heat_capacity"] = {{"inner_ring", s.inner_capacity}, {"outer_ring_and_housing", s.outer_capacity}};
+  j["heat_capacity"] = {{"inner_ring", s.adiabatic.inner_capacity}, {"outer_ring_and_housing", s.adiabatic.outer_capacity}};
   j["temperature_rise_end"] = Json::object();
   j["surface_rise"] = Json::object();
   for (const auto& path : list_datasets(results)) {

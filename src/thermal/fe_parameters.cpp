@@ -58,12 +58,12 @@ Section<FeParameters> fe_section() {
   s.quantity("window_tolerance", &P::window_tolerance,
              {.unit = "m",
               .range = between(1e-13, 1e-6),
-              .fallback = "0.25 nm",
+              .fallback = "0.5 nm",
               .help = "Error of a surface's growth that a window may leave. Decides how long windows are."});
   s.quantity("longest_window", &P::longest_window,
              {.unit = "s",
               .range = between(1e-5, 0.1),
-              .fallback = "0.5 ms",
+              .fallback = "2 ms",
               .help = "The longest window of a windowed coupling; the others are halves, quarters and so on."});
   s.check([](const P& p, const Node& table, Faults& faults) {
     if (p.surface_cell > p.largest_cell)

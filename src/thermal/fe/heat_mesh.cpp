@@ -66,21 +66,31 @@ HeatMesh::HeatMesh(const SectionMesh& section, unsigned int degree)
   }
 }
 
-void HeatMesh::bend_from(dealii::Triangulation<2>::active_cell_iterator cell, unsigned int f, std::size_t arc) {
-  const auto id = static_cast<dealii::types::manifold_id>(arc + 1);
-  cell->face(f)->set_manifold_id(id);
+void HeatMesh::bend_from(CoarseCell cell, unsigned int f, std::size_t arc) {
+  struct Layer {
+    CoarseCell cell;
+    unsigned int face;  ///< on the arc's side
+    double thickness, bulge;
+  };
+  // From the arc inwards, to the other side of the body or to another arc.
+  std::vector<Layer> layers;
   for (;;) {
     const unsigned int across = f ^ 1U;
     const auto face = cell->face(f), opposite = cell->face(across);
-    const double length = face->measure(), bulge = length * length / (8. * section_.arcs[arc].radius);
-    const double thickness = face->center().distance(opposite->center());
-    if (opposite->at_boundary() || opposite->manifold_id() != dealii::numbers::flat_manifold_id ||
-        bulge < 0.1 * thickness)
-      return;
-    opposite->set_manifold_id(id);
+    const double length = face->measure();
+    layers.push_back(
+        {cell, f, face->center().distance(opposite->center()), length * length / (8. * section_.arcs[arc].radius)});
+    if (opposite->at_boundary() || opposite->manifold_id() != dealii::numbers::flat_manifold_id) break;
     const auto neighbour = cell->neighbor(across);
     f = static_cast<unsigned int>(cell->neighbor_of_neighbor(across));
     cell = neighbour;
+  }
+  // The thickest layer, or one to which the bulge is nothing, gets from curved to straight.
+  const auto last = std::max_element(layers.begin(), layers.end(),
+                                     [](const Layer& a, const Layer& b) { return a.thickness < b.thickness; });
+  for (auto layer = layers.begin();; ++layer) {
+    layer->cell->face(layer->face)->set_manifold_id(static_cast<dealii::types::manifold_id>(arc + 1));
+    if (layer == last || layer->bulge < 0.05 * layer->thickness) return;
   }
 }
 

@@ -46,8 +46,9 @@ class HeatMesh {
   [[nodiscard]] Place locate(std::size_t body, double x, double r) const;
 
  private:
+  using CoarseCell = dealii::Triangulation<2>::active_cell_iterator;
   /// Bends a side of a cell along its arc, and the sides that follow it inwards for as long as cells are so thin that it matters.
-  void bend_from(dealii::Triangulation<2>::active_cell_iterator cell, unsigned int face, std::size_t arc);
+  void bend_from(CoarseCell cell, unsigned int face, std::size_t arc);
   void require_upright_cells() const;
 
   const SectionMesh section_;
