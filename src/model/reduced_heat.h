@@ -28,6 +28,8 @@ struct ReducedHeat {
     /// Of a port: what the modes left out add to its own rise per watt into it, at once; and to the points' [K/W].
     double at_once = 0;
     std::vector<double> points_at_once = {};
+    /// Of a port: largest relative error of its response to its own heat, at times from the shortest to the longest; a few are tried.
+    double response_error = 0;
   };
   std::vector<double> rate;    ///< [1/s], rising [n_modes]
   double capacity = 0;         ///< of everything [J/K]
@@ -35,8 +37,6 @@ struct ReducedHeat {
   std::vector<Output> bodies;  ///< volume means
   std::vector<Output> nodes;
   std::vector<double> loss;  ///< heat lost by linear convection and links [W/K] [n_modes]
-  /// Largest relative error of a port's response to its own heat, at times from the shortest to the longest; a few are tried.
-  double response_error = 0;
   [[nodiscard]] std::size_t n_modes() const { return rate.size(); }
 };
 

@@ -41,7 +41,7 @@ Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std
   j["cells"] = s.solver->statistics().cells;
   if (coupling != FeCoupling::windowed) {
     j["modes"] = s.reduced.n_modes();
-    j["response_error"] = s.reduced.response_error;
+    for (const auto& port : s.reduced.ports) j["response_error"][port.name] = port.response_error;
   }
   j["heat_capacity"] = {{"inner_ring", s.adiabatic.inner_capacity}, {"outer_ring_and_housing", s.adiabatic.outer_capacity}};
   j["temperature_rise_end"] = Json::object();

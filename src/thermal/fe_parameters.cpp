@@ -53,7 +53,7 @@ Section<FeParameters> fe_section() {
             {.range = between(1, 4), .fallback = 2, .help = "Polynomial degree of the elements."});
   s.integer("modes", &P::modes,
             {.range = between(8, 200),
-             .fallback = 24,
+             .fallback = 28,
              .help = "Modes of each bearing's section that a reduced coupling keeps. More follow faster changes."});
   s.quantity("window_tolerance", &P::window_tolerance,
              {.unit = "m",

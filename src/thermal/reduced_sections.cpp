@@ -57,6 +57,30 @@ void modal_rates(const double* y, double zero, const double* rate, const Heats& 
               h.q_outer * h.outer[i] + h.q_film * h.film[i];
 }
 
+struct Range {
+  double lowest, highest;
+};
+/// Extremes over a surface's points. @param rises  scratch [n_points]
+ROTORDROP_WIDE_VECTORS
+Range extremes(const double* y, double zero, std::size_t n, const double* by_mode, const double* at_once, double watts,
+               double* rises, std::size_t n_points) {
+#pragma omp simd
+  for (std::size_t k = 0; k < n_points; ++k) rises[k] = at_once[k] * watts;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = y[i] - zero;
+    const double* shape = by_mode + i * n_points;
+#pragma omp simd
+    for (std::size_t k = 0; k < n_points; ++k) rises[k] += shape[k] * z;
+  }
+  double lowest = rises[0], highest = rises[0];
+#pragma omp simd reduction(min : lowest) reduction(max : highest)
+  for (std::size_t k = 0; k < n_points; ++k) {
+    lowest = rises[k] < lowest ? rises[k] : lowest;
+    highest = rises[k] > highest ? rises[k] : highest;
+  }
+  return {lowest, highest};
+}
+
 double sum(const std::vector<double>& shape, const double* y, double zero) {
   double s = 0.;
   for (std::size_t i = 0; i < shape.size(); ++i) s += shape[i] * (y[i] - zero);
@@ -115,6 +139,16 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& output : *list)
         for (std::size_t i = 0; i < p.n; ++i) p.stored[i] += output.capacity * output.shape[i];
+    for (const std::size_t port : surface_ports) {
+      const auto& output = heat.ports[port];
+      const std::size_t n_points = output.points.size() / p.n;
+      Place::Surface surface{std::vector<double>(output.points.size()), output.points_at_once};
+      surface.at_once.resize(n_points);
+      for (std::size_t k = 0; k < n_points; ++k)
+        for (std::size_t i = 0; i < p.n; ++i) surface.by_mode[i * n_points + k] = output.points[k * p.n + i];
+      p.surfaces.push_back(std::move(surface));
+      rises_.resize(std::max(rises_.size(), n_points));
+    }
     places_.push_back(std::move(p));
   }
 }
@@ -200,17 +234,12 @@ void ReducedSections::observe(std::span<const double> state, std::span<const Hea
     const double watts[] = {heats[k].rub_into_ring, heats[k].inner, heats[k].outer, 0.};
     for (std::size_t i = 0; i < std::size(surface_ports); ++i) {
       const auto& port = heat.ports[surface_ports[i]];
-      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-      for (std::size_t point = 0; point * heat.n_modes() < port.points.size(); ++point) {
-        double rise = point < port.points_at_once.size() ? port.points_at_once[point] * watts[i] : 0.;
-        for (std::size_t j = 0; j < heat.n_modes(); ++j)
-          rise += port.points[point * heat.n_modes() + j] * (y[j] - ambient_);
-        lowest = std::min(lowest, rise);
-        highest = std::max(highest, rise);
-      }
+      const auto& surface = places_[k].surfaces[i];
+      const Range range = extremes(y, ambient_, places_[k].n, surface.by_mode.data(), surface.at_once.data(), watts[i],
+                                   rises_.data(), surface.at_once.size());
       out[at++] = ambient_ + sum(port.shape, y, ambient_) + port.at_once * watts[i];
-      out[at++] = ambient_ + lowest;
-      out[at++] = ambient_ + highest;
+      out[at++] = ambient_ + range.lowest;
+      out[at++] = ambient_ + range.highest;
     }
   }
 }

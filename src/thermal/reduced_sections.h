@@ -40,6 +40,11 @@ class ReducedSections final : public ThermalModel {
     std::vector<double> bore, shaft_surface, film, loss;
     std::vector<double> inner_mean, outer_mean, shaft_mean, ball_mean, stored;
     double film_area = 0;
+    struct Surface {
+      std::vector<double> by_mode;  ///< rises of its points, mode after mode [n * n_points]
+      std::vector<double> at_once;  ///< [n_points]
+    };
+    std::vector<Surface> surfaces;  ///< of the ports that are observed
   };
   void add_growth(const Place& place, std::span<const double> values, double zero, const SectionGrowth& growth,
                   Expansion& out) const;
@@ -47,6 +52,7 @@ class ReducedSections final : public ThermalModel {
   std::vector<ReducedSection> sections_;
   std::vector<Place> places_;
   double ambient_;
+  mutable std::vector<double> rises_;  ///< scratch of observe()
 };
 
 }  // namespace rotordrop

@@ -236,9 +236,9 @@ Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& sett
     r.residues.push_back(std::move(residue));
   }
   for (const auto& response : space.responses) {
-    const double reduced = reduced_response(d, response.port, response.s);
-    if (response.s <= 1. / settings.shortest_time && p.ports[response.port].importance >= 0.03)
-      d.response_error = std::max(d.response_error, std::fabs(reduced / response.value - 1.));
+    if (response.s > 1. / settings.shortest_time) continue;
+    double& error = d.ports[response.port].response_error;
+    error = std::max(error, std::fabs(reduced_response(d, response.port, response.s) / response.value - 1.));
   }
   return r;
 }
