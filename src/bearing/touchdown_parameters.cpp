@@ -33,6 +33,24 @@ Section<WavinessParameters> waviness_section() {
   return s;
 }
 
+Section<CircuitFactors> circuit_section() {
+  using P = CircuitFactors;
+  Section<P> s("circuit", "Calibration of the bearing's lumped circuit: factors on what geometry gives.");
+  const auto factor = [&](const char* key, double P::*member, const char* help) {
+    s.quantity(key, member,
+               {.range = between(1e-2, 1e2), .fallback = "1", .source = "1: the circuit as published", .help = help});
+  };
+  factor("shaft_ring", &P::shaft_ring, "On R2 + R3, shaft to inner ring.");
+  factor("inner_race", &P::inner_race, "On R4, inner ring to its contact with the balls.");
+  factor("ball", &P::ball, "On R5, balls and constriction, at both races.");
+  factor("outer_race", &P::outer_race, "On R7, contact of the balls to outer ring.");
+  factor("fit", &P::fit, "On R8, outer ring to housing.");
+  factor("inner_ring_capacity", &P::inner_ring_capacity, "On the heat capacity of the inner ring's node.");
+  factor("outer_ring_capacity", &P::outer_ring_capacity, "On that of the outer ring.");
+  factor("housing_capacity", &P::housing_capacity, "On that of the housing.");
+  return s;
+}
+
 Section<SupportParameters> support_section() {
   Section<SupportParameters> s("support",
                                "Housing that carries the outer ring: effective mass on springs and dampers.");
@@ -138,6 +156,7 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
              {.unit = "m",
               .range = positive(),
               .help = "Length of shaft that takes rub heat; the bearing's width if not given."});
+  s.table("circuit", &P::circuit, circuit_section(), {.help = "Calibration of the bearing's lumped circuit."});
   s.table("support", &P::support, support_section());
   s.list("waviness", &P::waviness, waviness_section());
 }

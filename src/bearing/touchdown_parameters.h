@@ -7,6 +7,7 @@
 #include "base/parameters.h"
 #include "bearing/touchdown_bearing.h"
 #include "laws/hertz.h"
+#include "model/circuit_factors.h"
 
 namespace rotordrop {
 
@@ -65,6 +66,7 @@ struct TouchdownParameters {
   std::optional<double> inner_shoulder_diameter, outer_shoulder_diameter;
   double housing_length = 0;
   std::optional<double> shaft_lump_length;
+  CircuitFactors circuit;
 };
 Section<TouchdownParameters> touchdown_section();
 

@@ -16,6 +16,7 @@
 #include "machine/build_machine.h"
 #include "machine/rotor_report.h"
 #include "study/bearing_mesh.h"
+#include "study/calibration.h"
 #include "study/case.h"
 #include "study/drop_run.h"
 #include "study/fe_module.h"
@@ -71,6 +72,12 @@ std::string header(const Case& c) {
       "rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; expansion driven by the {}\n",
       version(), git_revision(), c.name, rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi,
       bearings, driver_in_words(p.thermal));
+}
+
+double parse_time(const char* option, const std::string& text) {
+  const auto time = convert_to_si(text, "s", QuantityKind::plain, "a time");
+  if (!time) throw InputError({option, 0, 0}, time.error, time.advice);
+  return time.value;
 }
 
 int check_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -187,6 +194,26 @@ int mesh_command(const MeshCommand& command) {
   const auto text = write_bearing_meshes(drop_case, options);
   if (!command.quiet)
     fmt::print("rotordrop {} ({})   meshed sections, case {}\n{}", version(), git_revision(), drop_case.name, text);
+  return 0;
+}
+
+int calibrate_command(const CalibrateCommand& command) {
+  const Case c = read_case(command.file, command.overrides);
+  CalibrationSettings settings;
+  if (!command.until.empty()) settings.until = parse_time("--until", command.until);
+  if (settings.until <= 2. * settings.from)
+    throw InputError({"--until", 0, 0}, "responses are compared from 1 ms on; --until must be 2 ms at least.");
+  const auto file =
+      command.output.empty() ? command.file.parent_path() / (c.name + "-calibrated.toml") : command.output;
+  if (!command.force && std::filesystem::exists(file))
+    throw InputError({file.string(), 0, 0}, "the file exists already.",
+                     "Choose another with -o FILE, or replace it with --force.");
+  const auto bearings = calibrate(c, settings);
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  write_text_atomically(file, calibration_file(c, file, bearings, settings));
+  if (!command.quiet)
+    fmt::print("rotordrop {} ({})   circuits fitted to finite elements, case {}\n{}written to {}\n", version(),
+               git_revision(), c.name, calibration_text(bearings), file.string());
   return 0;
 }
 

@@ -25,6 +25,15 @@ struct HeatCommand {
 };
 int heat_command(const HeatCommand& command);
 
+struct CalibrateCommand {
+  std::filesystem::path file, output;
+  std::vector<std::string> overrides;
+  std::string until;
+  bool force = false, quiet = false;
+};
+/// The circuits of a case fitted to its finite elements, into a parameter file.
+int calibrate_command(const CalibrateCommand& command);
+
 struct MeshCommand {
   std::filesystem::path file, output;
   std::vector<std::string> overrides;

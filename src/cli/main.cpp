@@ -71,6 +71,18 @@ int run_program(int argc, char** argv) {
   mesh_app->add_flag("--force", mesh.force, "Replace files that are there");
   mesh_app->add_flag("--quiet", mesh.quiet, "Only messages about trouble");
 
+  CalibrateCommand calibrate;
+  auto* calibrate_app = app.add_subcommand(
+      "calibrate", "Fit the lumped circuits to the finite elements; writes a parameter file that builds on the case.");
+  calibrate_app->add_option("case", calibrate.file, "Parameter file")->required();
+  calibrate_app->add_option("-o,--output", calibrate.output, "File; default CASE-calibrated.toml beside the case");
+  calibrate_app->add_option("--until", calibrate.until, "Responses are compared up to this time; default 10 s");
+  calibrate_app->add_option("--set", calibrate.overrides, "Override a parameter: thermal.fe.refinement=2")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  calibrate_app->add_flag("--force", calibrate.force, "Replace a file that is there");
+  calibrate_app->add_flag("--quiet", calibrate.quiet, "Only messages about trouble");
+
   auto* defaults =
       app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
   bool heat_defaults = false, heat_schema = false;
@@ -90,6 +102,7 @@ int run_program(int argc, char** argv) {
   if (*check) return check_command(check_file, check_overrides);
   if (*heat_app) return heat_command(heat);
   if (*mesh_app) return mesh_command(mesh);
+  if (*calibrate_app) return calibrate_command(calibrate);
   if (*modes_app) return modes_command(modes);
   if (*defaults) return defaults_command(heat_defaults);
   if (*schema) return schema_command(heat_schema);

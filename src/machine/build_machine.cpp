@@ -28,6 +28,8 @@ const Node& table_of(const Node& case_node, const char* section) {
   return found ? *found : empty;
 }
 
+}  // namespace
+
 BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
   const auto& t = p.thermal;
   BearingCircuitData c;
@@ -53,10 +55,13 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.contact_half_width = t.contact_half_width;
   c.plane_strain_growth = t.plane_strain_growth;
   c.shaft_ring_link = t.shaft_ring_link;
+  c.factors = b.circuit;
   c.gap_resistance =
       std::log1p(air_gap(b, p.contact) / c.journal_radius) / (2. * std::numbers::pi * t.gas_conductivity * b.width);
   return c;
 }
+
+namespace {
 
 RubShare rub_share(const ThermalParameters& t) {
   return {t.share_to_ring, t.heat_share == HeatShare::jaeger, {t.rub_band_length, t.rub_contact_time, 1.}};

@@ -21,12 +21,13 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   const auto disc = [](double diameter) { return 0.25 * pi * diameter * diameter; };
   const auto sleeve = [&](double inside, double outside) { return disc(outside) - disc(inside); };
 
+  const CircuitFactors& f = b.factors;
   const double volumetric = b.ring.density * b.ring.heat_capacity;
   const double C_s = volumetric * disc(d_s) * b.shaft_length;
-  const double C_i = b.ring_mass * b.ring.heat_capacity;
+  const double C_i = f.inner_ring_capacity * b.ring_mass * b.ring.heat_capacity;
   const double C_b = Z * pi / 6. * std::pow(b.ball_diameter, 3) * b.ball.density * b.ball.heat_capacity;
-  const double C_o = volumetric * sleeve(b.outer_bore, b.outer_outside) * W;
-  const double C_h = volumetric * sleeve(b.housing_bore, b.housing_outside) * b.housing_length;
+  const double C_o = f.outer_ring_capacity * volumetric * sleeve(b.outer_bore, b.outer_outside) * W;
+  const double C_h = f.housing_capacity * volumetric * sleeve(b.housing_bore, b.housing_outside) * b.housing_length;
 
   const double R1 = 1. / (b.h_shaft * pi * d_s * W);
   const double R2 = 1. / (4. * pi * k * W);  // centre to surface
@@ -51,16 +52,17 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
     network.resistors.push_back({a, c, R, Law::constant, 0., 0., 0});
   };
   join(s, ambient_node, R1);
+  const double R23 = f.shaft_ring * (R2 + R3);
   if (b.shaft_ring_link == BearingCircuitData::Link::permanent)
-    join(s, i, R2 + R3);
+    join(s, i, R23);
   else
-    network.resistors.push_back({s, i, R2 + R3, Law::contact, 0., R2 + R3 + b.gap_resistance, place});
-  join(i, ci, R4);
-  join(ci, ball, R5);
-  join(ball, co, R5);
+    network.resistors.push_back({s, i, R23, Law::contact, 0., R23 + b.gap_resistance, place});
+  join(i, ci, f.inner_race * R4);
+  join(ci, ball, f.ball * R5);
+  join(ball, co, f.ball * R5);
   join(ball, ambient_node, R6);
-  join(co, o, R7);
-  join(o, h, R8);
+  join(co, o, f.outer_race * R7);
+  join(o, h, f.fit * R8);
   network.resistors.push_back({h, ambient_node, 0., Law::housing_convection, housing_area, 0., place});
   network.places.push_back({s, i, ci, co});
 

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <string>
 
+#include "model/circuit_factors.h"
 #include "thermal/thermal_network.h"
 
 namespace rotordrop {
@@ -34,6 +35,7 @@ struct BearingCircuitData {
   bool plane_strain_growth = false;              ///< growth times (1 + nu)
   enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
   double gap_resistance = 0;  ///< of Link::in_contact, when apart [K/W]
+  CircuitFactors factors;     ///< calibration
 };
 
 /// Adds a bearing's nodes, resistors, port and growth to a network; the bearing becomes its next place.
