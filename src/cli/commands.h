@@ -25,6 +25,13 @@ struct HeatCommand {
 };
 int heat_command(const HeatCommand& command);
 
+struct CompareCommand {
+  std::filesystem::path directory, against, output;
+  std::string tolerance, growth_tolerance, times, band_length;  ///< as given; empty: default
+  bool force = false, quiet = false;
+};
+int compare_command(const CompareCommand& command);
+
 struct MeshCommand {
   std::filesystem::path file, output;
   std::vector<std::string> overrides;
