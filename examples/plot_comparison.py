@@ -74,7 +74,7 @@ def comparison_temperatures(case):
                                 label="its range along the axis")
         race = case.fe(bearing, "inner_raceway")
         if race is not None:
-            row[0].plot(case.scaled(race[0]), race[1][:, 0] - ambient, color="#56B4E9", linewidth=0.9, label="inner raceway (FE)")
+            row[0].plot(case.scaled(race[0]), race[1][:, 0] - ambient, color="#009E73", linewidth=0.9, label="inner raceway, mean around (FE)")
         if mean is not None:
             row[0].plot(case.scaled(mean[0]), mean[1] - ambient, color=MEAN_COLOUR, label="inner ring, mean (FE)")
         if node is not None:
@@ -122,7 +122,7 @@ def comparison_impact(case):
             for panel in column if name in ("mean", "inner_ring") else column[:1]:
                 panel.plot(times, values, color=colour, linestyle=style, label=label, linewidth=1.6 if name == "flash" else 1.2)
         titled(case, column[0], bearing, "bore in the first impact")
-        column[1].set_title("The same without the local ones", fontweight="normal")
+        column[1].set_title("means alone", fontweight="normal")
         for panel in column:
             panel.set_ylabel("temperature rise [K]")
             panel.set_xlim(-0.2, 1e3 * IMPACT_TIME)

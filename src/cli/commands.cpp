@@ -91,7 +91,13 @@ void compare_after_run(const Case& drop_case, const RunCommand& command, const s
   if (!thermal.has_lumped || !thermal.has_fe) return;
   const RecordedDrop drop(directory, drop_case);
   if (drop.bearings().empty()) return;
-  const Comparison comparison = compare_models(drop, nullptr, {});
+  Comparison comparison;
+  try {
+    comparison = compare_models(drop, nullptr, {});
+  } catch (const InputError& error) {
+    // The input was good: what came of it is not.
+    throw SolverError(std::string("the run is complete, but its thermal models cannot be compared.\n") + error.what());
+  }
   write_comparison(comparison, directory / "comparison.json");
   if (command.quiet) return;
   for (const auto& line : comparison.report["verdict"]) fmt::print("{}\n", line.get<std::string>());

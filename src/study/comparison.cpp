@@ -287,7 +287,8 @@ Json bore_json(const BoreTemperatures& b, const RubRecord& r, const RubSurfaces&
                        {"rotor_flash_rise", number(b.rotor_flash[i])},
                        {"arc", h.arc[i] * s.bore.radius},
                        {"heated_arc", h.heated_arc[i] * s.bore.radius},
-                       {"ring_turns", h.ring_turns[i]}});
+                       {"ring_turns", h.ring_turns[i]},
+                       {"half_space_valid", !(h.times[i] > impact.start + h.valid_until)}});
   }
   if (!std::isfinite(impact.start)) return j;
   const TimeSeries heat{r.times, r.joules_into_ring}, angle{r.times, r.ring_angle};
@@ -349,6 +350,8 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
     const double rise = std::max(largest_rise(lumped, name), largest_rise(fe, name)),
                  tolerance = tolerance_of(options.temperature, rise);
     j["largest_rise"] = rise;
+    j["lumps_in_both"] = Json::array({"ball"});
+    if (!models.fe->parameters().thermal.fe.shaft) j["lumps_in_both"].push_back("shaft");
     j["temperatures"] = temperatures_json(lumped, fe, name, tolerance, names, instants);
     j["surfaces"] = surfaces_json(*models.lumped, *models.fe, name, tolerance, instants);
     j["growth"] = growth_json(lumped, fe, name, options.growth, names, instants);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "io/checkpoint.h"
@@ -48,12 +50,6 @@ std::string agreement(const Json& d, const Scale& scale) {
                      ms(d["within_from"].get<double>()));
 }
 
-const Json* at_instant(const Json& list, const std::string& name) {
-  for (const auto& entry : list)
-    if (entry["instant"] == name) return &entry;
-  return nullptr;
-}
-
 /// Names of what stays within the tolerance, and sentences for what does not.
 void add_agreements(const Json& group, const Scale& scale, const std::string& what, std::vector<std::string>& text) {
   std::vector<std::string> within;
@@ -66,6 +62,27 @@ void add_agreements(const Json& group, const Scale& scale, const std::string& wh
   if (!within.empty())
     text.push_back(fmt::format("{} {}: within {} throughout.", what, fmt::join(within, ", "),
                                in(scale, group.front()["tolerance"].get<double>())));
+}
+
+/// "until 182 ms", "throughout", from the earliest time at which one of a group is beyond its tolerance.
+std::string trusted(const Json& group) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const auto& [key, d] : group.items())
+    if (!d["beyond_from"].is_null()) first = std::min(first, d["beyond_from"].get<double>());
+  return std::isinf(first) ? "throughout" : "until " + ms(first);
+}
+
+void add_summary(const Json& b, std::vector<std::string>& text) {
+  std::vector<std::string> surfaces;
+  for (const auto& [name, s] : b["surfaces"].items())
+    if (const Json& from = s["mean"]["beyond_from"]; !from.is_null())
+      surfaces.push_back(fmt::format("{} (from {} on)", words(name), ms(from.get<double>())));
+  text.push_back(fmt::format(
+      "In short: within {} and {} the circuit stands for mean temperatures {}, for growth {}, for clearances {}{}.",
+      in(kelvin, b["temperatures"].front()["tolerance"].get<double>()),
+      in(micrometres, b["growth"].front()["tolerance"].get<double>()), trusted(b["temperatures"]), trusted(b["growth"]),
+      trusted(b["clearances"]),
+      surfaces.empty() ? "" : fmt::format("; not for surfaces: {}", fmt::join(surfaces, ", "))));
 }
 
 void add_bore(const Json& b, std::vector<std::string>& text) {
@@ -185,6 +202,13 @@ std::vector<std::string> verdict_of(const Json& report) {
   for (const auto& [name, b] : report["bearings"].items()) {
     std::vector<std::string> text;
     if (b.contains("temperatures")) {
+      add_summary(b, text);
+      if (b["lumps_in_both"].size() > 0) {
+        std::vector<std::string> lumps;
+        for (const auto& lump : b["lumps_in_both"]) lumps.push_back(words(lump.get<std::string>()));
+        text.push_back(fmt::format("One lump in the finite elements, too, so that their agreement proves little: {}.",
+                                   fmt::join(lumps, ", ")));
+      }
       add_agreements(b["temperatures"], kelvin, "Mean temperature of", text);
       add_agreements(b["growth"], micrometres, "Growth of", text);
       text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));

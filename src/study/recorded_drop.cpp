@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.h"
 #include "io/recorder.h"
@@ -101,7 +102,14 @@ TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) 
   TimeSeries result;
   result.times.assign(times.values.begin(), times.values.begin() + static_cast<std::ptrdiff_t>(n));
   result.values.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) result.values.push_back(t.values[i * t.n_columns + column]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double value = t.values[i * t.n_columns + column];
+    if (!std::isfinite(value))
+      throw InputError({file_.string(), 0, 0},
+                       fmt::format("{} is no number at t = {:.6g} ms", dataset, result.times[i] * 1e3),
+                       "Nothing can be said of such a run. Look at what it recorded before that instant.");
+    result.values.push_back(value);
+  }
   return result;
 }
 

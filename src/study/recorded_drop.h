@@ -29,7 +29,7 @@ class RecordedDrop {
 
   [[nodiscard]] bool has(const std::string& dataset) const;
   [[nodiscard]] bool has(ThermalModelKind model) const;
-  /// One column of a dataset. @throws InputError if it is not there or has no rows
+  /// One column of a dataset. @throws InputError if it is not there, has no rows, or a value that is no number
   [[nodiscard]] TimeSeries series(const std::string& dataset, std::size_t column = 0) const;
 
   // Paths of a model's series, as the coupling of the finite elements makes them.

@@ -28,7 +28,8 @@ RubSurfaces steel_surfaces() {
 
 /// A rub from 1 ms to 3 ms with constant heat; `ring` and `contact` are angles over time.
 RubRecord rub(double watts_ring, double watts_rotor, const std::function<double(double)>& ring,
-              const std::function<double(double)>& contact, double rotor_speed, double end = 5e-3, double step = 50e-6) {
+              const std::function<double(double)>& contact, double rotor_speed, double end = 5e-3,
+              double step = 50e-6) {
   RubRecord r;
   const int n = static_cast<int>(std::lround(end / step));
   for (int i = 0; i <= n; ++i) {
@@ -71,7 +72,9 @@ TEST(BoreHistory, OfARingAtRestIsAHalfSpaceUnderConstantFlux) {
 
 TEST(BoreHistory, SpreadsTheSameHeatForItsMean) {
   const auto s = steel_surfaces();
-  const auto h = bore_history(rub(1e4, 0., [](double t) { return 100. * t; }, at_rest, 0.), s);
+  const auto h = bore_history(rub(
+                                  1e4, 0., [](double t) { return 100. * t; }, at_rest, 0.),
+                              s);
   const double q = 1e4 / (2. * pi * s.bore.radius * s.axial_width), expected = surface_rise(q, 2e-3, 45., 3.7e6);
   EXPECT_NEAR(h.mean_rise[row(h, 3e-3)], expected, 2e-3 * expected);
 }
@@ -104,7 +107,9 @@ TEST(BoreHistory, CrossesTheAngleOfHalfATurnWithoutAJump) {
 TEST(BoreHistory, GivesTheRotorsFlashAsAMovingBand) {
   const auto s = steel_surfaces();
   const double speed = 1600., watts = 5e3;
-  const auto h = bore_history(rub(1e4, watts, at_rest, [](double t) { return -2. * t; }, speed), s);
+  const auto h = bore_history(rub(
+                                  1e4, watts, at_rest, [](double t) { return -2. * t; }, speed),
+                              s);
   MovingBand band;
   band.half_width = s.half_width;
   band.speed = (speed + 2.) * s.rotor_radius;
@@ -136,7 +141,8 @@ TEST(BoreHistory, OfALongRecordJoinsLaterRows) {
   EXPECT_NEAR(joined.mean_rise.back(), all.mean_rise.back(), 2e-3 * all.mean_rise.back());
   EXPECT_NEAR(joined.largest_rise.back(), all.largest_rise.back(), 2e-3 * all.largest_rise.back());
   // A ring that turns more than a radian in a few rows is followed row by row.
-  const auto fast = rub(1e4, 0., [](double t) { return 3e4 * t; }, at_rest, 0., 20e-3);
+  const auto fast = rub(
+      1e4, 0., [](double t) { return 3e4 * t; }, at_rest, 0., 20e-3);
   EXPECT_EQ(bore_history(fast, s, 100).times.size(), fast.times.size());
 }
 

@@ -92,7 +92,8 @@ TEST(Lumping, OuterRingAndHousingMeetAtTheFit) {
   EXPECT_NEAR(body(b, "housing").biot, (1. / (R_ring + 0.005) + film) * 0.01 / (40. * pi * 0.11 * 0.025), 1e-12);
   const double R_housing = std::log(0.12 / 0.11) / (2. * pi * 40. * 0.025),
                R5 = 2. / (pi * 20. * 0.012 * 14.) + 2. / (4. * 20. * 4e-4 * 14.);
-  EXPECT_NEAR(body(b, "outer_ring").biot, (1. / R5 + 1. / (0.005 + R_housing)) * 0.005 / (40. * pi * 0.1 * 0.02), 1e-12);
+  EXPECT_NEAR(body(b, "outer_ring").biot, (1. / R5 + 1. / (0.005 + R_housing)) * 0.005 / (40. * pi * 0.1 * 0.02),
+              1e-12);
 }
 
 }  // namespace

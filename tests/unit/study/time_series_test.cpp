@@ -78,7 +78,8 @@ TEST(Difference, WithinThroughoutIsWithinFromTheBeginning) {
 
 // The coarse one bends between its samples: there it says nothing, and must not be compared.
 TEST(Difference, IsTakenAtTheTimesOfTheCoarserSeries) {
-  const auto fine = sampled(1., 100, [](double t) { return t * t; }), coarse = sampled(1., 4, [](double t) { return t * t; });
+  const auto fine = sampled(1., 100, [](double t) { return t * t; }),
+             coarse = sampled(1., 4, [](double t) { return t * t; });
   for (const auto& d : {difference_of(fine, coarse, 1.), difference_of(coarse, fine, 1.)}) {
     EXPECT_THAT(d.series.times, testing::ElementsAre(0., 0.25, 0.5, 0.75, 1.));
     EXPECT_NEAR(d.largest, 0., 1e-15);
