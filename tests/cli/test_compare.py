@@ -7,19 +7,26 @@ import json
 import math
 import pathlib
 import shutil
+import subprocess
 import sys
+import tomllib
 import unittest
 
 import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, ProgramTest, content_of, settings  # noqa: E402
+from program import PROGRAM, SOURCE, ProgramTest, content_of, settings  # noqa: E402
 
 HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 NODES = ["shaft", "inner_ring", "ball", "outer_ring", "housing"]
 GROWTH = ["shaft", "bore", "inner_race", "outer_race", "ball_radius"]
 # The first contact lasts from 7.4 to 10.6 ms. Plain rectangles: the quickest section.
+
+
+def si(value):
+    """A bare number, or one whose unit is SI already."""
+    return float(str(value).split()[0])
 
 
 def short_case(test, name, models, end="15 ms", **keys):
@@ -266,6 +273,55 @@ class LumpedAndFiniteElements(ProgramTest):
             self.assertTrue(impact["steady_band_rise"] < impact["largest_local_rise"] < 1.6 * impact["steady_band_rise"], impact)
             before, after = numpy.interp([b["first_contact_time"], b["first_contact_end"]], results["/time"][:], results[f"/ledger/{name}/rub_heat_into_ring"][:])
             self.assertAlmostEqual(impact["heat_into_ring"], after - before, delta=1e-9)
+
+    def test_the_hottest_place_is_that_of_heat_summed_over_the_swept_arc(self):
+        """The half space under what passed over each place, by the plain sum of sqrt(t - s); the spot stands still for each row's interval."""
+        parameters = tomllib.loads((self.out / "parameters.toml").read_text())
+        for name, b, results, series in self.bearings():
+            bearing = parameters["bearings"][name]
+            steel = parameters["materials"][bearing["ring"]]
+            k, capacity = si(steel["k"]), si(steel["rho"]) * si(steel["c"])
+            half, radius, width = b["bore"]["half_width"], 0.035, b["bore"]["axial_width"]
+            times, heat = results["/time"][:], results[f"/ledger/{name}/rub_heat_into_ring"][:]
+            way = results[f"/bearings/{name}/orbit"][:] - results[f"/bearings/{name}/ring_position"][:]
+            speed = results[f"/bearings/{name}/ring_speed"][:]
+            turned = numpy.concatenate([[0], numpy.cumsum(0.5 * (speed[1:] + speed[:-1]) * numpy.diff(times))])
+            place = numpy.unwrap(numpy.arctan2(way[:, 1], way[:, 0])) - turned
+            cells = (numpy.arange(7200) + 0.5) * 2 * math.pi / 7200
+            for t in (8.5e-3, 9.5e-3, 11.5e-3):
+                last = numpy.argmin(abs(times - t))
+                rise = numpy.zeros_like(cells)
+                for i in range(1, last + 1):
+                    flux = (heat[i] - heat[i - 1]) / (times[i] - times[i - 1]) / (2 * half * width)
+                    if flux <= 0:
+                        continue
+                    middle = 0.5 * (place[i - 1] + place[i])
+                    distance = numpy.abs((cells - middle + math.pi) % (2 * math.pi) - math.pi) * radius
+                    kernel = 2 * (math.sqrt(times[last] - times[i - 1]) - math.sqrt(max(times[last] - times[i], 0)))
+                    rise[distance < half] += flux * kernel / math.sqrt(math.pi * k * capacity)
+                found = (series[f"/bore/{name}/local"][:] - series[f"/bore/{name}/mean"][:])[last]
+                # The spot moves 0.1 of its half width in a row at most, and matters to the hottest place only with its ends.
+                self.assertAlmostEqual(found / (rise.max() - rise.mean()), 1, delta=0.02)
+
+    def test_figures_are_drawn(self):
+        shutil.copytree(self.out, self.folder / "both")
+        done = subprocess.run([sys.executable, SOURCE / "examples/plot_comparison.py", "both", "--against", "both", "--dpi", "50"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = {path.stem for path in (self.folder / "both/figures").iterdir()}
+        self.assertEqual(names, {"comparison_temperatures", "comparison_impact", "comparison_growth", "comparison_forces"})
+        self.assertNotIn("not in the files", done.stdout)
+        (self.folder / "both/comparison.json").unlink()
+        done = subprocess.run([sys.executable, SOURCE / "examples/plot_comparison.py", "both"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("rotordrop compare", done.stderr)
+
+    def test_a_series_that_is_no_number_is_named(self):
+        shutil.copytree(self.out, self.folder / "broken")
+        with h5py.File(self.folder / "broken/results.h5", "r+") as file:
+            file["/fe/TB2/housing"][200:] = math.nan
+        done = self.call("compare", "broken")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"/fe/TB2/housing is no number at t = 10 ms")
 
     def test_a_narrower_band_is_hotter(self):
         self.assertEqual(self.call("compare", self.out, "--band-length", "3 mm", "-o", "narrow.json").returncode, 0)
