@@ -128,7 +128,9 @@ def comparison_impact(case):
             panel.set_xlim(-0.2, 1e3 * IMPACT_TIME)
             stand_on_zero(panel)
         column[1].set_xlabel("time since first contact [ms]")
-    legend(axes[0, 0], loc="upper right")
+    for panel in axes[0]:
+        panel.set_ylim(top=1.25 * panel.get_ylim()[1])  # room for the legend
+    legend(axes[0, 0], loc="upper right", ncol=2, columnspacing=1.2)
     return figure
 
 
