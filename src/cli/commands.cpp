@@ -100,7 +100,7 @@ void compare_after_run(const Case& drop_case, const RunCommand& command, const s
   }
   write_comparison(comparison, directory / "comparison.json");
   if (command.quiet) return;
-  for (const auto& line : comparison.report["verdict"]) fmt::print("{}\n", line.get<std::string>());
+  for (const auto& line : comparison.report["in_short"]) fmt::print("{}\n", line.get<std::string>());
 }
 
 ComparisonOptions comparison_options(const CompareCommand& command) {

@@ -3,22 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "base/errors.h"
-#include "base/units.h"
-#include "laws/hertz.h"
-#include "machine/build_machine.h"
-#include "study/lumping.h"
+#include "machine/thermal_report.h"
 
 namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Kind = ThermalModelKind;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 constexpr const char* nodes[] = {"shaft", "inner_ring", "ball", "outer_ring", "housing"};
 /// Surfaces of the finite elements, and the node that stands for each.
@@ -32,40 +27,6 @@ constexpr SurfacePair surface_pairs[] = {{"bore", "inner_ring"},
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-struct Instant {
-  std::string name;
-  double time = 0;
-};
-
-/// The first impact of a bearing; NaN if there was none.
-struct Impact {
-  double start = nothing, end = nothing, peak_time = nothing, peak = 0;
-};
-
-Impact first_impact(const RecordedDrop& drop, const std::string& bearing) {
-  const TimeSeries penetration = drop.series("/bearings/" + bearing + "/penetration");
-  Impact impact;
-  const double begin = penetration.times.front();
-  const auto start = penetration.values.front() > 0. ? begin : first_crossing(penetration, true, begin);
-  if (!start) return impact;
-  impact.start = *start;
-  impact.end = first_crossing(penetration, false, *start).value_or(penetration.times.back());
-  if (const auto peak = largest_of(drop.series("/bearings/" + bearing + "/contact_force"), impact.start, impact.end)) {
-    impact.peak = peak->value;
-    impact.peak_time = peak->time;
-  }
-  return impact;
-}
-
-std::vector<Instant> instants_of(const Impact& impact, double end, const std::vector<double>& more) {
-  std::vector<Instant> list;
-  if (std::isfinite(impact.peak_time)) list.push_back({"first impact's peak", impact.peak_time});
-  for (const double t : more)
-    if (t < end) list.push_back({fmt::format("{:.6g} ms", t * 1e3), t});
-  list.push_back({"end", end});
-  return list;
-}
 
 /// How the two sides of a difference are called.
 struct Names {
@@ -162,9 +123,9 @@ Json clearances_json(const Side& a, const Side& b, const std::string& bearing, c
                                                tolerance, names, instants)}};
 }
 
-Json lumping_json(const BearingCircuitData& circuit, const Impact& impact, const std::vector<Instant>& instants) {
+Json lumping_json(const std::vector<LumpedBody>& bodies, const Impact& impact, const std::vector<Instant>& instants) {
   Json j = Json::object();
-  for (const auto& body : lumped_bodies(circuit)) {
+  for (const auto& body : bodies) {
     Json& entry = j[body.name];
     entry = {{"length", body.length},
              {"diffusivity", body.diffusivity},
@@ -199,120 +160,6 @@ Json forces_json(const RecordedDrop& drop, const std::string& bearing, const Imp
       {"rub_heat", heat.values.back()}};
 }
 
-// ------------------------------------------------------------------------------------------------------------------ bore
-
-RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing) {
-  const std::string at = "/bearings/" + bearing + "/", ledger = "/ledger/" + bearing + "/";
-  const TimeSeries y = drop.series(at + "orbit", 0), z = drop.series(at + "orbit", 1);
-  const TimeSeries ring_y = drop.series(at + "ring_position", 0), ring_z = drop.series(at + "ring_position", 1);
-  const TimeSeries all = drop.series(ledger + "rub_heat");
-  RubRecord r;
-  r.times = y.times;
-  r.joules_into_ring = drop.series(ledger + "rub_heat_into_ring").values;
-  r.ring_angle = integral_of(drop.series(at + "ring_speed")).values;
-  r.rotor_angle = drop.series("/rotor/spin_angle").values;
-  for (std::size_t i = 0; i < r.times.size(); ++i) {
-    r.contact_angle.push_back(std::atan2(z.values[i] - ring_z.values[i], y.values[i] - ring_y.values[i]));
-    r.joules_into_rotor.push_back(all.values[i] - r.joules_into_ring[i]);
-  }
-  return r;
-}
-
-RubSurfaces rub_surfaces(const BearingCircuitData& c, double bore, double band_length) {
-  const double capacity = c.ring.density * c.ring.heat_capacity;
-  RubSurfaces s;
-  s.bore = {bore, c.ring.conductivity, capacity, 0.5 * (c.inner_outside - c.inner_bore)};
-  s.rotor_radius = c.journal_radius;
-  s.rotor_conductivity = c.ring.conductivity;
-  s.rotor_capacity = capacity;
-  s.half_width = 0.5 * band_length;
-  s.axial_width = c.width;
-  return s;
-}
-
-BoreTemperatures bore_temperatures(const std::string& bearing, BoreHistory history, const TimeSeries* node,
-                                   const TimeSeries* mean, double ambient) {
-  BoreTemperatures b;
-  b.bearing = bearing;
-  const std::size_t n = history.times.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double t = history.times[i];
-    // Over the half space's own mean: that part of the heat is in the finite elements already.
-    const double bulk = mean ? mean->at(t) - history.mean_rise[i] : ambient;
-    b.node.push_back(node ? node->at(t) : nothing);
-    b.mean.push_back(bulk + history.mean_rise[i]);
-    b.local.push_back(bulk + history.largest_rise[i]);
-    b.flash.push_back(bulk + history.rise_at_contact[i]);
-    b.rotor_flash.push_back(history.rotor_flash[i]);
-  }
-  b.history = std::move(history);
-  return b;
-}
-
-/// The row whose time comes closest to t.
-std::size_t row_at(const std::vector<double>& times, double t) {
-  const auto after = std::lower_bound(times.begin(), times.end(), t);
-  if (after == times.begin()) return 0;
-  const auto i = static_cast<std::size_t>(after - times.begin());
-  return i < times.size() && times[i] - t < t - times[i - 1] ? i : i - 1;
-}
-
-Json largest_excess(const BoreTemperatures& b, const std::vector<double>& over) {
-  Extreme most{-std::numeric_limits<double>::infinity(), nothing};
-  for (std::size_t i = 0; i < b.local.size(); ++i)
-    if (b.local[i] - over[i] > most.value) most = {b.local[i] - over[i], b.history.times[i]};
-  return {{"value", number(most.value)}, {"time", number(most.time)}};
-}
-
-Json bore_json(const BoreTemperatures& b, const RubRecord& r, const RubSurfaces& s, double hertz_half_width,
-               bool has_mean, const Impact& impact, const std::vector<Instant>& instants) {
-  const auto& h = b.history;
-  Json j = {{"mean_from", has_mean ? "finite elements" : "half space"},
-            {"half_width", s.half_width},
-            {"hertz_half_width", number(hertz_half_width)},
-            {"axial_width", s.axial_width},
-            {"wall_crossed_after", h.valid_until},
-            {"track_widens_after", s.half_width * s.half_width * s.bore.capacity / s.bore.conductivity},
-            {"largest_local_over_node", largest_excess(b, b.node)},
-            {"largest_local_over_mean", largest_excess(b, b.mean)},
-            {"at", Json::array()}};
-  for (const auto& [name, t] : instants) {
-    const std::size_t i = row_at(h.times, t);
-    j["at"].push_back({{"instant", name},
-                       {"time", h.times[i]},
-                       {"lumped_node", number(b.node[i])},
-                       {"mean", b.mean[i]},
-                       {"local", b.local[i]},
-                       {"flash", number(b.flash[i])},
-                       {"rotor_flash_rise", number(b.rotor_flash[i])},
-                       {"arc", h.arc[i] * s.bore.radius},
-                       {"heated_arc", h.heated_arc[i] * s.bore.radius},
-                       {"ring_turns", h.ring_turns[i]},
-                       {"half_space_valid", !(h.times[i] > impact.start + h.valid_until)}});
-  }
-  if (!std::isfinite(impact.start)) return j;
-  const TimeSeries heat{r.times, r.joules_into_ring}, angle{r.times, r.ring_angle};
-  const double duration = impact.end - impact.start;
-  // Contact ends between two rows; what was swept until the last one before.
-  double arc = 0., local = 0., local_time = nothing;
-  for (std::size_t i = 0; i < h.times.size() && h.times[i] <= impact.end; ++i) {
-    arc = std::max(arc, h.arc[i]);
-    if (h.largest_rise[i] > local) {
-      local = h.largest_rise[i];
-      local_time = h.times[i];
-    }
-  }
-  const double joules = heat.at(impact.end) - heat.at(impact.start);
-  j["first_impact"] = {{"duration", duration},
-                       {"heat_into_ring", joules},
-                       {"arc", arc * s.bore.radius},
-                       {"ring_angle", angle.at(impact.end) - angle.at(impact.start)},
-                       {"largest_local_rise", local},
-                       {"largest_local_rise_time", number(local_time)},
-                       {"steady_band_rise", steady_band_rise(s, joules, duration, arc)}};
-  return j;
-}
-
 // --------------------------------------------------------------------------------------------------------------- bearing
 
 /// What is compared: the two models, from whichever run has them; none if no pair can be made.
@@ -339,7 +186,6 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
   double end = drop.series("/bearings/" + name + "/orbit").times.back();
   if (against) end = std::min(end, against->series("/bearings/" + name + "/orbit").times.back());
   const auto instants = instants_of(impact, end, options.instants);
-  const auto circuit = circuit_data(drop.parameters(), name, p);
 
   Json j;
   j["first_contact_time"] = number(impact.start);
@@ -358,24 +204,10 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
     j["clearances"] = clearances_json(lumped, fe, name, p, options.growth, names, instants);
   }
 
-  std::optional<TimeSeries> node, mean;
-  if (models.lumped) node = models.lumped->series(models.lumped->node_path(Kind::lumped, name, "inner_ring"));
-  if (models.fe) mean = models.fe->series(models.fe->surface_path(name, "bore"), 0);
-  const RubRecord rub = rub_record(drop, name);
-  const double bore = bore_radius(p, drop.parameters().contact);
-  const RubSurfaces surfaces =
-      rub_surfaces(circuit, bore, options.band_length.value_or(drop.parameters().thermal.rub_band_length));
-  double hertz = nothing;
-  for (const auto& [material, m] : drop.parameters().materials)
-    if (material == p.ring) {
-      const double E = effective_modulus({m.E, m.nu}, {m.E, m.nu});
-      hertz = line_contact_half_width(impact.peak / p.width,
-                                      bore * circuit.journal_radius / (bore - circuit.journal_radius), E);
-    }
-  bores.push_back(bore_temperatures(name, bore_history(rub, surfaces), node ? &*node : nullptr, mean ? &*mean : nullptr,
-                                    drop.parameters().run.ambient));
-  j["bore"] = bore_json(bores.back(), rub, surfaces, hertz, mean.has_value(), impact, instants);
-  j["lumping"] = lumping_json(circuit, impact, instants);
+  BoreReport bore = report_bore(name, p, drop, models.lumped, models.fe, options.band_length, impact, instants);
+  j["bore"] = std::move(bore.report);
+  bores.push_back(std::move(bore.temperatures));
+  j["lumping"] = lumping_json(lumped_bodies(drop.parameters(), name, p), impact, instants);
   j["forces"] = forces_json(drop, name, impact);
   return j;
 }
@@ -423,44 +255,7 @@ void require_something_to_compare(const RecordedDrop& drop, const RecordedDrop* 
       "Run the case with thermal.models = [\"lumped\", \"fe\"], or name other results with --against DIR.");
 }
 
-double positive_si(const std::string& text, const char* unit, QuantityKind kind, const std::string& option,
-                   const char* name) {
-  const auto value = convert_to_si(text, unit, kind, name);
-  if (!value) throw InputError({option, 0, 0}, value.error, value.advice);
-  if (!(value.value > 0.)) throw InputError({option, 0, 0}, fmt::format("\"{}\" must be above zero", text));
-  return value.value;
-}
-
 }  // namespace
-
-TemperatureTolerance parse_temperature_tolerance(const std::string& text) {
-  const auto percent = text.find('%');
-  if (percent != std::string::npos) {
-    std::string before = text.substr(0, percent);
-    before.erase(before.find_last_not_of(' ') + 1);
-    const auto value = bare_number(before);
-    if (!value || !(*value > 0.) || !std::isfinite(*value) ||
-        text.find_first_not_of(' ', percent + 1) != std::string::npos)
-      throw InputError({"--tolerance", 0, 0}, fmt::format("\"{}\" is no percentage above zero", text),
-                       "Write \"5 %\" of the largest rise, or \"0.5 K\".");
-    return {*value / 100., true};
-  }
-  return {positive_si(text, "K", QuantityKind::temperature_difference, "--tolerance", "a tolerance"), false};
-}
-
-double parse_length(const std::string& text, const std::string& option) {
-  return positive_si(text, "m", QuantityKind::plain, option, "it");
-}
-
-std::vector<double> parse_instants(const std::string& text) {
-  std::vector<double> instants;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    instants.push_back(positive_si(text.substr(from, comma - from), "s", QuantityKind::plain, "--times", "a time"));
-    from = comma + 1;
-  }
-  return instants;
-}
 
 Comparison compare_models(const RecordedDrop& drop, const RecordedDrop* against, const ComparisonOptions& options) {
   require_something_to_compare(drop, against);
@@ -483,6 +278,7 @@ Comparison compare_models(const RecordedDrop& drop, const RecordedDrop* against,
   if (j["bearings"].empty())
     throw InputError({against->directory().string(), 0, 0},
                      "no touchdown bearing there has the name of one in " + drop.directory().string());
+  j["in_short"] = short_verdict_of(j);
   j["verdict"] = verdict_of(j);
   return c;
 }

@@ -8,8 +8,8 @@
 
 #include "io/checkpoint.h"
 #include "io/recorder.h"
+#include "machine/thermal_report.h"
 #include "study/comparison.h"
-#include "study/lumping.h"
 
 namespace rotordrop {
 namespace {
@@ -85,17 +85,13 @@ void add_summary(const Json& b, std::vector<std::string>& text) {
       surfaces.empty() ? "" : fmt::format("; not for surfaces: {}", fmt::join(surfaces, ", "))));
 }
 
-void add_bore(const Json& b, std::vector<std::string>& text) {
+void add_local(const Json& b, std::vector<std::string>& text) {
   const Json& bore = b["bore"];
-  if (b.contains("surfaces"))
-    text.push_back(fmt::format("Bore's surface, its mean around the circumference, over the circuit's inner ring: {}.",
-                               agreement(b["surfaces"]["bore"]["mean"], kelvin)));
   if (bore.contains("first_impact") && !bore["largest_local_over_node"]["value"].is_null()) {
     const Json& first = bore["first_impact"];
     std::string line = fmt::format(
         "Bore locally: the first impact ({}) sweeps {:.1f} mm of it while the ring turns {:.1f} deg; the hottest place "
-        "of "
-        "that arc is up to {} warmer than the circuit's inner ring, at {}",
+        "of that arc is up to {} warmer than the circuit's inner ring, at {}",
         duration(first["duration"].get<double>()), first["arc"].get<double>() * 1e3,
         first["ring_angle"].get<double>() * 180. / std::numbers::pi,
         in(kelvin, bore["largest_local_over_node"]["value"].get<double>()),
@@ -106,6 +102,20 @@ void add_bore(const Json& b, std::vector<std::string>& text) {
                             in(kelvin, entry["local"].get<double>() - entry["lumped_node"].get<double>()));
     text.push_back(line + ".");
   }
+}
+
+void add_models(const Json& b, std::vector<std::string>& text) {
+  if (!b["lumps_in_both"].empty()) {
+    std::vector<std::string> lumps;
+    for (const auto& lump : b["lumps_in_both"]) lumps.push_back(words(lump.get<std::string>()));
+    text.push_back(fmt::format("One lump in the finite elements, too, so that their agreement proves little: {}.",
+                               fmt::join(lumps, ", ")));
+  }
+  add_agreements(b["temperatures"], kelvin, "Mean temperature of", text);
+  add_agreements(b["growth"], micrometres, "Growth of", text);
+  text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));
+  text.push_back(fmt::format("Bore's surface, its mean around the circumference, over the circuit's inner ring: {}.",
+                             agreement(b["surfaces"]["bore"]["mean"], kelvin)));
 }
 
 void add_lumping(const Json& b, std::vector<std::string>& text) {
@@ -201,21 +211,20 @@ std::vector<std::string> verdict_of(const Json& report) {
   std::vector<std::string> all;
   for (const auto& [name, b] : report["bearings"].items()) {
     std::vector<std::string> text;
-    if (b.contains("temperatures")) {
-      add_summary(b, text);
-      if (b["lumps_in_both"].size() > 0) {
-        std::vector<std::string> lumps;
-        for (const auto& lump : b["lumps_in_both"]) lumps.push_back(words(lump.get<std::string>()));
-        text.push_back(fmt::format("One lump in the finite elements, too, so that their agreement proves little: {}.",
-                                   fmt::join(lumps, ", ")));
-      }
-      add_agreements(b["temperatures"], kelvin, "Mean temperature of", text);
-      add_agreements(b["growth"], micrometres, "Growth of", text);
-      text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));
-    }
-    add_bore(b, text);
+    if (b.contains("temperatures")) add_models(b, text);
     add_lumping(b, text);
     if (b.contains("runs")) add_runs(report, b, text);
+    for (const auto& line : text) all.push_back(name + ": " + line);
+  }
+  return all;
+}
+
+std::vector<std::string> short_verdict_of(const Json& report) {
+  std::vector<std::string> all;
+  for (const auto& [name, b] : report["bearings"].items()) {
+    std::vector<std::string> text;
+    if (b.contains("temperatures")) add_summary(b, text);
+    add_local(b, text);
     for (const auto& line : text) all.push_back(name + ": " + line);
   }
   return all;
@@ -233,7 +242,8 @@ std::string comparison_text(const Json& report) {
         for (const auto& [node, d] : nodes.items()) text += table_row(words(node), d, kelvin);
       }
   }
-  for (const auto& line : report["verdict"]) text += line.get<std::string>() + "\n";
+  for (const char* list : {"in_short", "verdict"})
+    for (const auto& line : report[list]) text += line.get<std::string>() + "\n";
   return text;
 }
 

@@ -1,5 +1,5 @@
 // Numbers of Biot and Fourier against their closed forms.
-#include "study/lumping.h"
+#include "thermal/lumping.h"
 
 #include <gtest/gtest.h>
 

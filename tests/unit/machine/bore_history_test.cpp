@@ -1,6 +1,6 @@
 // Local temperature of a bore under prescribed motions: swept arc, turns, and Carslaw & Jaeger's half space under constant heat,
 //   T(t) = 2 q sqrt(t/(pi k rho c)).
-#include "study/bore_history.h"
+#include "machine/bore_history.h"
 
 #include <gtest/gtest.h>
 

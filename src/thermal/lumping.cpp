@@ -1,4 +1,4 @@
-#include "study/lumping.h"
+#include "thermal/lumping.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "study/bore_history.h"
+#include "machine/bore_history.h"
 
 #include <algorithm>
 #include <cmath>
