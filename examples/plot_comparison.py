@@ -38,10 +38,7 @@ class Comparison(Case):
 
     def fe(self, bearing, name):
         """Times and values of the finite elements; surfaces have the columns mean, lowest, highest."""
-        if not self.is_windowed:
-            return self.results.get(f"/fe/{bearing}/{name}")
-        surface = self.results.get(f"/windows/{bearing}/{name}_surface", quiet=True)
-        return surface or self.results.get(f"/windows/{bearing}/{name}")
+        return self.results.get(f"/{'windows' if self.is_windowed else 'fe'}/{bearing}/{name}")
 
     def growth(self, bearing, model):
         if model == "fe" and self.is_windowed:

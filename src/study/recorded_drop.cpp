@@ -119,7 +119,7 @@ std::string RecordedDrop::node_path(ThermalModelKind model, const std::string& b
 }
 
 std::string RecordedDrop::surface_path(const std::string& bearing, const std::string& surface) const {
-  return fmt::format("/{}/{}/{}{}", is_windowed_ ? "windows" : "fe", bearing, surface, is_windowed_ ? "_surface" : "");
+  return node_path(ThermalModelKind::fe, bearing, surface);
 }
 
 std::string RecordedDrop::growth_path(ThermalModelKind model, const std::string& bearing) const {

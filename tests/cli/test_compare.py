@@ -372,7 +372,7 @@ class LumpedAndFiniteElements(ProgramTest):
             for name, b in report["bearings"].items():
                 times = results["/windows/time"][:]
                 lumped = numpy.interp(times, results["/time"][:], results[f"/thermal/{name}/inner_ring"][:])
-                for found, fe in ((b["temperatures"]["inner_ring"], results[f"/windows/{name}/inner_ring"][:]), (b["surfaces"]["bore"]["mean"], results[f"/windows/{name}/bore_surface"][:, 0])):
+                for found, fe in ((b["temperatures"]["inner_ring"], results[f"/windows/{name}/inner_ring"][:]), (b["surfaces"]["bore"]["mean"], results[f"/windows/{name}/bore"][:, 0])):
                     self.assertAlmostEqual(found["largest_difference"], (fe - lumped)[numpy.argmax(abs(fe - lumped))], delta=1e-9)
                     self.assertIn(found["largest_difference_time"], times)
 
