@@ -572,25 +572,27 @@ def read_summary(path):
         return {}
 
 
+def draw_into(folder, draw, case, dpi):
+    """Draws one figure into a folder; the file's name, or None if there was nothing to draw."""
+    figure = draw(case)
+    if figure is None:
+        return None
+    folder.mkdir(exist_ok=True)
+    # The layout once, then one drawing: savefig alone would draw twice.
+    figure.get_layout_engine().execute(figure)
+    figure.set_layout_engine("none")
+    figure.savefig(folder / f"{draw.__name__}.png", dpi=dpi)
+    plt.close(figure)
+    return f"{draw.__name__}.png"
+
+
 def draw_figures(directory, figures, dpi):
     """Draws into DIR/figures. Returns the names of the files written, and of what was asked for in vain."""
     plt.rcParams.update(STYLE)
     results = Results(directory / "results.h5")
     case = Case(results, read_summary(directory / "summary.json"))
-    folder = directory / "figures"
-    written = []
-    for draw in figures:
-        figure = draw(case)
-        if figure is None:
-            continue
-        folder.mkdir(exist_ok=True)
-        # The layout once, then one drawing: savefig alone would draw twice.
-        figure.get_layout_engine().execute(figure)
-        figure.set_layout_engine("none")
-        figure.savefig(folder / f"{draw.__name__}.png", dpi=dpi)
-        plt.close(figure)
-        written.append(f"{draw.__name__}.png")
-    return written, results.missing
+    written = [draw_into(directory / "figures", draw, case, dpi) for draw in figures]
+    return [name for name in written if name], results.missing
 
 
 def draw_in_two_processes(directory, dpi):

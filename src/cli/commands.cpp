@@ -6,7 +6,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
+#include "base/errors.h"
 #include "base/version.h"
 #include "cli/progress_line.h"
 #include "integrate/sundials_version.h"
@@ -18,6 +20,7 @@
 #include "study/bearing_mesh.h"
 #include "study/calibration.h"
 #include "study/case.h"
+#include "study/comparison.h"
 #include "study/drop_run.h"
 #include "study/fe_module.h"
 #include "study/heat_run.h"
@@ -89,6 +92,47 @@ int check_heat_case(const std::filesystem::path& file, const std::vector<std::st
   return 0;
 }
 
+/// Of a run with both thermal models: the comparison beside its results.
+void compare_after_run(const Case& drop_case, const RunCommand& command, const std::filesystem::path& directory) {
+  const auto& thermal = drop_case.parameters.thermal;
+  if (!thermal.has_lumped || !thermal.has_fe) return;
+  const RecordedDrop drop(directory, drop_case);
+  if (drop.bearings().empty()) return;
+  Comparison comparison;
+  try {
+    comparison = compare_models(drop, nullptr, {});
+  } catch (const InputError& error) {
+    // The input was good: what came of it is not.
+    throw SolverError(std::string("the run is complete, but its thermal models cannot be compared.\n") + error.what());
+  }
+  write_comparison(comparison, directory / "comparison.json");
+  if (command.quiet) return;
+  for (const auto& line : comparison.report["in_short"]) fmt::print("{}\n", line.get<std::string>());
+}
+
+ComparisonOptions comparison_options(const CompareCommand& command) {
+  ComparisonOptions options;
+  if (!command.tolerance.empty()) options.temperature = parse_temperature_tolerance(command.tolerance);
+  if (!command.growth_tolerance.empty()) options.growth = parse_length(command.growth_tolerance, "--growth-tolerance");
+  if (!command.times.empty()) options.instants = parse_instants(command.times);
+  if (!command.band_length.empty()) options.band_length = parse_length(command.band_length, "--band-length");
+  return options;
+}
+
+/// Its own comparison a directory of results may lose; other files only with --force.
+std::filesystem::path comparison_file(const CompareCommand& command) {
+  if (command.output.empty()) return command.directory / "comparison.json";
+  const auto& file = command.output;
+  if (file.extension() == ".h5")
+    throw InputError({"--output", 0, 0}, "the report is JSON; its series go into a file of the same name with .h5",
+                     "Give a name such as comparison.json.");
+  for (const auto& path : {file, comparison_series_file(file)})
+    if (!command.force && std::filesystem::exists(path))
+      throw InputError({path.string(), 0, 0}, "the file exists",
+                       "Choose another with -o FILE, or replace it with --force.");
+  return file;
+}
+
 }  // namespace
 
 std::string version_text() {
@@ -127,7 +171,10 @@ int run_command(const RunCommand& command) {
     fmt::print("{} steps, {:.3g} s; results in {}\n", result.statistics.steps, result.wall_time,
                options.directory.string());
   }
-  if (result.completed) return 0;
+  if (result.completed) {
+    compare_after_run(drop_case, command, options.directory);
+    return 0;
+  }
   std::string again =
       fmt::format("rotordrop run {} -o {} --resume", quoted(command.file.string()), quoted(options.directory.string()));
   for (const auto& assignment : command.overrides) again += " --set " + quoted(assignment);
@@ -182,6 +229,21 @@ int heat_command(const HeatCommand& command) {
   if (summary["completed"].get<bool>()) return 0;
   fmt::print(stderr, "interrupted; what was computed is in {}\n", options.directory.string());
   return 128 + static_cast<int>(caught_signal);
+}
+
+int compare_command(const CompareCommand& command) {
+  const ComparisonOptions options = comparison_options(command);
+  const RecordedDrop drop(command.directory);
+  std::optional<RecordedDrop> against;
+  if (!command.against.empty()) against.emplace(command.against);
+  const auto file = comparison_file(command);
+  const Comparison comparison = compare_models(drop, against ? &*against : nullptr, options);
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  write_comparison(comparison, file);
+  if (!command.quiet)
+    fmt::print("rotordrop {} ({})   comparison, case {}\n{}report in {}\n", version(), git_revision(), drop.case_name(),
+               comparison_text(comparison.report), file.string());
+  return 0;
 }
 
 int mesh_command(const MeshCommand& command) {

@@ -34,6 +34,13 @@ struct CalibrateCommand {
 /// The circuits of a case fitted to its finite elements, into a parameter file.
 int calibrate_command(const CalibrateCommand& command);
 
+struct CompareCommand {
+  std::filesystem::path directory, against, output;
+  std::string tolerance, growth_tolerance, times, band_length;  ///< as given; empty: default
+  bool force = false, quiet = false;
+};
+int compare_command(const CompareCommand& command);
+
 struct MeshCommand {
   std::filesystem::path file, output;
   std::vector<std::string> overrides;

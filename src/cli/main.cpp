@@ -3,13 +3,29 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "base/errors.h"
+#include "base/parameters.h"
 #include "cli/commands.h"
 
 namespace {
 
 enum ExitCode { done = 0, run_failed = 1, bad_input = 2 };
+
+/// For mistyped options, the ones that may be meant.
+void suggest_options(const CLI::App& app) {
+  for (const auto* command : app.get_subcommands()) {
+    std::vector<std::string> known;
+    for (const auto* option : command->get_options())
+      for (const auto& name : option->get_lnames()) known.push_back("--" + name);
+    for (const auto& word : command->remaining())
+      if (const auto guess = rotordrop::closest_name(word.substr(0, word.find('=')), known);
+          word.starts_with("--") && !guess.empty())
+        fmt::print(stderr, "{}: did you mean {}?\n", word, guess);
+  }
+}
 
 int run_program(int argc, char** argv) {
   using namespace rotordrop;
@@ -58,6 +74,24 @@ int run_program(int argc, char** argv) {
   heat_app->add_flag("--force", heat.force, "Replace results that are in the directory");
   heat_app->add_flag("--quiet", heat.quiet, "Only messages about trouble");
 
+  CompareCommand compare;
+  auto* compare_app = app.add_subcommand(
+      "compare",
+      "Lumped circuit against finite elements of a drop, or one drop against another: when to trust the former.");
+  compare_app->add_option("directory", compare.directory, "Directory of a run's results")->required();
+  compare_app->add_option("--against", compare.against, "Directory of another run");
+  compare_app->add_option("--tolerance", compare.tolerance,
+                          "Of temperatures: \"0.5 K\", or part of the bearing's largest rise; default \"5 %\"");
+  compare_app->add_option("--growth-tolerance", compare.growth_tolerance,
+                          "Of thermal growth and clearances; default \"0.1 um\"");
+  compare_app->add_option("--times", compare.times,
+                          "Instants to report beside the first impact's peak and the end; default \"10 ms\"");
+  compare_app->add_option("--band-length", compare.band_length,
+                          "Length of the rub along the surface; default: the case's thermal.rub_band_length");
+  compare_app->add_option("-o,--output", compare.output, "Report; default DIR/comparison.json");
+  compare_app->add_flag("--force", compare.force, "Replace the file given with -o");
+  compare_app->add_flag("--quiet", compare.quiet, "Only messages about trouble");
+
   MeshCommand mesh;
   auto* mesh_app = app.add_subcommand("mesh", "Mesh of the touchdown bearings' sections, as a .msh file of gmsh.");
   mesh_app->add_option("case", mesh.file, "Parameter file")->required();
@@ -96,11 +130,14 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? done : bad_input;
+    const int code = app.exit(error);
+    if (code != 0) suggest_options(app);
+    return code == 0 ? done : bad_input;
   }
   if (*run_app) return run_command(run);
   if (*check) return check_command(check_file, check_overrides);
   if (*heat_app) return heat_command(heat);
+  if (*compare_app) return compare_command(compare);
   if (*mesh_app) return mesh_command(mesh);
   if (*calibrate_app) return calibrate_command(calibrate);
   if (*modes_app) return modes_command(modes);

@@ -65,6 +65,10 @@ double semi_major_axis_factor(const ContactGeometry& g, double modulus, Elliptic
   return std::cbrt(6. * e.k * e.k * e.E * combined_radius(g) / (pi * modulus));
 }
 
+double line_contact_half_width(double load_per_length, double combined_radius, double effective_modulus) {
+  return std::sqrt(8. * load_per_length * combined_radius / (pi * effective_modulus));
+}
+
 double stiffness_in_series(double inner, double outer) {
   return std::pow(std::pow(inner, -2. / 3.) + std::pow(outer, -2. / 3.), -1.5);
 }

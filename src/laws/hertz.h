@@ -45,6 +45,10 @@ double hertz_stiffness(const ContactGeometry& geometry, double effective_modulus
 /// Hamrock & Dowson's diameter 2 (6 k^2 E F R / (pi E'))^(1/3) halved.
 double semi_major_axis_factor(const ContactGeometry& geometry, double effective_modulus, EllipticIntegrals method);
 
+/// Half width b [m] of the contact of two parallel cylinders: b = sqrt(8 w R / (pi E')), w [N/m], 1/R = 1/r_1 +- 1/r_2, - for a shaft in a bore.
+/// Source: Johnson, Contact Mechanics (1985), eq. (4.43). Valid: b far below both radii, long cylinders.
+double line_contact_half_width(double load_per_length, double combined_radius, double effective_modulus);
+
 /// Inner and outer contact in series: (K_i^(-2/3) + K_o^(-2/3))^(-3/2).
 double stiffness_in_series(double inner, double outer);
 

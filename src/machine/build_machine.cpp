@@ -28,41 +28,6 @@ const Node& table_of(const Node& case_node, const char* section) {
   return found ? *found : empty;
 }
 
-}  // namespace
-
-BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
-  const auto& t = p.thermal;
-  BearingCircuitData c;
-  c.name = name;
-  c.ring = thermal_material(*find_material(p, b.ring));
-  c.ball = thermal_material(*find_material(p, b.ball));
-  c.width = b.width;
-  c.journal_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
-  c.ring_mass = b.ring_mass;
-  c.inner_bore = b.inner_ring_diameters[0];
-  c.inner_outside = b.inner_ring_diameters[1];
-  c.outer_bore = b.outer_ring_diameters[0];
-  c.outer_outside = b.outer_ring_diameters[1];
-  c.housing_bore = b.housing_diameters[0];
-  c.housing_outside = b.housing_diameters[1];
-  c.housing_length = b.housing_length;
-  c.shaft_length = b.shaft_lump_length.value_or(b.width);
-  c.n_balls = b.rows * b.balls_per_row;
-  c.ball_diameter = b.ball_diameter;
-  c.h_shaft = t.h_shaft;
-  c.h_ball = t.h_ball;
-  c.fit_resistance = t.fit_resistance;
-  c.contact_half_width = t.contact_half_width;
-  c.plane_strain_growth = t.plane_strain_growth;
-  c.shaft_ring_link = t.shaft_ring_link;
-  c.factors = b.circuit;
-  c.gap_resistance =
-      std::log1p(air_gap(b, p.contact) / c.journal_radius) / (2. * std::numbers::pi * t.gas_conductivity * b.width);
-  return c;
-}
-
-namespace {
-
 RubShare rub_share(const ThermalParameters& t) {
   return {t.share_to_ring, t.heat_share == HeatShare::jaeger, {t.rub_band_length, t.rub_contact_time, 1.}};
 }
@@ -110,7 +75,7 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
     ReducedSection section{made.name, made.reduced, made.adiabatic.growth, {}};
     const auto circuit = circuit_data(p, entry.name, *b);
     if (circuit.shaft_ring_link == BearingCircuitData::Link::in_contact) {
-      const double touching = shaft_surface_resistance(circuit);
+      const double touching = circuit_resistances(circuit).R2;
       section.contact_link = {touching, touching + circuit.gap_resistance};
     }
     sections.push_back(std::move(section));
@@ -209,6 +174,37 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
 }
 
 }  // namespace
+
+BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
+  const auto& t = p.thermal;
+  BearingCircuitData c;
+  c.name = name;
+  c.ring = thermal_material(*find_material(p, b.ring));
+  c.ball = thermal_material(*find_material(p, b.ball));
+  c.width = b.width;
+  c.journal_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
+  c.ring_mass = b.ring_mass;
+  c.inner_bore = b.inner_ring_diameters[0];
+  c.inner_outside = b.inner_ring_diameters[1];
+  c.outer_bore = b.outer_ring_diameters[0];
+  c.outer_outside = b.outer_ring_diameters[1];
+  c.housing_bore = b.housing_diameters[0];
+  c.housing_outside = b.housing_diameters[1];
+  c.housing_length = b.housing_length;
+  c.shaft_length = b.shaft_lump_length.value_or(b.width);
+  c.n_balls = b.rows * b.balls_per_row;
+  c.ball_diameter = b.ball_diameter;
+  c.h_shaft = t.h_shaft;
+  c.h_ball = t.h_ball;
+  c.fit_resistance = t.fit_resistance;
+  c.contact_half_width = t.contact_half_width;
+  c.plane_strain_growth = t.plane_strain_growth;
+  c.shaft_ring_link = t.shaft_ring_link;
+  c.factors = b.circuit;
+  c.gap_resistance =
+      std::log1p(air_gap(b, p.contact) / c.journal_radius) / (2. * std::numbers::pi * t.gas_conductivity * b.width);
+  return c;
+}
 
 GrowthDriver driver_of(const ThermalParameters& t) {
   if (t.driver != GrowthDriver::automatic) return t.driver;

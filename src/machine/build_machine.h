@@ -13,7 +13,7 @@ void check_machine(const MachineParameters& parameters, const Node& case_node, F
 /// Which model's growth is fed back when a case leaves it open.
 GrowthDriver driver_of(const ThermalParameters& parameters);
 
-/// What a bearing's circuit, and its section by finite elements, are made from.
+/// What the thermal models of a touchdown bearing are made from.
 BearingCircuitData circuit_data(const MachineParameters& parameters, const std::string& name,
                                 const TouchdownParameters& bearing);
 

@@ -84,7 +84,7 @@ class DirectoryLock {
 };
 
 void remove_older_results(const fs::path& directory) {
-  fs::remove(directory / "summary.json");
+  for (const char* name : {"summary.json", "comparison.json", "comparison.h5"}) fs::remove(directory / name);
   fs::remove_all(directory / "checkpoints");
   fs::remove_all(directory / "failed");
 }

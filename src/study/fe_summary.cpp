@@ -43,7 +43,8 @@ Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std
     j["modes"] = s.reduced.n_modes();
     for (const auto& port : s.reduced.ports) j["response_error"][port.name] = port.response_error;
   }
-  j["heat_capacity"] = {{"inner_ring", s.adiabatic.inner_capacity}, {"outer_ring_and_housing", s.adiabatic.outer_capacity}};
+  j["heat_capacity"] = {{"inner_ring", s.adiabatic.inner_capacity},
+                        {"outer_ring_and_housing", s.adiabatic.outer_capacity}};
   j["temperature_rise_end"] = Json::object();
   j["surface_rise"] = Json::object();
   for (const auto& path : list_datasets(results)) {

@@ -6,6 +6,27 @@
 
 namespace rotordrop {
 
+CircuitResistances circuit_resistances(const BearingCircuitData& b) {
+  using std::numbers::pi;
+  const double k = b.ring.conductivity, k_b = b.ball.conductivity, W = b.width, Z = b.n_balls,
+               d_s = 2. * b.journal_radius;
+  const double d_mi = 0.5 * (b.inner_bore + b.inner_outside), d_om = 0.5 * (b.outer_bore + b.outer_outside),
+               d_hm = 0.5 * (b.housing_bore + b.housing_outside);
+  CircuitResistances R;
+  R.R1 = 1. / (b.h_shaft * pi * d_s * W);
+  R.R2 = 1. / (4. * pi * k * W);  // centre to surface
+  R.R3 = std::log(d_mi / d_s) / (2. * pi * k * W);
+  R.R4 = std::log(b.inner_outside / d_mi) / (2. * pi * k * W);
+  R.R5_inside = 2. / (pi * k_b * b.ball_diameter * Z);
+  R.R5_constriction = 2. / (4. * k_b * b.contact_half_width * Z);
+  R.R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
+  R.R7 = std::log(d_om / b.outer_bore) / (2. * pi * k * W);
+  R.R8_ring = std::log(b.outer_outside / d_om) / (2. * pi * k * W);
+  R.R8_fit = b.fit_resistance;
+  R.R8_housing = std::log(d_hm / b.outer_outside) / (2. * pi * k * b.housing_length);
+  return R;
+}
+
 void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& network) {
   using std::numbers::pi;
   using Law = ThermalNetworkData::Law;
@@ -14,10 +35,7 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
                     co = name("outer_contact"), o = name("outer_ring"), h = name("housing");
   const std::size_t place = network.places.size();
 
-  const double k = b.ring.conductivity, W = b.width, d_s = 2. * b.journal_radius;
-  const double d_mi = 0.5 * (b.inner_bore + b.inner_outside), d_om = 0.5 * (b.outer_bore + b.outer_outside),
-               d_hm = 0.5 * (b.housing_bore + b.housing_outside);
-  const double Z = b.n_balls;
+  const double W = b.width, d_s = 2. * b.journal_radius, Z = b.n_balls;
   const auto disc = [](double diameter) { return 0.25 * pi * diameter * diameter; };
   const auto sleeve = [&](double inside, double outside) { return disc(outside) - disc(inside); };
 
@@ -29,16 +47,8 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   const double C_o = f.outer_ring_capacity * volumetric * sleeve(b.outer_bore, b.outer_outside) * W;
   const double C_h = f.housing_capacity * volumetric * sleeve(b.housing_bore, b.housing_outside) * b.housing_length;
 
-  const double R1 = 1. / (b.h_shaft * pi * d_s * W);
-  const double R2 = 1. / (4. * pi * k * W);  // centre to surface
-  const double R3 = std::log(d_mi / d_s) / (2. * pi * k * W);
-  const double R4 = std::log(b.inner_outside / d_mi) / (2. * pi * k * W);
-  const double R5 = 2. / (pi * b.ball.conductivity * b.ball_diameter * Z) +
-                    2. / (4. * b.ball.conductivity * b.contact_half_width * Z);
-  const double R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
-  const double R7 = std::log(d_om / b.outer_bore) / (2. * pi * k * W);
-  const double R8 = std::log(b.outer_outside / d_om) / (2. * pi * k * W) + b.fit_resistance +
-                    std::log(d_hm / b.outer_outside) / (2. * pi * k * b.housing_length);
+  const auto [R1, R2, R3, R4, R5_inside, R5_constriction, R6, R7, R8_ring, R8_fit, R8_housing] = circuit_resistances(b);
+  const double R5 = R5_inside + R5_constriction, R8 = R8_ring + R8_fit + R8_housing;
   const double housing_area = pi * b.housing_outside * b.housing_length;  // R9 = 1 / (h_h area)
 
   network.nodes.insert(network.nodes.end(), {{s, C_s, "shaft under the bearing"},

@@ -38,6 +38,19 @@ struct BearingCircuitData {
   CircuitFactors factors;     ///< calibration
 };
 
+/// The circuit's resistances [K/W], the constant ones; R5 and R8 in their parts.
+struct CircuitResistances {
+  double R1 = 0;               ///< shaft to ambient
+  double R2 = 0;               ///< shaft's centre to its surface
+  double R3 = 0, R4 = 0;       ///< inner ring: journal to the middle of its wall, and on to its outside
+  double R5_inside = 0;        ///< a race to the balls' middle: inside the balls
+  double R5_constriction = 0;  ///< and at their contacts
+  double R6 = 0;               ///< balls to ambient
+  double R7 = 0;               ///< outer ring: its inside to the middle of its wall
+  double R8_ring = 0, R8_fit = 0, R8_housing = 0;  ///< on to its outside; fit; to the middle of the housing's wall
+};
+CircuitResistances circuit_resistances(const BearingCircuitData& bearing);
+
 /// Adds a bearing's nodes, resistors, port and growth to a network; the bearing becomes its next place.
 ///   ambient -R1- s -R2- x -R3- i -R4- ci -R5- b -R5- co -R7- o -R8- h -R9- ambient,   b -R6- ambient
 /// x is eliminated here: the rub heat enters s and i by the share, and R2 + R3 join them.

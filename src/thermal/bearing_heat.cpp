@@ -32,8 +32,6 @@ std::vector<HeatBoundary> race(const SectionMesh& mesh, std::size_t body, HeatSi
 
 }  // namespace
 
-double shaft_surface_resistance(const BearingCircuitData& b) { return 1. / (4. * pi * b.ring.conductivity * b.width); }
-
 HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const SectionMesh& mesh, double ambient,
                                            const SectionSettings& settings) {
   HeatConductionProblem p;
@@ -76,17 +74,13 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
   p.ports[inner_raceway_port].importance = p.ports[outer_raceway_port].importance = 0.03;
   p.ports[housing_port].importance = p.ports[ball_port].importance = 0.01;
 
-  const double Z = b.n_balls, d_s = 2. * b.journal_radius;
-  const double R1 = 1. / (b.h_shaft * pi * d_s * b.width);
-  const double R5 = 2. / (pi * b.ball.conductivity * b.ball_diameter * Z) +
-                    2. / (4. * b.ball.conductivity * b.contact_half_width * Z);
-  const double R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
-  p.links = {{shaft_port, {}, R1},
+  const CircuitResistances R = circuit_resistances(b);
+  const double R5 = R.R5_inside + R.R5_constriction;
+  p.links = {{shaft_port, {}, R.R1},
              {inner_raceway_port, ball_port, R5},
              {outer_raceway_port, ball_port, R5},
-             {ball_port, {}, R6}};
-  if (b.shaft_ring_link == BearingCircuitData::Link::permanent)
-    p.links.push_back({shaft_port, bore_port, shaft_surface_resistance(b)});
+             {ball_port, {}, R.R6}};
+  if (b.shaft_ring_link == BearingCircuitData::Link::permanent) p.links.push_back({shaft_port, bore_port, R.R2});
 
   const double fit_area = pi * b.outer_outside * std::min(b.width, b.housing_length);
   p.interfaces = {{{outer, HeatSide::outer}, {housing, HeatSide::inner}, std::max(b.fit_resistance * fit_area, 1e-8)}};

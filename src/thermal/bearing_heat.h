@@ -28,9 +28,6 @@ struct SectionSettings {
 HeatConductionProblem bearing_heat_problem(const BearingCircuitData& bearing, const SectionMesh& mesh, double ambient,
                                            const SectionSettings& settings);
 
-/// R2 of the circuit [K/W].
-double shaft_surface_resistance(const BearingCircuitData& bearing);
-
 /// Growth of the surfaces per rise of means [m/K] (MODEL: alpha r times the volume-mean rise).
 struct SectionGrowth {
   double bore = 0, inner_race = 0;  ///< per rise of the inner ring

@@ -139,5 +139,11 @@ TEST(Hertz, ContactsInSeriesAddTheirDeflections) {
   EXPECT_NEAR(stiffness_in_series(K_i, K_o) * std::pow(deflection, 1.5) / F, 1., 1e-13);
 }
 
+// Johnson's (4.44): the largest pressure is 2 w/(pi b), and by (4.45) sqrt(w E*/(pi R)) with E* = E'/2.
+TEST(Hertz, LineContactHasThePressureThatItsWidthGives) {
+  const double w = 2.5e5, R = 4.865, E = 2.31e11, b = line_contact_half_width(w, R, E);
+  EXPECT_NEAR(2. * w / (std::numbers::pi * b), std::sqrt(w * 0.5 * E / (std::numbers::pi * R)), 1e-3);
+}
+
 }  // namespace
 }  // namespace rotordrop

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "machine/bore_history.h"
+#include "machine/machine_parameters.h"
+#include "thermal/lumping.h"
+
+namespace rotordrop {
+
+/// The bodies of a touchdown bearing's circuit, with their numbers of Biot and Fourier.
+std::vector<LumpedBody> lumped_bodies(const MachineParameters& parameters, const std::string& name,
+                                      const TouchdownParameters& bearing);
+
+/// Bore and rotor where they rub.
+/// @param band_length  of the spot along the surface [m]
+RubSurfaces rub_surfaces(const MachineParameters& parameters, const std::string& name,
+                         const TouchdownParameters& bearing, double band_length);
+
+/// Half width of the contact of rotor and bore under a force [N], as cylinders of the ring's material [m].
+double rub_half_width(const MachineParameters& parameters, const TouchdownParameters& bearing, double force);
+
+}  // namespace rotordrop

@@ -1,0 +1,279 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "io/checkpoint.h"
+#include "io/recorder.h"
+#include "machine/thermal_report.h"
+#include "study/comparison.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a unit of the report looks like on the screen.
+struct Scale {
+  double factor = 1;
+  const char* unit = "K";
+};
+constexpr Scale kelvin = {1., "K"}, micrometres = {1e6, "um"};
+
+std::string in(const Scale& s, double value) { return fmt::format("{:.3g} {}", value * s.factor, s.unit); }
+std::string signed_in(const Scale& s, double value) { return fmt::format("{:+.3g} {}", value * s.factor, s.unit); }
+std::string ms(double time) { return fmt::format("{:.4g} ms", time * 1e3); }
+/// "0.34 s", "12 ms".
+std::string duration(double time) {
+  return time < 1. ? fmt::format("{:.3g} ms", time * 1e3) : fmt::format("{:.3g} s", time);
+}
+
+std::string words(std::string key) {
+  for (char& c : key)
+    if (c == '_') c = ' ';
+  return key == "ball" ? "balls" : key;
+}
+
+/// "within 0.13 K throughout", "off by up to -0.19 K (300 ms) and beyond 0.13 K from 187 ms to the end".
+std::string agreement(const Json& d, const Scale& scale) {
+  const std::string tolerance = in(scale, d["tolerance"].get<double>()),
+                    largest = fmt::format("{} at {}", signed_in(scale, d["largest_difference"].get<double>()),
+                                          ms(d["largest_difference_time"].get<double>()));
+  if (d["beyond_from"].is_null()) return fmt::format("within {} throughout (at most {})", tolerance, largest);
+  const std::string from = ms(d["beyond_from"].get<double>());
+  if (d["within_from"].is_null())
+    return fmt::format("off by up to {}; first by more than {} at {}, and so at the end", largest, tolerance, from);
+  return fmt::format("off by up to {}; within {} until {} and from {} on", largest, tolerance, from,
+                     ms(d["within_from"].get<double>()));
+}
+
+/// Names of what stays within the tolerance, and sentences for what does not.
+void add_agreements(const Json& group, const Scale& scale, const std::string& what, std::vector<std::string>& text) {
+  std::vector<std::string> within;
+  for (const auto& [key, d] : group.items()) {
+    if (d["beyond_from"].is_null())
+      within.push_back(words(key));
+    else
+      text.push_back(fmt::format("{} {}: {}.", what, words(key), agreement(d, scale)));
+  }
+  if (!within.empty())
+    text.push_back(fmt::format("{} {}: within {} throughout.", what, fmt::join(within, ", "),
+                               in(scale, group.front()["tolerance"].get<double>())));
+}
+
+/// "until 182 ms", "throughout", from the earliest time at which one of a group is beyond its tolerance.
+std::string trusted(const Json& group) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const auto& [key, d] : group.items())
+    if (!d["beyond_from"].is_null()) first = std::min(first, d["beyond_from"].get<double>());
+  return std::isinf(first) ? "throughout" : "until " + ms(first);
+}
+
+void add_summary(const Json& b, std::vector<std::string>& text) {
+  std::vector<std::string> surfaces;
+  for (const auto& [name, s] : b["surfaces"].items())
+    if (const Json& from = s["mean"]["beyond_from"]; !from.is_null())
+      surfaces.push_back(fmt::format("{} (from {} on)", words(name), ms(from.get<double>())));
+  text.push_back(fmt::format(
+      "In short: within {} and {} the circuit stands for mean temperatures {}, for growth {}, for clearances {}{}.",
+      in(kelvin, b["temperatures"].front()["tolerance"].get<double>()),
+      in(micrometres, b["growth"].front()["tolerance"].get<double>()), trusted(b["temperatures"]), trusted(b["growth"]),
+      trusted(b["clearances"]),
+      surfaces.empty() ? "" : fmt::format("; not for surfaces: {}", fmt::join(surfaces, ", "))));
+}
+
+void add_local(const Json& b, std::vector<std::string>& text) {
+  const Json& bore = b["bore"];
+  if (bore.contains("first_impact") && !bore["largest_local_over_node"]["value"].is_null()) {
+    const Json& first = bore["first_impact"];
+    std::string line = fmt::format(
+        "Bore locally: the first impact ({}) sweeps {:.1f} mm of it while the ring turns {:.1f} deg; the hottest place "
+        "of that arc is up to {} warmer than the circuit's inner ring, at {}",
+        duration(first["duration"].get<double>()), first["arc"].get<double>() * 1e3,
+        first["ring_angle"].get<double>() * 180. / std::numbers::pi,
+        in(kelvin, bore["largest_local_over_node"]["value"].get<double>()),
+        ms(bore["largest_local_over_node"]["time"].get<double>()));
+    for (const auto& entry : bore["at"])
+      if (entry["instant"] != "first impact's peak" && !entry["lumped_node"].is_null())
+        line += fmt::format("; at {} {}", ms(entry["time"].get<double>()),
+                            in(kelvin, entry["local"].get<double>() - entry["lumped_node"].get<double>()));
+    text.push_back(line + ".");
+  }
+}
+
+void add_models(const Json& b, std::vector<std::string>& text) {
+  if (!b["lumps_in_both"].empty()) {
+    std::vector<std::string> lumps;
+    for (const auto& lump : b["lumps_in_both"]) lumps.push_back(words(lump.get<std::string>()));
+    text.push_back(fmt::format("One lump in the finite elements, too, so that their agreement proves little: {}.",
+                               fmt::join(lumps, ", ")));
+  }
+  add_agreements(b["temperatures"], kelvin, "Mean temperature of", text);
+  add_agreements(b["growth"], micrometres, "Growth of", text);
+  text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));
+  text.push_back(fmt::format("Bore's surface, its mean around the circumference, over the circuit's inner ring: {}.",
+                             agreement(b["surfaces"]["bore"]["mean"], kelvin)));
+}
+
+void add_lumping(const Json& b, std::vector<std::string>& text) {
+  std::vector<std::string> uneven, early;
+  for (const auto& [name, body] : b["lumping"].items()) {
+    if (body["biot"].get<double>() > largest_lumped_biot)
+      uneven.push_back(fmt::format("{} (Bi {:.2g})", words(name), body["biot"].get<double>()));
+    early.push_back(fmt::format("{} {}", words(name), duration(body["evening_time"].get<double>())));
+  }
+  text.push_back(
+      fmt::format("After a pulse of heat on one side a body is even to a tenth (Fo 0.3) after: {}. Sooner, its one "
+                  "temperature is a mean only, and says nothing of the surface.",
+                  fmt::join(early, ", ")));
+  if (!uneven.empty())
+    text.push_back(
+        fmt::format("Not one temperature even in the long run, because heat leaves them as easily as it "
+                    "spreads inside (Bi above {:.2g}): {}.",
+                    largest_lumped_biot, fmt::join(uneven, ", ")));
+}
+
+void add_runs(const Json& report, const Json& b, std::vector<std::string>& text) {
+  const Json &runs = b["runs"], &mine = runs["forces"]["this"], &other = runs["forces"]["against"];
+  const auto change = [&](const char* key) {
+    if (mine[key].is_null() || other[key].is_null()) return std::string("none");
+    const double a = mine[key].get<double>(), c = other[key].get<double>();
+    return a != 0. ? fmt::format("{:+.3g} %", 100. * (c / a - 1.)) : std::string("none");
+  };
+  text.push_back(
+      fmt::format("Driver {} here, {} there: first impact's peak force {}, largest force {}, impulse {}, rub "
+                  "heat {}.",
+                  report["run"]["driver"].get<std::string>(), report["against"]["driver"].get<std::string>(),
+                  change("first_impact_peak"), change("peak_contact_force"), change("impulse"), change("rub_heat")));
+  text.push_back(fmt::format("Air gap as felt, there against here: {}.", agreement(runs["air_gap"], micrometres)));
+}
+
+std::string table_row(const std::string& name, const Json& d, const Scale& scale) {
+  const auto number = [&](const Json& v) { return fmt::format("{:.4g}", v.get<double>() * scale.factor); };
+  const auto time = [](const Json& v, const char* none) {
+    return v.is_null() ? std::string(none) : fmt::format("{:.4g}", v.get<double>() * 1e3);
+  };
+  std::string line = fmt::format("  {:<24} {:>10} {:>9} {:>9} {:>9} |", name, number(d["largest_difference"]),
+                                 time(d["largest_difference_time"], "-"), time(d["beyond_from"], "never"),
+                                 time(d["within_from"], "not"));
+  for (const auto& entry : d["at"]) line += fmt::format(" {:>12}", number(entry["difference"]));
+  return line + "\n";
+}
+
+std::string table_head(const std::string& title, const Json& d) {
+  std::string line =
+      fmt::format("  {:<24} {:>10} {:>9} {:>9} {:>9} |", title, "largest", "at ms", "off from", "in from");
+  for (const auto& entry : d["at"]) line += fmt::format(" {:>12}", ms(entry["time"].get<double>()));
+  return line + "\n";
+}
+
+std::string model_tables(const Json& b) {
+  std::string text = table_head("FE - circuit [K]", b["temperatures"]["inner_ring"]);
+  for (const auto& [node, d] : b["temperatures"].items()) text += table_row(words(node), d, kelvin);
+  for (const auto& [surface, s] : b["surfaces"].items())
+    for (const char* column : {"mean", "highest"}) text += table_row(words(surface) + " " + column, s[column], kelvin);
+  text += table_head("FE - circuit [um]", b["growth"]["bore"]);
+  for (const auto& [surface, d] : b["growth"].items()) text += table_row("growth " + words(surface), d, micrometres);
+  for (const auto& [name, d] : b["clearances"].items()) text += table_row(words(name), d, micrometres);
+  return text;
+}
+
+std::string bore_table(const Json& bore) {
+  std::string text = fmt::format("  {:<24} {:>10} {:>10} {:>10} {:>10} {:>10} {:>9} {:>9}\n", "bore [K]", "circuit",
+                                 "mean", "hottest", "contact", "rotor +", "arc mm", "turns");
+  const auto kelvins = [](const Json& v) {
+    return v.is_null() ? std::string("-") : fmt::format("{:.2f}", v.get<double>());
+  };
+  for (const auto& e : bore["at"])
+    text += fmt::format("  {:<24} {:>10} {:>10} {:>10} {:>10} {:>10} {:>9.2f} {:>9.3f}\n", ms(e["time"].get<double>()),
+                        kelvins(e["lumped_node"]), kelvins(e["mean"]), kelvins(e["local"]), kelvins(e["flash"]),
+                        kelvins(e["rotor_flash_rise"]), e["arc"].get<double>() * 1e3, e["ring_turns"].get<double>());
+  return text;
+}
+
+std::vector<Channel> bore_channels(const std::string& path) {
+  return {{path + "inner_ring", "K", "inner ring of the lumped circuit", 1, {}},
+          {path + "mean", "K", "bore, mean around the circumference", 1, {}},
+          {path + "local", "K", "hottest place around the bore (moving band)", 1, {}},
+          {path + "flash", "K", "bore under the contact's middle (moving band); NaN apart", 1, {}},
+          {path + "rotor_flash", "K", "rise of the rotor's surface under the contact (Jaeger); NaN apart", 1, {}},
+          {path + "arc", "rad", "way of the contact over the bore since they touched", 1, {}},
+          {path + "heated_arc", "rad", "part of the bore that was ever rubbed", 1, {}},
+          {path + "ring_turns", "1", "turns of the inner ring", 1, {}}};
+}
+
+}  // namespace
+
+std::vector<std::string> verdict_of(const Json& report) {
+  std::vector<std::string> all;
+  for (const auto& [name, b] : report["bearings"].items()) {
+    std::vector<std::string> text;
+    if (b.contains("temperatures")) add_models(b, text);
+    add_lumping(b, text);
+    if (b.contains("runs")) add_runs(report, b, text);
+    for (const auto& line : text) all.push_back(name + ": " + line);
+  }
+  return all;
+}
+
+std::vector<std::string> short_verdict_of(const Json& report) {
+  std::vector<std::string> all;
+  for (const auto& [name, b] : report["bearings"].items()) {
+    std::vector<std::string> text;
+    if (b.contains("temperatures")) add_summary(b, text);
+    add_local(b, text);
+    for (const auto& line : text) all.push_back(name + ": " + line);
+  }
+  return all;
+}
+
+std::string comparison_text(const Json& report) {
+  std::string text;
+  for (const auto& [name, b] : report["bearings"].items()) {
+    text += name + "\n";
+    if (b.contains("temperatures")) text += model_tables(b);
+    text += bore_table(b["bore"]);
+    if (b.contains("runs"))
+      for (const auto& [model, nodes] : b["runs"]["temperatures"].items()) {
+        text += table_head("there - here, " + model + " [K]", nodes["inner_ring"]);
+        for (const auto& [node, d] : nodes.items()) text += table_row(words(node), d, kelvin);
+      }
+  }
+  for (const char* list : {"in_short", "verdict"})
+    for (const auto& line : report[list]) text += line.get<std::string>() + "\n";
+  return text;
+}
+
+std::filesystem::path comparison_series_file(const std::filesystem::path& file) {
+  return std::filesystem::path(file).replace_extension(".h5");
+}
+
+void write_comparison(const Comparison& comparison, const std::filesystem::path& file) {
+  std::vector<SeriesGroup> groups;
+  for (const auto& b : comparison.bores)
+    groups.push_back({"/bore/" + b.bearing + "/time", bore_channels("/bore/" + b.bearing + "/")});
+  RecorderOptions options;
+  options.overwrite = true;
+  Recorder recorder(comparison_series_file(file), {{{"content", "temperatures of the bores"}}, {}}, groups, options);
+  for (std::size_t k = 0; k < comparison.bores.size(); ++k) {
+    const auto& b = comparison.bores[k];
+    for (std::size_t i = 0; i < b.history.times.size(); ++i) {
+      const double row[] = {b.node[i],
+                            b.mean[i],
+                            b.local[i],
+                            b.flash[i],
+                            b.rotor_flash[i],
+                            b.history.arc[i],
+                            b.history.heated_arc[i],
+                            b.history.ring_turns[i]};
+      recorder.append(k, b.history.times[i], row);
+    }
+  }
+  recorder.close();
+  write_text_atomically(file, comparison.report.dump(2) + "\n");
+}
+
+}  // namespace rotordrop

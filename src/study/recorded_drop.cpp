@@ -1,0 +1,130 @@
+#include "study/recorded_drop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "io/recorder.h"
+#include "machine/build_machine.h"
+#include "study/heat_run.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// @throws InputError unless the directory holds results
+fs::path results_in(const fs::path& directory) {
+  std::error_code ignored;
+  const std::string where = directory.string();
+  if (!fs::exists(directory, ignored)) throw InputError({where, 0, 0}, "there is no such directory");
+  if (!fs::is_directory(directory, ignored))
+    throw InputError({where, 0, 0}, "this is no directory", "Give the directory into which `rotordrop run` wrote.");
+  for (const char* name : {"results.h5", "parameters.toml"})
+    if (!fs::is_regular_file(directory / name, ignored))
+      throw InputError({where, 0, 0}, fmt::format("the directory holds no {}", name),
+                       "Give the directory into which `rotordrop run` wrote.");
+  return directory / "results.h5";
+}
+
+}  // namespace
+
+RecordedDrop::RecordedDrop(const fs::path& directory) : directory_(directory), file_(results_in(directory)) {
+  if (is_heat_case(directory / "parameters.toml"))
+    throw InputError({directory.string(), 0, 0}, "these are results of heat alone; there is no drop in them",
+                     "Give the directory into which `rotordrop run` wrote.");
+  parameters_ = read_case(directory / "parameters.toml").parameters;
+  open();
+}
+
+RecordedDrop::RecordedDrop(const fs::path& directory, const Case& drop_case)
+    : directory_(directory), file_(results_in(directory)), parameters_(drop_case.parameters) {
+  open();
+}
+
+void RecordedDrop::open() {
+  datasets_ = list_datasets(file_);
+  case_name_ = read_attribute(file_, "/", "case");
+  is_windowed_ = has("/windows/time");
+}
+
+std::string RecordedDrop::driver() const {
+  if (!parameters_.thermal.growth) return "none";
+  switch (driver_of(parameters_.thermal)) {
+    case GrowthDriver::lumped:
+      return "lumped";
+    case GrowthDriver::fe:
+      return "fe";
+    case GrowthDriver::recorded:
+      return "recorded";
+    default:
+      return "none";
+  }
+}
+
+std::vector<std::pair<std::string, TouchdownParameters>> RecordedDrop::bearings() const {
+  std::vector<std::pair<std::string, TouchdownParameters>> list;
+  for (const auto& entry : parameters_.bearings)
+    if (const auto* b = entry.touchdown(); b && has("/bearings/" + entry.name + "/contact_force"))
+      list.emplace_back(entry.name, *b);
+  return list;
+}
+
+bool RecordedDrop::has(const std::string& dataset) const {
+  return std::binary_search(datasets_.begin(), datasets_.end(), dataset);
+}
+
+bool RecordedDrop::has(ThermalModelKind model) const {
+  return std::any_of(parameters_.bearings.begin(), parameters_.bearings.end(), [&](const SupportEntry& entry) {
+    return entry.touchdown() && has(node_path(model, entry.name, "inner_ring"));
+  });
+}
+
+const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const {
+  const auto found = tables_.find(dataset);
+  if (found != tables_.end()) return found->second;
+  Series raw = read_series(file_, dataset);
+  std::string time_path;
+  if (!dataset.ends_with("/time")) time_path = read_attribute(file_, dataset, "time");
+  const std::size_t n_columns = raw.shape.size() > 1 ? raw.shape[1] : 1;
+  return tables_[dataset] = {std::move(raw.values), n_columns, time_path};
+}
+
+TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) const {
+  const Table& t = table(dataset);
+  const Table& times = table(t.time_path);
+  // While it is being written, or after it was killed, a series may have rows whose times are not there yet.
+  const std::size_t n = std::min(times.values.size(), t.values.size() / t.n_columns);
+  if (n == 0)
+    throw InputError({file_.string(), 0, 0}, dataset + " has no rows yet", "Let the run go on, or run it again.");
+  TimeSeries result;
+  result.times.assign(times.values.begin(), times.values.begin() + static_cast<std::ptrdiff_t>(n));
+  result.values.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double value = t.values[i * t.n_columns + column];
+    if (!std::isfinite(value))
+      throw InputError({file_.string(), 0, 0},
+                       fmt::format("{} is no number at t = {:.6g} ms", dataset, result.times[i] * 1e3),
+                       "Nothing can be said of such a run. Look at what it recorded before that instant.");
+    result.values.push_back(value);
+  }
+  return result;
+}
+
+std::string RecordedDrop::node_path(ThermalModelKind model, const std::string& bearing, const std::string& node) const {
+  const char* group = model == ThermalModelKind::lumped ? "thermal" : is_windowed_ ? "windows" : "fe";
+  return fmt::format("/{}/{}/{}", group, bearing, node);
+}
+
+std::string RecordedDrop::surface_path(const std::string& bearing, const std::string& surface) const {
+  return node_path(ThermalModelKind::fe, bearing, surface);
+}
+
+std::string RecordedDrop::growth_path(ThermalModelKind model, const std::string& bearing) const {
+  if (model == ThermalModelKind::fe && is_windowed_) return "/windows/" + bearing + "/growth";
+  return fmt::format("/growth/{}/{}", model == ThermalModelKind::lumped ? "lumped" : "fe", bearing);
+}
+
+}  // namespace rotordrop

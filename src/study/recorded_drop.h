@@ -1,0 +1,62 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "study/case.h"
+#include "study/time_series.h"
+
+namespace rotordrop {
+
+enum class ThermalModelKind { lumped, fe };
+
+/// A finished drop in its directory: parameters, and series as they are asked for.
+class RecordedDrop {
+ public:
+  /// Reads DIR/parameters.toml and opens DIR/results.h5. @throws InputError
+  explicit RecordedDrop(const std::filesystem::path& directory);
+  /// With the case at hand. @throws InputError
+  RecordedDrop(const std::filesystem::path& directory, const Case& drop_case);
+
+  [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+  [[nodiscard]] const CaseParameters& parameters() const { return parameters_; }
+  [[nodiscard]] const std::string& case_name() const { return case_name_; }
+  /// "lumped", "fe", "recorded" or "none": whose growth the drop felt.
+  [[nodiscard]] std::string driver() const;
+  /// Touchdown bearings with their parameters.
+  [[nodiscard]] std::vector<std::pair<std::string, TouchdownParameters>> bearings() const;
+
+  [[nodiscard]] bool has(const std::string& dataset) const;
+  [[nodiscard]] bool has(ThermalModelKind model) const;
+  /// One column of a dataset. @throws InputError if it is not there, has no rows, or a value that is no number
+  [[nodiscard]] TimeSeries series(const std::string& dataset, std::size_t column = 0) const;
+
+  // Paths of a model's series, as the coupling of the finite elements makes them.
+  /// Volume mean of a body or temperature of a node: "inner_ring", "ball".
+  [[nodiscard]] std::string node_path(ThermalModelKind model, const std::string& bearing,
+                                      const std::string& node) const;
+  /// Columns mean, lowest, highest; of the finite elements only.
+  [[nodiscard]] std::string surface_path(const std::string& bearing, const std::string& surface) const;
+  /// Columns in the order of `growth_columns`.
+  [[nodiscard]] std::string growth_path(ThermalModelKind model, const std::string& bearing) const;
+
+ private:
+  void open();
+  std::filesystem::path directory_, file_;
+  CaseParameters parameters_;
+  std::string case_name_;
+  std::vector<std::string> datasets_;  ///< sorted
+  bool is_windowed_ = false;
+  struct Table {
+    std::vector<double> values;
+    std::size_t n_columns = 1;
+    std::string time_path;
+  };
+  mutable std::map<std::string, Table> tables_;  ///< read so far
+  const Table& table(const std::string& dataset) const;
+};
+
+inline constexpr const char* growth_columns[] = {"shaft", "bore", "inner_race", "outer_race", "ball_radius"};
+
+}  // namespace rotordrop

@@ -1,0 +1,113 @@
+#include "study/time_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rotordrop {
+namespace {
+
+/// Parts of a straight line from a to b on which its magnitude exceeds the tolerance, as fractions of its length.
+struct Part {
+  double from, to;
+};
+std::vector<Part> parts_beyond(double a, double b, double tolerance) {
+  std::vector<double> cuts = {0.};
+  for (const double level : {-tolerance, tolerance})
+    if ((a - level) * (b - level) < 0.) cuts.push_back((level - a) / (b - a));
+  cuts.push_back(1.);
+  std::sort(cuts.begin(), cuts.end());
+  std::vector<Part> parts;
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+    if (std::fabs(a + 0.5 * (cuts[i - 1] + cuts[i]) * (b - a)) > tolerance) parts.push_back({cuts[i - 1], cuts[i]});
+  return parts;
+}
+
+std::size_t samples_within(const TimeSeries& s, double from, double to) {
+  return static_cast<std::size_t>(std::upper_bound(s.times.begin(), s.times.end(), to) -
+                                  std::lower_bound(s.times.begin(), s.times.end(), from));
+}
+
+TimeSeries subtract(const TimeSeries& first, const TimeSeries& second) {
+  if (first.empty() || second.empty()) throw std::invalid_argument("a series without samples");
+  const double from = std::max(first.times.front(), second.times.front()),
+               to = std::min(first.times.back(), second.times.back());
+  const bool take_second = samples_within(second, from, to) < samples_within(first, from, to);
+  TimeSeries result;
+  for (const double t : take_second ? second.times : first.times) {
+    if (t < from || t > to) continue;
+    result.times.push_back(t);
+    result.values.push_back(second.at(t) - first.at(t));
+  }
+  if (result.empty()) throw std::invalid_argument("two series without a time in common");
+  return result;
+}
+
+}  // namespace
+
+double TimeSeries::at(double time) const {
+  if (empty()) throw std::invalid_argument("a series without samples");
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  if (after == times.begin()) return values.front();
+  if (after == times.end()) return values.back();
+  const auto i = static_cast<std::size_t>(after - times.begin());
+  const double part = (time - times[i - 1]) / (times[i] - times[i - 1]);
+  // At a sample its very value.
+  return part == 0. ? values[i - 1] : values[i - 1] + part * (values[i] - values[i - 1]);
+}
+
+Difference difference_of(const TimeSeries& first, const TimeSeries& second, double tolerance) {
+  Difference d;
+  d.series = subtract(first, second);
+  d.tolerance = tolerance;
+  const auto& [t, v] = d.series;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (i == 0 || std::fabs(v[i]) > std::fabs(d.largest)) {
+      d.largest = v[i];
+      d.largest_time = t[i];
+    }
+  d.within = t.front();
+  if (std::fabs(v.front()) > tolerance) d.beyond = t.front();
+  for (std::size_t i = 1; i < v.size(); ++i)
+    for (const auto& [from, to] : parts_beyond(v[i - 1], v[i], tolerance)) {
+      const double step = t[i] - t[i - 1];
+      if (!d.beyond) d.beyond = t[i - 1] + from * step;
+      d.within = t[i - 1] + to * step;
+      d.time_beyond += (to - from) * step;
+    }
+  if (std::fabs(v.back()) > tolerance) d.within.reset();
+  return d;
+}
+
+Extreme largest_of(const TimeSeries& s) {
+  if (s.empty()) throw std::invalid_argument("a series without samples");
+  return *largest_of(s, s.times.front(), s.times.back());
+}
+
+std::optional<Extreme> largest_of(const TimeSeries& s, double from, double to) {
+  std::optional<Extreme> found;
+  for (std::size_t i = 0; i < s.times.size(); ++i)
+    if (s.times[i] >= from && s.times[i] <= to && (!found || s.values[i] > found->value))
+      found = {s.values[i], s.times[i]};
+  return found;
+}
+
+std::optional<double> first_crossing(const TimeSeries& s, bool upwards, double from) {
+  const double sign = upwards ? 1. : -1.;
+  for (std::size_t i = 1; i < s.times.size(); ++i) {
+    const double a = sign * s.values[i - 1], b = sign * s.values[i];
+    if (s.times[i] <= from || !(a <= 0. && b > 0.)) continue;
+    const double t = s.times[i - 1] - a / (b - a) * (s.times[i] - s.times[i - 1]);
+    if (t > from) return t;
+  }
+  return {};
+}
+
+TimeSeries integral_of(const TimeSeries& s) {
+  TimeSeries sum{s.times, std::vector<double>(s.times.size(), 0.)};
+  for (std::size_t i = 1; i < s.times.size(); ++i)
+    sum.values[i] = sum.values[i - 1] + 0.5 * (s.values[i - 1] + s.values[i]) * (s.times[i] - s.times[i - 1]);
+  return sum;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+// Recorded quantities over time, and what two of them differ by.
+namespace rotordrop {
+
+/// Samples of a quantity, straight lines between them.
+struct TimeSeries {
+  std::vector<double> times;   ///< [s], rising
+  std::vector<double> values;  ///< of the same length
+
+  [[nodiscard]] bool empty() const { return times.empty(); }
+  /// Before the first sample the first value, after the last one the last. @throws std::invalid_argument without samples
+  [[nodiscard]] double at(double time) const;
+};
+
+/// What one quantity has over another, over the time that both cover.
+struct Difference {
+  TimeSeries series;             ///< second - first
+  double largest = 0;            ///< of the largest magnitude, with its sign
+  double largest_time = 0;       ///< [s]
+  double tolerance = 0;          ///< magnitude up to which they agree
+  double time_beyond = 0;        ///< how long it is larger, altogether [s]
+  std::optional<double> beyond;  ///< from when it first is [s]; none: never
+  std::optional<double> within;  ///< from when it stays within to the end [s]; none: it ends beyond
+  [[nodiscard]] bool is_always_within() const { return !beyond; }
+};
+
+/// second - first at the times of the one with fewer samples there, so that lines are drawn through the finer one only. Crossings of the tolerance
+/// are found on the straight lines between these times.
+/// @throws std::invalid_argument if they have no time in common
+Difference difference_of(const TimeSeries& first, const TimeSeries& second, double tolerance);
+
+/// Largest value; the earliest one if there are several. @throws std::invalid_argument without samples
+struct Extreme {
+  double value = 0, time = 0;
+};
+Extreme largest_of(const TimeSeries& series);
+/// Of those with `from` <= time <= `to`; none if there are none.
+std::optional<Extreme> largest_of(const TimeSeries& series, double from, double to);
+
+/// First time after `from` at which the series passes zero upwards (or downwards), on the straight line between samples.
+std::optional<double> first_crossing(const TimeSeries& series, bool upwards, double from);
+
+/// Integral from the first sample on, by the trapezoid rule.
+TimeSeries integral_of(const TimeSeries& series);
+
+}  // namespace rotordrop

@@ -1,0 +1,381 @@
+"""`rotordrop compare`: the lumped circuit against the finite elements, and one run against another.
+
+ROTORDROP_PROGRAM is the program under test. What needs the finite-element room is skipped where its module is not beside the program.
+"""
+
+import json
+import math
+import pathlib
+import shutil
+import subprocess
+import sys
+import tomllib
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PROGRAM, SOURCE, ProgramTest, content_of, settings  # noqa: E402
+
+HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
+NODES = ["shaft", "inner_ring", "ball", "outer_ring", "housing"]
+GROWTH = ["shaft", "bore", "inner_race", "outer_race", "ball_radius"]
+# The first contact lasts from 7.4 to 10.6 ms. Plain rectangles: the quickest section.
+
+
+def si(value):
+    """A bare number, or one whose unit is SI already."""
+    return float(str(value).split()[0])
+
+
+def short_case(test, name, models, end="15 ms", **keys):
+    extra = "".join(f"{key.replace('__', '.')} = {value}\n" for key, value in keys.items())
+    return test.write(name, f'base = "reference.toml"\nthermal.fe.section = "plain"\nrun.end_time = "{end}"\nthermal.models = {json.dumps(models)}\n{extra}')
+
+
+class Lumped(ProgramTest):
+    """Two runs of the circuit alone: no room needed."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        maker = cls("run_both")
+        ProgramTest.setUp(maker)
+        cls.maker = maker
+        maker.succeed("run", short_case(maker, "a.toml", ["lumped"]), "-o", "a")
+        maker.succeed("run", short_case(maker, "b.toml", ["lumped"], contact__friction_coefficient=0.2), "-o", "b")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.maker.doCleanups()
+        super().tearDownClass()
+
+    def run_both(self):
+        pass
+
+    def setUp(self):
+        super().setUp()
+        for name in ("a", "b"):
+            shutil.copytree(self.maker.folder / name, self.folder / name)
+
+    def refused(self, *arguments):
+        before = content_of(self.folder)
+        done = self.call("compare", *arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(content_of(self.folder), before)
+        return done.stderr
+
+    def test_one_run_is_compared_with_another(self):
+        text = self.succeed("compare", "a", "--against", "b").stdout
+        self.assertIn("Driver lumped here, lumped there", text)
+        report = json.loads((self.folder / "a/comparison.json").read_text())
+        self.assertEqual(report["run"]["driver"], "lumped")
+        self.assertIsNone(report["fe_from"])
+        with h5py.File(self.folder / "a/results.h5") as a, h5py.File(self.folder / "b/results.h5") as b:
+            for name in ("TB1", "TB2"):
+                runs = report["bearings"][name]["runs"]
+                for key, file in (("this", a), ("against", b)):
+                    force = file[f"/bearings/{name}/contact_force"][:]
+                    self.assertEqual(runs["forces"][key]["peak_contact_force"], force.max())
+                    self.assertEqual(runs["forces"][key]["impulse"], file[f"/ledger/{name}/contact_impulse"][-1])
+                for node in NODES:
+                    difference = b[f"/thermal/{name}/{node}"][:] - a[f"/thermal/{name}/{node}"][:]
+                    found = runs["temperatures"]["lumped"][node]
+                    self.assertEqual(found["largest_difference"], difference[numpy.argmax(abs(difference))])
+                    self.assertEqual(found["at"][-1]["difference"], difference[-1])
+                # Twice the friction: nearly twice the heat while the ring is slow.
+                self.assertGreater(runs["forces"]["against"]["rub_heat"], 1.5 * runs["forces"]["this"]["rub_heat"])
+                self.assertEqual(report["bearings"][name]["bore"]["mean_from"], "half space")
+                self.assertNotIn("temperatures", report["bearings"][name])
+
+    def test_a_run_against_itself_differs_by_nothing(self):
+        self.succeed("compare", "a", "--against", "a")
+        report = json.loads((self.folder / "a/comparison.json").read_text())
+        for bearing in report["bearings"].values():
+            for found in [bearing["runs"]["air_gap"], *bearing["runs"]["expansion"].values(), *bearing["runs"]["temperatures"]["lumped"].values()]:
+                self.assertEqual((found["largest_difference"], found["beyond_from"], found["time_beyond"]), (0, None, 0))
+
+    def test_one_model_alone_has_nothing_to_be_compared_with(self):
+        message = self.refused("a")
+        self.assertIn("no finite elements to compare it with", message)
+        self.assertIn("--against", message)
+
+    def test_directories_that_hold_no_run_are_named(self):
+        self.assertIn("nowhere: there is no such directory", self.refused("nowhere"))
+        self.assertIn("nowhere: there is no such directory", self.refused("a", "--against", "nowhere"))
+        (self.folder / "empty").mkdir()
+        self.assertIn("empty: the directory holds no results.h5", self.refused("empty"))
+        self.assertIn("this is no directory", self.refused("a/results.h5"))
+        (self.folder / "a/parameters.toml").unlink()
+        self.assertIn("a: the directory holds no parameters.toml", self.refused("a", "--against", "b"))
+
+    def test_a_file_that_is_no_result_is_named(self):
+        (self.folder / "b/results.h5").write_text("no HDF5")
+        self.assertIn("b/results.h5", self.refused("a", "--against", "b"))
+
+    def test_bearings_of_other_names_cannot_be_compared(self):
+        names = (self.folder / "reference.toml").read_text().replace("bearings.TB1", "bearings.X1").replace("bearings.TB2", "bearings.X2")
+        self.write("other.toml", names)
+        self.succeed("run", "other.toml", "-o", "c", *settings(run__end_time="1 ms"))
+        self.assertIn("no touchdown bearing there has the name of one in a", self.refused("a", "--against", "c"))
+
+    def test_options_are_checked(self):
+        for option, value, says in (("--tolerance", "5 um", "--tolerance"), ("--tolerance", "0 %", "no percentage above zero"), ("--growth-tolerance", "-1 um", "above zero"),
+                                    ("--times", "10 mm", "--times"), ("--band-length", "0", "--band-length"), ("-o", "report.h5", "the report is JSON")):
+            with self.subTest(option=option, value=value):
+                words = [f"{option}={value}"] if option.startswith("--") else [option, value]
+                self.assertIn(says, self.refused("a", "--against", "b", *words))
+
+    def test_a_mistyped_option_is_named_with_the_right_one(self):
+        message = self.refused("a", "--agianst", "b")
+        self.assertIn("--agianst: did you mean --against?", message)
+
+    def test_only_its_own_report_is_replaced_without_force(self):
+        self.succeed("compare", "a", "--against", "b", "--quiet")
+        first = (self.folder / "a/comparison.json").read_text()
+        self.assertEqual(self.succeed("compare", "a", "--against", "b", "--quiet").stdout, "")
+        self.assertEqual((self.folder / "a/comparison.json").read_text(), first)
+        self.write("report.json", "mine")
+        self.assertIn("report.json: the file exists", self.refused("a", "--against", "b", "-o", "report.json"))
+        self.succeed("compare", "a", "--against", "b", "-o", "report.json", "--force")
+        self.assertEqual((self.folder / "report.json").read_text(), first)
+        self.succeed("compare", "a", "--against", "b", "-o", "new/deep/report.json")
+        self.assertTrue((self.folder / "new/deep/report.h5").is_file())
+
+    def test_a_new_run_removes_the_old_comparison(self):
+        self.succeed("compare", "a", "--against", "b", "--quiet")
+        self.succeed("run", self.case(""), "-o", "a", "--force", *settings(run__end_time="1 ms"))
+        self.assertEqual(sorted(content_of(self.folder / "a")), ["parameters.toml", "results.h5", "summary.json"])
+
+
+@unittest.skipUnless(HAS_ROOM, "the finite-element room is not built")
+class LumpedAndFiniteElements(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        maker = cls("run_both")
+        ProgramTest.setUp(maker)
+        cls.maker = maker
+        cls.screen = maker.succeed("run", short_case(maker, "both.toml", ["lumped", "fe"]), "-o", "both").stdout
+        cls.out = maker.folder / "both"
+        cls.report = json.loads((cls.out / "comparison.json").read_text())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.maker.doCleanups()
+        super().tearDownClass()
+
+    def run_both(self):
+        pass
+
+    def bearings(self):
+        with h5py.File(self.out / "results.h5") as results, h5py.File(self.out / "comparison.h5") as series:
+            for name in ("TB1", "TB2"):
+                yield name, self.report["bearings"][name], results, series
+
+    def test_a_run_of_both_models_is_compared_at_its_end(self):
+        self.assertEqual(sorted(path.name for path in self.out.iterdir()), ["comparison.h5", "comparison.json", "parameters.toml", "results.h5", "summary.json"])
+        self.assertEqual([line.split(":")[0] for line in self.report["in_short"]], ["TB1", "TB1", "TB2", "TB2"])
+        for line in self.report["in_short"]:
+            self.assertIn(line, self.screen)
+
+    def test_the_command_gives_the_same_report(self):
+        done = self.call("compare", self.out, "-o", "again.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        again = json.loads((self.folder / "again.json").read_text())
+        self.assertEqual(again["bearings"], self.report["bearings"])
+
+    def test_differences_are_finite_elements_less_circuit(self):
+        for name, b, results, _ in self.bearings():
+            times = results["/time"][:]
+            rise = max(numpy.abs(results[f"/{model}/{name}/{node}"][:] - 293.15).max() for model in ("thermal", "fe") for node in NODES)
+            self.assertAlmostEqual(b["largest_rise"], rise, delta=1e-12)
+            pairs = [(b["temperatures"][node], results[f"/thermal/{name}/{node}"][:], results[f"/fe/{name}/{node}"][:], 0.05 * rise) for node in NODES]
+            for column, kind in enumerate(("mean", "lowest", "highest")):
+                pairs.append((b["surfaces"]["bore"][kind], results[f"/thermal/{name}/inner_ring"][:], results[f"/fe/{name}/bore"][:, column], 0.05 * rise))
+                pairs.append((b["surfaces"]["inner_raceway"][kind], results[f"/thermal/{name}/inner_contact"][:], results[f"/fe/{name}/inner_raceway"][:, column], 0.05 * rise))
+            for column, surface in enumerate(GROWTH):
+                pairs.append((b["growth"][surface], results[f"/growth/lumped/{name}"][:, column], results[f"/growth/fe/{name}"][:, column], 1e-7))
+            for found, lumped, fe, tolerance in pairs:
+                difference = fe - lumped
+                worst = numpy.argmax(abs(difference))
+                self.assertEqual(found["largest_difference"], difference[worst])
+                self.assertEqual(found["largest_difference_time"], times[worst])
+                self.assertAlmostEqual(found["tolerance"], tolerance, delta=1e-12)
+                self.assertEqual(found["beyond_from"] is None, bool((abs(difference) <= found["tolerance"]).all()))
+                self.assertEqual(found["within_from"] is None, bool(abs(difference[-1]) > found["tolerance"]))
+                for instant in found["at"]:
+                    i = numpy.argmin(abs(times - instant["time"]))
+                    self.assertAlmostEqual(instant["difference"], difference[i], delta=1e-9)
+                    self.assertAlmostEqual(instant["fe"] - instant["lumped"], instant["difference"], delta=1e-12)
+
+    def test_air_gap_and_ball_play_follow_from_growth(self):
+        for name, b, results, _ in self.bearings():
+            growth = {model: results[f"/growth/{model}/{name}"][:] for model in ("lumped", "fe")}
+            last = b["clearances"]["air_gap"]["at"][-1]
+            # The circuit drives: its air gap is the one that the drop felt.
+            self.assertAlmostEqual(last["lumped"], results[f"/bearings/{name}/clearance"][-1], delta=1e-13)
+            self.assertAlmostEqual(last["difference"], numpy.dot(growth["fe"][-1] - growth["lumped"][-1], [-1, 1, 0, 0, 0]), delta=1e-15)
+            lean = {"TB1": 1, "TB2": math.cos(math.radians(25))}[name]
+            play = numpy.dot(growth["fe"][-1], [0, 0, -lean, lean, -2])
+            self.assertAlmostEqual(b["clearances"]["ball_play_change"]["at"][-1]["fe"], play, delta=1e-15)
+
+    def test_the_first_impact_is_the_recorded_one(self):
+        for name, b, results, _ in self.bearings():
+            times, penetration = results["/time"][:], results[f"/bearings/{name}/penetration"][:]
+            start = numpy.argmax(penetration > 0)
+            end = start + numpy.argmax(penetration[start:] <= 0)
+            self.assertTrue(times[start - 1] <= b["first_contact_time"] <= times[start])
+            self.assertTrue(times[end - 1] <= b["first_contact_end"] <= times[end])
+            peak = b["bore"]["at"][0]
+            self.assertEqual(peak["instant"], "first impact's peak")
+            self.assertEqual(results[f"/bearings/{name}/contact_force"][:][numpy.argmin(abs(times - peak["time"]))], b["forces"]["first_impact_peak"])
+
+    def test_the_ring_turns_by_the_integral_of_its_speed(self):
+        for name, b, results, series in self.bearings():
+            times, speed = results["/time"][:], results[f"/bearings/{name}/ring_speed"][:]
+            turns = numpy.concatenate([[0], numpy.cumsum(0.5 * (speed[1:] + speed[:-1]) * numpy.diff(times))]) / (2 * math.pi)
+            first = series[f"/bore/{name}/ring_turns"][:]
+            self.assertAlmostEqual(first[-1], turns[-1], delta=1e-9)
+            impact = b["bore"]["first_impact"]
+            at = numpy.interp([b["first_contact_time"], b["first_contact_end"]], times, 2 * math.pi * turns)
+            self.assertAlmostEqual(impact["ring_angle"], at[1] - at[0], delta=1e-9)
+
+    def test_the_arc_is_what_the_contact_sweeps_of_the_ring(self):
+        for name, b, results, series in self.bearings():
+            times = results["/time"][:]
+            way = results[f"/bearings/{name}/orbit"][:] - results[f"/bearings/{name}/ring_position"][:]
+            angle = numpy.unwrap(numpy.arctan2(way[:, 1], way[:, 0]))
+            speed = results[f"/bearings/{name}/ring_speed"][:]
+            turned = numpy.concatenate([[0], numpy.cumsum(0.5 * (speed[1:] + speed[:-1]) * numpy.diff(times))])
+            place = angle - turned
+            # Rows at whose end heat was given; the contact's place on the ring from the first to the last of them.
+            rubbed = numpy.diff(results[f"/ledger/{name}/rub_heat_into_ring"][:])
+            rows = 1 + numpy.nonzero((rubbed > 1e-9 * rubbed.max()) & (times[1:] <= b["first_contact_end"]))[0]
+            expected = numpy.abs(numpy.diff(place[rows])).sum() * 0.035
+            self.assertAlmostEqual(b["bore"]["first_impact"]["arc"], expected, delta=1e-9)
+            self.assertTrue(1e-3 < expected < 10e-3, expected)
+
+    def test_local_temperatures_are_the_mean_and_what_the_swept_arc_has_over_it(self):
+        for name, b, results, series in self.bearings():
+            local, mean, flash = (series[f"/bore/{name}/{key}"][:] for key in ("local", "mean", "flash"))
+            numpy.testing.assert_allclose(mean, results[f"/fe/{name}/bore"][:, 0], rtol=0, atol=1e-9)
+            self.assertTrue((local >= mean - 1e-9).all())
+            touching = numpy.isfinite(flash)
+            self.assertTrue((flash[touching] <= local[touching] + 1e-9).all())
+            self.assertEqual(touching.any(), True)
+            self.assertFalse(touching[series[f"/bore/{name}/time"][:] < 7e-3].any())
+            excess = local - series[f"/bore/{name}/inner_ring"][:]
+            self.assertAlmostEqual(b["bore"]["largest_local_over_node"]["value"], excess.max(), delta=1e-9)
+            # The same heat as one Jaeger band of even heat and speed: a pulse that peaks in its middle is hotter than its mean by less than half.
+            impact = b["bore"]["first_impact"]
+            self.assertTrue(impact["steady_band_rise"] < impact["largest_local_rise"] < 1.6 * impact["steady_band_rise"], impact)
+            before, after = numpy.interp([b["first_contact_time"], b["first_contact_end"]], results["/time"][:], results[f"/ledger/{name}/rub_heat_into_ring"][:])
+            self.assertAlmostEqual(impact["heat_into_ring"], after - before, delta=1e-9)
+
+    def test_the_hottest_place_is_that_of_heat_summed_over_the_swept_arc(self):
+        """The half space under what passed over each place, by the plain sum of sqrt(t - s); the spot stands still for each row's interval."""
+        parameters = tomllib.loads((self.out / "parameters.toml").read_text())
+        for name, b, results, series in self.bearings():
+            bearing = parameters["bearings"][name]
+            steel = parameters["materials"][bearing["ring"]]
+            k, capacity = si(steel["k"]), si(steel["rho"]) * si(steel["c"])
+            half, radius, width = b["bore"]["half_width"], 0.035, b["bore"]["axial_width"]
+            times, heat = results["/time"][:], results[f"/ledger/{name}/rub_heat_into_ring"][:]
+            way = results[f"/bearings/{name}/orbit"][:] - results[f"/bearings/{name}/ring_position"][:]
+            speed = results[f"/bearings/{name}/ring_speed"][:]
+            turned = numpy.concatenate([[0], numpy.cumsum(0.5 * (speed[1:] + speed[:-1]) * numpy.diff(times))])
+            place = numpy.unwrap(numpy.arctan2(way[:, 1], way[:, 0])) - turned
+            cells = (numpy.arange(7200) + 0.5) * 2 * math.pi / 7200
+            for t in (8.5e-3, 9.5e-3, 11.5e-3):
+                last = numpy.argmin(abs(times - t))
+                rise = numpy.zeros_like(cells)
+                for i in range(1, last + 1):
+                    flux = (heat[i] - heat[i - 1]) / (times[i] - times[i - 1]) / (2 * half * width)
+                    if flux <= 0:
+                        continue
+                    middle = 0.5 * (place[i - 1] + place[i])
+                    distance = numpy.abs((cells - middle + math.pi) % (2 * math.pi) - math.pi) * radius
+                    kernel = 2 * (math.sqrt(times[last] - times[i - 1]) - math.sqrt(max(times[last] - times[i], 0)))
+                    rise[distance < half] += flux * kernel / math.sqrt(math.pi * k * capacity)
+                found = (series[f"/bore/{name}/local"][:] - series[f"/bore/{name}/mean"][:])[last]
+                # The spot moves 0.1 of its half width in a row at most, and matters to the hottest place only with its ends.
+                self.assertAlmostEqual(found / (rise.max() - rise.mean()), 1, delta=0.02)
+
+    def test_figures_are_drawn(self):
+        shutil.copytree(self.out, self.folder / "both")
+        done = subprocess.run([sys.executable, SOURCE / "examples/plot_comparison.py", "both", "--against", "both", "--dpi", "50"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = {path.stem for path in (self.folder / "both/figures").iterdir()}
+        self.assertEqual(names, {"comparison_temperatures", "comparison_impact", "comparison_growth", "comparison_forces"})
+        self.assertNotIn("not in the files", done.stdout)
+        (self.folder / "both/comparison.json").unlink()
+        done = subprocess.run([sys.executable, SOURCE / "examples/plot_comparison.py", "both"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("rotordrop compare", done.stderr)
+
+    def test_a_series_that_is_no_number_is_named(self):
+        shutil.copytree(self.out, self.folder / "broken")
+        with h5py.File(self.folder / "broken/results.h5", "r+") as file:
+            file["/fe/TB2/housing"][200:] = math.nan
+        done = self.call("compare", "broken")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"/fe/TB2/housing is no number at t = 10 ms")
+
+    def test_a_narrower_band_is_hotter(self):
+        self.assertEqual(self.call("compare", self.out, "--band-length", "3 mm", "-o", "narrow.json").returncode, 0)
+        narrow = json.loads((self.folder / "narrow.json").read_text())
+        for name, b, _, _ in self.bearings():
+            found = narrow["bearings"][name]["bore"]
+            self.assertAlmostEqual(found["half_width"], 1.5e-3, delta=1e-15)
+            self.assertGreater(found["largest_local_over_node"]["value"], b["bore"]["largest_local_over_node"]["value"])
+
+    def test_tolerances_and_instants_are_those_asked_for(self):
+        done = self.call("compare", self.out, "--tolerance", "2 mK", "--growth-tolerance", "1 nm", "--times", "9 ms,12 ms, 1 s", "-o", "fine.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        fine = json.loads((self.folder / "fine.json").read_text())
+        for b in fine["bearings"].values():
+            ring = b["temperatures"]["inner_ring"]
+            self.assertEqual(ring["tolerance"], 0.002)
+            self.assertEqual([entry["instant"] for entry in ring["at"]], ["first impact's peak", "9 ms", "12 ms", "end"])
+            self.assertEqual(b["growth"]["bore"]["tolerance"], 1e-9)
+
+    def test_fourier_numbers_follow_from_lengths_and_times(self):
+        for name, b, _, _ in self.bearings():
+            ring = b["lumping"]["inner_ring"]
+            self.assertAlmostEqual(ring["length"], {"TB1": 0.0045, "TB2": 0.004}[name], delta=2e-3)
+            for entry in ring["at"]:
+                self.assertAlmostEqual(entry["fourier"], ring["diffusivity"] * entry["time_since_contact"] / ring["length"] ** 2, delta=1e-12)
+                self.assertAlmostEqual(entry["depth"] ** 2, ring["diffusivity"] * entry["time_since_contact"], delta=1e-15)
+
+    def test_a_run_of_finite_elements_takes_the_circuit_from_another(self):
+        self.maker.succeed("run", short_case(self.maker, "fe.toml", ["fe"]), "-o", "fe")
+        done = self.maker.call("compare", "fe")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no lumped circuit to compare with them", done.stderr)
+        self.maker.succeed("compare", "fe", "--against", "both", "-o", "mixed.json")
+        mixed = json.loads((self.maker.folder / "mixed.json").read_text())
+        self.assertEqual((mixed["fe_from"], mixed["lumped_from"], mixed["run"]["driver"], mixed["against"]["driver"]), ("fe", "both", "fe", "lumped"))
+        for b in mixed["bearings"].values():
+            self.assertIn("temperatures", b)
+            self.assertEqual(list(b["runs"]["temperatures"]), ["fe"])
+            # Each with its own growth, the drops stay together in the first 15 ms: to a thousandth of the force.
+            forces = b["runs"]["forces"]
+            self.assertAlmostEqual(forces["against"]["peak_contact_force"] / forces["this"]["peak_contact_force"], 1, delta=1e-3)
+
+    def test_windows_are_compared_at_their_ends(self):
+        case = short_case(self.maker, "windows.toml", ["lumped", "fe"], end="9 ms", thermal__fe__coupling='"windowed"')
+        self.maker.succeed("run", case, "-o", "windows")
+        report = json.loads((self.maker.folder / "windows/comparison.json").read_text())
+        with h5py.File(self.maker.folder / "windows/results.h5") as results:
+            for name, b in report["bearings"].items():
+                times = results["/windows/time"][:]
+                lumped = numpy.interp(times, results["/time"][:], results[f"/thermal/{name}/inner_ring"][:])
+                for found, fe in ((b["temperatures"]["inner_ring"], results[f"/windows/{name}/inner_ring"][:]), (b["surfaces"]["bore"]["mean"], results[f"/windows/{name}/bore"][:, 0])):
+                    self.assertAlmostEqual(found["largest_difference"], (fe - lumped)[numpy.argmax(abs(fe - lumped))], delta=1e-9)
+                    self.assertIn(found["largest_difference_time"], times)
+
+
+if __name__ == "__main__":
+    unittest.main()
