@@ -1,0 +1,75 @@
+"""rotordrop calibrate: the circuit fitted to the finite elements, as a parameter file."""
+
+import pathlib
+import re
+import sys
+import tomllib
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PROGRAM, ProgramTest, settings  # noqa: E402
+
+HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").exists()
+
+
+@unittest.skipUnless(HAS_ROOM, "built without finite elements")
+class Calibrate(ProgramTest):
+    def test_the_file_holds_factors_that_bring_the_circuit_closer(self):
+        text = self.succeed("calibrate", "reference.toml", "-o", "fit/calibrated.toml").stdout
+        written = tomllib.loads((self.folder / "fit/calibrated.toml").read_text())
+        self.assertEqual(written["base"], "../reference.toml")
+        self.assertEqual(set(written["bearings"]), {"TB1", "TB2"})
+        for name in written["bearings"]:
+            before, after = map(float, re.search(rf"^{name}: .*rms ([\d.]+) % -> ([\d.]+) %", text, re.MULTILINE).groups())
+            self.assertLess(after, 0.6 * before)
+            # What the heat of an impact meets first is the inner ring, whose volume is nearly the same in both.
+            self.assertAlmostEqual(written["bearings"][name]["circuit"]["inner_ring_capacity"], 1, delta=0.05)
+        differences = {}
+        both = settings(thermal__models='["lumped", "fe"]', thermal__driver="fe", run__end_time="60 ms")
+        for case in ("reference.toml", "fit/calibrated.toml"):
+            self.succeed("run", case, "-o", "out", "--force", *both)
+            with h5py.File(self.folder / "out/results.h5") as file:
+                nodes = ("inner_ring", "shaft", "outer_ring")
+                differences[case] = [numpy.abs(file[f"thermal/TB2/{node}"][()] - file[f"fe/TB2/{node}"][()]).max() for node in nodes]
+        for before, after in zip(differences["reference.toml"], differences["fit/calibrated.toml"]):
+            self.assertLess(after, before)
+
+    def test_a_file_that_is_there_stays(self):
+        self.write("mine.toml", "precious")
+        done = self.call("calibrate", "reference.toml", "-o", "mine.toml")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("exists already", done.stderr)
+        self.assertEqual((self.folder / "mine.toml").read_text(), "precious")
+
+    def test_faults_are_named(self):
+        for arguments, message in ((["--until", "1 m"], "a time"), (["--until", "1 ms"], "2 ms at least"), (["--set", "thermal.fe.modes=1"], "thermal.fe.modes")):
+            done = self.call("calibrate", "reference.toml", "-o", "out.toml", *arguments)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(message, done.stderr)
+            self.assertFalse((self.folder / "out.toml").exists())
+
+    def test_there_must_be_a_circuit(self):
+        text = (self.folder / "reference.toml").read_text()
+        text = re.sub(r"\[bearings\].*?(?=\[materials\])", '[bearings.L]\ntype = "linear"\nnode = 2\nstiffness = [[1e8, 0], [0, 1e8]]\n', text, flags=re.DOTALL)
+        done = self.call("calibrate", self.write("linear.toml", text), "-o", "out.toml")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no touchdown bearing", done.stderr)
+
+
+class Factors(ProgramTest):
+    def test_a_factor_of_the_inner_rings_capacity_scales_its_rise(self):
+        rises = [self.run_case("reference.toml", "--force", run__end_time="9 ms", thermal__growth="false", bearings__TB1__circuit__inner_ring_capacity=factor)["bearings"]["TB1"]["temperature_rise_end"]["inner_ring"] for factor in (1, 2)]
+        # A hundredth of its heat is conducted away in the first 2 ms of contact.
+        self.assertAlmostEqual(rises[0] / rises[1], 2, delta=0.02)
+
+    def test_factors_have_bounds(self):
+        done = self.call("check", "reference.toml", "--set", "bearings.TB1.circuit.fit=0")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("bearings.TB1.circuit.fit", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
