@@ -41,8 +41,8 @@ struct DropResult {
          cpu_time = 0;               ///< of the time integration, results included, over all parts of a resumed run [s]
   IntegrationStatistics statistics;  ///< likewise
   std::vector<double> state;
-  std::vector<double> impulse_before_end;  ///< of each touchdown bearing at averaging_start [N s]
-  double averaging_start = 0;              ///< [s]
+  std::vector<double> impulse_before_end;           ///< of each touchdown bearing at averaging_start [N s]
+  double averaging_start = 0;                       ///< [s]
   std::optional<WindowedSections::Report> windows;  ///< of a windowed coupling
   HeatEnergy windows_energy;
 };

@@ -38,6 +38,7 @@ void write_heat_vtu(const HeatOperator& problem, const HeatOperator::Vector& T, 
   dealii::DataOut<2> out;
   dealii::DataOutBase::VtkFlags flags;
   flags.time = time;
+  flags.print_date_and_time = false;  // the same field is the same file
   flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
   out.set_flags(flags);
   out.attach_dof_handler(dofs);
