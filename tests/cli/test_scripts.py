@@ -96,7 +96,7 @@ class Documents(WithAResult):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.keys = cls.keys_of_defaults(call(PROGRAM, "defaults"))
+        cls.keys = cls.keys_of_defaults(call(PROGRAM, "defaults")) | cls.keys_of_defaults(call(PROGRAM, "defaults", "--heat"))
 
     @staticmethod
     def keys_of_defaults(text):
