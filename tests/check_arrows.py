@@ -10,8 +10,8 @@ The rules:
 - study and cli see machine, integrate, io and the contracts, and of the parts only headers named *_parameters.h: what can be
   asked of a part goes through machine.
 - A room may lie in another's folder: thermal/fe. Nobody else includes its headers; it is loaded at run time.
-- A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5 and toml++: only io. deal.II, UMFPACK
-  and gmsh: only thermal/fe. PETSc and MPI: nowhere.
+- A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5 and toml++: only io. deal.II, UMFPACK,
+  CHOLMOD, PETSc, MPI and gmsh: only thermal/fe.
 - What a room's CMakeLists.txt names under DEPENDS must be in ROOMS too.
 
 Exit codes: 0 no fault, 1 faults found, 2 no src/ to read.
@@ -50,9 +50,10 @@ LIBRARIES = [
     ("CLI11", r"CLI/", {"cli"}),
     ("deal.II", r"deal\.II/", {"thermal/fe"}),
     ("UMFPACK", r"umfpack", {"thermal/fe"}),
-    ("PETSc", r"petsc", set()),
+    ("CHOLMOD", r"cholmod", {"thermal/fe"}),
+    ("PETSc", r"petsc", {"thermal/fe"}),
     ("gmsh", r"gmsh", {"thermal/fe"}),
-    ("MPI", r"mpi\.h", set()),
+    ("MPI", r"mpi\.h", {"thermal/fe"}),
 ]
 GENERATED = {"base": {"rotordrop_git_revision.h"}}
 

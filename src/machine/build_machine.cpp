@@ -43,6 +43,7 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
     const auto circuit = circuit_data(p, entry.name, *b);
     SectionSettings settings{fe.shaft, {}};
     settings.numerics.degree = fe.degree;
+    settings.numerics.solver = fe.solver;
     settings.numerics.cells = std::max(2, static_cast<int>(std::lround(8 * fe.refinement)));
     const SectionMesh mesh = fe.section == FeSection::plain ? SectionMesh{} : elements.make_mesh(entry.name);
     FiniteElements::Section section;

@@ -86,6 +86,12 @@ class Machine final : public OdeSystem {
   [[nodiscard]] const std::string& thermal_name(std::size_t i) const { return parts_.thermal[i].name; }
   /// Heat that a thermal place has been given since the start.
   [[nodiscard]] PlaceEnergy heat_given(std::size_t place, std::span<const double> y) const;
+  /// Heat into a thermal place [W], as the last evaluate() found it.
+  [[nodiscard]] const HeatInput& heat_input(std::size_t place) const { return heats_[place]; }
+  /// States of a thermal model [n_states of it].
+  [[nodiscard]] std::span<const double> thermal_state(std::size_t model, std::span<const double> y) const {
+    return thermal_part(model, y);
+  }
   [[nodiscard]] double initial_mechanical_energy() const { return initial_mechanical_; }
   [[nodiscard]] double mechanical_energy(double t, std::span<const double> y) const;
   /// Value of a ledger of a support, by its name, e.g. "rub heat" or "contact impulse". @throws std::out_of_range

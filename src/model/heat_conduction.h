@@ -83,7 +83,7 @@ struct HeatFlux {
   HeatFunction function = {};  ///< added to that
 };
 
-/// A boundary that is held at a temperature [K] from the start on, on the part of it that no interface covers.
+/// A boundary that is held at a temperature [K] from the start on, on the part of it that no interface covers. Where two of them meet the first counts.
 struct HeatFixed {
   HeatBoundary boundary;
   double temperature = 0;
@@ -123,6 +123,9 @@ struct HeatLink {
   double resistance = 0;               ///< [K/W], > 0
 };
 
+/// How linear equations are solved: by factorisation, or by conjugate gradients with algebraic multigrid, for large meshes.
+enum class HeatLinearSolver { direct, multigrid };
+
 /// Mesh and accuracy in time.
 struct HeatNumerics {
   int degree = 2;           ///< of the elements
@@ -131,6 +134,7 @@ struct HeatNumerics {
   double growth = 1.5;      ///< largest ratio of neighbouring cells
   double tolerance = 1e-6;  ///< error of one step over the largest change of temperature
   double fixed_step = 0;    ///< [s]; if positive, steps of this length without error control
+  HeatLinearSolver solver = HeatLinearSolver::direct;
 };
 
 struct HeatConductionProblem {
@@ -151,9 +155,9 @@ struct HeatConductionProblem {
 
 /// [J], whole circumference. Each is computed on its own; see docs/heat.md.
 struct HeatEnergy {
-  double input = 0;   ///< through fluxes and ports
+  double input = 0;   ///< through fluxes, ports and boundaries that are held while they warm the body
   double stored = 0;  ///< enthalpy of the temperature field over that of the initial one
-  double lost = 0;    ///< through convection, and links to the surroundings
+  double lost = 0;  ///< through convection, links to the surroundings, and boundaries that are held while they cool it
   [[nodiscard]] double residual() const { return input - stored - lost; }
 };
 
@@ -200,13 +204,15 @@ class HeatConductionSolver {
   virtual void set_field(std::span<const double> temperatures, double time, double input, double lost) = 0;
 
   /// The problem seen from its ports, on few modes. Keeps what lift() needs.
-  /// @throws SolverError if a property depends on temperature or a convection is not linear
+  /// @throws SolverError if a property depends on temperature, a convection is not linear or a boundary is held
   virtual ReducedHeat reduce(const ReductionSettings& settings) = 0;
   /// The field that a state of the last reduce() stands for.
   /// @param state  [n_modes]; @param watts  heat into the ports at that instant [n_ports]
   virtual void lift(std::span<const double> state, std::span<const double> watts, double time) = 0;
   /// The field as a VTU file: temperature [K] and body of every cell. @throws SolverError
   virtual void write_vtu(const std::string& file) const = 0;
+  /// Under mpirun: whether any rank says yes. All ranks must ask. Alone: what was asked.
+  [[nodiscard]] virtual bool on_any_rank(bool own) const = 0;
 
   /// sqrt of the volume integral of (T - f)^2 [K m^1.5].
   [[nodiscard]] virtual double difference(

@@ -22,6 +22,7 @@
 #include "io/checkpoint.h"
 #include "io/hdf5_version.h"
 #include "io/recorder.h"
+#include "study/drop_fields.h"
 #include "study/summary.h"
 
 namespace rotordrop {
@@ -87,6 +88,7 @@ void remove_older_results(const fs::path& directory) {
   for (const char* name : {"summary.json", "comparison.json", "comparison.h5"}) fs::remove(directory / name);
   fs::remove_all(directory / "checkpoints");
   fs::remove_all(directory / "failed");
+  fs::remove_all(directory / "fields");
 }
 
 std::vector<SeriesGroup> series_groups(const Machine& machine, const WindowedSections* windows) {
@@ -162,6 +164,8 @@ class DropRun {
     machine_.initial_state(state_);
     if (options_.resume) read_newest_checkpoint();
     open_recorder();
+    if (options_.elements)
+      fields_.emplace(options_.directory, *options_.elements, case_.parameters.thermal.fe, machine_, time_);
     write_text_atomically(options_.directory / "parameters.toml", case_.resolved);
 
     wall_start_ = Clock::now();
@@ -201,6 +205,10 @@ class DropRun {
       evaluate_step(0., state_);
       try {
         record(0., state_);
+        if (windows_)
+          write_windowed_fields(0.);
+        else
+          write_reduced_fields();
       } catch (const SolverError& error) {
         fail(error);
       }
@@ -240,6 +248,7 @@ class DropRun {
     const auto y = integrator_->state();
     try {
       record_between();
+      if (!windows_) write_reduced_fields();
       if (is_to_be_observed()) {
         evaluate_step(time_, y);
         record_at(y);
@@ -270,6 +279,24 @@ class DropRun {
   void record_window(double t) {
     windows_->observe(window_row_);
     recorder_->append(n_detail_ > 0 ? 2 : 1, t, window_row_);
+    write_windowed_fields(t);
+  }
+
+  void write_windowed_fields(double t) {
+    if (fields_ && fields_->is_due(t)) fields_->write_windowed(t);
+  }
+
+  /// Those that are due at the integrator's time or before.
+  void write_reduced_fields() {
+    while (fields_ && fields_->is_due(time_)) {
+      const double t = std::min(fields_->next(), time_);
+      if (time_ > 0.)
+        integrator_->interpolate(t, at_record_);
+      else
+        at_record_ = state_;
+      machine_.evaluate(t, at_record_, rates_, step_, {});
+      fields_->write_reduced(t, at_record_);
+    }
   }
 
   /// Every step where that costs nothing; else as often as peaks need: 12 times in a period of the rings' fastest motion, 8 kHz.
@@ -469,6 +496,7 @@ class DropRun {
   std::unique_ptr<Integrator> integrator_;
   std::optional<Recorder> recorder_;
   std::optional<WindowedSections> windows_;
+  std::optional<DropFields> fields_;
   std::vector<PlaceEnergy> energies_;
   std::vector<double> window_row_;
 

@@ -4,12 +4,14 @@
 
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
 #include "base/version.h"
 #include "io/checkpoint.h"
+#include "io/field_series.h"
 #include "io/hdf5_version.h"
 #include "io/parameter_writers.h"
 #include "io/recorder.h"
@@ -34,7 +36,14 @@ void prepare_directory(const HeatRunOptions& options) {
   fs::create_directories(directory, error);
   if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
   fs::remove(directory / "summary.json");
+  if (options.force) fs::remove_all(directory / "fields");
 }
+
+int number_in(const char* variable, int otherwise) {
+  const char* text = std::getenv(variable);
+  return text ? std::atoi(text) : otherwise;
+}
+int n_ranks() { return number_in("OMPI_COMM_WORLD_SIZE", number_in("PMI_SIZE", 1)); }
 
 Recorder make_recorder(const HeatCase& heat_case, const HeatRunOptions& options) {
   SeriesGroup series{"/time", {}};
@@ -121,14 +130,9 @@ std::optional<RecordedHeat> read_recorded_heat(const HeatFluxParameters& flux, c
   }
 }
 
-/// What the finite-element room does not compute yet must not be left out silently.
-void refuse_what_is_not_there(const HeatConductionProblem& problem) {
-  if (!problem.fixed.empty())
-    throw InputError({}, "fixed temperatures ([[fixed]]) can be checked, but not computed yet",
-                     "A convection with a large coefficient and its own ambient comes close: coefficient = 1e6.");
-}
-
 }  // namespace
+
+bool is_first_rank() { return number_in("OMPI_COMM_WORLD_RANK", number_in("PMI_RANK", 0)) == 0; }
 
 std::vector<ErasedSection> heat_sections() { return {heat_section(default_materials()).erased()}; }
 
@@ -161,13 +165,21 @@ HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& ov
 
 Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   const auto& study = heat_case.study;
-  refuse_what_is_not_there(study.problem);
   // The module first: where it is missing, nothing is written.
   const double start_0 = cpu_seconds();
   const auto solver = make_heat_solver(study.problem);
-  prepare_directory(options);
-  Recorder recorder = make_recorder(heat_case, options);
-  write_text_atomically(options.directory / "parameters.toml", heat_case.resolved);
+  std::optional<Recorder> recorder;
+  std::optional<FieldSeries> fields;
+  const FieldTimes field_times(study.field_times, study.field_interval);
+  if (is_first_rank()) {
+    prepare_directory(options);
+    recorder.emplace(make_recorder(heat_case, options));
+    write_text_atomically(options.directory / "parameters.toml", heat_case.resolved);
+    if (!field_times.empty()) fields.emplace(options.directory / "fields", "temperature");
+  }
+  const auto write_field = [&](double t) {
+    if (fields) fields->add(t, [&](const std::string& file) { solver->write_vtu(file); });
+  };
 
   Json j;
   j["case"] = heat_case.name;
@@ -175,8 +187,19 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   std::vector<std::vector<double>> series(study.probes.size());
   const double start = cpu_seconds();
   bool completed = true;
+  double next_field = field_times.after(-1.);
+  if (next_field == 0.) {
+    write_field(0.);
+    next_field = field_times.after(0.);
+  }
+  const auto is_stopped = [&] { return solver->on_any_rank(options.stop && *options.stop); };
   for (const double t : study.output_times) {
-    if (options.stop && *options.stop) {
+    while (next_field <= t && !is_stopped()) {
+      solver->advance_to(next_field);
+      write_field(next_field);
+      next_field = field_times.after(next_field);
+    }
+    if (is_stopped()) {
       completed = false;
       break;
     }
@@ -184,10 +207,10 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
     const auto values = probe_values(*solver, study.probes);
     times.push_back(t);
     for (std::size_t i = 0; i < values.size(); ++i) series[i].push_back(values[i]);
-    recorder.append(0, t, values);
+    if (recorder) recorder->append(0, t, values);
   }
   const double end = cpu_seconds();
-  recorder.close();
+  if (recorder) recorder->close();
 
   j["probes"] = Json::object();
   for (std::size_t i = 0; i < study.probes.size(); ++i)
@@ -195,6 +218,8 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   const HeatEnergy e = solver->energy();
   j["energy"] = {{"input", e.input}, {"stored", e.stored}, {"lost", e.lost}, {"residual", e.residual()}};
   const HeatStatistics s = solver->statistics();
+  j["solver"] = study.problem.numerics.solver == HeatLinearSolver::multigrid ? "multigrid" : "direct";
+  j["ranks"] = n_ranks();
   j["unknowns"] = s.unknowns;
   j["cells"] = s.cells;
   j["steps"] = s.steps;
@@ -204,7 +229,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   j["setup_cpu_time"] = start - start_0;
   j["end_time"] = solver->time();
   j["completed"] = completed;
-  write_text_atomically(options.directory / "summary.json", j.dump(2) + "\n");
+  if (recorder) write_text_atomically(options.directory / "summary.json", j.dump(2) + "\n");
   return j;
 }
 

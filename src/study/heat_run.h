@@ -30,8 +30,12 @@ struct HeatRunOptions {
   bool force = false;                                ///< replace results that are there
   const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the next output time
 };
-/// Computes a case into a directory: results.h5, summary.json, parameters.toml. @return the summary
+/// Computes a case into a directory: results.h5, summary.json, parameters.toml, fields. Under mpirun every rank computes, and only the first
+/// one writes. @return the summary
 nlohmann::ordered_json run_heat(const HeatCase& heat_case, const HeatRunOptions& options);
+
+/// Whether this process is alone or the first of those that mpirun started: the one that writes.
+bool is_first_rank();
 
 /// What a case consists of, in a few lines.
 std::string heat_case_text(const HeatCase& heat_case);

@@ -1,5 +1,8 @@
 #include "thermal/fe_parameters.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace rotordrop {
 
 Section<FeParameters> fe_section() {
@@ -55,6 +58,7 @@ Section<FeParameters> fe_section() {
             {.range = between(8, 200),
              .fallback = 28,
              .help = "Modes of each bearing's section that a reduced coupling keeps. More follow faster changes."});
+  s.choice("solver", &P::solver, linear_solvers(), {.fallback = "direct", .help = linear_solver_help});
   s.quantity("window_tolerance", &P::window_tolerance,
              {.unit = "m",
               .range = between(1e-13, 1e-6),
@@ -65,7 +69,16 @@ Section<FeParameters> fe_section() {
               .range = between(1e-5, 0.1),
               .fallback = "2 ms",
               .help = "The longest window of a windowed coupling; the others are halves, quarters and so on."});
+  s.quantities("field_times", &P::field_times,
+               {.unit = "s",
+                .range = at_least(0),
+                .help = "When the temperature field of every section is written for ParaView; the start is always "
+                        "among them. A windowed coupling writes at the first window's end from then on."});
+  s.quantity("field_interval", &P::field_interval,
+             {.unit = "s", .range = positive(), .help = "The same at multiples of this time."});
   s.check([](const P& p, const Node& table, Faults& faults) {
+    if (!std::is_sorted(p.field_times.begin(), p.field_times.end(), std::less_equal<>()))
+      faults.add(position_of_value(table, "field_times"), "thermal.fe.field_times do not rise.");
     if (p.surface_cell > p.largest_cell)
       faults.add(position_of_value(table, "surface_cell"),
                  "thermal.fe.surface_cell is larger than thermal.fe.largest_cell.", "Cells grow away from surfaces.");

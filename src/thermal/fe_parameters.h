@@ -1,8 +1,11 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/parameters.h"
+#include "model/heat_conduction.h"
 
 namespace rotordrop {
 
@@ -21,9 +24,20 @@ struct FeParameters {
   FeSection section = FeSection::grooved;
   FeCoupling coupling = FeCoupling::reduced;
   int degree = 2, modes = 0;
+  HeatLinearSolver solver = HeatLinearSolver::direct;
   double window_tolerance = 0, longest_window = 0;
+  std::vector<double> field_times;       ///< [s]
+  std::optional<double> field_interval;  ///< [s]
 };
 Section<FeParameters> fe_section();
+
+/// The key `solver`, here and in cases of heat alone.
+inline std::vector<std::pair<std::string, HeatLinearSolver>> linear_solvers() {
+  return {{"direct", HeatLinearSolver::direct}, {"multigrid", HeatLinearSolver::multigrid}};
+}
+inline constexpr const char* linear_solver_help =
+    "How linear equations are solved: direct, by factorisation; or multigrid, by conjugate gradients preconditioned "
+    "with algebraic multigrid (PETSc, hypre), for meshes of some hundred thousand unknowns.";
 
 /// The file that `mesh` means for one bearing: NAME in it is replaced by the bearing's name.
 std::string own_mesh_file(const std::string& pattern, const std::string& bearing);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "thermal/fe_parameters.h"
+
 namespace rotordrop {
 namespace {
 
@@ -235,6 +237,7 @@ Section<HeatNumericsParameters> numerics_section() {
              {.range = between(1e-12, 1e-1),
               .fallback = "1e-6",
               .help = "Error of one time step, over the largest change of temperature."});
+  s.choice("solver", &P::solver, linear_solvers(), {.fallback = "direct", .help = linear_solver_help});
   return s;
 }
 
@@ -255,7 +258,8 @@ class StudyMaker {
                         .cells = p_.fe.cells,
                         .grading = p_.fe.grading,
                         .growth = p_.fe.growth,
-                        .tolerance = p_.fe.time_tolerance};
+                        .tolerance = p_.fe.time_tolerance,
+                        .solver = p_.fe.solver};
     add_bodies();
     for (std::size_t i = 0; i < p_.interfaces.size(); ++i) add_interface(i);
     for (std::size_t i = 0; i < p_.fluxes.size(); ++i) add_flux(i);
@@ -499,6 +503,14 @@ class StudyMaker {
       if (!times.empty() && times.back() > *p_.run.end_time) faults_.add(where, "output_times go beyond run.end_time.");
       if (times.empty() || times.back() < *p_.run.end_time) times.push_back(*p_.run.end_time);
     }
+    study_.field_times = p_.field_times;
+    study_.field_interval = p_.field_interval.value_or(0.);
+    const auto& fields = study_.field_times;
+    const SourcePosition where_fields = position_of_value(tree_, "field_times");
+    if (!std::is_sorted(fields.begin(), fields.end(), std::less_equal<>()))
+      faults_.add(where_fields, "field_times do not rise.");
+    if (!fields.empty() && !times.empty() && fields.back() > times.back())
+      faults_.add(where_fields, "field_times go beyond the last of output_times.", "Give a later run.end_time.");
     if (times.empty() || times.back() <= 0.)
       faults_.add(where, "nothing says how long to compute.", "Give output_times = [...], or run.end_time.");
   }
@@ -535,6 +547,12 @@ Section<HeatParameters> heat_section(const Node& default_materials) {
   s.list("probe", &P::probes, probe_section(), {.help = "Temperatures to report."});
   s.quantities("output_times", &P::output_times,
                {.unit = "s", .range = at_least(0), .help = "When probes are reported; met exactly."});
+  s.quantities("field_times", &P::field_times,
+               {.unit = "s",
+                .range = at_least(0),
+                .help = "When the whole temperature field is written for ParaView; the start is always among them."});
+  s.quantity("field_interval", &P::field_interval,
+             {.unit = "s", .range = positive(), .help = "The same at multiples of this time."});
   s.table<HeatNumericsParameters>("fe", &P::fe, numerics_section());
   return s;
 }

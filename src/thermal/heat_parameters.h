@@ -68,6 +68,7 @@ struct HeatProbeParameters {
 struct HeatNumericsParameters {
   int degree = 2, cells = 8;
   double grading = 0, growth = 0, time_tolerance = 0;
+  HeatLinearSolver solver = HeatLinearSolver::direct;
 };
 
 struct HeatParameters {
@@ -79,7 +80,8 @@ struct HeatParameters {
   std::vector<HeatFixedParameters> fixed;
   std::vector<HeatInterfaceParameters> interfaces;
   std::vector<HeatProbeParameters> probes;
-  std::vector<double> output_times;
+  std::vector<double> output_times, field_times;
+  std::optional<double> field_interval;
   HeatNumericsParameters fe;
 };
 Section<HeatParameters> heat_section(const Node& default_materials);
@@ -97,6 +99,8 @@ struct HeatStudy {
   HeatConductionProblem problem;
   std::vector<HeatProbe> probes;
   std::vector<double> output_times;  ///< rising; [run] end_time is the last of them
+  std::vector<double> field_times;   ///< rising
+  double field_interval = 0;         ///< [s]; 0: none
 };
 
 /// Reads the heat that a flux with `recorded` names, or adds faults and returns nothing.

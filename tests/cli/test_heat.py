@@ -101,10 +101,6 @@ class FaultyCases(ProgramTest):
         self.assertNotIn("fixed#2", message)
         self.assertIn("the axis", self.fault(DISC + fixed.format("inner")))
 
-    def test_fixed_temperatures_are_not_left_out_silently(self):
-        case = DISC + '[[fixed]]\nboundary = "disc.left"\ntemperature = "30 degC"\n'
-        self.assertIn("not computed yet", self.fault(case))
-
 
 RECORDED = """
 output_times = [1e-3]

@@ -61,6 +61,7 @@ Grid make_grid(const HeatConductionProblem& problem) {
   }
   std::vector<HeatBoundary> heated;
   for (const auto& flux : problem.fluxes) heated.push_back(flux.boundary);
+  for (const auto& fixed : problem.fixed) heated.push_back(fixed.boundary);
   for (const auto& port : problem.ports) heated.insert(heated.end(), port.boundaries.begin(), port.boundaries.end());
   for (const auto& boundary : heated) {
     const auto& body = problem.bodies.at(boundary.body);

@@ -3,6 +3,7 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -56,6 +57,7 @@ HeatOperator::HeatOperator(const HeatConductionProblem& problem)
   find_covered_edges();
   for (auto* v : {&capacity_weights_, &ambient_load_, &loss_weights_, &scratch_}) v->reinit(size());
   make_ports();
+  find_held_unknowns();
   make_pattern();
   prepare_curved_cells();
   capacity_.reinit(pattern_);
@@ -116,6 +118,23 @@ void HeatOperator::make_ports() {
       made.weights /= made.area;
     }
     ports_.push_back(std::move(made));
+  }
+}
+
+void HeatOperator::find_held_unknowns() {
+  std::vector<bool> is_taken(size());
+  Indices dofs(fe_.dofs_per_cell);
+  for (const auto& fixed : problem_.fixed) {
+    Held held{{}, fixed.temperature};
+    for (const auto& face : free_faces_of(fixed.boundary)) {
+      face.cell->get_dof_indices(dofs);
+      for (unsigned int i = 0; i < fe_.dofs_per_cell; ++i) {
+        if (!fe_.has_support_on_face(i, face.number) || is_taken[dofs[i]]) continue;
+        is_taken[dofs[i]] = true;
+        held.dofs.push_back(static_cast<unsigned int>(dofs[i]));
+      }
+    }
+    held_.push_back(std::move(held));
   }
 }
 
@@ -345,6 +364,16 @@ void HeatOperator::initial_temperature(Vector& T) const {
   }
 }
 
+bool HeatOperator::is_symmetric() const {
+  return std::all_of(problem_.bodies.begin(), problem_.bodies.end(),
+                     [](const HeatBody& body) { return body.conductivity.is_constant(); });
+}
+
+void HeatOperator::clear_held(Vector& residual) const {
+  for (const auto& held : held_)
+    for (const auto i : held.dofs) residual(i) = 0.;
+}
+
 void HeatOperator::hold_fluxes_of(double time) {
   for (auto& load : loads_) {
     const auto& times = load.flux->times;
@@ -458,6 +487,14 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
         for (std::size_t j = 0; j < face.dofs.size(); ++j)
           out.add(face.dofs[i], face.dofs[j], film * shape[i] * shape[j]);
     }
+  for (const auto& held : held_)
+    for (const auto i : held.dofs)
+      for (auto entry = out.begin(i); entry != out.end(i); ++entry) {
+        const auto j = entry->column();
+        if (j == i) continue;
+        entry->value() = 0.;
+        out.set(j, i, 0.);
+      }
 }
 
 // --------------------------------------------------------------------------------------------------------------------- energy

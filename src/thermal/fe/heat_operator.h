@@ -34,7 +34,18 @@ class HeatOperator {
   [[nodiscard]] const dealii::SparsityPattern& pattern() const { return pattern_; }
   /// No property depends on temperature, no convection is a power law: one Jacobian for all.
   [[nodiscard]] bool is_linear() const { return curved_cells_.empty() && power_faces_.empty(); }
+  /// No conductivity depends on temperature: the Jacobian is symmetric, and positive definite.
+  [[nodiscard]] bool is_symmetric() const;
   void initial_temperature(Vector& T) const;
+
+  /// A boundary that is held at a temperature. An unknown that two of them share belongs to the first.
+  struct Held {
+    std::vector<unsigned int> dofs;
+    double temperature = 0;  ///< [K]
+  };
+  [[nodiscard]] const std::vector<Held>& held() const { return held_; }
+  /// Takes held unknowns out of a residual: what they miss is the heat that holding them takes.
+  void clear_held(Vector& residual) const;
 
   /// Fluxes keep, until the next call, the values that hold right after this time [s].
   void hold_fluxes_of(double time);
@@ -44,7 +55,7 @@ class HeatOperator {
   void enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const;
   /// out(v) = F(T, t)(v)  [W]
   void heat_flow(const Vector& T, double t, Vector& out) const;
-  /// out = d(enthalpy)/dT - scaled_step dF/dT
+  /// out = d(enthalpy)/dT - scaled_step dF/dT, rows and columns of held unknowns but for their diagonal left out
   void jacobian(const Vector& T, double scaled_step, Matrix& out) const;
 
   /// Held fluxes times their areas, the areas taken from the bodies' dimensions [W]; functions of place and time by quadrature.
@@ -126,6 +137,7 @@ class HeatOperator {
   void assemble_interfaces();
   void assemble_boundaries();
   void assemble_nodes_and_links();
+  void find_held_unknowns();
   void add_functions(double t, Vector& out) const;
 
   [[nodiscard]] const HeatBody& body_of(const Cell& cell) const { return problem_.bodies[cell->material_id()]; }
@@ -150,6 +162,7 @@ class HeatOperator {
   std::vector<FilmFace> power_faces_, linear_faces_;
   std::vector<FluxLoad> loads_;
   std::vector<Port> ports_;
+  std::vector<Held> held_;
   std::vector<BodyMean> bodies_;
   dealii::SparsityPattern pattern_;
   Matrix capacity_, conductance_;  ///< of all that is linear

@@ -50,7 +50,9 @@ HeatSolver::HeatSolver(const HeatConductionProblem& problem) : operator_(problem
     for (auto& v : *family) v.reinit(operator_.size());
   known_.reinit(operator_.size());
   residual_.reinit(operator_.size());
+  jump_to_held_temperatures();
   matrix_.reinit(operator_.pattern());
+  inverse_ = new_linear_solver();
   statistics_.unknowns = operator_.size();
   statistics_.cells = operator_.n_cells();
 }
@@ -156,7 +158,8 @@ bool HeatSolver::solve_stage(std::size_t i, double step) {
     operator_.enthalpy_difference(T, T_, residual_);
     residual_.sadd(-1., step * gamma_, flow_[i]);
     residual_ += known_;
-    inverse_.solve(residual_);
+    operator_.clear_held(residual_);
+    inverse_->solve(residual_);
     ++statistics_.solves;
     T += residual_;
     const double change = residual_.linfty_norm();
@@ -179,7 +182,7 @@ bool HeatSolver::solve_stage(std::size_t i, double step) {
 
 void HeatSolver::factorise(double step, const Vector& T) {
   operator_.jacobian(T, step * gamma_, matrix_);
-  inverse_.factorise(matrix_);
+  inverse_->set_matrix(matrix_);
   factorised_step_ = step;
   is_stale_ = false;
   ++statistics_.factorisations;
@@ -190,7 +193,8 @@ double HeatSolver::estimate_error(double step) {
   residual_ = 0.;
   for (std::size_t i = 0; i < n_stages; ++i)
     if (b[i] != b_embedded[i]) residual_.add(step * (b[i] - b_embedded[i]), flow_[i]);
-  inverse_.solve(residual_);
+  operator_.clear_held(residual_);
+  inverse_->solve(residual_);
   ++statistics_.solves;
   return residual_.linfty_norm();
 }
@@ -201,8 +205,43 @@ void HeatSolver::accept(double step) {
     input_ += step * b[i] * operator_.input_power(time_ + c[i] * step);
     lost_ += step * b[i] * operator_.lost_power(stage_[i]);
   }
+  if (!operator_.held().empty()) {
+    known_ = 0.;
+    for (std::size_t i = 0; i < n_stages; ++i) known_.add(step * b[i], flow_[i]);
+    book_held_boundaries(T_, stage_[n_stages - 1], known_);
+  }
   T_ = stage_[n_stages - 1];
   ++statistics_.steps;
+}
+
+// The jump's heat comes in at once.
+void HeatSolver::jump_to_held_temperatures() {
+  for (const auto& held : operator_.held()) {
+    Vector& after = stage_[0];
+    after = T_;
+    for (const auto i : held.dofs) after(i) = held.temperature;
+    operator_.enthalpy_difference(after, T_, residual_);
+    double joules = 0.;  // also of neighbours' rows, which reach into the cells along the boundary
+    for (const double row : residual_) joules += row;
+    book(joules);
+    T_ = after;
+  }
+}
+
+void HeatSolver::book(double joules_through_boundary) {
+  (joules_through_boundary > 0. ? input_ : lost_) += std::fabs(joules_through_boundary);
+}
+
+// What is stored in a held row beyond what conduction, fluxes and films brought there came through the boundary.
+void HeatSolver::book_held_boundaries(const Vector& before, const Vector& after, const Vector& flow_joules) {
+  if (operator_.held().empty()) return;
+  operator_.enthalpy_difference(after, before, residual_);
+  residual_ -= flow_joules;
+  for (const auto& held : operator_.held()) {
+    double joules = 0.;
+    for (const auto i : held.dofs) joules += residual_(i);
+    book(joules);
+  }
 }
 
 // ------------------------------------------------------------------------------------------------------------------- windows
@@ -228,6 +267,8 @@ void HeatSolver::advance_window(double step) {
     input_ += step * weights[i] * operator_.input_power(time_);
     lost_ += step * weights[i] * operator_.lost_power(stage_[i + 1]);
   }
+  known_.add(step * g, flow_[2]);
+  book_held_boundaries(T_, second, known_);
   T_ = second;
   time_ += step;
   ++statistics_.steps;
@@ -239,8 +280,8 @@ void HeatSolver::solve_window_stage(double step, double t, Vector& T, Vector& fl
   auto found = window_inverse_.find(step);
   const auto factorise_at = [&](const Vector& at) {
     operator_.jacobian(at, step * g, matrix_);
-    found = window_inverse_.insert_or_assign(step, DirectSolver()).first;
-    found->second.factorise(matrix_);
+    found = window_inverse_.insert_or_assign(step, new_linear_solver()).first;
+    found->second->set_matrix(matrix_);
     ++statistics_.factorisations;
   };
   if (found == window_inverse_.end()) factorise_at(T);
@@ -250,7 +291,8 @@ void HeatSolver::solve_window_stage(double step, double t, Vector& T, Vector& fl
     operator_.enthalpy_difference(T, T_, residual_);
     residual_.sadd(-1., step * g, flow);
     residual_ += known_;
-    found->second.solve(residual_);
+    operator_.clear_held(residual_);
+    found->second->solve(residual_);
     ++statistics_.solves;
     T += residual_;
     const double change = residual_.linfty_norm();

@@ -4,8 +4,9 @@
 #include <optional>
 
 #include "model/heat_conduction.h"
-#include "thermal/fe/direct_solver.h"
 #include "thermal/fe/heat_operator.h"
+#include "thermal/fe/linear_solver.h"
+#include "thermal/fe/petsc_solver.h"
 #include "thermal/fe/reduction.h"
 
 namespace rotordrop {
@@ -41,6 +42,7 @@ class HeatSolver final : public HeatConductionSolver {
   ReducedHeat reduce(const ReductionSettings& settings) override;
   void lift(std::span<const double> state, std::span<const double> watts, double time) override;
   void write_vtu(const std::string& file) const override;
+  [[nodiscard]] bool on_any_rank(bool own) const override { return rotordrop::on_any_rank(own); }
   [[nodiscard]] HeatEnergy energy() const override { return {input_, operator_.stored_energy(T_, T_0_), lost_}; }
   [[nodiscard]] HeatStatistics statistics() const override { return statistics_; }
   [[nodiscard]] double difference(const std::function<double(std::size_t, double, double)>& f) const override {
@@ -59,7 +61,15 @@ class HeatSolver final : public HeatConductionSolver {
   [[nodiscard]] bool solve_stage(std::size_t i, double step);
   [[nodiscard]] double estimate_error(double step);  ///< [K], largest of all nodes
   void accept(double step);
+  void jump_to_held_temperatures();
+  void book(double joules_through_boundary);
+  /// Heat that held boundaries took up or gave off while the field went from `before` to `after`.
+  /// @param flow_joules  integral of the heat flow over the step, by the method's weights [J]
+  void book_held_boundaries(const Vector& before, const Vector& after, const Vector& flow_joules);
   void factorise(double step, const Vector& T);
+  [[nodiscard]] std::unique_ptr<LinearSolver> new_linear_solver() const {
+    return make_linear_solver(numerics_.solver, operator_.is_symmetric());
+  }
   void solve_window_stage(double step, double t, Vector& T, Vector& flow);
 
   HeatOperator operator_;
@@ -74,11 +84,11 @@ class HeatSolver final : public HeatConductionSolver {
   std::array<Vector, n_stages> stage_, flow_;
   Vector known_, residual_;
   dealii::SparseMatrix<double> matrix_;
-  DirectSolver inverse_;
+  std::unique_ptr<LinearSolver> inverse_;
   double factorised_step_ = 0;
   bool is_stale_ = false;  ///< the matrix belongs to temperatures too far away
   HeatStatistics statistics_;
-  std::map<double, DirectSolver> window_inverse_;  ///< by step
+  std::map<double, std::unique_ptr<LinearSolver>> window_inverse_;  ///< by step
   std::optional<Reduction> reduction_;
 };
 

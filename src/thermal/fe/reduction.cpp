@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "thermal/fe/direct_solver.h"
+#include "thermal/fe/linear_solver.h"
 
 namespace rotordrop {
 namespace {
@@ -111,15 +111,15 @@ Space krylov_modes(const HeatOperator& problem, const ReductionSettings& setting
   const double slowest = 1. / settings.longest_time, fastest = 3. / settings.shortest_time;
   const int n_shifts = 1 + static_cast<int>(std::ceil(shifts_per_decade * std::log10(fastest / slowest)));
   Matrix shifted(problem.pattern());
-  DirectSolver solver;
+  const auto solver = make_linear_solver(problem.problem().numerics.solver, true);
   for (int k = 0; k < n_shifts; ++k) {
     const double s = slowest * std::pow(fastest / slowest, static_cast<double>(k) / std::max(1, n_shifts - 1));
     shifted.copy_from(problem.conductance());
     shifted.add(s, problem.capacity());
-    solver.factorise(shifted);
+    solver->set_matrix(shifted);
     for (std::size_t p = 0; p < n_ports; ++p) {
       Vector v = problem.port_weights(p);
-      solver.solve(v);
+      solver->solve(v);
       space.responses.push_back({s, p, v * problem.port_weights(p), v});
       basis.add(dense(v));
     }
@@ -182,6 +182,8 @@ Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& sett
   for (const auto& law : problem.problem().convections)
     if (law.exponent != 0.)
       throw SolverError("the heat conduction cannot be reduced: its convection is no linear function of temperature.");
+  if (!problem.held().empty())
+    throw SolverError("the heat conduction cannot be reduced: a boundary is held at a temperature.");
   for (const auto& body : problem.problem().bodies)
     if (!body.conductivity.is_constant() || !body.heat_capacity.is_constant())
       throw SolverError("the heat conduction of body \"" + body.name +

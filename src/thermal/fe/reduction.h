@@ -17,7 +17,7 @@ struct Reduction {
 /// Projects on what the ports excite: solutions of (K + s C) v = port for s between the settings' times (a rational Krylov space), of which
 /// the directions of the largest Gramian are kept beside the uniform temperature of each body and node. For symmetric problems that is balanced
 /// truncation, and a Galerkin projection at the same time: stable, and true to energy.
-/// @throws SolverError if a property depends on temperature
+/// @throws SolverError if a property depends on temperature or a boundary is held
 Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& settings);
 
 }  // namespace rotordrop

@@ -3,10 +3,26 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <fstream>
+#include <sstream>
+#include <string>
 
 #include "base/errors.h"
 
 namespace rotordrop {
+namespace {
+
+// deal.II takes no blanks nor brackets in names; in the file they are attributes in plain text.
+std::string with_units(std::string text) {
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+  };
+  replace("\"temperature_rise_K\"", "\"temperature rise [K]\"");
+  replace("\"temperature_K\"", "\"temperature [K]\"");
+  return text;
+}
+
+}  // namespace
 
 void write_heat_vtu(const HeatOperator& problem, const HeatOperator::Vector& T, double time, const std::string& file) {
   const auto& dofs = problem.mesh().dofs();
@@ -22,6 +38,7 @@ void write_heat_vtu(const HeatOperator& problem, const HeatOperator::Vector& T, 
   dealii::DataOut<2> out;
   dealii::DataOutBase::VtkFlags flags;
   flags.time = time;
+  flags.print_date_and_time = false;  // the same field is the same file
   flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
   out.set_flags(flags);
   out.attach_dof_handler(dofs);
@@ -29,8 +46,10 @@ void write_heat_vtu(const HeatOperator& problem, const HeatOperator::Vector& T, 
   out.add_data_vector(rise, "temperature_rise_K");
   out.add_data_vector(body, "body");
   out.build_patches(problem.mesh().mapping(), problem.mesh().element().degree, dealii::DataOut<2>::curved_boundary);
+  std::ostringstream text;
+  out.write_vtu(text);
   std::ofstream stream(file);
-  out.write_vtu(stream);
+  stream << with_units(text.str());
   stream.close();
   if (!stream) throw SolverError("the field cannot be written to " + file + ".");
 }

@@ -1,0 +1,53 @@
+#include "study/drop_fields.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rotordrop {
+
+static constexpr double rounding = 1e-9;
+
+DropFields::DropFields(const std::filesystem::path& directory, FiniteElements& elements, const FeParameters& parameters,
+                       const Machine& machine, double start)
+    : elements_(elements), machine_(machine), times_(parameters.field_times, parameters.field_interval.value_or(0.)) {
+  while (model_ < machine.n_thermal_models() && machine.thermal_name(model_) != "fe") ++model_;
+  if (times_.empty()) return;
+  double last = -1.;
+  for (const auto& section : elements.sections) {
+    series_.emplace_back(directory / "fields", section.name, start > 0. ? start : -1.);
+    last = series_.back().empty() ? -1. : series_.back().last_time();
+  }
+  if (!series_.empty())
+    next_ = times_.after(last * (1. + rounding));  // a window's end may lie a bit before the time it stands for
+}
+
+bool DropFields::is_due(double t) const { return next_ <= t * (1. + rounding); }
+
+void DropFields::write(std::size_t section, double t) {
+  series_[section].add(t, [&](const std::string& file) { elements_.sections[section].solver->write_vtu(file); });
+}
+
+void DropFields::write_reduced(double t, std::span<const double> y) {
+  const auto states = machine_.thermal_state(model_, y);
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
+    auto& section = elements_.sections[k];
+    const HeatInput& heat = machine_.heat_input(k);
+    std::array<double, n_bearing_ports> watts{};
+    watts[bore_port] = heat.rub_into_ring;
+    watts[shaft_port] = heat.rub - heat.rub_into_ring;
+    watts[inner_raceway_port] = heat.inner;
+    watts[outer_raceway_port] = heat.outer;
+    section.solver->lift(states.subspan(first, section.reduced.n_modes()), watts, t);
+    first += section.reduced.n_modes();
+    write(k, t);
+  }
+  next_ = times_.after(std::max(t, next_));
+}
+
+void DropFields::write_windowed(double t) {
+  for (std::size_t k = 0; k < elements_.sections.size(); ++k) write(k, t);
+  next_ = times_.after(std::max(t, next_));
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,41 @@
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "io/field_series.h"
+#include "machine/finite_elements.h"
+#include "machine/machine.h"
+#include "thermal/fe_parameters.h"
+
+namespace rotordrop {
+
+/// Temperature fields of a drop's sections: DIRECTORY/fields/BEARING.pvd.
+class DropFields {
+ public:
+  /// @param start  of the run [s]; above 0 the series there is gone on with
+  DropFields(const std::filesystem::path& directory, FiniteElements& elements, const FeParameters& parameters,
+             const Machine& machine, double start);
+
+  /// When a field is wanted next [s]; infinity if none is.
+  [[nodiscard]] double next() const { return next_; }
+  /// Whether it is wanted at t [s] or before.
+  [[nodiscard]] bool is_due(double t) const;
+  /// Of sections in the state vector. Call after the machine's evaluate() at the same state.
+  void write_reduced(double t, std::span<const double> y);
+  /// Of sections that run in windows: as their solvers stand.
+  void write_windowed(double t);
+
+ private:
+  void write(std::size_t section, double t);
+
+  FiniteElements& elements_;
+  const Machine& machine_;
+  const FieldTimes times_;
+  std::size_t model_ = 0;  ///< the finite elements' among the machine's
+  std::vector<FieldSeries> series_;
+  double next_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace rotordrop
