@@ -140,6 +140,9 @@ class ElasticSolver {
   /// On the force of each closed node over its share of the area [Pa]: an opening begins where one of these turns negative.
   [[nodiscard]] virtual std::vector<ElasticInfluence> node_pressure_influences(std::size_t fit) const = 0;
 
+  /// Those nodes' shares of the fit's area.
+  [[nodiscard]] virtual std::vector<double> node_shares(std::size_t fit) const = 0;
+
   /// sqrt of the volume integral of |u - f|^2 [m^2.5].
   [[nodiscard]] virtual double difference(const ElasticFunction& f) const = 0;
 };

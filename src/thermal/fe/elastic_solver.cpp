@@ -408,6 +408,14 @@ std::vector<ElasticInfluence> ElasticStatics::node_pressure_influences(std::size
   return list;
 }
 
+std::vector<double> ElasticStatics::node_shares(std::size_t k) const {
+  const Fit& fit = fits_.at(k);
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < fit.nodes.size(); ++i)
+    if (pairs_[fit.pairs[i]].is_closed) shares.push_back(fit.share(fit.nodes[i]) / fit.area);
+  return shares;
+}
+
 }  // namespace rotordrop
 
 extern "C" __attribute__((visibility("default"))) rotordrop::ElasticSolver* rotordrop_make_elastic_solver(
