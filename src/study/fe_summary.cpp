@@ -50,7 +50,7 @@ Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std
     if (!path.starts_with(prefix)) continue;
     const std::string name = path.substr(prefix.size());
     const Series series = read_series(results, path);
-    if (series.values.empty() || name == "growth") continue;
+    if (series.values.empty() || name == "growth" || name.starts_with("housing_fit")) continue;
     if (series.shape.size() == 1)
       j["temperature_rise_end"][name] = series.values.back() - zero;
     else
