@@ -19,6 +19,17 @@ AMBIENT = 293.15
 SHAFT, BORE, INNER, OUTER, BALL = range(5)  # columns of a growth
 
 
+def find(tree, key):
+    """The first value of a key, however deep."""
+    if isinstance(tree, dict):
+        if key in tree:
+            return tree[key]
+        for value in tree.values():
+            if (found := find(value, key)) is not None:
+                return found
+    return None
+
+
 class FaultyCases(ProgramTest):
     def fault(self, text):
         case = self.case(text)
@@ -98,12 +109,16 @@ class ElasticGrowth(ProgramTest):
                 self.assertGreater(mean.min(), 1e6)
 
     def test_a_fit_that_opens_is_told_with_its_time(self):
-        done, _, file = self.run_elastic()  # no interference: what bulges lifts off
+        done, summary, file = self.run_elastic()  # no interference: what bulges lifts off
         self.assertRegex(done.stderr, r"the fit of TB1's outer ring in its housing begins to open before t = [\d.]+ ms: \d+ % of its area would have to pull")
         open_part = file["fe/TB1/housing_fit_open"][:]
         told = float(done.stderr.partition("the fit of TB1's")[2].partition("before t = ")[2].split()[0]) * 1e-3
         first = file["time"][:][np.argmax(open_part > 0)]
         self.assertAlmostEqual(told, first, delta=1e-3 * first)
+        fit = find(summary, "housing_fit")
+        self.assertEqual(fit["largest_open"], open_part.max())
+        pressure = file["fe/TB1/housing_fit_pressure"][:]
+        self.assertEqual((fit["mean_pressure_end"], fit["lowest_pressure"]), (pressure[-1, 0], pressure[:, 1].min()))
 
 
 if __name__ == "__main__":
