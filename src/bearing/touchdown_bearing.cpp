@@ -77,7 +77,16 @@ void TouchdownBearing::initial_state(std::span<double> y) const {
   y[ring_z] = place.z + y[support_z];
 }
 
-TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, std::span<const double> y) const {
+Expansion TouchdownBearing::growth(const SupportInput& in, std::span<const double> y) const {
+  Expansion growth = in.growth;
+  const double speed_squared = y[ring_spin] * y[ring_spin];
+  growth.bore += data_.centrifugal_bore_growth * speed_squared;
+  growth.inner_race += data_.centrifugal_race_growth * speed_squared;
+  return growth;
+}
+
+TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, const Expansion& growth,
+                                                    std::span<const double> y) const {
   Contact c;
   const double ey = in.journal.y - y[ring_y], ez = in.journal.z - y[ring_z];
   const double vy = in.journal.velocity_y - y[ring_vy], vz = in.journal.velocity_z - y[ring_vz];
@@ -89,7 +98,7 @@ TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, std:
   c.tangential_speed = vz * c.n_y - vy * c.n_z;
   c.centres_turning = distance > 0. ? c.tangential_speed / distance : 0.;
   c.slip_speed = in.rotor_spin.speed * data_.rotor_radius - y[ring_spin] * data_.bore_radius + c.tangential_speed;
-  c.penetration = distance - (data_.air_gap + in.growth.bore - in.growth.shaft);
+  c.penetration = distance - (data_.air_gap + growth.bore - growth.shaft);
   if (!data_.bore_waves.empty() && distance > 0.) {
     const double angle = std::atan2(ez, ey) - y[ring_angle];
     const double angle_rate = c.centres_turning - y[ring_spin];
@@ -173,8 +182,9 @@ double TouchdownBearing::spin_drag(const BallRowInput& in) const {
 
 void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> y, std::span<double> dydt,
                                 std::span<double> ledger, SupportOutput& out) const {
-  const Contact c = contact(in, y);
-  const BallRowInput rows_in = row_input(in.growth, y);
+  const Expansion grown = growth(in, y);
+  const Contact c = contact(in, grown, y);
+  const BallRowInput rows_in = row_input(grown, y);
   const BallForces balls = ball_forces(rows_in);
 
   // On the ring: from the rotor N n + F_t t, with t = x cross n = (-n_z, n_y).
@@ -215,8 +225,12 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   const double support_loss = damper_y * y[support_vy] + damper_z * y[support_vz];
   const double wave_work = balls.waviness_power + c.elastic * c.wave_rate;
   out.other_dissipation = contact_loss + balls.damping_power + support_loss;
-  out.prescribed_work = balls.cage_power + wave_work;
   out.energy_gradient = {c.elastic, -c.elastic, balls.elastic_radial, -balls.elastic_radial, 2. * balls.elastic_normal};
+  // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
+  const double centrifugal_work = (out.energy_gradient.bore * data_.centrifugal_bore_growth +
+                                   out.energy_gradient.inner_race * data_.centrifugal_race_growth) *
+                                  2. * ring_speed * dydt[ring_spin];
+  out.prescribed_work = balls.cage_power + wave_work + centrifugal_work;
 
   ledger[contact_impulse] = c.normal;
   ledger[contact_damping] = contact_loss;
@@ -227,7 +241,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   ledger[spin_up_drive] = in.rotor_spin.speed * drive;
   ledger[spin_up_centres] = c.friction * c.tangential_speed;
 
-  if (!out.observed.empty()) observe(in, y, c, balls, M_L, M_v, out.heat, out.observed);
+  if (!out.observed.empty()) observe(in, grown, y, c, balls, M_L, M_v, out.heat, out.observed);
   if (!out.observed_details.empty()) {
     std::size_t at = 0;
     for (const auto& row : rows_) {
@@ -241,13 +255,14 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
 double TouchdownBearing::energy(const SupportInput& in, std::span<const double> y) const {
   const auto& d = data_;
   const auto square = [&](std::size_t i) { return y[i] * y[i]; };
-  const Contact c = contact(in, y);
+  const Expansion grown = growth(in, y);
+  const Contact c = contact(in, grown, y);
   double U = 0.5 * d.ring_mass * (square(ring_vy) + square(ring_vz)) + 0.5 * d.ring_spin_inertia * square(ring_spin) -
              d.ring_mass * (d.gravity_y * y[ring_y] + d.gravity_z * y[ring_z]);
   U += 0.5 * d.support_mass * (square(support_vy) + square(support_vz)) +
        0.5 * (d.support_stiffness_y * square(support_y) + d.support_stiffness_z * square(support_z));
   U += d.contact.energy(c.penetration);
-  const BallRowInput rows_in = row_input(in.growth, y);
+  const BallRowInput rows_in = row_input(grown, y);
   for (const auto& row : rows_) U += row.energy(rows_in);
   return U;
 }
@@ -279,7 +294,11 @@ std::vector<Observable> TouchdownBearing::observables() const {
       {"rub_heat_rate", "W", "friction heat between rotor and inner ring (eq. 19)", 1, {}},
       {"inner_heat_rate", "W", "friction heat of balls and inner race", 1, {}},
       {"outer_heat_rate", "W", "friction heat of balls and outer race", 1, {}},
-      {"expansion", "m", "thermal growth", 5, {"shaft", "bore", "inner race", "outer race", "ball radius"}},
+      {"expansion",
+       "m",
+       "thermal and centrifugal growth",
+       5,
+       {"shaft", "bore", "inner race", "outer race", "ball radius"}},
   };
 }
 
@@ -292,16 +311,16 @@ std::vector<Observable> TouchdownBearing::detailed_observables() const {
   return {loads};
 }
 
-void TouchdownBearing::observe(const SupportInput& in, std::span<const double> y, const Contact& c,
-                               const BallForces& balls, double load_torque, double drag_torque, const HeatInput& heat,
-                               std::span<double> out) const {
+void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, std::span<const double> y,
+                               const Contact& c, const BallForces& balls, double load_torque, double drag_torque,
+                               const HeatInput& heat, std::span<double> out) const {
   std::size_t at = 0;
   const auto put = [&](std::initializer_list<double> values) {
     for (const double value : values) out[at++] = value;
   };
   put({in.journal.y, in.journal.z, in.journal.velocity_y, in.journal.velocity_z});
   put({y[ring_y], y[ring_z], y[ring_vy], y[ring_vz], y[support_y], y[support_z]});
-  put({c.penetration, data_.air_gap + in.growth.bore - in.growth.shaft, c.normal, c.friction, c.slip_speed});
+  put({c.penetration, data_.air_gap + growth.bore - growth.shaft, c.normal, c.friction, c.slip_speed});
   const double rotor_surface = in.rotor_spin.speed * data_.rotor_radius;
   put({rotor_surface != 0. ? 1. - y[ring_spin] * data_.bore_radius / rotor_surface : 1.});
   put({balls.force_y, balls.force_z});
@@ -314,7 +333,7 @@ void TouchdownBearing::observe(const SupportInput& in, std::span<const double> y
                                          data_.spin_axis_factor * std::cbrt(largest), data_.spin_elliptic_integral);
   put({y[ring_spin], y[cage_angle], load_torque, drag_torque, spin_torque, spin_speed_sum_ratio_ * y[ring_spin]});
   put({heat.rub, heat.inner, heat.outer});
-  put({in.growth.shaft, in.growth.bore, in.growth.inner_race, in.growth.outer_race, in.growth.ball});
+  put({growth.shaft, growth.bore, growth.inner_race, growth.outer_race, growth.ball});
 }
 
 }  // namespace rotordrop

@@ -51,7 +51,9 @@ struct TouchdownBearingData {
   double support_mass = 0;                                  ///< [kg]
   double support_stiffness_y = 0, support_stiffness_z = 0;  ///< [N/m]
   double support_damping_y = 0, support_damping_z = 0;      ///< [N s/m]
-  double gravity_y = 0, gravity_z = 0;                      ///< on the inner ring [m/s^2]
+  /// Growth of bore and inner raceway per square of the ring's speed [m s^2].
+  double centrifugal_bore_growth = 0, centrifugal_race_growth = 0;
+  double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
 };
 
 /// Ball bearing that catches a falling rotor: rotor surface against bore, inner-ring body, ball rows, outer ring on its support.
@@ -103,13 +105,16 @@ class TouchdownBearing final : public Support {
  private:
   struct Contact;     // rotor against bore at one instant
   struct BallForces;  // sums over the rows
-  [[nodiscard]] Contact contact(const SupportInput& input, std::span<const double> y) const;
+  /// Thermal and centrifugal.
+  [[nodiscard]] Expansion growth(const SupportInput& input, std::span<const double> y) const;
+  [[nodiscard]] Contact contact(const SupportInput& input, const Expansion& growth, std::span<const double> y) const;
   [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;
   [[nodiscard]] double spin_drag(const BallRowInput& input) const;
-  void observe(const SupportInput& input, std::span<const double> y, const Contact& c, const BallForces& balls,
-               double load_torque, double drag_torque, const HeatInput& heat, std::span<double> out) const;
+  void observe(const SupportInput& input, const Expansion& growth, std::span<const double> y, const Contact& c,
+               const BallForces& balls, double load_torque, double drag_torque, const HeatInput& heat,
+               std::span<double> out) const;
 
   TouchdownBearingData data_;
   std::vector<BallRow> rows_;

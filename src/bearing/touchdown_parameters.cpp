@@ -152,6 +152,17 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
                {.unit = "m", .range = positive(), .help = "Housing: bore and outside diameter."});
   s.quantity("housing_length", &P::housing_length,
              {.unit = "m", .range = positive(), .help = "Axial length of housing that takes heat, all rows."});
+  s.quantity("housing_fit", &P::housing_fit,
+             {.unit = "m",
+              .range = between(-1e-3, 1e-3),
+              .fallback = "0 um",
+              .source = "estimate",
+              .help = "Interference of outer ring and housing before they were joined, by radius; negative: a "
+                      "clearance. Used by thermal.expansion = \"elastic\". Growth counts from the joined state."});
+  s.choice("housing_fit_kind", &P::housing_fit_kind,
+           {{"frictionless", HousingFit::frictionless}, {"bonded", HousingFit::bonded}},
+           {.fallback = "frictionless",
+            .help = "What that fit passes: pressure alone, opening where it would pull, or every traction."});
   s.quantity("shaft_lump_length", &P::shaft_lump_length,
              {.unit = "m",
               .range = positive(),

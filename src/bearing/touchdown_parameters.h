@@ -38,6 +38,9 @@ enum class RowArrangement { face_to_face, back_to_back, tandem };
 /// Heat inside the bearing: of the friction torque alone, or with the balls' spin moments as an additional torque.
 enum class InternalHeat { energy_consistent, with_spin };
 
+/// What the fit of the outer ring in its housing passes on: pressure alone, or every traction.
+enum class HousingFit { frictionless, bonded };
+
 /// bearings.NAME with type = "touchdown".
 struct TouchdownParameters {
   std::optional<std::string> catalogue;
@@ -65,6 +68,8 @@ struct TouchdownParameters {
   std::array<double, 2> inner_ring_diameters{}, outer_ring_diameters{}, housing_diameters{};
   std::optional<double> inner_shoulder_diameter, outer_shoulder_diameter;
   double housing_length = 0;
+  double housing_fit = 0;
+  HousingFit housing_fit_kind = HousingFit::frictionless;
   std::optional<double> shaft_lump_length;
   CircuitFactors circuit;
 };

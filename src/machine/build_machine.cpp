@@ -32,6 +32,29 @@ RubShare rub_share(const ThermalParameters& t) {
   return {t.share_to_ring, t.heat_share == HeatShare::jaeger, {t.rub_band_length, t.rub_contact_time, 1.}};
 }
 
+/// tan of the contact angles with the sides to which the rows of a pair lean; none of rows that are free to move along their axis.
+std::vector<double> axial_share(const TouchdownParameters& b) {
+  std::vector<double> share;
+  double sum = 0.;
+  for (const auto& row : row_places(b)) {
+    share.push_back(row.direction * std::tan(b.contact_angle));
+    sum += share.back();
+  }
+  return std::fabs(sum) < 1e-12 ? share : std::vector<double>{};
+}
+
+void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b, const FiniteElements& elements,
+                        FiniteElements::Section& section) {
+  const auto& material = *find_material(p, b.ring);
+  const auto kind = b.housing_fit_kind == HousingFit::bonded ? FitKind::bonded : FitKind::frictionless;
+  const ElasticProblem problem = bearing_elastic_problem(
+      section.problem, section.solver->section_mesh(),
+      {material.E, material.nu, material.rho, material.alpha, b.housing_fit, kind, axial_share(b)});
+  section.elastic_solver = elements.make_elastic_solver(problem);
+  section.elastic.emplace(*section.elastic_solver, problem, section.problem, section.adiabatic.growth,
+                          section.solver->field().size());
+}
+
 /// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
 void make_sections(const MachineParameters& p, FiniteElements& elements) {
   const auto& fe = p.thermal.fe;
@@ -51,6 +74,10 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
     section.problem = bearing_heat_problem(circuit, mesh, p.run.ambient, settings);
     section.solver = elements.make_solver(section.problem);
     section.adiabatic = adiabatic_section(section, section_growth(circuit));
+    if (p.thermal.expansion == GrowthSource::elastic) {
+      add_elastic_growth(p, *b, elements, section);
+      if (fe.coupling == FeCoupling::windowed) section.adiabatic.growth = immediate_elastic_growth(section);
+    }
     if (fe.coupling != FeCoupling::windowed) {
       ReductionSettings reduction;
       if (fe.coupling == FeCoupling::monolithic) {
@@ -66,6 +93,20 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
   if (fe.coupling == FeCoupling::windowed) elements.growth = std::make_shared<GrowthHistory>(elements.sections.size());
 }
 
+ReducedSection::Elastic reduced_elastic(const FiniteElements::Section& section) {
+  ReducedSection::Elastic elastic;
+  for (std::size_t s = 0; s < elastic.growth.size(); ++s)
+    elastic.growth[s] = section.solver->project(section.elastic->weights()[s]);
+  const auto& fit = section.elastic->housing_fit();
+  const auto functional = [&](const ElasticInfluence& g) {
+    return ReducedSection::Functional{g.at_rest, section.solver->project(g.weights)};
+  };
+  elastic.mean_pressure = functional(fit.mean);
+  for (const auto& node : fit.node) elastic.node_pressure.push_back(functional(node));
+  elastic.node_share = fit.share;
+  return elastic;
+}
+
 std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const FiniteElements& elements) {
   std::vector<ReducedSection> sections;
   std::size_t k = 0;
@@ -73,7 +114,8 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
     const auto* b = entry.touchdown();
     if (!b) continue;
     const auto& made = elements.sections[k++];
-    ReducedSection section{made.name, made.reduced, made.adiabatic.growth, {}};
+    ReducedSection section{made.name, made.reduced, made.adiabatic.growth, {}, {}};
+    if (made.elastic) section.elastic = reduced_elastic(made);
     const auto circuit = circuit_data(p, entry.name, *b);
     if (circuit.shaft_ring_link == BearingCircuitData::Link::in_contact) {
       const double touching = circuit_resistances(circuit).R2;
@@ -93,7 +135,6 @@ void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& ne
     if (driver == GrowthDriver::lumped) parts.driver = 0;
   }
   if (p.thermal.has_fe) {
-    make_sections(p, *elements);
     if (elements->coupling == FeCoupling::windowed) {
       if (driver == GrowthDriver::fe) {
         parts.prescribed_growth = elements->growth;
@@ -161,7 +202,15 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
   if (driver == GrowthDriver::recorded && !t.recorded)
     faults.add(position_of_value(table, "driver"),
                "thermal.driver = \"recorded\" needs thermal.recorded, the results of an earlier run.");
+  if (t.expansion == GrowthSource::elastic && !t.has_fe)
+    faults.add(position_of_value(table, "expansion"),
+               "thermal.expansion = \"elastic\" needs the finite elements, which do not run.",
+               "Add \"fe\" to thermal.models, or take expansion = \"formula\".");
   if (!t.has_fe) return;
+  if (t.expansion == GrowthSource::elastic && t.plane_strain_growth)
+    faults.add(position_of_value(table, "plane_strain_growth"),
+               "thermal.plane_strain_growth changes formulas, and thermal.expansion = \"elastic\" uses none.",
+               "Leave one of them out.");
   if (!t.nodes.empty() || !t.resistors.empty())
     faults.add(
         position_of(table, t.nodes.empty() ? "resistor" : "node"),
@@ -232,6 +281,14 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
                    fmt::format("bearings.{}.node = {}: another touchdown bearing, {}, sits at this node.", entry.name,
                                b->node, other->second),
                    "Give each its own node, or make one bearing with several rows.");
+      if (b->housing_fit < 0. && p.thermal.expansion == GrowthSource::elastic &&
+          p.thermal.fe.coupling != FeCoupling::windowed)
+        faults.add(
+            position_of_value(table, "housing_fit"),
+            fmt::format("bearings.{}.housing_fit = {:.6g} um is a clearance: its growth is no linear function of "
+                        "temperatures.",
+                        entry.name, b->housing_fit * 1e6),
+            "Take thermal.fe.coupling = \"windowed\", which opens and closes fits, or an interference.");
       check_touchdown(entry.name, *b, p.contact, table, table_of(case_node, "contact"), faults);
       for (const auto& [key, name] : {std::pair{"ball", b->ball}, std::pair{"ring", b->ring}}) {
         if (find_material(p, name)) continue;
@@ -256,6 +313,9 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   const auto network = network_data(p, case_node, faults);
   faults.throw_if_any();
 
+  if (p.thermal.has_fe) make_sections(p, *finite_elements);
+  const bool grows_by_spinning = p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic && p.thermal.growth &&
+                                 driver_of(p.thermal) == GrowthDriver::fe;
   Machine::Parts parts;
   std::vector<int> nodes;
   std::vector<RingCentre> ring_centres;
@@ -267,8 +327,14 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
         const auto* m = find_material(p, name);
         return ElasticMaterial{m->E, m->nu};
       };
-      auto bearing = std::make_unique<TouchdownBearing>(touchdown_data(
-          entry.name, *b, p.contact, {material(b->ring), material(b->ball), p.run.gravity[1], p.run.gravity[2]}));
+      auto data = touchdown_data(entry.name, *b, p.contact,
+                                 {material(b->ring), material(b->ball), p.run.gravity[1], p.run.gravity[2]});
+      if (grows_by_spinning) {
+        const Expansion& growth = finite_elements->sections[n_places].elastic->per_speed_squared();
+        data.centrifugal_bore_growth = growth.bore;
+        data.centrifugal_race_growth = growth.inner_race;
+      }
+      auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
       std::vector<double> state(TouchdownBearing::n_state);
       bearing->initial_state(state);
       ring_centres.push_back(

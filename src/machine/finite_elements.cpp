@@ -38,7 +38,30 @@ AdiabaticSection adiabatic_section(const FiniteElements::Section& s, const Secti
           capacity("outer_ring") + capacity("housing"), growth};
 }
 
-Expansion growth_of(const FiniteElements::Section& s) {
+SectionGrowth immediate_elastic_growth(FiniteElements::Section& s) {
+  constexpr double step = 1e-6;  // [s]: conduction reaches about 4 um
+  const auto start = s.solver->field();
+  const auto per_joule = [&](std::size_t port) {
+    std::array<double, n_bearing_ports> heat{};
+    heat.at(port) = 1. / step;
+    s.solver->set_port_heat(heat);
+    s.solver->advance_window(step);
+    const Expansion growth = s.elastic->linear(s.solver->field());
+    heat.at(port) = 0.;
+    s.solver->set_port_heat(heat);
+    s.solver->set_field(start, 0., 0., 0.);
+    return growth;
+  };
+  // The inner ring's heat is nearly all from the rub.
+  const Expansion rub = per_joule(bore_port);
+  const auto& a = s.adiabatic;
+  return {rub.bore * a.inner_capacity, rub.inner_race * a.inner_capacity,
+          per_joule(outer_raceway_port).outer_race * a.outer_capacity, per_joule(shaft_port).shaft * a.shaft_capacity,
+          a.growth.ball};
+}
+
+Expansion growth_of(FiniteElements::Section& s) {
+  if (s.elastic) return s.elastic->solved(s.solver->field());
   const auto& p = s.problem;
   const double zero = p.initial_temperature;
   const std::size_t shaft = body_index(p, "shaft");
@@ -165,6 +188,8 @@ std::vector<Observable> WindowedSections::observables() const {
     }
     list.push_back(
         {path + "growth", "m", "thermal growth", 5, {"shaft", "bore", "inner race", "outer race", "ball radius"}});
+    if (section.elastic)
+      for (auto& o : housing_fit_observables(path)) list.push_back(std::move(o));
   }
   return list;
 }
@@ -185,6 +210,9 @@ void WindowedSections::observe(std::span<double> out) const {
       for (const double value : {range.mean, range.lowest, range.highest}) out[at++] = value;
     }
     for (const auto surface : surfaces) out[at++] = growth_[k].*surface;
+    if (!section.elastic) continue;
+    const FitState fit = section.elastic->fit_state();
+    for (const double value : {fit.mean_pressure, fit.lowest_pressure, fit.open_fraction}) out[at++] = value;
   }
 }
 

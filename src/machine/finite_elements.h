@@ -2,13 +2,16 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "machine/growth_history.h"
 #include "machine/place_energy.h"
 #include "model/heat_conduction.h"
+#include "model/thermo_elasticity.h"
 #include "thermal/adiabatic_rises.h"
+#include "thermal/bearing_elastic.h"
 #include "thermal/fe_parameters.h"
 
 namespace rotordrop {
@@ -17,6 +20,7 @@ namespace rotordrop {
 struct FiniteElements {
   // Given: the room's doors.
   std::function<std::unique_ptr<HeatConductionSolver>(const HeatConductionProblem&)> make_solver;
+  std::function<std::unique_ptr<ElasticSolver>(const ElasticProblem&)> make_elastic_solver;
   std::function<SectionMesh(const std::string& bearing)> make_mesh;  ///< of the grooved section
 
   // Made by build_machine().
@@ -25,7 +29,9 @@ struct FiniteElements {
     HeatConductionProblem problem;
     std::unique_ptr<HeatConductionSolver> solver;
     AdiabaticSection adiabatic;
-    ReducedHeat reduced;  ///< if it is
+    ReducedHeat reduced;                            ///< if it is
+    std::unique_ptr<ElasticSolver> elastic_solver;  ///< with thermal.expansion = "elastic"
+    std::optional<ElasticGrowth> elastic;
   };
   std::vector<Section> sections;  ///< of each thermal place
   FeCoupling coupling = FeCoupling::reduced;
@@ -85,7 +91,9 @@ class WindowedSections {
 
 /// Capacities and growth of a section, once it has its solver.
 AdiabaticSection adiabatic_section(const FiniteElements::Section& section, const SectionGrowth& growth);
-/// Growth from the volume means of a section's field.
-Expansion growth_of(const FiniteElements::Section& section);
+/// Growth by elasticity right after heat, over the rises without conduction.
+SectionGrowth immediate_elastic_growth(FiniteElements::Section& section);
+/// Growth from a section's field: of its volume means, or by elasticity.
+Expansion growth_of(FiniteElements::Section& section);
 
 }  // namespace rotordrop

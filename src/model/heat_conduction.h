@@ -209,6 +209,11 @@ class HeatConductionSolver {
   /// The field that a state of the last reduce() stands for.
   /// @param state  [n_modes]; @param watts  heat into the ports at that instant [n_ports]
   virtual void lift(std::span<const double> state, std::span<const double> watts, double time) = 0;
+  /// A weighted sum of all unknowns' rises as one of the modes' of the last reduce(): sum weight_i (T_i - T_0) = sum shape_i (z_i - T_0).
+  /// @param weights  [as many as field()]; @return shape [n_modes]
+  [[nodiscard]] virtual std::vector<double> project(std::span<const double> weights) const = 0;
+  /// The mesh, of rectangles too.
+  [[nodiscard]] virtual const SectionMesh& section_mesh() const = 0;
   /// The field as a VTU file: temperature [K] and body of every cell. @throws SolverError
   virtual void write_vtu(const std::string& file) const = 0;
   /// Under mpirun: whether any rank says yes. All ranks must ask. Alone: what was asked.

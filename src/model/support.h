@@ -23,7 +23,7 @@ struct SupportOutput {
   HeatInput heat;
   double other_dissipation =
       0;                       ///< dissipated but not given to the thermal model: contact, ball and support damping [W]
-  double prescribed_work = 0;  ///< done on the machine by prescribed cage and waviness motion [W]
+  double prescribed_work = 0;  ///< done on the machine by cage, waves and growth by speed [W]
   Expansion energy_gradient;   ///< dU/d(growth) [N]: times the growth rate it is the work of thermal growth
   std::span<double> observed;  ///< where to write the observables, in their order; empty: do not
   std::span<double> observed_details;  ///< where to write the detailed (coarsely sampled) ones; empty: do not

@@ -120,6 +120,44 @@ RecordHeader record_header(const Case& drop_case) {
           {{"/parameters", drop_case.resolved}}};
 }
 
+/// Tells once of every fit that begins to open: reads it from what is recorded.
+class FitWatch {
+ public:
+  FitWatch(const std::vector<Observable>& list, std::size_t at, bool follows) : follows_(follows) {
+    const std::string ending = "/housing_fit_open";
+    for (const auto& o : list) {
+      if (o.name.ends_with(ending)) {
+        const std::string path = o.name.substr(0, o.name.size() - ending.size());
+        fits_.push_back({path.substr(path.rfind('/') + 1), at});
+      }
+      at += o.size;
+    }
+  }
+  void look(double t, std::span<const double> row, const std::function<void(const std::string&)>& tell) {
+    for (auto& fit : fits_) {
+      if (fit.is_told || !(row[fit.at] > 0.)) continue;
+      fit.is_told = true;
+      if (tell)
+        tell(fmt::format(
+            "the fit of {}'s outer ring in its housing begins to open before t = {:.4g} ms: {:.0f} % of its "
+            "area{}.",
+            fit.bearing, t * 1e3, 100. * row[fit.at],
+            follows_ ? ""
+                     : " would have to pull. Growth stays that of a closed fit; thermal.fe.coupling = "
+                       "\"windowed\" lets it open"));
+    }
+  }
+
+ private:
+  struct Fit {
+    std::string bearing;
+    std::size_t at = 0;
+    bool is_told = false;
+  };
+  std::vector<Fit> fits_;
+  bool follows_;
+};
+
 /// One run from its start, or from a checkpoint, to its end.
 class DropRun {
  public:
@@ -145,6 +183,10 @@ class DropRun {
       energies_.resize(machine.n_thermal_places());
       window_row_.resize(observed_size(windows_->observables()));
     }
+    if (windows_)
+      fits_.emplace(windows_->observables(), 0, true);
+    else
+      fits_.emplace(machine.state_observables(), n_step_, false);
     averaging_start_ = std::max(end_time_ - averaging_time, 0.);
     impulse_.assign(scalars_.size(), 0.);
     for (const auto& entry : machine.layout().entries()) entry_names_.push_back(entry.name);
@@ -278,6 +320,7 @@ class DropRun {
 
   void record_window(double t) {
     windows_->observe(window_row_);
+    fits_->look(t, window_row_, options_.tell);
     recorder_->append(n_detail_ > 0 ? 2 : 1, t, window_row_);
     write_windowed_fields(t);
   }
@@ -357,6 +400,7 @@ class DropRun {
   void record(double t, std::span<const double> y) {
     std::copy(step_.begin(), step_.end(), row_.begin());
     machine_.observe_state(t, y, std::span(row_).subspan(n_step_));
+    if (!windows_) fits_->look(t, row_, options_.tell);
     recorder_->append(0, t, row_);
     ++next_record_;
     if (t == 0. && n_detail_ > 0) record_details(t, y);
@@ -499,6 +543,7 @@ class DropRun {
   std::optional<DropFields> fields_;
   std::vector<PlaceEnergy> energies_;
   std::vector<double> window_row_;
+  std::optional<FitWatch> fits_;
 
   double time_ = 0, start_time_ = 0, observed_time_ = 0, end_time_;
   std::vector<double> state_, rates_, at_record_, step_, row_, details_;

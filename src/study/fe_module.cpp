@@ -51,9 +51,16 @@ std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProbl
   return std::unique_ptr<HeatConductionSolver>(make(problem));
 }
 
+std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem) {
+  static auto* const make = load<MakeElasticSolver>(
+      {ROTORDROP_FE_MODULE, "the finite-element room", "thermal.expansion = \"elastic\""}, make_elastic_solver_name);
+  return std::unique_ptr<ElasticSolver>(make(problem));
+}
+
 FiniteElements finite_elements_of(const Case& drop_case) {
   FiniteElements elements;
   elements.make_solver = make_heat_solver;
+  elements.make_elastic_solver = make_elastic_solver;
   elements.make_mesh = [&drop_case](const std::string& bearing) { return bearing_mesh(drop_case, bearing); };
   return elements;
 }

@@ -4,6 +4,7 @@
 #include "machine/finite_elements.h"
 #include "model/heat_conduction.h"
 #include "model/section_mesher.h"
+#include "model/thermo_elasticity.h"
 #include "study/case.h"
 
 namespace rotordrop {
@@ -14,6 +15,9 @@ FiniteElements finite_elements_of(const Case& drop_case);
 /// Loads the finite-element room, a module beside the program, and makes its solver. The module stays loaded.
 /// @throws InputError if the program was built without it
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem);
+
+/// Its other door: elasticity. @throws InputError likewise
+std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem);
 
 /// Loads the mesh room, another module beside the program. It keeps its one generator, and stays loaded.
 /// @throws InputError if the program was built without it

@@ -28,6 +28,18 @@ Json surface_scalars(const Series& series, const std::vector<double>& times, dou
           {"highest_time", times[hottest]}};
 }
 
+/// Pressure of the outer ring's fit [Pa], mean at the end and lowest of all nodes and times; the largest part of its area that pulled or was open.
+void add_fit_scalars(const std::string& name, const std::vector<double>& v, Json& to) {
+  if (name == "housing_fit_open") {
+    to["largest_open"] = *std::max_element(v.begin(), v.end());
+    return;
+  }
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < v.size(); i += 2) lowest = std::min(lowest, v[i]);
+  to["mean_pressure_end"] = v[v.size() - 2];
+  to["lowest_pressure"] = lowest;
+}
+
 }  // namespace
 
 Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std::filesystem::path& results) {
@@ -52,6 +64,10 @@ Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std
     const std::string name = path.substr(prefix.size());
     const Series series = read_series(results, path);
     if (series.values.empty() || name == "growth") continue;
+    if (name.starts_with("housing_fit")) {
+      add_fit_scalars(name, series.values, j["housing_fit"]);
+      continue;
+    }
     if (series.shape.size() == 1)
       j["temperature_rise_end"][name] = series.values.back() - zero;
     else

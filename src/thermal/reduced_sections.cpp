@@ -45,6 +45,25 @@ FourSums four_sums(const double* y, double zero, const double* a, const double* 
   return {sum_a, sum_b, sum_c, sum_d};
 }
 
+struct FiveSums {
+  double a, b, c, d, e;
+};
+ROTORDROP_WIDE_VECTORS
+FiveSums five_sums(const double* y, double zero, const double* a, const double* b, const double* c, const double* d,
+                   const double* e, std::size_t n) {
+  double sum_a = 0., sum_b = 0., sum_c = 0., sum_d = 0., sum_e = 0.;
+#pragma omp simd reduction(+ : sum_a, sum_b, sum_c, sum_d, sum_e)
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = y[i] - zero;
+    sum_a += a[i] * z;
+    sum_b += b[i] * z;
+    sum_c += c[i] * z;
+    sum_d += d[i] * z;
+    sum_e += e[i] * z;
+  }
+  return {sum_a, sum_b, sum_c, sum_d, sum_e};
+}
+
 struct Heats {
   const double *bore, *shaft, *inner, *outer, *film;  // rows
   double q_bore, q_shaft, q_inner, q_outer, q_film;   // [W]
@@ -164,10 +183,18 @@ std::vector<StateEntry> ReducedSections::state_entries() const {
 
 void ReducedSections::initial_state(std::span<double> state) const { std::fill(state.begin(), state.end(), ambient_); }
 
-void ReducedSections::add_growth(const Place& p, std::span<const double> values, double zero, const SectionGrowth& g,
-                                 Expansion& out) const {
-  const auto rise = four_sums(values.data() + p.first, zero, p.inner_mean.data(), p.outer_mean.data(),
-                              p.shaft_mean.data(), p.ball_mean.data(), p.n);
+void ReducedSections::add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const {
+  const Place& p = places_[k];
+  const double* y = values.data() + p.first;
+  if (const auto& elastic = sections_[k].elastic) {
+    const auto& g = elastic->growth;
+    const auto u = five_sums(y, zero, g[0].data(), g[1].data(), g[2].data(), g[3].data(), g[4].data(), p.n);
+    out = {.shaft = u.a, .bore = u.b, .inner_race = u.c, .outer_race = u.d, .ball = u.e};
+    return;
+  }
+  const SectionGrowth& g = sections_[k].growth;
+  const auto rise =
+      four_sums(y, zero, p.inner_mean.data(), p.outer_mean.data(), p.shaft_mean.data(), p.ball_mean.data(), p.n);
   out = {.shaft = g.shaft * rise.c,
          .bore = g.bore * rise.a,
          .inner_race = g.inner_race * rise.a,
@@ -176,11 +203,11 @@ void ReducedSections::add_growth(const Place& p, std::span<const double> values,
 }
 
 void ReducedSections::growth(std::span<const double> state, std::span<Expansion> out) const {
-  for (std::size_t k = 0; k < places_.size(); ++k) add_growth(places_[k], state, ambient_, sections_[k].growth, out[k]);
+  for (std::size_t k = 0; k < places_.size(); ++k) add_growth(k, state, ambient_, out[k]);
 }
 
 void ReducedSections::growth_rates(std::span<const double> rate, std::span<Expansion> out) const {
-  for (std::size_t k = 0; k < places_.size(); ++k) add_growth(places_[k], rate, 0., sections_[k].growth, out[k]);
+  for (std::size_t k = 0; k < places_.size(); ++k) add_growth(k, rate, 0., out[k]);
 }
 
 double ReducedSections::rates(std::span<const double> state, std::span<const HeatInput> heat,
@@ -219,6 +246,8 @@ std::vector<Observable> ReducedSections::observables() const {
       list.push_back({section.name + "/" + name, "K",
                       "temperature of a surface, over its circumference the mean: " + name, 3, surface_columns});
     }
+    if (section.elastic)
+      for (auto& o : housing_fit_observables(section.name + "/")) list.push_back(std::move(o));
   }
   return list;
 }
@@ -240,6 +269,18 @@ void ReducedSections::observe(std::span<const double> state, std::span<const Hea
       out[at++] = ambient_ + sum(port.shape, y, ambient_) + port.at_once * watts[i];
       out[at++] = ambient_ + range.lowest;
       out[at++] = ambient_ + range.highest;
+    }
+    if (const auto& elastic = sections_[k].elastic) {
+      const auto value = [&](const ReducedSection::Functional& f) { return f.at_rest + sum(f.shape, y, ambient_); };
+      double lowest = std::numeric_limits<double>::infinity(), pulling = 0.;
+      for (std::size_t i = 0; i < elastic->node_pressure.size(); ++i) {
+        const double p = value(elastic->node_pressure[i]);
+        lowest = std::min(lowest, p);
+        if (p < -no_pressure) pulling += elastic->node_share[i];
+      }
+      out[at++] = value(elastic->mean_pressure);
+      out[at++] = lowest;
+      out[at++] = pulling;
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include "model/reduced_heat.h"
 #include "model/thermal_model.h"
+#include "thermal/bearing_elastic.h"
 #include "thermal/bearing_heat.h"
 
 namespace rotordrop {
@@ -16,6 +17,19 @@ struct ReducedSection {
     double touching = 0, apart = 0;  ///< resistance between shaft and bore [K/W]
   };
   std::optional<ContactLink> contact_link;  ///< if it is not permanent
+  /// A linear functional of the states: value = at_rest + shape . (z - T_0).
+  struct Functional {
+    double at_rest = 0;
+    std::vector<double> shape;  ///< [n_modes]
+  };
+  /// By elasticity instead of `growth`, projected on the modes.
+  struct Elastic {
+    std::array<std::vector<double>, ElasticGrowth::n_surfaces> growth;  ///< shapes, in the order of Expansion's members
+    Functional mean_pressure;                                           ///< of the fit in the housing [Pa]
+    std::vector<Functional> node_pressure;                              ///< of its nodes
+    std::vector<double> node_share;                                     ///< of its area
+  };
+  std::optional<Elastic> elastic;
 };
 
 /// The finite-element model of every touchdown bearing in reduced coordinates: part of the state vector, at about the cost of the circuit.
@@ -46,8 +60,7 @@ class ReducedSections final : public ThermalModel {
     };
     std::vector<Surface> surfaces;  ///< of the ports that are observed
   };
-  void add_growth(const Place& place, std::span<const double> values, double zero, const SectionGrowth& growth,
-                  Expansion& out) const;
+  void add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const;
 
   std::vector<ReducedSection> sections_;
   std::vector<Place> places_;

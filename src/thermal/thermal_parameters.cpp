@@ -134,6 +134,11 @@ Section<ThermalParameters> thermal_section() {
   s.boolean("plane_strain_growth", &P::plane_strain_growth,
             {.fallback = false,
              .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise."});
+  s.choice("expansion", &P::expansion, {{"formula", GrowthSource::formula}, {"elastic", GrowthSource::elastic}},
+           {.fallback = "formula",
+            .help = "Growth of the finite elements' races: by formulas for free rings from mean temperatures, or by "
+                    "elasticity of the meshed section with the fit in the housing and the inner ring's centrifugal "
+                    "growth (docs/growth.md)."});
   s.table("fe", &P::fe, fe_section(), {.help = "Finite elements of every touchdown bearing."});
   s.list("node", &P::nodes, node_section(), {.help = "Further nodes."});
   s.list("resistor", &P::resistors, resistor_section(), {.help = "Further resistors."});

@@ -14,6 +14,9 @@ enum class HeatShare { constant, jaeger };
 /// Whose growth is fed back into clearances and ball loads.
 enum class GrowthDriver { automatic, lumped, fe, none, recorded };
 
+/// Where growth comes from: closed forms of the means, or elasticity on the finite elements' mesh.
+enum class GrowthSource { formula, elastic };
+
 /// A node that a user adds to the circuit.
 struct ExtraNode {
   std::string name;
@@ -38,6 +41,7 @@ struct ThermalParameters {
   BearingCircuitData::Link shaft_ring_link = BearingCircuitData::Link::permanent;
   double gas_conductivity = 0;
   bool plane_strain_growth = false;
+  GrowthSource expansion = GrowthSource::formula;
   FeParameters fe;
   std::vector<ExtraNode> nodes;
   std::vector<ExtraResistor> resistors;

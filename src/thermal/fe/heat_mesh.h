@@ -29,6 +29,7 @@ class HeatMesh {
   [[nodiscard]] const dealii::MappingQ<2>& mapping() const { return mapping_; }
   [[nodiscard]] const dealii::DoFHandler<2>& dofs() const { return dofs_; }
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+  [[nodiscard]] const SectionMesh& section() const { return section_; }
   [[nodiscard]] bool is_curved() const { return !section_.arcs.empty(); }
 
   [[nodiscard]] std::vector<Face> faces_of(const HeatBoundary& boundary) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/errors.h"
 #include "thermal/fe/vtu_output.h"
@@ -327,6 +328,13 @@ void HeatSolver::lift(std::span<const double> state, std::span<const double> wat
   for (std::size_t p = 0; p < std::min(watts.size(), reduction_->residues.size()); ++p)
     T_.add(watts[p], reduction_->residues[p]);
   time_ = time;
+}
+
+std::vector<double> HeatSolver::project(std::span<const double> weights) const {
+  std::vector<double> shape;
+  for (const auto& field : reduction_->fields)
+    shape.push_back(std::inner_product(field.begin(), field.end(), weights.begin(), 0.));
+  return shape;
 }
 
 void HeatSolver::write_vtu(const std::string& file) const { write_heat_vtu(operator_, T_, time_, file); }

@@ -41,6 +41,8 @@ class HeatSolver final : public HeatConductionSolver {
   void set_field(std::span<const double> temperatures, double time, double input, double lost) override;
   ReducedHeat reduce(const ReductionSettings& settings) override;
   void lift(std::span<const double> state, std::span<const double> watts, double time) override;
+  [[nodiscard]] std::vector<double> project(std::span<const double> weights) const override;
+  [[nodiscard]] const SectionMesh& section_mesh() const override { return operator_.mesh().section(); }
   void write_vtu(const std::string& file) const override;
   [[nodiscard]] bool on_any_rank(bool own) const override { return rotordrop::on_any_rank(own); }
   [[nodiscard]] HeatEnergy energy() const override { return {input_, operator_.stored_energy(T_, T_0_), lost_}; }

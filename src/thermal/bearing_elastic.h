@@ -1,0 +1,75 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "model/observable.h"
+#include "model/ports.h"
+#include "model/thermo_elasticity.h"
+#include "thermal/bearing_heat.h"
+
+namespace rotordrop {
+
+/// What elasticity needs to know of a bearing beyond its heat problem.
+struct BearingElasticData {
+  double E = 0, nu = 0, density = 0, expansion = 0;  ///< of rings, housing and shaft
+  double housing_interference = 0;                   ///< by radius [m]
+  FitKind housing_fit = FitKind::frictionless;
+  /// Of every row, tan of the contact angle, with the sign of the side to which the outer contact leans: what an axial displacement of a race does to the
+  /// balls over what a radial one does. Empty: axial displacements do not count.
+  std::vector<double> axial_share;
+};
+
+/// Pressures below this are none: roundoff of a fit without interference [Pa].
+inline constexpr double no_pressure = 1e3;
+/// What models report of the fit: mean pressure and lowest one of a node, and the part of the area that pulls (where the fit is taken as closed) or is open.
+std::vector<Observable> housing_fit_observables(const std::string& path);
+
+/// The section of bearing_heat_problem() as elastic bodies: outer ring in its housing, inner ring (turning) and shaft free.
+/// @param mesh  that of the heat solver
+ElasticProblem bearing_elastic_problem(const HeatConductionProblem& heat, const SectionMesh& mesh,
+                                       const BearingElasticData& data);
+
+/// Growth of the five surfaces that clearances and ball loads see, as functionals of all unknowns of the heat problem, over the joined, cold and standing
+/// state. A raceway's is the mean over its strips of the displacement along the contact's normal, over the normal's radial part: what, as a radial growth,
+/// loads the balls as much. The axial parts count for pairs in X or O arrangement alone; a single row, or a tandem, moves along its axis instead.
+class ElasticGrowth {
+ public:
+  /// @param elastic  of bearing_elastic_problem(), whose last solve was at rest; must outlive this
+  /// @param formula  of the lump of shaft, if it is not meshed, and of the balls
+  ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& problem, const HeatConductionProblem& heat,
+                const SectionGrowth& formula, std::size_t n_unknowns);
+
+  static constexpr std::size_t n_surfaces = 5;  ///< in the order of Expansion's members
+  /// Weights of each surface [n_surfaces][n_unknowns], while the fits stay closed.
+  [[nodiscard]] const std::array<std::vector<double>, n_surfaces>& weights() const { return weights_; }
+  [[nodiscard]] Expansion linear(std::span<const double> temperatures) const;
+  /// With fits as they must be: solves.
+  [[nodiscard]] Expansion solved(std::span<const double> temperatures);
+  /// Growth of bore and inner raceway per speed squared [m s^2]; the others' is zero.
+  [[nodiscard]] const Expansion& per_speed_squared() const { return per_speed_squared_; }
+
+  /// Pressure of the fit's nodes, while it stays closed.
+  struct FitNodes {
+    std::vector<ElasticInfluence> node;  ///< their weights as long as the heat problem's unknowns
+    std::vector<double> share;           ///< of the fit's area
+    ElasticInfluence mean;
+  };
+  [[nodiscard]] const FitNodes& housing_fit() const { return housing_fit_; }
+  /// After solved().
+  [[nodiscard]] FitState fit_state() const { return elastic_.fit(0); }
+
+ private:
+  struct Mean {
+    std::vector<std::size_t> outputs;  ///< of the elastic problem, of equal weight
+    double at_rest = 0;
+  };
+  ElasticSolver& elastic_;
+  double zero_;
+  std::array<Mean, n_surfaces> means_;
+  std::array<std::vector<double>, n_surfaces> weights_;
+  Expansion per_speed_squared_;
+  FitNodes housing_fit_;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,125 @@
+"""thermal.expansion = "elastic" in drops: growth by elasticity of the meshed sections, centrifugal growth, fits.
+
+ROTORDROP_PROGRAM is the program under test. What needs the finite-element room is skipped where its module is not beside the program.
+"""
+
+import pathlib
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PROGRAM, ProgramTest, content_of, settings  # noqa: E402
+
+HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
+ELASTIC = 'thermal.models = ["lumped", "fe"]\nthermal.driver = "fe"\nthermal.expansion = "elastic"\n'
+AMBIENT = 293.15
+SHAFT, BORE, INNER, OUTER, BALL = range(5)  # columns of a growth
+
+
+def find(tree, key):
+    """The first value of a key, however deep."""
+    if isinstance(tree, dict):
+        if key in tree:
+            return tree[key]
+        for value in tree.values():
+            if (found := find(value, key)) is not None:
+                return found
+    return None
+
+
+class FaultyCases(ProgramTest):
+    def fault(self, text):
+        case = self.case(text)
+        before = content_of(self.folder)
+        done = self.call("check", case)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual(content_of(self.folder), before)
+        return " ".join(done.stderr.split())
+
+    def test_elastic_growth_without_finite_elements_is_refused(self):
+        self.assertIn('thermal.expansion = "elastic" needs the finite elements, which do not run', self.fault('thermal.expansion = "elastic"\n'))
+
+    def test_a_clearance_needs_windows(self):
+        message = self.fault(ELASTIC + 'bearings.TB2.housing_fit = "-5 um"\n')
+        self.assertIn("bearings.TB2.housing_fit = -5 um is a clearance", message)
+        self.assertIn('thermal.fe.coupling = "windowed"', message)
+
+    def test_a_factor_of_formulas_is_refused(self):
+        self.assertIn("thermal.plane_strain_growth changes formulas", self.fault(ELASTIC + "thermal.plane_strain_growth = true\n"))
+
+    def test_an_interference_of_millimetres_is_refused(self):
+        self.assertIn("housing_fit", self.fault(ELASTIC + 'bearings.TB1.housing_fit = "2 mm"\n'))
+
+
+@unittest.skipUnless(HAS_ROOM, "built without finite elements")
+class ElasticGrowth(ProgramTest):
+    def series(self, output="out"):
+        file = h5py.File(self.folder / output / "results.h5")
+        self.addCleanup(file.close)
+        return file
+
+    def run_elastic(self, text="", output="out", **keys):
+        done = self.succeed("run", self.case(ELASTIC + text, f"{output}.toml"), "-o", output, *settings(run__end_time="40 ms", **keys))
+        return done, self.summary(output), self.series(output)
+
+    def test_a_plain_free_ring_grows_by_its_volume_mean_and_its_speed(self):
+        """Betti: the mean growth of bore and outside of a free ring of rectangular section is alpha r times its mean rise, whatever the field.
+        The thin disc, in the mean over the length exact too: u(a) = rho w^2 a/(4 E) [(3 + nu) b^2 + (1 - nu) a^2], u(b) = rho w^2 b/(4 E) [(1 - nu) b^2 + (3 + nu) a^2]."""
+        done, summary, file = self.run_elastic('thermal.fe.section = "plain"\n')
+        alpha, E, nu, rho, a, b = 11.8e-6, 2.0e11, 0.30, 7800.0, 35e-3, 39e-3
+        for bearing in ("TB1", "TB2"):
+            rise = file[f"fe/{bearing}/inner_ring"][:] - AMBIENT
+            growth = file[f"growth/fe/{bearing}"][:]
+            self.assertGreater(rise[-1], 0.5)
+            # 1e-4: the modes that are left out, of a surface layer; the mesh alone leaves 1e-6.
+            np.testing.assert_allclose(growth[:, BORE], alpha * a * rise, rtol=0, atol=1e-4 * alpha * a * rise.max())
+            np.testing.assert_allclose(growth[:, INNER], alpha * b * rise, rtol=0, atol=1e-4 * alpha * b * rise.max())
+            speed = file[f"bearings/{bearing}/ring_speed"][:]
+            self.assertGreater(speed[-1], 200.0)
+            by_speed = file[f"bearings/{bearing}/expansion"][:] - growth
+            factor = rho * speed**2 / (4 * E)
+            bore, race = factor * a * ((3 + nu) * b**2 + (1 - nu) * a**2), factor * b * ((1 - nu) * b**2 + (3 + nu) * a**2)
+            np.testing.assert_allclose(by_speed[:, BORE], bore, rtol=0, atol=1e-6 * bore.max())
+            np.testing.assert_allclose(by_speed[:, INNER], race, rtol=0, atol=1e-6 * race.max())
+            for surface in (SHAFT, OUTER, BALL):
+                np.testing.assert_array_equal(by_speed[:, surface], 0.0)
+        # What the ring's growth by its speed does to the contacts is booked, or this balance would miss it.
+        self.assertLess(abs(summary["energy"]["residual"]), 1e-5)
+
+    def test_windows_and_modes_agree_while_the_fits_stay_closed(self):
+        fits = 'bearings.TB1.housing_fit = "10 um"\nbearings.TB2.housing_fit = "10 um"\n'
+        reduced, _, modes = self.run_elastic(fits, "reduced")
+        windowed, _, windows = self.run_elastic(fits + 'thermal.fe.coupling = "windowed"\n', "windowed")
+        for done in (reduced, windowed):
+            self.assertNotIn("begins to open", done.stderr)
+        time = windows["windows/time"][:]
+        for bearing in ("TB1", "TB2"):
+            by_windows = windows[f"windows/{bearing}/growth"][:]
+            by_modes = np.array([np.interp(time, modes["time"][:], column) for column in modes[f"growth/fe/{bearing}"][:].T]).T
+            # 24 modes leave about a nanometre of the inner raceway's growth; the bore's mean is among them.
+            np.testing.assert_allclose(by_modes, by_windows, rtol=0, atol=2e-9)
+            np.testing.assert_allclose(by_modes[:, BORE], by_windows[:, BORE], rtol=0, atol=3e-10)
+            self.assertGreater(by_windows[-1, BORE], 2e-7)
+            for file, path in ((modes, "fe"), (windows, "windows")):
+                self.assertEqual(file[f"{path}/{bearing}/housing_fit_open"][:].max(), 0.0)
+                mean = file[f"{path}/{bearing}/housing_fit_pressure"][:, 0]
+                self.assertGreater(mean.min(), 1e6)
+
+    def test_a_fit_that_opens_is_told_with_its_time(self):
+        done, summary, file = self.run_elastic()  # no interference: what bulges lifts off
+        self.assertRegex(done.stderr, r"the fit of TB1's outer ring in its housing begins to open before t = [\d.]+ ms: \d+ % of its area would have to pull")
+        open_part = file["fe/TB1/housing_fit_open"][:]
+        told = float(done.stderr.partition("the fit of TB1's")[2].partition("before t = ")[2].split()[0]) * 1e-3
+        first = file["time"][:][np.argmax(open_part > 0)]
+        self.assertAlmostEqual(told, first, delta=1e-3 * first)
+        fit = find(summary, "housing_fit")
+        self.assertEqual(fit["largest_open"], open_part.max())
+        pressure = file["fe/TB1/housing_fit_pressure"][:]
+        self.assertEqual((fit["mean_pressure_end"], fit["lowest_pressure"]), (pressure[-1, 0], pressure[:, 1].min()))
+
+
+if __name__ == "__main__":
+    unittest.main()
