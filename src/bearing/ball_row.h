@@ -10,6 +10,13 @@ struct RingDisplacement {
   double psi_y = 0, psi_z = 0;  ///< [rad] ([rad/s])
 };
 
+/// Hertz constants of the balls on one race.
+struct RaceContact {
+  double stiffness = 0;    ///< K of Q = K delta^1.5 [N/m^1.5]
+  double axis_factor = 0;  ///< semi-major axis of the contact ellipse over Q^(1/3) [m/N^(1/3)]
+  double ellipticity = 1;  ///< semi-major over semi-minor axis
+};
+
 /// One row of balls between two races.
 struct BallRowGeometry {
   int n_balls = 0;              ///< Z
@@ -25,6 +32,8 @@ struct BallRowGeometry {
   double position = 0;          ///< axial position of the row in the ring's frame [m]
   double phase = 0;             ///< azimuth of the first ball at cage angle zero [rad]
   double preload_offset = 0;    ///< axial approach of the races at rest [m]
+  RaceContact inner, outer;     ///< each contact by itself; `stiffness` is both in series
+  double ball_mass = 0;         ///< [kg]; for the balls' inertia
 };
 
 /// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (eqs. 11, 12).

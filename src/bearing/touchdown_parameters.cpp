@@ -410,8 +410,15 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   row.contact_angle = b.contact_angle;
   row.radial_clearance = b.radial_clearance;
   row.damping_beta = b.ball_damping_beta;
-  row.stiffness = stiffness_in_series(hertz_stiffness(inner, modulus, b.elliptic_integrals),
-                                      hertz_stiffness(outer, modulus, b.elliptic_integrals));
+  const auto race = [&](const ContactGeometry& geometry) {
+    return RaceContact{hertz_stiffness(geometry, modulus, b.elliptic_integrals),
+                       semi_major_axis_factor(geometry, modulus, b.elliptic_integrals),
+                       contact_ellipse(geometry, b.elliptic_integrals).k};
+  };
+  row.inner = race(inner);
+  row.outer = race(outer);
+  row.stiffness = stiffness_in_series(row.inner.stiffness, row.outer.stiffness);
+  row.ball_mass = around.ball_density * std::numbers::pi / 6. * std::pow(b.ball_diameter, 3);
   row.preload_offset = b.preload > 0. ? BallRow::offset_for_axial_load(row, b.preload) : 0.;
 
   TouchdownBearingData d;

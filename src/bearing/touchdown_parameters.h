@@ -72,6 +72,7 @@ Section<TouchdownParameters> touchdown_section();
 struct TouchdownSurroundings {
   ElasticMaterial ring, ball;
   double gravity_y = 0, gravity_z = 0;  ///< [m/s^2]
+  double ball_density = 0;              ///< [kg/m^3]
 };
 
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.

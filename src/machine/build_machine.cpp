@@ -201,6 +201,13 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
 
 }  // namespace
 
+TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
+                                       const TouchdownParameters& b) {
+  const MaterialParameters &ring = *find_material(p, b.ring), &ball = *find_material(p, b.ball);
+  return touchdown_data(name, b, p.contact,
+                        {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity[1], p.run.gravity[2], ball.rho});
+}
+
 GrowthDriver driver_of(const ThermalParameters& t) {
   if (t.driver != GrowthDriver::automatic) return t.driver;
   return t.has_lumped ? GrowthDriver::lumped : GrowthDriver::fe;
@@ -257,12 +264,7 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   for (const auto& entry : p.bearings) {
     nodes.push_back(entry.node());
     if (const auto* b = entry.touchdown()) {
-      const auto material = [&](const std::string& name) {
-        const auto* m = find_material(p, name);
-        return ElasticMaterial{m->E, m->nu};
-      };
-      auto bearing = std::make_unique<TouchdownBearing>(touchdown_data(
-          entry.name, *b, p.contact, {material(b->ring), material(b->ball), p.run.gravity[1], p.run.gravity[2]}));
+      auto bearing = std::make_unique<TouchdownBearing>(touchdown_data_of(p, entry.name, *b));
       std::vector<double> state(TouchdownBearing::n_state);
       bearing->initial_state(state);
       ring_centres.push_back(

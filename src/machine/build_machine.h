@@ -13,6 +13,10 @@ void check_machine(const MachineParameters& parameters, const Node& case_node, F
 /// Which model's growth is fed back when a case leaves it open.
 GrowthDriver driver_of(const ThermalParameters& parameters);
 
+/// One touchdown bearing of a case whose parameters were checked, as numbers.
+TouchdownBearingData touchdown_data_of(const MachineParameters& parameters, const std::string& name,
+                                       const TouchdownParameters& bearing);
+
 /// The machine of a case whose parameters were checked. @throws InputError, SolverError
 /// @param finite_elements  the room's doors if the case has finite elements; takes the sections that are made
 /// @param recorded         growth of an earlier run, if that drives
