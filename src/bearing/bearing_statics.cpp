@@ -34,6 +34,7 @@ RowReport report_row(const BallRowGeometry& g, const std::vector<BallInPlace>& b
     row.n_loaded += b.load_i > negligible;
     row.balls.push_back(ball);
   }
+  row.static_safety = std::pow(static_pressure_limit / row.largest_pressure, 3);
   return row;
 }
 

@@ -36,6 +36,9 @@ class BearingEquilibrium final : public EquilibriumSystem {
   double force_scale_ = 1, share_ = 1;
 };
 
+/// Pressure at which a ball leaves a permanent mark of 1e-4 of its diameter [Pa]. Source: ISO 76, ball bearings.
+inline constexpr double static_pressure_limit = 4.2e9;
+
 /// A contact ellipse.
 struct EllipseReport {
   double load = 0, angle = 0;             ///< [N], [rad], signed as the row leans
@@ -53,7 +56,9 @@ struct RowReport {
   double axial_force = 0;       ///< of the balls on the ring, along x [N]
   double largest_load = 0;      ///< of a ball on either race [N]
   double largest_pressure = 0;  ///< on either race [Pa]
-  int n_loaded = 0;             ///< balls that touch the inner race
+  /// s0 = (4.2 GPa / largest pressure)^3: by so much may the load of the most loaded ball grow; infinite without load
+  double static_safety = 0;
+  int n_loaded = 0;  ///< balls that touch the inner race
 };
 
 /// A ring in its place.

@@ -95,6 +95,10 @@ void add_row_keys(Section<TouchdownParameters>& s) {
            {.fallback = "fit",
             .source = "Brewe & Hamrock 1977; the fits are within 1.2 % of the exact integrals",
             .help = "How the Hertz stiffness of balls and races is found."});
+  s.choice("ball_model", &P::ball_model, {{"quasi-static", BallModel::quasi_static}, {"inertial", BallModel::inertial}},
+           {.fallback = "quasi-static",
+            .help = "Balls without mass, or each in balance with its centrifugal force and gyroscopic moment (Jones, "
+                    "outer-race control), which needs the stiffness of both races apart."});
   s.quantity("ball_damping_beta", &P::ball_damping_beta,
              {.unit = "s",
               .range = between(0, 1e-3),
@@ -436,6 +440,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
     else
       d.race_waves.push_back({w.surface == WavySurface::inner_race, w.order, w.amplitude, w.phase});
   }
+  d.ball_model = b.ball_model;
   d.ring_mass = b.ring_mass;
   d.ring_spin_inertia = b.ring_spin_inertia;
   d.bore_radius = bore_radius(b, contact);

@@ -57,6 +57,7 @@ struct TouchdownParameters {
   std::vector<WavinessParameters> waviness;
   double ball_damping_beta = 0, drag_viscosity = 0, drag_regularisation = 0;
   std::string ring_motion;
+  BallModel ball_model = BallModel::quasi_static;
   InternalHeat internal_heat = InternalHeat::energy_consistent;
   FrictionLoadLaw load_law = FrictionLoadLaw::radial;
   EllipticIntegrals elliptic_integrals = EllipticIntegrals::brewe_hamrock;

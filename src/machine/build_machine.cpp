@@ -199,6 +199,29 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
                "Take the reduced coupling, or the permanent link.");
 }
 
+void check_statics(const MachineParameters& p, const Node& table, Faults& faults) {
+  const auto& s = p.statics;
+  for (const auto& load : s.loads)
+    check_rotor_node(p.rotor.geometry, load.node, position_of_value(table, "loads"), "statics.loads.node", faults);
+  const auto is_zero = [](const auto& values) {
+    return std::all_of(values.begin(), values.end(), [](double v) { return v == 0.; });
+  };
+  if (s.subject == StaticsSubject::shaft)
+    for (const auto& [key, zero] : {std::pair{"force", is_zero(s.force)}, std::pair{"moment", is_zero(s.moment)}})
+      if (!zero)
+        faults.add(position_of_value(table, key),
+                   fmt::format("statics.{} acts on a bearing by itself, and statics.subject is \"shaft\".", key),
+                   "Set statics.subject = \"bearings\", or put forces on the rotor by statics.loads.");
+  if (s.subject == StaticsSubject::bearings && !s.loads.empty())
+    faults.add(position_of(table, "loads"),
+               "statics.loads act on the rotor, which statics.subject = \"bearings\" leaves out.",
+               "Set statics.subject = \"shaft\", or load the inner rings by statics.force and statics.moment.");
+  if (s.preload_by == PreloadBy::rigid && s.preload_stiffness != 0.)
+    faults.add(position_of_value(table, "preload_stiffness"),
+               "statics.preload_stiffness is that of a spring, and statics.preload_by is \"rigid\".",
+               "Set statics.preload_by = \"spring\", or leave the stiffness out.");
+}
+
 }  // namespace
 
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
@@ -249,6 +272,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   }
   if (materials_are_known) network_data(p, case_node, faults);
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
+  check_statics(p, table_of(case_node, "statics"), faults);
 }
 
 std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node,
