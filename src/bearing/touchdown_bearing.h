@@ -90,6 +90,7 @@ class TouchdownBearing final : public Support {
     support_damping,
     waviness_work,
     cage_work,
+    inertia_of_balls,
     spin_up_drive,
     spin_up_centres,
     n_ledger

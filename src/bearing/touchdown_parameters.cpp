@@ -423,6 +423,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   row.outer = race(outer);
   row.stiffness = stiffness_in_series(row.inner.stiffness, row.outer.stiffness);
   row.ball_mass = around.ball_density * std::numbers::pi / 6. * std::pow(b.ball_diameter, 3);
+  row.has_inertia = b.ball_model == BallModel::inertial;
   row.preload_offset = b.preload > 0. ? BallRow::offset_for_axial_load(row, b.preload) : 0.;
 
   TouchdownBearingData d;
