@@ -1,7 +1,6 @@
 #include "bearing/inertial_balls.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -14,6 +13,17 @@
 
 namespace rotordrop {
 namespace {
+
+// By value: references to temporaries keep the compiler from making vectors.
+template <class Real>
+ROTORDROP_INLINE Real larger(Real a, Real b) {
+  return a > b ? a : b;
+}
+template <class Real>
+ROTORDROP_INLINE Real limited(Real value, Real low, Real high) {
+  const Real above = value > low ? value : low;
+  return above < high ? above : high;
+}
 
 template <class Real>
 struct Ball {
@@ -28,8 +38,8 @@ struct Row {
 template <class Real>
 ROTORDROP_INLINE Real rough_cubic_root(Real value) {
   const float x = static_cast<float>(value);
-  const auto bits = static_cast<float>(std::bit_cast<std::int32_t>(x));
-  float y = std::bit_cast<float>(static_cast<std::int32_t>(bits * (1.f / 3.f) + 709921077.f));
+  const auto bits = static_cast<float>(__builtin_bit_cast(std::int32_t, x));
+  float y = __builtin_bit_cast(float, static_cast<std::int32_t>(bits * (1.f / 3.f) + 709921077.f));
   const float cube = y * y * y;
   y = y * (cube + 2.f * x) / (2.f * cube + x);
   return static_cast<Real>(y);
@@ -41,7 +51,7 @@ struct System {
   Real L_i, L_o, c, s, F, Q_i, Q_o;
   Real angle_a, angle_x;  // change of the inner angle by that of the outer one, and by the outer length
   Real R_n_a, R_t_a, R_n_x, R_t_x, inverse_det;
-  Real S_i, F_by_i, inverse_L_i;
+  Real S_i, F_by_i, inverse_L_i, inverse_u_i, inverse_u_o;
   Real h_n, h_t;
 
   /// @param inner_length  from the ball's centre to that of the inner groove
@@ -54,9 +64,15 @@ struct System {
     c = b.i_x * b.o_x + b.i_r * b.o_r;
     s = b.i_x * b.o_r - b.i_r * b.o_x;
     const Real above = one - row.g * b.i_r, below = one + c;
-    const Real inverse = one / (L_i * below * above);
-    inverse_L_i = inverse * below * above;
-    const Real inverse_below = inverse * L_i * above, inverse_above = inverse * L_i * below;
+    // Five divisions in one.
+    const Real angles = below * above, loads = b.u_i * b.u_o;
+    const Real inverse = one / (L_i * angles * loads);
+    inverse_L_i = inverse * angles * loads;
+    const Real by_angles = inverse * L_i * loads;
+    const Real inverse_below = by_angles * above, inverse_above = by_angles * below;
+    const Real by_loads = inverse * L_i * angles;
+    inverse_u_i = by_loads * b.u_o;
+    inverse_u_o = by_loads * b.u_i;
     F = row.F_0 * (above * inverse_below) * (above * inverse_below);
     F_by_i = two * F * (row.g * b.i_x * inverse_above + s * inverse_below);
     const Real F_by_o = -two * F * s * inverse_below;
@@ -87,10 +103,24 @@ struct System {
   }
 };
 
-/// One Newton step; returns the force left before it, of the outer load.
+/// Turns a unit vector by about an angle; its length stays one to the digits when the angle is small, and comes back to one later when it is not.
 template <class Real>
-ROTORDROP_INLINE Real step(const Row<Real>& row, Ball<Real>& b, Real B_x, Real B_r, Real added_i, Real added_o) {
-  const Real one = 1, half = Real(0.5);
+struct Normal {
+  Real x, r;
+};
+template <class Real>
+ROTORDROP_INLINE Normal<Real> turned(Real angle, Real x, Real r) {
+  const Real a2 = angle * angle, shrink = Real(1) - a2 * (Real(0.5) - Real(0.375) * a2);
+  const Real new_x = (x + angle * r) * shrink, new_r = (r - angle * x) * shrink;
+  const Real fix = Real(1.5) - Real(0.5) * (new_x * new_x + new_r * new_r);
+  return {new_x * fix, new_r * fix};
+}
+
+/// One Newton step; positive if more than `enough` of the loads was left before it.
+template <class Real>
+ROTORDROP_INLINE Real step(const Row<Real>& row, Ball<Real>& b, Real B_x, Real B_r, Real added_i, Real added_o,
+                           Real enough) {
+  const Real half = Real(0.5);
   const System<Real> s(row, b, row.l_i + row.c_i * b.u_i * b.u_i - added_i, added_o);
   const Real gap_x = B_x - s.L_o * b.o_x - s.L_i * b.i_x, gap_r = B_r - s.L_o * b.o_r - s.L_i * b.i_r;
   const Real gap_n = gap_x * b.i_x + gap_r * b.i_r, gap_t = gap_x * b.i_r - gap_r * b.i_x;
@@ -99,27 +129,18 @@ ROTORDROP_INLINE Real step(const Row<Real>& row, Ball<Real>& b, Real B_x, Real B
   s.solve(gap_n, gap_t, force_n, force_t, a, x);
   const Real turn = gap_t * s.inverse_L_i + s.angle_a * a + s.angle_x * x;
   const Real stretch = gap_n - s.L_o * s.s * a - s.c * x;
-  // Rotations that keep the normals' length exactly; all four divisions in one.
-  const Real h = std::clamp(half * a, -half, half), k = std::clamp(half * turn, -half, half);
-  const Real p = one + h * h, q = one + k * k;
-  const Real inverse = one / (p * q * b.u_i * b.u_o);
-  const Real du_o = x * half / row.c_o * (inverse * p * q * b.u_i),
-             du_i = stretch * half / row.c_i * (inverse * p * q * b.u_o);
-  const Real inverse_p = inverse * q * b.u_i * b.u_o, inverse_q = inverse * p * b.u_i * b.u_o;
+  const Real du_o = x * half / row.c_o * s.inverse_u_o, du_i = stretch * half / row.c_i * s.inverse_u_i;
   const Real left =
       std::abs(force_n) + std::abs(force_t) + s.S_i * (std::abs(gap_n)) + s.Q_i * std::abs(gap_t) * s.inverse_L_i;
   const Real load = s.Q_o + s.F;
-  b.u_o = std::max(b.u_o + du_o, Real(0.3) * b.u_o);
-  b.u_i = std::max(b.u_i + du_i, Real(0.2) * b.u_i);
-  const Real o_x = ((one - h * h) * b.o_x + 2 * h * b.o_r) * inverse_p,
-             o_r = ((one - h * h) * b.o_r - 2 * h * b.o_x) * inverse_p;
-  const Real i_x = ((one - k * k) * b.i_x + 2 * k * b.i_r) * inverse_q,
-             i_r = ((one - k * k) * b.i_r - 2 * k * b.i_x) * inverse_q;
-  b.o_x = o_x;
-  b.o_r = o_r;
-  b.i_x = i_x;
-  b.i_r = i_r;
-  return left / load;
+  b.u_o = larger(b.u_o + du_o, Real(0.3) * b.u_o);
+  b.u_i = larger(b.u_i + du_i, Real(0.2) * b.u_i);
+  const auto o = turned(limited(a, -half, half), b.o_x, b.o_r), i = turned(limited(turn, -half, half), b.i_x, b.i_r);
+  b.o_x = o.x;
+  b.o_r = o.r;
+  b.i_x = i.x;
+  b.i_r = i.r;
+  return left - enough * load;
 }
 
 /// Between the ball without inertia and the ball in the bottom of the outer groove: the moment of its forces about the outer groove's centre
@@ -128,23 +149,23 @@ template <class Real>
 ROTORDROP_INLINE Ball<Real> start(const Row<Real>& row, Real B_x, Real B_r, Real added, Real series) {
   const Real one = 1, small = Real(1e-12);
   const Real distance = std::sqrt(B_x * B_x + B_r * B_r);
-  const Real delta = std::max(distance - row.l_i - row.l_o + added, Real(0));
+  const Real delta = larger<Real>(distance - row.l_i - row.l_o + added, Real(0));
   const Real Q = series * delta * std::sqrt(delta);
   const Real ratio = Real(0.5) * (one - row.g * B_r / distance);
   const Real F = row.F_0 * ratio * ratio;
-  const Real Q_guess = Q + Real(0.35) * F;
+  const Real Q_guess = Q + Real(0.7) * F;
   const Real share = Q_guess / (2 * Q_guess + Real(1.4) * F);
   Ball<Real> b;
-  b.o_x = std::clamp(B_x * share / row.l_o, Real(-0.95), Real(0.95));
-  b.i_x = std::clamp(B_x * (one - share) / row.l_i, Real(-0.95), Real(0.95));
+  b.o_x = limited(B_x * share / row.l_o, Real(-0.95), Real(0.95));
+  b.i_x = limited(B_x * (one - share) / row.l_i, Real(-0.95), Real(0.95));
   b.o_r = std::sqrt(one - b.o_x * b.o_x);
   b.i_r = std::sqrt(one - b.i_x * b.i_x);
-  const Real both = std::max((B_r - row.l_o * b.o_r - row.l_i * b.i_r) * 2 / (b.o_r + b.i_r) + added, small);
+  const Real both = larger<Real>((B_r - row.l_o * b.o_r - row.l_i * b.i_r) * 2 / (b.o_r + b.i_r) + added, small);
   const Real mean = both / (row.c_i + row.c_o);
   const Real q = mean * std::sqrt(mean);
-  const Real Q_i = std::max(q - Real(0.5) * F * b.o_r, Real(0.02) * F + Real(0.05) * q);
+  const Real Q_i = larger<Real>(q - Real(0.5) * F * b.o_r, Real(0.02) * F + Real(0.05) * q);
   b.u_o = rough_cubic_root(Q_i + F * b.o_r);
-  b.u_i = std::max(rough_cubic_root(Q_i), Real(1e-3) * b.u_o + Real(1e-9));
+  b.u_i = larger<Real>(rough_cubic_root(Q_i), Real(1e-3) * b.u_o + Real(1e-9));
   return b;
 }
 
@@ -155,14 +176,29 @@ struct Single {
   alignas(64) Array B_x, B_r, added_i, added_o, u_i, u_o, i_x, i_r, o_x, o_r;
 };
 
+// Filled up to whole vectors of single precision with copies of the last ball.
+std::size_t narrow(const InertialBalls& w, Single& f) {
+  const std::size_t n = (w.n + 15) / 16 * 16;
+  for (std::size_t j = 0; j < w.n; ++j) {
+    f.B_x[j] = static_cast<float>(w.B_x[j]);
+    f.B_r[j] = static_cast<float>(w.B_r[j]);
+    f.added_i[j] = static_cast<float>(w.added_i[j]);
+    f.added_o[j] = static_cast<float>(w.added_o[j]);
+  }
+  for (std::size_t j = w.n; j < n; ++j) {
+    f.B_x[j] = f.B_x[w.n - 1];
+    f.B_r[j] = f.B_r[w.n - 1];
+    f.added_i[j] = f.added_i[w.n - 1];
+    f.added_o[j] = f.added_o[w.n - 1];
+  }
+  return n;
+}
+
 ROTORDROP_WIDE_VECTORS
-void start_all(const Row<float>& row, float series, std::size_t n, const InertialBalls& in, Single& f) {
+void start_all(const Row<float>& constants, float series, std::size_t n, Single& f) {
+  const Row<float> row = constants;  // a copy that no store can change
 #pragma omp simd
   for (std::size_t j = 0; j < n; ++j) {
-    f.B_x[j] = static_cast<float>(in.B_x[j]);
-    f.B_r[j] = static_cast<float>(in.B_r[j]);
-    f.added_i[j] = static_cast<float>(in.added_i[j]);
-    f.added_o[j] = static_cast<float>(in.added_o[j]);
     const auto b = start<float>(row, f.B_x[j], f.B_r[j], f.added_i[j] + f.added_o[j], series);
     f.u_i[j] = b.u_i;
     f.u_o[j] = b.u_o;
@@ -175,13 +211,14 @@ void start_all(const Row<float>& row, float series, std::size_t n, const Inertia
 
 /// @return balls that had more than `enough` left over before the step (or no number any more)
 ROTORDROP_WIDE_VECTORS
-float step_single(const Row<float>& row, std::size_t n, float enough, Single& f) {
+float step_single(const Row<float>& constants, std::size_t n, float enough, Single& f) {
+  const Row<float> row = constants;
   float n_left = 0;
 #pragma omp simd reduction(+ : n_left)
   for (std::size_t j = 0; j < n; ++j) {
     Ball<float> b{f.u_i[j], f.u_o[j], f.i_x[j], f.i_r[j], f.o_x[j], f.o_r[j]};
-    const float left = step<float>(row, b, f.B_x[j], f.B_r[j], f.added_i[j], f.added_o[j]);
-    n_left += left <= enough ? 0 : 1;
+    const float left = step<float>(row, b, f.B_x[j], f.B_r[j], f.added_i[j], f.added_o[j], enough);
+    n_left += left <= 0.f ? 0.f : 1.f;
     f.u_i[j] = b.u_i;
     f.u_o[j] = b.u_o;
     f.i_x[j] = b.i_x;
@@ -209,13 +246,14 @@ void widen(std::size_t n, const Single& f, InertialBalls& w) {
 }
 
 ROTORDROP_WIDE_VECTORS
-double step_double(const Row<double>& row, double enough, InertialBalls& w) {
+double step_double(const Row<double>& constants, double enough, InertialBalls& w) {
+  const Row<double> row = constants;
   double n_left = 0;
 #pragma omp simd reduction(+ : n_left)
   for (std::size_t j = 0; j < w.n; ++j) {
     Ball<double> b{w.u_i[j], w.u_o[j], w.i_x[j], w.i_r[j], w.o_x[j], w.o_r[j]};
-    const double left = step<double>(row, b, w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]);
-    n_left += left <= enough ? 0 : 1;
+    const double left = step<double>(row, b, w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j], enough);
+    n_left += left <= 0. ? 0. : 1.;
     w.u_i[j] = b.u_i;
     w.u_o[j] = b.u_o;
     w.i_x[j] = b.i_x;
@@ -226,26 +264,37 @@ double step_double(const Row<double>& row, double enough, InertialBalls& w) {
   return n_left;
 }
 
-/// A ball that the inner race does not reach lies in the bottom of the outer groove. Its orbit speed has the direction of the inner race's
-/// groove, as that of a loaded one, so that nothing jumps when they part.
-struct Bottom {
-  double u, i_x, i_r;
-  bool is_free;
+struct Bottoms {
+  Bottoms() {}
+  alignas(64) InertialBalls::Array u, i_x, i_r, is_free;
 };
-Bottom lie_down(const InertialRow& row, double F_0, double B_x, double B_r, double added_i, double added_o) {
-  Bottom b{0., 0., 1., true};
-  double F = 0.25 * F_0 * (1. - row.g) * (1. - row.g), length = row.l_i;
-  for (int round = 0; round < 5; ++round) {
-    b.u = std::cbrt(F);
-    const double v_r = B_r - (row.l_o + row.c_o * b.u * b.u - added_o);
-    length = std::max(std::sqrt(B_x * B_x + v_r * v_r), 1e-9);
-    b.i_x = B_x / length;
-    b.i_r = v_r / length;
-    const double ratio = (1. - row.g * b.i_r) / std::max(1. + b.i_r, 1e-3);
-    F = F_0 * ratio * ratio;
-  }
-  b.is_free = length < row.l_i - added_i;
-  return b;
+
+/// Balls that the inner race does not reach lie in the bottom of the outer groove. Their orbit speed has the direction of the inner race's
+/// groove, as that of loaded ones, so that nothing jumps when they part.
+ROTORDROP_WIDE_VECTORS
+void lie_down(const InertialRow& constants, double F_0, const InertialBalls& w, Bottoms& b) {
+  const InertialRow row = constants;
+  const double root_F_0 = std::cbrt(F_0);
+  std::fill_n(b.i_x.begin(), w.n, 0.);
+  std::fill_n(b.i_r.begin(), w.n, 1.);
+  std::fill_n(b.u.begin(), w.n, root_F_0 * std::cbrt(0.25 * (1. - row.g) * (1. - row.g)));
+  double* const bu = b.u.data();
+  double* const bx = b.i_x.data();
+  double* const br = b.i_r.data();
+  double* const bf = b.is_free.data();
+  for (int round = 0; round < 3; ++round)
+#pragma omp simd
+    for (std::size_t j = 0; j < w.n; ++j) {
+      const double v_x = w.B_x[j], v_r = w.B_r[j] - (row.l_o + row.c_o * bu[j] * bu[j] - w.added_o[j]);
+      const double length = std::sqrt(v_x * v_x + v_r * v_r) + 1e-12, inverse = 1. / length;
+      bx[j] = v_x * inverse;
+      br[j] = v_r * inverse;
+      const double ratio = (1. - row.g * br[j]) / larger(1. + br[j], 1e-3), F = F_0 * ratio * ratio;
+      // One step towards the cubic root of F from the last round's; together they converge.
+      const double u = bu[j], cube = u * u * u;
+      bu[j] = u * (cube + 2. * F) / (2. * cube + F);
+      bf[j] = length < row.l_i - w.added_i[j] ? 1. : 0.;
+    }
 }
 
 /// Balls that the inner race may not reach; the others surely are.
@@ -256,8 +305,8 @@ double count_suspects(const InertialRow& row, double bottom, InertialBalls& w) {
   for (std::size_t j = 0; j < w.n; ++j) {
     const double v_r = w.B_r[j] - row.l_o - bottom + w.added_o[j], reach = row.l_i - w.added_i[j] + bottom;
     const double is_suspect = w.B_x[j] * w.B_x[j] + v_r * v_r < reach * reach ? 1. : 0.;
-    w.is_free[j] = std::max(is_suspect, 1. - w.is_ball[j]);
-    count += w.is_free[j];
+    w.is_free[j] = is_suspect;
+    count += is_suspect;
   }
   return count;
 }
@@ -294,22 +343,21 @@ void inertia_forces(const InertialRow& row, double F_0, InertialBalls& w) {
 void balance_balls(const InertialRow& row, double F_0, InertialBalls& w) {
   const double u_bottom = std::cbrt(0.25 * F_0 * (1. - row.g) * (1. - row.g)), bottom = row.c_o * u_bottom * u_bottom;
   const bool has_suspects = count_suspects(row, bottom, w) > 0.;
-  // Free balls, and those that only fill up the row, stand aside on a place with plain answers until the others are done.
+  // Free balls stand aside on a place with plain answers until the others are done.
   InertialBalls::Array B_x, B_r;
-  std::array<Bottom, InertialBalls::capacity> lying;
-  if (has_suspects)
+  Bottoms lying;
+  if (has_suspects) {
+    lie_down(row, F_0, w, lying);
     for (std::size_t j = 0; j < w.n; ++j) {
       if (w.is_free[j] == 0.) continue;
-      if (w.is_ball[j] != 0.) {
-        lying[j] = lie_down(row, F_0, w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]);
-        if (!lying[j].is_free) w.is_free[j] = 0.;
-        if (!lying[j].is_free) continue;
-      }
+      w.is_free[j] = lying.is_free[j];
+      if (w.is_free[j] == 0.) continue;
       B_x[j] = w.B_x[j];
       B_r[j] = w.B_r[j];
       w.B_x[j] = 0.3 * (row.l_i + row.l_o);
       w.B_r[j] = row.l_i + row.l_o + bottom;
     }
+  }
 
   const double soft = row.c_i + row.c_o, series = 1. / (soft * std::sqrt(soft));
   const auto to_float = [](double value) { return static_cast<float>(value); };
@@ -317,26 +365,27 @@ void balance_balls(const InertialRow& row, double F_0, InertialBalls& w) {
                           to_float(row.l_o), to_float(row.g),   to_float(F_0)};
   const Row<double> whole{row.c_i, row.c_o, row.l_i, row.l_o, row.g, F_0};
   Single f;
-  start_all(single, to_float(series), w.n, w, f);
+  const std::size_t n_single = narrow(w, f);
+  start_all(single, to_float(series), n_single, f);
   // Newton's method squares what is left at each step.
-  for (int k = 0; k < 12; ++k)
-    if (step_single(single, w.n, 3e-3f, f) == 0.f) break;
+  for (int k = 0; k < 9; ++k)
+    if (step_single(single, n_single, 1e-2f, f) == 0.f) break;
   widen(w.n, f, w);
   double n_left = 1.;
-  for (w.steps = 0; w.steps < 8 && n_left > 0.; ++w.steps) n_left = step_double(whole, 2e-5, w);
+  for (w.steps = 0; w.steps < 12 && n_left > 0.; ++w.steps) n_left = step_double(whole, 5e-5, w);
   w.is_by_scalar_law = n_left > 0.;
   if (w.is_by_scalar_law)
     for (std::size_t j = 0; j < w.n; ++j) balance_one(row, F_0, j, w);
 
   if (has_suspects)
     for (std::size_t j = 0; j < w.n; ++j) {
-      if (w.is_free[j] == 0. || w.is_ball[j] == 0.) continue;
+      if (w.is_free[j] == 0.) continue;
       w.B_x[j] = B_x[j];
       w.B_r[j] = B_r[j];
       w.u_i[j] = 0.;
-      w.u_o[j] = lying[j].u;
-      w.i_x[j] = lying[j].i_x;
-      w.i_r[j] = lying[j].i_r;
+      w.u_o[j] = lying.u[j];
+      w.i_x[j] = lying.i_x[j];
+      w.i_r[j] = lying.i_r[j];
       w.o_x[j] = 0.;
       w.o_r[j] = 1.;
     }
@@ -349,13 +398,16 @@ BallWork inertia_work(const InertialRow& constants, double F_0, const InertialBa
   double power = 0., per_radial = 0., per_ball_growth = 0., per_force = 0.;
 #pragma omp simd reduction(+ : power, per_radial, per_ball_growth, per_force)
   for (std::size_t j = 0; j < w.n; ++j) {
-    const Ball<double> b{w.u_i[j], w.u_o[j], w.i_x[j], w.i_r[j], w.o_x[j], w.o_r[j]};
+    // The system divides by u_i, which free balls do not have; their answer does not depend on it.
+    const double u_i = larger(w.u_i[j], 1e-12 * w.u_o[j]);
+    const Ball<double> b{u_i, w.u_o[j], w.i_x[j], w.i_r[j], w.o_x[j], w.o_r[j]};
     const double L_o = row.l_o + row.c_o * b.u_o * b.u_o - w.added_o[j];
     const double L_i = (w.B_x[j] - L_o * b.o_x) * b.i_x + (w.B_r[j] - L_o * b.o_r) * b.i_r;
     const System<double> s(row, b, L_i, w.added_o[j]);
     const double f_n = s.F * s.h_n, f_t = s.F * s.h_t;
     // Work per unit of what opens the geometry (along and across the inner normal) and of what grows at the outer contact.
-    const auto work = [&](double gap_n, double gap_t, double force_n, double force_t, double outer) {
+    const auto work = [&](double gap_n, double gap_t, double force_n, double force_t, double outer)
+        __attribute__((always_inline)) {
       double a, x;
       s.solve(gap_n, gap_t, force_n, force_t, a, x);
       return w.is_ball[j] * (f_n * (x - outer) + f_t * s.L_o * a);

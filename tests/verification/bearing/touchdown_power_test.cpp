@@ -150,9 +150,12 @@ TEST(TouchdownBearing, BalancesItsPowerWithFreeBallsToo) {
   std::mt19937 random(5);
   auto data = touchdown("deep groove with clearance", {deep_groove_row()});
   data.race_waves = {{true, 2, 4 * um, 0.}};
-  const TB bearing(data);
+  auto heavy = data;
+  heavy.rows[0].has_inertia = true;
+  const TB light_balls(data), heavy_balls(heavy);
   std::uniform_real_distribution<double> angle(-pi, pi);
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 60; ++i) {
+    const TB& bearing = i % 2 ? heavy_balls : light_balls;
     auto s = random_instant(random, true);
     const double direction = angle(random);
     const double dy = 24 * um * std::cos(direction),
