@@ -129,6 +129,9 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   inertial_ = {std::pow(g.inner.stiffness, -2. / 3.), std::pow(g.outer.stiffness, -2. / 3.),
                (g.inner_conformity - 0.5) * g.ball_diameter, (g.outer_conformity - 0.5) * g.ball_diameter,
                g.ball_diameter / g.pitch_diameter};
+  if (g.has_inertia)
+    starts_ = std::make_shared<InertialStarts>(inertial_, constants_.axial, constants_.radial,
+                                               0.5 * g.ball_mass * g.pitch_diameter);
   const auto azimuth = [&](int j) { return g.phase + 2. * std::numbers::pi * j / g.n_balls; };
   for (int j = 0; j < g.n_balls; ++j) {
     cosine_.push_back(std::cos(azimuth(j)));

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -120,6 +121,7 @@ class BallRow {
   BallRowGeometry geometry_;
   Constants constants_{};
   InertialRow inertial_;
+  std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
   std::vector<double> cosine_,
       sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;

@@ -103,7 +103,9 @@ void BallRow::place_balls(const BallRowInput& in, double F_0, InertialBalls& w) 
   place_grooves({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, constants_.radial + in.radial_growth,
                  constants_.axial, constants_.arm, geometry_.position, in.displacement, in.rate},
                 w);
-  balance_balls(inertial_, F_0, w);
+  const auto& e = in.displacement;
+  const bool only_translates = e.x == 0. && e.psi_y == 0. && e.psi_z == 0.;
+  balance_balls(inertial_, F_0, w, only_translates ? starts_.get() : nullptr);
 }
 
 void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutput& out) const {

@@ -209,6 +209,30 @@ void start_all(const Row<float>& constants, float series, std::size_t n, Single&
   }
 }
 
+/// As start_all, by straight lines in a table over B_r. @return balls beyond its ends
+ROTORDROP_WIDE_VECTORS
+float look_up(const float* u_i, const float* u_o, const float* i_x, const float* o_x, float first, float per_step,
+              float last, std::size_t n, Single& f) {
+  float n_beyond = 0;
+#pragma omp simd reduction(+ : n_beyond)
+  for (std::size_t j = 0; j < n; ++j) {
+    // What adds to the deflections is nearly a shift of B_r.
+    const float at = (f.B_r[j] + f.added_i[j] + f.added_o[j] - first) * per_step;
+    const float inside = limited(at, 0.f, last);
+    n_beyond += at == inside ? 0.f : 1.f;
+    const auto k = static_cast<std::int32_t>(inside);
+    const float part = inside - static_cast<float>(k);
+    f.u_i[j] = u_i[k] + part * (u_i[k + 1] - u_i[k]);
+    f.u_o[j] = u_o[k] + part * (u_o[k + 1] - u_o[k]);
+    const float x_i = i_x[k] + part * (i_x[k + 1] - i_x[k]), x_o = o_x[k] + part * (o_x[k + 1] - o_x[k]);
+    f.i_x[j] = x_i;
+    f.o_x[j] = x_o;
+    f.i_r[j] = std::sqrt(1.f - x_i * x_i);
+    f.o_r[j] = std::sqrt(1.f - x_o * x_o);
+  }
+  return n_beyond;
+}
+
 /// @return balls that had more than `enough` left over before the step (or no number any more)
 ROTORDROP_WIDE_VECTORS
 float step_single(const Row<float>& constants, std::size_t n, float enough, Single& f) {
@@ -340,7 +364,43 @@ void inertia_forces(const InertialRow& row, double F_0, InertialBalls& w) {
 
 }  // namespace
 
-void balance_balls(const InertialRow& row, double F_0, InertialBalls& w) {
+InertialStarts::InertialStarts(const InertialRow& row, double B_x, double B_r, double force_per_speed2)
+    : force_per_speed2_(force_per_speed2) {
+  // 50 um to either side, more than rings move in their balls; speeds to 2500 rad/s. Beyond, the closed guess serves.
+  const double reach = 50e-6;
+  radius_step_ = 2. * reach / static_cast<double>(n_radii - 1);
+  first_radius_ = B_r - reach;
+  speed_step_ = 2500. / static_cast<double>(n_speeds);
+  for (std::size_t s = 0; s < n_speeds; ++s)
+    for (std::size_t k = 0; k < n_radii; ++k) {
+      const double speed = speed_step_ * static_cast<double>(s + 1);
+      const BallContacts contacts{1. / (row.c_i * std::sqrt(row.c_i)),
+                                  1. / (row.c_o * std::sqrt(row.c_o)),
+                                  row.l_i,
+                                  row.l_o,
+                                  2. * force_per_speed2,
+                                  row.g,
+                                  1.};
+      const BallBalance b =
+          ball_balance(contacts, B_x, first_radius_ + radius_step_ * static_cast<double>(k), 0., speed);
+      const double u_o = std::cbrt(b.load_o);
+      const std::array<double, 4> values = {std::max(std::cbrt(b.load_i), 0.25 * u_o), u_o, b.sin_i, b.sin_o};
+      for (std::size_t q = 0; q < 4; ++q) tables_[s][q][k] = static_cast<float>(values[q]);
+    }
+}
+
+bool InertialStarts::column(double F_0, Table& at_speed) const {
+  const double at = std::sqrt(F_0 / force_per_speed2_) / speed_step_ - 1.;
+  if (!(at >= 0. && at < static_cast<double>(n_speeds - 1))) return false;
+  const auto s = static_cast<std::size_t>(at);
+  const auto part = static_cast<float>(at - static_cast<double>(s));
+  const float *low = tables_[s][0].data(), *high = tables_[s + 1][0].data();
+  float* out = at_speed[0].data();
+  for (std::size_t k = 0; k < 4 * n_radii; ++k) out[k] = low[k] + part * (high[k] - low[k]);
+  return true;
+}
+
+void balance_balls(const InertialRow& row, double F_0, InertialBalls& w, const InertialStarts* starts) {
   const double u_bottom = std::cbrt(0.25 * F_0 * (1. - row.g) * (1. - row.g)), bottom = row.c_o * u_bottom * u_bottom;
   const bool has_suspects = count_suspects(row, bottom, w) > 0.;
   // Free balls stand aside on a place with plain answers until the others are done.
@@ -366,7 +426,12 @@ void balance_balls(const InertialRow& row, double F_0, InertialBalls& w) {
   const Row<double> whole{row.c_i, row.c_o, row.l_i, row.l_o, row.g, F_0};
   Single f;
   const std::size_t n_single = narrow(w, f);
-  start_all(single, to_float(series), n_single, f);
+  InertialStarts::Table table;
+  const bool is_near = starts && starts->column(F_0, table) &&
+                       look_up(table[0].data(), table[1].data(), table[2].data(), table[3].data(),
+                               to_float(starts->first_radius_), to_float(1. / starts->radius_step_),
+                               static_cast<float>(InertialStarts::n_radii) - 1.001f, n_single, f) == 0.f;
+  if (!is_near) start_all(single, to_float(series), n_single, f);
   // Newton's method squares what is left at each step.
   for (int k = 0; k < 9; ++k)
     if (step_single(single, n_single, 1e-2f, f) == 0.f) break;

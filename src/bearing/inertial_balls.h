@@ -3,8 +3,8 @@
 //
 // Unknowns of a ball are both contact angles, as unit normals, and u = Q^(1/3) of both contacts: delta = K^(-2/3) u^2 and Q = u^3 have no roots.
 // Two equations say that the vectors (l_o + delta_o) n_o and (l_i + delta_i) n_i together reach from groove centre to groove centre, two that the
-// forces on the ball cancel. Newton's method on these four needs three divisions a step. The start is a function of the state alone: a
-// closed guess between the ball without inertia and the one that lies in the bottom of the outer groove. First steps are in single
+// forces on the ball cancel. Newton's method on these four needs two divisions a step. The start is a function of the state alone: from a
+// table made once, or a closed guess between the ball without inertia and the one that lies in the bottom of the outer groove. First steps are in single
 // precision, the last ones in double, until what is left is below 5e-5 before a step, which squares it.
 #include <array>
 #include <cstddef>
@@ -33,9 +33,25 @@ struct InertialBalls {
   bool is_by_scalar_law;      ///< the steps did not arrive: each ball by laws/ball_balance.h
 };
 
+/// Solutions of a row at one B_x over B_r and the ring's speed, made once: a start that is near without any memory of what was before.
+class InertialStarts {
+ public:
+  /// @param B_x, B_r  of the undisplaced row [m]; @param force_per_speed2  F_0 / omega^2 [N s^2/rad^2]
+  InertialStarts(const InertialRow& row, double B_x, double B_r, double force_per_speed2);
+  static constexpr std::size_t n_radii = 64, n_speeds = 24;
+
+ private:
+  friend void balance_balls(const InertialRow&, double, InertialBalls&, const InertialStarts*);
+  using Table = std::array<std::array<float, n_radii>, 4>;  // u_i, u_o, sin of both angles
+  [[nodiscard]] bool column(double F_0, Table& at_speed) const;
+  double first_radius_, radius_step_, speed_step_, force_per_speed2_;
+  std::array<Table, n_speeds> tables_;  // at 1, 2, ... speed steps
+};
+
 /// Brings all balls into balance.
-/// @param F_0  m d_m omega^2 / 2, > 0 [N]
-void balance_balls(const InertialRow& row, double F_0, InertialBalls& balls);
+/// @param F_0     m d_m omega^2 / 2, > 0 [N]
+/// @param starts  those of this row if all balls have its B_x; else nullptr
+void balance_balls(const InertialRow& row, double F_0, InertialBalls& balls, const InertialStarts* starts = nullptr);
 
 /// How a row's balls move with their surroundings: for the work of the forces of inertia on them.
 struct BallMotion {

@@ -48,7 +48,11 @@ TEST(InertialRow, EveryBallIsInTheBalanceOfTheScalarLaw) {
   for (const double reach : {2 * um, 10 * um, 50 * um})
     for (const double speed : {30., 400., 1600., 4000.})
       for (int i = 0; i < 200; ++i) {
-        const auto s = sample(random, reach, reach / 42.5e-3, speed);
+        auto s = sample(random, reach, reach / 42.5e-3, speed);
+        if (i % 2) {  // a ring that only translates: its balls start from the row's table
+          auto& e = s.in.displacement;
+          e.x = e.psi_y = e.psi_z = 0.;
+        }
         const RingStatics ring(s.rows, surroundings(s.in));
         RingVector q;
         q << s.in.displacement.x, s.in.displacement.y, s.in.displacement.z, s.in.displacement.psi_y,
