@@ -437,7 +437,7 @@ void balance_balls(const InertialRow& row, double F_0, InertialBalls& w, const I
     if (step_single(single, n_single, 1e-2f, f) == 0.f) break;
   widen(w.n, f, w);
   double n_left = 1.;
-  for (w.steps = 0; w.steps < 12 && n_left > 0.; ++w.steps) n_left = step_double(whole, 5e-5, w);
+  for (w.steps = 0; w.steps < 12 && n_left > 0.; ++w.steps) n_left = step_double(whole, 2e-5, w);
   w.is_by_scalar_law = n_left > 0.;
   if (w.is_by_scalar_law)
     for (std::size_t j = 0; j < w.n; ++j) balance_one(row, F_0, j, w);

@@ -5,7 +5,7 @@
 // Two equations say that the vectors (l_o + delta_o) n_o and (l_i + delta_i) n_i together reach from groove centre to groove centre, two that the
 // forces on the ball cancel. Newton's method on these four needs two divisions a step. The start is a function of the state alone: from a
 // table made once, or a closed guess between the ball without inertia and the one that lies in the bottom of the outer groove. First steps are in single
-// precision, the last ones in double, until what is left is below 5e-5 before a step, which squares it.
+// precision, the last ones in double, until what is left is below 2e-5 before a step, which squares it.
 #include <array>
 #include <cstddef>
 

@@ -142,7 +142,8 @@ TEST(MachineEnergy, HeatIsStoredOrLost) {
     // Linear in the temperatures: the difference over one second along the rates is the rate.
     auto later = y;
     for (std::size_t k = 0; k < y.size(); ++k) later[k] += dydt[k];
-    const double stored = machine->energy_balance(0., later).heat.at(0).stored - machine->energy_balance(0., y).heat.at(0).stored;
+    const double stored =
+        machine->energy_balance(0., later).heat.at(0).stored - machine->energy_balance(0., y).heat.at(0).stored;
     EXPECT_NEAR(stored + dydt[entry(*machine, "energy/heat lost")], heat, 1e-9 * std::fabs(heat)) << "W";
   }
 }
