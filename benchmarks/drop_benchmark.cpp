@@ -2,6 +2,7 @@
 // asserted. Run: build/release/rotordrop_benchmarks
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <vector>
@@ -49,6 +50,38 @@ void right_hand_side(benchmark::State& state) {
       static_cast<double>(c.n_balls()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(right_hand_side);
+
+/// Balls with inertia against those without, per right-hand side: in the first contact, but with the inner rings at a given part of the
+/// rotor's speed. Both run by turns, a few milliseconds each; counters: the ratio of their CPU times, median, least and largest.
+void inertia_ratio(benchmark::State& state, double part_of_speed) {
+  const auto with = read_case(ROTORDROP_SOURCE_DIR "/params/neisi2019-settling.toml", {"bearings.ball_model=inertial"});
+  const Contact c;
+  const auto machine = build_machine(with.parameters, with.tree);
+  auto y = c.y;
+  const auto& entries = machine->layout().entries();
+  for (std::size_t i = 0; i < y.size(); ++i)
+    if (entries[i].name.ends_with("inner ring spin")) y[i] = part_of_speed * settling().parameters.run.initial_speed;
+  std::vector<double> dydt(y.size()), ratios;
+  const auto cpu_time = [&](const Machine& m) {
+    const std::clock_t start = std::clock();
+    for (int i = 0; i < 4000; ++i) {
+      m.rhs(c.t, y, dydt);
+      benchmark::DoNotOptimize(dydt.data());
+    }
+    return static_cast<double>(std::clock() - start);
+  };
+  for (auto _ : state)
+    for (int turn = 0; turn < 41; ++turn) {
+      const double plain = cpu_time(*c.machine);
+      ratios.push_back(cpu_time(*machine) / plain);
+    }
+  std::sort(ratios.begin(), ratios.end());
+  state.counters["ratio"] = ratios[ratios.size() / 2];
+  state.counters["least"] = ratios.front();
+  state.counters["largest"] = ratios.back();
+}
+BENCHMARK_CAPTURE(inertia_ratio, ring_at_full_speed, 1.)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(inertia_ratio, ring_at_a_third, 0.33)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 /// 71914: 23 balls in one row.
 void ball_row(benchmark::State& state) {

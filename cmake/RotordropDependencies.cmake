@@ -16,7 +16,7 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
-find_package(SUNDIALS REQUIRED COMPONENTS arkode cvodes nvecserial)
+find_package(SUNDIALS REQUIRED COMPONENTS arkode cvodes kinsol sunlinsoldense sunmatrixdense nvecserial)
 find_package(CLI11 REQUIRED)
 
 find_package(tomlplusplus REQUIRED)

@@ -65,7 +65,8 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
   out.elastic_radial = elastic_radial;
   out.elastic_normal = elastic_normal;
   out.cage_power = cage;
-  out.largest_load = largest;
+  out.largest_load = out.largest_outer_load = largest;
+  out.inertia_power = out.inertia_per_speed = 0;
 }
 
 ROTORDROP_WIDE_VECTORS
@@ -111,7 +112,8 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.elastic_radial = elastic_radial;
   out.elastic_normal = elastic_normal;
   out.cage_power = cage;
-  out.largest_load = largest;
+  out.largest_load = out.largest_outer_load = largest;
+  out.inertia_power = out.inertia_per_speed = 0;
 }
 
 }  // namespace
@@ -124,6 +126,12 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   constants_.radial = A * std::cos(g.contact_angle) - g.radial_clearance;
   constants_.axial = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
   constants_.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  inertial_ = {std::pow(g.inner.stiffness, -2. / 3.), std::pow(g.outer.stiffness, -2. / 3.),
+               (g.inner_conformity - 0.5) * g.ball_diameter, (g.outer_conformity - 0.5) * g.ball_diameter,
+               g.ball_diameter / g.pitch_diameter};
+  if (g.has_inertia)
+    starts_ = std::make_shared<InertialStarts>(inertial_, constants_.axial, constants_.radial,
+                                               0.5 * g.ball_mass * g.pitch_diameter);
   const auto azimuth = [&](int j) { return g.phase + 2. * std::numbers::pi * j / g.n_balls; };
   for (int j = 0; j < g.n_balls; ++j) {
     cosine_.push_back(std::cos(azimuth(j)));
@@ -197,14 +205,22 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out) con
 }
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out) const {
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out);
   run([](const KernelInput& k, BallRowOutput& o) { sum_translations(k, o); }, in, out);
 }
 
 void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out) const {
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out);
   run([](const KernelInput& k, BallRowOutput& o) { sum_all(k, o); }, in, out);
 }
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
+  if (const double F_0 = inertia_force(in); F_0 > 0.) {
+    InertialBalls w;
+    place_balls(in, F_0, w);
+    for (std::size_t j = 0; j < load.size(); ++j) load[j] = w.u_i[j] * w.u_i[j] * w.u_i[j];
+    return;
+  }
   std::array<double, max_balls> added;
   fill_added(in, added.data());
   const auto& v = in.rate;
@@ -226,6 +242,14 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
 }
 
 double BallRow::energy(const BallRowInput& in) const {
+  if (const double F_0 = inertia_force(in); F_0 > 0.) {
+    InertialBalls w;
+    place_balls(in, F_0, w);
+    double both = 0.;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
+      both += inertial_.c_i * std::pow(w.u_i[j], 5) + inertial_.c_o * std::pow(w.u_o[j], 5);
+    return 0.4 * both;
+  }
   std::array<double, max_balls> added;
   fill_added(in, added.data());
   double sum = 0.;

@@ -1,6 +1,9 @@
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
+
+#include "bearing/inertial_balls.h"
 
 namespace rotordrop {
 
@@ -8,6 +11,13 @@ namespace rotordrop {
 struct RingDisplacement {
   double x = 0, y = 0, z = 0;   ///< [m] ([m/s])
   double psi_y = 0, psi_z = 0;  ///< [rad] ([rad/s])
+};
+
+/// Hertz constants of the balls on one race.
+struct RaceContact {
+  double stiffness = 0;    ///< K of Q = K delta^1.5 [N/m^1.5]
+  double axis_factor = 0;  ///< semi-major axis of the contact ellipse over Q^(1/3) [m/N^(1/3)]
+  double ellipticity = 1;  ///< semi-major over semi-minor axis
 };
 
 /// One row of balls between two races.
@@ -25,6 +35,9 @@ struct BallRowGeometry {
   double position = 0;          ///< axial position of the row in the ring's frame [m]
   double phase = 0;             ///< azimuth of the first ball at cage angle zero [rad]
   double preload_offset = 0;    ///< axial approach of the races at rest [m]
+  RaceContact inner, outer;     ///< each contact by itself; `stiffness` is both in series
+  double ball_mass = 0;         ///< [kg]; for the balls' inertia
+  bool has_inertia = false;     ///< each ball in balance with its centrifugal force and gyroscopic moment
 };
 
 /// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (eqs. 11, 12).
@@ -56,7 +69,10 @@ struct BallRowOutput {
   double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
   double cage_power;                 ///< work rate of the prescribed cage motion [W]
   double waviness_power;             ///< work rate of the prescribed travel of the waves [W]
-  double largest_load;               ///< of the row's balls [N]
+  double largest_load;               ///< of the row's balls on the inner race [N]
+  double largest_outer_load;         ///< on the outer race [N]; the same without inertia
+  double inertia_power;              ///< work rate of the balls' forces of inertia on the balls, at constant speed [W]
+  double inertia_per_speed;          ///< and more per acceleration of the ring [W s^2/rad]
 };
 
 /// Forces of a row of balls after Sopanen & Mikkola (2003), without trigonometry per ball. With b the azimuth of a ball,
@@ -64,7 +80,9 @@ struct BallRowOutput {
 ///   B_r = A cos phi_0 - clearance + e_r + eps_in - eps_out,            B_x = s (A sin phi_0 + offset) + e_t,
 ///   delta = sqrt(B_r^2 + B_x^2) - A + 2 eps_b + waves,                 F = K delta^0.5 (delta + 1.5 beta delta') >= 0,
 /// delta' being the ring's rate along the contact normal (B_r, B_x), without cage motion. The tilts' terms are those of u = psi x r with the
-/// one arm R_c, so the elastic forces are the gradient of an energy. Corrects Neisi 2019, eqs. (2)-(6), (12); see docs/model.md.
+/// one arm R_c, so the elastic forces are the gradient of an energy. With inertia and a turning ring each ball has its own balance
+/// (inertial_balls.h); F is then its load on the inner race, along the inner contact's normal, damped with the same beta.
+/// Corrects Neisi 2019, eqs. (2)-(6), (12); see docs/model.md.
 class BallRow {
  public:
   static constexpr int max_balls = 256;
@@ -76,9 +94,9 @@ class BallRow {
   /// Axial and tilting motion of the ring taken as zero: the cheap form for rings that only translate.
   void evaluate_translations(const BallRowInput& input, BallRowOutput& out) const;
   void evaluate(const BallRowInput& input, BallRowOutput& out) const;
-  /// Load of every ball [n_balls] [N].
+  /// Load of every ball on the inner race [n_balls] [N]; with inertia without its damping.
   void ball_loads(const BallRowInput& input, std::span<double> load) const;
-  /// Elastic energy sum 2/5 K delta^2.5 [J].
+  /// Elastic energy sum 2/5 K delta^2.5 [J], of both contacts.
   [[nodiscard]] double energy(const BallRowInput& input) const;
   /// Axial approach of the races [m] at which an undisplaced row carries an axial load [N] with this geometry's contact.
   static double offset_for_axial_load(const BallRowGeometry& geometry, double axial_load);
@@ -94,11 +112,16 @@ class BallRow {
   template <class Kernel>
   void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out) const;
   void fill_added(const BallRowInput& input, double* added) const;
+  [[nodiscard]] double inertia_force(const BallRowInput& input) const;
+  void place_balls(const BallRowInput& input, double F_0, InertialBalls& balls) const;
+  void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out) const;
   [[nodiscard]] double penetration(const BallRowInput& input, int ball, double added) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added) const;
 
   BallRowGeometry geometry_;
   Constants constants_{};
+  InertialRow inertial_;
+  std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
   std::vector<double> cosine_,
       sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;

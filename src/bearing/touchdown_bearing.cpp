@@ -28,6 +28,7 @@ struct TouchdownBearing::BallForces {
   std::array<BallRowOutput, max_rows> row;
   double force_y = 0, force_z = 0;
   double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
+  double inertia_power = 0, inertia_per_speed = 0;
 };
 
 TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)) {
@@ -63,6 +64,7 @@ std::vector<StateEntry> TouchdownBearing::ledger_entries() const {
           {"support damping", "J", 1., "energy dissipated by the support's damper"},
           {"waviness work", "J", 1., "work of the travelling waves on the machine"},
           {"cage work", "J", 1., "work of the prescribed cage motion on the machine"},
+          {"ball inertia work", "J", 1., "work of centrifugal forces and gyroscopic moments on the balls as they move"},
           {"spin-up drive", "J", 100., "integral of omega_r (J omega_i' + M), for the balance of the spin-up"},
           {"spin-up centres", "J", 1., "integral of F_t v_t, friction force times the centres' tangential speed"}};
 }
@@ -145,6 +147,8 @@ TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& i
     sum.elastic_normal += row.elastic_normal;
     sum.cage_power += row.cage_power;
     sum.waviness_power += row.waviness_power;
+    sum.inertia_power += row.inertia_power;
+    sum.inertia_per_speed += row.inertia_per_speed;
   }
   return sum;
 }
@@ -223,6 +227,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
 
   const double contact_loss = (c.normal - c.elastic) * c.rate;
   const double support_loss = damper_y * y[support_vy] + damper_z * y[support_vz];
+  const double inertia_work = balls.inertia_power + balls.inertia_per_speed * dydt[ring_spin];
   const double wave_work = balls.waviness_power + c.elastic * c.wave_rate;
   out.other_dissipation = contact_loss + balls.damping_power + support_loss;
   out.energy_gradient = {c.elastic, -c.elastic, balls.elastic_radial, -balls.elastic_radial, 2. * balls.elastic_normal};
@@ -230,7 +235,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   const double centrifugal_work = (out.energy_gradient.bore * data_.centrifugal_bore_growth +
                                    out.energy_gradient.inner_race * data_.centrifugal_race_growth) *
                                   2. * ring_speed * dydt[ring_spin];
-  out.prescribed_work = balls.cage_power + wave_work + centrifugal_work;
+  out.prescribed_work = balls.cage_power + wave_work + inertia_work + centrifugal_work;
 
   ledger[contact_impulse] = c.normal;
   ledger[contact_damping] = contact_loss;
@@ -238,6 +243,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   ledger[support_damping] = support_loss;
   ledger[waviness_work] = wave_work;
   ledger[cage_work] = balls.cage_power;
+  ledger[inertia_of_balls] = inertia_work;
   ledger[spin_up_drive] = in.rotor_spin.speed * drive;
   ledger[spin_up_centres] = c.friction * c.tangential_speed;
 

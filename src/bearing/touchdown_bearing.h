@@ -15,6 +15,12 @@ enum class FrictionLoadLaw {
   equivalent  ///< per row max(F_r, 0.9 F_a cot phi - 0.1 F_r), preload included
 };
 
+/// What the balls are.
+enum class BallModel {
+  quasi_static,  ///< springs without mass, both contacts in line
+  inertial       ///< with centrifugal force and gyroscopic moment, each in its own balance (laws/ball_balance.h)
+};
+
 /// A wave on the bore: sin(order * (contact angle - ring angle) + phase).
 struct BoreWave {
   int order = 1;
@@ -28,6 +34,7 @@ struct TouchdownBearingData {
   std::vector<BallRowGeometry> rows;  ///< all on one inner ring; equal but for phase, position, direction
   std::vector<RaceWave> race_waves;   ///< on every row
   std::vector<BoreWave> bore_waves;
+  BallModel ball_model = BallModel::quasi_static;
 
   double ring_mass = 0;          ///< inner ring(s) [kg]
   double ring_spin_inertia = 0;  ///< J, with balls and cage [kg m^2]
@@ -85,6 +92,7 @@ class TouchdownBearing final : public Support {
     support_damping,
     waviness_work,
     cage_work,
+    inertia_of_balls,
     spin_up_drive,
     spin_up_centres,
     n_ledger

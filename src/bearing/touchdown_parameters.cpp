@@ -113,6 +113,10 @@ void add_row_keys(Section<TouchdownParameters>& s) {
            {.fallback = "fit",
             .source = "Brewe & Hamrock 1977; the fits are within 1.2 % of the exact integrals",
             .help = "How the Hertz stiffness of balls and races is found."});
+  s.choice("ball_model", &P::ball_model, {{"quasi-static", BallModel::quasi_static}, {"inertial", BallModel::inertial}},
+           {.fallback = "quasi-static",
+            .help = "Balls without mass, or each in balance with its centrifugal force and gyroscopic moment (Jones, "
+                    "outer-race control), which needs the stiffness of both races apart."});
   s.quantity("ball_damping_beta", &P::ball_damping_beta,
              {.unit = "s",
               .range = between(0, 1e-3),
@@ -440,8 +444,16 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   row.contact_angle = b.contact_angle;
   row.radial_clearance = b.radial_clearance;
   row.damping_beta = b.ball_damping_beta;
-  row.stiffness = stiffness_in_series(hertz_stiffness(inner, modulus, b.elliptic_integrals),
-                                      hertz_stiffness(outer, modulus, b.elliptic_integrals));
+  const auto race = [&](const ContactGeometry& geometry) {
+    return RaceContact{hertz_stiffness(geometry, modulus, b.elliptic_integrals),
+                       semi_major_axis_factor(geometry, modulus, b.elliptic_integrals),
+                       contact_ellipse(geometry, b.elliptic_integrals).k};
+  };
+  row.inner = race(inner);
+  row.outer = race(outer);
+  row.stiffness = stiffness_in_series(row.inner.stiffness, row.outer.stiffness);
+  row.ball_mass = around.ball_density * std::numbers::pi / 6. * std::pow(b.ball_diameter, 3);
+  row.has_inertia = b.ball_model == BallModel::inertial;
   row.preload_offset = b.preload > 0. ? BallRow::offset_for_axial_load(row, b.preload) : 0.;
 
   TouchdownBearingData d;
@@ -459,6 +471,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
     else
       d.race_waves.push_back({w.surface == WavySurface::inner_race, w.order, w.amplitude, w.phase});
   }
+  d.ball_model = b.ball_model;
   d.ring_mass = b.ring_mass;
   d.ring_spin_inertia = b.ring_spin_inertia;
   d.bore_radius = bore_radius(b, contact);

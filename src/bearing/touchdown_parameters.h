@@ -61,6 +61,7 @@ struct TouchdownParameters {
   std::vector<WavinessParameters> waviness;
   double ball_damping_beta = 0, drag_viscosity = 0, drag_regularisation = 0;
   std::string ring_motion;
+  BallModel ball_model = BallModel::quasi_static;
   InternalHeat internal_heat = InternalHeat::energy_consistent;
   FrictionLoadLaw load_law = FrictionLoadLaw::radial;
   EllipticIntegrals elliptic_integrals = EllipticIntegrals::brewe_hamrock;
@@ -79,6 +80,7 @@ Section<TouchdownParameters> touchdown_section();
 struct TouchdownSurroundings {
   ElasticMaterial ring, ball;
   double gravity_y = 0, gravity_z = 0;  ///< [m/s^2]
+  double ball_density = 0;              ///< [kg/m^3]
 };
 
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.

@@ -27,6 +27,7 @@
 #include "study/modes_report.h"
 #include "study/new_case.h"
 #include "study/recorded_growth.h"
+#include "study/statics_report.h"
 #include "study/summary.h"
 
 namespace rotordrop {
@@ -296,6 +297,18 @@ int modes_command(const ModesCommand& command) {
   write_mode_shapes(report, command.n_modes, shapes);
   // Not on standard output, where the JSON may go into another program.
   fmt::print(stderr, "mode shapes in {}\n", shapes.string());
+  return 0;
+}
+
+int statics_command(const StaticsCommand& command) {
+  auto overrides = command.overrides;
+  if (!command.bearing.empty()) overrides.emplace_back("statics.subject=bearings");
+  const Case c = read_case(command.file, overrides);
+  const auto report = find_rest(c, command.bearing);
+  if (command.json)
+    fmt::print("{}\n", report.dump(2));
+  else
+    fmt::print("rotordrop {} ({})   statics, case {}\n{}", version(), git_revision(), c.name, statics_text(report));
   return 0;
 }
 

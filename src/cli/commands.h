@@ -58,6 +58,14 @@ struct ModesCommand {
 };
 int modes_command(const ModesCommand& command);
 
+struct StaticsCommand {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;
+  std::string bearing;
+  bool json = false;
+};
+int statics_command(const StaticsCommand& command);
+
 /// "rotordrop 0.1.0 (revision ...; SUNDIALS ..., HDF5 ...)".
 std::string version_text();
 

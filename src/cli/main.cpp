@@ -117,6 +117,16 @@ int run_program(int argc, char** argv) {
   calibrate_app->add_flag("--force", calibrate.force, "Replace a file that is there");
   calibrate_app->add_flag("--quiet", calibrate.quiet, "Only messages about trouble");
 
+  StaticsCommand statics;
+  auto* statics_app = app.add_subcommand(
+      "statics", "Rest of the rotor on its supports, or of bearings under a load: ball loads, pressures, stiffness.");
+  statics_app->add_option("case", statics.file, "Parameter file")->required();
+  statics_app->add_option("--bearing", statics.bearing, "Only this touchdown bearing, by itself under [statics]");
+  statics_app->add_flag("--json", statics.json, "Report as JSON, with every ball");
+  statics_app->add_option("--set", statics.overrides, "Override a parameter: statics.inner_rise=\"20 K\"")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+
   auto* defaults =
       app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
   bool heat_defaults = false, heat_schema = false;
@@ -141,6 +151,7 @@ int run_program(int argc, char** argv) {
   if (*mesh_app) return mesh_command(mesh);
   if (*calibrate_app) return calibrate_command(calibrate);
   if (*modes_app) return modes_command(modes);
+  if (*statics_app) return statics_command(statics);
   if (*defaults) return defaults_command(heat_defaults);
   if (*schema) return schema_command(heat_schema);
   if (*fresh) return new_command(new_directory);

@@ -223,6 +223,29 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
                "Take the reduced coupling, or the permanent link.");
 }
 
+void check_statics(const MachineParameters& p, const Node& table, Faults& faults) {
+  const auto& s = p.statics;
+  for (const auto& load : s.loads)
+    check_rotor_node(p.rotor.geometry, load.node, position_of_value(table, "loads"), "statics.loads.node", faults);
+  const auto is_zero = [](const auto& values) {
+    return std::all_of(values.begin(), values.end(), [](double v) { return v == 0.; });
+  };
+  if (s.subject == StaticsSubject::shaft)
+    for (const auto& [key, zero] : {std::pair{"force", is_zero(s.force)}, std::pair{"moment", is_zero(s.moment)}})
+      if (!zero)
+        faults.add(position_of_value(table, key),
+                   fmt::format("statics.{} acts on a bearing by itself, and statics.subject is \"shaft\".", key),
+                   "Set statics.subject = \"bearings\", or put forces on the rotor by statics.loads.");
+  if (s.subject == StaticsSubject::bearings && !s.loads.empty())
+    faults.add(position_of(table, "loads"),
+               "statics.loads act on the rotor, which statics.subject = \"bearings\" leaves out.",
+               "Set statics.subject = \"shaft\", or load the inner rings by statics.force and statics.moment.");
+  if (s.preload_by == PreloadBy::rigid && s.preload_stiffness != 0.)
+    faults.add(position_of_value(table, "preload_stiffness"),
+               "statics.preload_stiffness is that of a spring, and statics.preload_by is \"rigid\".",
+               "Set statics.preload_by = \"spring\", or leave the stiffness out.");
+}
+
 }  // namespace
 
 BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
@@ -254,6 +277,13 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.gap_resistance =
       std::log1p(air_gap(b, p.contact) / c.journal_radius) / (2. * std::numbers::pi * t.gas_conductivity * b.width);
   return c;
+}
+
+TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
+                                       const TouchdownParameters& b) {
+  const MaterialParameters &ring = *find_material(p, b.ring), &ball = *find_material(p, b.ball);
+  return touchdown_data(name, b, p.contact,
+                        {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity[1], p.run.gravity[2], ball.rho});
 }
 
 GrowthDriver driver_of(const ThermalParameters& t) {
@@ -305,6 +335,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   }
   if (materials_are_known) network_data(p, case_node, faults);
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
+  check_statics(p, table_of(case_node, "statics"), faults);
 }
 
 std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node,
@@ -323,12 +354,7 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   for (const auto& entry : p.bearings) {
     nodes.push_back(entry.node());
     if (const auto* b = entry.touchdown()) {
-      const auto material = [&](const std::string& name) {
-        const auto* m = find_material(p, name);
-        return ElasticMaterial{m->E, m->nu};
-      };
-      auto data = touchdown_data(entry.name, *b, p.contact,
-                                 {material(b->ring), material(b->ball), p.run.gravity[1], p.run.gravity[2]});
+      auto data = touchdown_data_of(p, entry.name, *b);
       if (grows_by_spinning) {
         const Expansion& growth = finite_elements->sections[n_places].elastic->per_speed_squared();
         data.centrifugal_bore_growth = growth.bore;

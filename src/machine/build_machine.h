@@ -17,6 +17,10 @@ GrowthDriver driver_of(const ThermalParameters& parameters);
 BearingCircuitData circuit_data(const MachineParameters& parameters, const std::string& name,
                                 const TouchdownParameters& bearing);
 
+/// One touchdown bearing of a case whose parameters were checked, as numbers.
+TouchdownBearingData touchdown_data_of(const MachineParameters& parameters, const std::string& name,
+                                       const TouchdownParameters& bearing);
+
 /// The machine of a case whose parameters were checked. @throws InputError, SolverError
 /// @param finite_elements  the room's doors if the case has finite elements; takes the sections that are made
 /// @param recorded         growth of an earlier run, if that drives

@@ -6,6 +6,7 @@
 
 #include "base/parameters.h"
 #include "bearing/touchdown_parameters.h"
+#include "machine/statics_parameters.h"
 #include "machine/supports.h"
 #include "rotor/rotor_parameters.h"
 #include "thermal/thermal_parameters.h"
@@ -36,6 +37,7 @@ struct MachineParameters {
   std::vector<SupportEntry> bearings;
   std::vector<std::pair<std::string, MaterialParameters>> materials;
   ThermalParameters thermal;
+  StaticsParameters statics;
 };
 
 }  // namespace rotordrop

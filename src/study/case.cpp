@@ -51,6 +51,7 @@ Section<CaseParameters> case_section() {
                "rho 7800 kg/m3, k 70 W/(m K), c 510 J/(kg K), alpha 11.8e-6 1/K) and Si3N4 (315 GPa, 0.26, 3200, 35, "
                "673, 3.2e-6)."});
   s.table<ThermalParameters>("thermal", &P::thermal, thermal_section());
+  s.table<StaticsParameters>("statics", &P::statics, statics_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
   return s;

@@ -25,9 +25,14 @@ inline BallRowGeometry row(int n_balls, double d, double d_m, double contact_ang
   g.inner_conformity = g.outer_conformity = 0.52;
   g.contact_angle = contact_angle;
   const double modulus = effective_modulus(steel, ball), projected = 0.5 * d * std::cos(contact_angle);
-  g.stiffness =
-      stiffness_in_series(hertz_stiffness(inner_race_contact(d, 0.5 * d_m - projected, 0.52), modulus, method),
-                          hertz_stiffness(outer_race_contact(d, 0.5 * d_m + projected, 0.52), modulus, method));
+  const auto race = [&](const ContactGeometry& c) {
+    return RaceContact{hertz_stiffness(c, modulus, method), semi_major_axis_factor(c, modulus, method),
+                       contact_ellipse(c, method).k};
+  };
+  g.inner = race(inner_race_contact(d, 0.5 * d_m - projected, 0.52));
+  g.outer = race(outer_race_contact(d, 0.5 * d_m + projected, 0.52));
+  g.stiffness = stiffness_in_series(g.inner.stiffness, g.outer.stiffness);
+  g.ball_mass = (&ball == &silicon_nitride ? 3200. : 7800.) * pi / 6. * d * d * d;
   return g;
 }
 

@@ -90,7 +90,12 @@ std::vector<TouchdownBearingData> lively_bearings() {
   b.friction = {0.12, 0.05, 0.2, 0.5, true};
   b.race_waves = {{true, 7, 0.3 * um, 2.}};
   b.bore_waves = {{2, 1 * um, 0.}};
-  return {a, b, touchdown("plain X pair", angular_contact_pair(900.))};
+  auto c = b, d = a;
+  c.name = "X pair, balls with inertia";
+  d.name = "deep groove, balls with inertia";
+  for (auto* data : {&c, &d})
+    for (auto& r : data->rows) r.has_inertia = true;
+  return {a, b, touchdown("plain X pair", angular_contact_pair(900.)), c, d};
 }
 
 double energy_rate(const TB& bearing, const Instant& s, const std::vector<double>& rates) {
@@ -136,7 +141,9 @@ TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
       for (const double P : {work_of_rotor, heat, e.out.other_dissipation, e.out.prescribed_work, growth})
         scale = std::max(scale, std::fabs(P));
       worst = std::max(worst, std::fabs(residual) / scale);
-      EXPECT_LT(std::fabs(residual), 1e-9 * scale + 1e-7)
+      // Balls with inertia are in balance to about 1e-8 of their loads only, some 1e3 N at 1e-2 m/s.
+      const double balance = data.rows[0].has_inertia ? 2e-6 : 0.;
+      EXPECT_LT(std::fabs(residual), 1e-9 * scale + 1e-7 + balance)
           << data.name << (in_contact ? ", in contact" : ", apart") << " W of " << scale
           << "; 1e-7 W is roundoff of 400 J over 0.5 us";
     }
@@ -149,9 +156,12 @@ TEST(TouchdownBearing, BalancesItsPowerWithFreeBallsToo) {
   std::mt19937 random(5);
   auto data = touchdown("deep groove with clearance", {deep_groove_row()});
   data.race_waves = {{true, 2, 4 * um, 0.}};
-  const TB bearing(data);
+  auto heavy = data;
+  heavy.rows[0].has_inertia = true;
+  const TB light_balls(data), heavy_balls(heavy);
   std::uniform_real_distribution<double> angle(-pi, pi);
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 60; ++i) {
+    const TB& bearing = i % 2 ? heavy_balls : light_balls;
     auto s = random_instant(random, true);
     const double direction = angle(random);
     const double dy = 24 * um * std::cos(direction),
@@ -186,8 +196,8 @@ TEST(TouchdownBearing, DissipatesNeverLessThanNothing) {
       EXPECT_GE(e.ledger[TB::support_damping], 0.);
       EXPECT_NEAR(e.ledger[TB::contact_damping] + e.ledger[TB::ball_damping] + e.ledger[TB::support_damping],
                   e.out.other_dissipation, 1e-12 * e.out.other_dissipation);
-      EXPECT_NEAR(e.ledger[TB::waviness_work] + e.ledger[TB::cage_work], e.out.prescribed_work,
-                  1e-10 * (1. + std::fabs(e.out.prescribed_work)));
+      EXPECT_NEAR(e.ledger[TB::waviness_work] + e.ledger[TB::cage_work] + e.ledger[TB::inertia_of_balls],
+                  e.out.prescribed_work, 1e-10 * (1. + std::fabs(e.out.prescribed_work)));
     }
   }
 }

@@ -66,7 +66,9 @@ Balance mechanical_balance(const Machine& machine, const std::vector<double>& y,
 }
 
 TEST(MachineEnergy, EveryWattIsBookedWhateverTheMachineDoes) {
-  for (const auto& overrides : {lively, std::vector<std::string>{lively[0], lively[1]}}) {
+  auto heavy_balls = lively;
+  heavy_balls.push_back("bearings.ball_model=inertial");
+  for (const auto& overrides : {lively, heavy_balls, std::vector<std::string>{lively[0], lively[1]}}) {
     const auto machine = reference_machine(overrides);
     std::mt19937 random(1);
     double worst = 0.;
@@ -76,7 +78,9 @@ TEST(MachineEnergy, EveryWattIsBookedWhateverTheMachineDoes) {
       const auto b = mechanical_balance(*machine, y, 0.01 * i);
       worst = std::max(worst, std::fabs(b.rate) / b.scale);
       // 31 kJ of spin round to 4e-12 J, over 1 us: some 1e-5 W.
-      EXPECT_LT(std::fabs(b.rate), 1e-8 * b.scale + 2e-5) << "W of " << b.scale << " W, state " << i;
+      // Balls with inertia are in balance to about 1e-7 of their loads, some 1e3 N at 1e-1 m/s.
+      const double balance = overrides.back() == "bearings.ball_model=inertial" ? 2e-5 : 0.;
+      EXPECT_LT(std::fabs(b.rate), 1e-8 * b.scale + 2e-5 + balance) << "W of " << b.scale << " W, state " << i;
     }
     printf("worst residual %.1e of the largest power\n", worst);
   }
@@ -138,7 +142,8 @@ TEST(MachineEnergy, HeatIsStoredOrLost) {
     // Linear in the temperatures: the difference over one second along the rates is the rate.
     auto later = y;
     for (std::size_t k = 0; k < y.size(); ++k) later[k] += dydt[k];
-    const double stored = machine->energy_balance(0., later).heat.at(0).stored - machine->energy_balance(0., y).heat.at(0).stored;
+    const double stored =
+        machine->energy_balance(0., later).heat.at(0).stored - machine->energy_balance(0., y).heat.at(0).stored;
     EXPECT_NEAR(stored + dydt[entry(*machine, "energy/heat lost")], heat, 1e-9 * std::fabs(heat)) << "W";
   }
 }

@@ -1,5 +1,5 @@
 // A circuit fitted to the response of a circuit: what was changed must be found again.
-#include "study/calibration.h"
+#include "machine/circuit_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +85,7 @@ ReducedHeat in_modes(const BearingCircuitData& circuit) {
 }
 
 TEST(Calibration, LeavesACircuitAloneThatIsRightAlready) {
-  const auto found = calibrate(example(), in_modes(example()), ambient, {});
+  const auto found = fit_circuit(example(), in_modes(example()), ambient, {});
   EXPECT_LT(found.before.rms, 1e-10) << "the responses are those of the circuit";
   for (const auto& [name, member] : circuit_factors) EXPECT_NEAR(found.factors.*member, 1., 1e-8) << name;
 }
@@ -100,7 +100,7 @@ TEST(Calibration, FindsTheFactorsAgain) {
                      .inner_ring_capacity = 1.1,
                      .outer_ring_capacity = 0.9,
                      .housing_capacity = 1.2};
-  const auto found = calibrate(example(), in_modes(changed), ambient, {});
+  const auto found = fit_circuit(example(), in_modes(changed), ambient, {});
   // Resistances in series with R5, forty times theirs, show little, so that the weak pull towards 1 is felt: those are held by what they do.
   EXPECT_GT(found.before.rms, 0.05);
   EXPECT_LT(found.after.rms, 0.02 * found.before.rms);
@@ -114,7 +114,7 @@ TEST(Calibration, FindsTheFactorsAgain) {
 TEST(Calibration, ReportsEveryNodeBeforeAndAfter) {
   auto changed = example();
   changed.factors.inner_ring_capacity = 1.25;
-  const auto found = calibrate(example(), in_modes(changed), ambient, {});
+  const auto found = fit_circuit(example(), in_modes(changed), ambient, {});
   ASSERT_EQ(found.nodes.size(), 5u);
   for (const auto& [name, errors] : found.nodes) {
     if (name != "inner_ring") continue;

@@ -1,0 +1,145 @@
+// Rows whose balls have inertia: the forces of BallRow from each ball's own balance.
+#include <algorithm>
+#include <cmath>
+
+#include "base/wide_vectors.h"
+#include "bearing/ball_row.h"
+
+namespace rotordrop {
+namespace {
+
+struct Place {
+  const double* cosine;
+  const double* sine;
+  double cage_cosine, cage_sine;
+  double radial, axial, arm, position;
+  RingDisplacement e, v;
+};
+
+ROTORDROP_WIDE_VECTORS
+void place_grooves(const Place& p, InertialBalls& w) {
+  const RingDisplacement e = p.e;
+#pragma omp simd
+  for (std::size_t j = 0; j < w.n; ++j) {
+    const double c = p.cage_cosine * p.cosine[j] - p.cage_sine * p.sine[j];
+    const double s = p.cage_sine * p.cosine[j] + p.cage_cosine * p.sine[j];
+    w.B_r[j] = p.radial + (e.y + p.position * e.psi_z) * c + (e.z - p.position * e.psi_y) * s;
+    w.B_x[j] = p.axial + e.x + p.arm * (e.psi_y * s - e.psi_z * c);
+  }
+}
+
+/// @param hardness  K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is hardness * u
+ROTORDROP_WIDE_VECTORS
+void sum_forces(const Place& p, const InertialBalls& w, double damping, double hardness, BallRowOutput& out,
+                BallMotion& motion, double cage_speed) {
+  double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
+  double largest = 0, largest_outer = 0;
+  const RingDisplacement e = p.e, v = p.v;
+  const double arm = p.arm, xr = p.position;
+#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_normal, cage) reduction(max : largest, largest_outer)
+  for (std::size_t j = 0; j < w.n; ++j) {
+    const double c = p.cage_cosine * p.cosine[j] - p.cage_sine * p.sine[j];
+    const double s = p.cage_sine * p.cosine[j] + p.cage_cosine * p.sine[j];
+    const double u = w.u_i[j], is_ball = w.is_ball[j];
+    const double r_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
+    const double x_rate = v.x + arm * (v.psi_y * s - v.psi_z * c);
+    const double r_turn = (e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s;
+    const double x_turn = arm * (e.psi_y * c + e.psi_z * s);
+    const double rate = w.i_r[j] * r_rate + w.i_x[j] * x_rate;
+    const double elastic = is_ball * u * u * u, Q_o = is_ball * w.u_o[j] * w.u_o[j] * w.u_o[j];
+    const double F = std::max(elastic + is_ball * damping * hardness * u * rate, 0.);
+    const double F_radial = F * w.i_r[j], F_axial = F * w.i_x[j];
+    fy -= F_radial * c;
+    fz -= F_radial * s;
+    fx -= F_axial;
+    my += F_radial * xr * s - F_axial * arm * s;
+    mz += F_axial * arm * c - F_radial * xr * c;
+    dissipated += (F - elastic) * rate;
+    elastic_radial += elastic * w.i_r[j];
+    elastic_normal += 0.5 * (elastic + Q_o);
+    cage += elastic * (w.i_r[j] * r_turn + w.i_x[j] * x_turn);
+    largest = std::max(largest, F);
+    largest_outer = std::max(largest_outer, Q_o);
+    motion.B_r_rate[j] = r_rate + cage_speed * r_turn;
+    motion.B_x_rate[j] = x_rate + cage_speed * x_turn;
+  }
+  out.force_x = fx;
+  out.force_y = fy;
+  out.force_z = fz;
+  out.moment_y = my;
+  out.moment_z = mz;
+  out.damping_power = dissipated;
+  out.elastic_radial = elastic_radial;
+  out.elastic_normal = elastic_normal;
+  out.cage_power = cage * cage_speed;
+  out.largest_load = largest;
+  out.largest_outer_load = largest_outer;
+}
+
+}  // namespace
+
+// Below a nano-newton the closed form of balls without inertia has the same digits; the balance would have none to work on.
+double BallRow::inertia_force(const BallRowInput& in) const {
+  constexpr double negligible = 1e-9;
+  if (!geometry_.has_inertia) return 0.;
+  const double F_0 = 0.5 * geometry_.ball_mass * geometry_.pitch_diameter * in.ring_speed * in.ring_speed;
+  return F_0 > negligible ? F_0 : 0.;
+}
+
+void BallRow::place_balls(const BallRowInput& in, double F_0, InertialBalls& w) const {
+  w.n = n_padded_;
+  const auto n = static_cast<std::size_t>(geometry_.n_balls);
+  std::fill_n(w.is_ball.begin(), n, 1.);
+  std::fill(w.is_ball.begin() + geometry_.n_balls, w.is_ball.begin() + static_cast<long>(n_padded_), 0.);
+  std::fill_n(w.added_i.begin(), n_padded_, in.ball_growth);
+  std::fill_n(w.added_o.begin(), n_padded_, in.ball_growth);
+  for (const auto& wave : waves_) {
+    const bool inner = wave.wave.on_inner_race;
+    const double argument = wave.wave.order * (in.cage_angle - (inner ? in.ring_angle : 0.)) + wave.wave.phase;
+    const double c = wave.wave.amplitude * std::cos(argument), s = wave.wave.amplitude * std::sin(argument);
+    auto& added = inner ? w.added_i : w.added_o;
+    for (std::size_t j = 0; j < n; ++j) added[j] += wave.sine[j] * c + wave.cosine[j] * s;
+  }
+  place_grooves({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, constants_.radial + in.radial_growth,
+                 constants_.axial, constants_.arm, geometry_.position, in.displacement, in.rate},
+                w);
+  const auto& e = in.displacement;
+  const bool only_translates = e.x == 0. && e.psi_y == 0. && e.psi_z == 0.;
+  balance_balls(inertial_, F_0, w, only_translates ? starts_.get() : nullptr);
+}
+
+void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutput& out) const {
+  InertialBalls w;
+  place_balls(in, F_0, w);
+  BallMotion motion;
+  sum_forces({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0., constants_.arm, geometry_.position,
+              in.displacement, in.rate},
+             w, 1.5 * geometry_.damping_beta, 1. / (inertial_.c_i + inertial_.c_o), out, motion, in.cage_speed);
+
+  std::fill_n(motion.added_i_rate.begin(), n_padded_, 0.);
+  std::fill_n(motion.added_o_rate.begin(), n_padded_, 0.);
+  out.waviness_power = 0.;
+  for (const auto& wave : waves_) {
+    const bool inner = wave.wave.on_inner_race;
+    const double argument = wave.wave.order * (in.cage_angle - (inner ? in.ring_angle : 0.)) + wave.wave.phase;
+    const double travel = wave.wave.amplitude * wave.wave.order * (in.cage_speed - (inner ? in.ring_speed : 0.));
+    const double c = travel * std::cos(argument), s = travel * std::sin(argument);
+    auto& added_rate = inner ? motion.added_i_rate : motion.added_o_rate;
+    const auto& u = inner ? w.u_i : w.u_o;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j) {
+      const double rate = wave.cosine[j] * c - wave.sine[j] * s;
+      added_rate[j] += rate;
+      out.waviness_power += u[j] * u[j] * u[j] * rate;
+    }
+  }
+
+  // The forces of inertia follow no potential: what they do as the balls move is work of the prescribed motion of cage and balls. What they do as
+  // parts grow belongs to the work of growth.
+  const BallWork work = inertia_work(inertial_, F_0, w, motion);
+  out.inertia_power = work.power;
+  out.inertia_per_speed = work.per_force * 2. / in.ring_speed;  // F_0 goes with the square of the speed
+  out.elastic_radial += work.per_radial;
+  out.elastic_normal += 0.5 * work.per_ball_growth;
+}
+
+}  // namespace rotordrop

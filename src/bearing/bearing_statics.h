@@ -1,0 +1,79 @@
+#pragma once
+// Equilibrium of one bearing alone: inner ring under a load, outer ring at rest.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bearing/ring_statics.h"
+#include "model/equilibrium_system.h"
+#include "model/ports.h"
+
+namespace rotordrop {
+
+/// The inner ring under a load, for the solver. Unknowns as RingStatics has them; without a spring the first five.
+class BearingEquilibrium final : public EquilibriumSystem {
+ public:
+  /// @param load  on the inner ring [N, N m]
+  BearingEquilibrium(RingStatics ring, const Force& load);
+
+  [[nodiscard]] std::size_t size() const override { return ring_.has_spring() ? 6 : 5; }
+  [[nodiscard]] std::span<const double> scales() const override { return {scales_.data(), size()}; }
+  [[nodiscard]] double force_scale() const override { return force_scale_; }
+  void forces(std::span<const double> x, std::span<double> f) const override;
+  void stiffness(std::span<const double> x, std::span<double> K) const override;
+  [[nodiscard]] double potential(std::span<const double> x) const override;
+  [[nodiscard]] bool has_circulatory_forces() const override {
+    return ring_.surroundings().has_inertia && ring_.surroundings().speed != 0.;
+  }
+  void set_circulatory_share(double share) override { share_ = share; }
+
+  [[nodiscard]] const RingStatics& ring() const { return ring_; }
+  [[nodiscard]] RingVector place(std::span<const double> x) const;
+
+ private:
+  RingStatics ring_;
+  RingVector load_, scales_;
+  double force_scale_ = 1, share_ = 1;
+};
+
+/// Pressure at which a ball leaves a permanent mark of 1e-4 of its diameter [Pa]. Source: ISO 76, ball bearings.
+inline constexpr double static_pressure_limit = 4.2e9;
+
+/// A contact ellipse.
+struct EllipseReport {
+  double load = 0, angle = 0;             ///< [N], [rad], signed as the row leans
+  double semi_major = 0, semi_minor = 0;  ///< [m]
+  double pressure = 0;                    ///< largest, 3 Q / (2 pi a b) [Pa]
+};
+struct BallReport {
+  double azimuth = 0;  ///< [rad]
+  EllipseReport inner, outer;
+  double centrifugal_force = 0, gyroscopic_moment = 0;  ///< [N], [N m]
+  double residual = 0;                                  ///< left-over force on the ball [N]
+};
+struct RowReport {
+  std::vector<BallReport> balls;
+  double axial_force = 0;       ///< of the balls on the ring, along x [N]
+  double largest_load = 0;      ///< of a ball on either race [N]
+  double largest_pressure = 0;  ///< on either race [Pa]
+  /// s0 = (4.2 GPa / largest pressure)^3: by so much may the load of the most loaded ball grow; infinite without load
+  double static_safety = 0;
+  int n_loaded = 0;  ///< balls that touch the inner race
+};
+
+/// A ring in its place.
+struct RingReport {
+  std::array<double, 5> place{};  ///< x, y, z [m], psi_y, psi_z [rad], from the mounted place
+  double spring_travel = 0;       ///< of a spring-loaded outer ring [m]
+  std::vector<RowReport> rows;
+  std::array<std::array<double, 5>, 5> stiffness{};  ///< -d force / d place [N/m, N, N m]
+  double preload =
+      0;  ///< what opposed rows hold against each other: the smaller of their axial forces; 0 without opposed rows [N]
+  double energy = 0;         ///< of the contacts [J]
+  int n_free = 0;            ///< directions that no ball resists, of the five
+  bool is_floating = false;  ///< no ball touches the inner ring
+};
+/// @param negligible  load of a ball that counts as none [N]: what the search for the equilibrium may leave
+RingReport report_ring(const RingStatics& ring, const RingVector& place, double negligible = 0.);
+
+}  // namespace rotordrop

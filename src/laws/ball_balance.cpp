@@ -1,0 +1,152 @@
+#include "laws/ball_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotordrop {
+namespace {
+
+double cubed_root_squared(double x) { return std::cbrt(x * x); }
+
+/// Both contacts in line: the closed form without inertia.
+BallBalance without_inertia(const BallContacts& b, double B_x, double B_r, double growth) {
+  BallBalance r;
+  const double distance = std::hypot(B_x, B_r);
+  r.sin_i = r.sin_o = B_x / distance;
+  r.cos_i = r.cos_o = B_r / distance;
+  const double delta = std::max(distance - b.l_i - b.l_o + 2. * growth, 0.);
+  const double soft_i = std::pow(b.K_i, -2. / 3.), soft_o = std::pow(b.K_o, -2. / 3.);
+  const double K = std::pow(soft_i + soft_o, -1.5);
+  const double Q = K * delta * std::sqrt(delta);
+  r.load_i = r.load_o = Q;
+  r.energy = 0.4 * Q * delta;
+  const double along = 1.5 * K * std::sqrt(delta), across = Q / distance;
+  r.stiffness[0] = along * r.sin_i * r.sin_i + across * r.cos_i * r.cos_i;
+  r.stiffness[1] = r.stiffness[2] = (along - across) * r.sin_i * r.cos_i;
+  r.stiffness[3] = along * r.cos_i * r.cos_i + across * r.sin_i * r.sin_i;
+  return r;
+}
+
+// State of the Newton iteration: the ball's centre in polar coordinates about the outer groove's centre.
+struct Place {
+  double delta_o, n_x, n_r;
+};
+
+/// What acts on the ball at a place, in the directions along (n) and across (t = (n_r, -n_x)) the outer normal, and its derivatives by
+/// delta_o and by the outer contact angle.
+struct Balance {
+  double R_n, R_t, R_n_d, R_t_d, R_n_a, R_t_a;
+  double Q_i, Q_o, S_i, L_o, L_i, i_x, i_r, c, s, F, F_by_i, F_by_o;
+};
+
+Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, double growth, double F_0) {
+  Balance e{};
+  e.L_o = b.l_o + p.delta_o - growth;
+  const double v_x = B_x - e.L_o * p.n_x, v_r = B_r - e.L_o * p.n_r;
+  e.L_i = std::max(std::hypot(v_x, v_r), 1e-9);
+  e.i_x = v_x / e.L_i;
+  e.i_r = v_r / e.L_i;
+  const double delta_i = std::max(e.L_i - b.l_i + growth, 0.), root_i = std::sqrt(delta_i);
+  const double root_o = std::sqrt(std::max(p.delta_o, 0.));
+  e.Q_i = b.K_i * root_i * delta_i;
+  e.S_i = 1.5 * b.K_i * root_i;
+  e.Q_o = b.K_o * root_o * p.delta_o;
+  const double S_o = 1.5 * b.K_o * root_o;
+  // cos and sin of phi_i - phi_o.
+  e.c = e.i_x * p.n_x + e.i_r * p.n_r;
+  e.s = e.i_x * p.n_r - e.i_r * p.n_x;
+  const double g = b.diameter_ratio, above = 1. - g * e.i_r, below = 1. + e.c;
+  e.F = F_0 * (above / below) * (above / below);
+  e.F_by_i = 2. * e.F * (g * e.i_x / above + e.s / below);
+  e.F_by_o = -2. * e.F * e.s / below;
+  // F_c e_r + T = F (n_r n - 1.4 n_x t): the centrifugal force has (n_r, -n_x), the friction at the outer race (0, -0.4 n_x).
+  const double along = p.n_r, across = -1.4 * p.n_x;
+  e.R_n = e.Q_i * e.c - e.Q_o + e.F * along;
+  e.R_t = e.Q_i * e.s + e.F * across;
+  // By delta_o the centre moves along n, by the angle along L_o t; phi_i changes by -t_i . motion / L_i.
+  const double angle_d = e.s / e.L_i, angle_a = -e.c * e.L_o / e.L_i;
+  const double Q_d = -e.S_i * e.c, Q_a = -e.S_i * e.s * e.L_o;
+  const double F_d = e.F_by_i * angle_d, F_a = e.F_by_i * angle_a + e.F_by_o;
+  e.R_n_d = Q_d * e.c - e.Q_i * e.s * angle_d - S_o + F_d * along;
+  e.R_t_d = Q_d * e.s + e.Q_i * e.c * angle_d + F_d * across;
+  e.R_n_a = Q_a * e.c - e.Q_i * e.s * (angle_a - 1.) + F_a * along - e.F * p.n_x;
+  e.R_t_a = Q_a * e.s + e.Q_i * e.c * (angle_a - 1.) + F_a * across - 1.4 * e.F * p.n_r;
+  return e;
+}
+
+/// From the ball without inertia; one that the inner race would not reach lies in the bottom of the outer groove.
+Place starting_place(const BallContacts& b, double B_x, double B_r, double growth, double F_0) {
+  const double distance = std::hypot(B_x, B_r);
+  const double delta = std::max(distance - b.l_i - b.l_o + 2. * growth, 0.);
+  const double soft_i = std::pow(b.K_i, -2. / 3.), soft_o = std::pow(b.K_o, -2. / 3.);
+  Place p{delta * soft_o / (soft_i + soft_o), B_x / distance, B_r / distance};
+  const double ratio = 0.5 * (1. - b.diameter_ratio * p.n_r), F = F_0 * ratio * ratio;
+  const double bottom = cubed_root_squared(F / b.K_o);
+  if (std::hypot(B_x, B_r - (b.l_o + bottom - growth)) < b.l_i - growth) return {bottom, 0., 1.};
+  const double Q = b.K_o * p.delta_o * std::sqrt(p.delta_o);
+  p.delta_o = cubed_root_squared((Q + F * std::max(p.n_r, 0.)) / b.K_o);
+  return p;
+}
+
+}  // namespace
+
+BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double growth, double speed, double share) {
+  const double F_0 = 0.5 * share * b.mass * b.pitch_diameter * speed * speed;
+  if (F_0 == 0.) return without_inertia(b, B_x, B_r, growth);
+  Place p = starting_place(b, B_x, B_r, growth, F_0);
+  Balance e = balance(b, p, B_x, B_r, growth, F_0);
+  double left = std::hypot(e.R_n, e.R_t);
+  int iterations = 0;
+  for (; iterations < 60 && left > 1e-14 * (e.Q_o + e.F); ++iterations) {
+    const double det = e.R_n_d * e.R_t_a - e.R_n_a * e.R_t_d;
+    const double along = -(e.R_n * e.R_t_a - e.R_n_a * e.R_t) / det;
+    const double turn = std::clamp(-(e.R_n_d * e.R_t - e.R_n * e.R_t_d) / det, -0.7, 0.7);
+    Place next;
+    next.delta_o = std::max(p.delta_o + along, 0.1 * p.delta_o);
+    const double x = p.n_x + turn * p.n_r, r = p.n_r - turn * p.n_x, norm = std::hypot(x, r);
+    next.n_x = x / norm;
+    next.n_r = r / norm;
+    const Balance after = balance(b, next, B_x, B_r, growth, F_0);
+    const double left_after = std::hypot(after.R_n, after.R_t);
+    // At the end of the digits, the better of the last two.
+    if (left < 1e-10 * (e.Q_o + e.F) && left_after >= left) break;
+    p = next;
+    e = after;
+    left = left_after;
+  }
+
+  BallBalance result;
+  result.load_i = e.Q_i;
+  result.load_o = e.Q_o;
+  result.sin_i = e.i_x;
+  result.cos_i = e.i_r;
+  result.sin_o = p.n_x;
+  result.cos_o = p.n_r;
+  result.orbit_speed = speed * (1. - b.diameter_ratio * e.i_r) / (1. + e.c);
+  result.centrifugal_force = e.F;
+  result.gyroscopic_moment = 0.2 * e.F * p.n_x * b.diameter_ratio * b.pitch_diameter;  // T d / 2
+  const double delta_i = std::max(e.L_i - b.l_i + growth, 0.);
+  result.energy = 0.4 * (e.Q_i * delta_i + e.Q_o * p.delta_o);
+  result.residual = left;
+  result.iterations = iterations;
+
+  // The inner pull G = Q_i n_i depends on B - P and, through the balance, P on B:  R_P P' + R_B B' = 0.
+  const double det = e.R_n_d * e.R_t_a - e.R_n_a * e.R_t_d;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double b_x = axis == 0 ? 1. : 0., b_r = 1. - b_x;
+    const double by_B_stretch = b_x * e.i_x + b_r * e.i_r;
+    const double by_B_angle = (b_x * e.i_r - b_r * e.i_x) / e.L_i;
+    const double Q = e.S_i * by_B_stretch, F = e.F_by_i * by_B_angle;
+    const double R_n = Q * e.c - e.Q_i * e.s * by_B_angle + F * p.n_r;
+    const double R_t = Q * e.s + e.Q_i * e.c * by_B_angle - 1.4 * F * p.n_x;
+    const double along = -(R_n * e.R_t_a - e.R_n_a * R_t) / det;
+    const double turn = -(e.R_n_d * R_t - R_n * e.R_t_d) / det;
+    const double v_x = b_x - along * p.n_x - turn * e.L_o * p.n_r, v_r = b_r - along * p.n_r + turn * e.L_o * p.n_x;
+    const double stretch = v_x * e.i_x + v_r * e.i_r, swing = (v_x * e.i_r - v_r * e.i_x) / e.L_i;
+    result.stiffness[axis] = e.S_i * stretch * e.i_x + e.Q_i * swing * e.i_r;
+    result.stiffness[2 + axis] = e.S_i * stretch * e.i_r - e.Q_i * swing * e.i_x;
+  }
+  return result;
+}
+
+}  // namespace rotordrop

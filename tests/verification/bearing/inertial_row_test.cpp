@@ -1,0 +1,169 @@
+// Rows of balls with inertia, as the drop has them: every ball against the scalar balance of laws/ball_balance.h (which validation/ball_balance.py
+// checks), sums against the row's definition; loads, closure, limits.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "bearing/ring_statics.h"
+#include "test_bearings.h"
+
+namespace rotordrop {
+namespace {
+
+using namespace rotordrop::testing;
+
+struct Sample {
+  std::vector<BallRowGeometry> rows;
+  BallRowInput in;
+};
+
+Sample sample(std::mt19937& random, double reach, double tilt, double speed) {
+  std::uniform_real_distribution<double> one(-1, 1);
+  Sample s;
+  const auto kind = random() % 3;
+  s.rows = kind == 0   ? std::vector{deep_groove_row()}
+           : kind == 1 ? angular_contact_pair(290. + 200. * one(random))
+                       : pair(row(23, 8.731e-3, 85e-3, 15 * deg, steel), 500., Pair::O);
+  for (auto& g : s.rows) g.has_inertia = true;
+  auto& in = s.in;
+  in.displacement = {reach * one(random), reach * one(random), reach * one(random), tilt * one(random),
+                     tilt * one(random)};
+  in.cage_angle = 7. * one(random);
+  in.cage_cosine = std::cos(in.cage_angle);
+  in.cage_sine = std::sin(in.cage_angle);
+  in.ring_speed = speed * one(random);
+  in.radial_growth = 0.3 * reach * one(random);
+  in.ball_growth = 0.05 * reach * one(random);
+  return s;
+}
+
+RingSurroundings surroundings(const BallRowInput& in) {
+  return {in.radial_growth, in.ball_growth, in.ring_speed, true, in.cage_angle};
+}
+
+TEST(InertialRow, EveryBallIsInTheBalanceOfTheScalarLaw) {
+  std::mt19937 random(17);
+  double worst = 0., worst_sum = 0.;
+  int n_balls = 0, n_free = 0;
+  for (const double reach : {2 * um, 10 * um, 50 * um})
+    for (const double speed : {30., 400., 1600., 4000.})
+      for (int i = 0; i < 200; ++i) {
+        auto s = sample(random, reach, reach / 42.5e-3, speed);
+        if (i % 2) {  // a ring that only translates: its balls start from the row's table
+          auto& e = s.in.displacement;
+          e.x = e.psi_y = e.psi_z = 0.;
+        }
+        const RingStatics ring(s.rows, surroundings(s.in));
+        RingVector q;
+        q << s.in.displacement.x, s.in.displacement.y, s.in.displacement.z, s.in.displacement.psi_y,
+            s.in.displacement.psi_z, 0.;
+        const auto balls = ring.balls(q);
+        RingVector F = RingVector::Zero();
+        double largest = 0.;
+        for (std::size_t k = 0; k < s.rows.size(); ++k) {
+          const BallRow r(s.rows[k], {});
+          std::vector<double> load(static_cast<std::size_t>(s.rows[k].n_balls));
+          r.ball_loads(s.in, load);
+          for (std::size_t j = 0; j < load.size(); ++j) {
+            const auto& b = balls[k][j].balance;
+            ++n_balls;
+            n_free += b.load_i == 0.;
+            worst = std::max(worst, std::fabs(load[j] - b.load_i) / (b.load_o + 1e-6));
+            largest = std::max(largest, b.load_o);
+          }
+          BallRowOutput out;
+          r.evaluate(s.in, out);
+          F += (RingVector() << out.force_x, out.force_y, out.force_z, out.moment_y, out.moment_z, 0.).finished();
+        }
+        const RingVector expected = ring.reaction(q).force;
+        worst_sum = std::max(worst_sum, (F - expected).head<3>().norm() / (largest + 1e-6));
+        EXPECT_NEAR((F - expected).tail<3>().norm() / 42.5e-3, 0., 1e-5 * largest + 1e-6) << "N";
+      }
+  printf("%d balls, %d out of the inner race's reach; worst load off by %.1e of its ball's, sums by %.1e\n", n_balls,
+         n_free, worst, worst_sum);
+  EXPECT_LT(worst, 1e-6);
+  EXPECT_LT(worst_sum, 1e-5) << "sums of up to 46 balls";
+  EXPECT_GT(n_free, 1000);
+}
+
+TEST(InertialRow, NewtonStepsArriveInTheStatesOfADrop) {
+  // Directly: how many steps, and how often the scalar law has to help.
+  std::mt19937 random(23);
+  int by_scalar = 0, n = 0;
+  double steps = 0.;
+  for (int i = 0; i < 2000; ++i) {
+    const auto s = sample(random, 10 * um, 1e-4, 1600.);
+    for (const auto& g : s.rows) {
+      const double A = 0.04 * g.ball_diameter,
+                   F_0 = 0.5 * g.ball_mass * g.pitch_diameter * s.in.ring_speed * s.in.ring_speed;
+      InertialBalls w;
+      w.n = 24;
+      for (std::size_t j = 0; j < w.n; ++j) {
+        const double b = 2. * pi * static_cast<double>(j) / 24.;
+        w.is_ball[j] = 1.;
+        w.added_i[j] = w.added_o[j] = s.in.ball_growth;
+        w.B_x[j] = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
+        w.B_r[j] = A * std::cos(g.contact_angle) - g.radial_clearance + s.in.displacement.y * std::cos(b) +
+                   s.in.displacement.z * std::sin(b);
+      }
+      balance_balls({std::pow(g.inner.stiffness, -2. / 3.), std::pow(g.outer.stiffness, -2. / 3.), 0.5 * A, 0.5 * A,
+                     g.ball_diameter / g.pitch_diameter},
+                    F_0, w);
+      steps += w.steps;
+      by_scalar += w.is_by_scalar_law;
+      ++n;
+    }
+  }
+  printf("%d rows: %.2f steps in double precision in the mean, %d rows by the scalar law\n", n, steps / n, by_scalar);
+  EXPECT_LT(by_scalar, 0.01 * n);
+  EXPECT_LT(steps / n, 2.5);
+}
+
+TEST(InertialRow, StandingRingsHaveBallsWithoutInertia) {
+  std::mt19937 random(18);
+  for (int i = 0; i < 100; ++i) {
+    auto s = sample(random, 5 * um, 1e-4, 0.);
+    s.in.rate = {0.01, -0.02, 0.03, 0.1, -0.2};
+    for (auto g : s.rows) {
+      g.damping_beta = 2.5e-5;
+      BallRowOutput still, slow, plain;
+      BallRow(g, {}).evaluate(s.in, still);
+      s.in.ring_speed = 2e-4;
+      BallRow(g, {}).evaluate(s.in, slow);
+      s.in.ring_speed = 0.;
+      g.has_inertia = false;
+      BallRow(g, {}).evaluate(s.in, plain);
+      EXPECT_EQ(still.force_y, plain.force_y);
+      EXPECT_EQ(still.damping_power, plain.damping_power);
+      const double scale = plain.elastic_normal + 1e-3;
+      EXPECT_NEAR(slow.force_x, plain.force_x, 1e-8 * scale) << "N";
+      EXPECT_NEAR(slow.force_y, plain.force_y, 1e-8 * scale) << "N";
+      EXPECT_NEAR(slow.moment_z, plain.moment_z, 1e-8 * scale) << "N m";
+      EXPECT_NEAR(slow.damping_power, plain.damping_power, 1e-8 * scale) << "W";
+      EXPECT_NEAR(slow.elastic_radial, plain.elastic_radial, 1e-8 * scale) << "N";
+      EXPECT_NEAR(slow.elastic_normal, plain.elastic_normal, 1e-8 * scale) << "N";
+    }
+  }
+}
+
+TEST(InertialRow, AnswersDependOnTheStateAlone) {
+  // The same state after another one, and in another place of memory: the same bits.
+  std::mt19937 random(19);
+  for (int i = 0; i < 20; ++i) {
+    const auto s = sample(random, 10 * um, 1e-4, 1600.), other = sample(random, 30 * um, 1e-4, 1000.);
+    const BallRow first(s.rows[0], {}), second(s.rows[0], {});
+    BallRowOutput a, b, c;
+    first.evaluate(s.in, a);
+    first.evaluate(other.in, c);
+    first.evaluate(s.in, c);
+    second.evaluate(s.in, b);
+    for (const auto& o : {b, c}) {
+      EXPECT_EQ(a.force_y, o.force_y);
+      EXPECT_EQ(a.moment_z, o.moment_z);
+      EXPECT_EQ(a.inertia_power, o.inertia_power);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotordrop

@@ -1,0 +1,110 @@
+// Balls with centrifugal force and gyroscopic moment.
+//
+// PEER. validation/ball_balance.py solves the 218 bearing of Harris' Rolling Bearing Analysis (Z = 16, d = 22.23 mm, d_m = 125.26 mm, 40 deg,
+// f = 0.5232, 17800 N of thrust) from mechanics alone: kinematics of rolling as a linear system of vectors, the gyroscopic moment as the rate of
+// the angular momentum, scipy's elliptic integrals and fsolve. The table below is what it prints; it shares no formula with the program.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "../bearing/numerical_derivative.h"
+#include "../bearing/test_bearings.h"
+#include "bearing/bearing_statics.h"
+#include "integrate/equilibrium.h"
+#include "laws/ball_kinematics.h"
+
+namespace rotordrop {
+namespace {
+
+using namespace rotordrop::testing;
+
+BallRowGeometry harris_218() {
+  auto g = row(16, 22.23e-3, 125.26e-3, 40 * deg, steel, EllipticIntegrals::exact);
+  g.inner_conformity = g.outer_conformity = 0.5232;
+  const double modulus = effective_modulus(steel, steel), projected = 0.5 * g.ball_diameter * std::cos(40 * deg);
+  const auto race = [&](const ContactGeometry& c) {
+    return RaceContact{hertz_stiffness(c, modulus, EllipticIntegrals::exact),
+                       semi_major_axis_factor(c, modulus, EllipticIntegrals::exact),
+                       contact_ellipse(c, EllipticIntegrals::exact).k};
+  };
+  g.inner = race(inner_race_contact(g.ball_diameter, 0.5 * g.pitch_diameter - projected, 0.5232));
+  g.outer = race(outer_race_contact(g.ball_diameter, 0.5 * g.pitch_diameter + projected, 0.5232));
+  g.stiffness = stiffness_in_series(g.inner.stiffness, g.outer.stiffness);
+  return g;
+}
+
+TEST(BallInertia, JonesBalanceIsThatOfRollingAndMomentumAlone) {
+  struct Line {
+    double rpm, Q_i, Q_o, phi_i, phi_o, omega_m, F_c, M_g, x;
+  };
+  const std::array<Line, 5> peer = {
+      {{1., 1677.9514034, 1677.9514077, 41.529904218, 41.529904034, 0.045403532, 0.0000058, 0.00000002, 36.786792},
+       {5000., 1607.8232307, 1716.4737331, 43.783024252, 39.151462651, 228.628897131, 146.8778368, 0.41229821,
+        35.240318},
+       {10000., 1452.3467835, 1920.6642817, 49.996183730, 31.347431201, 476.369435273, 637.6491748, 1.47483538,
+        15.556257},
+       {12500., 1379.8996222, 2200.1609407, 53.728054659, 25.391925591, 623.110474356, 1090.9984366, 2.07996626,
+        -11.360065},
+       {15000., 1328.8923970, 2714.5544379, 56.841776707, 19.220552883, 791.446215841, 1760.0979563, 2.57616237,
+        -47.368454}}};
+  const auto g = harris_218();
+  printf("   rpm   Q_i [N]   Q_o [N]  phi_i, phi_o [deg]   F_c [N]  p_i, p_o [GPa]   K_xx [N/um]\n");
+  for (const auto& p : peer) {
+    RingSurroundings around;
+    around.has_inertia = true;
+    around.speed = p.rpm * pi / 30.;
+    BearingEquilibrium system(RingStatics({g}, around), {.x = 17800.});
+    std::vector<double> x(system.size());
+    const auto result = find_equilibrium(system, x);
+    ASSERT_TRUE(result.found) << result.residual;
+    const auto report = report_ring(system.ring(), system.place(x));
+    const auto& ball = report.rows[0].balls[3];
+    const auto balance = system.ring().balls(system.place(x))[0][3].balance;
+    printf("%6.0f %9.2f %9.2f  %8.3f %8.3f  %9.2f  %6.3f %6.3f   %10.2f\n", p.rpm, ball.inner.load, ball.outer.load,
+           ball.inner.angle / deg, ball.outer.angle / deg, ball.centrifugal_force, ball.inner.pressure * 1e-9,
+           ball.outer.pressure * 1e-9, report.stiffness[0][0] * 1e-6);
+    // The peer's digits; its fsolve ends at 1e-9 of the loads.
+    EXPECT_NEAR(ball.inner.load, p.Q_i, 2e-6) << "N";
+    EXPECT_NEAR(ball.outer.load, p.Q_o, 2e-6) << "N";
+    EXPECT_NEAR(ball.inner.angle / deg, p.phi_i, 2e-8) << "deg";
+    EXPECT_NEAR(ball.outer.angle / deg, p.phi_o, 2e-8) << "deg";
+    EXPECT_NEAR(balance.orbit_speed, p.omega_m, 1e-7) << "rad/s";
+    EXPECT_NEAR(ball.centrifugal_force, p.F_c, 1e-6) << "N";
+    EXPECT_NEAR(ball.gyroscopic_moment, p.M_g, 1e-8) << "N m";
+    EXPECT_NEAR(report.place[0] * 1e6, p.x, 1e-5) << "um";
+    EXPECT_LT(ball.residual, 1e-9 * ball.outer.load) << "N";
+  }
+}
+
+TEST(BallInertia, KinematicsAreThoseOfOuterRaceControl) {
+  const auto g = harris_218();
+  const BallContacts c{g.inner.stiffness,        g.outer.stiffness, 0.0232 * g.ball_diameter,
+                       0.0232 * g.ball_diameter, g.ball_mass,       g.ball_diameter / g.pitch_diameter,
+                       g.pitch_diameter};
+  const double A = 0.0464 * g.ball_diameter;
+  const auto b = ball_balance(c, A * std::sin(40 * deg) + 2e-5, A * std::cos(40 * deg), 0., 1000.);
+  const double phi_i = std::atan2(b.sin_i, b.cos_i), phi_o = std::atan2(b.sin_o, b.cos_o);
+  const double theta = pitch_angle_outer_race_control(phi_o, g.ball_diameter, g.pitch_diameter);
+  EXPECT_NEAR(spin_speeds(1000., phi_i, phi_o, theta, g.ball_diameter, g.pitch_diameter).outer, 0., 1e-9) << "rad/s";
+  // Eq. (13)'s omega_ci sin phi_i + omega_b sin(phi_i - theta) with this orbit speed.
+  const double omega_b = b.orbit_speed *
+                         std::sqrt(1. + 2. * c.diameter_ratio * b.cos_o + c.diameter_ratio * c.diameter_ratio) /
+                         c.diameter_ratio;
+  EXPECT_NEAR((1000. - b.orbit_speed) * std::sin(phi_i) + omega_b * std::sin(phi_i - theta),
+              spin_speeds(1000., phi_i, phi_o, theta, g.ball_diameter, g.pitch_diameter).inner, 1e-8)
+      << "rad/s";
+}
+
+TEST(BallInertia, ABallThatTheInnerRaceDoesNotReachLiesInTheBottomOfTheOuterOne) {
+  const auto g = row(23, 9.525e-3, 85e-3, 25 * deg, steel);
+  const double l = 0.02 * g.ball_diameter, A = 2. * l, omega = 1500.;
+  const BallContacts c{g.inner.stiffness, g.outer.stiffness, l, l, g.ball_mass, g.ball_diameter / g.pitch_diameter,
+                       g.pitch_diameter};
+  const auto b = ball_balance(c, A * std::sin(25 * deg) - 60 * um, A * std::cos(25 * deg), 0., omega);
+  EXPECT_EQ(b.load_i, 0.);
+  EXPECT_NEAR(b.sin_o, 0., 1e-12);
+  EXPECT_NEAR(b.load_o, 0.5 * g.ball_mass * g.pitch_diameter * b.orbit_speed * b.orbit_speed, 1e-9 * b.load_o) << "N";
+}
+
+}  // namespace
+}  // namespace rotordrop

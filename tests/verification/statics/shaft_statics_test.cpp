@@ -1,0 +1,154 @@
+// The rotor at rest on its supports.
+//
+// UNIFORM BEAM under its weight w per length on two springs at its ends: half the weight each; from the line through the ends the middle sags by
+//   5 w L^4 / (384 E I) + w L^2 / (8 kappa G A).
+// ON TWO SUPPORTS the reactions follow from moments, whatever the bearings do. Rotor on bore without friction: K delta^n = reaction.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "../rotor/test_rotors.h"
+#include "integrate/equilibrium.h"
+#include "machine/statics.h"
+#include "rotor/static_rotor.h"
+#include "rotor/timoshenko.h"
+#include "study/case.h"
+
+namespace rotordrop {
+namespace {
+
+using namespace rotordrop::testing;
+
+Case reference(const std::vector<std::string>& overrides = {}) {
+  return read_case(std::string(ROTORDROP_SOURCE_DIR) + "/params/neisi2019.toml", overrides);
+}
+
+struct Rest {
+  EquilibriumResult result;
+  ShaftReport report;
+};
+Rest rest_of(const Case& c) {
+  ShaftEquilibrium system(c.parameters, c.tree);
+  std::vector<double> x(system.size());
+  const auto result = find_equilibrium(system, x);
+  return {result, system.report(x)};
+}
+
+TEST(StaticRotor, UniformBeamSagsAsInClosedForm) {
+  const double od = 0.1, L = 1., E = 2e11, nu = 0.3, rho = 7850., g = 9.81;
+  const auto beam = uniform_beam(8, od);
+  const StaticRotor rotor(beam, {1, 9}, {-g, 0.}, {});
+  const double A = std::numbers::pi / 4 * od * od, I = std::numbers::pi / 64 * std::pow(od, 4), w = rho * A * g;
+  EXPECT_NEAR(rotor.load(0)[0], -0.5 * w * L, 1e-9 * w) << "N";
+  EXPECT_NEAR(rotor.load(0)[1], -0.5 * w * L, 1e-9 * w) << "N";
+  // Held on two nodes only, the condensed rotor resists nothing: a rigid line can take any place. 1e10 N/m is what cancels.
+  EXPECT_LT(rotor.stiffness().cwiseAbs().maxCoeff(), 1.) << "N/m";
+  const double sag = 5. * w * std::pow(L, 4) / (384. * E * I) +
+                     w * L * L / (8. * cowper_shear_coefficient(nu, 0.) * E / (2. * (1. + nu)) * A);
+  const auto v = rotor.deflections(0, Eigen::Vector2d(-1e-3, 1e-3));
+  EXPECT_NEAR(v[4], -sag, 1e-7 * sag) << "m, the line's own middle is at 0";
+  EXPECT_NEAR(v[0], -1e-3, 0.) << "m";
+  EXPECT_NEAR(rotor.deflections(1, Eigen::Vector2d::Zero())[4], 0., 1e-15) << "m";
+}
+
+TEST(StaticRotor, ThreeStationsShareTheLoadAsAContinuousBeam) {
+  // Equal spans, rigid supports, slender: 3/16, 10/16, 3/16 of the weight; the shear of this beam changes that by (r/L)^2, here 1e-4.
+  const auto beam = uniform_beam(8, 0.01);
+  const StaticRotor rotor(beam, {1, 5, 9}, {-9.81, 0.}, {});
+  const double weight = rigid_body(beam).mass * 9.81;
+  const Eigen::VectorXd& on_supports = rotor.load(0);
+  EXPECT_NEAR(-on_supports[0] / weight, 3. / 16., 3e-4);
+  EXPECT_NEAR(-on_supports[1] / weight, 10. / 16., 3e-4);
+  EXPECT_NEAR(-on_supports.sum() / weight, 1., 1e-9);
+}
+
+TEST(ShaftStatics, TheReferenceRotorRestsInBothBores) {
+  const auto c = reference();
+  const auto r = rest_of(c);
+  ASSERT_TRUE(r.result.found) << r.result.residual;
+  const auto body = rigid_body(c.parameters.rotor.geometry);
+  const auto& x = c.parameters.rotor.geometry.node_x;
+  const double a = x[1], b = x[27], W = body.mass * 9.81;
+  ASSERT_EQ(r.report.supports.size(), 2u);
+  const double expected[] = {W * (b - body.centre_of_gravity) / (b - a), W * (body.centre_of_gravity - a) / (b - a)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& s = r.report.supports[i];
+    const auto& bearing = *c.parameters.bearings[i].touchdown();
+    EXPECT_NEAR(s.force_on_rotor[0], expected[i], 1e-6 * W) << "N, " << s.name;
+    EXPECT_NEAR(s.force_on_rotor[1], 0., 1e-6 * W) << "N, " << s.name;
+    EXPECT_NEAR(-s.clearance, std::pow(expected[i] / bearing.contact_stiffness, 0.9), 1e-12) << "m, " << s.name;
+    // Springs of the support carry rotor, inner ring and nothing else... and the balls carry rotor and inner ring.
+    const double ring_weight = bearing.ring_mass * 9.81;
+    EXPECT_NEAR(s.outer_ring[0], -(expected[i] + ring_weight) / bearing.support.K_y, 1e-6 * 1e-6) << "m, " << s.name;
+    double carried = 0.;
+    for (const auto& row : s.ring.rows)
+      for (const auto& ball : row.balls)
+        carried -= ball.inner.load * std::cos(ball.inner.angle) * std::cos(ball.azimuth);
+    EXPECT_NEAR(carried, expected[i] + ring_weight, 1e-5 * W) << "N, " << s.name;
+  }
+  EXPECT_GT(r.report.sag, 1e-6) << "m";
+}
+
+TEST(ShaftStatics, LoadsAndLinearSupportsEnterByTheLeverRule) {
+  const std::string file = ::testing::TempDir() + "statics-linear.toml";
+  std::ofstream(file) << "base = \"" << ROTORDROP_SOURCE_DIR << R"(/params/neisi2019.toml"
+[statics]
+loads = [{ node = 10, force = ["-500 N", "200 N"] }]
+[bearings.spring]
+type = "linear"
+node = 15
+stiffness = [["2e6 N/m", "5e5 N/m"], ["-5e5 N/m", "1e6 N/m"]]
+)";
+  const auto c = read_case(file);
+  const auto r = rest_of(c);
+  ASSERT_TRUE(r.result.found) << r.result.residual;
+  double sum_y = 0., sum_z = 0., moment_y = 0., moment_z = 0.;
+  const auto& x = c.parameters.rotor.geometry.node_x;
+  for (const auto& s : r.report.supports) {
+    const double at = x[static_cast<std::size_t>(s.node - 1)];
+    sum_y += s.force_on_rotor[0];
+    sum_z += s.force_on_rotor[1];
+    moment_y += at * s.force_on_rotor[0];
+    moment_z += at * s.force_on_rotor[1];
+  }
+  const auto body = rigid_body(c.parameters.rotor.geometry);
+  const double W = body.mass * 9.81;
+  EXPECT_NEAR(sum_y, W + 500., 1e-6 * W) << "N";
+  EXPECT_NEAR(sum_z, -200., 1e-6 * W) << "N";
+  EXPECT_NEAR(moment_y, W * body.centre_of_gravity + 500. * x[9], 1e-6 * W) << "N m";
+  EXPECT_NEAR(moment_z, -200. * x[9], 1e-6 * W) << "N m";
+  const auto& spring = *std::find_if(r.report.supports.begin(), r.report.supports.end(),
+                                     [](const auto& s) { return s.name == "spring"; });
+  EXPECT_NEAR(spring.force_on_rotor[0], -2e6 * spring.journal[0] - 5e5 * spring.journal[1], 1e-6) << "N";
+  EXPECT_NEAR(spring.force_on_rotor[1], 5e5 * spring.journal[0] - 1e6 * spring.journal[1], 1e-6) << "N";
+}
+
+TEST(ShaftStatics, StiffnessIsTheDerivativeOfTheForces) {
+  const auto c = reference({"bearings.TB2.preload=900 N", "bearings.TB1.radial_clearance=-12 um",
+                            "bearings.TB2.ball_model=inertial", "statics.speed=12000 rpm"});
+  ShaftEquilibrium system(c.parameters, c.tree);
+  std::vector<double> x(system.size());
+  ASSERT_TRUE(find_equilibrium(system, x).found);
+  const std::size_t n = system.size();
+  std::vector<double> K(n * n), up(n), down(n);
+  system.stiffness(x, K);
+  double worst = 0., largest = 0.;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double h = 1e-3 * system.scales()[j];
+    auto moved = x;
+    moved[j] = x[j] + h;
+    system.forces(moved, up);
+    moved[j] = x[j] - h;
+    system.forces(moved, down);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double unit = system.scales()[i] * system.scales()[j];
+      worst = std::max(worst, std::fabs(-(up[i] - down[i]) / (2. * h) - K[j * n + i]) * unit);
+      largest = std::max(largest, std::fabs(K[j * n + i]) * unit);
+    }
+  }
+  EXPECT_LT(worst, 1e-6 * largest);
+}
+
+}  // namespace
+}  // namespace rotordrop
