@@ -167,7 +167,7 @@ class DropFields(ProgramTest):
             expected = [0.0] + [float(ends[ends >= t * (1 - 1e-9)][0]) for t in wanted]
             self.assertEqual([t for t, _ in series], expected)
             for t, file in series[1:]:
-                _, lowest, highest = results["windows/TB1/bore_surface"][list(ends).index(t)]
+                _, lowest, highest = results["windows/TB1/bore"][list(ends).index(t)]
                 low, high = self.bore_of(file)
                 self.assertAlmostEqual(low, lowest, delta=1e-3)
                 self.assertAlmostEqual(high, highest, delta=1e-3)
