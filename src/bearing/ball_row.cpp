@@ -118,6 +118,12 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
 
 }  // namespace
 
+double RaceContact::largest_pressure(double load) const {
+  if (load <= 0.) return 0.;
+  const double major = axis_factor * std::cbrt(load);
+  return 1.5 * load * ellipticity / (std::numbers::pi * major * major);
+}
+
 BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves) : geometry_(geometry) {
   const auto& g = geometry_;
   if (g.n_balls > max_balls) throw std::invalid_argument("a row holds at most 256 balls");

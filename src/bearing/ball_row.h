@@ -18,6 +18,8 @@ struct RaceContact {
   double stiffness = 0;    ///< K of Q = K delta^1.5 [N/m^1.5]
   double axis_factor = 0;  ///< semi-major axis of the contact ellipse over Q^(1/3) [m/N^(1/3)]
   double ellipticity = 1;  ///< semi-major over semi-minor axis
+  /// Largest pressure in the contact ellipse under a load [N], 3 Q / (2 pi a b) [Pa]; 0 without load.
+  [[nodiscard]] double largest_pressure(double load) const;
 };
 
 /// One row of balls between two races.

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "bearing/touchdown_parameters.h"
+
 namespace rotordrop {
 namespace {
 
@@ -15,7 +17,7 @@ EllipseReport ellipse(const RaceContact& race, double load, double sine, double 
   e.angle = std::atan2(sine, cosine);
   e.semi_major = race.axis_factor * std::cbrt(load);
   e.semi_minor = e.semi_major / race.ellipticity;
-  if (load > 0.) e.pressure = 1.5 * load / (std::numbers::pi * e.semi_major * e.semi_minor);
+  e.pressure = race.largest_pressure(load);
   return e;
 }
 

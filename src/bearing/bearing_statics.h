@@ -36,9 +36,6 @@ class BearingEquilibrium final : public EquilibriumSystem {
   double force_scale_ = 1, share_ = 1;
 };
 
-/// Pressure at which a ball leaves a permanent mark of 1e-4 of its diameter [Pa]. Source: ISO 76, ball bearings.
-inline constexpr double static_pressure_limit = 4.2e9;
-
 /// A contact ellipse.
 struct EllipseReport {
   double load = 0, angle = 0;             ///< [N], [rad], signed as the row leans

@@ -291,6 +291,7 @@ std::vector<Observable> TouchdownBearing::observables() const {
       {"spin_lag", "1", "what the bore's surface speed lacks to the rotor's, over the rotor's", 1, {}},
       {"bearing_force", "N", "resultant of the ball forces on the inner ring", 2, yz},
       {"ball_force", "N", "load of the most loaded ball of each row", rows_.size(), row_names},
+      {"contact_pressure", "Pa", "largest pressure of balls and races in each row", rows_.size(), row_names},
       {"ring_speed", "rad/s", "inner-ring spin speed", 1, {}},
       {"cage_angle", "rad", "rotation of the cage", 1, {}},
       {"load_torque", "N m", "load-dependent friction torque of the bearing (eq. 21)", 1, {}},
@@ -334,6 +335,11 @@ void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, 
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     put({balls.row[i].largest_load});
     largest = std::max(largest, balls.row[i].largest_load);
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto& race = rows_[i].geometry();
+    put({std::max(race.inner.largest_pressure(balls.row[i].largest_load),
+                  race.outer.largest_pressure(balls.row[i].largest_outer_load))});
   }
   const double spin_torque = spin_moment(data_.race_friction_coefficient, largest,
                                          data_.spin_axis_factor * std::cbrt(largest), data_.spin_elliptic_integral);

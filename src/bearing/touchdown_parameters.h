@@ -76,6 +76,9 @@ struct TouchdownParameters {
 };
 Section<TouchdownParameters> touchdown_section();
 
+/// Pressure at which a ball leaves a permanent mark of 1e-4 of its diameter [Pa]. Source: ISO 76, ball bearings.
+inline constexpr double static_pressure_limit = 4.2e9;
+
 /// What a touchdown bearing takes from elsewhere in the case.
 struct TouchdownSurroundings {
   ElasticMaterial ring, ball;

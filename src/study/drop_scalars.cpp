@@ -61,7 +61,7 @@ DropScalars::DropScalars(const Machine& machine) {
     columns_.push_back({i, column("orbit"), column("penetration"), column("contact_force"), column("rub_heat_rate"),
                         column("spin_lag"), column("load_torque"), column("spin_torque"), column("inner_heat_rate"),
                         column("outer_heat_rate"), column("ring_speed"), column("ball_force"),
-                        where.at(prefix + "ball_force").second});
+                        column("contact_pressure"), where.at(prefix + "ball_force").second});
   }
   scalars_.resize(columns_.size());
 }
@@ -97,6 +97,9 @@ void DropScalars::follow(double t, std::span<const double> step) {
     double ball_force = 0.;
     for (std::size_t row = 0; row < c.n_rows; ++row) ball_force = std::max(ball_force, step[c.ball_force + row]);
     s.ball_force.follow(t, ball_force);
+    double pressure = 0.;
+    for (std::size_t row = 0; row < c.n_rows; ++row) pressure = std::max(pressure, step[c.contact_pressure + row]);
+    s.contact_pressure.follow(t, pressure);
     s.ring_speed_end = step[c.ring_speed];
 
     s.time = t;

@@ -31,6 +31,7 @@ struct BearingScalars {
   FollowedPeak load_torque, spin_torque;          ///< [N m]
   FollowedPeak inner_heat_rate, outer_heat_rate;  ///< [W]
   FollowedPeak ball_force;                        ///< of the most loaded ball [N]
+  FollowedPeak contact_pressure;                  ///< of balls and races [Pa]
   double ring_speed_end = never;                  ///< [rad/s]
   // The last step, for crossings.
   double time = never, penetration = never, spin_lag = never;
@@ -54,7 +55,7 @@ class DropScalars {
  private:
   struct Columns {
     std::size_t support, orbit, penetration, contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque,
-        inner_heat_rate, outer_heat_rate, ring_speed, ball_force, n_rows;
+        inner_heat_rate, outer_heat_rate, ring_speed, ball_force, contact_pressure, n_rows;
   };
   std::vector<Columns> columns_;
   std::vector<BearingScalars> scalars_;

@@ -39,6 +39,9 @@ Json bearing_summary(const Machine& machine, const BearingScalars& s, std::size_
   j["inner_heat_rate_max"] = number(s.inner_heat_rate.value);
   j["outer_heat_rate_max"] = number(s.outer_heat_rate.value);
   j["largest_ball_force"] = number(s.ball_force.value);
+  j["largest_contact_pressure"] = number(s.contact_pressure.value);
+  j["largest_contact_pressure_time"] = number(s.contact_pressure.time);
+  j["static_safety"] = number(std::pow(static_pressure_limit / s.contact_pressure.value, 3));
   return j;
 }
 
@@ -151,6 +154,10 @@ std::string summary_text(const Json& j) {
                 fmt::format(", bore {:.1f} K at {}", b["fe"]["surface_rise"]["bore"]["highest"].get<double>(),
                             time(b["fe"]["surface_rise"]["bore"]["highest_time"], 1e3, "ms"));
       text += "\n";
+      if (const double p = b["largest_contact_pressure"].get<double>(); p > static_pressure_limit)
+        text += fmt::format(
+            "{:{}}balls press on the races with {:.2f} GPa, beyond the static limit of {:.1f} GPa (ISO 76)\n", "",
+            name.size() + 2, p * 1e-9, static_pressure_limit * 1e-9);
     }
   const auto& e = j["energy"];
   text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited",

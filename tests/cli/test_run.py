@@ -53,6 +53,16 @@ def value_at(tree, path):
 
 
 class Results(ProgramTest):
+    def test_pressures_go_with_the_cube_root_of_the_loads(self):
+        summary = self.run_case(self.case(""), output="pressed")
+        with h5py.File(self.folder / "pressed/results.h5") as file:
+            for name, bearing in summary["bearings"].items():
+                force, pressure = file[f"bearings/{name}/ball_force"][()], file[f"bearings/{name}/contact_pressure"][()]
+                factor = pressure[force > 1] / numpy.cbrt(force[force > 1])
+                numpy.testing.assert_allclose(factor, factor[0], rtol=1e-12)
+                self.assertGreaterEqual(bearing["largest_contact_pressure"], pressure.max())
+                self.assertAlmostEqual(bearing["static_safety"], (4.2e9 / bearing["largest_contact_pressure"]) ** 3, places=9)
+
     def test_a_run_writes_results_summary_and_parameters(self):
         summary = self.run_case(self.case(""))
         self.assertEqual(sorted(content_of(self.folder / "out")), ["parameters.toml", "results.h5", "summary.json"])

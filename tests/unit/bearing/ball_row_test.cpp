@@ -204,5 +204,16 @@ TEST(BallRow, HoldsAtMost256Balls) {
   EXPECT_THROW(BallRow(g, {}), std::invalid_argument);
 }
 
+TEST(RaceContact, PressesAsHertzsSphereOnAPlane) {
+  // a = (3 Q R/(4 E'))^(1/3), p_0 = (6 Q E'^2/(pi^3 R^2))^(1/3): Hertz 1881, with E' = E/(2 (1 - nu^2)) of two equal bodies.
+  const double R = 0.006, E = 2.1e11 / (2. * (1. - 0.09)), Q = 2000.;
+  const RaceContact contact{1., std::cbrt(3. * R / (4. * E)), 1.};
+  EXPECT_NEAR(contact.largest_pressure(Q), std::cbrt(6. * Q * E * E / (std::pow(M_PI, 3) * R * R)), 1.) << "Pa";
+  EXPECT_EQ(contact.largest_pressure(0.), 0.);
+  EXPECT_EQ(contact.largest_pressure(-1.), 0.);
+  EXPECT_NEAR(RaceContact({1., contact.axis_factor, 4.}).largest_pressure(Q), 4. * contact.largest_pressure(Q), 10.)
+      << "Pa: as long an ellipse, a quarter as wide";
+}
+
 }  // namespace
 }  // namespace rotordrop
