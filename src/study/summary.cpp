@@ -8,6 +8,7 @@
 
 #include "machine/rotor_report.h"
 #include "study/fe_summary.h"
+#include "study/whirl.h"
 
 namespace rotordrop {
 namespace {
@@ -96,6 +97,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     if (elements)
       for (const auto& section : elements->sections)
         if (section.name == name) bearing["fe"] = fe_summary(section, elements->coupling, results);
+    bearing["whirl"] = whirl_summary(results, name, drop_case);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);
   }
@@ -151,6 +153,7 @@ std::string summary_text(const Json& j) {
                 fmt::format(", bore {:.1f} K at {}", b["fe"]["surface_rise"]["bore"]["highest"].get<double>(),
                             time(b["fe"]["surface_rise"]["bore"]["highest_time"], 1e3, "ms"));
       text += "\n";
+      if (b.contains("whirl")) text += whirl_text(name, b["whirl"]);
     }
   const auto& e = j["energy"];
   text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited",
