@@ -48,8 +48,8 @@ void check_clearance(Checks& checks, const RecordedDrop& drop, const std::string
   const auto least = std::min_element(s.values.begin(), s.values.end()) - s.values.begin();
   const double value = s.values[static_cast<std::size_t>(least)], time = s.times[static_cast<std::size_t>(least)];
   checks.add(name + ": air gap", value > 0.,
-             value > 0. ? fmt::format("stays open: smallest {:.4g} um, at {:.4g} ms", value * 1e6, time * 1e3)
-                        : fmt::format("GONE: thermal growth closes it, {:.4g} um at {:.4g} ms", value * 1e6, time * 1e3));
+             value > 0. ? fmt::format("stays open: smallest {:.4g} µm, at {:.4g} ms", value * 1e6, time * 1e3)
+                        : fmt::format("GONE: thermal growth closes it, {:.4g} µm at {:.4g} ms", value * 1e6, time * 1e3));
 }
 
 void check_load(Checks& checks, const RecordedDrop& drop, const std::string& name, const TouchdownParameters& b,

@@ -63,7 +63,8 @@ void add_summary(Rows& rows, std::size_t column, const Json& b) {
     if (!b.contains(pointer)) continue;
     const Json& value = b.at(pointer);
     rows.set(column, r.name, r.unit,
-             value.is_number() ? fmt::format("{:.4g}", value.get<double>() * r.scale) : std::string("never"));
+             value.is_number() ? fmt::format("{:.{}g}", value.get<double>() * r.scale, r.unit == std::string("rpm") ? 5 : 4)
+                                : std::string("—"));
   }
   if (b.contains("whirl")) {
     rows.set(column, "longest whirl, direction", "", b["whirl"]["direction"].get<std::string>());

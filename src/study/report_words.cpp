@@ -87,11 +87,11 @@ std::string driver_words(const std::string& driver) {
 std::string bearing_words(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact) {
   return fmt::format(
       "{} is a touchdown bearing at the rotor's node {}: {} row{} of {} {} balls of {:.4g} mm on a pitch diameter of "
-      "{:.4g} mm, contact angle {:.3g} deg, {}; radial air gap {:.4g} um.",
+      "{:.4g} mm, contact angle {:.3g}°, {}; radial air gap {:.4g} µm.",
       name, b.node, b.rows, b.rows == 1 ? "" : "s", b.balls_per_row, b.ball, b.ball_diameter * 1e3,
       b.pitch_diameter * 1e3, b.contact_angle * 180. / std::numbers::pi,
       b.preload > 0. ? fmt::format("preload {:.4g} N", b.preload)
-                     : fmt::format("radial clearance {:.3g} um", b.radial_clearance * 1e6),
+                     : fmt::format("radial clearance {:.3g} µm", b.radial_clearance * 1e6),
       air_gap(b, contact) * 1e6);
 }
 
@@ -103,7 +103,7 @@ Json report_words(const RecordedDrop& drop) {
   Json words = Json::array();
   const auto touchdown = drop.bearings();
   words.push_back(fmt::format(
-      "A rotor of {:.4g} kg (polar inertia {:.3g} kg m2, diametral {:.4g} kg m2) turns at {:.6g} rpm {} {:.6g} ms are "
+      "A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) turns at {:.6g} rpm {} {:.6g} ms are "
       "computed, at an ambient temperature of {:.2f} K.",
       rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * 30. / std::numbers::pi,
       touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.", p.run.end_time * 1e3,
@@ -182,7 +182,7 @@ Json report_provenance(const RecordedDrop& drop) {
     }
     const std::string name = a.section.empty() ? a.key : a.section + "." + a.key;
     const Declaration* d = declaration_of(sections, name);
-    const std::string fallback = d && d->fallback ? shortened(toml_value(*d->fallback), 40) : "none";
+    const std::string fallback = d && d->fallback ? shortened(toml_value(*d->fallback), 40) : "—";
     if (fallback == a.value) continue;
     given.push_back({name, shortened(a.value, 60), fallback, d ? d->help : "", d ? d->source : ""});
   }

@@ -82,8 +82,8 @@ class Figure {
   constructor(chart, into) {
     this.chart = chart;
     this.shown = chart.lines.map(() => true);
-    this.width = chart.square ? 420 : 620;
-    this.height = chart.square ? 390 : 280;
+    this.width = 620;
+    this.height = chart.square ? 520 : 280;
     this.margin = { left: 62, right: 12, top: 10, bottom: 42 };
     this.inner = { width: this.width - this.margin.left - this.margin.right, height: this.height - this.margin.top - this.margin.bottom };
     this.root = element("figure", { class: "chart", id: "figure-" + chart.id });
@@ -291,8 +291,8 @@ class Drop {
       element("circle", { r: this.scale * bearing.gap, fill: "none", stroke: "#888", "stroke-dasharray": "5 3" }),
       element("path", { class: "series", d: trace, fill: "none", stroke: COLOURS[0], "stroke-width": 0.8, opacity: 0.8 }),
       this.contact, this.centre,
-      element("text", { x: -170, y: -160 }, `${bearing.name}: gap ${short(bearing.gap)} µm, magnified`), element("text", { x: 118, y: 165 }, "z →"), element("text", { x: -170, y: 165 }, "y ↑"));
-    into.append(element("figure", { class: "drop" }, svg, this.caption));
+      element("path", { class: "axis", d: "M-165 150v-22m-3 6l3 -6l3 6M-165 150h22m-6 -3l6 3l-6 3" }), element("text", { x: -168, y: 123 }, "y"), element("text", { x: -139, y: 153 }, "z"));
+    into.append(element("figure", { class: "drop" }, element("figcaption", {}, `${bearing.name}: radial gap ${short(bearing.gap)} µm, magnified`), svg, this.caption));
   }
 
   x(z) { return this.scale * z; }
@@ -321,7 +321,7 @@ function showDrops(animation) {
   const step = short(times.length > 1 ? times[1] - times[0] : 0);
   section("The drop", element("div", { class: "player" }, play, slider, output), drops,
     element("p", { class: "note" }, `Seen along +x: y up, z to the right, positive spin clockwise. Gap, displacements and penetration are magnified alike, the radii are not. ` +
-      `Dashed: the gap, for the rotor's centre (dot) and its path. Full dot on the bore: contact. The bars on rotor and ring turn with them. A picture every ${step} ms: what is faster is not seen here.`));
+      `Dashed: how far the gap lets the rotor's centre (dot) go while the ring is centred; a ring with clearance, or under load, lies lower. Full dot on the bore: contact. The bars on rotor and ring turn with them. A picture every ${step} ms: what is faster is not seen here.`));
   const made = animation.bearings.map((bearing) => new Drop(bearing, drops));
   const show = () => {
     const time = times[+slider.value];
@@ -355,7 +355,7 @@ function showOrbits(animation) {
   animation.bearings.forEach((b, i) => new Figure({
     id: "orbit-" + b.name, title: `${b.name}: orbit of the rotor's centre`, square: true, circle: b.gap,
     x: { label: "z", unit: "um" }, y: { label: "y (up)", unit: "um" },
-    note: `Dashed: radial air gap of ${short(b.gap)} µm (0-peak), at ambient temperature and with the bearing unloaded.`,
+    note: `Dashed: radial air gap of ${short(b.gap)} µm (0-peak), at ambient temperature, about the unloaded outer ring's axis. An inner ring with clearance, or under load, lies lower.`,
     lines: [{ name: "rotor centre", colour: i, dash: 0, x: b.z, y: b.y }] }, figures));
 }
 
@@ -379,7 +379,7 @@ function showProvenance() {
   const parts = [table(null, facts, ["", "code"]),
     element("h3", {}, "Parameters that differ from their defaults"),
     element("p", { class: "note" }, `${n_defaults} further parameters are at their defaults. A run keeps the values that it used (parameters.toml), not the case file's comments on where they are from.`),
-    table(["parameter", "value", "default", "what it is"], given.map(([name, value, fallback, help]) => [name, value, fallback, help]), ["code", "code", "code", "note"])];
+    table(["parameter", "value", "default", "what it is"], given.map(([name, value, fallback, help]) => [name, value, fallback, help]), ["code name", "code", "code", "note"])];
   section("Provenance", ...parts);
 }
 
