@@ -39,8 +39,8 @@ void add_block(Words& h, const unsigned char* block) {
   Words v = h;
   for (std::size_t t = 0; t < 64; ++t) {
     const std::uint32_t e = v[4], a = v[0];
-    const std::uint32_t t_1 = v[7] + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
-                              ((e & v[5]) ^ (~e & v[6])) + k[t] + w[t];
+    const std::uint32_t t_1 =
+        v[7] + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + ((e & v[5]) ^ (~e & v[6])) + k[t] + w[t];
     const std::uint32_t t_2 =
         (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & v[1]) ^ (a & v[2]) ^ (v[1] & v[2]));
     v = {t_1 + t_2, v[0], v[1], v[2], v[3] + t_1, v[4], v[5], v[6]};

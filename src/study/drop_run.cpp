@@ -84,7 +84,8 @@ class DirectoryLock {
 };
 
 void remove_older_results(const fs::path& directory) {
-  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "report.html"}) fs::remove(directory / name);
+  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "report.html"})
+    fs::remove(directory / name);
   fs::remove_all(directory / "checkpoints");
   fs::remove_all(directory / "failed");
 }

@@ -26,6 +26,17 @@ Json rounded(std::span<const double> values, double scale, int digits = 5) {
   return list;
 }
 
+/// To a hundred-thousandth of their range, which may be small beside the values themselves (an air gap).
+Json rounded_to_range(const std::vector<double>& values, double scale) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double range = (*high - *low) * std::fabs(scale);
+  if (!(range > 0.)) return rounded(values, scale);
+  const double quantum = std::pow(10., std::floor(std::log10(range)) - 4.);
+  std::vector<double> list;
+  for (const double v : values) list.push_back(std::round(v * scale / quantum) * quantum);
+  return rounded(list, 1., 10);
+}
+
 /// How a line is drawn: the page has a palette and dash patterns, each taken from the beginning again at its end.
 struct Style {
   std::size_t colour = 0, dash = 0;
@@ -66,7 +77,7 @@ class Charts {
                                        {"colour", style.colour},
                                        {"dash", style.dash},
                                        {"x", rounded(few.times, time_scale_, 6)},
-                                       {"y", rounded(few.values, scale)}});
+                                       {"y", rounded_to_range(few.values, scale)}});
   }
 
   /// A recorded quantity, if the run has it.
@@ -199,11 +210,14 @@ void add_temperatures(Charts& c, const RecordedDrop& drop) {
     for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
       for (std::size_t k = 0; k < std::size(nodes); ++k)
         c.recorded(drop.node_path(kind, name, nodes[k].first),
-                   std::string(nodes[k].second) + (kind == ThermalModelKind::fe ? " (FE)" : both ? " (lumped)" : ""), 1.,
-                   {k, kind == ThermalModelKind::fe ? 1u : 0u}, 0, ambient);
+                   std::string(nodes[k].second) + (kind == ThermalModelKind::fe ? " (FE)"
+                                                   : both                       ? " (lumped)"
+                                                                                : ""),
+                   1., {k, kind == ThermalModelKind::fe ? 1u : 0u}, 0, ambient);
     c.figure("surfaces-" + name, "Temperatures", name + ": surfaces, finite elements", "temperature rise", "K",
-             above + "Lines: mean; bands: from the lowest to the highest over the width. All are means around the "
-                     "circumference.");
+             above +
+                 "Lines: mean; bands: from the lowest to the highest over the width. All are means around the "
+                 "circumference.");
     for (std::size_t k = 0; k < std::size(surfaces); ++k) {
       const std::string path = drop.surface_path(name, surfaces[k].first);
       if (!drop.has(path)) continue;
@@ -222,8 +236,10 @@ void add_growth(Charts& c, const RecordedDrop& drop) {
     for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
       for (std::size_t k = 0; k < std::size(surfaces); ++k)
         c.recorded(drop.growth_path(kind, name),
-                   std::string(surfaces[k]) + (kind == ThermalModelKind::fe ? " (FE)" : both ? " (lumped)" : ""), 1e6,
-                   {k, kind == ThermalModelKind::fe ? 1u : 0u}, k);
+                   std::string(surfaces[k]) + (kind == ThermalModelKind::fe ? " (FE)"
+                                               : both                       ? " (lumped)"
+                                                                            : ""),
+                   1e6, {k, kind == ThermalModelKind::fe ? 1u : 0u}, k);
   }
   c.figure("clearance", "Growth and clearance", "Air gap between rotor and bore", "radial clearance", "um",
            "When concentric, as the drop felt it.");
@@ -242,8 +258,7 @@ void add_balls(Charts& c, const RecordedDrop& drop) {
   c.figure("pressures", "Balls", "Contact pressures", "pressure", "GPa", "Limit of static load by ISO 76: 4.2 GPa.");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     std::size_t dash = 0;
-    for (const auto& path : drop.pressure_paths(c.names()[i]))
-      c.recorded(path, path.substr(10), 1e-9, {i, dash++});
+    for (const auto& path : drop.pressure_paths(c.names()[i])) c.recorded(path, path.substr(10), 1e-9, {i, dash++});
   }
 }
 
@@ -257,11 +272,11 @@ void add_energy(Charts& c) {
   c.recorded("/energy/prescribed_work", "work of cage and waves", 1., {3, 0});
   c.recorded("/energy/unbalance_work", "work of the unbalance", 1., {6, 1});
   c.recorded("/energy/drive_work", "work of the drive", 1., {7, 3});
-  c.figure("residuals", "Energy", "Energy not accounted for", "residual", "mJ",
+  c.figure("residuals", "Energy", "Energy not accounted for", "residual", "uJ",
            "The error of the time integration, seen by independent accounts.");
-  c.recorded("/energy/residual", "mechanical", 1e3, {0, 0});
-  c.recorded("/energy/heat_residual", "heat, lumped", 1e3, {1, 1});
-  c.recorded("/energy/fe_heat_residual", "heat, finite elements", 1e3, {2, 2});
+  c.recorded("/energy/residual", "mechanical", 1e6, {0, 0});
+  c.recorded("/energy/heat_residual", "heat, lumped", 1e6, {1, 1});
+  c.recorded("/energy/fe_heat_residual", "heat, finite elements", 1e6, {2, 2});
 }
 
 }  // namespace

@@ -48,8 +48,9 @@ void check_clearance(Checks& checks, const RecordedDrop& drop, const std::string
   const auto least = std::min_element(s.values.begin(), s.values.end()) - s.values.begin();
   const double value = s.values[static_cast<std::size_t>(least)], time = s.times[static_cast<std::size_t>(least)];
   checks.add(name + ": air gap", value > 0.,
-             value > 0. ? fmt::format("stays open: smallest {:.4g} µm, at {:.4g} ms", value * 1e6, time * 1e3)
-                        : fmt::format("GONE: thermal growth closes it, {:.4g} µm at {:.4g} ms", value * 1e6, time * 1e3));
+             value > 0.
+                 ? fmt::format("stays open: smallest {:.4g} µm, at {:.4g} ms", value * 1e6, time * 1e3)
+                 : fmt::format("GONE: thermal growth closes it, {:.4g} µm at {:.4g} ms", value * 1e6, time * 1e3));
 }
 
 void check_load(Checks& checks, const RecordedDrop& drop, const std::string& name, const TouchdownParameters& b,
@@ -82,15 +83,16 @@ void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
   const double resolved = at(summary, key + "fastest_resolved");
   const bool is_full = summary.at(Json::json_pointer(key + "full_rub")) == "yes";
   if (std::isfinite(speed)) {
-    checks.add(name + ": backward whirl", false,
-               fmt::format("sustained, up to {:.4g} Hz, in {:.3g} % of the contact time{}", speed / (2. * std::numbers::pi),
-                           100. * at(summary, key + "backward_whirl_share"), is_full ? "; full rub" : ""));
+    checks.add(
+        name + ": backward whirl", false,
+        fmt::format("sustained, up to {:.4g} Hz, in {:.3g} % of the contact time{}", speed / (2. * std::numbers::pi),
+                    100. * at(summary, key + "backward_whirl_share"), is_full ? "; full rub" : ""));
     checks.add(name + ": whirl between samples", speed < resolved,
-               fmt::format("the fastest that the recorded interval resolves is {:.4g} Hz", resolved / (2. * std::numbers::pi)));
+               fmt::format("the fastest that the recorded interval resolves is {:.4g} Hz",
+                           resolved / (2. * std::numbers::pi)));
   } else {
     checks.add(name + ": backward whirl", true,
-               fmt::format("none sustained over a turn (longest whirl: {})",
-                           summary.at(direction).get<std::string>()));
+               fmt::format("none sustained over a turn (longest whirl: {})", summary.at(direction).get<std::string>()));
   }
 }
 
@@ -106,10 +108,11 @@ void check_temperatures(Checks& checks, const RecordedDrop& drop, const Json& co
   const double rise = at(comparison, "/bearings/" + name + "/bore/first_impact/largest_local_rise");
   if (std::isfinite(rise)) {
     const double local = rise + drop.parameters().run.ambient;
-    checks.add(name + ": local temperature of the bore", local < steel_limit,
-               fmt::format("the arc swept by the first impact reaches about {:.3g} K for a moment, by a moving band of heat; "
-                           "bearing steel keeps its dimensions to 423 K",
-                           local));
+    checks.add(
+        name + ": local temperature of the bore", local < steel_limit,
+        fmt::format("the arc swept by the first impact reaches about {:.3g} K for a moment, by a moving band of heat; "
+                    "bearing steel keeps its dimensions to 423 K",
+                    local));
   }
 }
 

@@ -40,31 +40,32 @@ void add_summary(Rows& rows, std::size_t column, const Json& b) {
     double scale;
   };
   constexpr double hertz = 0.5 / std::numbers::pi;
-  for (const Row& r : {Row{"/first_contact_time", "first contact", "ms", 1e3},
-                       {"/peak_contact_force", "peak contact force (0-peak)", "kN", 1e-3},
-                       {"/peak_contact_force_time", "… at", "ms", 1e3},
-                       {"/mean_contact_force_end", "mean contact force, last 50 ms", "N", 1.},
-                       {"/largest_ball_force", "largest load of a ball", "N", 1.},
-                       {"/first_bounce_apex", "apex of the first bounce, y", "um", 1e6},
-                       {"/peak_friction_heat_rate", "peak heat of the rub", "kW", 1e-3},
-                       {"/friction_heat", "rub heat", "J", 1.},
-                       {"/inner_heat", "heat at the inner race", "J", 1.},
-                       {"/outer_heat", "heat at the outer race", "J", 1.},
-                       {"/catch_up_time", "ring within 1 % of the rotor's surface speed", "ms", 1e3},
-                       {"/ring_speed_end", "ring speed at the end", "rpm", rpm},
-                       {"/temperature_rise_end/inner_ring", "inner ring warmer at the end, lumped", "K", 1.},
-                       {"/fe/temperature_rise_end/inner_ring", "inner ring warmer at the end, FE mean", "K", 1.},
-                       {"/fe/surface_rise/bore/highest", "bore warmer at most, FE (circumferential mean)", "K", 1.},
-                       {"/whirl/frequency", "longest whirl, mean frequency", "Hz", 1.},
-                       {"/whirl/largest_backward_speed", "fastest sustained backward whirl", "Hz", hertz},
-                       {"/whirl/full_rub_condition/speed_at_bottom", "full rub needs at the bottom, sliding", "Hz",
-                        hertz}}) {
+  for (const Row& r :
+       {Row{"/first_contact_time", "first contact", "ms", 1e3},
+        {"/peak_contact_force", "peak contact force (0-peak)", "kN", 1e-3},
+        {"/peak_contact_force_time", "… at", "ms", 1e3},
+        {"/mean_contact_force_end", "mean contact force, last 50 ms", "N", 1.},
+        {"/largest_ball_force", "largest load of a ball", "N", 1.},
+        {"/first_bounce_apex", "apex of the first bounce, y", "um", 1e6},
+        {"/peak_friction_heat_rate", "peak heat of the rub", "kW", 1e-3},
+        {"/friction_heat", "rub heat", "J", 1.},
+        {"/inner_heat", "heat at the inner race", "J", 1.},
+        {"/outer_heat", "heat at the outer race", "J", 1.},
+        {"/catch_up_time", "ring within 1 % of the rotor's surface speed", "ms", 1e3},
+        {"/ring_speed_end", "ring speed at the end", "rpm", rpm},
+        {"/temperature_rise_end/inner_ring", "inner ring warmer at the end, lumped", "K", 1.},
+        {"/fe/temperature_rise_end/inner_ring", "inner ring warmer at the end, FE mean", "K", 1.},
+        {"/fe/surface_rise/bore/highest", "bore warmer at most, FE (circumferential mean)", "K", 1.},
+        {"/whirl/frequency", "longest whirl, mean frequency", "Hz", 1.},
+        {"/whirl/largest_backward_speed", "fastest sustained backward whirl", "Hz", hertz},
+        {"/whirl/full_rub_condition/speed_at_bottom", "full rub needs at the bottom, sliding", "Hz", hertz}}) {
     const Json::json_pointer pointer(r.key);
     if (!b.contains(pointer)) continue;
     const Json& value = b.at(pointer);
     rows.set(column, r.name, r.unit,
-             value.is_number() ? fmt::format("{:.{}g}", value.get<double>() * r.scale, r.unit == std::string("rpm") ? 5 : 4)
-                                : std::string("—"));
+             value.is_number()
+                 ? fmt::format("{:.{}g}", value.get<double>() * r.scale, r.unit == std::string("rpm") ? 5 : 4)
+                 : std::string("—"));
   }
   if (b.contains("whirl")) {
     rows.set(column, "longest whirl, direction", "", b["whirl"]["direction"].get<std::string>());

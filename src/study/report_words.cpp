@@ -127,13 +127,12 @@ Json report_words(const RecordedDrop& drop) {
 Json report_assumptions(const RecordedDrop& drop) {
   const auto& p = drop.parameters();
   Json list = Json::array();
-  list.push_back(fmt::format(
-      "The rotor is a Timoshenko beam with gyroscopic effect ({}), without axial motion.",
-      p.rotor.model == RotorRepresentation::modal
-          ? fmt::format("free-free modes up to {:.4g} Hz, damping ratio {:.3g}", p.rotor.cut_off_frequency,
-                        p.rotor.modal_damping)
-      : p.rotor.model == RotorRepresentation::full ? std::string("all degrees of freedom")
-                                                   : std::string("rigid")));
+  list.push_back(fmt::format("The rotor is a Timoshenko beam with gyroscopic effect ({}), without axial motion.",
+                             p.rotor.model == RotorRepresentation::modal
+                                 ? fmt::format("free-free modes up to {:.4g} Hz, damping ratio {:.3g}",
+                                               p.rotor.cut_off_frequency, p.rotor.modal_damping)
+                             : p.rotor.model == RotorRepresentation::full ? std::string("all degrees of freedom")
+                                                                          : std::string("rigid")));
   if (drop.bearings().empty()) return list;
   list.push_back(fmt::format(
       "Rotor and inner ring touch by a Hunt-Crossley law with exponent {:.4g} that never pulls; friction is Coulomb's, "
@@ -141,11 +140,11 @@ Json report_assumptions(const RecordedDrop& drop) {
       p.contact.exponent, p.contact.regularisation_speed));
   list.push_back("Inner rings move radially and spin; the outer ring moves with its support.");
   for (const auto& [name, b] : drop.bearings())
-    list.push_back(fmt::format(
-        "{}: load-dependent friction of the {} load; heat inside the bearing is {}.", name,
-        b.load_law == FrictionLoadLaw::radial ? "radial" : "equivalent (preload included)",
-        b.internal_heat == InternalHeat::energy_consistent ? "friction torque times ring speed (energy-consistent)"
-                                                           : "not only friction torque times ring speed"));
+    list.push_back(fmt::format("{}: load-dependent friction of the {} load; heat inside the bearing is {}.", name,
+                               b.load_law == FrictionLoadLaw::radial ? "radial" : "equivalent (preload included)",
+                               b.internal_heat == InternalHeat::energy_consistent
+                                   ? "friction torque times ring speed (energy-consistent)"
+                                   : "not only friction torque times ring speed"));
   if (p.thermal.heat_share == HeatShare::constant)
     list.push_back(fmt::format("A constant share of {:.3g} of the rub heat enters the inner ring, the rest the rotor.",
                                p.thermal.share_to_ring));
@@ -164,7 +163,8 @@ Json report_provenance(const RecordedDrop& drop) {
   Json facts = Json::array();
   const auto fact = [&](const std::string& name, const std::string& value) { facts.push_back({name, value}); };
   fact("case", drop.case_name());
-  fact("run by", read_attribute(results, "/", "program") + ", revision " + read_attribute(results, "/", "git_revision"));
+  fact("run by",
+       read_attribute(results, "/", "program") + ", revision " + read_attribute(results, "/", "git_revision"));
   fact("with", "SUNDIALS " + read_attribute(results, "/", "sundials_version") + ", HDF5 " +
                    read_attribute(results, "/", "hdf5_version"));
   fact("report by", std::string("rotordrop ") + version() + ", revision " + git_revision());

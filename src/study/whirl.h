@@ -45,13 +45,13 @@ struct ContactWhirl {
   /// At each sample, positive from +y towards +z [rad/s]: 2 * area swept in contact / (integral of r^2 dt in contact), both over the window; NaN
   /// without contact in it. Weighing by r^2 keeps a passage near the centre from counting as a leap of the angle.
   std::vector<double> speed;
-  std::vector<WhirlStretch> stretches;                        ///< in the order of time
-  double contact_time = 0;                                    ///< [s]
-  double forward_time = 0, backward_time = 0;                 ///< of contact that moves so, swinging included [s]
-  double backward_whirl_time = 0;                             ///< of contact in stretches of backward whirl [s]
-  double fastest_resolved = 0;                                ///< a quarter turn between samples [rad/s]
-  [[nodiscard]] const WhirlStretch* longest() const;          ///< of all, by turns; null if there is none
-  [[nodiscard]] const WhirlStretch* fastest_backward() const; ///< null if there is none
+  std::vector<WhirlStretch> stretches;                         ///< in the order of time
+  double contact_time = 0;                                     ///< [s]
+  double forward_time = 0, backward_time = 0;                  ///< of contact that moves so, swinging included [s]
+  double backward_whirl_time = 0;                              ///< of contact in stretches of backward whirl [s]
+  double fastest_resolved = 0;                                 ///< a quarter turn between samples [rad/s]
+  [[nodiscard]] const WhirlStretch* longest() const;           ///< of all, by turns; null if there is none
+  [[nodiscard]] const WhirlStretch* fastest_backward() const;  ///< null if there is none
   [[nodiscard]] bool has_full_backward_rub() const;
 };
 

@@ -33,7 +33,7 @@ function section(title, ...children) {
 }
 
 const list = (texts) => element("ul", {}, ...texts.map((text) => element("li", {}, text)));
-const unit = (text) => text.replace(/^um/, "µm");
+const unit = (text) => text.replace(/^u(?=[mJ])/, "µ");
 const axisLabel = (axis) => (axis.unit ? `${axis.label} [${unit(axis.unit)}]` : axis.label);
 
 // Five digits and no trailing zeros.
@@ -84,7 +84,7 @@ class Figure {
     this.shown = chart.lines.map(() => true);
     this.width = 620;
     this.height = chart.square ? 520 : 280;
-    this.margin = { left: 62, right: 12, top: 10, bottom: 42 };
+    this.margin = { left: 76, right: 12, top: 10, bottom: 42 };
     this.inner = { width: this.width - this.margin.left - this.margin.right, height: this.height - this.margin.top - this.margin.bottom };
     this.root = element("figure", { class: "chart", id: "figure-" + chart.id });
     this.svg = element("svg", { viewBox: `0 0 ${this.width} ${this.height}`, role: "img", "aria-label": `${chart.title}: ${axisLabel(chart.y)} over ${axisLabel(chart.x)}` });
