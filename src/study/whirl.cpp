@@ -163,37 +163,23 @@ ContactWhirl find_whirl(const ContactOrbit& o, const WhirlOptions& options) {
 
 namespace {
 
-/// Smallest N / (m g) on the way from the bottom once around.
-double least_normal_force(double mu, double u_0) {
-  const double q = 1. + 4. * mu * mu, A = (2. - 4. * mu * mu) / q, B = 6. * mu / q;
-  double least = std::numeric_limits<double>::infinity();
-  constexpr int n = 3600;
-  for (int i = 0; i <= n; ++i) {
-    const double a = turn * i / n;
-    const double u = A * std::cos(a) + B * std::sin(a) + (u_0 - A) * std::exp(2. * mu * a);
-    // Turned back before: u is c a'^2 / g.
-    least = std::min(least, u < -1e-12 ? -1. : u + std::cos(a));
-  }
-  return least;
+/// c a'^2 / g at the bottom with which N just touches zero at the top; below zero if less than rest will do.
+double full_rub_start(double mu) {
+  const double A = (2. - 4. * mu * mu) / (1. + 4. * mu * mu);
+  return A + (1. + A) * std::exp(-turn * mu);
 }
 
 }  // namespace
 
 double full_rub_speed(double mu, double air_gap, double gravity) {
-  if (least_normal_force(mu, 0.) > 0.) return 0.;
-  double low = 0., high = 5.;  // enough without friction, which helps
-  for (int i = 0; i < 60; ++i) {
-    const double u_0 = 0.5 * (low + high);
-    (least_normal_force(mu, u_0) > 0. ? high : low) = u_0;
-  }
-  return std::sqrt(high * gravity / air_gap);
+  return std::sqrt(std::max(full_rub_start(mu), 0.) * gravity / air_gap);
 }
 
 double full_rub_friction() {
   double low = 0., high = 2.;
   for (int i = 0; i < 60; ++i) {
     const double mu = 0.5 * (low + high);
-    (least_normal_force(mu, 0.) > 0. ? high : low) = mu;
+    (full_rub_start(mu) < 0. ? high : low) = mu;
   }
   return high;
 }

@@ -64,8 +64,9 @@ ContactWhirl find_whirl(const ContactOrbit& orbit, const WhirlOptions& options =
 ///
 /// Point mass on a circle of radius c under gravity, friction mu N along its way while the surfaces slide. With a from the bottom and
 /// u = c a'^2 / g:  du/da - 2 mu u = 2 (mu cos a - sin a)  (the equation of the angle at which a rotor set down turns), so
-///   u = A cos a + B sin a + (u_0 - A) exp(2 mu a),  B = 6 mu / (1 + 4 mu^2),  A = (2 - 4 mu^2) / (1 + 4 mu^2),
-/// and N = m g (u + cos a) must stay above zero up to a = 2 pi. For mu = 0 it is sqrt(5 g / c).
+///   u = A cos a + B sin a + (u_0 - A) exp(2 mu a),  B = 6 mu / (1 + 4 mu^2),  A = (2 - 4 mu^2) / (1 + 4 mu^2).
+/// N = m g (u + cos a) has dN/da = 2 mu N - 3 m g sin a, so that it can only touch zero at the top, where u = 1:
+///   u_0 = A + (1 + A) exp(-2 pi mu).   For mu = 0 that is 5, the loop the loop.
 /// Valid: rigid bore, rotor free but for gravity, rub still sliding. Beyond it Black's condition limits the whirl by compliance and damping.
 double full_rub_speed(double friction_coefficient, double air_gap, double gravity);
 /// Smallest friction coefficient with which a full backward rub arises from rest at the bottom; independent of mass, gap and gravity.
