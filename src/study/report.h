@@ -22,6 +22,8 @@ nlohmann::ordered_json read_json_of(const RecordedDrop& drop, const std::string&
 nlohmann::ordered_json report_charts(const RecordedDrop& drop);
 /// Of each touchdown bearing the positions of rotor and ring, at even steps.
 nlohmann::ordered_json report_animation(const RecordedDrop& drop);
+/// Of each touchdown bearing the load of every ball, the largest in each of up to 400 spans of time [ball][span].
+nlohmann::ordered_json report_ball_loads(const RecordedDrop& drop);
 /// Rows of the table of main numbers, texts of figures with their units.
 nlohmann::ordered_json report_numbers(const RecordedDrop& drop, const nlohmann::ordered_json& summary);
 /// What was looked at for warnings, and what was found: name, state ("ok", "warning", "unknown"), text.

@@ -295,6 +295,36 @@ Json report_charts(const RecordedDrop& drop) {
   return c.take();
 }
 
+Json report_ball_loads(const RecordedDrop& drop) {
+  constexpr std::size_t n_spans = 400;
+  Json all = Json::array();
+  for (const auto& [name, parameters] : drop.bearings()) {
+    const std::string path = "/bearings/" + name + "/ball_loads";
+    if (!drop.has(path)) continue;
+    const auto balls = read_attribute_list(drop.directory() / "results.h5", path, "columns");
+    Json loads = Json::array();
+    double largest = 0., end = 0.;
+    for (std::size_t ball = 0; ball < balls.size(); ++ball) {
+      const TimeSeries s = drop.series(path, ball);
+      end = s.times.back();
+      const std::size_t n = s.values.size(), stride = (n + n_spans - 1) / n_spans;
+      std::vector<double> peaks;
+      for (std::size_t k = 0; k < n; k += stride)
+        peaks.push_back(*std::max_element(s.values.begin() + static_cast<std::ptrdiff_t>(k),
+                                          s.values.begin() + static_cast<std::ptrdiff_t>(std::min(k + stride, n))));
+      largest = std::max(largest, *std::max_element(peaks.begin(), peaks.end()));
+      loads.push_back(rounded(peaks, 1., 3));
+    }
+    if (!(largest > 0.)) continue;
+    all.push_back({{"name", name},
+                   {"end", 1e3 * end},
+                   {"largest", largest},
+                   {"balls_per_row", parameters.balls_per_row},
+                   {"loads", std::move(loads)}});
+  }
+  return all;
+}
+
 Json report_animation(const RecordedDrop& drop) {
   constexpr std::size_t n_frames = 3000;
   Json animation = {{"bearings", Json::array()}};

@@ -385,7 +385,7 @@ class InTheBrowser(SharedRun):
 
     def test_every_figure_shows_its_lines(self):
         figures = self.browser.run("""
-            return [...document.querySelectorAll("figure")].map((figure) => ({
+            return [...document.querySelectorAll("figure:not(.map)")].map((figure) => ({
               name: figure.id || figure.textContent,
               lines: [...figure.querySelectorAll("path.series")].map((path) => path.getAttribute("d")),
               box: figure.querySelector("svg").getBoundingClientRect().toJSON(),
@@ -406,6 +406,27 @@ class InTheBrowser(SharedRun):
                 for label in figure["labels"]:
                     self.assertRegex(label, r" \[.+\]$", "an axis has a unit")
         self.assertEqual(len(figures), len(self.charts) + 4, "two drops and two orbits")
+
+    def test_every_ball_has_its_row_in_the_picture(self):
+        with h5py.File(self.out / "results.h5") as results:
+            for name in ("TB1", "TB2"):
+                loads = results[f"/bearings/{name}/ball_loads"][:]
+                width, height, dark = self.browser.run("""
+                    const image = document.querySelector(`#figure-balls-${arguments[0]} image`), canvas = document.createElement("canvas");
+                    const source = new Image();
+                    source.src = image.getAttribute("href");
+                    return source.decode().then(() => {
+                      [canvas.width, canvas.height] = [source.width, source.height];
+                      const context = canvas.getContext("2d");
+                      context.drawImage(source, 0, 0);
+                      const pixels = context.getImageData(0, 0, source.width, source.height).data;
+                      let darkest = 0;
+                      for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 2] < pixels[4 * darkest + 2]) darkest = i / 4;
+                      return [source.width, source.height, [Math.floor(darkest / source.width), darkest % source.width]];
+                    })""", name)
+                self.assertEqual((width, height), loads.shape, "short enough to have a column for every row of the file")
+                time, ball = numpy.unravel_index(numpy.argmax(loads), loads.shape)
+                self.assertEqual(dark, [ball, time])
 
     def box(self, selector):
         return self.browser.run("const e = document.querySelector(arguments[0]); e.scrollIntoView({block: 'center'}); return e.getBoundingClientRect().toJSON()", selector)

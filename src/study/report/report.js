@@ -11,7 +11,7 @@ const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 const SVG = "http://www.w3.org/2000/svg";
 
 function element(name, attributes, ...children) {
-  const isDrawn = ["svg", "g", "path", "line", "circle", "text", "rect", "clipPath", "defs"].includes(name);
+  const isDrawn = ["svg", "g", "path", "line", "circle", "text", "rect", "image", "clipPath", "defs"].includes(name);
   const made = isDrawn ? document.createElementNS(SVG, name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
   made.append(...children.filter((child) => child !== null));
@@ -359,6 +359,52 @@ function showOrbits(animation) {
     lines: [{ name: "rotor centre", colour: i, dash: 0, x: b.z, y: b.y }] }, figures));
 }
 
+// White to dark blue; darker is more, also in grey.
+function shade(part) {
+  const stops = [[255, 255, 255], [86, 180, 233], [0, 114, 178], [0, 32, 64]];
+  const at = Math.max(0, Math.min(1, part)) * (stops.length - 1), i = Math.min(Math.floor(at), stops.length - 2);
+  return stops[i].map((low, c) => Math.round(low + (at - i) * (stops[i + 1][c] - low)));
+}
+
+// Load of every ball over time: a row of the picture for each ball.
+function showBallLoads(bearing, into) {
+  const n = bearing.loads.length, columns = bearing.loads[0].length;
+  const canvas = element("canvas", { width: columns, height: n });
+  const pixels = canvas.getContext("2d").createImageData(columns, n);
+  bearing.loads.forEach((row, ball) => row.forEach((load, k) => {
+    pixels.data.set([...shade(load / bearing.largest), 255], 4 * (ball * columns + k));
+  }));
+  canvas.getContext("2d").putImageData(pixels, 0, 0);
+  const left = 76, top = 10, width = 470, height = 228, right = left + width + 14;
+  const picture = element("image", { href: canvas.toDataURL(), x: left, y: top, width, height, preserveAspectRatio: "none", style: "image-rendering: pixelated" });
+  const bar = Array.from({ length: 40 }, (_, i) => element("rect", { x: right, y: top + height * (1 - (i + 1) / 40), width: 12, height: height / 40 + 0.5, fill: `rgb(${shade((i + 0.5) / 40)})` }));
+  const svg = element("svg", { viewBox: "0 0 620 280", role: "img", "aria-label": `${bearing.name}: load of every ball` }, picture, ...bar,
+    element("path", { class: "axis", d: `M${left} ${top}h${width}v${height}h${-width}z` }));
+  const text = (x, y, anchor, content, more = {}) => svg.append(element("text", { x, y, "text-anchor": anchor, ...more }, content));
+  for (const { value, text: label } of ticks(0, bearing.end, 6)) text(left + (width * value) / bearing.end, top + height + 15, "middle", label);
+  for (const { value, text: label } of ticks(0, bearing.largest, 4)) text(right + 16, top + height * (1 - value / bearing.largest) + 4, "start", label);
+  for (let first = 0; first < n; first += bearing.balls_per_row) {
+    const y = top + (height * first) / n;
+    text(left - 6, y + 10, "end", `row ${first / bearing.balls_per_row + 1}`);
+    svg.append(element("line", { class: "axis", x1: left, x2: left + width, y1: y, y2: y }));
+  }
+  text(left + width / 2, 272, "middle", "time [ms]", { class: "x-label" });
+  svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "ball, load [N]"));
+  const caption = element("p", { class: "note" }, `From top to bottom the balls of each row, 1 to ${bearing.balls_per_row}; darker is more. Each point is the largest recorded load in its span of time (0-peak).`);
+  const figure = element("figure", { class: "map", id: "figure-balls-" + bearing.name }, element("figcaption", {}, `${bearing.name}: load of every ball`), svg, caption);
+  svg.onpointermove = (event) => {
+    const box = svg.getBoundingClientRect();
+    const k = Math.floor((((event.clientX - box.left) * 620) / box.width - left) / width * columns), ball = Math.floor((((event.clientY - box.top) * 620) / box.width - top) / height * n);
+    tip.hidden = !(k >= 0 && k < columns && ball >= 0 && ball < n);
+    if (tip.hidden) return;
+    tip.textContent = `row ${Math.floor(ball / bearing.balls_per_row) + 1}, ball ${(ball % bearing.balls_per_row) + 1}, ${short((k / columns) * bearing.end)} ms: ${short(bearing.loads[ball][k])} N`;
+    tip.style.left = Math.min(event.clientX + 16, innerWidth - tip.offsetWidth - 8) + "px";
+    tip.style.top = event.clientY + 12 + "px";
+  };
+  svg.onpointerleave = () => { tip.hidden = true; };
+  into.append(figure);
+}
+
 function showHead() {
   const warnings = data.checks.filter((check) => check.state === "warning");
   page.append(element("h1", {}, data.title), element("div", { class: "subtitle" }, data.provenance.facts.filter((f) => f[0] === "run by").map((f) => f[1]).join("")), element("nav", {}));
@@ -399,6 +445,7 @@ for (const chart of data.charts) {
   }
   new Figure(chart, sections.get(chart.section));
 }
+for (const bearing of data.ball_loads) showBallLoads(bearing, sections.get("Balls"));
 if (data.comparison)
   section("Lumped circuit against finite elements", list(data.comparison.in_short), element("h3", {}, "Verdict"), list(data.comparison.verdict));
 section("Assumptions", list(data.assumptions));
