@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -50,6 +51,18 @@ std::vector<Assignment> assignments_of(const std::filesystem::path& file) {
 
 std::string shortened(const std::string& text, std::size_t length) {
   return text.size() <= length ? text : text.substr(0, length) + " … (in parameters.toml)";
+}
+
+/// "2.0 rad/s" and 2.0 of a parameter in rad/s as number and unit; a value that begins with no number as it is.
+std::string normalised(std::string text, const std::string& unit) {
+  if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (end == text.c_str()) return text;
+  std::string rest(end);
+  if (!rest.empty() && rest.front() != ' ') return text;
+  if (rest.empty() && !unit.empty() && unit != "1") rest = " " + unit;
+  return fmt::format("{:.6g}{}", number, rest);
 }
 
 using Path = std::vector<std::string>;
@@ -182,9 +195,11 @@ Json report_provenance(const RecordedDrop& drop) {
     }
     const std::string name = a.section.empty() ? a.key : a.section + "." + a.key;
     const Declaration* d = declaration_of(sections, name);
-    const std::string fallback = d && d->fallback ? shortened(toml_value(*d->fallback), 40) : "—";
-    if (fallback == a.value) continue;
-    given.push_back({name, shortened(a.value, 60), fallback, d ? d->help : "", d ? d->source : ""});
+    const std::string unit = d ? d->unit : "";
+    const std::string fallback = d && d->fallback ? normalised(shortened(toml_value(*d->fallback), 40), unit) : "—";
+    const std::string value = normalised(shortened(a.value, 60), unit);
+    if (fallback == value) continue;
+    given.push_back({name, value, fallback, d ? d->help : "", d ? d->source : ""});
   }
   return {{"facts", facts}, {"given", given}, {"n_defaults", n_defaults}};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -103,7 +104,11 @@ const WhirlStretch* best_of(const std::vector<WhirlStretch>& stretches, Better b
   return best;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+/// Nine digits: rows within a step are interpolated, and a resumed run's differ from an uninterrupted one's by roundoff.
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
+}
 
 }  // namespace
 
@@ -204,15 +209,15 @@ Json whirl_summary(const std::filesystem::path& results, const std::string& bear
   const ContactWhirl w = recorded_whirl(results, bearing);
   const WhirlStretch* longest = w.longest();
   const WhirlStretch* fastest = w.fastest_backward();
-  const auto share = [&](double time) { return w.contact_time > 0. ? Json(time / w.contact_time) : Json(nullptr); };
+  const auto share = [&](double time) { return w.contact_time > 0. ? number(time / w.contact_time) : Json(nullptr); };
   Json j;
   j["direction"] = to_string(longest ? longest->direction : WhirlDirection::none);
-  j["frequency"] = longest ? Json(longest->frequency()) : Json(nullptr);
-  j["start"] = longest ? Json(longest->start) : Json(nullptr);
-  j["end"] = longest ? Json(longest->end) : Json(nullptr);
-  j["turns"] = longest ? longest->turns : 0.;
-  j["largest_backward_speed"] = fastest ? Json(fastest->fastest) : Json(nullptr);
-  j["contact_time"] = w.contact_time;
+  j["frequency"] = longest ? number(longest->frequency()) : Json(nullptr);
+  j["start"] = longest ? number(longest->start) : Json(nullptr);
+  j["end"] = longest ? number(longest->end) : Json(nullptr);
+  j["turns"] = longest ? number(longest->turns) : Json(0.);
+  j["largest_backward_speed"] = fastest ? number(fastest->fastest) : Json(nullptr);
+  j["contact_time"] = number(w.contact_time);
   j["forward_share"] = share(w.forward_time);
   j["backward_share"] = share(w.backward_time);
   j["backward_whirl_share"] = share(w.backward_whirl_time);

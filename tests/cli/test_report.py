@@ -185,7 +185,9 @@ class Page(SharedRun):
         for name in ("results.h5", "parameters.toml"):
             self.assertEqual(facts[f"SHA-256 of {name}"], hashlib.sha256((self.out / name).read_bytes()).hexdigest())
         given = {row[0]: row[1:] for row in self.data["provenance"]["given"]}
-        self.assertEqual(given["run.end_time"][0], '"15 ms"')
+        self.assertEqual(given["run.end_time"][0], "15 ms")
+        self.assertEqual(given["bearings.TB1.support.K_y"][0], "2.7e+09 N/m", "a bare number is SI, and says so")
+        self.assertNotIn("bearings.TB1.drag_regularisation", given, "2.0 rad/s is the default, 2 rad/s")
         self.assertIn("spin", given["bearings.TB1.ring_spin_inertia"][2].lower())
         self.assertNotIn("rotor.initial_offset", given, "at its default")
 
