@@ -27,6 +27,7 @@
 #include "study/modes_report.h"
 #include "study/new_case.h"
 #include "study/recorded_growth.h"
+#include "study/report.h"
 #include "study/statics_report.h"
 #include "study/summary.h"
 
@@ -247,6 +248,19 @@ int compare_command(const CompareCommand& command) {
   if (!command.quiet)
     fmt::print("rotordrop {} ({})   comparison, case {}\n{}report in {}\n", version(), git_revision(), drop.case_name(),
                comparison_text(comparison.report), file.string());
+  return 0;
+}
+
+int report_command(const ReportCommand& command) {
+  const RecordedDrop drop(command.directory);
+  const auto file = command.output.empty() ? command.directory / "report.html" : command.output;
+  if (!command.force && std::filesystem::exists(file))
+    throw InputError({file.string(), 0, 0}, "the file exists already",
+                     "Choose another with -o FILE, or replace it with --force.");
+  const std::string page = report_page(report_data(drop));
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  write_text_atomically(file, page);
+  if (!command.quiet) fmt::print("report of {} in {}\n", drop.case_name(), file.string());
   return 0;
 }
 

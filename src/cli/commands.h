@@ -41,6 +41,12 @@ struct CompareCommand {
 };
 int compare_command(const CompareCommand& command);
 
+struct ReportCommand {
+  std::filesystem::path directory, output;
+  bool force = false, quiet = false;
+};
+int report_command(const ReportCommand& command);
+
 struct MeshCommand {
   std::filesystem::path file, output;
   std::vector<std::string> overrides;

@@ -92,6 +92,13 @@ int run_program(int argc, char** argv) {
   compare_app->add_flag("--force", compare.force, "Replace the file given with -o");
   compare_app->add_flag("--quiet", compare.quiet, "Only messages about trouble");
 
+  ReportCommand report;
+  auto* report_app = app.add_subcommand("report", "One HTML page of a run, with figures; it needs no other file.");
+  report_app->add_option("directory", report.directory, "Directory of a run's results")->required();
+  report_app->add_option("-o,--output", report.output, "File; default DIR/report.html");
+  report_app->add_flag("--force", report.force, "Replace a file that is there");
+  report_app->add_flag("--quiet", report.quiet, "Only messages about trouble");
+
   MeshCommand mesh;
   auto* mesh_app = app.add_subcommand("mesh", "Mesh of the touchdown bearings' sections, as a .msh file of gmsh.");
   mesh_app->add_option("case", mesh.file, "Parameter file")->required();
@@ -148,6 +155,7 @@ int run_program(int argc, char** argv) {
   if (*check) return check_command(check_file, check_overrides);
   if (*heat_app) return heat_command(heat);
   if (*compare_app) return compare_command(compare);
+  if (*report_app) return report_command(report);
   if (*mesh_app) return mesh_command(mesh);
   if (*calibrate_app) return calibrate_command(calibrate);
   if (*modes_app) return modes_command(modes);

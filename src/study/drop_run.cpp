@@ -85,7 +85,8 @@ class DirectoryLock {
 };
 
 void remove_older_results(const fs::path& directory) {
-  for (const char* name : {"summary.json", "comparison.json", "comparison.h5"}) fs::remove(directory / name);
+  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "report.html"})
+    fs::remove(directory / name);
   fs::remove_all(directory / "checkpoints");
   fs::remove_all(directory / "failed");
   fs::remove_all(directory / "fields");
@@ -366,16 +367,17 @@ class DropRun {
   // A record time this close to a step's end is that end.
   [[nodiscard]] bool is_now(double t) const { return std::fabs(t - time_) <= 1e-9 * std::max(time_, 1e-3); }
 
-  /// Everything that lies between the last state and the new one, by the integrator's own interpolation.
+  /// Everything that lies between the last state and the new one, by the integrator's own interpolation; also of the step after which the run is
+  /// stopped, for a resumed run goes on behind it.
   void record_between() {
-    while (!is_stopped() && record_time(next_record_) < time_ && !is_now(record_time(next_record_))) {
+    while (record_time(next_record_) < time_ && !is_now(record_time(next_record_))) {
       const double t = record_time(next_record_);
       integrator_->interpolate(t, at_record_);
       machine_.evaluate(t, at_record_, rates_, step_, {});
       record(t, at_record_);
     }
     if (n_detail_ > 0)
-      while (!is_stopped() && detail_time(next_detail_) < time_ && !is_now(detail_time(next_detail_))) {
+      while (detail_time(next_detail_) < time_ && !is_now(detail_time(next_detail_))) {
         const double t = detail_time(next_detail_);
         integrator_->interpolate(t, at_record_);
         record_details(t, at_record_);

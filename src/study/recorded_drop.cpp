@@ -127,4 +127,13 @@ std::string RecordedDrop::growth_path(ThermalModelKind model, const std::string&
   return fmt::format("/growth/{}/{}", model == ThermalModelKind::lumped ? "lumped" : "fe", bearing);
 }
 
+std::vector<std::string> RecordedDrop::pressure_paths(const std::string& bearing) const {
+  std::vector<std::string> paths;
+  for (const auto& path : datasets_)
+    if (path.starts_with("/bearings/" + bearing + "/") && path.find("pressure") != std::string::npos &&
+        read_attribute(file_, path, "units") == "Pa")
+      paths.push_back(path);
+  return paths;
+}
+
 }  // namespace rotordrop

@@ -40,6 +40,8 @@ class RecordedDrop {
   [[nodiscard]] std::string surface_path(const std::string& bearing, const std::string& surface) const;
   /// Columns in the order of `growth_columns`.
   [[nodiscard]] std::string growth_path(ThermalModelKind model, const std::string& bearing) const;
+  /// Series of a bearing in pascal whose names speak of pressure.
+  [[nodiscard]] std::vector<std::string> pressure_paths(const std::string& bearing) const;
 
  private:
   void open();

@@ -8,6 +8,7 @@
 
 #include "machine/rotor_report.h"
 #include "study/fe_summary.h"
+#include "study/whirl.h"
 
 namespace rotordrop {
 namespace {
@@ -99,6 +100,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     if (elements)
       for (const auto& section : elements->sections)
         if (section.name == name) bearing["fe"] = fe_summary(section, elements->coupling, results);
+    bearing["whirl"] = whirl_summary(results, name, drop_case);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);
   }
@@ -158,6 +160,7 @@ std::string summary_text(const Json& j) {
         text += fmt::format(
             "{:{}}balls press on the races with {:.2f} GPa, beyond the static limit of {:.1f} GPa (ISO 76)\n", "",
             name.size() + 2, p * 1e-9, static_pressure_limit * 1e-9);
+      if (b.contains("whirl")) text += whirl_text(name, b["whirl"]);
     }
   const auto& e = j["energy"];
   text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited",

@@ -162,6 +162,17 @@ class Interruption(ProgramTest):
         self.assertEqual(len(resumed["time"]), len(whole["time"]))
         numpy.testing.assert_allclose(resumed["bearings/TB1/orbit"], whole["bearings/TB1/orbit"], rtol=0, atol=1e-9)
 
+    def test_no_row_of_the_step_before_the_interruption_is_lost(self):
+        # Some ten rows in each step: whenever the signal comes, rows of its step are still to be written.
+        dense = settings(integration__method="dormand-prince", integration__step="50 us", output__interval="1 us", run__end_time="150 ms")
+        self.stop(self.begin(*dense, until=self.is_under_way), signal.SIGINT)
+        times = series_of(self.folder / "out/results.h5")["time"]
+        interrupted_at = self.summary()["run"]["end_time"]
+        self.assertGreater(times[-1], interrupted_at - 1.01e-6)
+        self.resume(*dense)
+        times = series_of(self.folder / "out/results.h5")["time"]
+        self.assertLess(numpy.diff(times).max(), 1.01e-6)
+
     def test_refuses_to_resume_with_other_parameters(self):
         self.stop(self.begin(until=self.is_under_way), signal.SIGINT)
         before = content_of(self.folder / "out")

@@ -1,0 +1,12 @@
+# cmake -DFOLDER=... -DOUTPUT=... -P embed_texts.cmake: a source file with the texts of FOLDER/report.{html,css,js} as strings.
+set(code "#include \"study/report_template.h\"\n\nnamespace rotordrop {\n")
+foreach(kind html css js)
+  file(READ ${FOLDER}/report.${kind} text)
+  string(FIND "${text}" ")-text-" ending)
+  if(NOT ending EQUAL -1)
+    message(FATAL_ERROR "report.${kind} holds )-text-, which ends a string here")
+  endif()
+  string(APPEND code "const char* const report_${kind} = R\"-text-(${text})-text-\";\n")
+endforeach()
+string(APPEND code "}  // namespace rotordrop\n")
+file(WRITE ${OUTPUT} "${code}")

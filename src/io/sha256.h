@@ -1,0 +1,13 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace rotordrop {
+
+/// SHA-256 (FIPS 180-4) as 64 hexadecimal digits, as the command sha256sum prints it.
+std::string sha256_of(std::string_view bytes);
+/// Of a file's content. @throws InputError if it cannot be read
+std::string sha256_of_file(const std::filesystem::path& path);
+
+}  // namespace rotordrop

@@ -1,0 +1,87 @@
+#include "study/report.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "base/errors.h"
+#include "study/report_template.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string replaced(std::string text, std::string_view mark, std::string_view with) {
+  const auto at = text.find(mark);
+  if (at == std::string::npos) throw std::logic_error(fmt::format("the report's template lacks {}", mark));
+  return text.replace(at, mark.size(), with);
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+/// JSON that cannot end the script element it stands in.
+std::string embedded(const Json& data) {
+  std::string result;
+  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace))
+    if (c == '<')
+      result += "\\u003c";
+    else
+      result += c;
+  return result;
+}
+
+}  // namespace
+
+Json read_json_of(const RecordedDrop& drop, const std::string& name) {
+  const auto path = drop.directory() / name;
+  if (!std::filesystem::exists(path)) return nullptr;
+  std::ifstream file(path);
+  try {
+    return Json::parse(file);
+  } catch (const Json::exception&) {
+    throw InputError({path.string(), 0, 0}, "the file is no JSON", "Run the case again, or remove the file.");
+  }
+}
+
+Json report_data(const RecordedDrop& drop) {
+  const Json summary = read_json_of(drop, "summary.json"), comparison = read_json_of(drop, "comparison.json");
+  Json data;
+  data["title"] = "Drop " + drop.case_name();
+  data["words"] = report_words(drop);
+  data["numbers"] = report_numbers(drop, summary);
+  data["checks"] = report_checks(drop, summary, comparison);
+  data["animation"] = report_animation(drop);
+  data["charts"] = report_charts(drop);
+  data["ball_loads"] = report_ball_loads(drop);
+  if (!comparison.is_null())
+    data["comparison"] = {{"in_short", comparison.value("in_short", Json::array())},
+                          {"verdict", comparison.value("verdict", Json::array())}};
+  data["assumptions"] = report_assumptions(drop);
+  data["provenance"] = report_provenance(drop);
+  return data;
+}
+
+std::string report_page(const Json& data) {
+  std::string page = replaced(report_html, "@TITLE@", escaped(data["title"].get<std::string>()));
+  page = replaced(std::move(page), "@CSS@", report_css);
+  page = replaced(std::move(page), "@DATA@", embedded(data));
+  return replaced(std::move(page), "@JS@", report_js);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "study/recorded_drop.h"
+
+// A run as one HTML page that needs nothing else: no network, no other file.
+namespace rotordrop {
+
+/// Everything that the page shows: texts, tables, checks, and decimated series in the units of their axes. docs/report.md says what is in it.
+/// @throws InputError if the directory holds no run, or one without a recorded row
+nlohmann::ordered_json report_data(const RecordedDrop& drop);
+
+/// The page: template, style and script are part of the program, `data` stands in it as JSON.
+std::string report_page(const nlohmann::ordered_json& data);
+
+// Pieces of report_data().
+/// summary.json, comparison.json: null if the file is not there. @throws InputError if it is no JSON
+nlohmann::ordered_json read_json_of(const RecordedDrop& drop, const std::string& name);
+/// Figures of time series, one after the other, each with its section.
+nlohmann::ordered_json report_charts(const RecordedDrop& drop);
+/// Of each touchdown bearing the positions of rotor and ring, at even steps.
+nlohmann::ordered_json report_animation(const RecordedDrop& drop);
+/// Of each touchdown bearing the load of every ball, the largest in each of up to 400 spans of time [ball][span].
+nlohmann::ordered_json report_ball_loads(const RecordedDrop& drop);
+/// Rows of the table of main numbers, texts of figures with their units.
+nlohmann::ordered_json report_numbers(const RecordedDrop& drop, const nlohmann::ordered_json& summary);
+/// What was looked at for warnings, and what was found: name, state ("ok", "warning", "unknown"), text.
+nlohmann::ordered_json report_checks(const RecordedDrop& drop, const nlohmann::ordered_json& summary,
+                                     const nlohmann::ordered_json& comparison);
+/// The case in sentences; what it assumes.
+nlohmann::ordered_json report_words(const RecordedDrop& drop);
+nlohmann::ordered_json report_assumptions(const RecordedDrop& drop);
+nlohmann::ordered_json report_provenance(const RecordedDrop& drop);
+
+}  // namespace rotordrop

@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "study/report.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Static load limit of ball bearings by ISO 76: plastic deformation of 1e-4 of the ball's diameter [Pa].
+constexpr double pressure_limit = 4.2e9;
+/// Up to here catalogue bearings' steel keeps its dimensions (stabilisation S0) [K].
+constexpr double steel_limit = 423.15;
+/// Energy not accounted for, over that dissipated: more says that the step or the tolerance is too coarse.
+constexpr double residual_limit = 1e-3;
+
+class Checks {
+ public:
+  void add(const std::string& name, bool is_good, const std::string& text) {
+    list_.push_back({{"name", name}, {"state", is_good ? "ok" : "warning"}, {"text", text}});
+  }
+  void unknown(const std::string& name, const std::string& text) {
+    list_.push_back({{"name", name}, {"state", "unknown"}, {"text", text}});
+  }
+  [[nodiscard]] Json take() { return std::move(list_); }
+
+ private:
+  Json list_ = Json::array();
+};
+
+/// A number of a JSON object by its path, NaN if it is not there or null.
+double at(const Json& j, const std::string& pointer) {
+  const Json::json_pointer p(pointer);
+  if (j.is_null() || !j.contains(p) || !j.at(p).is_number()) return std::numeric_limits<double>::quiet_NaN();
+  return j.at(p).get<double>();
+}
+
+void check_clearance(Checks& checks, const RecordedDrop& drop, const std::string& name) {
+  const std::string path = "/bearings/" + name + "/clearance";
+  if (!drop.has(path)) return;
+  const TimeSeries s = drop.series(path);
+  const auto least = std::min_element(s.values.begin(), s.values.end()) - s.values.begin();
+  const double value = s.values[static_cast<std::size_t>(least)], time = s.times[static_cast<std::size_t>(least)];
+  checks.add(name + ": air gap", value > 0.,
+             value > 0.
+                 ? fmt::format("stays open: smallest {:.4g} µm, at {:.4g} ms", value * 1e6, time * 1e3)
+                 : fmt::format("GONE: thermal growth closes it, {:.4g} µm at {:.4g} ms", value * 1e6, time * 1e3));
+}
+
+void check_load(Checks& checks, const RecordedDrop& drop, const std::string& name, const TouchdownParameters& b,
+                const std::vector<std::string>& pressure_paths) {
+  const std::string force = "/bearings/" + name + "/bearing_force";
+  if (drop.has(force) && b.C0 > 0.) {
+    const TimeSeries y = drop.series(force, 0), z = drop.series(force, 1);
+    double largest = 0.;
+    for (std::size_t k = 0; k < y.values.size(); ++k) largest = std::max(largest, std::hypot(y.values[k], z.values[k]));
+    checks.add(name + ": static load rating", largest < b.C0,
+               fmt::format("largest radial load {:.4g} kN, C0 = {:.4g} kN; ISO 76 takes their ratio, {:.3g}, as safety "
+                           "against lasting dents",
+                           largest * 1e-3, b.C0 * 1e-3, b.C0 / largest));
+  }
+  double pressure = 0.;
+  for (const auto& path : pressure_paths) pressure = std::max(pressure, largest_of(drop.series(path)).value);
+  if (pressure > 0.)
+    checks.add(name + ": contact pressure", pressure < pressure_limit,
+               fmt::format("largest {:.3g} GPa; limit 4.2 GPa (ISO 76)", pressure * 1e-9));
+}
+
+void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name + "/whirl/";
+  const Json::json_pointer direction(key + "direction");
+  if (!summary.contains(direction)) {
+    checks.unknown(name + ": whirl", "not looked for in this run");
+    return;
+  }
+  const double speed = at(summary, key + "largest_backward_speed");
+  const double resolved = at(summary, key + "fastest_resolved");
+  const bool is_full = summary.at(Json::json_pointer(key + "full_rub")) == "yes";
+  if (std::isfinite(speed)) {
+    checks.add(
+        name + ": backward whirl", false,
+        fmt::format("sustained, up to {:.4g} Hz, in {:.3g} % of the contact time{}", speed / (2. * std::numbers::pi),
+                    100. * at(summary, key + "backward_whirl_share"), is_full ? "; full rub" : ""));
+    checks.add(name + ": whirl between samples", speed < resolved,
+               fmt::format("the fastest that the recorded interval resolves is {:.4g} Hz",
+                           resolved / (2. * std::numbers::pi)));
+  } else {
+    checks.add(name + ": backward whirl", true,
+               fmt::format("none sustained over a turn (longest whirl: {})", summary.at(direction).get<std::string>()));
+  }
+}
+
+void check_temperatures(Checks& checks, const RecordedDrop& drop, const Json& comparison, const std::string& name) {
+  double warmest = 0.;
+  for (const char* node : {"inner_ring", "ball", "outer_ring"})
+    for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
+      if (const auto path = drop.node_path(kind, name, node); drop.has(path))
+        warmest = std::max(warmest, largest_of(drop.series(path)).value);
+  if (warmest > 0.)
+    checks.add(name + ": temperature of rings and balls", warmest < steel_limit,
+               fmt::format("mean temperatures up to {:.4g} K; bearing steel keeps its dimensions to 423 K", warmest));
+  const double rise = at(comparison, "/bearings/" + name + "/bore/first_impact/largest_local_rise");
+  if (std::isfinite(rise)) {
+    const double local = rise + drop.parameters().run.ambient;
+    checks.add(
+        name + ": local temperature of the bore", local < steel_limit,
+        fmt::format("the arc swept by the first impact reaches about {:.3g} K for a moment, by a moving band of heat; "
+                    "bearing steel keeps its dimensions to 423 K",
+                    local));
+  }
+}
+
+void check_residual(Checks& checks, const Json& summary, const std::string& name, const std::string& residual,
+                    const std::string& whole) {
+  const double r = at(summary, residual), all = at(summary, whole);
+  if (!std::isfinite(r)) return;
+  checks.add(name, std::fabs(r) <= residual_limit * std::max(std::fabs(all), 1e-3),
+             fmt::format("{:.2g} J of {:.5g} J; more than a thousandth would say that steps are too coarse", r, all));
+}
+
+}  // namespace
+
+Json report_checks(const RecordedDrop& drop, const Json& summary, const Json& comparison) {
+  Checks checks;
+  const double end = drop.parameters().run.end_time;
+  if (summary.is_null()) {
+    checks.add("complete", false,
+               "there is no summary.json: the run still goes on, was killed or failed; the table below lacks what only "
+               "the summary holds");
+  } else {
+    const bool completed = summary.contains("run") && summary["run"].value("completed", false);
+    checks.add("complete", completed,
+               completed ? "the run reached its end"
+                         : fmt::format("INTERRUPTED at {:.6g} ms of {:.6g} ms: peaks and ends are of this part only",
+                                       1e3 * at(summary, "/run/end_time"), 1e3 * end));
+  }
+  for (const auto& [name, b] : drop.bearings()) {
+    check_clearance(checks, drop, name);
+    check_load(checks, drop, name, b, drop.pressure_paths(name));
+    if (!summary.is_null()) check_whirl(checks, summary, name);
+    check_temperatures(checks, drop, comparison, name);
+  }
+  if (!summary.is_null()) {
+    check_residual(checks, summary, "mechanical energy", "/energy/residual", "/energy/dissipated");
+    check_residual(checks, summary, "heat", "/energy/heat_residual", "/energy/heat_deposited");
+    check_residual(checks, summary, "heat, finite elements", "/energy/fe_heat_residual", "/energy/heat_deposited");
+    check_residual(checks, summary, "heat, windows", "/windows/heat_residual", "/windows/heat_input");
+  }
+  return checks.take();
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace rotordrop {
+
+// The files of src/study/report, made part of the program when it is built (cmake/embed_texts.cmake).
+extern const char* const report_html;
+extern const char* const report_css;
+extern const char* const report_js;
+
+}  // namespace rotordrop

@@ -1,0 +1,83 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+// Whirl of the rotor in a touchdown bearing: which way, how fast and for how long the point of contact runs around the bore.
+namespace rotordrop {
+
+struct Case;
+
+/// The rotor's path in one bearing, all of one length [n].
+struct ContactOrbit {
+  std::span<const double> time;         ///< [s], rising
+  std::span<const double> y, z;         ///< rotor centre from the bearing's centre [m]
+  std::span<const double> penetration;  ///< of rotor and bore [m]; above zero: contact
+  std::span<const double> spin_speed;   ///< of the rotor, positive from +y towards +z [rad/s]
+};
+
+struct WhirlOptions {
+  /// Whirl speed is a mean over this time [s]: longer than an impact (3 ms in the reference case), shorter than half a swing at the bore's bottom
+  /// (16 ms there). A contact lost for longer ends a whirl.
+  double window = 5e-3;
+  /// Slower than this is rest [rad/s]: a turn a second.
+  double slowest = 6.283185307179586;
+};
+
+enum class WhirlDirection { none, forward, backward };
+std::string to_string(WhirlDirection direction);
+
+/// A stretch of motion around the bearing's centre in one direction over a full turn at least.
+struct WhirlStretch {
+  WhirlDirection direction = WhirlDirection::none;
+  double start = 0, end = 0;  ///< [s]
+  double turns = 0;           ///< > 0
+  double contact_time = 0;    ///< [s]
+  double fastest = 0;         ///< largest mean speed over one whole turn, > 0 [rad/s]
+  bool is_full_rub = false;   ///< contact never lost over a whole turn
+  [[nodiscard]] double frequency() const { return turns / (end - start); }  ///< [Hz]
+};
+
+struct ContactWhirl {
+  /// At each sample, positive from +y towards +z [rad/s]: 2 * area swept in contact / (integral of r^2 dt in contact), both over the window; NaN
+  /// without contact in it. Weighing by r^2 keeps a passage near the centre from counting as a leap of the angle.
+  std::vector<double> speed;
+  std::vector<WhirlStretch> stretches;                         ///< in the order of time
+  double contact_time = 0;                                     ///< [s]
+  double forward_time = 0, backward_time = 0;                  ///< of contact that moves so, swinging included [s]
+  double backward_whirl_time = 0;                              ///< of contact in stretches of backward whirl [s]
+  double fastest_resolved = 0;                                 ///< a quarter turn between samples [rad/s]
+  [[nodiscard]] const WhirlStretch* longest() const;           ///< of all, by turns; null if there is none
+  [[nodiscard]] const WhirlStretch* fastest_backward() const;  ///< null if there is none
+  [[nodiscard]] bool has_full_backward_rub() const;
+};
+
+/// Backward is against the rotor's spin. A rotor that swings or rests in the bore whirls not at all: a stretch turns by 2 pi or more.
+/// @throws std::invalid_argument if the lengths differ
+ContactWhirl find_whirl(const ContactOrbit& orbit, const WhirlOptions& options = {});
+
+/// Smallest speed at the bottom of a bore at rest with which a sliding rotor goes all around it backward without losing contact [rad/s]; 0 if it
+/// does so from rest.
+///
+/// Point mass on a circle of radius c under gravity, friction mu N along its way while the surfaces slide. With a from the bottom and
+/// u = c a'^2 / g:  du/da - 2 mu u = 2 (mu cos a - sin a)  (the equation of the angle at which a rotor set down turns), so
+///   u = A cos a + B sin a + (u_0 - A) exp(2 mu a),  B = 6 mu / (1 + 4 mu^2),  A = (2 - 4 mu^2) / (1 + 4 mu^2).
+/// N = m g (u + cos a) has dN/da = 2 mu N - 3 m g sin a, so that it can only touch zero at the top, where u = 1:
+///   u_0 = A + (1 + A) exp(-2 pi mu).   For mu = 0 that is 5, the loop the loop.
+/// Valid: rigid bore, rotor free but for gravity, rub still sliding. Beyond it Black's condition limits the whirl by compliance and damping.
+double full_rub_speed(double friction_coefficient, double air_gap, double gravity);
+/// Smallest friction coefficient with which a full backward rub arises from rest at the bottom; independent of mass, gap and gravity.
+double full_rub_friction();
+
+/// Whirl in every touchdown bearing of a run's results.h5, by name; NaN rows and live files are cut.
+ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing);
+/// The entry `whirl` of a bearing in summary.json.
+nlohmann::ordered_json whirl_summary(const std::filesystem::path& results, const std::string& bearing,
+                                     const Case& drop_case);
+/// A line for the screen; empty unless the bearing saw sustained backward whirl.
+std::string whirl_text(const std::string& bearing, const nlohmann::ordered_json& whirl);
+
+}  // namespace rotordrop

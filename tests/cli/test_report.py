@@ -1,0 +1,498 @@
+"""`rotordrop report`: one HTML page of a run, opened in a headless browser where one is installed.
+
+The browser is Debian's chromium, driven through chromium-driver by the WebDriver protocol (`./install-dependencies --tests`).
+"""
+
+import base64
+import contextlib
+import hashlib
+import json
+import math
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import urllib.error
+import urllib.request
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PROGRAM, ProgramTest, content_of, settings, start  # noqa: E402
+
+HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
+DRIVER, BROWSER = shutil.which("chromedriver"), shutil.which("chromium")
+LARGEST = 5_000_000  # bytes of a page
+
+
+def data_of(page):
+    """What the page's script draws from."""
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+
+
+class Browser:
+    """Chromium without a window, by WebDriver."""
+
+    def __init__(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="rotordrop-browser-")
+        self.driver = subprocess.Popen([DRIVER, "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        port = None
+        for line in self.driver.stdout:
+            if found := re.search(r"started successfully on port (\d+)", line):
+                port = found[1]
+                break
+        self.url = f"http://127.0.0.1:{port}"
+        # Root has no sandbox in a container; /dev/shm may be small there.
+        arguments = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--window-size=1366,900", f"--user-data-dir={self.folder.name}",
+                     "--disable-background-networking", "--no-first-run"]
+        wanted = {"browserName": "chrome", "goog:chromeOptions": {"binary": BROWSER, "args": arguments}, "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"}}
+        try:
+            answer = self.call("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})
+        except Exception:
+            self.close()
+            raise
+        self.url += "/session/" + answer["sessionId"]
+        self.call("POST", "/timeouts", {"script": 20000, "pageLoad": 60000})
+
+    def call(self, method, path, body=None):
+        request = urllib.request.Request(self.url + path, method=method, data=None if body is None else json.dumps(body).encode(), headers={"Content-Type": "application/json"})
+        try:
+            with urllib.request.urlopen(request, timeout=120) as answer:
+                return json.load(answer)["value"]
+        except urllib.error.HTTPError as error:
+            raise AssertionError(json.load(error)["value"]["message"]) from None
+
+    def open(self, path):
+        self.call("POST", "/url", {"url": "about:blank"})  # the browser's own first page asks for much
+        self.log("performance"), self.log("browser")
+        self.call("POST", "/url", {"url": pathlib.Path(path).resolve().as_uri()})
+
+    def run(self, script, *arguments):
+        return self.call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
+
+    def log(self, kind):
+        return self.call("POST", "/se/log", {"type": kind})
+
+    def requests(self):
+        """Addresses that the page has asked for since it was opened."""
+        messages = (json.loads(entry["message"])["message"] for entry in self.log("performance"))
+        asked = (m["params"] for m in messages if m["method"] == "Network.requestWillBeSent")
+        return [m["request"]["url"] for m in asked if not m["documentURL"].startswith("chrome:")]
+
+    def point(self, *actions):
+        """Mouse: ("move", x, y), ("down",), ("up",) in the window."""
+        steps = {"move": lambda x, y: {"type": "pointerMove", "duration": 0, "x": round(x), "y": round(y)}, "down": lambda: {"type": "pointerDown", "button": 0}, "up": lambda: {"type": "pointerUp", "button": 0}}
+        self.call("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [steps[name](*rest) for name, *rest in actions]}]})
+
+    def close(self):
+        with contextlib.suppress(Exception):
+            if "/session/" in self.url:
+                self.call("DELETE", "")
+        self.driver.terminate()
+        self.driver.wait()
+        self.driver.stdout.close()
+        for _ in range(20):  # its children may still be writing
+            try:
+                self.folder.cleanup()
+                break
+            except OSError:
+                time.sleep(0.1)
+
+
+class SharedRun(ProgramTest):
+    """Tests that look at one run, made once: the reference case's first 15 ms."""
+
+    models = ["lumped"]
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        maker = cls("make")
+        ProgramTest.setUp(maker)
+        cls.maker = maker
+        models = json.dumps(cls.models)
+        maker.write("drop.toml", f'base = "reference.toml"\nthermal.fe.section = "plain"\nrun.end_time = "15 ms"\nthermal.models = {models}\n')
+        maker.succeed("run", "drop.toml", "-o", "out")
+        cls.screen = maker.succeed("report", "out").stdout
+        cls.out = maker.folder / "out"
+        cls.page = (cls.out / "report.html").read_text()
+        cls.data = data_of(cls.page)
+        cls.charts = {chart["id"]: chart for chart in cls.data["charts"]}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.maker.doCleanups()
+        super().tearDownClass()
+
+    def make(self):
+        pass
+
+
+class Page(SharedRun):
+    def test_it_says_where_it_is(self):
+        self.assertEqual(self.screen, "report of drop in out/report.html\n")
+        self.assertLess(len(self.page.encode()), LARGEST)
+
+    def test_it_points_to_nothing_outside_itself(self):
+        without_data = re.sub(r'<script type="application/json".*?</script>', "", self.page, flags=re.S)
+        self.assertEqual(set(re.findall(r'https?://[^"\']*', without_data)), {"http://www.w3.org/2000/svg"}, "a name, not an address that is asked for")
+        self.assertNotRegex(without_data, r"@(TITLE|CSS|JS|DATA)@|\bsrc=|@import|url\((?!#)")
+
+    def test_peaks_survive_with_their_times(self):
+        with h5py.File(self.out / "results.h5") as results:
+            times = results["/time"][:]
+            for i, name in enumerate(("TB1", "TB2")):
+                force = results[f"/bearings/{name}/contact_force"][:]
+                line = self.charts["contact-force"]["lines"][i]
+                self.assertEqual(line["name"], name)
+                k = int(numpy.argmax(line["y"]))
+                self.assertAlmostEqual(line["y"][k], force.max() / 1e3, delta=1e-4 * force.max() / 1e3, msg="kN, five digits")
+                self.assertAlmostEqual(line["x"][k], 1e3 * times[numpy.argmax(force)], delta=1e-4, msg="ms")
+
+    def test_units_are_those_of_the_axes(self):
+        with h5py.File(self.out / "results.h5") as results:
+            last = {"displacement-y": 1e6 * results["/bearings/TB1/orbit"][-1, 0], "speeds": results["/rotor/spin_speed"][-1] * 30 / math.pi, "rub-heat": 1e-3 * results["/bearings/TB1/rub_heat_rate"][-1],
+                    "temperature-TB1": results["/thermal/TB1/shaft"][-1] - 293.15, "growth-TB1": 1e6 * results["/growth/lumped/TB1"][-1, 0], "clearance": 1e6 * results["/bearings/TB1/clearance"][-1],
+                    "energy": results["/energy/dissipated"][-1]}
+        for name, value in last.items():
+            with self.subTest(name):
+                self.assertAlmostEqual(self.charts[name]["lines"][0]["y"][-1], value, delta=1e-4 * abs(value) + 1e-12)
+        for chart in self.charts.values():
+            self.assertTrue(chart["x"]["unit"] and chart["y"]["unit"], chart["id"])
+
+    def test_numbers_are_those_of_the_summary(self):
+        summary = json.loads((self.out / "summary.json").read_text())
+        self.assertEqual(self.data["numbers"]["bearings"], ["TB1", "TB2"])
+        rows = {row["name"]: row for row in self.data["numbers"]["rows"]}
+        for i, name in enumerate(("TB1", "TB2")):
+            bearing = summary["bearings"][name]
+            self.assertAlmostEqual(float(rows["peak contact force (0-peak)"]["values"][i]), bearing["peak_contact_force"] / 1e3, delta=1e-3)
+            self.assertEqual(rows["ring within 1 % of the rotor's surface speed"]["values"][i], "—")
+
+    def test_one_thermal_model_leaves_out_the_other(self):
+        self.assertNotIn("comparison", self.data)
+        self.assertNotIn("surfaces-TB1", self.charts)
+        self.assertFalse([line for line in self.charts["temperature-TB1"]["lines"] if "FE" in line["name"]])
+
+    def test_it_knows_where_it_comes_from(self):
+        facts = dict(self.data["provenance"]["facts"])
+        for name in ("results.h5", "parameters.toml"):
+            self.assertEqual(facts[f"SHA-256 of {name}"], hashlib.sha256((self.out / name).read_bytes()).hexdigest())
+        given = {row[0]: row[1:] for row in self.data["provenance"]["given"]}
+        self.assertEqual(given["run.end_time"][0], "15 ms")
+        self.assertEqual(given["bearings.TB1.support.K_y"][0], "2.7e+09 N/m", "a bare number is SI, and says so")
+        self.assertNotIn("bearings.TB1.drag_regularisation", given, "2.0 rad/s is the default, 2 rad/s")
+        self.assertIn("spin", given["bearings.TB1.ring_spin_inertia"][2].lower())
+        self.assertNotIn("rotor.initial_offset", given, "at its default")
+
+    def test_sound_runs_have_no_warnings(self):
+        self.assertEqual({check["state"] for check in self.data["checks"]}, {"ok"})
+
+
+class Trouble(SharedRun):
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(self.maker.folder / "out", self.folder / "out")
+        (self.folder / "out/report.html").unlink()
+
+    def refused(self, *arguments):
+        before = content_of(self.folder)
+        done = self.call("report", *arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(content_of(self.folder), before)
+        return done.stderr
+
+    def report(self, *arguments):
+        self.succeed("report", "out", *arguments)
+        data = data_of((self.folder / "out/report.html").read_text())
+        return data, {check["name"]: check for check in data["checks"]}
+
+    def test_directories_without_a_run_are_named(self):
+        self.assertIn("nowhere: there is no such directory", self.refused("nowhere"))
+        (self.folder / "empty").mkdir()
+        self.assertIn("empty: the directory holds no results.h5", self.refused("empty"))
+        (self.folder / "out/parameters.toml").unlink()
+        self.assertIn("out: the directory holds no parameters.toml", self.refused("out"))
+
+    def test_files_that_are_no_results_are_named(self):
+        (self.folder / "out/summary.json").write_text("{")
+        self.assertIn("out/summary.json: the file is no JSON", self.refused("out"))
+        (self.folder / "out/results.h5").write_text("no HDF5")
+        self.assertIn("out/results.h5", self.refused("out"))
+
+    def test_a_file_is_replaced_only_with_force(self):
+        self.write("mine.html", "mine")
+        self.assertIn("mine.html: the file exists already", self.refused("out", "-o", "mine.html"))
+        self.succeed("report", "out", "-o", "mine.html", "--force")
+        self.assertEqual((self.folder / "mine.html").read_text(), self.page)
+        self.assertEqual(self.succeed("report", "out", "-o", "new/deep/page.html", "--quiet").stdout, "")
+        self.assertTrue((self.folder / "new/deep/page.html").is_file())
+
+    def test_a_new_run_removes_the_old_page(self):
+        self.report()
+        self.succeed("run", self.case(""), "-o", "out", "--force", *settings(run__end_time="1 ms"))
+        self.assertFalse((self.folder / "out/report.html").exists())
+
+    def test_without_a_summary_it_says_so(self):
+        (self.folder / "out/summary.json").unlink()
+        data, checks = self.report()
+        self.assertEqual(checks["complete"]["state"], "warning")
+        self.assertIn("no summary.json", checks["complete"]["text"])
+        self.assertEqual(len(data["charts"]), len(self.data["charts"]))
+
+    def edit(self, name, change):
+        path = self.folder / "out" / name
+        content = json.loads(path.read_text())
+        change(content)
+        path.write_text(json.dumps(content))
+
+    def test_backward_whirl_is_warned_of(self):
+        def whirl(summary):
+            summary["bearings"]["TB1"]["whirl"].update(direction="backward", largest_backward_speed=2 * math.pi * 120, backward_whirl_share=0.5, full_rub="yes")
+
+        self.edit("summary.json", whirl)
+        check = self.report()[1]["TB1: backward whirl"]
+        self.assertEqual(check["state"], "warning")
+        self.assertIn("up to 120 Hz, in 50 % of the contact time; full rub", check["text"])
+
+    def test_lost_energy_is_warned_of(self):
+        self.edit("summary.json", lambda summary: summary["energy"].update(residual=0.01 * summary["energy"]["dissipated"]))
+        self.assertEqual(self.report()[1]["mechanical energy"]["state"], "warning")
+
+    def test_a_closed_gap_is_warned_of(self):
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            results["/bearings/TB2/clearance"][-3] = -1e-6
+        checks = self.report()[1]
+        self.assertEqual((checks["TB1: air gap"]["state"], checks["TB2: air gap"]["state"]), ("ok", "warning"))
+        self.assertIn("GONE", checks["TB2: air gap"]["text"])
+
+    def test_hot_rings_are_warned_of(self):
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            results["/thermal/TB1/inner_ring"][-3] = 500.0
+        self.assertEqual(self.report()[1]["TB1: temperature of rings and balls"]["state"], "warning")
+
+    def test_overload_is_warned_of(self):
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            results["/bearings/TB1/bearing_force"][-3, 0] = 40e3  # C0 is 31 kN
+        self.assertEqual(self.report()[1]["TB1: static load rating"]["state"], "warning")
+
+    def test_texts_cannot_break_the_page(self):
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            results.attrs["case"] = "</script><b>&"
+        self.report()
+        page = (self.folder / "out/report.html").read_text()
+        self.assertIn("<title>Drop &lt;/script&gt;&lt;b&gt;&amp;</title>", page)
+        self.assertEqual(page.count("</script>"), 2)
+
+
+class OtherRuns(ProgramTest):
+    def report(self):
+        self.succeed("report", "out")
+        return data_of((self.folder / "out/report.html").read_text())
+
+    def test_a_run_on_linear_supports_alone_has_its_own_figures(self):
+        supports = "".join(f'[bearings.{name}]\ntype = "linear"\nnode = {node}\nstiffness = [[1e7, 0], [0, 1e7]]\ndamping = [[1e3, 0], [0, 1e3]]\n' for name, node in (("A", 2), ("B", 28)))
+        self.write("linear.toml", f'[run]\nend_time = "10 ms"\ninitial_speed = "3000 rpm"\n[rotor]\ngeometry = "neisi2019-rotor.json"\n{supports}')
+        self.run_case("linear.toml")
+        data = self.report()
+        charts = {chart["id"]: [line["name"] for line in chart["lines"]] for chart in data["charts"]}
+        self.assertEqual(charts["support-force"], ["A y", "B y", "A z", "B z"])
+        self.assertIn("energy", charts)
+        self.assertNotIn("contact-force", charts)
+        self.assertEqual(data["animation"]["bearings"], [])
+        self.assertIn("on linear supports", data["words"][0])
+
+    def test_an_interrupted_run_says_so(self):
+        case = self.case("output.checkpoint_interval = 0.05\n")
+        process = start("run", case, "-o", "out", "--quiet", *settings(run__end_time="100 s"), cwd=self.folder)
+        try:
+            for _ in range(600):
+                if (self.folder / "out/checkpoints").is_dir():
+                    break
+                time.sleep(0.05)
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=60)
+        finally:
+            process.kill()
+        self.assertEqual(process.returncode, 130)
+        data = self.report()
+        check = {check["name"]: check for check in data["checks"]}["complete"]
+        self.assertEqual(check["state"], "warning")
+        self.assertRegex(check["text"], r"INTERRUPTED at [0-9.]+ ms of 100000 ms")
+
+    def test_sustained_backward_whirl_is_on_the_screen_and_in_the_report(self):
+        # Rough surfaces drive the rotor around the bore: the impacts give it more than the speed that a full rub takes.
+        case = self.case("contact.friction_coefficient = 0.6\n")
+        screen = self.succeed("run", case, "-o", "out", *settings(run__end_time="60 ms")).stdout
+        whirl = self.summary()["bearings"]["TB1"]["whirl"]
+        self.assertEqual((whirl["direction"], whirl["full_rub"]), ("backward", "yes"))
+        self.assertGreater(whirl["largest_backward_speed"], whirl["full_rub_condition"]["speed_at_bottom"])
+        self.assertRegex(screen, r"TB1: sustained backward whirl, up to [0-9.]+ Hz, in [0-9.]+ % of the contact time; full rub")
+        # The angle of the recorded orbit says the same.
+        with h5py.File(self.folder / "out/results.h5") as results:
+            y, z = results["/bearings/TB1/orbit"][:].T
+            times = results["/time"][:]
+        angle = numpy.unwrap(numpy.arctan2(z, y))
+        end = numpy.searchsorted(times, whirl["end"])
+        began = numpy.searchsorted(times, whirl["start"])
+        self.assertAlmostEqual((angle[began] - angle[end]) / (2 * math.pi), whirl["turns"], delta=0.01)
+        self.assertTrue([check for check in self.report()["checks"] if check["name"] == "TB1: backward whirl" and check["state"] == "warning"])
+
+    def test_a_settling_drop_has_no_whirl_and_no_line_on_it(self):
+        screen = self.succeed("run", self.case(""), "-o", "out", *settings(run__end_time="30 ms")).stdout
+        self.assertNotIn("whirl", screen)
+        self.assertEqual(self.summary()["bearings"]["TB1"]["whirl"]["direction"], "none")
+
+
+@unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
+class InTheBrowser(SharedRun):
+    models = ["lumped", "fe"] if HAS_ROOM else ["lumped"]
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.browser = Browser()
+        cls.browser.open(cls.out / "report.html")
+        cls.requests = cls.browser.requests()
+        cls.messages = cls.browser.log("browser")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        super().tearDownClass()
+
+    def test_it_is_drawn_without_a_complaint(self):
+        self.assertEqual(self.browser.run("return document.getElementById('page').dataset.ready"), "yes")
+        self.assertEqual([m["message"] for m in self.messages], [])
+
+    def test_nothing_is_asked_of_anyone(self):
+        self.assertEqual([url for url in self.requests if not url.startswith("data:")], [(self.out / "report.html").resolve().as_uri()])
+
+    def test_a_fault_would_have_been_seen(self):
+        # The two tests above rest on the browser's logs: a page with both faults must fill them.
+        bad = self.maker.folder / "bad.html"
+        bad.write_text('<script>no_such_function()</script><img src="missing.png">')
+        try:
+            self.browser.open(bad)
+            self.assertTrue(any(url.endswith("missing.png") for url in self.browser.requests()))
+            self.assertTrue(any("no_such_function" in m["message"] for m in self.browser.log("browser")))
+        finally:
+            self.browser.open(self.out / "report.html")
+
+    def test_every_figure_shows_its_lines(self):
+        figures = self.browser.run("""
+            return [...document.querySelectorAll("figure:not(.map)")].map((figure) => ({
+              name: figure.id || figure.textContent,
+              lines: [...figure.querySelectorAll("path.series")].map((path) => path.getAttribute("d")),
+              box: figure.querySelector("svg").getBoundingClientRect().toJSON(),
+              view: figure.querySelector("svg").viewBox.baseVal.width,
+              labels: [...figure.querySelectorAll(".x-label, .y-label")].map((text) => text.textContent)}))""")
+        drawn = {figure["name"] for figure in figures}
+        self.assertLessEqual({"figure-" + name for name in self.charts}, drawn)
+        self.assertLessEqual({"figure-orbit-TB1", "figure-orbit-TB2"}, drawn)
+        for figure in figures:
+            with self.subTest(figure["name"]):
+                self.assertGreater(min(figure["box"]["width"], figure["box"]["height"]), 200, "px")
+                self.assertTrue(figure["lines"])
+                for d in figure["lines"]:
+                    numbers = [float(word) for word in re.findall(r"[^ML ]+", d)]
+                    self.assertGreater(len(numbers), 3)
+                    self.assertTrue(all(map(math.isfinite, numbers)))
+                    self.assertTrue(all(-1 <= x <= figure["view"] + 1 for x in numbers[::2]) or figure["view"] == 350, "inside its frame")
+                for label in figure["labels"]:
+                    self.assertRegex(label, r" \[.+\]$", "an axis has a unit")
+        self.assertEqual(len(figures), len(self.charts) + 4, "two drops and two orbits")
+
+    def test_every_ball_has_its_row_in_the_picture(self):
+        with h5py.File(self.out / "results.h5") as results:
+            for name in ("TB1", "TB2"):
+                loads = results[f"/bearings/{name}/ball_loads"][:]
+                width, height, dark = self.browser.run("""
+                    const image = document.querySelector(`#figure-balls-${arguments[0]} image`), canvas = document.createElement("canvas");
+                    const source = new Image();
+                    source.src = image.getAttribute("href");
+                    return source.decode().then(() => {
+                      [canvas.width, canvas.height] = [source.width, source.height];
+                      const context = canvas.getContext("2d");
+                      context.drawImage(source, 0, 0);
+                      const pixels = context.getImageData(0, 0, source.width, source.height).data;
+                      let darkest = 0;
+                      for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 2] < pixels[4 * darkest + 2]) darkest = i / 4;
+                      return [source.width, source.height, [Math.floor(darkest / source.width), darkest % source.width]];
+                    })""", name)
+                self.assertEqual((width, height), loads.shape, "short enough to have a column for every row of the file")
+                time, ball = numpy.unravel_index(numpy.argmax(loads), loads.shape)
+                self.assertEqual(dark, [ball, time])
+
+    def box(self, selector):
+        return self.browser.run("const e = document.querySelector(arguments[0]); e.scrollIntoView({block: 'center'}); return e.getBoundingClientRect().toJSON()", selector)
+
+    def test_hovering_shows_the_values_there(self):
+        box = self.box("#figure-contact-force .plot")
+        line = self.charts["contact-force"]["lines"][0]
+        peak = max(range(len(line["y"])), key=line["y"].__getitem__)
+        at = line["x"][peak] / line["x"][-1]
+        self.browser.point(("move", box["x"] + at * box["width"], box["y"] + box["height"] / 2))
+        tip = self.browser.run("const tip = document.getElementById('tip'); return tip.hidden ? null : tip.innerText")
+        self.assertRegex(tip, r"time [0-9.]+ ms")
+        force = float(re.search(r"TB1: ([0-9.]+) kN", tip)[1])
+        self.assertAlmostEqual(force, line["y"][peak], delta=0.05 * line["y"][peak], msg="a pixel beside the peak at most")
+
+    def test_dragging_zooms_and_a_double_click_goes_back(self):
+        extent = "return [...document.querySelectorAll('#figure-contact-force svg[role] text')].map((t) => t.textContent).join(' ')"
+        before = self.browser.run(extent)
+        box = self.box("#figure-contact-force .plot")
+        y = box["y"] + box["height"] / 2
+        self.browser.point(("move", box["x"] + 0.45 * box["width"], y), ("down",), ("move", box["x"] + 0.6 * box["width"], y), ("up",))
+        zoomed = self.browser.run(extent)
+        self.assertNotEqual(zoomed, before)
+        self.assertFalse(self.browser.run("return document.querySelector('#figure-contact-force button').hidden"))
+        self.browser.point(("down",), ("up",), ("down",), ("up",))
+        self.assertEqual(self.browser.run(extent), before)
+
+    def test_the_slider_moves_the_rotor_to_where_it_was(self):
+        place = """const slider = document.getElementById("time"); slider.value = arguments[0]; slider.dispatchEvent(new Event("input"));
+                   return [document.querySelector("g.rotor").getAttribute("transform"), document.getElementById("instant").textContent]"""
+        bearing = self.data["animation"]["bearings"][0]
+        for i in (0, len(bearing["time"]) // 2, len(bearing["time"]) - 1):
+            transform, instant = self.browser.run(place, i)
+            z, y = map(float, re.search(r"translate\(([-0-9.]+) ([-0-9.]+)\)", transform).groups())
+            scale = 46 / bearing["gap"]  # px per um
+            self.assertAlmostEqual(z, scale * bearing["z"][i], delta=0.01)
+            self.assertAlmostEqual(y, -scale * bearing["y"][i], delta=0.01, msg="up is up")
+            self.assertAlmostEqual(float(instant.split()[2]), bearing["time"][i], delta=1e-3)
+
+    def test_a_name_hides_its_line(self):
+        count = "return document.querySelectorAll('#figure-contact-force path.series').length"
+        click = "document.querySelector('#figure-contact-force .legend label').click();"
+        self.assertEqual(self.browser.run(click + count), 1)
+        self.assertEqual(self.browser.run(click + count), 2)
+
+    def test_it_fits_a_laptop_and_a_sheet_of_paper(self):
+        self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 1366)
+        printed = base64.b64decode(self.browser.call("POST", "/print", {"page": {"width": 21, "height": 29.7}, "shrinkToFit": False, "background": True}))
+        self.assertTrue(printed.startswith(b"%PDF"))
+        # Chromium writes a page as one object: a report of few bearings is some ten pages.
+        self.assertLess(len(re.findall(rb"/Type\s*/Page\b", printed)), 20)
+
+    @unittest.skipUnless(HAS_ROOM, "the finite-element room is not built")
+    def test_both_thermal_models_are_shown(self):
+        lines = self.charts["temperature-TB1"]["lines"]
+        self.assertEqual({line["name"].rpartition(" ")[2] for line in lines}, {"(lumped)", "(FE)"})
+        self.assertEqual(len(self.charts["surfaces-TB1"]["bands"]), len(self.charts["surfaces-TB1"]["lines"]))
+        for band in self.charts["surfaces-TB1"]["bands"]:
+            self.assertLessEqual(min(band["low"]["y"]), max(band["high"]["y"]))
+        comparison = json.loads((self.out / "comparison.json").read_text())
+        text = self.browser.run("return document.getElementById('page').textContent")
+        for sentence in comparison["in_short"] + comparison["verdict"]:
+            self.assertIn(sentence, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
