@@ -419,6 +419,14 @@ def read(path):
     return result
 
 
+#: conditions that the statement of a figure is about; the others need all of table 4
+CONDITIONS = {"9": FRICTION, "10": ("ideal",), "11": ("ideal",), "15": ("ideal",), "18": ("ideal",), "text": ("ideal",)}
+
+
+def conditions_of(statement):
+    return CONDITIONS.get(statement.figure, ("ideal", *WAVY.values(), "order2-4um", "order3-2um"))
+
+
 OTHER_BEARING = "which bearing is meant"
 
 
