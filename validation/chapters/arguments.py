@@ -1,5 +1,7 @@
 """Where the paper is contradicted: the argument, with our numbers."""
 
+import math
+
 from . import formulas
 
 TABLE4 = ("ideal", "order1-1um", "order2-1um", "order3-1um", "order2-4um", "order3-2um")
@@ -15,6 +17,14 @@ def spin_up(measures, plan):
         rows.append({"case": plan.conditions[condition]["says"], "rub_heat": n["friction_heat"], "slip_energy": n["spin_up"]["slip_energy"], "residual": n["spin_up"]["residual"], "ring_speed": n["ring_speed_end"],
                      "internal_heat": n["inner_heat"] + n["outer_heat"], "rise": n["temperature_rise_end"]["inner_ring"]})
     return rows
+
+
+def force_row(plan, measures, name):
+    """How the two forces swing from 0.15 s on, and at which frequency of the wave the contact force is highest."""
+    n, order = measures[name]["bearings"]["TB2"], plan.conditions[name].get("waves", {}).get("order")
+    hardest = n["hardest_swing"]
+    return {"case": plan.conditions[name]["says"], "contact": n["contact_force_swinging"], "bearing": n["bearing_force_swinging"], "ratio": n["bearing_over_contact_swing"], "time": hardest["time"],
+            "frequency": order * hardest["ring_speed"] / (2 * math.pi) if order else None}
 
 
 def chapter(plan, measures, folders):
@@ -40,7 +50,6 @@ def chapter(plan, measures, folders):
                  "rise_if_all_rub_heat_stayed": wavy["rub_heat"] / capacity, "largest_change_by_waves": max(abs(row["rise"] - ideal["rise"]) for row in rows), "case": wettest},
         "ball": {"capacity": balls, "paper_rise": PAPER_BALL, "heat_for_paper_rise": PAPER_BALL * balls, "internal_heat": internal, "rise_if_all_internal_heat_stayed": internal / balls, "rise": n["temperature_rise_end"]["ball"],
                  "highest_in_any_run": highest_ball},
-        "forces": [{"case": plan.conditions[name]["says"], "contact": measures[name]["bearings"]["TB2"]["contact_force_end"], "bearing": measures[name]["bearings"]["TB2"]["bearing_force_end"],
-                    "ratio": measures[name]["bearings"]["TB2"]["bearing_over_contact_swing"]} for name in TABLE4],
+        "forces": [force_row(plan, measures, name) for name in TABLE4],
         "sideways": {name: {"mean": measures["ideal"]["bearings"][name]["z_end"]["mean"], "lag": measures["ideal"]["bearings"][name]["spin_lag_end"]} for name in ("TB1", "TB2")},
     }

@@ -111,8 +111,8 @@ def chapter(plan, measures, folders):
     standing, turning = (measures[name]["bearings"]["TB2"] for name in ("other-waves-in-space", "order2-4um"))
     result.append(entry("eq. 12", "the inner race's wave in the same azimuth as the outer's: it would stand still", "it turns with the ring: m (b - theta_i)", RUN + ", second order, 4 um: the inner race's wave put on the standing race",
                         "Less than one would think, because the bore is wavy, too, and turns in both runs.",
-                        [("swing of the bearing force, waves turning", turning["bearing_force_end"]["highest"] - turning["bearing_force_end"]["lowest"], "N"),
-                         ("swing of the bearing force, race waves standing", standing["bearing_force_end"]["highest"] - standing["bearing_force_end"]["lowest"], "N")]))
+                        [("swing of the bearing force, waves turning", turning["bearing_force_swinging"]["highest"] - turning["bearing_force_swinging"]["lowest"], "N"),
+                         ("swing of the bearing force, race waves standing", standing["bearing_force_swinging"]["highest"] - standing["bearing_force_swinging"]["lowest"], "N")]))
 
     phi = pair.phi
     si, so, omega_b = spins(pair, phi, omega, False)

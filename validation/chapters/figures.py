@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first
 
 # Okabe & Ito, told apart by everyone; dashes tell them apart in print.
 BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#333333"
-TABLE4 = {"ideal": ("ideal", BLACK, "-"), "order1-1um": ("1st, 1 um", BLUE, "-"), "order2-1um": ("2nd, 1 um", RED, "-"), "order3-1um": ("3rd, 1 um", GREEN, "-"), "order2-4um": ("2nd, 4 um", ORANGE, "--"), "order3-2um": ("3rd, 2 um", PURPLE, "--")}
+TABLE4 = {"ideal": ("ideal", BLACK, "-"), "order1-1um": ("1st, 1 µm", BLUE, "-"), "order2-1um": ("2nd, 1 µm", RED, "-"), "order3-1um": ("3rd, 1 µm", GREEN, "-"), "order2-4um": ("2nd, 4 µm", ORANGE, "--"), "order3-2um": ("3rd, 2 µm", PURPLE, "--")}
 ONE_MICROMETRE = list(TABLE4)[:4]
 STYLE = {"font.size": 8.5, "axes.titlesize": 9, "axes.titlelocation": "left", "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": "#e6e6e6", "grid.linewidth": 0.6,
          "axes.axisbelow": True, "lines.linewidth": 0.9, "legend.frameon": False, "legend.fontsize": 7.5, "figure.constrained_layout.use": True, "agg.path.chunksize": 20000}
@@ -53,8 +53,8 @@ def figure_9(series):
         orbit, = series.get(condition, "/bearings/TB2/orbit")
         axis.plot(GAP * np.cos(circle), GAP * np.sin(circle), color="#888888", linestyle=(0, (5, 3)))
         axis.plot(1e6 * orbit[:, 1], 1e6 * orbit[:, 0], color=BLUE, linewidth=0.7)
-        axis.set(title=f"{letter}) friction {mu:.2f}", xlabel="z [um]", aspect="equal", xlim=(-310, 310), ylim=(-310, 310), xticks=(-250, 0, 250), yticks=(-250, -150, 0, 250))
-    axes[0][0].set_ylabel("y [um]")
+        axis.set(title=f"{letter}) friction {mu:.2f}", xlabel="z [µm]", aspect="equal", xlim=(-310, 310), ylim=(-310, 310), xticks=(-250, 0, 250), yticks=(-250, -150, 0, 250))
+    axes[0][0].set_ylabel("y [µm]")
     return figure
 
 
@@ -71,7 +71,7 @@ def figure_10(series):
     for row, (axis, letter, label) in enumerate(zip(axes[:, 0], "ab", "yz")):
         both_bearings(axis, series, "orbit", 1e6, row)
         axis.axhline(-GAP, color="#888888", linestyle=(0, (5, 3)), linewidth=0.9)
-        axis.set(title=f"{letter}) {label}-direction", ylabel=f"{label} [um]", ylim=(-330, 60) if row == 0 else (-270, 270))
+        axis.set(title=f"{letter}) {label}-direction", ylabel=f"{label} [µm]", ylim=(-330, 60) if row == 0 else (-270, 270))
     axes[1][0].axhline(GAP, color="#888888", linestyle=(0, (5, 3)), linewidth=0.9)
     axes[1][0].set_xlabel("time [s]")
     legend_above(axes[0][0])
@@ -101,7 +101,7 @@ def waves(axis, series, name, scale=1.0, conditions=ONE_MICROMETRE, bearing="TB2
 
 def figure_12(series):
     figure, axes = panels(3, 1, height=2.1)
-    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0.025, 0.1), (0.25, 0.3)), ("a) 0 to 0.3 s", "b) 0.025 to 0.1 s", "continuous contact at the end (not in the paper): dotted, the paper's 150 to 1000 N of the third order")):
+    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0.025, 0.1), (0.16, 0.24)), ("a) 0 to 0.3 s", "b) 0.025 to 0.1 s", "0.16 to 0.24 s (not in the paper); dotted: the paper's 150 to 1000 N of the third order")):
         waves(axis, series, "contact_force")
         axis.set(title=title, ylabel="contact force [N]", xlim=limits)
     axes[0][0].set_ylim(0, 5600)
@@ -116,7 +116,7 @@ def figure_12(series):
 
 def figure_13(series):
     figure, axes = panels(2, 1, height=2.1)
-    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0.25, 0.3)), ("0 to 0.3 s", "continuous contact at the end")):
+    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0.16, 0.24)), ("0 to 0.3 s", "0.16 to 0.24 s, the same in detail")):
         waves(axis, series, "bearing_force", of=lambda v: np.hypot(*v.T))
         axis.set(title=title, ylabel="bearing force [N]", xlim=limits)
     axes[0][0].set_ylim(0, 5600)
@@ -198,7 +198,7 @@ def figure_19(series):
     for axis, node, title in zip(axes[0], ("inner_ring", "inner_contact"), ("a) inner ring", "b) contact of ball and inner ring")):
         waves(axis, series, f"/thermal/TB2/{node}", conditions=list(TABLE4), rise=True)
         axis.set(title=title, xlabel="time [s]", ylim=(0, 8.6))
-    for level, label in ((8.0, "paper, 2nd, 4 um"), (3.5, "paper, ideal")):
+    for level, label in ((8.0, "paper, 2nd, 4 µm"), (3.5, "paper, ideal")):
         axes[0][0].plot([0.285, 0.3], [level, level], color=BLACK, linestyle=":")
         axes[0][0].annotate(label, (0.283, level), ha="right", va="center", color="#555555")
     axes[0][0].set_ylabel("rise [K]")

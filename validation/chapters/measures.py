@@ -6,6 +6,8 @@ import h5py
 import numpy as np
 
 LATE = 50e-3  # s; "the end" of a run are its last 50 ms, as in summary.json
+#: when the rotor swings in the ring without leaving it, as a part of the run it begins at. The paper does not say from when on it looked, and waves pass their resonances in this time.
+SPANS = {"swinging": 1 / 2, "swinging_long": 1 / 3, "swinging_short": 2 / 3}
 SHORTEST_FLIGHT = 1e-3  # s; shorter gaps between contacts are chatter, not bounces
 
 
@@ -41,6 +43,8 @@ def of_bearing(file, group, time, nodes):
     contacts = spans(touching)
     after_first = np.arange(len(time)) > (contacts[0][1] if contacts else len(time))
     late_contact = late & touching
+    swinging = time >= SPANS["swinging"] * time[-1]
+    hardest = np.flatnonzero(swinging)[force[swinging].argmax()]
     return {
         "bounces": bounces(time, y, penetration),
         "deepest": float(-y.min()),
@@ -53,8 +57,10 @@ def of_bearing(file, group, time, nodes):
         "contact_force_end": spread(force[late]),
         "in_contact_end": float(late_contact.sum() / late.sum()),
         "bearing_force_end": spread(resultant[late]),
-        # The two forces side by side while they touch at the end: what the ring between them takes.
-        "bearing_over_contact_swing": float(np.ptp(resultant[late]) / np.ptp(force[late])) if np.ptp(force[late]) > 0 else None,
+        **{f"{name}_force_{span}": spread(values[time >= begin * time[-1]]) for name, values in (("contact", force), ("bearing", resultant)) for span, begin in SPANS.items()},
+        "hardest_swing": {"time": float(time[hardest]), "ring_speed": float(group["ring_speed"][hardest])},
+        # The two forces side by side: what the ring between them takes.
+        "bearing_over_contact_swing": float(np.ptp(resultant[swinging]) / np.ptp(force[swinging])) if np.ptp(force[swinging]) > 0 else None,
         "load_torque_end": float(load[late].mean()),
         "drag_torque_end": float(drag[late].mean()),
         "friction_torque_end": float((load + drag)[late].mean()),

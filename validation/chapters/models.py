@@ -173,7 +173,7 @@ def draw(folder):
                         for model, dashes in (("lumped", "-"), ("fe", "--")):
                             axis.plot(time, 1e6 * file[f"/growth/{model}/{bearing}"][:, column], color=colour, linestyle=dashes, label=f"{name}, {'circuit' if model == 'lumped' else 'finite elements'}")
                 axis.set(title=bearing, xlabel="time [s]", xlim=(0, 0.3))
-            axes[0][0].set_ylabel("rise [K]" if key == "temperatures" else "growth of the radius [um]")
+            axes[0][0].set_ylabel("rise [K]" if key == "temperatures" else "growth of the radius [µm]")
             axes[0][1].legend(loc="upper left" if key == "growth" else "upper right", fontsize=7)
             pictures[key] = (caption, figures.picture(figure))
     return pictures

@@ -2,6 +2,7 @@
 
 import html
 import math
+import re
 
 from . import verdicts
 
@@ -28,7 +29,8 @@ pre { font: 12px/1.4 "DejaVu Sans Mono", monospace; background: var(--shade); pa
 
 
 def text(value):
-    return html.escape(str(value), quote=False)
+    """Escaped, with micrometres as they are printed."""
+    return re.sub(r"\bum\b", "\N{MICRO SIGN}m", html.escape(str(value), quote=False))
 
 
 def number(value, digits=4):
@@ -114,17 +116,19 @@ def argument_texts(a):
     ring, ball, spin = a["ring"], a["ball"], a["spin_energy"]
     forces = {row["case"]: row for row in a["forces"]}
     third = forces["table 4, third order, 1 um"]
-    second = forces["table 4, second order, 1 um"]
     side = a["sideways"]
+    forces_table = table(["from 0.15 s on, TB2", "#lowest [N]", "#highest [N]", "#highest at [s]", "#m times the ring's speed then [Hz]", "#bearing force, lowest [N]", "#highest [N]", "#its swing over the contact force's"],
+                         [[text(r["case"]), number(r["contact"]["lowest"]), number(r["contact"]["highest"]), number(r["time"], 3), number(r["frequency"], 3), number(r["bearing"]["lowest"]), number(r["bearing"]["highest"]), number(r["ratio"])] for r in a["forces"]])
     table_19 = table(["case", "#rub heat [J]", "#same, from the spin-up alone [J]", "#difference [J]", "#heat inside the bearing [J]", "#ring's rise [K]"],
                      [[text(r["case"]), number(r["rub_heat"], 6), number(r["slip_energy"], 6), number(r["residual"], 2), number(r["internal_heat"]), number(r["rise"], 5)] for r in a["spin_up"]])
     return {
-        "10": f"While the rotor slides on a ring, friction holds it about atan(mu) to the side, 25 um; it can return to 0 only after the ring has caught up. At the end TB2's ring lags by {100 * side['TB2']['lag']:.2g} % and the mean of z is "
-              f"{1e6 * side['TB2']['mean']:.3g} um; TB1's has caught up late in the run and the mean of its last 50 ms is {1e6 * side['TB1']['mean']:.3g} um. The paper's z of 0 belongs to a ring that has caught up at 0.2 s.",
-        "12": f"An ellipse (order 2) presses twice a turn, a triangle three times, with the same height; in our runs the bearing's resultant follows orders 1 and 2 more than order 3: in the last 50 ms the contact force swings by "
-              f"{number(second['contact']['highest'] - second['contact']['lowest'])} N with order 2 and by {number(third['contact']['highest'] - third['contact']['lowest'])} N with order 3.",
+        "10": f"While the rotor slides on a ring, friction holds it about atan(mu) to the side, 25 µm; it can return to 0 only after the ring has caught up. At the end TB2's ring lags by {100 * side['TB2']['lag']:.2g} % and the mean of z is "
+              f"{1e6 * side['TB2']['mean']:.3g} µm; TB1's has caught up late in the run and the mean of its last 50 ms is {1e6 * side['TB1']['mean']:.3g} µm. The paper's z of 0 belongs to a ring that has caught up at 0.2 s.",
+        "12": "A wave of order m meets the contact m times a turn, so while the ring gains speed each order sweeps through the resonance of rotor, contact and balls at its own time. What a wave of 1 µm does is decided there, and by when the ring gets there, more than by "
+              "its order: " + forces_table,
         "13": f"Between contact force and bearing force is only the inner ring, 0.21 kg. Its inertia makes them differ little: the bearing force swings {number(third['ratio'])} times as much as the contact force with the third order, and between "
               f"{number(min(r['ratio'] for r in a['forces']))} and {number(max(r['ratio'] for r in a['forces']))} times in the six cases. Figure 12 (150 to 1000 N) and figure 13 (smooth) of the third order cannot both be right.",
+        "16": "The paper's percentages are of the largest heat, one instant; the largest heat is where a resonance of figure 12 falls late, at high speed. The mean, which warms the bearing, hardly changes: it follows speed and mean load, and waves change neither.",
         "17": f"Heat ends when slipping ends, and slipping ends when the ring has got all its spin from friction: the joules are those of the spin-up (figure 19 below), with waves or without. The rub heat of the six cases differs by "
               f"{number(max(r['rub_heat'] for r in a['spin_up']) - min(r['rub_heat'] for r in a['spin_up']), 2)} J of {number(a['spin_up'][0]['rub_heat'])} J, in both directions.",
         "18": f"To warm the pair's balls ({number(ball['capacity'])} J/K) by {number(ball['paper_rise'])} K takes {number(ball['heat_for_paper_rise'])} J. All the heat of friction inside the bearing until 0.3 s is {number(ball['internal_heat'])} J; if every joule of it "
@@ -132,7 +136,7 @@ def argument_texts(a):
               f"{number(ball['rise'], 2)} K; the highest of all runs is {number(ball['highest_in_any_run'], 2)} K.",
         "19": f"The rub heat of a spin-up does not depend on forces: it follows from the ring's spin equation alone, about J omega&sup2;/2 = {number(spin['half_J_omega2'])} J (J = {number(spin['inertia'])} kg m&sup2;, {number(spin['speed'])} rad/s at 0.3 s) "
               f"plus what friction inside the bearing and the remaining slip add. Waves change the forces, but not this sum: over table 4 the ring's rise changes by {number(ring['largest_change_by_waves'], 2)} K. A rise of {number(ring['paper_rise'])} K of the ring "
-              f"({number(ring['capacity'])} J/K) takes {number(ring['heat_for_paper_rise'])} J. In the run with 4 um, second order, {number(ring['heat_available'])} J enter ring and balls; with the whole rub heat and all internal friction it "
+              f"({number(ring['capacity'])} J/K) takes {number(ring['heat_for_paper_rise'])} J. In the run with 4 µm, second order, {number(ring['heat_available'])} J enter ring and balls; with the whole rub heat and all internal friction it "
               f"would be {number(ring['all_heat'])} J. Even if all rub heat stayed in the ring it would rise by {number(ring['rise_if_all_rub_heat_stayed'], 3)} K." + table_19,
     }
 
@@ -180,11 +184,11 @@ def models_section(models, pictures):
     parts.append("<h3>Who drives</h3><p>The same drop with the growth of each model fed back, and with none. If a row differs from the next by less than the tolerance of the time integration, the choice does not matter for it.</p>")
     for bearing, rows in models["by_driver"].items():
         preload = "preload" in rows[0]
-        head = [bearing, "#peak force [N]", "#impulse of the first impact [N s]", "#rub heat [J]", "#air gap at the end [um]", "#growth of the inner race [um]", "#ring, circuit [K]", "#ring, FE [K]", "#settled force [N]", "#most loaded ball, end [N]"] + (["#preload at rest with that growth [N]"] if preload else [])
+        head = [bearing, "#peak force [N]", "#impulse of the first impact [N s]", "#rub heat [J]", "#air gap at the end [µm]", "#growth of the inner race [µm]", "#ring, circuit [K]", "#ring, FE [K]", "#settled force [N]", "#most loaded ball, end [N]"] + (["#preload at rest with that growth [N]"] if preload else [])
         parts.append(table(head, [[text(r["driver"]), number(r["peak_contact_force"], 6), number(r["first_impact_impulse"], 5), number(r["rub_heat"], 6), number(1e6 * r["air_gap"], 6), number(1e6 * r["inner_race_growth"]), number(r["ring_circuit"], 6), number(r["ring_fe"], 6),
                                    number(r["settled_force"]), number(r["most_loaded_ball"])] + ([number(r["preload"])] if preload else []) for r in rows]))
     parts.append('<p class="soft">Preload at rest: Hertz contacts of the pair with rigid rings, computed in Python from the growth at 0.3 s; the program recorded ball loads under the rotor, which contain its weight.</p>')
-    parts.append("<h3>Where the circuit can be trusted</h3><p>Difference: finite elements less circuit. Tolerance: 5 % of the largest rise, 0.1 um for growth and clearances. &ldquo;One lump in both&rdquo;: the finite elements treat the body as one temperature, too, so agreement proves little.</p>")
+    parts.append("<h3>Where the circuit can be trusted</h3><p>Difference: finite elements less circuit. Tolerance: 5 % of the largest rise, 0.1 µm for growth and clearances. &ldquo;One lump in both&rdquo;: the finite elements treat the body as one temperature, too, so agreement proves little.</p>")
     for bearing, rows in models["trust"].items():
         parts.append(table([f"{bearing}", "", "#largest difference", "#at", "#tolerance", "#first beyond it", "trusted"],
                            [[text(r["group"]), text(r["what"].replace("_", " ")) + (" (one lump in both)" if r["one_lump_in_both"] else ""), scaled(r["largest_difference"], r["unit"]), milliseconds(r["largest_difference_time"]), scaled(r["tolerance"], r["unit"]), milliseconds(r["beyond_from"]),
@@ -209,7 +213,7 @@ def models_section(models, pictures):
             rows.append([r["bearing"], f"circuit as {label}", number(r["rms_before" if label == "published" else "rms_after"], 3), *(number(r[label][b], 3) for b in bodies), number(1e6 * r[label]["air_gap"], 3)])
     parts.append("<p><code>rotordrop calibrate</code> fits factors of the circuit to the finite elements' responses; here the largest differences of the drop (finite elements less circuit) before and after. A circuit that was fitted to the finite elements is no "
                  "independent evidence for them; and it cannot gain what it has no node for, the surfaces.</p>")
-    parts.append(table(["bearing", "", "#rms error of responses [%]", *(f"#{b.replace('_', ' ')} [K]" for b in bodies), "#air gap [um]"], rows))
+    parts.append(table(["bearing", "", "#rms error of responses [%]", *(f"#{b.replace('_', ' ')} [K]" for b in bodies), "#air gap [µm]"], rows))
     return "\n".join(parts)
 
 
