@@ -15,7 +15,7 @@ def spin_up(measures, plan):
     for condition in TABLE4:
         n = measures[condition]["bearings"]["TB2"]
         rows.append({"case": plan.conditions[condition]["says"], "rub_heat": n["friction_heat"], "slip_energy": n["spin_up"]["slip_energy"], "residual": n["spin_up"]["residual"], "ring_speed": n["ring_speed_end"],
-                     "internal_heat": n["inner_heat"] + n["outer_heat"], "rise": n["temperature_rise_end"]["inner_ring"]})
+                     "internal_heat": n["inner_heat"] + n["outer_heat"], "heat_rate_end": n["inner_heat_rate_end"]["mean"] + n["outer_heat_rate_end"]["mean"], "rise": n["temperature_rise_end"]["inner_ring"]})
     return rows
 
 

@@ -174,6 +174,11 @@ def draw(folder):
                             axis.plot(time, 1e6 * file[f"/growth/{model}/{bearing}"][:, column], color=colour, linestyle=dashes, label=f"{name}, {'circuit' if model == 'lumped' else 'finite elements'}")
                 axis.set(title=bearing, xlabel="time [s]", xlim=(0, 0.3))
             axes[0][0].set_ylabel("rise [K]" if key == "temperatures" else "growth of the radius [µm]")
-            axes[0][1].legend(loc="upper left" if key == "growth" else "upper right", fontsize=7)
+            if key == "growth":  # colours and dashes apart: eight entries would cover the curves
+                lines = axes[0][0].get_lines()
+                entries = [(line, line.get_label().split(",")[0]) for line in lines[::2]] + [(lines[0], "solid: circuit"), (lines[1], "dashed: finite elements")]
+                axes[0][0].legend(*zip(*entries), loc="upper left", fontsize=7)
+            else:
+                axes[0][1].legend(loc="upper right", fontsize=7)
             pictures[key] = (caption, figures.picture(figure))
     return pictures

@@ -128,7 +128,8 @@ def argument_texts(a):
               "its order: " + forces_table,
         "13": f"Between contact force and bearing force is only the inner ring, 0.21 kg. Its inertia makes them differ little: the bearing force swings {number(third['ratio'])} times as much as the contact force with the third order, and between "
               f"{number(min(r['ratio'] for r in a['forces']))} and {number(max(r['ratio'] for r in a['forces']))} times in the six cases. Figure 12 (150 to 1000 N) and figure 13 (smooth) of the third order cannot both be right.",
-        "16": "The paper's percentages are of the largest heat, one instant; the largest heat is where a resonance of figure 12 falls late, at high speed. The mean, which warms the bearing, hardly changes: it follows speed and mean load, and waves change neither.",
+        "16": "The paper's percentages are of the largest heat, one instant; the largest heat is where a resonance of figure 12 falls late, at high speed. The mean, which warms the bearing, hardly changes: over the last 50 ms it is "
+              + ", ".join(f"{100 * (row['heat_rate_end'] / a['spin_up'][0]['heat_rate_end'] - 1):+.2g} % ({text(row['case']).removeprefix('table 4, ')})" for row in a["spin_up"][1:4]) + " beside the ideal surface's. It follows speed and mean load, and waves change neither by much.",
         "17": f"Heat ends when slipping ends, and slipping ends when the ring has got all its spin from friction: the joules are those of the spin-up (figure 19 below), with waves or without. The rub heat of the six cases differs by "
               f"{number(max(r['rub_heat'] for r in a['spin_up']) - min(r['rub_heat'] for r in a['spin_up']), 2)} J of {number(a['spin_up'][0]['rub_heat'])} J, in both directions.",
         "18": f"To warm the pair's balls ({number(ball['capacity'])} J/K) by {number(ball['paper_rise'])} K takes {number(ball['heat_for_paper_rise'])} J. All the heat of friction inside the bearing until 0.3 s is {number(ball['internal_heat'])} J; if every joule of it "
@@ -160,9 +161,11 @@ def counts(statement):
 
 def errata_section(entries):
     parts = ['<h2 id="errata">Errata of the paper, with the effect of each</h2><p>Where the program has a switch for what is printed, it was run; elsewhere the effect is computed from the formulas in Python, apart from the program.</p>']
+    rows = []
     for e in entries:
-        rows = [[text(n["what"]), with_unit(n["value"], n["unit"])] for n in e["numbers"]]
-        parts.append(f'<h3>{text(e["where"])}</h3><p>Printed: {text(e["printed"])}. Here: {text(e["right"])}. {text(e["effect"])} <span class="soft">({text(e["how"])})</span></p>{table(["", "#"], rows)}')
+        numbers = "<br>".join(f'{text(n["what"])}: <b>{with_unit(n["value"], n["unit"])}</b>' for n in e["numbers"])
+        rows.append([f'<b>{text(e["where"])}</b>', f'{text(e["printed"])}<br><span class="soft">here: {text(e["right"])}</span>', f'{text(e["effect"])}<br><span class="soft">{text(e["how"])}</span>', numbers])
+    parts.append(table(["", "printed, and here", "effect", "numbers"], rows))
     return "\n".join(parts)
 
 
@@ -183,10 +186,10 @@ def models_section(models, pictures):
         parts.append(image(f"picture-models-{key}", caption, source))
     parts.append("<h3>Who drives</h3><p>The same drop with the growth of each model fed back, and with none. If a row differs from the next by less than the tolerance of the time integration, the choice does not matter for it.</p>")
     for bearing, rows in models["by_driver"].items():
-        preload = "preload" in rows[0]
-        head = [bearing, "#peak force [N]", "#impulse of the first impact [N s]", "#rub heat [J]", "#air gap at the end [µm]", "#growth of the inner race [µm]", "#ring, circuit [K]", "#ring, FE [K]", "#settled force [N]", "#most loaded ball, end [N]"] + (["#preload at rest with that growth [N]"] if preload else [])
-        parts.append(table(head, [[text(r["driver"]), number(r["peak_contact_force"], 6), number(r["first_impact_impulse"], 5), number(r["rub_heat"], 6), number(1e6 * r["air_gap"], 6), number(1e6 * r["inner_race_growth"]), number(r["ring_circuit"], 6), number(r["ring_fe"], 6),
-                                   number(r["settled_force"]), number(r["most_loaded_ball"])] + ([number(r["preload"])] if preload else []) for r in rows]))
+        quantities = [("peak force [N]", "peak_contact_force", 1, 6), ("impulse of the first impact [N s]", "first_impact_impulse", 1, 5), ("rub heat [J]", "rub_heat", 1, 6), ("air gap at the end [\N{MICRO SIGN}m]", "air_gap", 1e6, 6),
+                      ("growth of the inner race that is felt [\N{MICRO SIGN}m]", "inner_race_growth", 1e6, 4), ("inner ring, circuit [K]", "ring_circuit", 1, 6), ("inner ring, finite elements [K]", "ring_fe", 1, 6), ("mean contact force, last 50 ms [N]", "settled_force", 1, 4),
+                      ("most loaded ball, mean of the last 50 ms [N]", "most_loaded_ball", 1, 4), ("preload at rest with that growth [N]", "preload", 1, 4)]
+        parts.append(table([bearing, *(f"#{text(r['driver'])}" for r in rows)], [[label, *(number(scale * r[key], digits) for r in rows)] for label, key, scale, digits in quantities if key in rows[0]]))
     parts.append('<p class="soft">Preload at rest: Hertz contacts of the pair with rigid rings, computed in Python from the growth at 0.3 s; the program recorded ball loads under the rotor, which contain its weight.</p>')
     parts.append("<h3>Where the circuit can be trusted</h3><p>Difference: finite elements less circuit. Tolerance: 5 % of the largest rise, 0.1 µm for growth and clearances. &ldquo;One lump in both&rdquo;: the finite elements treat the body as one temperature, too, so agreement proves little.</p>")
     for bearing, rows in models["trust"].items():

@@ -265,20 +265,18 @@ def outer_over_inner(run, bearing):
     return ratio(outer_heat_rate(run, bearing), inner_heat_rate(run, bearing))
 
 
-def increments(order, of_what):
+def increments(order):
     def increment(run, bearing):
-        heat = [sum(of(run, c, bearing)[f"{race}_heat_rate_{of_what}"] if of_what == "max" else of(run, c, bearing)[f"{race}_heat_rate_end"]["mean"] for race in ("inner", "outer")) for c in (WAVY[order], "ideal")]
+        heat = [sum(of(run, c, bearing)[f"{race}_heat_rate_max"] for race in ("inner", "outer")) for c in (WAVY[order], "ideal")]
         return 100 * (ratio(*heat) - 1)
 
-    increment.__name__ = f"heat_increment_{of_what}_order{order}"
-    name = "largest" if of_what == "max" else "mean of the last 50 ms"
-    increment.__doc__ = f"Heat of both races ({name}) with waves of order {order}, 1 um, above that without [%]"
+    increment.__name__ = f"heat_increment_max_order{order}"
+    increment.__doc__ = f"Largest heat of both races with waves of order {order}, 1 um, above that without [%]"
     return quantity(increment)
 
 
 for _order in (1, 2, 3):
-    increments(_order, "max")
-increments(1, "mean")
+    increments(_order)
 
 
 @quantity
@@ -475,16 +473,19 @@ def judge(claim, plan, measures):
     reference = value_of(cases.REFERENCE, bearing)
     if reference is None:
         return {"verdict": verdicts.NOT_DECIDABLE, "reason": "the reference run does not have it", "ours": None, "runs": [], "rule": claim.kind}
-    runs = [("", variant, plan.variants[variant]["unknown"], value_of(variant, bearing)) for variant in plan.variants]
+    runs = [(variant, plan.variants[variant]["unknown"], bearing, value_of(variant, bearing)) for variant in plan.variants]
+    fitted = claim.fitted
     if claim.bearing == "either":
-        runs.append(("TB1", cases.REFERENCE, OTHER_BEARING, value_of(cases.REFERENCE, "TB1")))
+        runs.append((cases.REFERENCE, OTHER_BEARING, "TB1", value_of(cases.REFERENCE, "TB1")))
+        runs += [(variant, f"{plan.variants[variant]['unknown']}, {OTHER_BEARING}", "TB1", value_of(variant, "TB1")) for variant in plan.variants]
+        fitted += tuple(f"{unknown}, {OTHER_BEARING}" for unknown in fitted)
     if claim.quantity in SPANNED:
-        runs += [("", cases.REFERENCE, OTHER_SPAN, value_of(cases.REFERENCE, bearing, span)) for span in measuring.SPANS if span != "swinging"]
-    runs = [{"variant": variant, "unknown": unknown, "bearing": name or bearing, "ours": value} for name, variant, unknown, value in runs if value is not None]
+        runs += [(cases.REFERENCE, OTHER_SPAN, bearing, value_of(cases.REFERENCE, bearing, span)) for span in measuring.SPANS if span != "swinging"]
+    runs = [{"variant": variant, "unknown": unknown, "bearing": name, "ours": value} for variant, unknown, name, value in runs if value is not None]
     pairs = [(run["unknown"], run["ours"]) for run in runs]
     result = {"ours": reference, "runs": runs, "rule": claim.kind}
     if claim.kind == "value":
-        verdict = verdicts.of_value(claim.paper, reference, pairs, claim.width, claim.fitted)
+        verdict = verdicts.of_value(claim.paper, reference, pairs, claim.width, fitted)
         values = [reference, *(value for _, value in pairs)]
         result |= {"lowest": min(values), "highest": max(values), "difference": reference - claim.paper, "relative_difference": reference / claim.paper - 1}
         by_unknown = {}
@@ -492,5 +493,5 @@ def judge(claim, plan, measures):
             by_unknown.setdefault(unknown, []).append(value)
         result["by_unknown"] = {unknown: [min([reference, *found]), max([reference, *found])] for unknown, found in by_unknown.items()}
     else:
-        verdict = verdicts.of_claim(bool(reference), [(unknown, bool(value)) for unknown, value in pairs], claim.fitted)
+        verdict = verdicts.of_claim(bool(reference), [(unknown, bool(value)) for unknown, value in pairs], fitted)
     return result | {"verdict": verdict.verdict, "reason": verdict.reason}

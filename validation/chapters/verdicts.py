@@ -12,7 +12,7 @@ RULES = {
     "value": f"""A number. The band is the paper's value and the claim's width on either side. The spread is lowest to highest over the reference and all runs in which one unknown is changed.
 <ol><li><b>{REPRODUCED}</b>: the reference lies in the band, and no unknown moves our number out of a factor {MAGNITUDE} of the paper's;</li>
 <li><b>{NOT_DECIDABLE}</b>: the spread reaches the band, or crosses it, but the first rule does not hold: what the paper does not say decides. Also, whenever the number was used to fit a parameter of the reference case and the spread
-over that parameter is what reaches the band: to meet it proves nothing;</li>
+over that parameter is what reaches the band: to meet it proves nothing. And where the band reaches zero, as that of a last digit;</li>
 <li><b>{IN_TREND}</b>: the spread does not reach the band, but the reference is within a factor {MAGNITUDE} of the paper's;</li>
 <li><b>{CONTRADICTED}</b>: neither the reference nor any run comes near.</li></ol>""",
     "holds": f"""A claim that a run meets or does not (an order, a sign, a bound with its number in the claim).
@@ -46,8 +46,10 @@ def of_value(paper, reference, runs, width, fitted=()):
         return low <= value <= high
 
     def is_near(value):
-        return in_band(value) or value * paper > 0 and 1 / MAGNITUDE <= value / paper <= MAGNITUDE
+        return in_band(value) or 1 / MAGNITUDE <= value / paper <= MAGNITUDE
 
+    if width >= 1:
+        return Verdict(NOT_DECIDABLE, "the band reaches zero: the paper's number is not known well enough to be met or missed")
     values = [reference, *(value for _, value in runs)]
     least, most = min(values), max(values)
     reaches = least <= high and most >= low
@@ -55,7 +57,7 @@ def of_value(paper, reference, runs, width, fitted=()):
         away = unknowns_that(runs, lambda v: not is_near(v))
         moved_by_fit = any(unknown in fitted and not in_band(value) for unknown, value in runs)
         if fitted and moved_by_fit:
-            return Verdict(NOT_DECIDABLE, f"met, but {' and '.join(fitted)} was fitted to it, and other values leave the band")
+            return Verdict(NOT_DECIDABLE, f"met, but {fitted[0]} was fitted to it, and other values leave the band")
         if away:
             return Verdict(NOT_DECIDABLE, f"met by the reference, but {away} moves it out of a factor {MAGNITUDE}")
         return Verdict(REPRODUCED, "in the band, and near it whatever the unknowns")
@@ -73,7 +75,7 @@ def of_claim(reference, runs, fitted=()):
     count = f"holds in {sum(holds for _, holds in runs)} of {len(runs)} runs with an unknown changed"
     if reference:
         if any(unknown in fitted and not holds for unknown, holds in runs):
-            return Verdict(NOT_DECIDABLE, f"holds in the reference, but not with another {' or '.join(fitted)}, which was fitted to this figure; {count}")
+            return Verdict(NOT_DECIDABLE, f"holds in the reference, but not with another {fitted[0]}, which was fitted to this figure; {count}")
         if share == 1:
             return Verdict(REPRODUCED, "holds in every run")
         fails = unknowns_that(runs, lambda holds: not holds)

@@ -68,7 +68,12 @@ class VerdictOnANumber(unittest.TestCase):
         self.assertEqual(self.verdict(100, [("share", 105)], fitted=("share",)), R)  # met whatever the fitted one is
 
     def test_a_wide_band_counts_as_near(self):
-        self.assertEqual(self.verdict(10, [("a", 190)], width=1.0), R)
+        self.assertEqual(self.verdict(30, [("a", 170)], width=0.8), R)
+
+    def test_a_band_that_reaches_zero_decides_nothing(self):
+        self.assertEqual(self.verdict(100, width=1.0), N)
+        self.assertEqual(self.verdict(1e4, width=1.0), N)
+        self.assertEqual(self.verdict(100, width=0.99), R)
 
 
 class VerdictOnAClaim(unittest.TestCase):
@@ -213,10 +218,10 @@ class Statements(unittest.TestCase):
         def peaks(one, two):
             return {"TB1": {"peak_contact_force": one}, "TB2": {"peak_contact_force": two}}
 
-        runs_ = {"ideal": peaks(5600.0, 4800.0), "ideal+damping-table": peaks(1.0, 4700.0)}
+        runs_ = {"ideal": peaks(5600.0, 4800.0), "ideal+damping-table": peaks(5500.0, 4700.0)}
         result = self.judged("first_peak", runs_, kind="value", paper=5000, width=0.15)
         self.assertEqual((result["ours"], result["lowest"], result["highest"]), (4800, 4700, 5600))
-        self.assertEqual(result["by_unknown"], {"damping": [4700, 4800], statements.OTHER_BEARING: [4800, 5600]})
+        self.assertEqual(result["by_unknown"], {"damping": [4700, 4800], statements.OTHER_BEARING: [4800, 5600], f"damping, {statements.OTHER_BEARING}": [4800, 5500]})
         self.assertEqual(result["verdict"], R)
         self.assertAlmostEqual(result["relative_difference"], -0.04)
 
@@ -284,6 +289,12 @@ class Formulas(unittest.TestCase):
         pair = self.bearing["TB2"]
         self.assertAlmostEqual(pair.preload_with(0), 290, delta=1e-6)
         self.assertGreater(pair.preload_with(1e-6), 290)
+
+    def test_growth_of_the_balls_radius_counts_twice(self):
+        # The ball lies between two races: F = K (delta_0 + 2 eps)^1.5 in the direction that it had.
+        pair, eps = self.bearing["TB2"], 0.5e-6
+        delta = math.hypot(pair.A * math.cos(pair.phi), pair.A * math.sin(pair.phi) + pair.offset_of(pair.preload)) - pair.A
+        self.assertAlmostEqual(pair.preload_with(0, eps) / 290, (1 + 2 * eps / delta) ** 1.5, delta=1e-9)
 
     def test_stiffness_of_a_row_is_symmetric_with_the_right_sign_only(self):
         self.assertLess(errata.asymmetry(self.bearing["TB2"], 1), 1e-4)  # central differences of 10 nm
