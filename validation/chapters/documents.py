@@ -8,7 +8,7 @@ BEGIN, END = "<!-- verdicts: written by validation/run --update-docs -->\n", "<!
 def shown(claim):
     """Paper's value and ours, as text for Markdown."""
     def plain(value):
-        return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}" if abs(value) < 1e5 else f"{value:.3g}"
+        return f"{value:.4g}" if abs(value) < 1000 else f"{value:.0f}" if abs(value) < 1e5 else f"{value:.3g}"
 
     if claim["ours"] is None:
         return "", "not defined", ""

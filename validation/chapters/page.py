@@ -17,7 +17,7 @@ body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: var(--ink); m
 h1 { font-size: 1.7rem; line-height: 1.2; margin: 0.5rem 0; } h2 { font-size: 1.3rem; margin: 2.5rem 0 0.6rem; padding-top: 0.6rem; border-top: 2px solid var(--ink); }
 h3 { font-size: 1.05rem; margin: 1.8rem 0 0.4rem; } p, li { max-width: 50rem; } .soft { color: var(--soft); font-size: 0.88rem; }
 table { border-collapse: collapse; font-size: 0.85rem; margin: 0.6rem 0 1rem; } th, td { text-align: left; vertical-align: top; padding: 0.25rem 0.6rem 0.25rem 0; border-bottom: 1px solid var(--line); }
-th { font-weight: 600; border-bottom: 1px solid var(--ink); } td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; } .wide { overflow-x: auto; }
+th { font-weight: 600; border-bottom: 1px solid var(--ink); } td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; } td.n, td b { white-space: nowrap; } td:first-child { min-width: 7rem; } .wide { overflow-x: auto; }
 .v { display: inline-block; border-radius: 3px; padding: 0 0.4rem; font-size: 0.82rem; font-weight: 600; white-space: nowrap; border: 1px solid; }
 .v.yes { background: #dcefe8; border-color: #2d7d63; color: #17513e; } .v.trend { background: #e2edf7; border-color: #3a6ea5; color: #1d4470; }
 .v.open { background: #f4f0e0; border-color: #9a8433; color: #5d4e14; } .v.no { background: #f8e3da; border-color: #b5532a; color: #7a3010; }
@@ -117,11 +117,12 @@ def argument_texts(a):
     forces = {row["case"]: row for row in a["forces"]}
     third = forces["table 4, third order, 1 um"]
     side = a["sideways"]
-    forces_table = table(["from 0.15 s on, TB2", "#lowest [N]", "#highest [N]", "#highest at [s]", "#m times the ring's speed then [Hz]", "#bearing force, lowest [N]", "#highest [N]", "#its swing over the contact force's"],
+    forces_table = table(["from 0.15 s on, TB2", "#lowest [N]", "#highest [N]", "#highest at [s]", "#frequency of the wave then [Hz]", "#bearing force, lowest [N]", "#highest [N]", "#its swing over the contact force's"],
                          [[text(r["case"]), number(r["contact"]["lowest"]), number(r["contact"]["highest"]), number(r["time"], 3), number(r["frequency"], 3), number(r["bearing"]["lowest"]), number(r["bearing"]["highest"]), number(r["ratio"])] for r in a["forces"]])
     table_19 = table(["case", "#rub heat [J]", "#same, from the spin-up alone [J]", "#difference [J]", "#heat inside the bearing [J]", "#ring's rise [K]"],
                      [[text(r["case"]), number(r["rub_heat"], 6), number(r["slip_energy"], 6), number(r["residual"], 2), number(r["internal_heat"]), number(r["rise"], 5)] for r in a["spin_up"]])
     return {
+        "11": "The paper's times follow from spin inertias that it does not give: a ring needs about J omega/(mu r W) under the static load W. The spread above is over inertias as far as they could be; 0.2 s is at its end, with the lowest J.",
         "10": f"While the rotor slides on a ring, friction holds it about atan(mu) to the side, 25 µm; it can return to 0 only after the ring has caught up. At the end TB2's ring lags by {100 * side['TB2']['lag']:.2g} % and the mean of z is "
               f"{1e6 * side['TB2']['mean']:.3g} µm; TB1's has caught up late in the run and the mean of its last 50 ms is {1e6 * side['TB1']['mean']:.3g} µm. The paper's z of 0 belongs to a ring that has caught up at 0.2 s.",
         "12": "A wave of order m meets the contact m times a turn, so while the ring gains speed each order sweeps through the resonance of rotor, contact and balls at its own time. What a wave of 1 µm does is decided there, and by when the ring gets there, more than by "
@@ -145,8 +146,8 @@ def argument_texts(a):
 # ---- Chapters
 def rules_section(data):
     return "<h2 id=\"rules\">Rules</h2><p>Every claim is judged by one of two rules, in code, on our numbers only. A statement has the worst verdict of its claims (in the order " + ", ".join(verdicts.VERDICTS) + ").</p>" + "".join(f"<p>{rule}</p>" for rule in verdicts.RULES.values()) + \
-        f'<p>The reference is <code>{text(data["base"])}</code>. Unknowns are changed one at a time, {data["n_variants"]} changes in all; a claim about waves or friction is repeated for those with the note &ldquo;all cases&rdquo; in the list of runs. Where the paper does not say ' \
-        "which bearing it shows, the pair is taken and the other bearing counts as one more unknown.</p>"
+        f'<p>The reference is <code>{text(data["base"])}</code>. Unknowns are changed one at a time, {data["n_variants"]} changes in all; a claim about waves or friction is repeated for those that have runs of all its cases (list of runs). Where the paper does not say ' \
+        "which bearing it shows, the pair is taken; the other bearing, with and without each change, counts as one more unknown.</p>"
 
 
 def summary_rows(data):

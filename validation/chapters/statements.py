@@ -307,9 +307,9 @@ def no_rub_after_200_ms(run, bearing):
 
 @quantity
 def waves_rub_more(run, bearing):
-    """Rub heat with waves above that without, all five wavy cases of table 4"""
+    """Rub heat with waves at least 1 % above that without, all five wavy cases of table 4"""
     ideal = of(run, "ideal", bearing)["friction_heat"]
-    return all(of(run, name, bearing)["friction_heat"] > ideal for name in (*WAVY.values(), "order2-4um", "order3-2um"))
+    return all(of(run, name, bearing)["friction_heat"] > 1.01 * ideal for name in (*WAVY.values(), "order2-4um", "order3-2um"))
 
 
 # ---- Figures 18 and 19
@@ -360,9 +360,9 @@ def rise_4um(run, bearing):
 
 @quantity
 def order1_warmest(run, bearing):
-    """Of the 1 um waves the first order makes the inner ring warmest"""
+    """With 1 um waves of the first order the inner ring is at least 0.05 K warmer than with those of the second and third"""
     one, two, three = (of(run, WAVY[o], bearing)["temperature_rise_end"]["inner_ring"] for o in (1, 2, 3))
-    return one > max(two, three)
+    return one > max(two, three) + 0.05
 
 
 # ---- Text

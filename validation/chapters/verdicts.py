@@ -18,7 +18,7 @@ over that parameter is what reaches the band: to meet it proves nothing. And whe
     "holds": f"""A claim that a run meets or does not (an order, a sign, a bound with its number in the claim).
 <ol><li><b>{REPRODUCED}</b>: it holds in the reference and in every run with an unknown changed;</li>
 <li><b>{IN_TREND}</b>: it holds in the reference and in at least two thirds of these runs;</li>
-<li><b>{CONTRADICTED}</b>: it fails in the reference and in at least two thirds of them;</li>
+<li><b>{CONTRADICTED}</b>: it fails in the reference and in every run;</li>
 <li><b>{NOT_DECIDABLE}</b>: otherwise; also where it holds in the reference only thanks to a parameter that was fitted to this figure, because it fails in a run with another value of that parameter.</li></ol>""",
 }
 
@@ -80,6 +80,6 @@ def of_claim(reference, runs, fitted=()):
             return Verdict(REPRODUCED, "holds in every run")
         fails = unknowns_that(runs, lambda holds: not holds)
         return Verdict(IN_TREND if share >= MOST else NOT_DECIDABLE, f"{count}; fails with: {fails}")
-    if share <= 1 - MOST + 1e-12:
-        return Verdict(CONTRADICTED, f"fails in the reference; {count}")
-    return Verdict(NOT_DECIDABLE, f"fails in the reference; {count}")
+    if share == 0:
+        return Verdict(CONTRADICTED, "fails in every run")
+    return Verdict(NOT_DECIDABLE, f"fails in the reference; {count}: with {unknowns_that(runs, bool)}")

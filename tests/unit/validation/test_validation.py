@@ -89,8 +89,13 @@ class VerdictOnAClaim(unittest.TestCase):
 
     def test_two_thirds_are_enough(self):
         self.assertEqual(self.verdict(True, 6, 9), T)
-        self.assertEqual(self.verdict(False, 3, 9), C)
-        self.assertEqual(self.verdict(False, 4, 9), N)
+        self.assertEqual(self.verdict(True, 599, 900), N)
+
+    def test_one_run_that_meets_it_is_enough_not_to_be_contradicted_and_is_named(self):
+        verdict = verdicts.of_claim(False, [("damping", False), ("inertia", True)])
+        self.assertEqual(verdict.verdict, N)
+        self.assertIn("inertia", verdict.reason)
+        self.assertNotIn("damping", verdict.reason)
 
     def test_without_other_runs_the_reference_decides(self):
         self.assertEqual(self.verdict(True, 0, 0), R)
