@@ -175,7 +175,7 @@ def milliseconds(value):
 
 
 def scaled(value, unit):
-    return (number(1e6 * value, 3) + "&nbsp;um") if unit == "m" else with_unit(value, unit, 3)
+    return (number(1e6 * value, 3) + "&nbsp;\N{MICRO SIGN}m") if unit == "m" else with_unit(value, unit, 3)
 
 
 def models_section(models, pictures):
