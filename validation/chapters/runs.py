@@ -13,7 +13,7 @@ import tomllib
 from . import cases, measures
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SOURCES = (".cpp", ".h", ".hpp", ".in", ".txt")
+SOURCES = (".cpp", ".h", ".in", ".txt", ".cmake", ".py")
 
 
 class RunError(RuntimeError):
