@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Heat conduction in two bodies with contact resistance: `rotordrop heat` against FreeFEM (package freefem++).
 
-    /usr/bin/python3 validation/heat_freefem.py [PROGRAM]
+    /usr/bin/python3 validation/heat_freefem.py [PROGRAM [JSON]]
 
 PROGRAM is build/release/rotordrop unless given, built with the finite-element room. FreeFEM solves the same problem with its own mesh (quadratic
 triangles, graded), its own assembly and Alexander's SDIRK method of order 3 with fixed steps. Prints both temperatures at every probe and time, and the
-largest difference over the largest rise; CPU times of both without start-up. Exit codes: 0 agreement within 1e-4, or FreeFEM is not installed (said);
+largest difference over the largest rise; CPU times of both without start-up. JSON is a file for the differences, if wanted. Exit codes: 0 agreement within 1e-4, or FreeFEM is not installed (said);
 1 disagreement.
 """
 
@@ -163,6 +163,9 @@ def main():
             print(f"  {t:8.4g}   {name:16s} {mine:14.6f}  {other:14.6f}   {(mine - other) / largest:9.1e}")
     print(f"largest rise {largest:.3f} K; largest difference {worst:.1e} of it; rotordrop's energy residual {ours['energy']['residual']:.1e} J of {ours['energy']['input']:.4g} J")
     print(f"rotordrop: {ours['unknowns']} unknowns, {ours['steps']} steps, {ours['cpu_time']:.2f} s of CPU; FreeFEM: {unknowns} unknowns, {steps} steps, {cpu:.2f} s. The two are not set to the same accuracy.")
+    if len(sys.argv) > 2:
+        report = {"other": "FreeFEM", "largest_rise": largest, "largest_difference": worst * largest, "relative_difference": worst, "tolerance": TOLERANCE, "energy_residual": ours["energy"]["residual"], "energy_input": ours["energy"]["input"]}
+        pathlib.Path(sys.argv[2]).write_text(json.dumps(report))
     return 0 if worst <= TOLERANCE else 1
 
 

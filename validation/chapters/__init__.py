@@ -1,0 +1,1 @@
+"""Pieces of validation/run: cases, runs, verdicts, figures and the report."""
