@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "bearing/touchdown_parameters.h"
 #include "study/report.h"
 
 namespace rotordrop {
@@ -13,8 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Static load limit of ball bearings by ISO 76: plastic deformation of 1e-4 of the ball's diameter [Pa].
-constexpr double pressure_limit = 4.2e9;
 /// Up to here catalogue bearings' steel keeps its dimensions (stabilisation S0) [K].
 constexpr double steel_limit = 423.15;
 /// Energy not accounted for, over that dissipated: more says that the step or the tolerance is too coarse.
@@ -68,8 +67,9 @@ void check_load(Checks& checks, const RecordedDrop& drop, const std::string& nam
   double pressure = 0.;
   for (const auto& path : pressure_paths) pressure = std::max(pressure, largest_of(drop.series(path)).value);
   if (pressure > 0.)
-    checks.add(name + ": contact pressure", pressure < pressure_limit,
-               fmt::format("largest {:.3g} GPa; limit 4.2 GPa (ISO 76)", pressure * 1e-9));
+    checks.add(
+        name + ": contact pressure", pressure < static_pressure_limit,
+        fmt::format("largest {:.3g} GPa; limit {:.1f} GPa (ISO 76)", pressure * 1e-9, static_pressure_limit * 1e-9));
 }
 
 void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
