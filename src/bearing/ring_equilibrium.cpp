@@ -95,8 +95,7 @@ RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, const Force&
     const Eigen::MatrixXd damped =
         damping * Eigen::MatrixXd::Identity(load.size(), load.size()) - 0.5 * (stiffness + stiffness.transpose());
     const Vector next = place + damped.ldlt().solve(residual);
-    const bool is_better =
-        potential(next) < potential(place) || (ring.force(next) + load).norm() < residual.norm();
+    const bool is_better = potential(next) < potential(place) || (ring.force(next) + load).norm() < residual.norm();
     damping *= is_better ? 0.2 : 4.;
     if (is_better) place = next;
   }

@@ -12,7 +12,6 @@
 namespace rotordrop {
 
 struct TouchdownBearing::BallForces {
-  static constexpr std::size_t max_rows = 8;
   BallForces() {}  // leaves the rows unwritten: only those that exist are
   std::array<BallRowOutput, max_rows> row;
   double force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
@@ -34,16 +33,16 @@ TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(
 
 std::vector<StateEntry> TouchdownBearing::state_entries() const {
   std::vector<StateEntry> entries = {{"inner ring y", "m", 1e-4},
-          {"inner ring z", "m", 1e-4},
-          {"inner ring velocity y", "m/s", 0.1},
-          {"inner ring velocity z", "m/s", 0.1},
-          {"inner ring angle", "rad", 1.},
-          {"inner ring spin", "rad/s", 100.},
-          {"support y", "m", 1e-5},
-          {"support z", "m", 1e-5},
-          {"support velocity y", "m/s", 0.01},
-          {"support velocity z", "m/s", 0.01},
-          {"cage angle", "rad", 1.}};
+                                     {"inner ring z", "m", 1e-4},
+                                     {"inner ring velocity y", "m/s", 0.1},
+                                     {"inner ring velocity z", "m/s", 0.1},
+                                     {"inner ring angle", "rad", 1.},
+                                     {"inner ring spin", "rad/s", 100.},
+                                     {"support y", "m", 1e-5},
+                                     {"support z", "m", 1e-5},
+                                     {"support velocity y", "m/s", 0.01},
+                                     {"support velocity z", "m/s", 0.01},
+                                     {"cage angle", "rad", 1.}};
   if (data_.free_ring)
     entries.insert(entries.end(), {{"inner ring x", "m", 1e-5},
                                    {"inner ring velocity x", "m/s", 0.01},
@@ -265,10 +264,8 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
     dydt[ring_vx] = (t.on_ring.x + balls.force_x) / data_.ring_mass + ring.gravity_x;
     dydt[tilt_y] = y[tilt_rate_y];
     dydt[tilt_z] = y[tilt_rate_z];
-    dydt[tilt_rate_y] =
-        (t.on_ring.moment_y + balls.moment_y - gyroscopic * y[tilt_rate_z]) / ring.diametral_inertia;
-    dydt[tilt_rate_z] =
-        (t.on_ring.moment_z + balls.moment_z + gyroscopic * y[tilt_rate_y]) / ring.diametral_inertia;
+    dydt[tilt_rate_y] = (t.on_ring.moment_y + balls.moment_y - gyroscopic * y[tilt_rate_z]) / ring.diametral_inertia;
+    dydt[tilt_rate_z] = (t.on_ring.moment_z + balls.moment_z + gyroscopic * y[tilt_rate_y]) / ring.diametral_inertia;
   }
 
   out.heat.rub = t.rub_heat;
@@ -368,12 +365,11 @@ std::vector<Observable> TouchdownBearing::observables() const {
       {"row_axial_force", "N", "axial force of each row of balls on the inner ring", rows_.size(), row_names},
       {"preload", "N", "what opposed rows hold against each other: the smaller of their axial forces", 1, {}}};
   if (data_.free_ring)
-    list.insert(list.end(),
-                {{"axial_position", "m", "rotor and inner ring along the axis", 2, {"rotor", "ring"}},
-                 {"ring_tilt", "rad", "rotation of the inner ring about y and z", 2, yz},
-                 {"axial_force", "N", "rotor on inner ring along +x, shoulders and friction", 1, {}},
-                 {"shoulder_force", "N", "shoulders of the rotor on the inner ring, along +x", 1, {}},
-                 {"ring_moment", "N m", "rotor on inner ring about y and z", 2, yz}});
+    list.insert(list.end(), {{"axial_position", "m", "rotor and inner ring along the axis", 2, {"rotor", "ring"}},
+                             {"ring_tilt", "rad", "rotation of the inner ring about y and z", 2, yz},
+                             {"axial_force", "N", "rotor on inner ring along +x, shoulders and friction", 1, {}},
+                             {"shoulder_force", "N", "shoulders of the rotor on the inner ring, along +x", 1, {}},
+                             {"ring_moment", "N m", "rotor on inner ring about y and z", 2, yz}});
   return list;
 }
 

@@ -32,16 +32,16 @@ struct BoreWave {
 
 /// Shoulder of the rotor beside one face of the inner ring.
 struct Shoulder {
-  double side = 1;                                        ///< of the ring's face: +1 at +x, -1 at -x
+  double side = 1;                                       ///< of the ring's face: +1 at +x, -1 at -x
   double gap = std::numeric_limits<double>::infinity();  ///< axial, at the start [m]
 };
 
 /// What an inner ring with five degrees of freedom has besides; see docs/model.md, section 4.
 struct FreeRing {
-  double polar_inertia = 0;       ///< of the ring alone, for its gyroscopic moment [kg m^2]
-  double diametral_inertia = 0;   ///< [kg m^2]
-  double gravity_x = 0;           ///< [m/s^2]
-  double width = 0;               ///< of the bore, on which the rotor lies [m]
+  double polar_inertia = 0;      ///< of the ring alone, for its gyroscopic moment [kg m^2]
+  double diametral_inertia = 0;  ///< [kg m^2]
+  double gravity_x = 0;          ///< [m/s^2]
+  double width = 0;              ///< of the bore, on which the rotor lies [m]
   std::vector<Shoulder> shoulders;
   double shoulder_radius = 0;     ///< mean radius of the faces that touch [m]
   double shoulder_stiffness = 0;  ///< [N/m]
@@ -87,6 +87,7 @@ struct TouchdownBearingData {
 /// The inner ring translates and spins; it also tilts and moves along its axis if it is a free one. The outer ring does not rotate.
 class TouchdownBearing final : public Support {
  public:
+  static constexpr std::size_t max_rows = 8;
   explicit TouchdownBearing(TouchdownBearingData data);
 
   /// Offsets in this support's part of the state vector.

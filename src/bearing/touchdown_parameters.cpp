@@ -72,19 +72,18 @@ Section<ShoulderParameters> shoulder_section() {
               .help = "Axial gap to the shoulder at the ring's -x face, which stops a rotor that moves towards +x; no "
                       "shoulder if not given."});
   s.quantity("gap_plus_x", &P::gap_plus_x,
-             {.unit = "m",
-              .range = at_least(0),
-              .help = "The same at the +x face, against motion towards -x."});
+             {.unit = "m", .range = at_least(0), .help = "The same at the +x face, against motion towards -x."});
   s.quantity("radius", &P::radius,
              {.unit = "m",
               .range = positive(),
               .help = "Mean radius of the touching faces; midway between the inner ring's diameters if not given."});
-  s.quantity("stiffness", &P::stiffness,
-             {.unit = "N/m",
-              .range = positive(),
-              .fallback = "5e8 N/m",
-              .source = "estimate: about a tenth of a ring's own axial stiffness, for faces that are not flat",
-              .help = "Of all the face together. Damped by contact.lambda, rubbing with contact.friction_coefficient."});
+  s.quantity(
+      "stiffness", &P::stiffness,
+      {.unit = "N/m",
+       .range = positive(),
+       .fallback = "5e8 N/m",
+       .source = "estimate: about a tenth of a ring's own axial stiffness, for faces that are not flat",
+       .help = "Of all the face together. Damped by contact.lambda, rubbing with contact.friction_coefficient."});
   return s;
 }
 
@@ -158,8 +157,7 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
              {.unit = "kg m2",
               .range = positive(),
               .help = "Spin inertia of the inner ring with its balls and cage. Sets spin-up time and rub heat."});
-  s.choice("ring_motion", &P::ring_motion,
-           {{"translations", RingMotion::translations}, {"free", RingMotion::free}},
+  s.choice("ring_motion", &P::ring_motion, {{"translations", RingMotion::translations}, {"free", RingMotion::free}},
            {.fallback = "translations",
             .help = "What the inner ring may do besides spinning: move across the axis only, or along it too and "
                     "tilt. A free ring feels the rotor along its whole width."});

@@ -98,7 +98,7 @@ inline constexpr double static_pressure_limit = 4.2e9;
 struct TouchdownSurroundings {
   ElasticMaterial ring, ball;
   std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
-  double ball_density = 0;              ///< [kg/m^3]
+  double ball_density = 0;          ///< [kg/m^3]
 };
 
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.

@@ -243,10 +243,10 @@ void check_axial_motion(const MachineParameters& p, const Node& case_node, Fault
     stops_minus |= b->shoulders.gap_plus_x.has_value();
     const Node* own = table_of(case_node, "bearings").find(entry.name);
     if (is_free && b->ring_motion != RingMotion::free)
-      faults.add(position_of_value(own ? *own : table_of(case_node, "bearings"), "ring_motion"),
-                 fmt::format("rotor.axial_motion = \"free\", and the inner ring of {} cannot follow the rotor.",
-                             entry.name),
-                 fmt::format("Set bearings.{}.ring_motion = \"free\".", entry.name));
+      faults.add(
+          position_of_value(own ? *own : table_of(case_node, "bearings"), "ring_motion"),
+          fmt::format("rotor.axial_motion = \"free\", and the inner ring of {} cannot follow the rotor.", entry.name),
+          fmt::format("Set bearings.{}.ring_motion = \"free\".", entry.name));
     if (!is_free && has_shoulder)
       faults.add(position_of(own ? *own : table_of(case_node, "bearings"), "shoulders"),
                  fmt::format("bearings.{}.shoulders stop a rotor that cannot move along its axis.", entry.name),
@@ -259,7 +259,8 @@ void check_axial_motion(const MachineParameters& p, const Node& case_node, Fault
                fmt::format("nothing stops the rotor that {:.6g} N push towards {}.", std::fabs(force), where),
                fmt::format("Give a bearing {}, the gap to a shoulder.", key));
   };
-  const double to_plus = weight + (table.empty() ? 0. : (*most)[1]), to_minus = weight + (table.empty() ? 0. : (*least)[1]);
+  const double to_plus = weight + (table.empty() ? 0. : (*most)[1]),
+               to_minus = weight + (table.empty() ? 0. : (*least)[1]);
   if (to_plus > 0. && !stops_plus) unheld("+x", "shoulders.gap_minus_x", to_plus);
   if (to_minus < 0. && !stops_minus) unheld("-x", "shoulders.gap_plus_x", to_minus);
 }
@@ -323,8 +324,7 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
   const MaterialParameters &ring = *find_material(p, b.ring), &ball = *find_material(p, b.ball);
-  return touchdown_data(name, b, p.contact,
-                        {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
+  return touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
 }
 
 GrowthDriver driver_of(const ThermalParameters& t) {

@@ -30,7 +30,7 @@ struct RotorParameters {
   double mass_proportional_alpha = 0;  ///< [1/s]
   double cut_off_frequency = 0;        ///< [Hz]
   std::vector<Unbalance> unbalance;
-  TimeTable torque;       ///< [N m]
+  TimeTable torque;  ///< [N m]
   AxialFreedom axial_motion = AxialFreedom::locked;
   TimeTable axial_force;  ///< along +x [N]
   // What the start adds to the rotor's straight line through both ring centres, at rest.

@@ -146,8 +146,8 @@ TEST(FreeRing, WattsOfTheSpinUpAreThoseOfBothTorques) {
     const auto& d = bearing.data();
     const double M = (e.out.heat.inner + e.out.heat.outer) / s.y[TB::ring_spin];
     const double on_ring = d.ring_spin_inertia * e.rates[TB::ring_spin] + M;
-    const double rub = d.rotor_radius / d.bore_radius * e.ledger[TB::spin_up_drive] -
-                       s.y[TB::ring_spin] * on_ring + e.ledger[TB::spin_up_centres];
+    const double rub = d.rotor_radius / d.bore_radius * e.ledger[TB::spin_up_drive] - s.y[TB::ring_spin] * on_ring +
+                       e.ledger[TB::spin_up_centres];
     EXPECT_NEAR(rub, e.out.heat.rub, 1e-9 * std::max(std::fabs(e.ledger[TB::spin_up_drive]), e.out.heat.rub));
   }
 }
@@ -218,9 +218,7 @@ TEST(FreeRing, ATiltedJournalPressesMoreAtOneEnd) {
   in.journal.theta_z = -theta;  // lower, so deeper, at +x
   const double low = delta - theta * w / 2, high = delta + theta * w / 2;
   const double F = K / (w * theta * (n + 1)) * (std::pow(high, n + 1) - std::pow(low, n + 1));
-  const auto primitive = [&](double d) {
-    return std::pow(d, n + 2) / (n + 2) - delta * std::pow(d, n + 1) / (n + 1);
-  };
+  const auto primitive = [&](double d) { return std::pow(d, n + 2) / (n + 2) - delta * std::pow(d, n + 1) / (n + 1); };
   const double M = K / (w * theta * theta) * (primitive(high) - primitive(low));
   const auto e = evaluate(bearing, in, y);
   EXPECT_NEAR(e.out.force_on_rotor.y, F, 2e-7 * F) << "N; three Gauss points on (1 +- 0.2)^(10/9)";
