@@ -247,8 +247,8 @@ void HeatSolver::book_held_boundaries(const Vector& before, const Vector& after,
 
 // ------------------------------------------------------------------------------------------------------------------- windows
 
-void HeatSolver::set_port_heat(std::span<const double> watts) {
-  operator_.hold_port_heat(watts);
+void HeatSolver::set_port_heat(std::span<const double> watts, std::span<const double> rates) {
+  operator_.hold_port_heat(watts, rates, time_);
   must_restart_ = true;
 }
 
