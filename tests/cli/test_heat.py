@@ -263,8 +263,8 @@ class HeatOfABearing(ProgramTest):
             self.assertGreater(energy["stored"], 0, name)
 
     def test_recorded_heat_gives_the_drops_own_circuit(self):
-        """Within a row of 50 us the heat is spread evenly, so a node differs by what that moves, times 50 us over the circuit's time constants
-        (0.1 s and more): 5e-4 of the heat of one row, which is at most a hundredth of all."""
+        """Within a row of 50 us the heat is spread evenly: heat of a row, at most a fiftieth of all, moves by less than 50 us, and conduction changes a node
+        by 50 us over the circuit's time constants, 5 s and more. That is 2e-7 of the largest rise."""
         self.run_case(self.case(""), output="drop", run__end_time="60 ms")
         times = [5e-3, 12e-3, 30e-3, 60e-3]
         nodes = ["shaft", "inner_ring", "ball", "outer_ring", "housing"]
@@ -279,10 +279,10 @@ class HeatOfABearing(ProgramTest):
                 self.assertGreater(largest, 0.1)
                 for n in nodes:
                     for row, T in zip(rows, summary["probes"][n]["temperature"]):
-                        self.assertAlmostEqual(T, results[f"/thermal/{bearing}/{n}"][row], delta=5e-6 * largest, msg=f"{bearing} {n}")
+                        self.assertAlmostEqual(T, results[f"/thermal/{bearing}/{n}"][row], delta=2e-7 * largest, msg=f"{bearing} {n}")
                 growth = results[f"/growth/lumped/{bearing}"][rows[-1]]
                 for name, value in zip(("shaft", "bore", "inner_race", "outer_race", "ball"), growth):
-                    self.assertAlmostEqual(summary["growth"]["lumped"][name][-1], value, delta=5e-6 * max(abs(growth)))
+                    self.assertAlmostEqual(summary["growth"]["lumped"][name][-1], value, delta=1e-6 * max(abs(growth)))
                 given = sum(results[f"/ledger/{bearing}/{heat}_heat"][-1] for heat in ("rub", "inner", "outer"))
                 self.assertAlmostEqual(summary["energy"]["lumped"]["input"], given, delta=1e-12 * given)
             self.assert_closed(summary)
@@ -325,7 +325,8 @@ class HeatOfABearing(ProgramTest):
         self.assertEqual(first["probes"], self.summary("again")["probes"])
 
     def test_a_drop_takes_no_notice_of_heat(self):
-        self.assertEqual(self.run_case(self.case(BEARING + STEADY)), self.run_case(self.case("", "plain.toml"), output="plain"))
+        with_heat, without = self.run_case(self.case(BEARING + STEADY)), self.run_case(self.case("", "plain.toml"), output="plain")
+        self.assertEqual(with_heat["bearings"], without["bearings"])
 
     def test_check_builds_the_models(self):
         done = self.succeed("check", self.case(BEARING + STEADY))
@@ -334,8 +335,8 @@ class HeatOfABearing(ProgramTest):
 
     @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
     def test_recorded_heat_gives_the_drops_own_finite_elements(self):
-        """The same modes on heat that is spread evenly within rows of 50 us. Of a body's mean, which changes by conduction through surfaces only,
-        little can come of that; the surfaces' own temperatures follow within a row and are not compared."""
+        """The same modes on heat that is spread evenly within rows of 50 us. Bodies exchange heat through their surfaces, the bore with the shaft at ten
+        times the mean's rise, so a mean differs by ten times what the circuit's does; the surfaces themselves follow within a row and are not compared."""
         both = 'thermal.models = ["lumped", "fe"]\n'
         self.run_case(self.case(both), output="drop", run__end_time="30 ms")
         nodes = ["inner_ring", "outer_ring", "housing", "ball", "shaft"]
@@ -347,10 +348,10 @@ class HeatOfABearing(ProgramTest):
             for t, at in ((15e-3, 0), (30e-3, 1)):
                 row = int(abs(results["/time"][:] - t).argmin())
                 for n in nodes:
-                    self.assertAlmostEqual(summary["probes"][n]["temperature"][at], results[f"/fe/TB1/{n}"][row], delta=2e-5 * largest, msg=n)
+                    self.assertAlmostEqual(summary["probes"][n]["temperature"][at], results[f"/fe/TB1/{n}"][row], delta=2e-6 * largest, msg=n)
                 growth = results["/growth/fe/TB1"][row]
                 for name, value in zip(("shaft", "bore", "inner_race", "outer_race", "ball"), growth):
-                    self.assertAlmostEqual(summary["growth"]["fe"][name][at], value, delta=2e-5 * max(abs(growth)))
+                    self.assertAlmostEqual(summary["growth"]["fe"][name][at], value, delta=4e-6 * max(abs(growth)))
         self.assert_closed(summary)
 
     @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
@@ -372,21 +373,21 @@ class HeatOfABearing(ProgramTest):
 
     @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
     def test_modes_and_mesh_agree(self):
-        """As far as the modes follow each port's own heat, which the summary tells; a body's mean is closer than a surface. The mesh carries eq. 16 with the
-        local rise, the modes with the mean, but the housing is hardly warm yet."""
+        """Heat into a race that is twenty times a drop's: 48 modes instead of 28. Means of bodies agree but for the steps' tolerance; surfaces to what modes
+        leave out. The mesh carries eq. 16 with the local rise, the modes with the mean, but the housing is hardly warm yet."""
         case = BEARING.replace('"10 ms"', '"50 ms"') + 'models = ["fe"]\n[[heat.source]]\nport = "rub"\ntimes = [0, 2e-3]\nvalues = [1e4, 0]\n[[heat.source]]\nport = "inner"\ninterpolation = "linear"\ntimes = [0, 0.05]\nvalues = [0, 2e3]\n'
-        reduced, mesh = (self.heat(case, "--set", f"thermal.fe.coupling={coupling}", output=coupling) for coupling in ("reduced", "windowed"))
+        reduced, mesh = (self.heat(case, "--set", f"thermal.fe.coupling={coupling}", "--set", "thermal.fe.modes=48", output=coupling) for coupling in ("reduced", "windowed"))
         self.assertEqual(set(reduced["probes"]), set(mesh["probes"]))
         for summary in (reduced, mesh):
             self.assertAlmostEqual(summary["energy"]["fe"]["input"], 20 + 50, delta=1e-10)
             self.assert_closed(summary)
-        error = max(reduced["models"]["fe"]["response_error"].values())
-        self.assertLess(error, 0.01)
+        self.assertEqual(set(reduced["models"]["fe"]["response_error"]), {"bore", "shaft", "inner_raceway", "outer_raceway"})
+        self.assertGreater(mesh["models"]["fe"]["factorisations"], 1)
         largest = max(probe["temperature"][-1] for probe in mesh["probes"].values()) - 293.15
         for name, probe in mesh["probes"].items():
             is_mean = name.split(".")[1] in ("inner_ring", "outer_ring", "housing", "ball", "shaft")
             for a, b in zip(reduced["probes"][name]["temperature"][1:], probe["temperature"][1:]):
-                self.assertAlmostEqual(a, b, delta=(5e-4 if is_mean else 1.5 * error) * largest, msg=name)
+                self.assertAlmostEqual(a, b, delta=(1e-6 if is_mean else 1e-3) * largest, msg=name)
 
     @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
     def test_the_circuit_meets_the_finite_elements_under_steady_heat(self):
