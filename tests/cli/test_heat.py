@@ -403,6 +403,66 @@ class HeatOfABearing(ProgramTest):
             self.assertAlmostEqual(lumped / fe, 1, delta=0.1, msg=node)
 
     @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    def test_a_plain_section_is_the_one_written_by_hand(self):
+        """Outer ring and housing of TB1 as rectangles with fit, eq. 16 and tables of k and c, written down here; balls that conduct next to nothing to
+        them. Only meshes and steps differ."""
+        steel = 'k_table = [["293 K", 46], ["323 K", 30]]\nc_table = [["293 K", 460], ["323 K", 700]]\n'
+        bearing = self.heat('thermal.models = ["fe"]\nthermal.contact_half_width = "1e-9 m"\n[thermal.fe]\nsection = "plain"\ncoupling = "windowed"\n[materials.steel]\n' + steel
+                            + '[heat]\nbearing = "TB1"\noutput_times = ["50 ms", "2 s", "20 s"]\n[[heat.source]]\nport = "outer"\ntimes = [0, 10]\nvalues = [2e3, 0]\n'
+                            + '[[heat.probe]]\nname = "race"\nboundary = "outer_ring.inner"\n[[heat.probe]]\nname = "fit"\nx = 0\nr = "55 mm"\nbody = "outer_ring"\n[[heat.probe]]\nname = "outside"\nboundary = "housing.outer"\n[[heat.probe]]\nname = "end"\nx = "12.5 mm"\nr = "55 mm"\n')
+        area, fit = math.pi * 97.2e-3 * 20e-3, math.pi * 110e-3 * 20e-3
+        self.succeed("heat", self.write("by-hand.toml", f"""
+output_times = ["50 ms", "2 s", "20 s"]
+[materials.mine]
+rho = 7800
+{steel}
+[[section.rectangle]]
+name = "ring"
+x = ["-10 mm", "10 mm"]
+r = ["48.6 mm", "55 mm"]
+material = "mine"
+[[section.rectangle]]
+name = "housing"
+x = ["-12.5 mm", "12.5 mm"]
+r = ["55 mm", "65 mm"]
+material = "mine"
+[[interface]]
+between = ["ring.outer", "housing.inner"]
+resistance = {0.005 * fit}
+[[flux]]
+boundary = "ring.inner"
+times = [0, 10]
+values = [{2e3 / area}, 0]
+[[convection]]
+boundary = "housing.outer"
+coefficient = 23
+exponent = 0.25
+[[probe]]
+name = "race"
+boundary = "ring.inner"
+[[probe]]
+name = "fit"
+x = 0
+r = "55 mm"
+[[probe]]
+name = "outside"
+boundary = "housing.outer"
+[[probe]]
+name = "end"
+x = "12.5 mm"
+r = "55 mm"
+body = "housing"
+"""), "-o", "hand")
+        by_hand = self.summary("hand")
+        self.assertGreater(by_hand["probes"]["race"]["temperature"][-1], 293.15 + 5)
+        self.assertGreater(by_hand["energy"]["lost"], 0.005 * by_hand["energy"]["input"])
+        for name, probe in by_hand["probes"].items():
+            for mine, theirs in zip(bearing["probes"][name]["temperature"], probe["temperature"]):
+                self.assertAlmostEqual(mine, theirs, delta=1e-4 * (max(probe["temperature"]) - 293.15), msg=name)
+        self.assertAlmostEqual(bearing["energy"]["fe"]["lost"] / by_hand["energy"]["lost"], 1, delta=1e-4)
+        self.assert_closed(bearing)
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
     def test_the_example_runs(self):
         self.succeed("heat", PARAMS / "heat/bearing.toml", "-o", "out")
         summary = self.summary()

@@ -73,7 +73,9 @@ class HeatSolver final : public HeatConductionSolver {
   [[nodiscard]] std::unique_ptr<LinearSolver> new_linear_solver() const {
     return make_linear_solver(numerics_.solver, operator_.is_symmetric());
   }
-  void solve_window_stage(double step, double t, Vector& T, Vector& flow);
+  void advance_parts_of_window(double step, int most_parts);
+  [[nodiscard]] bool step_window(double step);
+  [[nodiscard]] bool solve_window_stage(double step, double t, Vector& T, Vector& flow);
 
   HeatOperator operator_;
   const HeatNumerics numerics_;
