@@ -309,6 +309,17 @@ class HeatOfABearing(ProgramTest):
         self.assertAlmostEqual(heat["rub_into_ring"], 0.66 * 30, delta=1e-11)
         self.assertAlmostEqual(heat["rub_into_shaft"], 0.34 * 30, delta=1e-11)
 
+    def test_rotor_and_ring_touch_while_rub_heat_flows(self):
+        """R2 + R3 = 0.06 K/W join shaft and ring while they touch, R2 + R3 and 1.6 K/W of air afterwards: of a ring that is 1 K warmer the shaft takes a
+        twentieth of what it takes by the permanent link."""
+        case = '[heat]\nbearing = "TB1"\noutput_times = ["1 ms", "2 ms", "0.1 s"]\n' + STEADY.replace("times = [0]\nvalues = [1e4]", 'pulse = { height = "100 kW", width = "2 ms" }')
+        always, touching = (self.heat(case, "--set", f"thermal.shaft_ring_link={link}", output=link)["probes"]["lumped.shaft"]["temperature"] for link in ("permanent", "in-contact"))
+        self.assertGreater(always[0], 293.15)
+        self.assertAlmostEqual(always[1], touching[1], delta=1e-9)
+        later = [T[2] - T[1] for T in (always, touching)]
+        self.assertLess(later[1], 0.1 * later[0])
+        self.assertGreater(later[1], 0)
+
     def test_without_probes_every_node_is_reported(self):
         summary = self.heat(BEARING + STEADY)
         self.assertEqual(set(summary["probes"]), {f"lumped.{n}" for n in ("shaft", "inner_ring", "inner_contact", "ball", "outer_contact", "outer_ring", "housing")})
