@@ -357,11 +357,7 @@ std::vector<Observable> TouchdownBearing::observables() const {
       {"rub_heat_rate", "W", "friction heat between rotor and inner ring (eq. 19)", 1, {}},
       {"inner_heat_rate", "W", "friction heat of balls and inner race", 1, {}},
       {"outer_heat_rate", "W", "friction heat of balls and outer race", 1, {}},
-      {"expansion",
-       "m",
-       "thermal and centrifugal growth",
-       5,
-       {"shaft", "bore", "inner race", "outer race", "ball radius"}},
+      growth_observable("expansion", "thermal and centrifugal growth"),
       {"row_axial_force", "N", "axial force of each row of balls on the inner ring", rows_.size(), row_names},
       {"preload", "N", "what opposed rows hold against each other: the smaller of their axial forces", 1, {}}};
   if (data_.free_ring)
@@ -410,7 +406,7 @@ void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, 
                                          data_.spin_axis_factor * std::cbrt(largest), data_.spin_elliptic_integral);
   put({y[ring_spin], y[cage_angle], load_torque, drag_torque, spin_torque, spin_speed_sum_ratio_ * y[ring_spin]});
   put({heat.rub, heat.inner, heat.outer});
-  put({growth.shaft, growth.bore, growth.inner_race, growth.outer_race, growth.ball});
+  for (const double surface : growth_values(growth)) out[at++] = surface;
   double towards_plus = 0., towards_minus = 0.;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const double axial = balls.row[i].force_x;

@@ -45,7 +45,7 @@ struct BearingScalars {
   FollowedPeak contact_pressure;                  ///< of balls and races [Pa]
   std::array<FollowedPeak, TouchdownBearing::max_rows> row_pressure;  ///< the same of each row [Pa]
   FollowedRange clearance;                                            ///< radial air gap [m]
-  std::array<FollowedRange, 5> growth;                                ///< as Expansion lists the surfaces [m]
+  std::array<FollowedRange, growth_surfaces.size()> growth;           ///< of growth_surfaces [m]
   FollowedRange preload;                                              ///< of opposed rows [N]
   FollowedRange axial_force, axial_position;  ///< of rotor on ring [N], of the rotor [m]; of a free ring
   double ring_speed_end = never;              ///< [rad/s]
