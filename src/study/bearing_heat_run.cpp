@@ -23,12 +23,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<const char*, double Expansion::*>, 5> surfaces = {
-    {{"shaft", &Expansion::shaft},
-     {"bore", &Expansion::bore},
-     {"inner_race", &Expansion::inner_race},
-     {"outer_race", &Expansion::outer_race},
-     {"ball", &Expansion::ball}}};
+std::string growth_key(std::size_t surface) {
+  std::string key = growth_surface_names.at(surface);
+  std::replace(key.begin(), key.end(), ' ', '_');
+  return key;
+}
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -197,12 +196,12 @@ Recorder make_recorder(const BearingHeatCase& c, const HeatRunOptions& options) 
                                                 : "temperature at a point",
                                1,
                                {}});
-  for (const auto& model : c.models) {
-    std::vector<std::string> columns;
-    for (const auto& surface : surfaces) columns.emplace_back(surface.first);
-    series.channels.push_back(
-        {"/growth/" + model.name, "m", "thermal growth by model " + model.name, columns.size(), columns});
-  }
+  for (const auto& model : c.models)
+    series.channels.push_back({"/growth/" + model.name,
+                               "m",
+                               "thermal growth by model " + model.name,
+                               growth_surfaces.size(),
+                               {growth_surface_names.begin(), growth_surface_names.end()}});
   const RecordHeader header{{{"program", std::string("rotordrop ") + version()},
                              {"git_revision", git_revision()},
                              {"hdf5_version", hdf5_version()},
@@ -289,7 +288,7 @@ class BearingHeatRun {
     }
     for (std::size_t m = 0; m < case_.models.size(); ++m) {
       growth_[m].push_back(case_.models[m].heated->growth());
-      for (const auto& surface : surfaces) row.push_back(growth_[m].back().*surface.second);
+      for (const double value : growth_values(growth_[m].back())) row.push_back(value);
     }
     times_.push_back(time_);
     if (recorder_) recorder_->append(0, time_, row);
@@ -320,9 +319,9 @@ class BearingHeatRun {
       const auto& [name, heated] = case_.models[m];
       Json& growth = j["growth"][name];
       growth["time"] = times_;
-      for (const auto& [surface, member] : surfaces) {
-        growth[surface] = Json::array();
-        for (const auto& expansion : growth_[m]) growth[surface].push_back(expansion.*member);
+      for (std::size_t k = 0; k < growth_surfaces.size(); ++k) {
+        Json& values = growth[growth_key(k)] = Json::array();
+        for (const auto& expansion : growth_[m]) values.push_back(expansion.*growth_surfaces[k]);
       }
       const double stored = heated->stored(), lost = heated->lost();
       j["energy"][name] = {{"input", input}, {"stored", stored}, {"lost", lost}, {"residual", input - stored - lost}};
