@@ -25,6 +25,9 @@ ROTORDROP_INLINE Real limited(Real value, Real low, Real high) {
   return above < high ? above : high;
 }
 
+/// n is a multiple of 8: the compiler needs no loops for what is left over.
+ROTORDROP_INLINE std::size_t whole_vectors(std::size_t n) { return n & ~std::size_t{7}; }
+
 template <class Real>
 struct Row {
   Real K_i, K_o, l_i, l_o, g, F_0;
@@ -157,8 +160,8 @@ struct Single {
 
 ROTORDROP_WIDE_VECTORS
 void narrow(const InertialBalls& w, Single& f) {
-#pragma omp simd
-  for (std::size_t j = 0; j < w.n; ++j) {
+#pragma omp simd simdlen(8)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
     f.B_x[j] = static_cast<float>(w.B_x[j]);
     f.B_r[j] = static_cast<float>(w.B_r[j]);
     f.added_i[j] = static_cast<float>(w.added_i[j]);
@@ -169,8 +172,8 @@ void narrow(const InertialBalls& w, Single& f) {
 ROTORDROP_WIDE_VECTORS
 void guess_all(const Row<float>& constants, float c_i, float c_o, float bottom, std::size_t n, Single& f) {
   const Row<float> row = constants;  // a copy that no store can change
-#pragma omp simd
-  for (std::size_t j = 0; j < n; ++j) {
+#pragma omp simd simdlen(8)
+  for (std::size_t j = 0; j < whole_vectors(n); ++j) {
     const auto p = guess(row, c_i, c_o, bottom, {f.B_x[j], f.B_r[j], f.added_i[j], f.added_o[j]});
     f.delta_o[j] = p.delta_o;
     f.o_x[j] = p.x;
@@ -182,9 +185,8 @@ void guess_all(const Row<float>& constants, float c_i, float c_o, float bottom, 
 ROTORDROP_WIDE_VECTORS
 void look_up(const float* delta_o, const float* o_x, float first, float per_step, float last, std::size_t n,
              Single& f) {
-#pragma omp simd
-  for (std::size_t j = 0; j < n; ++j) {
-    // What adds to the deflections is nearly a shift of B_r.
+#pragma omp simd simdlen(8)
+  for (std::size_t j = 0; j < whole_vectors(n); ++j) {
     const float at = limited((f.B_r[j] + f.added_i[j] + f.added_o[j] - first) * per_step, 0.f, last);
     const auto k = static_cast<std::int32_t>(at);
     const float part = at - static_cast<float>(k);
@@ -200,8 +202,8 @@ ROTORDROP_WIDE_VECTORS
 float step(const Row<float>& constants, std::size_t n, float enough, Single& f) {
   const Row<float> row = constants;
   float n_left = 0;
-#pragma omp simd reduction(+ : n_left)
-  for (std::size_t j = 0; j < n; ++j) {
+#pragma omp simd simdlen(8) reduction(+ : n_left)
+  for (std::size_t j = 0; j < whole_vectors(n); ++j) {
     const Place<float> p{f.delta_o[j], f.o_x[j], f.o_r[j]};
     const Balance<float> b(row, p, {f.B_x[j], f.B_r[j], f.added_i[j], f.added_o[j]});
     n_left += b.left(enough) <= 0.f ? 0.f : 1.f;
@@ -216,7 +218,7 @@ float step(const Row<float>& constants, std::size_t n, float enough, Single& f) 
 ROTORDROP_WIDE_VECTORS
 void widen(const Single& f, InertialBalls& w) {
 #pragma omp simd
-  for (std::size_t j = 0; j < w.n; ++j) {
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
     // Rounding has left the normals a little off unit length; to first order of that they are brought back.
     const double x = f.o_x[j], r = f.o_r[j], fix = 1.5 - 0.5 * (x * x + r * r);
     w.delta_o[j] = f.delta_o[j];
@@ -231,7 +233,7 @@ double finish(const Row<double>& constants, double u_per_root_i, double enough, 
   const Row<double> row = constants;
   double n_left = 0., power = 0., per_radial = 0., per_ball_growth = 0., per_force = 0.;
 #pragma omp simd reduction(+ : n_left, power, per_radial, per_ball_growth, per_force)
-  for (std::size_t j = 0; j < w.n; ++j) {
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
     const Place<double> p{w.delta_o[j], w.o_x[j], w.o_r[j]};
     const Balance<double> b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
     n_left += b.left(enough) <= 0. ? 0. : 1.;
@@ -252,7 +254,8 @@ double finish(const Row<double>& constants, double u_per_root_i, double enough, 
     const double by_n = (f_n * b.R_t_a - f_t * b.L_o * b.R_t_x) * b.inverse_det;
     const double by_t = (f_t * b.L_o * b.R_n_x - f_n * b.R_n_a) * b.inverse_det;
     const double gap_n = b.S_i * (b.c * by_n + b.s * by_t);
-    const double gap_t = b.inverse_L_i * ((b.F_by_i * b.h_n - b.Q_i * b.s) * by_n + (b.F_by_i * b.h_t + b.Q_i * b.c) * by_t);
+    const double gap_t =
+        b.inverse_L_i * ((b.F_by_i * b.h_n - b.Q_i * b.s) * by_n + (b.F_by_i * b.h_t + b.Q_i * b.c) * by_t);
     const double B_x = w.B_x_rate[j], B_r = w.B_r_rate[j], outer = w.added_o_rate[j], is_ball = w.is_ball[j];
     power += is_ball * (gap_n * (B_x * b.i_x + B_r * b.i_r + outer * b.c + w.added_i_rate[j]) +
                         gap_t * (B_x * b.i_r - B_r * b.i_x - outer * b.s) - f_n * outer);
@@ -282,21 +285,42 @@ void place_one(const InertialRow& row, double F_0, std::size_t j, InertialBalls&
   w.o_r[j] = b.cos_o;
 }
 
-/// Places from the row's table. @return false if the table does not have them
-bool start_from(const InertialStarts& starts, double F_0, const InertialBalls& w, Single& f) {
-  double least = w.B_r[0] + w.added_i[0] + w.added_o[0], largest = least;
-  for (std::size_t j = 1; j < w.n; ++j) {
+/// Least and largest B_r of a row, with what adds to the deflections, which is nearly a shift of B_r.
+struct Reach {
+  double least, largest;
+};
+ROTORDROP_WIDE_VECTORS
+Reach reach(const InertialBalls& w) {
+  double least = 1e300, largest = -1e300;
+#pragma omp simd reduction(min : least) reduction(max : largest)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
     const double radius = w.B_r[j] + w.added_i[j] + w.added_o[j];
     least = std::min(least, radius);
     largest = std::max(largest, radius);
   }
+  return {least, largest};
+}
+
+/// Between three tables one step apart, by a parabola: centrifugal forces go with the square of the speed.
+ROTORDROP_WIDE_VECTORS
+void blend(const float* t_0, const float* t_1, const float* t_2, float part, std::size_t first, std::size_t last,
+           float* out) {
+  const float w_0 = 0.5f * (1.f - part) * (2.f - part), w_1 = part * (2.f - part), w_2 = 0.5f * part * (part - 1.f);
+#pragma omp simd simdlen(8)
+  for (std::size_t k = whole_vectors(first); k < whole_vectors(last); ++k)
+    out[k] = w_0 * t_0[k] + w_1 * t_1[k] + w_2 * t_2[k];
+}
+
+/// Places from the row's table. @return false if the table does not have them
+bool start_from(const InertialStarts& starts, double F_0, const InertialBalls& w, Single& f) {
+  const auto [least, largest] = reach(w);
   const double per_step = 1. / starts.radius_step(), end = static_cast<double>(InertialStarts::n_radii) - 1.001;
   const double low = (least - starts.first_radius()) * per_step, high = (largest - starts.first_radius()) * per_step;
   // Below the first entry balls are free, or nearly so.
   if (!(high <= end && low <= end)) return false;
   const auto entry = [&](double at) { return static_cast<std::size_t>(std::max(at, 0.)); };
   InertialStarts::Table table;
-  if (!starts.at_speed(F_0, entry(low), entry(high) + 1, table)) return false;
+  if (!starts.at_speed(F_0, entry(low) / 8 * 8, (entry(high) + 2 + 7) / 8 * 8, table)) return false;
   look_up(table[0].data(), table[1].data(), static_cast<float>(starts.first_radius()), static_cast<float>(per_step),
           static_cast<float>(end), w.n, f);
   return true;
@@ -323,13 +347,11 @@ InertialStarts::InertialStarts(const InertialRow& row, double B_x, double B_r, d
 
 bool InertialStarts::at_speed(double F_0, std::size_t first, std::size_t last, Table& places) const {
   const double at = std::sqrt(F_0 / force_per_speed2_) / speed_step_;
-  if (!(at < static_cast<double>(n_speeds - 1))) return false;
+  if (!(at < static_cast<double>(n_speeds - 2))) return false;
   const auto s = static_cast<std::size_t>(at);
-  const auto part = static_cast<float>(at - static_cast<double>(s));
-  for (std::size_t q = 0; q < 2; ++q) {
-    const float *low = tables_[s][q].data(), *high = tables_[s + 1][q].data();
-    for (std::size_t k = first; k <= last; ++k) places[q][k] = low[k] + part * (high[k] - low[k]);
-  }
+  for (std::size_t q = 0; q < 2; ++q)
+    blend(tables_[s][q].data(), tables_[s + 1][q].data(), tables_[s + 2][q].data(),
+          static_cast<float>(at - static_cast<double>(s)), first, last, places[q].data());
   return true;
 }
 
@@ -347,7 +369,7 @@ BallWork balance_balls(const InertialRow& row, double F_0, InertialBalls& w, con
     if (step(single, w.n, 3e-3f, f) == 0.f) break;
   widen(f, w);
   BallWork work;
-  const double u_per_root_i = 1. / std::sqrt(row.c_i), enough = 2e-5;
+  const double u_per_root_i = 1. / std::sqrt(row.c_i), enough = 5e-5;
   double n_left = 1.;
   for (w.steps = 0; w.steps < 12 && n_left > 0.; ++w.steps) n_left = finish(whole, u_per_root_i, enough, w, work);
   w.is_by_scalar_law = n_left > 0.;

@@ -5,7 +5,7 @@
 // normal. The inner contact follows, and two equations say that the forces on the ball cancel; a ball that the inner race does not reach is one
 // without an inner load. Newton's method starts from a function of the state alone: a table made once, or a closed guess between the ball without
 // inertia and the one that lies in the bottom of the outer groove. First steps are in single precision. The last one is in double and squares
-// what was left, at most 2e-5 of the load; the matrix that it solves gives the work of the forces of inertia too.
+// what was left, at most 5e-5 of the load; the matrix that it solves gives the work of the forces of inertia too.
 #include <array>
 #include <cstddef>
 
@@ -31,8 +31,8 @@ struct InertialBalls {
   alignas(64) Array u_i, i_x, i_r, Q_o;
   // The ball's place.
   alignas(64) Array delta_o, o_x, o_r;
-  int steps;                  ///< of Newton's method, in double precision
-  bool is_by_scalar_law;      ///< the steps did not arrive: each ball by laws/ball_balance.h
+  int steps;              ///< of Newton's method, in double precision
+  bool is_by_scalar_law;  ///< the steps did not arrive: each ball by laws/ball_balance.h
 };
 
 /// What a row's forces of inertia do as balls move with their surroundings.
@@ -46,14 +46,14 @@ struct BallWork {
 /// Places of a row's balls at one B_x over B_r and the ring's speed, made once: a start that is near without any memory of what was before.
 class InertialStarts {
  public:
-  static constexpr std::size_t n_radii = 128, n_speeds = 24;
+  static constexpr std::size_t n_radii = 192, n_speeds = 24;  // radii: a multiple of 8
   using Table = std::array<std::array<float, n_radii>, 2>;  // delta_o, sin of the outer angle
 
   /// @param B_x, B_r  of the undisplaced row [m]; @param force_per_speed2  F_0 / omega^2 [N s^2/rad^2]
   InertialStarts(const InertialRow& row, double B_x, double B_r, double force_per_speed2);
   [[nodiscard]] double first_radius() const { return first_radius_; }
   [[nodiscard]] double radius_step() const { return radius_step_; }
-  /// Places at a speed, from entry `first` to `last`. @return false beyond the table's speeds
+  /// Places at a speed, from entry `first` to before `last`, both multiples of 8. @return false beyond the table's speeds
   bool at_speed(double F_0, std::size_t first, std::size_t last, Table& places) const;
 
  private:

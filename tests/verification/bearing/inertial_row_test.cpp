@@ -102,6 +102,7 @@ TEST(InertialRow, NewtonStepsArriveInTheStatesOfADrop) {
         const double b = 2. * pi * static_cast<double>(j) / 24.;
         w.is_ball[j] = 1.;
         w.added_i[j] = w.added_o[j] = s.in.ball_growth;
+        w.B_x_rate[j] = w.B_r_rate[j] = w.added_i_rate[j] = w.added_o_rate[j] = 0.;
         w.B_x[j] = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
         w.B_r[j] = A * std::cos(g.contact_angle) - g.radial_clearance + s.in.displacement.y * std::cos(b) +
                    s.in.displacement.z * std::sin(b);
