@@ -7,101 +7,83 @@
 #include "base/wide_vectors.h"
 #include "laws/ball_balance.h"
 
-// Loops over the balls of a row, compiled for several kinds of machine as the row kernels of ball_row.cpp are. Bodies are inlined templates, so
-// that single and double precision share them.
+// Loops over the balls of a row, compiled for several kinds of machine as the row kernels of ball_row.cpp are.
 #define ROTORDROP_INLINE inline __attribute__((always_inline))
 
 namespace rotordrop {
 namespace {
 
 // By value: references to temporaries keep the compiler from making vectors.
-template <class Real>
-ROTORDROP_INLINE Real larger(Real a, Real b) {
-  return a > b ? a : b;
-}
-template <class Real>
-ROTORDROP_INLINE Real limited(Real value, Real low, Real high) {
-  const Real above = value > low ? value : low;
+ROTORDROP_INLINE double larger(double a, double b) { return a > b ? a : b; }
+ROTORDROP_INLINE double limited(double value, double low, double high) {
+  const double above = value > low ? value : low;
   return above < high ? above : high;
 }
-
 /// n is a multiple of 8: the compiler needs no loops for what is left over.
 ROTORDROP_INLINE std::size_t whole_vectors(std::size_t n) { return n & ~std::size_t{7}; }
 
-template <class Real>
 struct Row {
-  Real K_i, K_o, l_i, l_o, g, F_0;
+  double K_i, K_o, l_i, l_o, g, F_0;
   Row(const InertialRow& r, double force)
-      : K_i(static_cast<Real>(1. / (r.c_i * std::sqrt(r.c_i)))),
-        K_o(static_cast<Real>(1. / (r.c_o * std::sqrt(r.c_o)))),
-        l_i(static_cast<Real>(r.l_i)),
-        l_o(static_cast<Real>(r.l_o)),
-        g(static_cast<Real>(r.g)),
-        F_0(static_cast<Real>(force)) {}
+      : K_i(1. / (r.c_i * std::sqrt(r.c_i))),
+        K_o(1. / (r.c_o * std::sqrt(r.c_o))),
+        l_i(r.l_i),
+        l_o(r.l_o),
+        g(r.g),
+        F_0(force) {}
 };
 
 /// The ball's centre: deflection of the outer contact, outer normal.
-template <class Real>
 struct Place {
-  Real delta_o, x, r;
+  double delta_o, x, r;
 };
-template <class Real>
 struct Surroundings {
-  Real B_x, B_r, added_i, added_o;
+  double B_x, B_r, added_i, added_o;
 };
 
 /// Turns a unit vector by about an angle; its length stays one to the digits when the angle is small, and comes back to one later when it is not.
-template <class Real>
 struct Normal {
-  Real x, r;
+  double x, r;
 };
-template <class Real>
-ROTORDROP_INLINE Normal<Real> turned(Real angle, Real x, Real r) {
-  const Real a2 = angle * angle, shrink = Real(1) - a2 * (Real(0.5) - Real(0.375) * a2);
-  const Real new_x = (x + angle * r) * shrink, new_r = (r - angle * x) * shrink;
-  const Real fix = Real(1.5) - Real(0.5) * (new_x * new_x + new_r * new_r);
+ROTORDROP_INLINE Normal turned(double angle, double x, double r) {
+  const double a2 = angle * angle, shrink = 1. - a2 * (0.5 - 0.375 * a2);
+  const double new_x = (x + angle * r) * shrink, new_r = (r - angle * x) * shrink;
+  const double fix = 1.5 - 0.5 * (new_x * new_x + new_r * new_r);
   return {new_x * fix, new_r * fix};
 }
 
 /// What acts on a ball along (n) and across (t) the outer normal, and how that changes as the outer normal turns (a) and the outer length
 /// grows (x).
-template <class Real>
 struct Balance {
-  Real L_o, delta_i, root_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, F, F_by_i, inverse_L_i;
-  Real h_n, h_t, force_n, force_t;
-  Real angle_a, angle_x, stretch_a, stretch_x;  // of the inner contact
-  Real R_n_a, R_t_a, R_n_x, R_t_x, inverse_det;
+  double L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, F, F_by_i, inverse_L_i;
+  double h_n, h_t, force_n, force_t;
+  double angle_a, angle_x, stretch_a, stretch_x;  // of the inner contact
+  double R_n_a, R_t_a, R_n_x, R_t_x, inverse_det;
 
-  ROTORDROP_INLINE Balance(const Row<Real>& row, const Place<Real>& p, const Surroundings<Real>& at) {
-    const Real one = 1, two = 2, tiny = Real(1e-9);
+  ROTORDROP_INLINE Balance(const Row& row, const Place& p, const Surroundings& at) {
     L_o = row.l_o + p.delta_o - at.added_o;
-    const Real v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r;
-    const Real L_i = larger(std::sqrt(v_x * v_x + v_r * v_r), tiny);
+    const double v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r, square = v_x * v_x + v_r * v_r + 1e-18,
+      L_i = std::sqrt(square);
+    inverse_L_i = 1. / L_i;
     delta_i = L_i - row.l_i + at.added_i;
-    const Real along = v_x * p.x + v_r * p.r, across = v_x * p.r - v_r * p.x;
-    // Three divisions in one: by L_i, and by what is (1 - g cos phi_i) L_i and (1 + cos(phi_i - phi_o)) L_i.
-    const Real above = L_i - row.g * v_r, below = larger(L_i + along, tiny);
-    const Real inverse = one / (L_i * above * below);
-    inverse_L_i = inverse * above * below;
-    const Real inverse_above = inverse * L_i * below, inverse_below = inverse * L_i * above;
     i_x = v_x * inverse_L_i;
     i_r = v_r * inverse_L_i;
-    c = along * inverse_L_i;
-    s = across * inverse_L_i;
-    const Real ratio = above * inverse_below;
+    c = i_x * p.x + i_r * p.r;
+    s = i_x * p.r - i_r * p.x;
+    // Two divisions in one.
+    const double above = 1. - row.g * i_r, below = larger(1. + c, 1e-3), both = 1. / (above * below);
+    const double inverse_above = both * below, inverse_below = both * above, ratio = above * inverse_below;
     F = row.F_0 * ratio * ratio;
-    F_by_i = two * F * (row.g * v_x * inverse_above + across * inverse_below);
-    const Real F_by_o = -two * F * across * inverse_below;
+    F_by_i = 2. * F * (row.g * i_x * inverse_above + s * inverse_below);
+    const double F_by_o = -2. * F * s * inverse_below;
 
-    const Real reached = larger(delta_i, Real(0));
-    root_i = std::sqrt(reached);
-    const Real root_o = std::sqrt(p.delta_o);
-    S_i = Real(1.5) * row.K_i * root_i;
-    S_o = Real(1.5) * row.K_o * root_o;
+    const double reached = larger(delta_i, 0.), root_i = std::sqrt(reached), root_o = std::sqrt(p.delta_o);
+    S_i = 1.5 * row.K_i * root_i;
+    S_o = 1.5 * row.K_o * root_o;
     Q_i = row.K_i * root_i * reached;
     Q_o = row.K_o * root_o * p.delta_o;
     h_n = p.r;
-    h_t = Real(-1.4) * p.x;
+    h_t = -1.4 * p.x;
     force_n = Q_i * c - Q_o + F * h_n;
     force_t = Q_i * s + F * h_t;
 
@@ -109,142 +91,99 @@ struct Balance {
     angle_x = s * inverse_L_i;
     stretch_a = -L_o * s;
     stretch_x = -c;
-    const Real F_a = F_by_i * angle_a + F_by_o, F_x = F_by_i * angle_x;
+    const double F_a = F_by_i * angle_a + F_by_o, F_x = F_by_i * angle_x;
     // The force of inertia, F (-0.4 o_x o_r, 1 + 0.4 o_x^2), turns with the outer angle: (-0.4 (o_r^2 - o_x^2), 0.8 o_x o_r) F.
-    const Real turn_x = Real(-0.4) * (p.r * p.r - p.x * p.x), turn_r = Real(0.8) * p.x * p.r;
+    const double turn_x = -0.4 * (p.r * p.r - p.x * p.x), turn_r = 0.8 * p.x * p.r;
     R_n_a = S_i * stretch_a * c - Q_i * s * angle_a + F_a * h_n + F * (turn_x * p.x + turn_r * p.r);
     R_t_a = S_i * stretch_a * s + Q_i * c * angle_a - Q_o + F_a * h_t + F * (turn_x * p.r - turn_r * p.x);
     R_n_x = S_i * stretch_x * c - Q_i * s * angle_x - S_o + F_x * h_n;
     R_t_x = S_i * stretch_x * s + Q_i * c * angle_x + F_x * h_t;
-    inverse_det = one / (R_n_a * R_t_x - R_t_a * R_n_x);
+    inverse_det = 1. / (R_n_a * R_t_x - R_t_a * R_n_x);
   }
   /// Turn and growth of the outer length that cancel the forces.
-  [[nodiscard]] ROTORDROP_INLINE Real turn() const { return (force_t * R_n_x - force_n * R_t_x) * inverse_det; }
-  [[nodiscard]] ROTORDROP_INLINE Real growth() const { return (force_n * R_t_a - force_t * R_n_a) * inverse_det; }
-  /// Positive if more than `enough` of the loads is left.
-  [[nodiscard]] ROTORDROP_INLINE Real left(Real enough) const {
-    return std::abs(force_n) + std::abs(force_t) - enough * (Q_o + F);
+  [[nodiscard]] ROTORDROP_INLINE double turn() const { return (force_t * R_n_x - force_n * R_t_x) * inverse_det; }
+  [[nodiscard]] ROTORDROP_INLINE double growth() const { return (force_n * R_t_a - force_t * R_n_a) * inverse_det; }
+  /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more.
+  [[nodiscard]] ROTORDROP_INLINE double is_left(double enough) const {
+    return std::abs(force_n) + std::abs(force_t) <= enough * (Q_o + F) ? 0. : 1.;
   }
 };
-
-template <class Real>
-ROTORDROP_INLINE Place<Real> moved(const Place<Real>& p, Real turn, Real growth) {
-  const Real limit = Real(0.5);
-  const auto n = turned(limited(turn, -limit, limit), p.x, p.r);
-  return {larger(p.delta_o + growth, Real(0.1) * p.delta_o), n.x, n.r};
-}
 
 /// Between the ball without inertia and the ball in the bottom of the outer groove: the moment of its forces about the outer groove's centre
 /// shares B_x out to the two normals, what remains of B_r is compression.
-ROTORDROP_INLINE Place<float> guess(const Row<float>& row, float c_i, float c_o, float bottom,
-                                    const Surroundings<float>& at) {
-  const float distance = std::sqrt(at.B_x * at.B_x + at.B_r * at.B_r), added = at.added_i + at.added_o;
-  const float delta = larger(distance - row.l_i - row.l_o + added, 0.f), soft = c_i + c_o;
-  const float Q = delta * std::sqrt(delta) / (soft * std::sqrt(soft));
-  const float ratio = 0.5f * (1.f - row.g * at.B_r / distance);
-  const float F = row.F_0 * ratio * ratio;
-  const float Q_guess = Q + 0.7f * F;
-  const float share = Q_guess / (2.f * Q_guess + 1.4f * F);
-  const float o_x = limited(at.B_x * share / row.l_o, -0.95f, 0.95f);
-  const float i_x = limited(at.B_x * (1.f - share) / row.l_i, -0.95f, 0.95f);
-  const float o_r = std::sqrt(1.f - o_x * o_x), i_r = std::sqrt(1.f - i_x * i_x);
-  const float both = (at.B_r - row.l_o * o_r - row.l_i * i_r) * 2.f / (o_r + i_r) + added;
+ROTORDROP_INLINE Place guess(const Row& row, double c_i, double c_o, double bottom, const Surroundings& at) {
+  const double distance = std::sqrt(at.B_x * at.B_x + at.B_r * at.B_r), added = at.added_i + at.added_o;
+  const double delta = larger(distance - row.l_i - row.l_o + added, 0.), soft = c_i + c_o;
+  const double Q = delta * std::sqrt(delta) / (soft * std::sqrt(soft));
+  const double ratio = 0.5 * (1. - row.g * at.B_r / distance);
+  const double F = row.F_0 * ratio * ratio;
+  const double Q_guess = Q + 0.7 * F;
+  const double share = Q_guess / (2. * Q_guess + 1.4 * F);
+  const double o_x = limited(at.B_x * share / row.l_o, -0.95, 0.95);
+  const double i_x = limited(at.B_x * (1. - share) / row.l_i, -0.95, 0.95);
+  const double o_r = std::sqrt(1. - o_x * o_x), i_r = std::sqrt(1. - i_x * i_x);
+  const double both = (at.B_r - row.l_o * o_r - row.l_i * i_r) * 2. / (o_r + i_r) + added;
   return {larger(both * c_o / soft, bottom), o_x, o_r};
 }
 
-struct Single {
-  using Array = std::array<float, InertialBalls::capacity + 16>;
-  Single() {}
-  alignas(64) Array B_x, B_r, added_i, added_o, delta_o, o_x, o_r;
-};
-
 ROTORDROP_WIDE_VECTORS
-void narrow(const InertialBalls& w, Single& f) {
-#pragma omp simd simdlen(8)
+void guess_all(const Row& constants, double c_i, double c_o, double bottom, InertialBalls& w) {
+  const Row row = constants;  // a copy that no store can change
+#pragma omp simd
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
-    f.B_x[j] = static_cast<float>(w.B_x[j]);
-    f.B_r[j] = static_cast<float>(w.B_r[j]);
-    f.added_i[j] = static_cast<float>(w.added_i[j]);
-    f.added_o[j] = static_cast<float>(w.added_o[j]);
-  }
-}
-
-ROTORDROP_WIDE_VECTORS
-void guess_all(const Row<float>& constants, float c_i, float c_o, float bottom, std::size_t n, Single& f) {
-  const Row<float> row = constants;  // a copy that no store can change
-#pragma omp simd simdlen(8)
-  for (std::size_t j = 0; j < whole_vectors(n); ++j) {
-    const auto p = guess(row, c_i, c_o, bottom, {f.B_x[j], f.B_r[j], f.added_i[j], f.added_o[j]});
-    f.delta_o[j] = p.delta_o;
-    f.o_x[j] = p.x;
-    f.o_r[j] = p.r;
+    const auto p = guess(row, c_i, c_o, bottom, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
+    w.delta_o[j] = p.delta_o;
+    w.o_x[j] = p.x;
+    w.o_r[j] = p.r;
   }
 }
 
 /// Places by straight lines in a table over B_r, from its first to its last entry.
 ROTORDROP_WIDE_VECTORS
-void look_up(const float* delta_o, const float* o_x, float first, float per_step, float last, std::size_t n,
-             Single& f) {
+void look_up(const float* delta_o, const float* o_x, double first, double per_step, double last, InertialBalls& w) {
 #pragma omp simd simdlen(8)
-  for (std::size_t j = 0; j < whole_vectors(n); ++j) {
-    const float at = limited((f.B_r[j] + f.added_i[j] + f.added_o[j] - first) * per_step, 0.f, last);
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const auto at = static_cast<float>(limited((w.B_r[j] + w.added_i[j] + w.added_o[j] - first) * per_step, 0., last));
     const auto k = static_cast<std::int32_t>(at);
     const float part = at - static_cast<float>(k);
-    f.delta_o[j] = delta_o[k] + part * (delta_o[k + 1] - delta_o[k]);
     const float x = o_x[k] + part * (o_x[k + 1] - o_x[k]);
-    f.o_x[j] = x;
-    f.o_r[j] = std::sqrt(1.f - x * x);
+    w.delta_o[j] = delta_o[k] + part * (delta_o[k + 1] - delta_o[k]);
+    w.o_x[j] = x;
+    w.o_r[j] = std::sqrt(1.f - x * x);
   }
 }
 
-/// One step of Newton's method. @return balls that had more than `enough` left over before the step (or no number any more)
+/// One step of Newton's method. @return balls that had more than `enough` left over before the step
 ROTORDROP_WIDE_VECTORS
-float step(const Row<float>& constants, std::size_t n, float enough, Single& f) {
-  const Row<float> row = constants;
-  float n_left = 0;
-#pragma omp simd simdlen(8) reduction(+ : n_left)
-  for (std::size_t j = 0; j < whole_vectors(n); ++j) {
-    const Place<float> p{f.delta_o[j], f.o_x[j], f.o_r[j]};
-    const Balance<float> b(row, p, {f.B_x[j], f.B_r[j], f.added_i[j], f.added_o[j]});
-    n_left += b.left(enough) <= 0.f ? 0.f : 1.f;
-    const auto next = moved(p, b.turn(), b.growth());
-    f.delta_o[j] = next.delta_o;
-    f.o_x[j] = next.x;
-    f.o_r[j] = next.r;
+double step(const Row& constants, double enough, InertialBalls& w) {
+  const Row row = constants;
+  double n_left = 0.;
+#pragma omp simd reduction(+ : n_left)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const Place p{w.delta_o[j], w.o_x[j], w.o_r[j]};
+    const Balance b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
+    n_left += b.is_left(enough);
+    const auto next = turned(limited(b.turn(), -0.5, 0.5), p.x, p.r);
+    w.delta_o[j] = larger(p.delta_o + b.growth(), 0.1 * p.delta_o);
+    w.o_x[j] = next.x;
+    w.o_r[j] = next.r;
   }
   return n_left;
 }
 
-ROTORDROP_WIDE_VECTORS
-void widen(const Single& f, InertialBalls& w) {
-#pragma omp simd
-  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
-    // Rounding has left the normals a little off unit length; to first order of that they are brought back.
-    const double x = f.o_x[j], r = f.o_r[j], fix = 1.5 - 0.5 * (x * x + r * r);
-    w.delta_o[j] = f.delta_o[j];
-    w.o_x[j] = x * fix;
-    w.o_r[j] = r * fix;
-  }
-}
-
 /// The last step: what comes out of the balance, and the work. @return balls that had more than `enough` left over before it
 ROTORDROP_WIDE_VECTORS
-double finish(const Row<double>& constants, double u_per_root_i, double enough, InertialBalls& w, BallWork& sums) {
-  const Row<double> row = constants;
+double finish(const Row& constants, double u_per_root_i, double enough, InertialBalls& w, BallWork& sums) {
+  const Row row = constants;
   double n_left = 0., power = 0., per_radial = 0., per_ball_growth = 0., per_force = 0.;
 #pragma omp simd reduction(+ : n_left, power, per_radial, per_ball_growth, per_force)
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
-    const Place<double> p{w.delta_o[j], w.o_x[j], w.o_r[j]};
-    const Balance<double> b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
-    n_left += b.left(enough) <= 0. ? 0. : 1.;
+    const Balance b(row, {w.delta_o[j], w.o_x[j], w.o_r[j]}, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
+    n_left += b.is_left(enough);
     const double a = b.turn(), x = b.growth();
-    const auto next = moved(p, a, x);
-    w.delta_o[j] = next.delta_o;
-    w.o_x[j] = next.x;
-    w.o_r[j] = next.r;
     w.u_i[j] = u_per_root_i * std::sqrt(larger(b.delta_i + b.stretch_a * a + b.stretch_x * x, 0.));
     w.Q_o[j] = b.Q_o + b.S_o * x;
-    const auto i = turned(limited(b.angle_a * a + b.angle_x * x, -0.5, 0.5), b.i_x, b.i_r);
+    const auto i = turned(b.angle_a * a + b.angle_x * x, b.i_x, b.i_r);
     w.i_x[j] = i.x;
     w.i_r[j] = i.r;
 
@@ -312,7 +251,7 @@ void blend(const float* t_0, const float* t_1, const float* t_2, float part, std
 }
 
 /// Places from the row's table. @return false if the table does not have them
-bool start_from(const InertialStarts& starts, double F_0, const InertialBalls& w, Single& f) {
+bool start_from(const InertialStarts& starts, double F_0, InertialBalls& w) {
   const auto [least, largest] = reach(w);
   const double per_step = 1. / starts.radius_step(), end = static_cast<double>(InertialStarts::n_radii) - 1.001;
   const double low = (least - starts.first_radius()) * per_step, high = (largest - starts.first_radius()) * per_step;
@@ -321,8 +260,7 @@ bool start_from(const InertialStarts& starts, double F_0, const InertialBalls& w
   const auto entry = [&](double at) { return static_cast<std::size_t>(std::max(at, 0.)); };
   InertialStarts::Table table;
   if (!starts.at_speed(F_0, entry(low) / 8 * 8, (entry(high) + 2 + 7) / 8 * 8, table)) return false;
-  look_up(table[0].data(), table[1].data(), static_cast<float>(starts.first_radius()), static_cast<float>(per_step),
-          static_cast<float>(end), w.n, f);
+  look_up(table[0].data(), table[1].data(), starts.first_radius(), per_step, end, w);
   return true;
 }
 
@@ -355,27 +293,26 @@ bool InertialStarts::at_speed(double F_0, std::size_t first, std::size_t last, T
   return true;
 }
 
-BallWork balance_balls(const InertialRow& row, double F_0, InertialBalls& w, const InertialStarts* starts) {
-  const Row<float> single(row, F_0);
-  const Row<double> whole(row, F_0);
-  Single f;
-  narrow(w, f);
-  if (!(starts && start_from(*starts, F_0, w, f))) {
-    const double least = 0.5 * row.c_o * std::cbrt(0.0625 * F_0 * F_0);
-    guess_all(single, static_cast<float>(row.c_i), static_cast<float>(row.c_o), static_cast<float>(least), w.n, f);
+BallWork balance_balls(const InertialRow& constants, double F_0, InertialBalls& w, const InertialStarts* starts) {
+  const Row row(constants, F_0);
+  if (!(starts && start_from(*starts, F_0, w))) {
+    const double least = 0.5 * constants.c_o * std::cbrt(0.0625 * F_0 * F_0);
+    guess_all(row, constants.c_i, constants.c_o, least, w);
   }
   // Newton's method squares what is left at each step.
-  for (int k = 0; k < 9; ++k)
-    if (step(single, w.n, 3e-3f, f) == 0.f) break;
-  widen(f, w);
+  w.steps = 0;
+  while (w.steps < 12 && step(row, 3e-3, w) > 0.) ++w.steps;
   BallWork work;
-  const double u_per_root_i = 1. / std::sqrt(row.c_i), enough = 5e-5;
-  double n_left = 1.;
-  for (w.steps = 0; w.steps < 12 && n_left > 0.; ++w.steps) n_left = finish(whole, u_per_root_i, enough, w, work);
-  w.is_by_scalar_law = n_left > 0.;
-  if (w.is_by_scalar_law) {
-    for (std::size_t j = 0; j < w.n; ++j) place_one(row, F_0, j, w);
-    finish(whole, u_per_root_i, enough, w, work);
+  const double u_per_root_i = 1. / std::sqrt(constants.c_i), enough = 2e-5;
+  w.is_by_scalar_law = false;
+  while (finish(row, u_per_root_i, enough, w, work) > 0.) {
+    if (w.is_by_scalar_law) break;
+    if (w.steps++ < 12) {
+      step(row, enough, w);
+      continue;
+    }
+    w.is_by_scalar_law = true;
+    for (std::size_t j = 0; j < w.n; ++j) place_one(constants, F_0, j, w);
   }
   return work;
 }

@@ -4,8 +4,8 @@
 // Unknowns of a ball are its place, in polar coordinates about the outer groove's centre: the deflection of the outer contact and the outer
 // normal. The inner contact follows, and two equations say that the forces on the ball cancel; a ball that the inner race does not reach is one
 // without an inner load. Newton's method starts from a function of the state alone: a table made once, or a closed guess between the ball without
-// inertia and the one that lies in the bottom of the outer groove. First steps are in single precision. The last one is in double and squares
-// what was left, at most 5e-5 of the load; the matrix that it solves gives the work of the forces of inertia too.
+// inertia and the one that lies in the bottom of the outer groove. The last step squares what was left, at most 2e-5 of the load; the matrix that
+// it solves gives the work of the forces of inertia too.
 #include <array>
 #include <cstddef>
 
@@ -31,7 +31,7 @@ struct InertialBalls {
   alignas(64) Array u_i, i_x, i_r, Q_o;
   // The ball's place.
   alignas(64) Array delta_o, o_x, o_r;
-  int steps;              ///< of Newton's method, in double precision
+  int steps;              ///< of Newton's method
   bool is_by_scalar_law;  ///< the steps did not arrive: each ball by laws/ball_balance.h
 };
 
@@ -47,7 +47,7 @@ struct BallWork {
 class InertialStarts {
  public:
   static constexpr std::size_t n_radii = 192, n_speeds = 24;  // radii: a multiple of 8
-  using Table = std::array<std::array<float, n_radii>, 2>;  // delta_o, sin of the outer angle
+  using Table = std::array<std::array<float, n_radii>, 2>;    // delta_o, sin of the outer angle
 
   /// @param B_x, B_r  of the undisplaced row [m]; @param force_per_speed2  F_0 / omega^2 [N s^2/rad^2]
   InertialStarts(const InertialRow& row, double B_x, double B_r, double force_per_speed2);
