@@ -63,7 +63,7 @@ struct Balance {
   ROTORDROP_INLINE Balance(const Row& row, const Place& p, const Surroundings& at) {
     L_o = row.l_o + p.delta_o - at.added_o;
     const double v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r, square = v_x * v_x + v_r * v_r + 1e-18,
-      L_i = std::sqrt(square);
+                 L_i = std::sqrt(square);
     inverse_L_i = 1. / L_i;
     delta_i = L_i - row.l_i + at.added_i;
     i_x = v_x * inverse_L_i;
@@ -300,19 +300,25 @@ BallWork balance_balls(const InertialRow& constants, double F_0, InertialBalls& 
     guess_all(row, constants.c_i, constants.c_o, least, w);
   }
   // Newton's method squares what is left at each step.
-  w.steps = 0;
-  while (w.steps < 12 && step(row, 3e-3, w) > 0.) ++w.steps;
+  constexpr double nearly = 6e-3, enough = 2e-5;
+  constexpr int most = 20;
+  w.steps = 1;
+  while (step(row, nearly, w) > 0. && w.steps < most) ++w.steps;
   BallWork work;
-  const double u_per_root_i = 1. / std::sqrt(constants.c_i), enough = 2e-5;
-  w.is_by_scalar_law = false;
-  while (finish(row, u_per_root_i, enough, w, work) > 0.) {
-    if (w.is_by_scalar_law) break;
-    if (w.steps++ < 12) {
-      step(row, enough, w);
-      continue;
-    }
-    w.is_by_scalar_law = true;
+  const double u_per_root_i = 1. / std::sqrt(constants.c_i);
+  const auto is_left = [&] {
+    ++w.steps;
+    return finish(row, u_per_root_i, enough, w, work) > 0.;
+  };
+  bool has_more = is_left();
+  while (has_more && w.steps < most) {
+    step(row, enough, w);
+    has_more = is_left();
+  }
+  w.is_by_scalar_law = has_more;
+  if (has_more) {
     for (std::size_t j = 0; j < w.n; ++j) place_one(constants, F_0, j, w);
+    finish(row, u_per_root_i, enough, w, work);
   }
   return work;
 }

@@ -31,7 +31,7 @@ struct InertialBalls {
   alignas(64) Array u_i, i_x, i_r, Q_o;
   // The ball's place.
   alignas(64) Array delta_o, o_x, o_r;
-  int steps;              ///< of Newton's method
+  int steps;              ///< of Newton's method, the last one included
   bool is_by_scalar_law;  ///< the steps did not arrive: each ball by laws/ball_balance.h
 };
 
@@ -46,7 +46,7 @@ struct BallWork {
 /// Places of a row's balls at one B_x over B_r and the ring's speed, made once: a start that is near without any memory of what was before.
 class InertialStarts {
  public:
-  static constexpr std::size_t n_radii = 192, n_speeds = 24;  // radii: a multiple of 8
+  static constexpr std::size_t n_radii = 256, n_speeds = 24;  // radii: a multiple of 8
   using Table = std::array<std::array<float, n_radii>, 2>;    // delta_o, sin of the outer angle
 
   /// @param B_x, B_r  of the undisplaced row [m]; @param force_per_speed2  F_0 / omega^2 [N s^2/rad^2]
