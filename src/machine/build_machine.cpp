@@ -14,18 +14,23 @@
 namespace rotordrop {
 namespace {
 
-const MaterialParameters* find_material(const MachineParameters& p, const std::string& name) {
-  for (const auto& [known, material] : p.materials)
-    if (known == name) return &material;
-  return nullptr;
+/// Of a table its value at ambient, for parts without a section.
+ThermalMaterial thermal_material(const MaterialParameters& m, double ambient) {
+  ThermalMaterial t{m.k, m.c, m.rho, m.alpha, m.nu};
+  if (m.k_table) t.conductivity = t.conductivity_table.emplace(*m.k_table).value(ambient);
+  if (m.c_table) t.heat_capacity = t.heat_capacity_table.emplace(*m.c_table).value(ambient);
+  return t;
 }
-
-ThermalMaterial thermal_material(const MaterialParameters& m) { return {m.k, m.c, m.rho, m.alpha, m.nu}; }
 
 const Node& table_of(const Node& case_node, const char* section) {
   static const Node empty = Node::table();
   const Node* found = case_node.find(section);
   return found ? *found : empty;
+}
+
+GrowthDriver chosen_driver(const ThermalParameters& t) {
+  if (t.driver != GrowthDriver::automatic) return t.driver;
+  return t.has_lumped ? GrowthDriver::lumped : GrowthDriver::fe;
 }
 
 RubShare rub_share(const ThermalParameters& t) {
@@ -45,7 +50,7 @@ std::vector<double> axial_share(const TouchdownParameters& b) {
 
 void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b, const FiniteElements& elements,
                         FiniteElements::Section& section) {
-  const auto& material = *find_material(p, b.ring);
+  const auto& material = material_of(p, b.ring);
   const auto kind = b.housing_fit_kind == HousingFit::bonded ? FitKind::bonded : FitKind::frictionless;
   const ElasticProblem problem = bearing_elastic_problem(
       section.problem, section.solver->section_mesh(),
@@ -59,7 +64,6 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
 void make_sections(const MachineParameters& p, FiniteElements& elements) {
   const auto& fe = p.thermal.fe;
   elements.coupling = fe.coupling;
-  elements.drives = driver_of(p.thermal) == GrowthDriver::fe;
   for (const auto& entry : p.bearings) {
     const auto* b = entry.touchdown();
     if (!b) continue;
@@ -68,6 +72,8 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
     settings.numerics.degree = fe.degree;
     settings.numerics.solver = fe.solver;
     settings.numerics.cells = std::max(2, static_cast<int>(std::lround(8 * fe.refinement)));
+    settings.housing_film = elements.alone && fe.coupling == FeCoupling::windowed;
+    if (elements.alone) settings.numerics.tolerance = elements.alone->time_tolerance;
     const SectionMesh mesh = fe.section == FeSection::plain ? SectionMesh{} : elements.make_mesh(entry.name);
     FiniteElements::Section section;
     section.name = entry.name;
@@ -129,7 +135,7 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
 /// The thermal models that a case asks for, and who drives.
 void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& network, FiniteElements* elements,
                         std::shared_ptr<const GrowthHistory> recorded, Machine::Parts& parts) {
-  const GrowthDriver driver = p.thermal.growth ? driver_of(p.thermal) : GrowthDriver::none;
+  const GrowthDriver driver = driver_of(p.thermal);
   if (p.thermal.has_lumped) {
     parts.thermal.push_back({"lumped", "/thermal/", std::make_unique<ThermalNetwork>(network)});
     if (driver == GrowthDriver::lumped) parts.driver = 0;
@@ -195,7 +201,7 @@ void check_name(const std::string& name, const std::string& what, const SourcePo
 
 void check_thermal_models(const MachineParameters& p, const Node& table, Faults& faults) {
   const auto& t = p.thermal;
-  const auto driver = driver_of(t);
+  const auto driver = chosen_driver(t);
   if ((driver == GrowthDriver::lumped && !t.has_lumped) || (driver == GrowthDriver::fe && !t.has_fe))
     faults.add(position_of_value(table, "driver"), "thermal.driver names a model that does not run.",
                "Add it to thermal.models.");
@@ -223,6 +229,71 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
                "Take the reduced coupling, or the permanent link.");
 }
 
+/// Few modes, or all of them, stand for linear equations.
+void check_tables(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  if (!p.thermal.has_fe || p.thermal.fe.coupling == FeCoupling::windowed) return;
+  const char* coupling = p.thermal.fe.coupling == FeCoupling::reduced ? "reduced" : "monolithic";
+  std::vector<std::string> told;
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    const auto* m = b ? find_material(p, b->ring) : nullptr;
+    if (!m || std::find(told.begin(), told.end(), b->ring) != told.end()) continue;
+    told.push_back(b->ring);
+    const Node& materials = table_of(case_node, "materials");
+    const Node* own = materials.find(b->ring);
+    for (const auto& [key, values] : {std::pair("k_table", &m->k_table), std::pair("c_table", &m->c_table)})
+      if (*values && !PropertyTable(**values).is_constant())
+        faults.add(
+            position_of(own ? *own : materials, key),
+            fmt::format("materials.{}.{} depends on temperature, and thermal.fe.coupling = \"{}\" takes the modes "
+                        "of a linear problem.",
+                        b->ring, key, coupling),
+            "Take thermal.fe.coupling = \"windowed\", or constant k and c.");
+  }
+}
+
+/// A rotor that may move along its axis needs rings that follow it, and shoulders where it is pushed to.
+void check_axial_motion(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  const Node& rotor = table_of(case_node, "rotor");
+  const bool is_free = p.rotor.axial_motion == AxialFreedom::free;
+  const auto& table = p.rotor.axial_force;
+  const auto [least, most] =
+      std::minmax_element(table.begin(), table.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  if (!is_free && !table.empty() && ((*least)[1] != 0. || (*most)[1] != 0.))
+    faults.add(position_of_value(rotor, "axial_force"),
+               "rotor.axial_force acts on a rotor that cannot move along its axis.",
+               "Set rotor.axial_motion = \"free\".");
+  bool stops_plus = false, stops_minus = false;
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    if (!b) continue;
+    const bool has_shoulder = b->shoulders.gap_minus_x || b->shoulders.gap_plus_x;
+    stops_plus |= b->shoulders.gap_minus_x.has_value();
+    stops_minus |= b->shoulders.gap_plus_x.has_value();
+    const Node* own = table_of(case_node, "bearings").find(entry.name);
+    if (is_free && b->ring_motion != RingMotion::free)
+      faults.add(
+          position_of_value(own ? *own : table_of(case_node, "bearings"), "ring_motion"),
+          fmt::format("rotor.axial_motion = \"free\", and the inner ring of {} cannot follow the rotor.", entry.name),
+          fmt::format("Set bearings.{}.ring_motion = \"free\".", entry.name));
+    if (!is_free && has_shoulder)
+      faults.add(position_of(own ? *own : table_of(case_node, "bearings"), "shoulders"),
+                 fmt::format("bearings.{}.shoulders stop a rotor that cannot move along its axis.", entry.name),
+                 "Set rotor.axial_motion = \"free\".");
+  }
+  if (!is_free) return;
+  const double weight = rigid_body(p.rotor.geometry).mass * p.run.gravity[0];
+  const auto unheld = [&](const char* where, const char* key, double force) {
+    faults.add(position_of_value(rotor, "axial_motion"),
+               fmt::format("nothing stops the rotor that {:.6g} N push towards {}.", std::fabs(force), where),
+               fmt::format("Give a bearing {}, the gap to a shoulder.", key));
+  };
+  const double to_plus = weight + (table.empty() ? 0. : (*most)[1]),
+               to_minus = weight + (table.empty() ? 0. : (*least)[1]);
+  if (to_plus > 0. && !stops_plus) unheld("+x", "shoulders.gap_minus_x", to_plus);
+  if (to_minus < 0. && !stops_minus) unheld("-x", "shoulders.gap_plus_x", to_minus);
+}
+
 void check_statics(const MachineParameters& p, const Node& table, Faults& faults) {
   const auto& s = p.statics;
   for (const auto& load : s.loads)
@@ -248,12 +319,34 @@ void check_statics(const MachineParameters& p, const Node& table, Faults& faults
 
 }  // namespace
 
+ThermalParts build_thermal_models(const MachineParameters& parameters, const Node& case_node,
+                                  const std::string& bearing, FiniteElements& finite_elements) {
+  MachineParameters p = parameters;
+  p.thermal.driver = GrowthDriver::none;
+  // A user's resistors may join this bearing's circuit with others'.
+  if (p.thermal.resistors.empty())
+    std::erase_if(p.bearings, [&](const SupportEntry& entry) { return entry.name != bearing; });
+  Faults faults;
+  const auto network = network_data(p, case_node, faults);
+  faults.throw_if_any();
+  ThermalParts made;
+  for (const auto& entry : p.bearings) {
+    if (entry.name == bearing) made.place = made.n_places;
+    if (entry.touchdown()) ++made.n_places;
+  }
+  if (p.thermal.has_fe) make_sections(p, finite_elements);
+  Machine::Parts parts;
+  add_thermal_models(p, network, &finite_elements, nullptr, parts);
+  made.models = std::move(parts.thermal);
+  return made;
+}
+
 BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
   const auto& t = p.thermal;
   BearingCircuitData c;
   c.name = name;
-  c.ring = thermal_material(*find_material(p, b.ring));
-  c.ball = thermal_material(*find_material(p, b.ball));
+  c.ring = thermal_material(material_of(p, b.ring), p.run.ambient);
+  c.ball = thermal_material(material_of(p, b.ball), p.run.ambient);
   c.width = b.width;
   c.journal_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
   c.ring_mass = b.ring_mass;
@@ -281,15 +374,11 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
-  const MaterialParameters &ring = *find_material(p, b.ring), &ball = *find_material(p, b.ball);
-  return touchdown_data(name, b, p.contact,
-                        {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity[1], p.run.gravity[2], ball.rho});
+  const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
+  return touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
 }
 
-GrowthDriver driver_of(const ThermalParameters& t) {
-  if (t.driver != GrowthDriver::automatic) return t.driver;
-  return t.has_lumped ? GrowthDriver::lumped : GrowthDriver::fe;
-}
+GrowthDriver driver_of(const ThermalParameters& t) { return t.growth ? chosen_driver(t) : GrowthDriver::none; }
 
 void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& bearings = table_of(case_node, "bearings");
@@ -335,6 +424,8 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   }
   if (materials_are_known) network_data(p, case_node, faults);
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
+  check_tables(p, case_node, faults);
+  check_axial_motion(p, case_node, faults);
   check_statics(p, table_of(case_node, "statics"), faults);
 }
 
@@ -345,8 +436,8 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   faults.throw_if_any();
 
   if (p.thermal.has_fe) make_sections(p, *finite_elements);
-  const bool grows_by_spinning = p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic && p.thermal.growth &&
-                                 driver_of(p.thermal) == GrowthDriver::fe;
+  const bool grows_by_spinning =
+      p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic && driver_of(p.thermal) == GrowthDriver::fe;
   Machine::Parts parts;
   std::vector<int> nodes;
   std::vector<RingCentre> ring_centres;
@@ -361,7 +452,7 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
         data.centrifugal_race_growth = growth.inner_race;
       }
       auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
-      std::vector<double> state(TouchdownBearing::n_state);
+      std::vector<double> state(bearing->state_entries().size());
       bearing->initial_state(state);
       ring_centres.push_back(
           {p.rotor.geometry.position(b->node), {state[TouchdownBearing::ring_y], state[TouchdownBearing::ring_z]}});
@@ -376,8 +467,7 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   parts.rub_share.assign(n_places, rub_share(p.thermal));
   add_thermal_models(p, network, finite_elements, std::move(recorded), parts);
 
-  auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry,
-                                            rotor_settings(p.rotor, p.run.gravity[1], p.run.gravity[2]), nodes);
+  auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry, rotor_settings(p.rotor, p.run.gravity), nodes);
   // The rotor starts as a straight line through the ring centres of the outermost touchdown bearings.
   const double x_cg = rotor->body().centre_of_gravity;
   Motion start;
