@@ -31,7 +31,7 @@ Section<SnubberParameters> snubber_section() {
              {.range = positive(), .help = "K of the contact [N/m^n]. Larger values need a shorter step."});
   s.quantity("exponent", &P::exponent,
              {.range = between(1, 2),
-              .fallback = 10. / 9.,
+              .fallback = "1.1111111111111112",
               .source = "a journal in a bore, as the touchdown bearings'",
               .help = "n of the contact."});
   s.quantity("lambda", &P::lambda,
@@ -42,7 +42,7 @@ Section<SnubberParameters> snubber_section() {
               .help = "Damping of the contact; the restitution is 1 - lambda times the speed of a gentle touch."});
   s.quantity("friction_coefficient", &P::friction_coefficient,
              {.range = between(0, 1),
-              .fallback = 0.1,
+              .fallback = "0.1",
               .source = "estimate: bronze on steel, poorly lubricated",
               .help = "Of rotor and bush. Brakes the rotor and drives it backwards around the bush."});
   s.quantity("regularisation_speed", &P::regularisation_speed,
