@@ -98,20 +98,23 @@ std::vector<std::array<double, 4>> body_edges(const TemperatureField& field) {
       edge.ends = {field.x[i], field.r[i], field.x[j], field.r[j]};
       ++edge.n_cells;
     }
-  std::vector<std::array<double, 4>> list, alone;
+  std::vector<std::array<double, 4>> list;
+  std::vector<Edge> alone;
   for (const auto& [ends, edge] : edges)
     if (edge.n_cells == 1)
-      alone.push_back(edge.ends);
+      alone.push_back(edge);
     else if (edge.is_between)
       list.push_back(edge.ends);
-  // Roundoff may have put the same edge of two cells at different places: such a pair is within a body.
-  const auto are_one = [](const std::array<double, 4>& a, const std::array<double, 4>& b) {
-    constexpr double near = 1e-7;
-    return std::hypot(a[0] + a[2] - b[0] - b[2], a[1] + a[3] - b[1] - b[3]) < near;
+  // Cells beside a curved surface are drawn with curved edges, and their neighbours with straight ones: such a pair, a bit apart, is within a body.
+  const auto are_one = [](const Edge& a, const Edge& b) {
+    constexpr double near = 0.05;  // of their length
+    const auto &p = a.ends, &q = b.ends;
+    const double apart = 0.5 * std::hypot(p[0] + p[2] - q[0] - q[2], p[1] + p[3] - q[1] - q[3]);
+    return a.body == b.body && apart < near * std::hypot(p[2] - p[0], p[3] - p[1]);
   };
   for (const auto& edge : alone)
-    if (std::count_if(alone.begin(), alone.end(), [&](const auto& other) { return are_one(edge, other); }) == 1)
-      list.push_back(edge);
+    if (std::count_if(alone.begin(), alone.end(), [&](const Edge& other) { return are_one(edge, other); }) == 1)
+      list.push_back(edge.ends);
   return list;
 }
 

@@ -11,6 +11,7 @@ import tomllib
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
+from browser import BROWSER, DRIVER, Browser  # noqa: E402
 from program import PROGRAM, SOURCE, ProgramTest, call  # noqa: E402
 
 BUILD = SOURCE / "docs/build.py"
@@ -136,6 +137,39 @@ class Site(unittest.TestCase):
             done = subprocess.run([sys.executable, BUILD, "--program", PROGRAM, "--output", folder], capture_output=True, text=True)
             self.assertEqual(done.returncode, 2)
             self.assertTrue((pathlib.Path(folder) / "mine.txt").is_file())
+
+
+@unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
+class SiteInTheBrowser(Site):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.browser = Browser()
+        cls.addClassCleanup(cls.browser.close)
+
+    def found(self, words):
+        return self.browser.run("""const field = document.getElementById("search"); field.value = arguments[0]; field.dispatchEvent(new Event("input"));
+                                   return [...document.querySelectorAll("#found a")].map((link) => [link.textContent, link.getAttribute("href")])""", words)
+
+    def test_pages_open_without_a_complaint_or_a_request(self):
+        for name in sorted(self.pages):
+            with self.subTest(page=name):
+                self.browser.open(self.output / name)
+                self.assertEqual([m["message"] for m in self.browser.log("browser")], [])
+                self.assertEqual([url for url in self.browser.requests() if not url.startswith(("file:", "data:"))], [])
+                self.assertTrue(self.browser.run("return [...document.images].every((image) => image.naturalWidth > 0)"))
+                self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 1366)
+
+    def test_searching_finds_parameters_and_words(self):
+        self.browser.open(self.output / "index.html")
+        self.assertIn(["contact.air_gap", "parameter-reference.html#contact.air_gap"], self.found("air_gap")[:2])
+        self.assertIn(["bearings.NAME.f2", "parameter-reference.html#bearings.NAME.f2"], self.found("f2"))
+        self.assertTrue(any(href.startswith("model.html") for _, href in self.found("hunt crossley")))
+        self.assertEqual(self.found("no-such-word-anywhere"), [])
+        self.assertEqual(self.browser.run("return document.getElementById('found').textContent"), "nothing found")
+        for _, href in self.found("waviness"):
+            path, _, anchor = href.partition("#")
+            self.assertTrue(not anchor or anchor in self.parsed[path].anchors, href)
 
 
 class Extending(ProgramTest):

@@ -2,7 +2,9 @@
 
 import inspect
 import json
+import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -137,6 +139,15 @@ class Reader(ProgramTest):
         for name in ("orbits", "speeds"):
             self.assertGreater((copy / f"figures/tour/{name}.png").stat().st_size, 5000)
         self.assertGreater(TOUR.read_text().count("\n# %% "), 6, "in steps")
+
+    def test_the_lines_of_the_examples_readme_run(self):
+        (block,) = re.findall(r"```python\n(.*?)```", (SOURCE / "examples/README.md").read_text(encoding="utf-8"), re.S)
+        for case in ("neisi2019", "neisi2019-settling"):
+            shutil.copytree(self.out, self.folder / "out" / case)
+        environment = os.environ | {"PYTHONPATH": str(SOURCE / "examples"), "MPLBACKEND": "Agg"}
+        done = subprocess.run([sys.executable, "-c", block], cwd=self.folder, env=environment, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "out/orbits.png").is_file())
 
     def test_the_tour_says_what_is_missing(self):
         done = subprocess.run([sys.executable, TOUR, self.folder / "nothing"], capture_output=True, text=True)

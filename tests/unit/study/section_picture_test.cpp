@@ -56,12 +56,11 @@ TEST(SectionPicture, OfAnEvenTemperatureHasOneLevel) {
   for (const auto level : picture.levels) EXPECT_EQ(level, 1);
 }
 
-TEST(BodyEdges, AreFoundDespiteRoundoff) {
+TEST(BodyEdges, OfNeighboursThatDoNotQuiteMeetAreNoOutline) {
   TemperatureField field = two_bodies();
-  for (std::size_t i = 4; i < 8; ++i) field.x[i] += 0.6e-9;  // the second cell
+  for (std::size_t i = 4; i < 8; ++i) field.x[i] += 0.02;  // the second cell, as if a common edge were curved
   std::size_t n_within = 0;
-  for (const auto& edge : body_edges(field))
-    n_within += std::fabs(edge[0] - 1.) < 1e-6 && std::fabs(edge[2] - 1.) < 1e-6;
+  for (const auto& edge : body_edges(field)) n_within += std::fabs(edge[0] - 1.) < 0.1 && std::fabs(edge[2] - 1.) < 0.1;
   EXPECT_EQ(n_within, 0u);
 }
 
