@@ -105,12 +105,18 @@ std::vector<std::array<double, 4>> body_edges(const TemperatureField& field) {
       alone.push_back(edge);
     else if (edge.is_between)
       list.push_back(edge.ends);
-  // Cells beside a curved surface are drawn with curved edges, and their neighbours with straight ones: such a pair, a bit apart, is within a body.
+  // Cells beside a curved surface are drawn with curved edges, and their neighbours with straight ones: of such a pair, which is within a body,
+  // one end is common and the others are a bit apart. Roundoff may part both ends.
   const auto are_one = [](const Edge& a, const Edge& b) {
-    constexpr double near = 0.05;  // of their length
+    constexpr double near = 0.05, roundoff = 1e-7;  // of their length; [m]
     const auto &p = a.ends, &q = b.ends;
     const double apart = 0.5 * std::hypot(p[0] + p[2] - q[0] - q[2], p[1] + p[3] - q[1] - q[3]);
-    return a.body == b.body && apart < near * std::hypot(p[2] - p[0], p[3] - p[1]);
+    const auto meet = [&](std::size_t i, std::size_t k) {
+      return std::hypot(p[i] - q[k], p[i + 1] - q[k + 1]) < roundoff;
+    };
+    const bool has_common_end = meet(0, 0) || meet(0, 2) || meet(2, 0) || meet(2, 2);
+    return a.body == b.body &&
+           (apart < roundoff || (has_common_end && apart < near * std::hypot(p[2] - p[0], p[3] - p[1])));
   };
   for (const auto& edge : alone)
     if (std::count_if(alone.begin(), alone.end(), [&](const Edge& other) { return are_one(edge, other); }) == 1)

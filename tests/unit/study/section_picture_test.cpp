@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rotordrop {
@@ -58,10 +59,38 @@ TEST(SectionPicture, OfAnEvenTemperatureHasOneLevel) {
 
 TEST(BodyEdges, OfNeighboursThatDoNotQuiteMeetAreNoOutline) {
   TemperatureField field = two_bodies();
-  for (std::size_t i = 4; i < 8; ++i) field.x[i] += 0.02;  // the second cell, as if a common edge were curved
-  std::size_t n_within = 0;
-  for (const auto& edge : body_edges(field)) n_within += std::fabs(edge[0] - 1.) < 0.1 && std::fabs(edge[2] - 1.) < 0.1;
-  EXPECT_EQ(n_within, 0u);
+  const auto n_within = [&field] {
+    std::size_t n = 0;
+    for (const auto& edge : body_edges(field)) n += std::fabs(edge[0] - 1.) < 0.1 && std::fabs(edge[2] - 1.) < 0.1;
+    return n;
+  };
+  field.x[4] += 0.02;  // a corner of the second cell, as if the common edge were curved
+  EXPECT_EQ(n_within(), 0u);
+  field.x[4] -= 0.02;
+  field.x[4] += 2e-9;  // both by roundoff
+  field.x[7] += 2e-9;
+  EXPECT_EQ(n_within(), 0u);
+}
+
+TEST(BodyEdges, OfThinCellsAtASurfaceAreKept) {
+  TemperatureField field = two_bodies();
+  // A thin cell on the first one, whose common edge does not quite meet: its own upper edge stays, though three edges are close together.
+  const auto first = static_cast<std::uint32_t>(field.x.size());
+  for (const auto& [x, r] : {std::pair{0., 6.}, {1., 6.01}, {1., 6.02}, {0., 6.02}}) {
+    field.x.push_back(x);
+    field.r.push_back(r);
+    field.rise.push_back(0.);
+  }
+  field.cells.push_back({first, first + 1, first + 2, first + 3});
+  field.body.push_back(0);
+  std::size_t n_upper = 0, n_common = 0;
+  for (const auto& [x1, r1, x2, r2] : body_edges(field)) {
+    if (std::max(x1, x2) > 1.001 || x1 == x2) continue;
+    n_upper += r1 == 6.02 && r2 == 6.02;
+    n_common += r1 > 5.9 && r2 > 5.9 && std::min(r1, r2) < 6.015;
+  }
+  EXPECT_EQ(n_upper, 1u);
+  EXPECT_EQ(n_common, 0u);
 }
 
 TEST(BodyEdges, AreTheOutlineAndTheLinesBetweenBodies) {
