@@ -67,18 +67,22 @@ Json report_words(const RecordedDrop& drop) {
 Json report_assumptions(const RecordedDrop& drop) {
   const auto& p = drop.parameters();
   Json list = Json::array();
-  list.push_back(fmt::format("The rotor is a Timoshenko beam with gyroscopic effect ({}), without axial motion.",
+  list.push_back(fmt::format("The rotor is a Timoshenko beam with gyroscopic effect ({}), {} axial motion.",
                              p.rotor.model == RotorRepresentation::modal
                                  ? fmt::format("free-free modes up to {:.4g} Hz, damping ratio {:.3g}",
                                                p.rotor.cut_off_frequency, p.rotor.modal_damping)
                              : p.rotor.model == RotorRepresentation::full ? std::string("all degrees of freedom")
-                                                                          : std::string("rigid")));
+                                                                          : std::string("rigid"),
+                             p.rotor.axial_motion == AxialFreedom::free ? "with rigid" : "without"));
   if (drop.bearings().empty()) return list;
   list.push_back(fmt::format(
       "Rotor and inner ring touch by a Hunt-Crossley law with exponent {:.4g} that never pulls; friction is Coulomb's, "
       "smoothed below {:.3g} m/s.",
       p.contact.exponent, p.contact.regularisation_speed));
-  list.push_back("Inner rings move radially and spin; the outer ring moves with its support.");
+  for (const auto& [name, b] : drop.bearings())
+    list.push_back(fmt::format("{}: the inner ring {}; the outer ring moves radially with its support.", name,
+                               b.ring_motion == RingMotion::free ? "moves radially and along its axis, tilts and spins"
+                                                                 : "moves radially and spins"));
   for (const auto& [name, b] : drop.bearings())
     list.push_back(fmt::format("{}: load-dependent friction of the {} load; heat inside the bearing is {}.", name,
                                b.load_law == FrictionLoadLaw::radial ? "radial" : "equivalent (preload included)",

@@ -319,6 +319,17 @@ class OtherRuns(ProgramTest):
         self.assertEqual(data["animation"]["bearings"], [])
         self.assertIn("on linear supports", data["words"][0])
 
+    def test_assumptions_say_which_motion_was_computed(self):
+        for name in ("neisi2019-thrust.toml", "neisi2019-settling.toml"):
+            shutil.copy(SOURCE / "params" / name, self.folder)
+        shutil.copy(SOURCE / "params/neisi2019.toml", self.folder)
+        for name, axial, ring in (("thrust", "with rigid axial motion", "moves radially and along its axis, tilts and spins"), ("settling", "without axial motion", "moves radially and spins")):
+            self.succeed("run", f"neisi2019-{name}.toml", "-o", "out", "--force", "--quiet", *settings(run__end_time="2 ms"))
+            (self.folder / "out/report.html").unlink(missing_ok=True)
+            text = " ".join(self.report()["assumptions"])
+            self.assertIn(axial, text)
+            self.assertIn(f"TB2: the inner ring {ring};", text)
+
     def test_an_interrupted_run_says_so(self):
         case = self.case("output.checkpoint_interval = 0.05\n")
         process = start("run", case, "-o", "out", "--quiet", *settings(run__end_time="100 s"), cwd=self.folder)
