@@ -185,6 +185,18 @@ class Extending(ProgramTest):
         self.succeed("run", "case.toml", "-o", "out", "--force", "--set", f"run.end_time={end_time}")
         return tomllib.loads((self.folder / "out/parameters.toml").read_text())
 
+    def test_the_guide_runs_as_it_stands(self):
+        blocks = [block for block in re.findall(r"```sh\n(.*?)```", (SOURCE / "docs/guide.md").read_text(encoding="utf-8"), re.S) if "my-drop" in block]
+        self.assertEqual(len(blocks), 2)
+        (self.folder / "build/release").mkdir(parents=True)
+        (self.folder / "build/release/rotordrop").symlink_to(PROGRAM)
+        for block in blocks:
+            done = subprocess.run(["bash", "-euc", block], cwd=self.folder, capture_output=True, text=True, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "my-drop/results/report.html").is_file())
+        for mu in ("0.05", "0.10", "0.15"):
+            self.assertTrue((self.folder / f"my-drop/mu-{mu}/summary.json").is_file())
+
     def test_all_examples_are_run(self):
         self.assertEqual(set(self.blocks()), {"material", "catalogue file bearings/6211-hybrid.toml", "bearing", "thermal node"})
 
