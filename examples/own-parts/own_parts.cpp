@@ -2,10 +2,12 @@
 //
 //   own-parts CASE DIR [lumped|wall]
 //
-// The last word says whose growth the clearances feel. Results are those of `rotordrop run`, with the series of both parts.
+// The last word says whose growth the clearances feel. Results and report are those of rotordrop, with the series of both parts.
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/errors.h"
 #include "machine/build_machine.h"
@@ -13,6 +15,7 @@
 #include "snubber.h"
 #include "study/case.h"
 #include "study/drop_run.h"
+#include "study/report.h"
 
 using namespace rotordrop;
 
@@ -59,8 +62,9 @@ int main(int argc, char** argv) {
     const auto machine = machine_of(drop_case, wall_drives);
     RunOptions options;
     options.directory = argv[2];
-    options.force = true;
     print(*machine, run_drop(drop_case, *machine, options));
+    const RecordedDrop recorded(options.directory, drop_case);
+    std::ofstream(options.directory / "report.html") << report_page(report_data(recorded));
   } catch (const InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

@@ -3,6 +3,7 @@
 ROTORDROP_PROGRAM lies in the build folder that is installed from. Skipped with sanitizers, whose options a project of its own does not have.
 """
 
+import json
 import math
 import os
 import pathlib
@@ -232,6 +233,19 @@ class OwnParts(Installed):
         call(self.own, self.case, self.folder / "lumped", "lumped")
         with Results(self.folder / "lumped") as other:
             np.testing.assert_allclose(other.series("/bearings/TB1/expansion").values, other.series("/growth/lumped/TB1").values, atol=1e-15)
+
+    def test_its_report_shows_both_parts_and_results_are_not_overwritten(self):
+        page = (self.folder / "out/report.html").read_text()
+        self.assertIn("SNUBBER is a support of another program's kind at the rotor's node 16.", page)
+        self.assertIn("own-parts.toml:10: source: (est.) 50 um more than the touchdown bearings'", page)
+        data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+        lines = {chart["id"]: [line["name"] for line in chart["lines"]] for chart in data["charts"]}
+        self.assertIn("SNUBBER", lines["displacement-y"])
+        self.assertIn("SNUBBER", lines["friction-force"])
+        self.assertEqual(len(lines["whirl"]), 2)
+        before = (self.folder / "out/summary.json").read_bytes()
+        self.assertIn("the directory holds results already", call(self.own, self.case, self.folder / "out", code=2))
+        self.assertEqual((self.folder / "out/summary.json").read_bytes(), before)
 
     def test_faults_of_its_keys_are_explained(self):
         wrong = self.folder / "wrong.toml"
