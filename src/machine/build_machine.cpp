@@ -14,18 +14,17 @@
 namespace rotordrop {
 namespace {
 
-const MaterialParameters* find_material(const MachineParameters& p, const std::string& name) {
-  for (const auto& [known, material] : p.materials)
-    if (known == name) return &material;
-  return nullptr;
-}
-
 ThermalMaterial thermal_material(const MaterialParameters& m) { return {m.k, m.c, m.rho, m.alpha, m.nu}; }
 
 const Node& table_of(const Node& case_node, const char* section) {
   static const Node empty = Node::table();
   const Node* found = case_node.find(section);
   return found ? *found : empty;
+}
+
+GrowthDriver chosen_driver(const ThermalParameters& t) {
+  if (t.driver != GrowthDriver::automatic) return t.driver;
+  return t.has_lumped ? GrowthDriver::lumped : GrowthDriver::fe;
 }
 
 RubShare rub_share(const ThermalParameters& t) {
@@ -45,7 +44,7 @@ std::vector<double> axial_share(const TouchdownParameters& b) {
 
 void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b, const FiniteElements& elements,
                         FiniteElements::Section& section) {
-  const auto& material = *find_material(p, b.ring);
+  const auto& material = material_of(p, b.ring);
   const auto kind = b.housing_fit_kind == HousingFit::bonded ? FitKind::bonded : FitKind::frictionless;
   const ElasticProblem problem = bearing_elastic_problem(
       section.problem, section.solver->section_mesh(),
@@ -59,7 +58,6 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
 void make_sections(const MachineParameters& p, FiniteElements& elements) {
   const auto& fe = p.thermal.fe;
   elements.coupling = fe.coupling;
-  elements.drives = driver_of(p.thermal) == GrowthDriver::fe;
   for (const auto& entry : p.bearings) {
     const auto* b = entry.touchdown();
     if (!b) continue;
@@ -129,7 +127,7 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
 /// The thermal models that a case asks for, and who drives.
 void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& network, FiniteElements* elements,
                         std::shared_ptr<const GrowthHistory> recorded, Machine::Parts& parts) {
-  const GrowthDriver driver = p.thermal.growth ? driver_of(p.thermal) : GrowthDriver::none;
+  const GrowthDriver driver = driver_of(p.thermal);
   if (p.thermal.has_lumped) {
     parts.thermal.push_back({"lumped", "/thermal/", std::make_unique<ThermalNetwork>(network)});
     if (driver == GrowthDriver::lumped) parts.driver = 0;
@@ -195,7 +193,7 @@ void check_name(const std::string& name, const std::string& what, const SourcePo
 
 void check_thermal_models(const MachineParameters& p, const Node& table, Faults& faults) {
   const auto& t = p.thermal;
-  const auto driver = driver_of(t);
+  const auto driver = chosen_driver(t);
   if ((driver == GrowthDriver::lumped && !t.has_lumped) || (driver == GrowthDriver::fe && !t.has_fe))
     faults.add(position_of_value(table, "driver"), "thermal.driver names a model that does not run.",
                "Add it to thermal.models.");
@@ -294,8 +292,8 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   const auto& t = p.thermal;
   BearingCircuitData c;
   c.name = name;
-  c.ring = thermal_material(*find_material(p, b.ring));
-  c.ball = thermal_material(*find_material(p, b.ball));
+  c.ring = thermal_material(material_of(p, b.ring));
+  c.ball = thermal_material(material_of(p, b.ball));
   c.width = b.width;
   c.journal_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
   c.ring_mass = b.ring_mass;
@@ -323,14 +321,11 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
-  const MaterialParameters &ring = *find_material(p, b.ring), &ball = *find_material(p, b.ball);
+  const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
   return touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
 }
 
-GrowthDriver driver_of(const ThermalParameters& t) {
-  if (t.driver != GrowthDriver::automatic) return t.driver;
-  return t.has_lumped ? GrowthDriver::lumped : GrowthDriver::fe;
-}
+GrowthDriver driver_of(const ThermalParameters& t) { return t.growth ? chosen_driver(t) : GrowthDriver::none; }
 
 void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& bearings = table_of(case_node, "bearings");
@@ -387,8 +382,8 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
   faults.throw_if_any();
 
   if (p.thermal.has_fe) make_sections(p, *finite_elements);
-  const bool grows_by_spinning = p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic && p.thermal.growth &&
-                                 driver_of(p.thermal) == GrowthDriver::fe;
+  const bool grows_by_spinning =
+      p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic && driver_of(p.thermal) == GrowthDriver::fe;
   Machine::Parts parts;
   std::vector<int> nodes;
   std::vector<RingCentre> ring_centres;

@@ -10,7 +10,7 @@ namespace rotordrop {
 /// Checks that need several sections at once; `case_node` gives the positions.
 void check_machine(const MachineParameters& parameters, const Node& case_node, Faults& faults);
 
-/// Which model's growth is fed back when a case leaves it open.
+/// Which model's growth is fed back; of no model without thermal.growth.
 GrowthDriver driver_of(const ThermalParameters& parameters);
 
 /// What the thermal models of a touchdown bearing are made from.

@@ -35,7 +35,6 @@ struct FiniteElements {
   };
   std::vector<Section> sections;  ///< of each thermal place
   FeCoupling coupling = FeCoupling::reduced;
-  bool drives = false;
   std::shared_ptr<GrowthHistory> growth;  ///< of a windowed coupling: what conduction adds to the immediate growth
 };
 

@@ -40,4 +40,12 @@ struct MachineParameters {
   StaticsParameters statics;
 };
 
+/// nullptr if the case has no material of that name.
+[[nodiscard]] const MaterialParameters* find_material(const MachineParameters& parameters, const std::string& name);
+/// Of a case that was checked. @throws std::invalid_argument for an unknown name
+[[nodiscard]] const MaterialParameters& material_of(const MachineParameters& parameters, const std::string& name);
+[[nodiscard]] std::vector<std::string> touchdown_names(const MachineParameters& parameters);
+/// @throws std::invalid_argument if no touchdown bearing has that name
+[[nodiscard]] const TouchdownParameters& touchdown_of(const MachineParameters& parameters, const std::string& name);
+
 }  // namespace rotordrop

@@ -21,10 +21,6 @@ bool leans_both_ways(const std::vector<BallRowGeometry>& rows) {
   return leans(1.) && leans(-1.);
 }
 
-const MaterialParameters& material(const MachineParameters& p, const std::string& name) {
-  return std::find_if(p.materials.begin(), p.materials.end(), [&](const auto& m) { return m.first == name; })->second;
-}
-
 struct RingSetup {
   RingStatics ring;
   double axial_preload;  // force from outside that presses rows which all lean one way [N]
@@ -54,13 +50,13 @@ RingSetup ring_setup(const MachineParameters& p, const TouchdownParameters& b, c
 
 Expansion static_growth(const MachineParameters& p, const TouchdownParameters& b) {
   const auto& s = p.statics;
-  const double alpha = material(p, b.ring).alpha;
+  const double alpha = material_of(p, b.ring).alpha;
   Expansion g;
   g.shaft = alpha * (bore_radius(b, p.contact) - air_gap(b, p.contact)) * s.shaft_rise;
   g.bore = alpha * 0.5 * b.inner_ring_diameters[0] * s.inner_rise;
   g.inner_race = alpha * 0.5 * b.inner_ring_diameters[1] * s.inner_rise + s.inner_growth;
   g.outer_race = alpha * 0.5 * b.outer_ring_diameters[0] * s.outer_rise + s.outer_growth;
-  g.ball = material(p, b.ball).alpha * 0.5 * b.ball_diameter * s.ball_rise;
+  g.ball = material_of(p, b.ball).alpha * 0.5 * b.ball_diameter * s.ball_rise;
   return g;
 }
 

@@ -22,10 +22,8 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   build_machine(p, c.tree, &elements);
   std::vector<CalibratedBearing> bearings;
   for (const auto& section : elements.sections)
-    for (const auto& entry : p.bearings)
-      if (entry.name == section.name)
-        bearings.push_back(
-            fit_circuit(circuit_data(p, entry.name, *entry.touchdown()), section.reduced, p.run.ambient, settings));
+    bearings.push_back(fit_circuit(circuit_data(p, section.name, touchdown_of(p, section.name)), section.reduced,
+                                   p.run.ambient, settings));
   if (bearings.empty())
     throw InputError({c.file.string(), 0, 0},
                      "the case has no touchdown bearing, so there is no circuit to calibrate.");

@@ -169,4 +169,14 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   return result;
 }
 
+std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {
+  const auto known = touchdown_names(c.parameters);
+  if (bearing.empty()) return known;
+  if (std::find(known.begin(), known.end(), bearing) != known.end()) return {bearing};
+  const std::string guess = closest_name(bearing, known);
+  throw InputError({"--bearing", 0, 0}, fmt::format("the case has no touchdown bearing \"{}\".", bearing),
+                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
+                       fmt::format("Its touchdown bearings: {}.", fmt::join(known, ", ")));
+}
+
 }  // namespace rotordrop

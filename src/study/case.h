@@ -35,6 +35,10 @@ struct Case {
 /// @param overrides  such as "contact.friction_coefficient=0.05"
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// Names of the touchdown bearings that an option --bearing takes: the one it names, or all if it is empty.
+/// @throws InputError for a name that none has
+std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing);
+
 /// The declarations of a case file, for defaults, schema and resolved parameters.
 std::vector<ErasedSection> case_sections();
 
