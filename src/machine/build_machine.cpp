@@ -14,7 +14,13 @@
 namespace rotordrop {
 namespace {
 
-ThermalMaterial thermal_material(const MaterialParameters& m) { return {m.k, m.c, m.rho, m.alpha, m.nu}; }
+/// Of a table its value at ambient, for parts without a section.
+ThermalMaterial thermal_material(const MaterialParameters& m, double ambient) {
+  ThermalMaterial t{m.k, m.c, m.rho, m.alpha, m.nu};
+  if (m.k_table) t.conductivity = t.conductivity_table.emplace(*m.k_table).value(ambient);
+  if (m.c_table) t.heat_capacity = t.heat_capacity_table.emplace(*m.c_table).value(ambient);
+  return t;
+}
 
 const Node& table_of(const Node& case_node, const char* section) {
   static const Node empty = Node::table();
@@ -66,6 +72,8 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
     settings.numerics.degree = fe.degree;
     settings.numerics.solver = fe.solver;
     settings.numerics.cells = std::max(2, static_cast<int>(std::lround(8 * fe.refinement)));
+    settings.housing_film = elements.alone && fe.coupling == FeCoupling::windowed;
+    if (elements.alone) settings.numerics.tolerance = elements.alone->time_tolerance;
     const SectionMesh mesh = fe.section == FeSection::plain ? SectionMesh{} : elements.make_mesh(entry.name);
     FiniteElements::Section section;
     section.name = entry.name;
@@ -221,6 +229,29 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
                "Take the reduced coupling, or the permanent link.");
 }
 
+/// Few modes, or all of them, stand for linear equations.
+void check_tables(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  if (!p.thermal.has_fe || p.thermal.fe.coupling == FeCoupling::windowed) return;
+  const char* coupling = p.thermal.fe.coupling == FeCoupling::reduced ? "reduced" : "monolithic";
+  std::vector<std::string> told;
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    const auto* m = b ? find_material(p, b->ring) : nullptr;
+    if (!m || std::find(told.begin(), told.end(), b->ring) != told.end()) continue;
+    told.push_back(b->ring);
+    const Node& materials = table_of(case_node, "materials");
+    const Node* own = materials.find(b->ring);
+    for (const auto& [key, values] : {std::pair("k_table", &m->k_table), std::pair("c_table", &m->c_table)})
+      if (*values && !PropertyTable(**values).is_constant())
+        faults.add(
+            position_of(own ? *own : materials, key),
+            fmt::format("materials.{}.{} depends on temperature, and thermal.fe.coupling = \"{}\" takes the modes "
+                        "of a linear problem.",
+                        b->ring, key, coupling),
+            "Take thermal.fe.coupling = \"windowed\", or constant k and c.");
+  }
+}
+
 /// A rotor that may move along its axis needs rings that follow it, and shoulders where it is pushed to.
 void check_axial_motion(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& rotor = table_of(case_node, "rotor");
@@ -288,12 +319,34 @@ void check_statics(const MachineParameters& p, const Node& table, Faults& faults
 
 }  // namespace
 
+ThermalParts build_thermal_models(const MachineParameters& parameters, const Node& case_node,
+                                  const std::string& bearing, FiniteElements& finite_elements) {
+  MachineParameters p = parameters;
+  p.thermal.driver = GrowthDriver::none;
+  // A user's resistors may join this bearing's circuit with others'.
+  if (p.thermal.resistors.empty())
+    std::erase_if(p.bearings, [&](const SupportEntry& entry) { return entry.name != bearing; });
+  Faults faults;
+  const auto network = network_data(p, case_node, faults);
+  faults.throw_if_any();
+  ThermalParts made;
+  for (const auto& entry : p.bearings) {
+    if (entry.name == bearing) made.place = made.n_places;
+    if (entry.touchdown()) ++made.n_places;
+  }
+  if (p.thermal.has_fe) make_sections(p, finite_elements);
+  Machine::Parts parts;
+  add_thermal_models(p, network, &finite_elements, nullptr, parts);
+  made.models = std::move(parts.thermal);
+  return made;
+}
+
 BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
   const auto& t = p.thermal;
   BearingCircuitData c;
   c.name = name;
-  c.ring = thermal_material(material_of(p, b.ring));
-  c.ball = thermal_material(material_of(p, b.ball));
+  c.ring = thermal_material(material_of(p, b.ring), p.run.ambient);
+  c.ball = thermal_material(material_of(p, b.ball), p.run.ambient);
   c.width = b.width;
   c.journal_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
   c.ring_mass = b.ring_mass;
@@ -371,6 +424,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   }
   if (materials_are_known) network_data(p, case_node, faults);
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
+  check_tables(p, case_node, faults);
   check_axial_motion(p, case_node, faults);
   check_statics(p, table_of(case_node, "statics"), faults);
 }

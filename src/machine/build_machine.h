@@ -1,5 +1,8 @@
 #pragma once
+#include <cstddef>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "machine/finite_elements.h"
 #include "machine/machine.h"
@@ -33,5 +36,16 @@ Machine::Parts machine_parts(const MachineParameters& parameters, const Node& ca
 std::unique_ptr<Machine> build_machine(const MachineParameters& parameters, const Node& case_node,
                                        FiniteElements* finite_elements = nullptr,
                                        std::shared_ptr<const GrowthHistory> recorded = nullptr);
+
+/// Thermal models by themselves.
+struct ThermalParts {
+  std::vector<Machine::Parts::Thermal>
+      models;  ///< "lumped"; "fe", unless its coupling is windowed: then it is a section of the finite elements
+  std::size_t n_places = 0, place = 0;  ///< of the models, and the bearing's among them
+};
+/// The models of one touchdown bearing of a case whose parameters were checked, without a machine. Its section is the only one made.
+/// @throws InputError, SolverError
+ThermalParts build_thermal_models(const MachineParameters& parameters, const Node& case_node,
+                                  const std::string& bearing, FiniteElements& finite_elements);
 
 }  // namespace rotordrop

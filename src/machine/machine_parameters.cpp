@@ -55,6 +55,18 @@ Section<MaterialParameters> material_section() {
   s.quantity("rho", &P::rho, {.unit = "kg/m3", .range = between(10, 3e4), .help = "Density."});
   s.quantity("k", &P::k, {.unit = "W/(m K)", .range = positive(), .help = "Thermal conductivity."});
   s.quantity("c", &P::c, {.unit = "J/(kg K)", .range = positive(), .help = "Specific heat capacity."});
+  s.function("k_table", &P::k_table,
+             {.unit = "W/(m K)",
+              .argument_unit = "K",
+              .range = positive(),
+              .help = "Conductivity over temperature, instead of k: linear between the pairs, constant outside. Meshed "
+                      "rings and housing follow it (thermal.fe.coupling = \"windowed\"); what has no section takes its "
+                      "value at run.ambient."});
+  s.function("c_table", &P::c_table,
+             {.unit = "J/(kg K)",
+              .argument_unit = "K",
+              .range = positive(),
+              .help = "Specific heat capacity over temperature, instead of c, likewise."});
   s.quantity("alpha", &P::alpha,
              {.unit = "1/K", .range = between(-1e-3, 1e-3), .help = "Linear thermal expansion coefficient."});
   return s;

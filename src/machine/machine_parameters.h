@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,7 @@ Section<RunParameters> run_section();
 /// [materials.NAME].
 struct MaterialParameters {
   double E = 0, nu = 0, rho = 0, k = 0, c = 0, alpha = 0;
+  std::optional<std::vector<std::array<double, 2>>> k_table, c_table;  ///< pairs of temperature [K] and value
 };
 Section<MaterialParameters> material_section();
 /// Steel and Si3N4, where a case names no materials of its own.

@@ -18,6 +18,12 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   p.thermal.driver = GrowthDriver::automatic;
   p.thermal.fe.coupling = FeCoupling::reduced;
   p.thermal.fe.modes = std::max(p.thermal.fe.modes, 48);  // speed is of no matter here
+  // What a user adds to the circuit is not fitted.
+  p.thermal.nodes.clear();
+  p.thermal.resistors.clear();
+  Faults faults;
+  check_machine(p, c.tree, faults);
+  faults.throw_if_any();
   FiniteElements elements = finite_elements_of(c);
   build_machine(p, c.tree, &elements);
   std::vector<CalibratedBearing> bearings;

@@ -54,6 +54,7 @@ Section<CaseParameters> case_section() {
                "673, 3.2e-6)."});
   s.table<ThermalParameters>("thermal", &P::thermal, thermal_section());
   s.table<StaticsParameters>("statics", &P::statics, statics_section());
+  s.table<PrescribedHeatParameters>("heat", &P::heat, prescribed_heat_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
   return s;
@@ -92,6 +93,10 @@ void complete_paths(Node& tree) {
   Node* thermal = tree.find("thermal");
   complete_path(thermal, "recorded");
   complete_path(thermal && thermal->is_table() ? thermal->find("fe") : nullptr, "mesh");
+  Node* heat = tree.find("heat");
+  Node* sources = heat && heat->is_table() ? heat->find("source") : nullptr;
+  if (sources && sources->is_array())
+    for (Node& source : sources->items()) complete_path(&source, "recorded");
 }
 
 void load_catalogue(Node& bearing, const std::string& name, const fs::path& case_file) {

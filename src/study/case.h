@@ -1,11 +1,13 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/parameters.h"
 #include "integrate/integration_parameters.h"
 #include "machine/machine_parameters.h"
+#include "thermal/prescribed_heat_parameters.h"
 
 namespace rotordrop {
 
@@ -18,6 +20,7 @@ struct OutputParameters {
 
 /// All parameters of a case.
 struct CaseParameters : MachineParameters {
+  std::optional<PrescribedHeatParameters> heat;  ///< of `rotordrop heat` alone
   IntegrationParameters integration;
   OutputParameters output;
 };
