@@ -429,8 +429,8 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   check_statics(p, table_of(case_node, "statics"), faults);
 }
 
-std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node,
-                                       FiniteElements* finite_elements, std::shared_ptr<const GrowthHistory> recorded) {
+Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, FiniteElements* finite_elements,
+                             std::shared_ptr<const GrowthHistory> recorded) {
   Faults faults;
   const auto network = network_data(p, case_node, faults);
   faults.throw_if_any();
@@ -459,8 +459,10 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
       parts.supports.push_back(std::move(bearing));
       parts.thermal_place.push_back(n_places++);
     } else {
-      const auto& l = *entry.linear();
-      parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l.stiffness, l.damping));
+      if (const auto* l = entry.linear())
+        parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l->stiffness, l->damping));
+      else
+        parts.supports.push_back(entry.other()->make(entry.name));
       parts.thermal_place.push_back(std::nullopt);
     }
   }
@@ -483,7 +485,12 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
                              parts.initial_rotor_state);
   check_start(p, case_node, *rotor, parts, ring_centres);
   parts.rotor = std::move(rotor);
-  return std::make_unique<Machine>(std::move(parts));
+  return parts;
+}
+
+std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node,
+                                       FiniteElements* finite_elements, std::shared_ptr<const GrowthHistory> recorded) {
+  return std::make_unique<Machine>(machine_parts(p, case_node, finite_elements, std::move(recorded)));
 }
 
 }  // namespace rotordrop

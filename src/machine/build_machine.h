@@ -24,6 +24,12 @@ BearingCircuitData circuit_data(const MachineParameters& parameters, const std::
 TouchdownBearingData touchdown_data_of(const MachineParameters& parameters, const std::string& name,
                                        const TouchdownParameters& bearing);
 
+/// The parts of a machine, for programs that add thermal models of their own, or replace parts, before they wire them with
+/// `Machine(std::move(parts))`. Arguments as of build_machine().
+Machine::Parts machine_parts(const MachineParameters& parameters, const Node& case_node,
+                             FiniteElements* finite_elements = nullptr,
+                             std::shared_ptr<const GrowthHistory> recorded = nullptr);
+
 /// The machine of a case whose parameters were checked. @throws InputError, SolverError
 /// @param finite_elements  the room's doors if the case has finite elements; takes the sections that are made
 /// @param recorded         growth of an earlier run, if that drives

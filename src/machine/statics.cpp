@@ -127,6 +127,10 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
       preload = std::max(preload, b->preload);
       is_circulatory_ = is_circulatory_ || (t.ring.surroundings().has_inertia && p.statics.speed != 0.);
       touchdowns_.push_back(std::move(t));
+    } else if (entry.other()) {
+      throw InputError({},
+                       "the static balance knows nothing of " + entry.name + ", a support of another program's kind",
+                       "Leave it out, or let the rotor settle in a drop.");
     } else {
       const auto& K = entry.linear()->stiffness;
       linears_.push_back({entry.name, station, Eigen::Matrix2d{{K[0][0], K[0][1]}, {K[1][0], K[1][1]}}});
