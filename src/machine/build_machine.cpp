@@ -150,15 +150,6 @@ void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& ne
   if (driver == GrowthDriver::recorded) parts.prescribed_growth = std::move(recorded);
 }
 
-ThermalNetworkData network_data(const MachineParameters& p, const Node& case_node, Faults& faults) {
-  ThermalNetworkData network;
-  network.ambient = p.run.ambient;
-  for (const auto& entry : p.bearings)
-    if (const auto* b = entry.touchdown()) add_bearing_circuit(circuit_data(p, entry.name, *b), network);
-  add_extra_parts(p.thermal, table_of(case_node, "thermal"), network, faults);
-  return network;
-}
-
 using RingCentre = std::pair<double, std::pair<double, double>>;  // x, (y, z)
 
 /// A rotor that starts inside a ring would be shot out of it.
@@ -247,6 +238,15 @@ void check_statics(const MachineParameters& p, const Node& table, Faults& faults
 }
 
 }  // namespace
+
+ThermalNetworkData network_data(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  ThermalNetworkData network;
+  network.ambient = p.run.ambient;
+  for (const auto& entry : p.bearings)
+    if (const auto* b = entry.touchdown()) add_bearing_circuit(circuit_data(p, entry.name, *b), network);
+  add_extra_parts(p.thermal, table_of(case_node, "thermal"), network, faults);
+  return network;
+}
 
 BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
   const auto& t = p.thermal;

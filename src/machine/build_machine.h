@@ -17,6 +17,9 @@ GrowthDriver driver_of(const ThermalParameters& parameters);
 BearingCircuitData circuit_data(const MachineParameters& parameters, const std::string& name,
                                 const TouchdownParameters& bearing);
 
+/// The lumped circuits of all touchdown bearings, its places, with what a user adds; unknown names become faults.
+ThermalNetworkData network_data(const MachineParameters& parameters, const Node& case_node, Faults& faults);
+
 /// One touchdown bearing of a case whose parameters were checked, as numbers.
 TouchdownBearingData touchdown_data_of(const MachineParameters& parameters, const std::string& name,
                                        const TouchdownParameters& bearing);

@@ -6,6 +6,7 @@
 
 #include "base/parameters.h"
 #include "bearing/touchdown_parameters.h"
+#include "machine/preload_parameters.h"
 #include "machine/statics_parameters.h"
 #include "machine/supports.h"
 #include "rotor/rotor_parameters.h"
@@ -38,6 +39,7 @@ struct MachineParameters {
   std::vector<std::pair<std::string, MaterialParameters>> materials;
   ThermalParameters thermal;
   StaticsParameters statics;
+  PreloadParameters preload;
 };
 
 }  // namespace rotordrop
