@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -20,6 +21,16 @@ struct Axis {
   std::string shown_unit = {};
 };
 
+/// Smallest and largest of some values.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  [[nodiscard]] Json json() const { return low <= high ? Json{{"smallest", low}, {"largest", high}} : Json(nullptr); }
+};
+
 /// @param state  of the bearing at a point of the two axes
 template <class StateAt>
 Json make_map(const std::string& name, const std::string& bearing, const TouchdownRunning& running, const Axis& rows,
@@ -35,6 +46,7 @@ Json make_map(const std::string& name, const std::string& bearing, const Touchdo
   other.axis = columns.values;
   other.rows.resize(columns.values.size());
   int n_failed = 0;
+  Extent preload, ball_load, pressure;
   Json corners = Json::array();
   for (const double row : rows.values) {
     std::vector<std::vector<double>> values;  // [n_columns][n_quantities]
@@ -44,6 +56,9 @@ Json make_map(const std::string& name, const std::string& bearing, const Touchdo
       try {
         const RunningState s = running.in(state(row, column));
         values.push_back(running_values(s));
+        preload.add(s.preload);
+        ball_load.add(s.largest_ball_load);
+        pressure.add(s.largest_pressure);
         if (is_corner)
           corners.push_back({{rows.name, row},
                              {columns.name, column},
@@ -65,6 +80,9 @@ Json make_map(const std::string& name, const std::string& bearing, const Touchdo
   tables.push_back(std::move(other));
   return {{rows.name, rows.values},
           {columns.name, columns.values},
+          {"preload", preload.json()},
+          {"largest_ball_load", ball_load.json()},
+          {"largest_pressure", pressure.json()},
           {"corners", corners},
           {"without_equilibrium", n_failed}};
 }

@@ -106,10 +106,10 @@ std::string running_text(const std::string& name, const Json& r) {
 std::string maps_text(const Json& maps) {
   std::string text;
   for (const auto& [name, map] : maps.items()) {
-    if (map["corners"].empty()) continue;
-    const auto &first = map["corners"].front(), &last = map["corners"].back();
-    text += fmt::format("  map of {}: preload {:.4g} N to {:.4g} N, pressure to {:.3g} GPa\n", name,
-                        number(first, "preload"), number(last, "preload"), number(last, "largest_pressure") * 1e-9);
+    if (!map["preload"].is_null())
+      text += fmt::format("  map of {}: preload {:.4g} to {:.4g} N, pressure to {:.3g} GPa\n", name,
+                          number(map["preload"], "smallest"), number(map["preload"], "largest"),
+                          number(map["largest_pressure"], "largest") * 1e-9);
     if (const int n = map["without_equilibrium"].get<int>(); n > 0)
       text += fmt::format("    {} points without an equilibrium are NaN\n", n);
   }
