@@ -37,7 +37,7 @@ Section<PreloadMapParameters> map_section() {
          {.unit = "K",
           .kind = QuantityKind::temperature_difference,
           .range = between(-300, 1500),
-          .fallback = {"0 K", "10 K", "20 K", "30 K", "40 K", "50 K"},
+          .fallback = {"0 K", "5 K", "10 K", "15 K", "20 K", "25 K", "30 K", "35 K", "40 K", "45 K", "50 K"},
           .help = std::string("Temperature of the ") + part +
                   " ring over ambient, even over the ring, which grows "
                   "freely; balls cold."});

@@ -82,7 +82,8 @@ Json critical_json(const std::optional<CriticalFactor>& c, double value) {
 }
 
 /// Operating points over speed: two columns, the lower point and the next one.
-PreloadTable points_over_speed(const Case& c, const std::string& bearing, double up_to) {
+PreloadTable points_over_speed(const Case& c, const std::string& bearing,
+                               const std::optional<CriticalFactor>& critical) {
   constexpr int n_speeds = 40;
   const std::string prefix = fmt::format("/{}/operating_points/", bearing);
   const std::vector<std::string> columns = {"lower", "upper"};
@@ -98,7 +99,9 @@ PreloadTable points_over_speed(const Case& c, const std::string& bearing, double
   const auto limits = preload_limits(c.parameters.preload);
   const double speed = preload_speed(c.parameters);
   for (int i = 1; i <= n_speeds; ++i) {
-    const double factor = up_to * i / n_speeds;
+    // Up to the critical speed, denser towards it: there both points meet.
+    const double left = 1. - i / static_cast<double>(n_speeds);
+    const double factor = critical ? critical->factor * (1. - left * left) : 1.5 * (1. - left);
     const auto loop = build_preload_loop(c.parameters, c.tree, bearing, rest_finder(bearing), {.speed = factor});
     const auto found = find_operating_points(*loop, limits);
     std::vector<std::array<double, 2>> values(5, {NAN, NAN});
@@ -180,7 +183,7 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
   search.axis = points.heat;
   for (const double made : points.made) search.rows.push_back({made});
   tables.push_back(std::move(search));
-  if (speed > 0.) tables.push_back(points_over_speed(c, bearing, critical_speed ? 1.15 * critical_speed->factor : 1.5));
+  if (speed > 0.) tables.push_back(points_over_speed(c, bearing, critical_speed));
   return j;
 }
 

@@ -220,6 +220,9 @@ TEST(PreloadOfThePair, TheRadialClearanceIsWhereBallsBeginToTouch) {
     EXPECT_TRUE(running->at({.inner_race = clearance - 1e-8}).is_floating) << name;
     EXPECT_FALSE(running->at({.inner_race = clearance + 1e-8}).is_floating) << name;
     EXPECT_NEAR(running->at({.inner_race = 2e-6}).radial_clearance, clearance - 2e-6, 1e-15) << "m";
+    const double warm = running->at({.ball = 1e-6}).radial_clearance;  // with larger balls
+    EXPECT_TRUE(running->at({.inner_race = warm - 1e-8, .ball = 1e-6}).is_floating) << name;
+    EXPECT_FALSE(running->at({.inner_race = warm + 1e-8, .ball = 1e-6}).is_floating) << name;
   }
 }
 
