@@ -8,39 +8,54 @@
 namespace rotordrop {
 namespace {
 
-using Vector = Eigen::Vector2d;
+using Vector = Eigen::VectorXd;
 
-Vector ball_force(const std::vector<BallRow>& rows, const Vector& place) {
-  BallRowInput in;
-  in.displacement.y = place[0];
-  in.displacement.z = place[1];
-  Vector sum = Vector::Zero();
-  BallRowOutput out;
-  for (const auto& row : rows) {
-    row.evaluate_translations(in, out);
-    sum += Vector(out.force_y, out.force_z);
+/// Rows and the lengths that an inner ring may move by: y, z; of a free ring also x and its tilts times half the pitch diameter.
+struct Ring {
+  const std::vector<BallRow>& rows;
+  bool is_free;
+  double arm = 0.5 * rows.front().geometry().pitch_diameter;
+
+  [[nodiscard]] BallRowInput at(const Vector& place) const {
+    BallRowInput in;
+    in.displacement.y = place[0];
+    in.displacement.z = place[1];
+    if (is_free) {
+      in.displacement.x = place[2];
+      in.displacement.psi_y = place[3] / arm;
+      in.displacement.psi_z = place[4] / arm;
+    }
+    return in;
   }
-  return sum;
-}
+  /// Of the balls on the ring, conjugate to the place.
+  [[nodiscard]] Vector force(const Vector& place) const {
+    const BallRowInput in = at(place);
+    Vector sum = Vector::Zero(place.size());
+    BallRowOutput out;
+    for (const auto& row : rows) {
+      row.evaluate(in, out);
+      sum[0] += out.force_y;
+      sum[1] += out.force_z;
+      if (is_free) {
+        sum[2] += out.force_x;
+        sum[3] += out.moment_y / arm;
+        sum[4] += out.moment_z / arm;
+      }
+    }
+    return sum;
+  }
+  [[nodiscard]] double energy(const Vector& place) const {
+    const BallRowInput in = at(place);
+    double sum = 0.;
+    for (const auto& row : rows) sum += row.energy(in);
+    return sum;
+  }
+};
 
-double elastic_energy(const std::vector<BallRow>& rows, const Vector& place) {
-  BallRowInput in;
-  in.displacement.y = place[0];
-  in.displacement.z = place[1];
-  double sum = 0.;
-  for (const auto& row : rows) sum += row.energy(in);
-  return sum;
-}
-
-}  // namespace
-
-RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, double force_y, double force_z) {
-  const Vector force(force_y, force_z);
-  if (force.norm() == 0.) return {};
-  const Vector along = force.normalized();
-
-  // First on the force's own line: the balls' reaction along it grows with the displacement.
-  const auto surplus = [&](double s) { return (ball_force(rows, s * along) + force).dot(along); };
+/// On the load's own line: the balls' reaction along it grows with the displacement.
+Vector along_load(const Ring& ring, const Vector& load) {
+  const Vector along = load.normalized();
+  const auto surplus = [&](double s) { return (ring.force(s * along) + load).dot(along); };
   double low = 0., high = 1e-6;
   while (surplus(high) > 0. && high < 1e-2) high *= 2.;
   for (int i = 0; i < 200; ++i) {
@@ -48,31 +63,44 @@ RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, double force
     if (middle <= low || middle >= high) break;
     (surplus(middle) > 0. ? low : high) = middle;
   }
-  Vector place = 0.5 * (low + high) * along;
+  return 0.5 * (low + high) * along;
+}
 
-  // Then in the plane, by damped Newton steps (Levenberg's) downhill in the energy: on a single ball the ring slides sideways until it
+}  // namespace
+
+RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, const Force& force, bool is_free) {
+  const Ring ring{rows, is_free};
+  Vector load(is_free ? 5 : 2);
+  load[0] = force.y;
+  load[1] = force.z;
+  if (is_free) load.tail(3) << force.x, force.moment_y / ring.arm, force.moment_z / ring.arm;
+  if (load.norm() == 0.) return {};
+  Vector place = along_load(ring, load);
+
+  // Then in all directions, by damped Newton steps (Levenberg's) downhill in the energy: on a single ball the ring slides sideways until it
   // meets a second one. Without a sideways force it stays.
-  const double enough = 1e-9 * force.norm();
-  const auto potential = [&](const Vector& at) { return elastic_energy(rows, at) - force.dot(at); };
-  double damping = force.norm() / 1e-6;  // [N/m]: a first step of a micrometre
+  const double enough = 1e-9 * load.norm();
+  const auto potential = [&](const Vector& at) { return ring.energy(at) - load.dot(at); };
+  const auto result = [&] { return ring.at(place).displacement; };
+  double damping = load.norm() / 1e-6;  // [N/m]: a first step of a micrometre
   for (int iteration = 0; iteration < 1000; ++iteration) {
-    const Vector residual = ball_force(rows, place) + force;
-    if (residual.norm() < enough) return {0., place[0], place[1], 0., 0.};
-    Eigen::Matrix2d stiffness;
+    const Vector residual = ring.force(place) + load;
+    if (residual.norm() < enough) return result();
+    Eigen::MatrixXd stiffness(load.size(), load.size());
     const double h = 1e-10;
-    for (int i = 0; i < 2; ++i) {
-      const Vector step = h * Vector::Unit(i);
-      stiffness.col(i) = (ball_force(rows, place + step) - ball_force(rows, place - step)) / (2. * h);
+    for (Eigen::Index i = 0; i < load.size(); ++i) {
+      const Vector step = h * Vector::Unit(load.size(), i);
+      stiffness.col(i) = (ring.force(place + step) - ring.force(place - step)) / (2. * h);
     }
-    const Eigen::Matrix2d damped = damping * Eigen::Matrix2d::Identity() - 0.5 * (stiffness + stiffness.transpose());
+    const Eigen::MatrixXd damped =
+        damping * Eigen::MatrixXd::Identity(load.size(), load.size()) - 0.5 * (stiffness + stiffness.transpose());
     const Vector next = place + damped.ldlt().solve(residual);
-    const bool is_better =
-        potential(next) < potential(place) || (ball_force(rows, next) + force).norm() < residual.norm();
+    const bool is_better = potential(next) < potential(place) || (ring.force(next) + load).norm() < residual.norm();
     damping *= is_better ? 0.2 : 4.;
     if (is_better) place = next;
   }
   // Where the balls hardly resist, rounding ends the descent early.
-  if ((ball_force(rows, place) + force).norm() < 1e-6 * force.norm()) return {0., place[0], place[1], 0., 0.};
+  if ((ring.force(place) + load).norm() < 1e-6 * load.norm()) return result();
   throw SolverError("the inner ring finds no equilibrium in its balls under its own weight");
 }
 

@@ -5,28 +5,16 @@
 #include <cmath>
 
 #include "bearing/ring_equilibrium.h"
+#include "bearing/touchdown_touch.h"
 #include "laws/ball_kinematics.h"
 #include "laws/bearing_friction.h"
 
 namespace rotordrop {
 
-struct TouchdownBearing::Contact {
-  double n_y = 0, n_z = 0;         // from ring centre to rotor centre
-  double penetration = 0;          // [m]
-  double rate = 0;                 // of the centres' distance [m/s]
-  double tangential_speed = 0;     // of the rotor's centre past the ring's [m/s]
-  double slip_speed = 0;           // rotor's surface past the bore [m/s]
-  double elastic = 0, normal = 0;  // [N]
-  double friction = 0;             // on the ring, along +t [N]
-  double wave_rate = 0;            // of the bore's waves at the contact [m/s]
-  double centres_turning = 0;      // angular speed of the line of centres [rad/s]
-};
-
 struct TouchdownBearing::BallForces {
-  static constexpr std::size_t max_rows = 8;
   BallForces() {}  // leaves the rows unwritten: only those that exist are
   std::array<BallRowOutput, max_rows> row;
-  double force_y = 0, force_z = 0;
+  double force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
   double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
   double inertia_power = 0, inertia_per_speed = 0;
 };
@@ -44,17 +32,25 @@ TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(
 }
 
 std::vector<StateEntry> TouchdownBearing::state_entries() const {
-  return {{"inner ring y", "m", 1e-4},
-          {"inner ring z", "m", 1e-4},
-          {"inner ring velocity y", "m/s", 0.1},
-          {"inner ring velocity z", "m/s", 0.1},
-          {"inner ring angle", "rad", 1.},
-          {"inner ring spin", "rad/s", 100.},
-          {"support y", "m", 1e-5},
-          {"support z", "m", 1e-5},
-          {"support velocity y", "m/s", 0.01},
-          {"support velocity z", "m/s", 0.01},
-          {"cage angle", "rad", 1.}};
+  std::vector<StateEntry> entries = {{"inner ring y", "m", 1e-4},
+                                     {"inner ring z", "m", 1e-4},
+                                     {"inner ring velocity y", "m/s", 0.1},
+                                     {"inner ring velocity z", "m/s", 0.1},
+                                     {"inner ring angle", "rad", 1.},
+                                     {"inner ring spin", "rad/s", 100.},
+                                     {"support y", "m", 1e-5},
+                                     {"support z", "m", 1e-5},
+                                     {"support velocity y", "m/s", 0.01},
+                                     {"support velocity z", "m/s", 0.01},
+                                     {"cage angle", "rad", 1.}};
+  if (data_.free_ring)
+    entries.insert(entries.end(), {{"inner ring x", "m", 1e-5},
+                                   {"inner ring velocity x", "m/s", 0.01},
+                                   {"inner ring tilt y", "rad", 1e-4},
+                                   {"inner ring tilt z", "rad", 1e-4},
+                                   {"inner ring tilt rate y", "rad/s", 1.},
+                                   {"inner ring tilt rate z", "rad/s", 1.}});
+  return entries;
 }
 
 std::vector<StateEntry> TouchdownBearing::ledger_entries() const {
@@ -71,12 +67,17 @@ std::vector<StateEntry> TouchdownBearing::ledger_entries() const {
 
 void TouchdownBearing::initial_state(std::span<double> y) const {
   std::fill(y.begin(), y.end(), 0.);
-  const double weight_y = data_.ring_mass * data_.gravity_y, weight_z = data_.ring_mass * data_.gravity_z;
-  const auto place = ring_equilibrium(rows_, weight_y, weight_z);
-  y[support_y] = weight_y / data_.support_stiffness_y;
-  y[support_z] = weight_z / data_.support_stiffness_z;
+  const Force weight{data_.free_ring ? data_.ring_mass * data_.free_ring->gravity_x : 0.,
+                     data_.ring_mass * data_.gravity_y, data_.ring_mass * data_.gravity_z};
+  const auto place = ring_equilibrium(rows_, weight, data_.free_ring.has_value());
+  y[support_y] = weight.y / data_.support_stiffness_y;
+  y[support_z] = weight.z / data_.support_stiffness_z;
   y[ring_y] = place.y + y[support_y];
   y[ring_z] = place.z + y[support_z];
+  if (!data_.free_ring) return;
+  y[ring_x] = place.x;
+  y[tilt_y] = place.psi_y;
+  y[tilt_z] = place.psi_z;
 }
 
 Expansion TouchdownBearing::growth(const SupportInput& in, std::span<const double> y) const {
@@ -88,10 +89,9 @@ Expansion TouchdownBearing::growth(const SupportInput& in, std::span<const doubl
 }
 
 TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, const Expansion& growth,
-                                                    std::span<const double> y) const {
+                                                    std::span<const double> y, const Bodies& at) const {
   Contact c;
-  const double ey = in.journal.y - y[ring_y], ez = in.journal.z - y[ring_z];
-  const double vy = in.journal.velocity_y - y[ring_vy], vz = in.journal.velocity_z - y[ring_vz];
+  const double ey = at.y, ez = at.z, vy = at.vy, vz = at.vz;
   const double distance = std::sqrt(ey * ey + ez * ez);
   // Concentric rings have no direction; they do not touch either.
   c.n_y = distance > 0. ? ey / distance : -1.;
@@ -113,9 +113,41 @@ TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, cons
   if (!(c.penetration <= 0.)) {
     c.elastic = data_.contact.K * std::pow(c.penetration, data_.contact.n);
     c.normal = data_.contact.total(c.elastic, c.rate);
-    c.friction = data_.friction.coefficient(c.slip_speed) * c.normal;
+    c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
+    const double per_slip = data_.friction.per_speed(c.slip_speed * c.slip_speed + c.slip_x * c.slip_x) * c.normal;
+    c.friction = per_slip * c.slip_speed;
+    c.friction_x = per_slip * c.slip_x;
   }
   return c;
+}
+
+// A ring that only translates takes no axial force and no moments.
+TouchdownBearing::Touch TouchdownBearing::touch(const SupportInput& in, const Expansion& growth,
+                                                std::span<const double> y) const {
+  if (data_.free_ring) return touch_free_ring(in, growth, y);
+  Touch t;
+  t.middle = contact(in, growth, y,
+                     {.y = in.journal.y - y[ring_y],
+                      .z = in.journal.z - y[ring_z],
+                      .vy = in.journal.velocity_y - y[ring_vy],
+                      .vz = in.journal.velocity_z - y[ring_vz]});
+  const Contact& c = t.middle;
+  // On the ring: N n + F_t t, with t = x cross n = (-n_z, n_y).
+  t.on_ring.y = c.normal * c.n_y - c.friction * c.n_z;
+  t.on_ring.z = c.normal * c.n_z + c.friction * c.n_y;
+  t.on_ring.torque = c.friction * data_.bore_radius;
+  t.on_rotor.y = -t.on_ring.y;
+  t.on_rotor.z = -t.on_ring.z;
+  t.on_rotor.torque = -c.friction * data_.rotor_radius;
+  t.elastic = c.elastic;
+  t.normal = c.normal;
+  t.friction = c.friction;
+  t.rub_heat = c.friction * c.slip_speed;
+  t.damping = (c.normal - c.elastic) * c.rate;
+  t.wave_power = c.elastic * c.wave_rate;
+  t.centres_power = c.friction * c.tangential_speed;
+  t.is_touching = c.penetration > 0.;
+  return t;
 }
 
 BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<const double> y) const {
@@ -124,6 +156,14 @@ BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<cons
   in.displacement.z = y[ring_z] - y[support_z];
   in.rate.y = y[ring_vy] - y[support_vy];
   in.rate.z = y[ring_vz] - y[support_vz];
+  if (data_.free_ring) {
+    in.displacement.x = y[ring_x];
+    in.displacement.psi_y = y[tilt_y];
+    in.displacement.psi_z = y[tilt_z];
+    in.rate.x = y[ring_vx];
+    in.rate.psi_y = y[tilt_rate_y];
+    in.rate.psi_z = y[tilt_rate_z];
+  }
   in.cage_angle = y[cage_angle];
   in.cage_cosine = std::cos(in.cage_angle);
   in.cage_sine = std::sin(in.cage_angle);
@@ -139,7 +179,13 @@ TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& i
   BallForces sum;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     auto& row = sum.row[i];
-    rows_[i].evaluate_translations(in, row);
+    if (data_.free_ring)
+      rows_[i].evaluate(in, row);
+    else
+      rows_[i].evaluate_translations(in, row);
+    sum.force_x += row.force_x;
+    sum.moment_y += row.moment_y;
+    sum.moment_z += row.moment_z;
     sum.force_y += row.force_y;
     sum.force_z += row.force_z;
     sum.damping_power += row.damping_power;
@@ -187,67 +233,75 @@ double TouchdownBearing::spin_drag(const BallRowInput& in) const {
 void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> y, std::span<double> dydt,
                                 std::span<double> ledger, SupportOutput& out) const {
   const Expansion grown = growth(in, y);
-  const Contact c = contact(in, grown, y);
+  const Touch t = touch(in, grown, y);
   const BallRowInput rows_in = row_input(grown, y);
   const BallForces balls = ball_forces(rows_in);
-
-  // On the ring: from the rotor N n + F_t t, with t = x cross n = (-n_z, n_y).
-  const double from_rotor_y = c.normal * c.n_y - c.friction * c.n_z;
-  const double from_rotor_z = c.normal * c.n_z + c.friction * c.n_y;
-  out.force_on_rotor = {0., -from_rotor_y, -from_rotor_z, 0., 0., -c.friction * data_.rotor_radius};
+  out.force_on_rotor = t.on_rotor;
 
   const double ring_speed = y[ring_spin];
   const double M_L = load_torque_of(balls);
   const double M_spin = data_.add_spin_heat ? spin_drag(rows_in) : 0.;
   const double M_v = drag_torque(data_.drag_viscosity, ring_speed, data_.rows.front().pitch_diameter, data_.f2);
   const double M = (M_L + M_v + M_spin) * std::tanh(ring_speed / data_.drag_regularisation);
-  const double drive = c.friction * data_.bore_radius;  // J omega_i' + M
 
   dydt[ring_y] = y[ring_vy];
   dydt[ring_z] = y[ring_vz];
-  dydt[ring_vy] = (from_rotor_y + balls.force_y) / data_.ring_mass + data_.gravity_y;
-  dydt[ring_vz] = (from_rotor_z + balls.force_z) / data_.ring_mass + data_.gravity_z;
+  dydt[ring_vy] = (t.on_ring.y + balls.force_y) / data_.ring_mass + data_.gravity_y;
+  dydt[ring_vz] = (t.on_ring.z + balls.force_z) / data_.ring_mass + data_.gravity_z;
   dydt[ring_angle] = ring_speed;
-  dydt[ring_spin] = (drive - M) / data_.ring_spin_inertia;
+  dydt[ring_spin] = (t.on_ring.torque - M) / data_.ring_spin_inertia;
   dydt[support_y] = y[support_vy];
   dydt[support_z] = y[support_vz];
   const double damper_y = data_.support_damping_y * y[support_vy], damper_z = data_.support_damping_z * y[support_vz];
   dydt[support_vy] = (-balls.force_y - data_.support_stiffness_y * y[support_y] - damper_y) / data_.support_mass;
   dydt[support_vz] = (-balls.force_z - data_.support_stiffness_z * y[support_z] - damper_z) / data_.support_mass;
   dydt[cage_angle] = rows_in.cage_speed;
+  if (data_.free_ring) {
+    // The angular momentum of a tilted spinning ring has the parts I_p omega (psi_z, -psi_y) along y and z.
+    const FreeRing& ring = *data_.free_ring;
+    const double gyroscopic = ring.polar_inertia * ring_speed;
+    dydt[ring_x] = y[ring_vx];
+    dydt[ring_vx] = (t.on_ring.x + balls.force_x) / data_.ring_mass + ring.gravity_x;
+    dydt[tilt_y] = y[tilt_rate_y];
+    dydt[tilt_z] = y[tilt_rate_z];
+    dydt[tilt_rate_y] = (t.on_ring.moment_y + balls.moment_y - gyroscopic * y[tilt_rate_z]) / ring.diametral_inertia;
+    dydt[tilt_rate_z] = (t.on_ring.moment_z + balls.moment_z + gyroscopic * y[tilt_rate_y]) / ring.diametral_inertia;
+  }
 
-  out.heat.rub = c.friction * c.slip_speed;
+  out.heat.rub = t.rub_heat;
   out.heat.inner = inner_heat_share_ * M * ring_speed;
   out.heat.outer = (1. - inner_heat_share_) * M * ring_speed;
-  out.heat.is_in_contact = c.penetration > 0.;
+  out.heat.is_in_contact = t.is_touching;
   // The rubbing spot lies on the line of centres and turns with it.
-  const double spot_speed = data_.bore_radius * c.centres_turning;
+  const double spot_speed = data_.bore_radius * t.middle.centres_turning;
   out.heat.rotor_surface_speed = in.rotor_spin.speed * data_.rotor_radius - spot_speed;
   out.heat.ring_surface_speed = ring_speed * data_.bore_radius - spot_speed;
 
-  const double contact_loss = (c.normal - c.elastic) * c.rate;
   const double support_loss = damper_y * y[support_vy] + damper_z * y[support_vz];
   const double inertia_work = balls.inertia_power + balls.inertia_per_speed * dydt[ring_spin];
-  const double wave_work = balls.waviness_power + c.elastic * c.wave_rate;
-  out.other_dissipation = contact_loss + balls.damping_power + support_loss;
-  out.energy_gradient = {c.elastic, -c.elastic, balls.elastic_radial, -balls.elastic_radial, 2. * balls.elastic_normal};
+  const double wave_work = balls.waviness_power + t.wave_power;
+  out.other_dissipation = t.damping + balls.damping_power + support_loss;
+  out.energy_gradient = {t.elastic, -t.elastic, balls.elastic_radial, -balls.elastic_radial, 2. * balls.elastic_normal};
   // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
   const double centrifugal_work = (out.energy_gradient.bore * data_.centrifugal_bore_growth +
                                    out.energy_gradient.inner_race * data_.centrifugal_race_growth) *
                                   2. * ring_speed * dydt[ring_spin];
   out.prescribed_work = balls.cage_power + wave_work + inertia_work + centrifugal_work;
 
-  ledger[contact_impulse] = c.normal;
-  ledger[contact_damping] = contact_loss;
+  ledger[contact_impulse] = t.normal;
+  ledger[contact_damping] = t.damping;
   ledger[ball_damping] = balls.damping_power;
   ledger[support_damping] = support_loss;
   ledger[waviness_work] = wave_work;
   ledger[cage_work] = balls.cage_power;
   ledger[inertia_of_balls] = inertia_work;
-  ledger[spin_up_drive] = in.rotor_spin.speed * drive;
-  ledger[spin_up_centres] = c.friction * c.tangential_speed;
+  // Friction in the bore has the rotor's radius on the rotor, that of shoulders the same on both.
+  const double bore_torque = t.on_ring.torque - t.shoulder_torque;
+  ledger[spin_up_drive] =
+      in.rotor_spin.speed * (bore_torque + t.shoulder_torque * data_.bore_radius / data_.rotor_radius);
+  ledger[spin_up_centres] = t.centres_power;
 
-  if (!out.observed.empty()) observe(in, grown, y, c, balls, M_L, M_v, out.heat, out.observed);
+  if (!out.observed.empty()) observe(in, grown, y, t, balls, M_L, M_v, out.heat, out.observed);
   if (!out.observed_details.empty()) {
     std::size_t at = 0;
     for (const auto& row : rows_) {
@@ -262,12 +316,14 @@ double TouchdownBearing::energy(const SupportInput& in, std::span<const double> 
   const auto& d = data_;
   const auto square = [&](std::size_t i) { return y[i] * y[i]; };
   const Expansion grown = growth(in, y);
-  const Contact c = contact(in, grown, y);
   double U = 0.5 * d.ring_mass * (square(ring_vy) + square(ring_vz)) + 0.5 * d.ring_spin_inertia * square(ring_spin) -
              d.ring_mass * (d.gravity_y * y[ring_y] + d.gravity_z * y[ring_z]);
   U += 0.5 * d.support_mass * (square(support_vy) + square(support_vz)) +
        0.5 * (d.support_stiffness_y * square(support_y) + d.support_stiffness_z * square(support_z));
-  U += d.contact.energy(c.penetration);
+  if (d.free_ring)
+    U += 0.5 * d.ring_mass * square(ring_vx) - d.ring_mass * d.free_ring->gravity_x * y[ring_x] +
+         0.5 * d.free_ring->diametral_inertia * (square(tilt_rate_y) + square(tilt_rate_z));
+  U += contact_energy(in, grown, y);
   const BallRowInput rows_in = row_input(grown, y);
   for (const auto& row : rows_) U += row.energy(rows_in);
   return U;
@@ -277,7 +333,7 @@ std::vector<Observable> TouchdownBearing::observables() const {
   const std::vector<std::string> yz = {"y", "z"};
   std::vector<std::string> row_names;
   for (std::size_t i = 0; i < rows_.size(); ++i) row_names.push_back("row " + std::to_string(i + 1));
-  return {
+  std::vector<Observable> list = {
       {"orbit", "m", "rotor centre at the bearing, from the unloaded outer ring's axis", 2, yz},
       {"rotor_velocity", "m/s", "velocity of the rotor centre at the bearing", 2, yz},
       {"ring_position", "m", "inner-ring centre", 2, yz},
@@ -301,12 +357,16 @@ std::vector<Observable> TouchdownBearing::observables() const {
       {"rub_heat_rate", "W", "friction heat between rotor and inner ring (eq. 19)", 1, {}},
       {"inner_heat_rate", "W", "friction heat of balls and inner race", 1, {}},
       {"outer_heat_rate", "W", "friction heat of balls and outer race", 1, {}},
-      {"expansion",
-       "m",
-       "thermal and centrifugal growth",
-       5,
-       {"shaft", "bore", "inner race", "outer race", "ball radius"}},
-  };
+      growth_observable("expansion", "thermal and centrifugal growth"),
+      {"row_axial_force", "N", "axial force of each row of balls on the inner ring", rows_.size(), row_names},
+      {"preload", "N", "what opposed rows hold against each other: the smaller of their axial forces", 1, {}}};
+  if (data_.free_ring)
+    list.insert(list.end(), {{"axial_position", "m", "rotor and inner ring along the axis", 2, {"rotor", "ring"}},
+                             {"ring_tilt", "rad", "rotation of the inner ring about y and z", 2, yz},
+                             {"axial_force", "N", "rotor on inner ring along +x, shoulders and friction", 1, {}},
+                             {"shoulder_force", "N", "shoulders of the rotor on the inner ring, along +x", 1, {}},
+                             {"ring_moment", "N m", "rotor on inner ring about y and z", 2, yz}});
+  return list;
 }
 
 std::vector<Observable> TouchdownBearing::detailed_observables() const {
@@ -319,7 +379,7 @@ std::vector<Observable> TouchdownBearing::detailed_observables() const {
 }
 
 void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, std::span<const double> y,
-                               const Contact& c, const BallForces& balls, double load_torque, double drag_torque,
+                               const Touch& touch, const BallForces& balls, double load_torque, double drag_torque,
                                const HeatInput& heat, std::span<double> out) const {
   std::size_t at = 0;
   const auto put = [&](std::initializer_list<double> values) {
@@ -327,7 +387,8 @@ void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, 
   };
   put({in.journal.y, in.journal.z, in.journal.velocity_y, in.journal.velocity_z});
   put({y[ring_y], y[ring_z], y[ring_vy], y[ring_vz], y[support_y], y[support_z]});
-  put({c.penetration, data_.air_gap + growth.bore - growth.shaft, c.normal, c.friction, c.slip_speed});
+  put({touch.middle.penetration, data_.air_gap + growth.bore - growth.shaft, touch.normal, touch.friction,
+       touch.middle.slip_speed});
   const double rotor_surface = in.rotor_spin.speed * data_.rotor_radius;
   put({rotor_surface != 0. ? 1. - y[ring_spin] * data_.bore_radius / rotor_surface : 1.});
   put({balls.force_y, balls.force_z});
@@ -345,7 +406,17 @@ void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, 
                                          data_.spin_axis_factor * std::cbrt(largest), data_.spin_elliptic_integral);
   put({y[ring_spin], y[cage_angle], load_torque, drag_torque, spin_torque, spin_speed_sum_ratio_ * y[ring_spin]});
   put({heat.rub, heat.inner, heat.outer});
-  put({growth.shaft, growth.bore, growth.inner_race, growth.outer_race, growth.ball});
+  for (const double surface : growth_values(growth)) out[at++] = surface;
+  double towards_plus = 0., towards_minus = 0.;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const double axial = balls.row[i].force_x;
+    put({axial});
+    (axial > 0. ? towards_plus : towards_minus) += std::fabs(axial);
+  }
+  put({rows_.size() > 1 ? std::min(towards_plus, towards_minus) : 0.});
+  if (!data_.free_ring) return;
+  put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.on_ring.x, touch.shoulder});
+  put({touch.on_ring.moment_y, touch.on_ring.moment_z});
 }
 
 }  // namespace rotordrop

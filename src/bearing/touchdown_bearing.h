@@ -1,5 +1,7 @@
 #pragma once
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,23 @@ struct BoreWave {
   int order = 1;
   double amplitude = 0;  ///< [m]; positive means more penetration
   double phase = 0;      ///< [rad]
+};
+
+/// Shoulder of the rotor beside one face of the inner ring.
+struct Shoulder {
+  double side = 1;                                       ///< of the ring's face: +1 at +x, -1 at -x
+  double gap = std::numeric_limits<double>::infinity();  ///< axial, at the start [m]
+};
+
+/// What an inner ring with five degrees of freedom has besides; see docs/model.md, section 4.
+struct FreeRing {
+  double polar_inertia = 0;      ///< of the ring alone, for its gyroscopic moment [kg m^2]
+  double diametral_inertia = 0;  ///< [kg m^2]
+  double gravity_x = 0;          ///< [m/s^2]
+  double width = 0;              ///< of the bore, on which the rotor lies [m]
+  std::vector<Shoulder> shoulders;
+  double shoulder_radius = 0;     ///< mean radius of the faces that touch [m]
+  double shoulder_stiffness = 0;  ///< [N/m]
 };
 
 /// Everything a touchdown bearing is made of, as numbers. Made from a case's parameters by touchdown_parameters.h.
@@ -61,12 +80,14 @@ struct TouchdownBearingData {
   /// Growth of bore and inner raceway per square of the ring's speed [m s^2].
   double centrifugal_bore_growth = 0, centrifugal_race_growth = 0;
   double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
+  std::optional<FreeRing> free_ring;    ///< none: axial and tilting motion of the inner ring are locked
 };
 
 /// Ball bearing that catches a falling rotor: rotor surface against bore, inner-ring body, ball rows, outer ring on its support.
-/// The inner ring translates and spins; its axial and tilting motion are locked. The outer ring does not rotate.
+/// The inner ring translates and spins; it also tilts and moves along its axis if it is a free one. The outer ring does not rotate.
 class TouchdownBearing final : public Support {
  public:
+  static constexpr std::size_t max_rows = 8;
   explicit TouchdownBearing(TouchdownBearingData data);
 
   /// Offsets in this support's part of the state vector.
@@ -82,7 +103,15 @@ class TouchdownBearing final : public Support {
     support_vy,
     support_vz,
     cage_angle,
-    n_state
+    n_state,
+    // Of a free ring also:
+    ring_x = n_state,
+    ring_vx,
+    tilt_y,
+    tilt_z,
+    tilt_rate_y,
+    tilt_rate_z,
+    n_state_free
   };
   /// Offsets in its own ledgers.
   enum Ledger : std::size_t {
@@ -111,16 +140,25 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] double energy(const SupportInput& input, std::span<const double> y) const override;
 
  private:
-  struct Contact;     // rotor against bore at one instant
+  struct Bodies;      // rotor and ring at one place along the bore
+  struct Contact;     // rotor against bore at one place along it
+  struct Touch;       // rotor on ring, all places together
   struct BallForces;  // sums over the rows
   /// Thermal and centrifugal.
   [[nodiscard]] Expansion growth(const SupportInput& input, std::span<const double> y) const;
-  [[nodiscard]] Contact contact(const SupportInput& input, const Expansion& growth, std::span<const double> y) const;
+  [[nodiscard]] Contact contact(const SupportInput& input, const Expansion& growth, std::span<const double> y,
+                                const Bodies& at) const;
+  [[nodiscard]] Touch touch(const SupportInput& input, const Expansion& growth, std::span<const double> y) const;
+  [[nodiscard]] Touch touch_free_ring(const SupportInput& input, const Expansion& growth,
+                                      std::span<const double> y) const;
+  [[nodiscard]] double contact_energy(const SupportInput& input, const Expansion& growth,
+                                      std::span<const double> y) const;
+  void touch_shoulders(const SupportInput& input, std::span<const double> y, Touch& sum) const;
   [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;
   [[nodiscard]] double spin_drag(const BallRowInput& input) const;
-  void observe(const SupportInput& input, const Expansion& growth, std::span<const double> y, const Contact& c,
+  void observe(const SupportInput& input, const Expansion& growth, std::span<const double> y, const Touch& touch,
                const BallForces& balls, double load_torque, double drag_torque, const HeatInput& heat,
                std::span<double> out) const;
 

@@ -63,6 +63,30 @@ Section<SupportParameters> support_section() {
   return s;
 }
 
+Section<ShoulderParameters> shoulder_section() {
+  using P = ShoulderParameters;
+  Section<P> s("shoulders", "Shoulders of the rotor that meet the inner ring's faces and take axial load.");
+  s.quantity("gap_minus_x", &P::gap_minus_x,
+             {.unit = "m",
+              .range = at_least(0),
+              .help = "Axial gap to the shoulder at the ring's -x face, which stops a rotor that moves towards +x; no "
+                      "shoulder if not given."});
+  s.quantity("gap_plus_x", &P::gap_plus_x,
+             {.unit = "m", .range = at_least(0), .help = "The same at the +x face, against motion towards -x."});
+  s.quantity("radius", &P::radius,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Mean radius of the touching faces; midway between the inner ring's diameters if not given."});
+  s.quantity(
+      "stiffness", &P::stiffness,
+      {.unit = "N/m",
+       .range = positive(),
+       .fallback = "5e8 N/m",
+       .source = "estimate: about a tenth of a ring's own axial stiffness, for faces that are not flat",
+       .help = "Of all the face together. Damped by contact.lambda, rubbing with contact.friction_coefficient."});
+  return s;
+}
+
 void add_row_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
   s.integer(
@@ -133,9 +157,17 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
              {.unit = "kg m2",
               .range = positive(),
               .help = "Spin inertia of the inner ring with its balls and cage. Sets spin-up time and rub heat."});
-  s.choice("ring_motion", &P::ring_motion, {"translations"},
+  s.choice("ring_motion", &P::ring_motion, {{"translations", RingMotion::translations}, {"free", RingMotion::free}},
            {.fallback = "translations",
-            .help = "What the inner ring may do besides spinning; axial and tilting motion are locked."});
+            .help = "What the inner ring may do besides spinning: move across the axis only, or along it too and "
+                    "tilt. A free ring feels the rotor along its whole width."});
+  s.quantity("ring_diametral_inertia", &P::ring_diametral_inertia,
+             {.unit = "kg m2",
+              .range = positive(),
+              .help = "Of the inner ring about a diameter, for ring_motion = \"free\"; of a hollow cylinder of its "
+                      "mass, diameters and width if not given."});
+  s.table("shoulders", &P::shoulders, shoulder_section(),
+          {.help = "Shoulders of an axially free rotor beside a free inner ring."});
   s.quantity("width", &P::width,
              {.unit = "m", .range = positive(), .help = "Width of the bearing, all rows together."});
   s.quantities("inner_ring_diameters", &P::inner_ring_diameters,
@@ -285,6 +317,14 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
   if (b.rows > 2 && b.arrangement != RowArrangement::tandem)
     fault("arrangement", fmt::format("{} rows can only be in tandem", b.rows),
           "Allowed: X, O with rows = 2; tandem with any.");
+  const bool is_opposed = b.rows == 2 && b.arrangement != RowArrangement::tandem;
+  if (b.ring_motion == RingMotion::free && b.contact_angle != 0. && !is_opposed)
+    fault("ring_motion",
+          "ring_motion = \"free\" with rows that all lean one way: their balls push the ring off along the axis, and "
+          "nothing holds it",
+          "Take two rows in X or O, a contact_angle of 0, or ring_motion = \"translations\".");
+  if (b.ring_motion != RingMotion::free && (b.shoulders.gap_minus_x || b.shoulders.gap_plus_x))
+    fault("shoulders", "shoulders beside a ring that cannot move along the axis", "Set ring_motion = \"free\".");
   // The ring's mass at half the pitch radius spins with a quarter of a hoop's inertia; balls and cage add less than the ring has.
   const double hoop = 0.25 * b.ring_mass * b.pitch_diameter * b.pitch_diameter;
   if (b.ring_spin_inertia > 20. * hoop || b.ring_spin_inertia < 0.05 * hoop)
@@ -428,6 +468,25 @@ std::vector<RowPlace> row_places(const TouchdownParameters& b) {
   return places;
 }
 
+namespace {
+
+FreeRing free_ring_data(const TouchdownParameters& b, double gravity_x) {
+  const double r_1 = 0.5 * b.inner_ring_diameters[0], r_2 = 0.5 * b.inner_ring_diameters[1];
+  const double radii = b.ring_mass * (r_1 * r_1 + r_2 * r_2);
+  FreeRing ring;
+  ring.polar_inertia = radii / 2.;
+  ring.diametral_inertia = b.ring_diametral_inertia.value_or(radii / 4. + b.ring_mass * b.width * b.width / 12.);
+  ring.gravity_x = gravity_x;
+  ring.width = b.width;
+  if (b.shoulders.gap_minus_x) ring.shoulders.push_back({-1., *b.shoulders.gap_minus_x});
+  if (b.shoulders.gap_plus_x) ring.shoulders.push_back({1., *b.shoulders.gap_plus_x});
+  ring.shoulder_radius = b.shoulders.radius.value_or(0.5 * (r_1 + r_2));
+  ring.shoulder_stiffness = b.shoulders.stiffness;
+  return ring;
+}
+
+}  // namespace
+
 TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& b,
                                     const ContactParameters& contact, const TouchdownSurroundings& around) {
   const double modulus = effective_modulus(around.ring, around.ball);
@@ -497,8 +556,9 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.support_stiffness_z = b.support.K_z;
   d.support_damping_y = b.support.C_y;
   d.support_damping_z = b.support.C_z;
-  d.gravity_y = around.gravity_y;
-  d.gravity_z = around.gravity_z;
+  d.gravity_y = around.gravity[1];
+  d.gravity_z = around.gravity[2];
+  if (b.ring_motion == RingMotion::free) d.free_ring = free_ring_data(b, around.gravity[0]);
   return d;
 }
 

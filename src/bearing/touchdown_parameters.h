@@ -33,6 +33,19 @@ struct SupportParameters {
   double mass = 0, K_y = 0, K_z = 0, C_y = 0, C_z = 0;
 };
 
+/// What an inner ring may do besides spinning.
+enum class RingMotion {
+  translations,  ///< in the plane across the axis
+  free           ///< along the axis too, and tilt
+};
+
+/// bearings.NAME.shoulders: of the rotor, beside a free inner ring.
+struct ShoulderParameters {
+  std::optional<double> gap_minus_x, gap_plus_x;  ///< at the ring's face at -x, +x [m]
+  std::optional<double> radius;
+  double stiffness = 0;
+};
+
 enum class RowArrangement { face_to_face, back_to_back, tandem };
 
 /// Heat inside the bearing: of the friction torque alone, or with the balls' spin moments as an additional torque.
@@ -60,7 +73,9 @@ struct TouchdownParameters {
   SupportParameters support;
   std::vector<WavinessParameters> waviness;
   double ball_damping_beta = 0, drag_viscosity = 0, drag_regularisation = 0;
-  std::string ring_motion;
+  RingMotion ring_motion = RingMotion::translations;
+  std::optional<double> ring_diametral_inertia;
+  ShoulderParameters shoulders;
   BallModel ball_model = BallModel::quasi_static;
   InternalHeat internal_heat = InternalHeat::energy_consistent;
   FrictionLoadLaw load_law = FrictionLoadLaw::radial;
@@ -82,8 +97,8 @@ inline constexpr double static_pressure_limit = 4.2e9;
 /// What a touchdown bearing takes from elsewhere in the case.
 struct TouchdownSurroundings {
   ElasticMaterial ring, ball;
-  double gravity_y = 0, gravity_z = 0;  ///< [m/s^2]
-  double ball_density = 0;              ///< [kg/m^3]
+  std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
+  double ball_density = 0;          ///< [kg/m^3]
 };
 
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.

@@ -31,13 +31,14 @@ struct CoulombFriction {
   double stribeck_speed = 1;        ///< v_s [m/s], > 0
   bool has_stribeck = false;
 
-  /// Signed coefficient at a slip speed [m/s].
-  [[nodiscard]] double coefficient(double slip_speed) const {
-    const double v = slip_speed;
+  /// Coefficient over slip speed [s/m]: times a slip speed, or a vector of it, the signed coefficient.
+  [[nodiscard]] double per_speed(double slip_speed_squared) const {
     double m = mu;
-    if (has_stribeck) m += (static_mu - mu) * std::exp(-(v / stribeck_speed) * (v / stribeck_speed));
-    return m * v / std::sqrt(v * v + regularisation_speed * regularisation_speed);
+    if (has_stribeck) m += (static_mu - mu) * std::exp(-slip_speed_squared / (stribeck_speed * stribeck_speed));
+    return m / std::sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
   }
+  /// Signed coefficient at a slip speed [m/s].
+  [[nodiscard]] double coefficient(double slip_speed) const { return per_speed(slip_speed * slip_speed) * slip_speed; }
 };
 
 }  // namespace rotordrop

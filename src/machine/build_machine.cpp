@@ -214,6 +214,48 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
                "Take the reduced coupling, or the permanent link.");
 }
 
+/// A rotor that may move along its axis needs rings that follow it, and shoulders where it is pushed to.
+void check_axial_motion(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  const Node& rotor = table_of(case_node, "rotor");
+  const bool is_free = p.rotor.axial_motion == AxialFreedom::free;
+  const auto& table = p.rotor.axial_force;
+  const auto [least, most] =
+      std::minmax_element(table.begin(), table.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  if (!is_free && !table.empty() && ((*least)[1] != 0. || (*most)[1] != 0.))
+    faults.add(position_of_value(rotor, "axial_force"),
+               "rotor.axial_force acts on a rotor that cannot move along its axis.",
+               "Set rotor.axial_motion = \"free\".");
+  bool stops_plus = false, stops_minus = false;
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    if (!b) continue;
+    const bool has_shoulder = b->shoulders.gap_minus_x || b->shoulders.gap_plus_x;
+    stops_plus |= b->shoulders.gap_minus_x.has_value();
+    stops_minus |= b->shoulders.gap_plus_x.has_value();
+    const Node* own = table_of(case_node, "bearings").find(entry.name);
+    if (is_free && b->ring_motion != RingMotion::free)
+      faults.add(
+          position_of_value(own ? *own : table_of(case_node, "bearings"), "ring_motion"),
+          fmt::format("rotor.axial_motion = \"free\", and the inner ring of {} cannot follow the rotor.", entry.name),
+          fmt::format("Set bearings.{}.ring_motion = \"free\".", entry.name));
+    if (!is_free && has_shoulder)
+      faults.add(position_of(own ? *own : table_of(case_node, "bearings"), "shoulders"),
+                 fmt::format("bearings.{}.shoulders stop a rotor that cannot move along its axis.", entry.name),
+                 "Set rotor.axial_motion = \"free\".");
+  }
+  if (!is_free) return;
+  const double weight = rigid_body(p.rotor.geometry).mass * p.run.gravity[0];
+  const auto unheld = [&](const char* where, const char* key, double force) {
+    faults.add(position_of_value(rotor, "axial_motion"),
+               fmt::format("nothing stops the rotor that {:.6g} N push towards {}.", std::fabs(force), where),
+               fmt::format("Give a bearing {}, the gap to a shoulder.", key));
+  };
+  const double to_plus = weight + (table.empty() ? 0. : (*most)[1]),
+               to_minus = weight + (table.empty() ? 0. : (*least)[1]);
+  if (to_plus > 0. && !stops_plus) unheld("+x", "shoulders.gap_minus_x", to_plus);
+  if (to_minus < 0. && !stops_minus) unheld("-x", "shoulders.gap_plus_x", to_minus);
+}
+
 void check_statics(const MachineParameters& p, const Node& table, Faults& faults) {
   const auto& s = p.statics;
   for (const auto& load : s.loads)
@@ -282,8 +324,7 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
   const MaterialParameters &ring = *find_material(p, b.ring), &ball = *find_material(p, b.ball);
-  return touchdown_data(name, b, p.contact,
-                        {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity[1], p.run.gravity[2], ball.rho});
+  return touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
 }
 
 GrowthDriver driver_of(const ThermalParameters& t) {
@@ -335,6 +376,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   }
   if (materials_are_known) network_data(p, case_node, faults);
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
+  check_axial_motion(p, case_node, faults);
   check_statics(p, table_of(case_node, "statics"), faults);
 }
 
@@ -361,7 +403,7 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
         data.centrifugal_race_growth = growth.inner_race;
       }
       auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
-      std::vector<double> state(TouchdownBearing::n_state);
+      std::vector<double> state(bearing->state_entries().size());
       bearing->initial_state(state);
       ring_centres.push_back(
           {p.rotor.geometry.position(b->node), {state[TouchdownBearing::ring_y], state[TouchdownBearing::ring_z]}});
@@ -376,8 +418,7 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   parts.rub_share.assign(n_places, rub_share(p.thermal));
   add_thermal_models(p, network, finite_elements, std::move(recorded), parts);
 
-  auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry,
-                                            rotor_settings(p.rotor, p.run.gravity[1], p.run.gravity[2]), nodes);
+  auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry, rotor_settings(p.rotor, p.run.gravity), nodes);
   // The rotor starts as a straight line through the ring centres of the outermost touchdown bearings.
   const double x_cg = rotor->body().centre_of_gravity;
   Motion start;

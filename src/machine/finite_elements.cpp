@@ -19,12 +19,9 @@ std::size_t body_index(const HeatConductionProblem& p, const std::string& name) 
       std::find_if(p.bodies.begin(), p.bodies.end(), [&](const auto& b) { return b.name == name; }) - p.bodies.begin());
 }
 
-constexpr std::array<double Expansion::*, 5> surfaces = {&Expansion::shaft, &Expansion::bore, &Expansion::inner_race,
-                                                         &Expansion::outer_race, &Expansion::ball};
-
 double largest(const Expansion& e) {
   double value = 0.;
-  for (const auto surface : surfaces) value = std::max(value, std::fabs(e.*surface));
+  for (const auto surface : growth_surfaces) value = std::max(value, std::fabs(e.*surface));
   return value;
 }
 
@@ -186,8 +183,7 @@ std::vector<Observable> WindowedSections::observables() const {
                         3,
                         {"mean", "lowest", "highest"}});
     }
-    list.push_back(
-        {path + "growth", "m", "thermal growth", 5, {"shaft", "bore", "inner race", "outer race", "ball radius"}});
+    list.push_back(growth_observable(path + "growth", "thermal growth"));
     if (section.elastic)
       for (auto& o : housing_fit_observables(path)) list.push_back(std::move(o));
   }
@@ -209,7 +205,7 @@ void WindowedSections::observe(std::span<double> out) const {
       const SurfaceRange range = section.solver->surface(section.problem.ports[p].boundaries);
       for (const double value : {range.mean, range.lowest, range.highest}) out[at++] = value;
     }
-    for (const auto surface : surfaces) out[at++] = growth_[k].*surface;
+    for (const auto surface : growth_surfaces) out[at++] = growth_[k].*surface;
     if (!section.elastic) continue;
     const FitState fit = section.elastic->fit_state();
     for (const double value : {fit.mean_pressure, fit.lowest_pressure, fit.open_fraction}) out[at++] = value;
@@ -233,7 +229,7 @@ std::vector<double> WindowedSections::packed() const {
     const auto& e = energy_[k];
     values.insert(values.end(), {e.rub, e.rub_into_ring, e.inner, e.outer});
     for (const auto* growth : {&growth_[k], &before_[k], &conducted_[k]})
-      for (const auto surface : surfaces) values.push_back(growth->*surface);
+      for (const auto surface : growth_surfaces) values.push_back(growth->*surface);
     const auto& solver = *elements_.sections[k].solver;
     const HeatEnergy energy = solver.energy();
     values.insert(values.end(), {energy.input, energy.lost});
@@ -257,7 +253,7 @@ void WindowedSections::unpack(std::span<const double> values) {
     auto& e = energy_[k];
     for (double* value : {&e.rub, &e.rub_into_ring, &e.inner, &e.outer}) *value = next();
     for (auto* growth : {&growth_[k], &before_[k], &conducted_[k]})
-      for (const auto surface : surfaces) growth->*surface = next();
+      for (const auto surface : growth_surfaces) growth->*surface = next();
     const double input = next(), lost = next();
     auto& solver = *elements_.sections[k].solver;
     const std::size_t n = solver.field().size();

@@ -24,8 +24,8 @@ std::vector<double> GrowthHistory::packed_tail() const {
   for (std::size_t k = times_.size() < 2 ? 0 : times_.size() - 2; k < times_.size(); ++k) {
     values.push_back(times_[k]);
     for (std::size_t p = 0; p < n_places_; ++p) {
-      const Expansion& e = growth_[k * n_places_ + p];
-      values.insert(values.end(), {e.shaft, e.bore, e.inner_race, e.outer_race, e.ball});
+      const auto surfaces = growth_values(growth_[k * n_places_ + p]);
+      values.insert(values.end(), surfaces.begin(), surfaces.end());
     }
   }
   values.resize(packed_size(), -1.);  // fewer instants: times below zero
@@ -36,12 +36,10 @@ void GrowthHistory::unpack_tail(std::span<const double> values) {
   times_.clear();
   growth_.clear();
   std::vector<Expansion> growth(n_places_);
-  for (std::size_t at = 0; at < values.size(); at += 1 + 5 * n_places_) {
+  for (std::size_t at = 0; at < values.size(); at += packed_size() / 2) {
     if (values[at] < 0.) continue;
-    for (std::size_t p = 0; p < n_places_; ++p) {
-      const auto v = values.subspan(at + 1 + 5 * p, 5);
-      growth[p] = {v[0], v[1], v[2], v[3], v[4]};
-    }
+    for (std::size_t p = 0; p < n_places_; ++p)
+      growth[p] = expansion_of(values.subspan(at + 1 + growth_surfaces.size() * p, growth_surfaces.size()));
     append(values[at], growth);
   }
 }

@@ -19,7 +19,7 @@ class GrowthHistory {
   /// The last two instants, each as time and growth, for checkpoints; and put back.
   [[nodiscard]] std::vector<double> packed_tail() const;
   void unpack_tail(std::span<const double> values);
-  [[nodiscard]] std::size_t packed_size() const { return 2 * (1 + 5 * n_places_); }
+  [[nodiscard]] std::size_t packed_size() const { return 2 * (1 + growth_surfaces.size() * n_places_); }
   void at(double t, std::span<Expansion> out) const;    ///< [m]
   void rate(double t, std::span<Expansion> out) const;  ///< [m/s]; at an instant that of the interval after it
 

@@ -111,11 +111,7 @@ void Machine::list_observables() {
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (parts_.thermal_place[i])
         add(state_observables_, "/growth/" + part.name + "/",
-            {{parts_.supports[i]->name(),
-              "m",
-              "thermal growth by model " + part.name,
-              5,
-              {"shaft", "bore", "inner race", "outer race", "ball radius"}}});
+            {growth_observable(parts_.supports[i]->name(), "thermal growth by model " + part.name)});
   add(state_observables_, "/energy/",
       {{"mechanical", "J", "kinetic, elastic and gravitational energy", 1, {}},
        {"dissipated", "J", "mechanical energy dissipated since the start", 1, {}},
@@ -274,9 +270,7 @@ void Machine::observe_state(double t, std::span<const double> y, std::span<doubl
     parts_.thermal[k].model->growth(thermal_part(k, y), growth);
     for (const auto& place : parts_.thermal_place)
       if (place)
-        for (const double value : {growth[*place].shaft, growth[*place].bore, growth[*place].inner_race,
-                                   growth[*place].outer_race, growth[*place].ball})
-          out[at++] = value;
+        for (const double value : growth_values(growth[*place])) out[at++] = value;
   }
   const EnergyBalance b = energy_balance(t, y);
   for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work,

@@ -21,8 +21,8 @@ Section<RunParameters> run_section() {
             .json_types = {"number", "string", "array"},
             .fallback = Node(9.81),
             .source = "standard",
-            .help = "Acceleration of gravity on rotor and inner rings. A single number acts along -y. Axial motion is "
-                    "not computed: x has no effect."},
+            .help = "Acceleration of gravity on rotor and inner rings. A single number acts along -y. x acts on a rotor with "
+                    "axial_motion = \"free\" and on inner rings with ring_motion = \"free\"."},
            [](const Node& node, P& target, Faults& faults) {
              const Quantity along_axis{.unit = "m/s2", .range = between(-1e3, 1e3)};
              const Quantity downwards{.unit = "m/s2",

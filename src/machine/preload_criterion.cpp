@@ -10,8 +10,6 @@ namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double Expansion::*surfaces[] = {&Expansion::inner_race, &Expansion::outer_race, &Expansion::ball};
-
 /// Gradients by the growth of each surface.
 struct Gradients {
   Expansion heat;     ///< [W/m]
@@ -22,7 +20,7 @@ Gradients gradients_at(const RunningBearing& bearing, const Expansion& growth) {
   constexpr double step =
       2e-8;  // [m]: far below the balls' approach of some micrometres, far above the equilibrium's tolerance
   Gradients g;
-  for (auto surface : surfaces) {
+  for (auto surface : growth_surfaces) {
     std::array<RunningState, 4> at;
     const std::array<double, 4> places = {-2., -1., 1., 2.};
     for (std::size_t i = 0; i < 4; ++i) {

@@ -5,7 +5,7 @@
 namespace rotordrop {
 
 RotorReport rotor_report(const RotorParameters& parameters) {
-  const ModalRotor rotor(parameters.geometry, rotor_settings(parameters, 0.), {});
+  const ModalRotor rotor(parameters.geometry, rotor_settings(parameters, {}), {});
   RotorReport report;
   report.body = rotor.body();
   for (const double f : rotor.mode_frequencies())

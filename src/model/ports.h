@@ -1,6 +1,8 @@
 #pragma once
 // What parts of a machine hand to each other. Plain data; every number SI.
 // Frame: x along the rotor axis, y up, z horizontal, right-handed; angles and spin from +y towards +z.
+#include <array>
+#include <span>
 
 namespace rotordrop {
 
@@ -39,6 +41,18 @@ struct Expansion {
            ball * other.ball;
   }
 };
+/// Its surfaces, in the order in which results list them.
+inline constexpr std::array<double Expansion::*, 5> growth_surfaces = {
+    &Expansion::shaft, &Expansion::bore, &Expansion::inner_race, &Expansion::outer_race, &Expansion::ball};
+inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_names = {"shaft", "bore", "inner race",
+                                                                                         "outer race", "ball radius"};
+inline std::array<double, growth_surfaces.size()> growth_values(const Expansion& e) {
+  return {e.shaft, e.bore, e.inner_race, e.outer_race, e.ball};
+}
+/// @param values [growth_surfaces.size()]
+inline Expansion expansion_of(std::span<const double> values) {
+  return {values[0], values[1], values[2], values[3], values[4]};
+}
 /// f a + g b
 inline Expansion combined(double f, const Expansion& a, double g, const Expansion& b) {
   return {f * a.shaft + g * b.shaft, f * a.bore + g * b.bore, f * a.inner_race + g * b.inner_race,

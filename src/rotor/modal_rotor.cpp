@@ -33,6 +33,17 @@ constexpr std::size_t padded(std::size_t n) { return (n + 1) / 2 * 2; }
 
 }  // namespace
 
+double value_at(const TimeTable& table, double t) {
+  if (table.empty()) return 0;
+  if (t <= table.front()[0]) return table.front()[1];
+  if (t >= table.back()[0]) return table.back()[1];
+  const auto after = std::upper_bound(table.begin(), table.end(), t,
+                                      [](double time, const std::array<double, 2>& point) { return time < point[0]; });
+  const auto& [t1, v1] = *(after - 1);
+  const auto& [t2, v2] = *after;
+  return v1 + (v2 - v1) * (t - t1) / (t2 - t1);
+}
+
 Motion straight_line(double x1, double y1, double z1, double x2, double y2, double z2, double x) {
   const double slope_y = (y2 - y1) / (x2 - x1), slope_z = (z2 - z1) / (x2 - x1);
   Motion motion;
@@ -71,7 +82,9 @@ ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& setti
       n_nodes_(geometry.node_x.size()),
       gravity_y_(settings.gravity_y),
       gravity_z_(settings.gravity_z),
-      drive_torque_(settings.drive_torque) {
+      alpha_(settings.mass_proportional_alpha),
+      drive_torque_(settings.drive_torque),
+      axial_(settings.axial) {
   const ModalBasis basis = free_free_modes(geometry, highest_frequency(settings));
   const auto n = static_cast<std::size_t>(basis.n_modes());
   n_modes_ = n;
@@ -152,17 +165,30 @@ std::vector<StateEntry> ModalRotor::state_entries() const {
       entries.push_back({name(plane, k) + " velocity", "m/s", k < 2 ? fall_velocity : flexible_velocity});
   entries.push_back({"spin angle", "rad", 1});
   entries.push_back({"spin speed", "rad/s", 1000});
+  if (axial_) {
+    entries.push_back({"axial position", "m", clearance});
+    entries.push_back({"axial velocity", "m/s", fall_velocity});
+  }
   return entries;
 }
 
 void ModalRotor::motions(std::span<const double> y, std::span<Motion> out) const {
   assert(y.size() == n_state() && out.size() == n_stations_);
   (this->*motions_)(y.data(), station_shape_.data(), n_stations_, out.data());
+  if (axial_) add_axial_motion(y, out);
 }
 
 void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) const {
   assert(y.size() == n_state() && out.size() == n_nodes_);
   (this->*motions_)(y.data(), node_shape_.data(), n_nodes_, out.data());
+  if (axial_) add_axial_motion(y, out);
+}
+
+void ModalRotor::add_axial_motion(std::span<const double> y, std::span<Motion> out) const {
+  for (Motion& motion : out) {
+    motion.x = y[axial_at()];
+    motion.velocity_x = y[axial_at() + 1];
+  }
 }
 
 template <std::size_t n_fixed>
@@ -191,7 +217,20 @@ void ModalRotor::motions_of(const double* y, const Shape* shape, std::size_t n_p
 RotorPower ModalRotor::rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
                              std::span<double> dydt) const {
   assert(y.size() == n_state() && dydt.size() == n_state() && force_on_station.size() == n_stations_);
-  return (this->*rates_)(t, y.data(), force_on_station.data(), dydt.data());
+  RotorPower power = (this->*rates_)(t, y.data(), force_on_station.data(), dydt.data());
+  if (axial_) add_axial_rates(t, y, force_on_station, dydt, power);
+  return power;
+}
+
+void ModalRotor::add_axial_rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
+                                 std::span<double> dydt, RotorPower& power) const {
+  const double velocity = y[axial_at() + 1], pull = value_at(axial_->force, t);
+  double force = pull - alpha_ * body_.mass * velocity;
+  for (const Force& on_station : force_on_station) force += on_station.x;
+  dydt[axial_at()] = velocity;
+  dydt[axial_at() + 1] = force / body_.mass + axial_->gravity;
+  power.damping += alpha_ * body_.mass * velocity * velocity;
+  power.drive_work += pull * velocity;
 }
 
 template <std::size_t n_fixed>
@@ -279,6 +318,7 @@ double ModalRotor::energy(std::span<const double> y) const {
     const double q_y = y[i], q_z = y[n + i], v_y = y[2 * n + i], v_z = y[3 * n + i];
     twice_per_mass += v_y * v_y + v_z * v_z + omega_squared_[i] * (q_y * q_y + q_z * q_z);
   }
+  if (axial_) twice_per_mass += y[axial_at() + 1] * y[axial_at() + 1] - 2 * axial_->gravity * y[axial_at()];
   return 0.5 * (body_.mass * twice_per_mass + body_.Ip * omega * omega);
 }
 
@@ -299,17 +339,10 @@ void ModalRotor::initial_rigid_state(const Motion& motion_of_centre_of_gravity, 
   y[3 * n + 1] = -radius_of_gyration * cg.tilt_rate_y;
   y[4 * n] = spin.angle;
   y[4 * n + 1] = spin.speed;
-}
-
-double ModalRotor::drive_torque(double t) const {
-  if (drive_torque_.empty()) return 0;
-  if (t <= drive_torque_.front()[0]) return drive_torque_.front()[1];
-  if (t >= drive_torque_.back()[0]) return drive_torque_.back()[1];
-  const auto after = std::upper_bound(drive_torque_.begin(), drive_torque_.end(), t,
-                                      [](double time, const std::array<double, 2>& point) { return time < point[0]; });
-  const auto& [t1, T1] = *(after - 1);
-  const auto& [t2, T2] = *after;
-  return T1 + (T2 - T1) * (t - t1) / (t2 - t1);
+  if (axial_) {
+    y[axial_at()] = cg.x;
+    y[axial_at() + 1] = cg.velocity_x;
+  }
 }
 
 std::vector<double> ModalRotor::mode_frequencies() const {

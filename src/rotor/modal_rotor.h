@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,16 @@ struct Unbalance {
   double angle = 0;  ///< from +y towards +z at spin angle 0 [rad]
 };
 
+/// Value over time [time s, value], times rising; linear between, constant before and after. Empty: 0.
+using TimeTable = std::vector<std::array<double, 2>>;
+[[nodiscard]] double value_at(const TimeTable& table, double t);
+
+/// Rigid motion of the rotor along its axis.
+struct AxialMotion {
+  double gravity = 0;  ///< acceleration along +x [m/s^2]
+  TimeTable force;     ///< on the rotor along +x [N]
+};
+
 /// What a rotor model needs besides its geometry.
 struct RotorSettings {
   RotorRepresentation representation = RotorRepresentation::modal;
@@ -32,8 +43,8 @@ struct RotorSettings {
   double gravity_y = 0;                ///< acceleration along +y [m/s^2]; -9.81 on Earth
   double gravity_z = 0;                ///< acceleration along +z [m/s^2]
   std::vector<Unbalance> unbalance;
-  /// Torque on the rotor [time s, torque N m], times rising; linear between, constant before and after. Empty: none.
-  std::vector<std::array<double, 2>> drive_torque;
+  TimeTable drive_torque;            ///< on the rotor [N m]
+  std::optional<AxialMotion> axial;  ///< none: the rotor is held along its axis
 };
 
 /// Straight line through the points (y1, z1) at x1 and (y2, z2) at x2, at rest: its motion at x. [m]
@@ -55,11 +66,12 @@ struct RotorSettings {
 ///   f_z = me (omega^2 sin(theta + a) - omega' cos(theta + a))
 /// which has no reaction torque on the spin, so it does net work: rates() reports it.
 ///
-/// State [4 n_modes + 2]: q_y, q_z [m], q_y', q_z' [m/s], spin angle [rad], spin speed [rad/s].
+/// Along the axis, if it may move there, it is rigid: m x'' = forces of the stations + m g_x + axial force - alpha m x'.
+///
+/// State [4 n_modes + 2]: q_y, q_z [m], q_y', q_z' [m/s], spin angle [rad], spin speed [rad/s]; with axial motion two more: x [m], x' [m/s].
 /// Modes are scaled to the rotor's mass, see ModalBasis.
 /// Source: Neisi, Heikkinen & Sopanen (2019), eq. (1).
-/// Valid:  small deflections and tilts; no axial motion (x of Motion and Force is zero and ignored); spin torques along
-///         the shaft's own axis.
+/// Valid:  small deflections and tilts; a shaft without axial flexibility; spin torques along the shaft's own axis.
 class ModalRotor final : public RotorModel {
  public:
   /// @param station_nodes  nodes (from 1) at which forces act and motion is asked for
@@ -80,10 +92,10 @@ class ModalRotor final : public RotorModel {
   /// Motion of every node [n_nodes]; for pictures and tests, not for the hot path.
   void node_motions(std::span<const double> y, std::span<Motion> out) const;
   /// Torque of motor or brake [N m].
-  [[nodiscard]] double drive_torque(double t) const;
+  [[nodiscard]] double drive_torque(double t) const { return value_at(drive_torque_, t); }
 
   [[nodiscard]] const RigidBody& body() const { return body_; }
-  [[nodiscard]] std::size_t n_state() const { return 4 * n_modes_ + 2; }
+  [[nodiscard]] std::size_t n_state() const { return axial_at() + (axial_ ? 2 : 0); }
   [[nodiscard]] std::size_t n_modes() const { return n_modes_; }
   [[nodiscard]] std::size_t n_nodes() const { return n_nodes_; }
   /// Axial position of a station [m].
@@ -105,11 +117,16 @@ class ModalRotor final : public RotorModel {
   template <std::size_t n_fixed>
   void motions_of(const double* y, const Shape* shape, std::size_t n_points, Motion* out) const;
 
+  [[nodiscard]] std::size_t axial_at() const { return 4 * n_modes_ + 2; }
+  void add_axial_motion(std::span<const double> y, std::span<Motion> out) const;
+  void add_axial_rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
+                       std::span<double> dydt, RotorPower& power) const;
+
   std::size_t n_modes_ = 0, n_stations_ = 0, n_nodes_ = 0;
   Rates rates_ = nullptr;
   Motions motions_ = nullptr;
   RigidBody body_;
-  double gravity_y_ = 0, gravity_z_ = 0;
+  double gravity_y_ = 0, gravity_z_ = 0, alpha_ = 0;
   std::vector<double> omega_squared_;    // [n_modes]
   std::vector<double> damping_rate_;     // [n_modes] 2 zeta omega_k + alpha
   std::vector<double> gyroscopic_;       // [n_modes columns of padded n_modes]
@@ -119,7 +136,8 @@ class ModalRotor final : public RotorModel {
   std::vector<Shape> station_shape_;     // [n_stations x n_modes]
   std::vector<Shape> node_shape_;        // [n_nodes x n_modes]
   std::vector<double> station_position_;
-  std::vector<std::array<double, 2>> drive_torque_;
+  TimeTable drive_torque_;
+  std::optional<AxialMotion> axial_;
 };
 
 }  // namespace rotordrop

@@ -311,6 +311,17 @@ Section<RotorParameters> rotor_section() {
                  .help = "Of motor (positive) or brake (negative) on the rotor: [time, torque] pairs, linear between, "
                          "constant before and "
                          "after. A constant brake turns a standing rotor backwards: let the table end with 0."})
+      .choice("axial_motion", &RotorParameters::axial_motion,
+              {{"locked", AxialFreedom::locked}, {"free", AxialFreedom::free}},
+              {.fallback = "locked",
+               .help = "Whether the rotor, rigid along its axis, can move along it. \"free\" needs ring_motion = "
+                       "\"free\" of its touchdown bearings."})
+      .function("axial_force", &RotorParameters::axial_force,
+                {.unit = "N",
+                 .argument_unit = "s",
+                 .fallback = {{{"0 s", "0 N"}}},
+                 .help = "On an axially free rotor along +x, such as the thrust of the process: [time, force] pairs, "
+                         "linear between, constant before and after."})
       .quantities("initial_offset", &RotorParameters::initial_offset,
                   {.unit = "m",
                    .fallback = {"0 m", "0 m"},
@@ -342,18 +353,22 @@ void check_against_geometry(const RotorParameters& parameters, const RotorGeomet
                      fmt::format("rotor.unbalance#{}.node", k + 1), faults);
 }
 
-RotorSettings rotor_settings(const RotorParameters& parameters, double gravity_y, double gravity_z) {
+RotorSettings rotor_settings(const RotorParameters& parameters, const std::array<double, 3>& gravity) {
   RotorSettings settings;
   settings.representation = parameters.model;
   settings.cut_off_frequency = parameters.cut_off_frequency;
   settings.modal_damping = parameters.modal_damping;
   settings.mass_proportional_alpha = parameters.mass_proportional_alpha;
-  settings.gravity_y = gravity_y;
-  settings.gravity_z = gravity_z;
+  settings.gravity_y = gravity[1];
+  settings.gravity_z = gravity[2];
   settings.unbalance = parameters.unbalance;
-  const bool has_torque =
-      std::any_of(parameters.torque.begin(), parameters.torque.end(), [](const auto& point) { return point[1] != 0; });
-  if (has_torque) settings.drive_torque = parameters.torque;
+  const auto unless_zero = [](const TimeTable& table) {
+    const bool acts = std::any_of(table.begin(), table.end(), [](const auto& point) { return point[1] != 0; });
+    return acts ? table : TimeTable{};
+  };
+  settings.drive_torque = unless_zero(parameters.torque);
+  if (parameters.axial_motion == AxialFreedom::free)
+    settings.axial = AxialMotion{gravity[0], unless_zero(parameters.axial_force)};
   return settings;
 }
 

@@ -19,6 +19,8 @@ struct InitialOrbit {
   double speed = 0;   ///< whirl speed, positive from +y towards +z [rad/s]
 };
 
+enum class AxialFreedom { locked, free };
+
 struct RotorParameters {
   std::string geometry_file;         ///< as the user wrote it; empty: `geometry` was given inline
   SourcePosition geometry_position;  ///< of the value of the key `geometry`
@@ -28,7 +30,9 @@ struct RotorParameters {
   double mass_proportional_alpha = 0;  ///< [1/s]
   double cut_off_frequency = 0;        ///< [Hz]
   std::vector<Unbalance> unbalance;
-  std::vector<std::array<double, 2>> torque;  ///< [time s, torque N m]
+  TimeTable torque;  ///< [N m]
+  AxialFreedom axial_motion = AxialFreedom::locked;
+  TimeTable axial_force;  ///< along +x [N]
   // What the start adds to the rotor's straight line through both ring centres, at rest.
   std::array<double, 2> initial_offset{};     ///< y, z of the centre of gravity [m]
   std::array<double, 2> initial_tilt{};       ///< theta_y, theta_z [rad]
@@ -51,7 +55,8 @@ void check_rotor_node(const RotorGeometry& geometry, int node, const SourcePosit
 void check_against_geometry(const RotorParameters& parameters, const RotorGeometry& geometry, const Node& rotor_table,
                             Faults& faults);
 
-[[nodiscard]] RotorSettings rotor_settings(const RotorParameters& parameters, double gravity_y, double gravity_z = 0);
+/// @param gravity  along x, y, z [m/s^2]
+[[nodiscard]] RotorSettings rotor_settings(const RotorParameters& parameters, const std::array<double, 3>& gravity);
 /// Offset, tilt, velocities and orbit at the start, to be added to the straight line through the rings' centres.
 [[nodiscard]] Motion initial_disturbance(const RotorParameters& parameters);
 

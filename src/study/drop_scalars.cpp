@@ -47,6 +47,19 @@ void FollowedPeak::follow(double t, double f) {
   last_ = f;
 }
 
+void FollowedRange::follow(double t, double f) {
+  if (std::isnan(first)) first = f;
+  if (!(smallest <= f)) {
+    smallest = f;
+    smallest_time = t;
+  }
+  if (!(largest >= f)) {
+    largest = f;
+    largest_time = t;
+  }
+  last = f;
+}
+
 DropScalars::DropScalars(const Machine& machine) {
   std::map<std::string, std::pair<std::size_t, std::size_t>> where;  // name -> first column, size
   std::size_t at = 0;
@@ -58,10 +71,16 @@ DropScalars::DropScalars(const Machine& machine) {
     const std::string prefix = "/bearings/" + machine.support(i).name() + "/";
     if (!where.contains(prefix + "contact_force")) continue;  // not a touchdown bearing
     const auto column = [&](const char* name) { return where.at(prefix + name).first; };
+    const auto column_of_free = [&](const char* name) {
+      const auto found = where.find(prefix + name);
+      return found == where.end() ? std::nullopt : std::optional(found->second.first);
+    };
     columns_.push_back({i, column("orbit"), column("penetration"), column("contact_force"), column("rub_heat_rate"),
                         column("spin_lag"), column("load_torque"), column("spin_torque"), column("inner_heat_rate"),
                         column("outer_heat_rate"), column("ring_speed"), column("ball_force"),
-                        column("contact_pressure"), where.at(prefix + "ball_force").second});
+                        column("contact_pressure"), where.at(prefix + "ball_force").second, column("clearance"),
+                        column("expansion"), column("preload"), column_of_free("axial_force"),
+                        column_of_free("axial_position")});
   }
   scalars_.resize(columns_.size());
 }
@@ -98,8 +117,17 @@ void DropScalars::follow(double t, std::span<const double> step) {
     for (std::size_t row = 0; row < c.n_rows; ++row) ball_force = std::max(ball_force, step[c.ball_force + row]);
     s.ball_force.follow(t, ball_force);
     double pressure = 0.;
-    for (std::size_t row = 0; row < c.n_rows; ++row) pressure = std::max(pressure, step[c.contact_pressure + row]);
+    for (std::size_t row = 0; row < c.n_rows; ++row) {
+      const double of_row = step[c.contact_pressure + row];
+      s.row_pressure[row].follow(t, of_row);
+      pressure = std::max(pressure, of_row);
+    }
     s.contact_pressure.follow(t, pressure);
+    s.clearance.follow(t, step[c.clearance]);
+    for (std::size_t k = 0; k < s.growth.size(); ++k) s.growth[k].follow(t, step[c.growth + k]);
+    s.preload.follow(t, step[c.preload]);
+    if (c.axial_force) s.axial_force.follow(t, step[*c.axial_force]);
+    if (c.axial_position) s.axial_position.follow(t, step[*c.axial_position]);
     s.ring_speed_end = step[c.ring_speed];
 
     s.time = t;

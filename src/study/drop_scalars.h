@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "bearing/touchdown_bearing.h"
 #include "machine/machine.h"
 
 namespace rotordrop {
@@ -16,6 +19,14 @@ struct FollowedPeak {
 
  private:
   double last_time_ = std::numeric_limits<double>::quiet_NaN(), last_ = 0, time_before_ = last_time_, before_ = 0;
+};
+
+/// A quantity's values at steps, from first to last. NaN until followed.
+struct FollowedRange {
+  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  double first = never, last = never;
+  double smallest = never, smallest_time = never, largest = never, largest_time = never;
+  void follow(double t, double f);
 };
 
 /// Scalars of one touchdown bearing, followed from step to step. NaN where something has not happened.
@@ -32,7 +43,12 @@ struct BearingScalars {
   FollowedPeak inner_heat_rate, outer_heat_rate;  ///< [W]
   FollowedPeak ball_force;                        ///< of the most loaded ball [N]
   FollowedPeak contact_pressure;                  ///< of balls and races [Pa]
-  double ring_speed_end = never;                  ///< [rad/s]
+  std::array<FollowedPeak, TouchdownBearing::max_rows> row_pressure;  ///< the same of each row [Pa]
+  FollowedRange clearance;                                            ///< radial air gap [m]
+  std::array<FollowedRange, growth_surfaces.size()> growth;           ///< of growth_surfaces [m]
+  FollowedRange preload;                                              ///< of opposed rows [N]
+  FollowedRange axial_force, axial_position;  ///< of rotor on ring [N], of the rotor [m]; of a free ring
+  double ring_speed_end = never;              ///< [rad/s]
   // The last step, for crossings.
   double time = never, penetration = never, spin_lag = never;
 };
@@ -48,6 +64,9 @@ class DropScalars {
   /// Index of a bearing among the machine's supports.
   [[nodiscard]] std::size_t support(std::size_t bearing) const { return columns_[bearing].support; }
   [[nodiscard]] double largest_contact_force() const;
+  /// Whether a bearing's inner ring takes axial loads from the rotor.
+  [[nodiscard]] bool is_free(std::size_t bearing) const { return columns_[bearing].axial_force.has_value(); }
+  [[nodiscard]] std::size_t n_rows(std::size_t bearing) const { return columns_[bearing].n_rows; }
   /// For checkpoints.
   [[nodiscard]] std::vector<double> packed() const;
   void unpack(std::span<const double> values);
@@ -55,7 +74,8 @@ class DropScalars {
  private:
   struct Columns {
     std::size_t support, orbit, penetration, contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque,
-        inner_heat_rate, outer_heat_rate, ring_speed, ball_force, contact_pressure, n_rows;
+        inner_heat_rate, outer_heat_rate, ring_speed, ball_force, contact_pressure, n_rows, clearance, growth, preload;
+    std::optional<std::size_t> axial_force, axial_position;
   };
   std::vector<Columns> columns_;
   std::vector<BearingScalars> scalars_;

@@ -35,10 +35,17 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
     throw InputError({drop.directory().string(), 0, 0},
                      fmt::format("the drop has recorded no growth of a touchdown bearing \"{}\"", bearing),
                      "Choose one that it has with --bearing.");
-  std::array<TimeSeries, 5> growth;
+  std::array<TimeSeries, growth_surfaces.size()> growth;
   for (std::size_t i = 0; i < growth.size(); ++i) growth[i] = drop.series(from + "expansion", i);
   const auto speed = drop.series(from + "ring_speed");
   const auto force_y = drop.series(from + "bearing_force", 0), force_z = drop.series(from + "bearing_force", 1);
+
+  // Of rings that are locked along the axis what their rows leave there is no load.
+  std::vector<TimeSeries> axial;
+  const auto& b = touchdown_of(p, bearing);
+  if (drop.has(from + "axial_position"))
+    for (int row = 0; row < b.rows; ++row)
+      axial.push_back(drop.series(from + "row_axial_force", static_cast<std::size_t>(row)));
 
   // What elasticity recorded holds the growth by speed already.
   const auto& thermal = drop.parameters().thermal;
@@ -46,7 +53,6 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   MachineParameters cold_parameters = p;
   if (has_growth_by_speed) cold_parameters.preload.growth_by_speed = GrowthBySpeed::none;
 
-  const auto& b = touchdown_of(p, bearing);
   const auto running = build_running_bearing(p, bearing, 0., rest_finder(bearing));
   const std::string to = fmt::format("/{}/history/", bearing);
   PreloadTable table;
@@ -59,11 +65,14 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   for (std::size_t i = 0; i < n; i = i + every < n || i + 1 == n ? i + every : n - 1) {
     BearingState state;
     state.speed = speed.values[i];
-    const Expansion recorded = {growth[0].values[i], growth[1].values[i], growth[2].values[i], growth[3].values[i],
-                                growth[4].values[i]};
-    state.growth = combined(1., recorded, 1., cold_growth(cold_parameters, b, state.speed));
+    std::array<double, growth_surfaces.size()> recorded;
+    for (std::size_t k = 0; k < recorded.size(); ++k) recorded[k] = growth[k].values[i];
+    state.growth = combined(1., expansion_of(recorded), 1., cold_growth(cold_parameters, b, state.speed));
     // The balls' force on the ring is what a ring at rest answers with.
-    if (under_load) state.load = {0., -force_y.values[i], -force_z.values[i], 0., 0., 0.};
+    if (under_load) {
+      state.load = {0., -force_y.values[i], -force_z.values[i], 0., 0., 0.};
+      for (const auto& row : axial) state.load.x -= row.values[i];
+    }
     auto row = running_values(running->in(state));
     row.push_back(state.speed);
     row.push_back(state.growth.inner_race - state.growth.outer_race);

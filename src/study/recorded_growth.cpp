@@ -12,7 +12,6 @@
 namespace rotordrop {
 namespace {
 
-constexpr std::size_t n_surfaces = 5;
 const std::string prefix = "/bearings/", suffix = "/expansion";
 
 std::vector<std::string> recorded_bearings(const std::filesystem::path& file) {
@@ -39,15 +38,13 @@ std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
   }
   // Of a file that is being written, a series may have rows whose times are not there yet.
   std::size_t n = times.size();
-  for (const auto& values : growth) n = std::min(n, values.size() / n_surfaces);
+  for (const auto& values : growth) n = std::min(n, values.size() / growth_surfaces.size());
   if (n == 0) throw InputError({}, "it holds no growth.", "It should be the results.h5 of a drop.");
   auto history = std::make_shared<GrowthHistory>(growth.size());
   std::vector<Expansion> row(growth.size());
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < growth.size(); ++k) {
-      const double* v = growth[k].data() + i * n_surfaces;
-      row[k] = {v[0], v[1], v[2], v[3], v[4]};
-    }
+    for (std::size_t k = 0; k < growth.size(); ++k)
+      row[k] = expansion_of(std::span(growth[k]).subspan(i * growth_surfaces.size(), growth_surfaces.size()));
     history->append(times[i], row);
   }
   return history;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -18,8 +19,21 @@ using Json = nlohmann::ordered_json;
 // JSON has no NaN: what has not happened is null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json bearing_summary(const Machine& machine, const BearingScalars& s, std::size_t support, std::span<const double> y,
+Json range(const FollowedRange& r) {
+  return {{"start", number(r.first)},
+          {"smallest", number(r.smallest)},
+          {"smallest_time", number(r.smallest_time)},
+          {"largest", number(r.largest)},
+          {"largest_time", number(r.largest_time)},
+          {"end", number(r.last)}};
+}
+
+Json safety(double pressure) { return number(std::pow(static_pressure_limit / pressure, 3)); }
+
+Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::size_t i, std::span<const double> y,
                      double mean_force_end) {
+  const BearingScalars& s = scalars.of(i);
+  const std::size_t support = scalars.support(i);
   const auto ledger = [&](const char* name) { return machine.ledger(support, name, y); };
   Json j;
   j["first_contact_time"] = number(s.first_contact_time);
@@ -42,7 +56,19 @@ Json bearing_summary(const Machine& machine, const BearingScalars& s, std::size_
   j["largest_ball_force"] = number(s.ball_force.value);
   j["largest_contact_pressure"] = number(s.contact_pressure.value);
   j["largest_contact_pressure_time"] = number(s.contact_pressure.time);
-  j["static_safety"] = number(std::pow(static_pressure_limit / s.contact_pressure.value, 3));
+  j["static_safety"] = safety(s.contact_pressure.value);
+  for (std::size_t row = 0; row < scalars.n_rows(i); ++row)
+    j["rows"].push_back({{"largest_contact_pressure", s.row_pressure[row].value},
+                         {"largest_contact_pressure_time", number(s.row_pressure[row].time)},
+                         {"static_safety", safety(s.row_pressure[row].value)}});
+  if (scalars.n_rows(i) > 1) j["preload"] = range(s.preload);
+  j["clearance"] = range(s.clearance);
+  for (std::size_t k = 0; k < growth_surfaces.size(); ++k) {
+    std::string surface = growth_surface_names[k];
+    std::replace(surface.begin(), surface.end(), ' ', '_');
+    j["growth"][surface] = range(s.growth[k]);
+  }
+  if (scalars.is_free(i)) j["axial"] = {{"force", range(s.axial_force)}, {"rotor_position", range(s.axial_position)}};
   return j;
 }
 
@@ -89,7 +115,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     const auto& s = scalars.of(i);
     const double mean = (machine.ledger(support, "contact impulse", y) - result.impulse_before_end[i]) /
                         (result.end_time - result.averaging_start);
-    Json bearing = bearing_summary(machine, s, support, y, mean);
+    Json bearing = bearing_summary(machine, scalars, i, y, mean);
     std::size_t at = 0;
     const std::string prefix = "/thermal/" + name + "/";
     for (const auto& o : machine.state_observables()) {
@@ -160,6 +186,10 @@ std::string summary_text(const Json& j) {
         text += fmt::format(
             "{:{}}balls press on the races with {:.2f} GPa, beyond the static limit of {:.1f} GPa (ISO 76)\n", "",
             name.size() + 2, p * 1e-9, static_pressure_limit * 1e-9);
+      if (b.contains("axial"))
+        text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", name.size() + 2,
+                            b["axial"]["force"]["smallest"].get<double>() * 1e-3,
+                            b["axial"]["force"]["largest"].get<double>() * 1e-3);
       if (b.contains("whirl")) text += whirl_text(name, b["whirl"]);
     }
   const auto& e = j["energy"];

@@ -7,11 +7,6 @@
 namespace rotordrop {
 namespace {
 
-constexpr std::array<double Expansion::*, ElasticGrowth::n_surfaces> surfaces = {
-    &Expansion::shaft, &Expansion::bore, &Expansion::inner_race, &Expansion::outer_race, &Expansion::ball};
-const std::array<std::string, ElasticGrowth::n_surfaces> surface_names = {"shaft", "bore", "inner race", "outer race",
-                                                                          "ball"};
-
 std::size_t index_of(const std::vector<HeatBody>& bodies, const std::string& name) {
   return static_cast<std::size_t>(
       std::find_if(bodies.begin(), bodies.end(), [&](const HeatBody& b) { return b.name == name; }) - bodies.begin());
@@ -72,17 +67,17 @@ ElasticGrowth::ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& probl
     : elastic_(elastic), zero_(heat.initial_temperature) {
   for (auto& weights : weights_) weights.assign(n_unknowns, 0.);
   for (std::size_t k = 0; k < problem.outputs.size(); ++k) {
-    const auto found = std::find(surface_names.begin(), surface_names.end(), problem.outputs[k].name);
-    if (found == surface_names.end())
+    const auto found = std::find(growth_surface_names.begin(), growth_surface_names.end(), problem.outputs[k].name);
+    if (found == growth_surface_names.end())
       throw std::invalid_argument("no surface grows by the name of " + problem.outputs[k].name);
-    means_.at(static_cast<std::size_t>(found - surface_names.begin())).outputs.push_back(k);
+    means_.at(static_cast<std::size_t>(found - growth_surface_names.begin())).outputs.push_back(k);
   }
-  for (std::size_t s = 0; s < n_surfaces; ++s) {
+  for (std::size_t s = 0; s < growth_surfaces.size(); ++s) {
     const auto n = static_cast<double>(means_[s].outputs.size());
     for (const std::size_t k : means_[s].outputs) {
       const ElasticInfluence g = elastic.influence(k);
       means_[s].at_rest += g.at_rest / n;
-      per_speed_squared_.*surfaces[s] += g.per_speed_squared / n;
+      per_speed_squared_.*growth_surfaces[s] += g.per_speed_squared / n;
       for (std::size_t i = 0; i < g.weights.size(); ++i) weights_[s][i] += g.weights[i] / n;
     }
   }
@@ -102,21 +97,21 @@ ElasticGrowth::ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& probl
 
 Expansion ElasticGrowth::linear(std::span<const double> T) const {
   Expansion growth;
-  for (std::size_t s = 0; s < n_surfaces; ++s) growth.*surfaces[s] = weighted(weights_[s], T, zero_);
+  for (std::size_t s = 0; s < growth_surfaces.size(); ++s) growth.*growth_surfaces[s] = weighted(weights_[s], T, zero_);
   return growth;
 }
 
 Expansion ElasticGrowth::solved(std::span<const double> T) {
   elastic_.solve(T, 0.);
   Expansion growth;
-  for (std::size_t s = 0; s < n_surfaces; ++s) {
+  for (std::size_t s = 0; s < growth_surfaces.size(); ++s) {
     if (means_[s].outputs.empty()) {
-      growth.*surfaces[s] = weighted(weights_[s], T, zero_);
+      growth.*growth_surfaces[s] = weighted(weights_[s], T, zero_);
       continue;
     }
     double sum = 0.;
     for (const std::size_t k : means_[s].outputs) sum += elastic_.output(k);
-    growth.*surfaces[s] = sum / static_cast<double>(means_[s].outputs.size()) - means_[s].at_rest;
+    growth.*growth_surfaces[s] = sum / static_cast<double>(means_[s].outputs.size()) - means_[s].at_rest;
   }
   return growth;
 }

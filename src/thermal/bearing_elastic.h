@@ -40,9 +40,8 @@ class ElasticGrowth {
   ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& problem, const HeatConductionProblem& heat,
                 const SectionGrowth& formula, std::size_t n_unknowns);
 
-  static constexpr std::size_t n_surfaces = 5;  ///< in the order of Expansion's members
-  /// Weights of each surface [n_surfaces][n_unknowns], while the fits stay closed.
-  [[nodiscard]] const std::array<std::vector<double>, n_surfaces>& weights() const { return weights_; }
+  /// Weights of each surface [growth_surfaces.size()][n_unknowns], while the fits stay closed.
+  [[nodiscard]] const std::array<std::vector<double>, growth_surfaces.size()>& weights() const { return weights_; }
   [[nodiscard]] Expansion linear(std::span<const double> temperatures) const;
   /// With fits as they must be: solves.
   [[nodiscard]] Expansion solved(std::span<const double> temperatures);
@@ -66,8 +65,8 @@ class ElasticGrowth {
   };
   ElasticSolver& elastic_;
   double zero_;
-  std::array<Mean, n_surfaces> means_;
-  std::array<std::vector<double>, n_surfaces> weights_;
+  std::array<Mean, growth_surfaces.size()> means_;
+  std::array<std::vector<double>, growth_surfaces.size()> weights_;
   Expansion per_speed_squared_;
   FitNodes housing_fit_;
 };

@@ -24,7 +24,7 @@ struct ReducedSection {
   };
   /// By elasticity instead of `growth`, projected on the modes.
   struct Elastic {
-    std::array<std::vector<double>, ElasticGrowth::n_surfaces> growth;  ///< shapes, in the order of Expansion's members
+    std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< shapes of growth_surfaces
     Functional mean_pressure;                                           ///< of the fit in the housing [Pa]
     std::vector<Functional> node_pressure;                              ///< of its nodes
     std::vector<double> node_share;                                     ///< of its area

@@ -63,6 +63,25 @@ class Results(ProgramTest):
                 self.assertGreaterEqual(bearing["largest_contact_pressure"], pressure.max())
                 self.assertAlmostEqual(bearing["static_safety"], (4.2e9 / bearing["largest_contact_pressure"]) ** 3, places=9)
 
+    def test_ranges_in_the_summary_are_those_of_the_series(self):
+        summary = self.run_case(self.case(""), output="ranges")
+        with h5py.File(self.folder / "ranges/results.h5") as file:
+            pair = summary["bearings"]["TB2"]
+            series = {"preload": file["bearings/TB2/preload"][()], "clearance": file["bearings/TB2/clearance"][()]}
+            growth = file["bearings/TB2/expansion"][()]
+            self.assertAlmostEqual(series["preload"][0], 290, delta=1, msg="N, as given; the rows carry the ring's weight too")
+            self.assertGreater(pair["preload"]["largest"], 300)
+            rows = file["bearings/TB2/row_axial_force"][()]
+            numpy.testing.assert_allclose(series["preload"], numpy.abs(rows).min(axis=1), rtol=1e-12)
+            for found, values in [(pair[key], series[key]) for key in series] + [(pair["growth"][key], growth[:, k]) for k, key in enumerate(("shaft", "bore", "inner_race", "outer_race", "ball_radius"))]:
+                self.assertEqual((found["start"], found["end"]), (values[0], values[-1]))
+                roundoff = 1e-9 * numpy.abs(values).max() + 1e-18  # records are evaluated anew
+                self.assertLessEqual(found["smallest"], values.min() + roundoff)
+                self.assertGreaterEqual(found["largest"], values.max() - roundoff)
+                self.assertLess(found["largest"] - values.max(), 0.1 * (values.max() - values.min()), "steps lie closer than records")
+            self.assertEqual(max(row["largest_contact_pressure"] for row in pair["rows"]), pair["largest_contact_pressure"])
+            self.assertNotIn("preload", summary["bearings"]["TB1"], "a single row has nothing to hold against")
+
     def test_a_run_writes_results_summary_and_parameters(self):
         summary = self.run_case(self.case(""))
         self.assertEqual(sorted(content_of(self.folder / "out")), ["parameters.toml", "results.h5", "summary.json"])

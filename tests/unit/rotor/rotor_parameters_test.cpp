@@ -156,7 +156,7 @@ TEST(RotorSection, HasDefaultsForAllButTheGeometry) {
   faults.throw_if_any();
   EXPECT_EQ(parameters.geometry_file, "rotor.json");
   EXPECT_EQ(parameters.geometry_position.line, 3);
-  const auto settings = rotor_settings(parameters, -9.81);
+  const auto settings = rotor_settings(parameters, {0., -9.81, 0.});
   EXPECT_EQ(settings.representation, RotorRepresentation::modal);
   EXPECT_DOUBLE_EQ(settings.cut_off_frequency, 4500);
   EXPECT_DOUBLE_EQ(settings.modal_damping, 0.005);
@@ -187,7 +187,7 @@ TEST(RotorSection, ReadsEverything) {
   Faults faults;
   const auto parameters = rotor_section().read(table, faults);
   faults.throw_if_any();
-  const auto settings = rotor_settings(parameters, -9.81);
+  const auto settings = rotor_settings(parameters, {0., -9.81, 0.});
   EXPECT_EQ(settings.representation, RotorRepresentation::rigid);
   EXPECT_DOUBLE_EQ(settings.cut_off_frequency, 2000);
   EXPECT_DOUBLE_EQ(settings.mass_proportional_alpha, 30);

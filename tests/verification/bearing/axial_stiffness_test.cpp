@@ -119,7 +119,7 @@ TEST(BallRow, OArrangementResistsTiltMoreThanX) {
 TEST(RingEquilibrium, DeepGrooveRingHangsOnItsLowestBall) {
   const auto g = deep_groove_row();
   const double W = 0.21 * 9.81;
-  const auto place = ring_equilibrium({BallRow(g, {})}, -W, 0.);
+  const auto place = ring_equilibrium({BallRow(g, {})}, {.y = -W});
   EXPECT_NEAR(place.y, -(19 * um + std::pow(W / g.stiffness, 2. / 3.)), 1e-13) << "m";
   EXPECT_NEAR(place.y, -19.287 * um, 0.001 * um) << "m";
   EXPECT_NEAR(place.z, 0., 1e-12) << "m";
@@ -132,7 +132,7 @@ TEST(RingEquilibrium, DeepGrooveRingFindsItsPlaceUnderWeightFromAnyDirection) {
   for (double turn = -180. * deg; turn < 180. * deg; turn += 3.7 * deg) {
     const double y = W * std::cos(turn), z = W * std::sin(turn);
     BallRowInput in;
-    in.displacement = ring_equilibrium({BallRow(g, {})}, y, z);
+    in.displacement = ring_equilibrium({BallRow(g, {})}, {.y = y, .z = z});
     const auto out = evaluate({g}, in);
     EXPECT_NEAR(out.force_y, -y, 2e-6 * W) << "N, " << turn / deg << " deg";
     EXPECT_NEAR(out.force_z, -z, 2e-6 * W) << "N, " << turn / deg << " deg";
@@ -145,14 +145,14 @@ TEST(RingEquilibrium, BallsCarryTheForceInAnyDirection) {
     for (const auto& [y, z] : {std::pair{-2.06, 0.}, {-3., 40.}, {100., -500.}}) {
       std::vector<BallRow> balls;
       for (const auto& g : rows) balls.emplace_back(g, std::vector<RaceWave>{});
-      const auto place = ring_equilibrium(balls, y, z);
+      const auto place = ring_equilibrium(balls, {.y = y, .z = z});
       BallRowInput in;
       in.displacement = place;
       const auto out = evaluate(rows, in);
       EXPECT_NEAR(out.force_y, -y, 1e-7 * std::hypot(y, z)) << "N";
       EXPECT_NEAR(out.force_z, -z, 1e-7 * std::hypot(y, z)) << "N";
     }
-  EXPECT_EQ(ring_equilibrium({BallRow(deep_groove_row(), {})}, 0., 0.).y, 0.);
+  EXPECT_EQ(ring_equilibrium({BallRow(deep_groove_row(), {})}, {}).y, 0.);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "../bearing/numerical_derivative.h"
 #include "../bearing/test_bearings.h"
 #include "bearing/bearing_statics.h"
+#include "bearing/ring_equilibrium.h"
 #include "integrate/equilibrium.h"
 
 namespace rotordrop {
@@ -263,6 +264,22 @@ TEST(BearingStatics, ARingWithoutLoadInItsClearanceFloats) {
   EXPECT_TRUE(pressed.result.found);
   EXPECT_FALSE(pressed.report.is_floating);
   EXPECT_LT(pressed.report.place[1], -19 * um) << "m";
+}
+
+TEST(BearingStatics, TheDynamicsStartFromTheSameRest) {
+  // ring_equilibrium() has its own rows and its own search.
+  for (const auto& rows : {std::vector{deep_groove_row()}, angular_contact_pair(290.)})
+    for (const Force& load : {Force{300., -500., 100., 0., 0.}, Force{-2000., -20., 0., 3., -2.}}) {
+      std::vector<BallRow> balls;
+      for (const auto& row : rows) balls.emplace_back(row, std::vector<RaceWave>{});
+      const auto rest = ring_equilibrium(balls, load, true);
+      const auto solved = solve(rows, {}, load);
+      EXPECT_NEAR(rest.x, solved.place[0], 1e-10) << "m: both leave 1e-9 of the load, over at least 10 N/um";
+      EXPECT_NEAR(rest.y, solved.place[1], 1e-10);
+      EXPECT_NEAR(rest.z, solved.place[2], 1e-10);
+      EXPECT_NEAR(rest.psi_y, solved.place[3], 1e-8) << "rad";
+      EXPECT_NEAR(rest.psi_z, solved.place[4], 1e-8);
+    }
 }
 
 TEST(BearingStatics, InertiaVanishesWithTheSpeed) {

@@ -1,0 +1,40 @@
+#pragma once
+// How the rotor touches an inner ring: what touchdown_bearing.cpp and free_ring.cpp share.
+#include "bearing/touchdown_bearing.h"
+
+namespace rotordrop {
+
+/// The rotor past the ring at one place along the bore.
+struct TouchdownBearing::Bodies {
+  double y = 0, z = 0;                  // centres [m]
+  double vy = 0, vz = 0;                // [m/s]
+  double vx = 0;                        // [m/s]
+  double rolling_y = 0, rolling_z = 0;  // surface radius times tilt rate [m/s]
+};
+
+struct TouchdownBearing::Contact {
+  double n_y = 0, n_z = 0;         // from ring centre to rotor centre
+  double penetration = 0;          // [m]
+  double rate = 0;                 // of the centres' distance [m/s]
+  double tangential_speed = 0;     // of the rotor's centre past the ring's [m/s]
+  double slip_speed = 0;           // rotor's surface past the bore, around it [m/s]
+  double slip_x = 0;               // along the axis [m/s]
+  double elastic = 0, normal = 0;  // [N]
+  double friction = 0;             // on the ring, along +t [N]
+  double friction_x = 0;           // on the ring, along +x [N]
+  double wave_rate = 0;            // of the bore's waves at the contact [m/s]
+  double centres_turning = 0;      // angular speed of the line of centres [rad/s]
+};
+
+struct TouchdownBearing::Touch {
+  Contact middle;                                    // at the middle of the bore
+  Force on_ring, on_rotor;                           // moments about each one's centre
+  double elastic = 0, normal = 0, friction = 0;      // of the bore [N]
+  double shoulder = 0;                               // normal force of shoulders on the ring, along +x [N]
+  double shoulder_torque = 0;                        // of their friction, on the ring [N m]
+  double rub_heat = 0, damping = 0, wave_power = 0;  // [W]
+  double centres_power = 0;                          // friction force times the slip that is not spin [W]
+  bool is_touching = false;
+};
+
+}  // namespace rotordrop

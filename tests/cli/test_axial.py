@@ -1,0 +1,132 @@
+"""A rotor that moves along its axis, and inner rings that follow it.
+
+THE WAY TO THE SHOULDER: with thrust F on a mass m and the damping alpha, x = (F/m) (alpha t - 1 + exp(-alpha t)) / alpha^2; nothing else acts along
+the axis before the rotor touches a bore, and afterwards only the axial part of a friction that slips at 50 m/s around the bore.
+AT REST the shoulder carries the thrust, and the row that leans against it thrust and what is left of the preload.
+"""
+
+import math
+import pathlib
+import shutil
+import sys
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PARAMS, ProgramTest, content_of, settings  # noqa: E402
+
+FREE = """[rotor]
+axial_motion = "free"
+[bearings]
+ring_motion = "free"
+"""
+
+
+class Thrust(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        for name in ("neisi2019.toml", "neisi2019-settling.toml", "neisi2019-thrust.toml"):
+            shutil.copy(PARAMS / name, self.folder)
+
+    def test_the_pair_carries_the_thrust(self):
+        summary = self.run_case("neisi2019-thrust.toml", run__end_time="0.5 s", run__initial_speed="3000 rpm")
+        with h5py.File(self.folder / "out/results.h5") as file:
+            pair, time = file["bearings/TB2"], file["time"][:]
+            late = time > 0.48
+            self.assertAlmostEqual(pair["shoulder_force"][:][late].mean(), 1500, delta=0.002 * 1500,
+                                   msg="N; the swing along the axis has died to exp(-15 * 0.5), friction in the bores takes a little")
+            rows = pair["row_axial_force"][:][late].mean(axis=0)
+            self.assertAlmostEqual(rows.sum(), -1500, delta=0.002 * 1500)
+            self.assertAlmostEqual(min(abs(rows)), pair["preload"][:][late].mean(), delta=1e-9)
+            rotor, ring = pair["axial_position"][-1]
+            self.assertAlmostEqual(rotor - ring, 0.3e-3 + 1500 / 5e8, delta=0.1e-6, msg="m: gap, and the shoulder's own spring")
+            self.assertLess(abs(file["bearings/TB1/axial_force"][-1]), 30, "N: no shoulder there")
+            axial = summary["bearings"]["TB2"]["axial"]
+            self.assertGreaterEqual(axial["force"]["largest"], pair["axial_force"][:].max())
+            self.assertEqual(axial["rotor_position"]["end"], rotor)
+
+    def test_the_way_to_the_shoulder_is_a_fall(self):
+        self.run_case("neisi2019-thrust.toml", run__end_time="7.2 ms", output__interval="10 us")
+        with h5py.File(self.folder / "out/results.h5") as file:
+            time, force, x = file["time"][:], file["bearings/TB2/shoulder_force"][:], file["bearings/TB2/axial_position"][:, 0]
+            a, alpha = 1500 / 109.7, 30.0
+            free = time < 6.8e-3
+            fall = a * (alpha * time - 1 + numpy.exp(-alpha * time)) / alpha**2
+            numpy.testing.assert_allclose(x[free], fall[free], rtol=0, atol=2e-9, err_msg="m; the mass is given to 1e-5")
+            reaches = numpy.interp(0.3e-3, fall, time)
+            self.assertAlmostEqual(time[numpy.argmax(force > 0)], reaches, delta=20e-6, msg="s: two records")
+
+    def test_energy_closes_with_axial_motion(self):
+        energy = self.run_case("neisi2019-thrust.toml", run__end_time="0.1 s", run__gravity="[3, -9, 1]")["energy"]
+        self.assertGreater(energy["dissipated"], 400)
+        self.assertLess(abs(energy["residual"]), 1e-4, "J; without free rings 1e-6, and shoulders that bounce are as stiff as bores")
+        self.assertGreater(energy["drive_work"], 0.4, "J: the thrust over 0.3 mm")
+
+    def test_the_spin_up_balance_knows_shoulders(self):
+        for name, bearing in self.run_case("neisi2019-thrust.toml", run__end_time="0.1 s")["bearings"].items():
+            self.assertLess(abs(bearing["spin_up"]["residual"]), 1e-5 * bearing["friction_heat"], f"J, {name}")
+
+    def test_rings_that_need_not_tilt_do_as_locked_ones(self):
+        # A rigid rotor with its centre of gravity midway between two equal bearings: no tilt, no axial force.
+        text = (self.folder / "neisi2019.toml").read_text()
+        start, contact, pair, rest = (text.index(word) for word in ("[rotor]", "[contact]", "[bearings.TB2]", "[materials]"))
+        one = text[pair:rest].replace("row_phase = 0.5", "row_phase = 0")
+        nodes = ", ".join(f"{{ id = {k + 1}, x = {0.25 * k} }}" for k in range(5))
+        elements = ", ".join(f"{{ n1 = {k}, n2 = {k + 1}, od = 0.1 }}" for k in range(1, 5))
+        rotor = f"""[rotor]
+model = "rigid"
+mass_proportional_alpha = "30 1/s"
+[rotor.geometry]
+material = {{ E = 2e11, nu = 0.3, rho = 7800 }}
+nodes = [{nodes}]
+elements = [{elements}]
+"""
+        shared = text[contact:text.index("# 6014/HC5C3")]
+        both = one.replace("node = 28", "node = 2") + one.replace("bearings.TB2", "bearings.TB3").replace("node = 28", "node = 4")
+        self.write("even.toml", text[:start].replace('"0.3 s"', '"60 ms"') + rotor + shared + both + text[rest:])
+        locked = self.run_case("even.toml", output="locked")["bearings"]
+        free = self.run_case("even.toml", output="free", bearings__ring_motion="free")["bearings"]
+        for name in ("TB2", "TB3"):
+            for key in ("peak_contact_force", "friction_heat", "first_contact_end"):
+                self.assertAlmostEqual(free[name][key], locked[name][key], delta=1e-4 * locked[name][key], msg="what error control leaves")
+
+
+class Faults(ProgramTest):
+    def fails(self, text, *says):
+        before = content_of(self.folder)
+        self.write("drop.toml", 'base = "reference.toml"\n' + text)
+        done = self.call("run", "drop.toml")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        for pattern in says:
+            self.assertRegex(done.stderr, pattern)
+        self.assertEqual(content_of(self.folder).keys() - {"drop.toml"}, before.keys())
+
+    def test_a_rotor_that_nothing_stops(self):
+        self.fails(FREE.replace("[bearings]", 'axial_force = "2 kN"\n[bearings]') , r"drop.toml:3:\d+: nothing stops the rotor that 2000 N push towards \+x", "shoulders.gap_minus_x")
+
+    def test_a_rotor_that_its_weight_pushes(self):
+        self.fails('run.gravity = [-9.81, 0, 0]\n' + FREE, r"nothing stops the rotor that 1076.\d+ N push towards -x", "shoulders.gap_plus_x")
+
+    def test_rings_that_cannot_follow(self):
+        self.fails('rotor.axial_motion = "free"\n', "the inner ring of TB1 cannot follow", 'bearings.TB2.ring_motion = "free"')
+
+    def test_thrust_on_a_locked_rotor(self):
+        self.fails('rotor.axial_force = "1 N"\n', r"rotor.axial_force acts on a rotor that cannot move", 'axial_motion = "free"')
+
+    def test_shoulders_of_a_locked_ring(self):
+        self.fails('[bearings.TB1.shoulders]\ngap_plus_x = "0.1 mm"\n', "shoulders beside a ring that cannot move along the axis")
+
+    def test_shoulders_of_a_locked_rotor(self):
+        self.fails('bearings.ring_motion = "free"\n[bearings.TB1.shoulders]\ngap_plus_x = "0.1 mm"\n', "stop a rotor that cannot move along its axis")
+
+    def test_rows_that_lean_one_way(self):
+        self.fails('bearings.ring_motion = "free"\nbearings.TB2.arrangement = "tandem"\n', r"drop.toml:\d+.*bearings.TB2.*rows that all lean one way|rows that all lean one way")
+
+    def test_an_unknown_motion(self):
+        self.fails('bearings.ring_motion = "fre"\n', 'Did you mean "free"')
+
+
+if __name__ == "__main__":
+    unittest.main()
