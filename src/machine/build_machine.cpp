@@ -56,7 +56,7 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
 }
 
 /// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
-void make_sections(const MachineParameters& p, FiniteElements& elements) {
+void make_sections(const MachineParameters& p, FiniteElements& elements, ReductionSettings reduction = {}) {
   const auto& fe = p.thermal.fe;
   elements.coupling = fe.coupling;
   elements.drives = driver_of(p.thermal) == GrowthDriver::fe;
@@ -79,7 +79,6 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
       if (fe.coupling == FeCoupling::windowed) section.adiabatic.growth = immediate_elastic_growth(section);
     }
     if (fe.coupling != FeCoupling::windowed) {
-      ReductionSettings reduction;
       if (fe.coupling == FeCoupling::monolithic) {
         reduction.modes = 0;
         reduction.fastest = std::numeric_limits<double>::infinity();
@@ -435,6 +434,17 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   check_start(p, case_node, *rotor, parts, ring_centres);
   parts.rotor = std::move(rotor);
   return std::make_unique<Machine>(std::move(parts));
+}
+
+std::shared_ptr<const ThermalModel> reduced_fe_model(const MachineParameters& p, FiniteElements& finite_elements,
+                                                     double longest) {
+  MachineParameters reduced = p;
+  reduced.thermal.fe.coupling = FeCoupling::reduced;
+  ReductionSettings settings;
+  settings.shortest_time = 0.01;
+  settings.longest_time = longest;
+  make_sections(reduced, finite_elements, settings);
+  return reduced_sections(reduced, finite_elements);
 }
 
 }  // namespace rotordrop

@@ -31,4 +31,9 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& parameters, cons
                                        FiniteElements* finite_elements = nullptr,
                                        std::shared_ptr<const GrowthHistory> recorded = nullptr);
 
+/// The section of every touchdown bearing by finite elements on few modes, by itself: good from a hundredth of a second to `longest` [s].
+/// @param finite_elements  the room's doors
+std::shared_ptr<const ThermalModel> reduced_fe_model(const MachineParameters& parameters,
+                                                     FiniteElements& finite_elements, double longest);
+
 }  // namespace rotordrop

@@ -8,7 +8,7 @@
 
 namespace rotordrop {
 
-PreloadLoop::PreloadLoop(std::unique_ptr<ThermalModel> thermal, std::unique_ptr<RunningBearing> bearing,
+PreloadLoop::PreloadLoop(std::shared_ptr<const ThermalModel> thermal, std::unique_ptr<RunningBearing> bearing,
                          std::size_t n_places, std::size_t place, double ambient)
     : thermal_(std::move(thermal)),
       bearing_(std::move(bearing)),

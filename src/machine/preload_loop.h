@@ -13,8 +13,8 @@ namespace rotordrop {
 class PreloadLoop {
  public:
   /// @param n_places, place  of the thermal model; @param ambient [K]
-  PreloadLoop(std::unique_ptr<ThermalModel> thermal, std::unique_ptr<RunningBearing> bearing, std::size_t n_places,
-              std::size_t place, double ambient);
+  PreloadLoop(std::shared_ptr<const ThermalModel> thermal, std::unique_ptr<RunningBearing> bearing,
+              std::size_t n_places, std::size_t place, double ambient);
 
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
   [[nodiscard]] const std::vector<StateEntry>& entries() const { return entries_; }
@@ -37,7 +37,7 @@ class PreloadLoop {
  private:
   [[nodiscard]] std::vector<HeatInput> inputs(double heat) const;
 
-  std::unique_ptr<ThermalModel> thermal_;
+  std::shared_ptr<const ThermalModel> thermal_;
   std::unique_ptr<RunningBearing> bearing_;
   std::size_t n_places_, place_;
   double ambient_;

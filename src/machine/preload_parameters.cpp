@@ -58,6 +58,11 @@ Section<PreloadParameters> preload_section() {
   using P = PreloadParameters;
   Section<P> s("preload",
                "What `rotordrop preload` does to every touchdown bearing by itself; a drop does not look at it.");
+  s.choice(
+      "model", &P::model, {{"lumped", PreloadModel::lumped}, {"fe", PreloadModel::fe}},
+      {.fallback = "lumped",
+       .help = "Thermal model of a bearing that runs: its circuit with what the case adds to it, or finite elements "
+               "of its section on thermal.fe.modes modes, whatever thermal.models."});
   s.quantity("speed", &P::speed,
              {.unit = "rad/s",
               .range = between(0, 2e4),

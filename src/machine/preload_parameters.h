@@ -13,6 +13,12 @@ enum class GrowthBySpeed {
   thin_disc  ///< closed form of a spinning ring of rectangular section (laws/ring_growth.h)
 };
 
+/// What turns heat into temperatures while a bearing runs.
+enum class PreloadModel {
+  lumped,  ///< its circuit
+  fe       ///< its section by finite elements, on few modes
+};
+
 /// [preload.map]: axes of the maps.
 struct PreloadMapParameters {
   std::vector<double> growth;                  ///< of the inner raceway over the outer one [m]
@@ -23,6 +29,7 @@ struct PreloadMapParameters {
 
 /// [preload]: one touchdown bearing by itself, running steadily.
 struct PreloadParameters {
+  PreloadModel model = PreloadModel::lumped;
   std::optional<double> speed;                          ///< [rad/s]; run.initial_speed if not given
   std::array<double, 3> force{};                        ///< on the inner ring, x, y, z [N]
   std::array<double, 2> moment{};                       ///< about y, z [N m]

@@ -7,7 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "machine/build_machine.h"
 #include "machine/build_preload.h"
+#include "study/fe_module.h"
 #include "study/preload_course.h"
 
 namespace rotordrop {
@@ -81,8 +83,24 @@ Json critical_json(const std::optional<CriticalFactor>& c, double value) {
           {"by", c->by == CriticalFactor::By::loop ? "loop gain" : "limit"}};
 }
 
+using LoopWith = std::function<std::unique_ptr<PreloadLoop>(const PreloadVariation&)>;
+
+/// One bearing's section by finite elements, if the case wants that.
+std::shared_ptr<const ThermalModel> section_of(const Case& c, const std::string& bearing) {
+  const auto& p = c.parameters;
+  if (p.preload.model != PreloadModel::fe) return nullptr;
+  if (!p.thermal.nodes.empty() || !p.thermal.resistors.empty())
+    throw InputError(position_of(c.tree, "preload"),
+                     "preload.model = \"fe\" does not know what thermal.node and thermal.resistor add to the circuit.",
+                     "Leave them out, or take preload.model = \"lumped\".");
+  FiniteElements elements = finite_elements_of(c);
+  MachineParameters alone = p;
+  std::erase_if(alone.bearings, [&](const SupportEntry& entry) { return entry.name != bearing; });
+  return reduced_fe_model(alone, elements, p.preload.end_time);
+}
+
 /// Operating points over speed: two columns, the lower point and the next one.
-PreloadTable points_over_speed(const Case& c, const std::string& bearing,
+PreloadTable points_over_speed(const Case& c, const std::string& bearing, const LoopWith& with,
                                const std::optional<CriticalFactor>& critical) {
   constexpr int n_speeds = 40;
   const std::string prefix = fmt::format("/{}/operating_points/", bearing);
@@ -102,7 +120,7 @@ PreloadTable points_over_speed(const Case& c, const std::string& bearing,
     // Up to the critical speed, denser towards it: there both points meet.
     const double left = 1. - i / static_cast<double>(n_speeds);
     const double factor = critical ? critical->factor * (1. - left * left) : 1.5 * (1. - left);
-    const auto loop = build_preload_loop(c.parameters, c.tree, bearing, rest_finder(bearing), {.speed = factor});
+    const auto loop = with({.speed = factor});
     const auto found = find_operating_points(*loop, limits);
     std::vector<std::array<double, 2>> values(5, {NAN, NAN});
     for (std::size_t k = 0; k < std::min<std::size_t>(2, found.points.size()); ++k) {
@@ -121,7 +139,8 @@ PreloadTable points_over_speed(const Case& c, const std::string& bearing,
   return table;
 }
 
-/// stable | runs-away | runs-away-on-the-way | seized-from-the-start | undecided
+}  // namespace
+
 std::string verdict_of(const PreloadCourse& end, const OperatingPoints& points) {
   const bool has_stable = points.first_stable() != nullptr;
   if (end.limit != LimitMet::none && end.time == 0.) return "seized-from-the-start";
@@ -130,12 +149,13 @@ std::string verdict_of(const PreloadCourse& end, const OperatingPoints& points) 
   return "undecided";
 }
 
-}  // namespace
-
 Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<PreloadTable>& tables) {
   const auto& p = c.parameters;
   const auto find = rest_finder(bearing);
-  const auto with = [&](const PreloadVariation& v) { return build_preload_loop(p, c.tree, bearing, find, v); };
+  const auto section = section_of(c, bearing);
+  const LoopWith with = [&](const PreloadVariation& v) {
+    return build_preload_loop(p, c.tree, bearing, find, v, section);
+  };
   const auto limits = preload_limits(p.preload);
   const auto loop = with({});
   const double speed = preload_speed(p);
@@ -147,6 +167,7 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
   Json j;
   j["verdict"] = verdict_of(end, points);
   j["speed"] = speed;
+  j["model"] = section ? "fe" : "lumped";
   j["force"] = p.preload.force;
   j["moment"] = p.preload.moment;
   j["mounted_preload"] = b.preload;
@@ -166,7 +187,8 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
             ? critical_json(find_critical_factor([&](double f) { return with({.preload = f}); }, 2., limits), b.preload)
             : Json(nullptr);
     critical["cooling"] =
-        critical_json(find_critical_factor([&](double f) { return with({.cooling = f}); }, 0.5, limits), 1.);
+        section ? Json(nullptr)
+                : critical_json(find_critical_factor([&](double f) { return with({.cooling = f}); }, 0.5, limits), 1.);
   }
   j["critical"] = std::move(critical);
   // Even interference all round is no radial resultant: the load law does not see it.
@@ -183,7 +205,7 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
   search.axis = points.heat;
   for (const double made : points.made) search.rows.push_back({made});
   tables.push_back(std::move(search));
-  if (speed > 0.) tables.push_back(points_over_speed(c, bearing, critical_speed));
+  if (speed > 0.) tables.push_back(points_over_speed(c, bearing, with, critical_speed));
   return j;
 }
 

@@ -1,6 +1,7 @@
 """`rotordrop preload`: verdicts of the documented cases, maps against `rotordrop statics`, histories of a drop, refusals, figures."""
 
 import json
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -10,7 +11,9 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PARAMS, SOURCE, ProgramTest  # noqa: E402
+from program import PARAMS, PROGRAM, SOURCE, ProgramTest  # noqa: E402
+
+HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 
 NO_MAPS = ["--set", "preload.map.growth=[]", "--set", "preload.map.interference=[]", "--set", "preload.map.inner_rise=[]"]
 RPM = np.pi / 30
@@ -143,6 +146,28 @@ class Preload(ProgramTest):
         growth = 7800 * 1500**2 * 39e-3 / (4 * 2e11) * (3.3 * 35e-3**2 + 0.7 * 39e-3**2)
         rest = self.statics("--set", f"statics.inner_growth={growth}")
         self.assertAlmostEqual(self.file()["/TB2/maps/growth/preload"][0, 1], rest["preload"], delta=1e-6)
+
+    @unittest.skipUnless(HAS_ROOM, "built without finite elements")
+    def test_finite_elements_may_take_the_circuits_place(self):
+        fe = ["--set", "preload.model=fe"]
+        circuit = self.preload("neisi2019-preload.toml", *NO_MAPS)["running"]["operating_points"][0]
+        few = self.preload("neisi2019-preload.toml", *NO_MAPS, *fe)["running"]
+        many = self.preload("neisi2019-preload.toml", *NO_MAPS, *fe, "--set", "thermal.fe.modes=40")["running"]
+        self.assertEqual(few["verdict"], "stable")
+        self.assertIsNone(few["critical"]["cooling"])
+        point, energy = few["operating_points"][0], few["end"]["energy"]
+        self.assertLess(abs(energy["residual"]), 1e-8 * energy["made"])
+        self.assertAlmostEqual(few["end"]["state"]["preload"], point["preload"], delta=1)
+        # More modes change little (0.2 % and 0.4 % measured); the circuit is another model of the same bearing (4 %).
+        self.assertAlmostEqual(many["operating_points"][0]["preload"] / point["preload"], 1, delta=0.005)
+        self.assertAlmostEqual(many["operating_points"][0]["loop_gain"] / point["loop_gain"], 1, delta=0.01)
+        self.assertAlmostEqual(circuit["preload"] / point["preload"], 1, delta=0.1)
+        runaway = self.preload("neisi2019-preload-runaway.toml", *NO_MAPS, *fe)["running"]
+        self.assertEqual((runaway["verdict"], runaway["operating_points"]), ("runs-away", []))
+        added = self.call("preload", "neisi2019-preload.toml", "-o", "other", *fe, "--set", 'thermal.node=[{ name = "frame", capacity = 10.0 }]',
+                          "--set", 'thermal.resistor=[{ between = ["TB2/housing", "frame"], resistance = 1.0 }]')
+        self.assertEqual(added.returncode, 2)
+        self.assertIn('preload.model = "fe" does not know', added.stderr)
 
     def test_the_screen_may_have_json(self):
         done = self.succeed("preload", "neisi2019-preload.toml", "--bearing", "TB1", "-o", "out", "--json", *NO_MAPS)

@@ -17,7 +17,8 @@
 #include <cmath>
 
 #include "integrate/integrator.h"
-#include "machine/preload_criterion.h"
+#include "machine/build_preload.h"
+#include "study/preload_steady.h"
 #include "thermal/network_part.h"
 
 namespace rotordrop {
@@ -51,7 +52,7 @@ ThermalNetworkData one_node(double resistance) {
 }
 
 std::unique_ptr<PreloadLoop> loop_of(const ThermalNetworkData& net, double H_0, double a, double q, double share = 1.) {
-  return std::make_unique<PreloadLoop>(std::make_unique<ThermalNetwork>(net), std::make_unique<Law>(H_0, a, q, share),
+  return std::make_unique<PreloadLoop>(std::make_shared<ThermalNetwork>(net), std::make_unique<Law>(H_0, a, q, share),
                                        net.places.size(), 0, net.ambient);
 }
 
@@ -193,6 +194,48 @@ TEST(PreloadLoop, HeatMadeIsLostOrStored) {
   const double integral = 20. * (1000. - 400. * (1. - std::exp(-1000. / 400.)));
   EXPECT_NEAR(end[1], 20. * 1000. + integral, 1e-4 * end[1]) << "J";
   EXPECT_NEAR(end[1] - end[2] - C * x, 0., 1e-6 * end[1]) << "J";
+}
+
+// Inner and outer ring, the inner one a hundred times as quick. With the quick one alone u = i Q, later u = s Q, for H = H_0 + q u^2: no rest in
+// the first if 4 q i^2 H_0 > 1, one in the second if 4 q s^2 H_0 < 1.
+std::unique_ptr<PreloadLoop> quick_and_slow(double H_0, double q, double k_o) {
+  using Net = ThermalNetworkData;
+  Net net;
+  net.ambient = ambient;
+  net.nodes = {{"B/inner", 50., "inner"}, {"B/outer", 5000., "outer"}};
+  net.resistors = {{"B/inner", ambient_node, R, Net::Law::constant, 0., 0., 0},
+                   {"B/outer", ambient_node, R, Net::Law::constant, 0., 0., 0}};
+  net.places = {{"B/inner", "B/inner", "B/inner", "B/outer"}};
+  net.growths = {{0, &Expansion::inner_race, "B/inner", k}, {0, &Expansion::outer_race, "B/outer", k_o}};
+  return loop_of(net, H_0, 0., q, 0.5);
+}
+
+TEST(PreloadVerdict, PutsWayAndCriterionTogether) {
+  auto settings = preload_section().defaults();
+  settings.temperature_limit = ambient + 300.;
+  const auto verdict = [&](const PreloadLoop& loop) {
+    return verdict_of(follow_preload(loop, settings, "/"), find_operating_points(loop, preload_limits(settings)));
+  };
+  const double i = k * 0.5 * R, H_0 = 20.;
+  EXPECT_EQ(verdict(*quick_and_slow(H_0, 0.2 / (i * i * H_0), 0.7 * k)), "stable");
+  EXPECT_EQ(verdict(*quick_and_slow(H_0, 0.5 / (i * i * H_0), 0.7 * k)), "runs-away-on-the-way");
+  EXPECT_EQ(verdict(*quick_and_slow(H_0, 0.5 / (i * i * H_0), 0.)), "runs-away");
+  settings.end_time = 10.;
+  EXPECT_EQ(verdict(*quick_and_slow(H_0, 0.2 / (i * i * H_0), 0.7 * k)), "undecided");
+  settings.temperature_limit = ambient - 1.;
+  EXPECT_EQ(verdict(*quick_and_slow(H_0, 0.2 / (i * i * H_0), 0.7 * k)), "seized-from-the-start");
+}
+
+TEST(PreloadVerdict, TheInstantOfALimitIsThatOfTheClosedForm) {
+  auto settings = preload_section().defaults();
+  settings.temperature_limit = ambient + 80.;
+  settings.tolerance = 1e-9;
+  const double H_0 = 20., L = 1.5;
+  const auto course = follow_preload(*loop_of(one_node(R), H_0, L / (k * R), 0.), settings, "/");
+  EXPECT_EQ(course.limit, LimitMet::temperature);
+  const double when = R * C / (L - 1.) * std::log(1. + 80. * (L - 1.) / (H_0 * R));
+  EXPECT_NEAR(course.time, when, 1e-5 * when) << "s";
+  EXPECT_NEAR(course.y[0] - ambient, 80., 1e-5) << "K";
 }
 
 TEST(NetworkPart, KeepsWhatHeatCanReachAndNothingElse) {
