@@ -161,6 +161,7 @@ TEST(PreloadOfThePair, ATransientThatSettlesEndsInTheOperatingPoint) {
   const auto course = follow_preload(*loop, c.parameters.preload, "/");
   ASSERT_TRUE(course.is_settled);
   const auto points = find_operating_points(*loop, preload_limits(c.parameters.preload));
+  ASSERT_TRUE(points.first_stable());
   const auto& p = *points.first_stable();
   // What is left of the slowest mode is its rate over its eigenvalue.
   const double left = 1.5 * c.parameters.preload.settled_rate / -p.response.eigenvalue.real();
@@ -231,9 +232,11 @@ TEST(PreloadOfThePair, NodesThatAUserAddsTakePart) {
   Case cooled = reference({"preload.speed=3000 rpm",
                            "thermal.resistor=[{ between = [\"TB2/inner_ring\", \"ambient\"], resistance = 1.0 }]"});
   const auto limits = preload_limits(plain.parameters.preload);
-  const double before = find_operating_points(*loop_of(plain), limits).first_stable()->response.gain;
-  const double after = find_operating_points(*loop_of(cooled), limits).first_stable()->response.gain;
-  EXPECT_LT(after, 0.8 * before) << "an inner ring that is cooled grows less";
+  const auto before = find_operating_points(*loop_of(plain), limits),
+             after = find_operating_points(*loop_of(cooled), limits);
+  ASSERT_TRUE(before.first_stable() && after.first_stable());
+  EXPECT_LT(after.first_stable()->response.gain, 0.8 * before.first_stable()->response.gain)
+      << "an inner ring that is cooled grows less";
 }
 
 }  // namespace
