@@ -9,13 +9,11 @@ largest difference over the largest rise; CPU times of both without start-up. JS
 1 disagreement.
 """
 
-import json
 import pathlib
-import shutil
 import subprocess
 import sys
-import tempfile
-import tomllib
+
+from heat_peer import compare
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "heat_two_bodies.toml"
@@ -141,33 +139,11 @@ def freefem(case, folder, schedule=None, **settings):
     return {t: next(v for at, v in rises.items() if abs(at - t) < 1e-9 * max(t, 1e-3)) for t in times}, cpu, unknowns, sum(n for _, n in schedule)
 
 
-def main():
-    program = sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "build/release/rotordrop"
-    if not shutil.which("FreeFem++"):
-        print("skipped: FreeFEM is not installed (apt-get install freefem++)")
-        return 0
-    case = tomllib.loads(CASE.read_text())
-    with tempfile.TemporaryDirectory() as folder:
-        folder = pathlib.Path(folder)
-        subprocess.run([program, "heat", CASE, "-o", folder / "out", "--quiet"], check=True)
-        ours = json.loads((folder / "out/summary.json").read_text())
-        theirs, cpu, unknowns, steps = freefem(case, folder)
-    ambient = case["run"]["ambient"]
-    largest = max(max(v) for v in theirs.values())
-    worst = 0.0
-    print("  time [s]   probe              rotordrop [K]     FreeFEM [K]   difference/largest rise")
-    for i, t in enumerate(case["output_times"]):
-        for name, other in zip(PROBES, theirs[t]):
-            mine = ours["probes"][name]["temperature"][i] - ambient
-            worst = max(worst, abs(mine - other) / largest)
-            print(f"  {t:8.4g}   {name:16s} {mine:14.6f}  {other:14.6f}   {(mine - other) / largest:9.1e}")
-    print(f"largest rise {largest:.3f} K; largest difference {worst:.1e} of it; rotordrop's energy residual {ours['energy']['residual']:.1e} J of {ours['energy']['input']:.4g} J")
-    print(f"rotordrop: {ours['unknowns']} unknowns, {ours['steps']} steps, {ours['cpu_time']:.2f} s of CPU; FreeFEM: {unknowns} unknowns, {steps} steps, {cpu:.2f} s. The two are not set to the same accuracy.")
-    if len(sys.argv) > 2:
-        report = {"other": "FreeFEM", "largest_rise": largest, "largest_difference": worst * largest, "relative_difference": worst, "tolerance": TOLERANCE, "energy_residual": ours["energy"]["residual"], "energy_input": ours["energy"]["input"]}
-        pathlib.Path(sys.argv[2]).write_text(json.dumps(report))
-    return 0 if worst <= TOLERANCE else 1
+def solve(case, folder):
+    by_time, cpu, unknowns, n_steps = freefem(case, folder)
+    rises = {name: [by_time[t][k] for t in case["output_times"]] for k, name in enumerate(PROBES)}
+    return rises, f"{unknowns} unknowns, {n_steps} steps, {cpu:.2f} s"
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(compare(CASE, solve, other="FreeFEM", command="FreeFem++", package="freefem++", tolerance=TOLERANCE))

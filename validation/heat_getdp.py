@@ -9,14 +9,12 @@ both temperatures at every probe and time, and the largest difference over the l
 (said); 1 disagreement.
 """
 
-import json
 import pathlib
-import shutil
 import subprocess
 import sys
-import tempfile
 import time
-import tomllib
+
+from heat_peer import compare
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "heat_pulses.toml"
@@ -164,33 +162,11 @@ def getdp(case, folder):
     return values, nodes, n_steps, wall
 
 
-def main():
-    program = sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "build/release/rotordrop"
-    if not shutil.which("getdp"):
-        print("skipped: GetDP is not installed (apt-get install getdp)")
-        return 0
-    case = tomllib.loads(CASE.read_text())
-    with tempfile.TemporaryDirectory() as folder:
-        folder = pathlib.Path(folder)
-        subprocess.run([program, "heat", CASE, "-o", folder / "out", "--quiet"], check=True)
-        ours = json.loads((folder / "out/summary.json").read_text())
-        theirs, nodes, n_steps, wall = getdp(case, folder)
-    largest = max(max(v) for v in theirs.values()) - case["run"]["ambient"]
-    worst = 0.0
-    print("  time [s]   probe           rotordrop [K]       GetDP [K]   difference/largest rise")
-    for i, t in enumerate(case["output_times"]):
-        for name, values in theirs.items():
-            mine = ours["probes"][name]["temperature"][i]
-            worst = max(worst, abs(mine - values[i]) / largest)
-            print(f"  {t:8.4g}   {name:14s} {mine:14.5f}  {values[i]:14.5f}   {(mine - values[i]) / largest:9.1e}")
-    energy = ours["energy"]
-    print(f"largest rise {largest:.3f} K; largest difference {worst:.1e} of it; {energy['lost'] / energy['input']:.1%} of {energy['input']:.0f} J lost by convection, residual {energy['residual']:.1e} J")
-    print(f"rotordrop: {ours['unknowns']} unknowns, {ours['steps']} steps, {ours['cpu_time']:.2f} s of CPU; GetDP: {nodes} unknowns, {n_steps} steps, {wall:.1f} s. The two are not set to the same accuracy.")
-    if len(sys.argv) > 2:
-        report = {"other": "GetDP", "largest_rise": largest, "largest_difference": worst * largest, "relative_difference": worst, "tolerance": TOLERANCE, "energy_residual": ours["energy"]["residual"], "energy_input": ours["energy"]["input"]}
-        pathlib.Path(sys.argv[2]).write_text(json.dumps(report))
-    return 0 if worst <= TOLERANCE else 1
+def solve(case, folder):
+    temperatures, nodes, n_steps, wall = getdp(case, folder)
+    rises = {name: [T - case["run"]["ambient"] for T in values] for name, values in temperatures.items()}
+    return rises, f"{nodes} unknowns, {n_steps} steps, {wall:.1f} s with start-up"
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(compare(CASE, solve, other="GetDP", command="getdp", package="getdp", tolerance=TOLERANCE))

@@ -17,6 +17,7 @@
 #include "io/parameter_writers.h"
 #include "machine/build_machine.h"
 #include "machine/rotor_report.h"
+#include "study/bearing_heat_run.h"
 #include "study/bearing_mesh.h"
 #include "study/calibration.h"
 #include "study/case.h"
@@ -87,9 +88,9 @@ double parse_time(const char* option, const std::string& text) {
 }
 
 int check_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const HeatCase heat_case = read_heat_case(file, overrides);
-  fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), heat_case.name,
-             heat_case_text(heat_case));
+  const std::string text = is_bearing_heat_case(file) ? bearing_heat_case_text(*read_bearing_heat_case(file, overrides))
+                                                      : heat_case_text(read_heat_case(file, overrides));
+  fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), file.stem().string(), text);
   fmt::print("{}: no faults. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough.\n",
              file.string());
   return 0;
@@ -220,16 +221,26 @@ int heat_command(const HeatCommand& command) {
   // Of the processes that mpirun starts one talks; all meet the same faults.
   if (!is_first_rank() && (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr)))
     return 1;
-  const HeatCase heat_case = read_heat_case(command.file, command.overrides);
   HeatRunOptions options;
-  options.directory = command.directory.empty() ? std::filesystem::path("out") / heat_case.name : command.directory;
+  options.directory =
+      command.directory.empty() ? std::filesystem::path("out") / command.file.stem() : command.directory;
   options.force = command.force;
   options.stop = &caught_signal;
-  catch_signals();
-  const auto summary = run_heat(heat_case, options);
+  nlohmann::ordered_json summary;
+  const bool is_of_a_bearing = is_bearing_heat_case(command.file);
+  if (is_of_a_bearing) {
+    const auto heat_case = read_bearing_heat_case(command.file, command.overrides);
+    catch_signals();
+    summary = run_bearing_heat(*heat_case, options);
+  } else {
+    const HeatCase heat_case = read_heat_case(command.file, command.overrides);
+    catch_signals();
+    summary = run_heat(heat_case, options);
+  }
   if (!command.quiet) {
-    fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), heat_case.name,
-               heat_summary_text(summary));
+    fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(),
+               summary["case"].get<std::string>(),
+               is_of_a_bearing ? bearing_heat_summary_text(summary) : heat_summary_text(summary));
     fmt::print("results in {}\n", options.directory.string());
   }
   if (summary["completed"].get<bool>()) return 0;

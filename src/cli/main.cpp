@@ -65,7 +65,9 @@ int run_program(int argc, char** argv) {
 
   HeatCommand heat;
   auto* heat_app = app.add_subcommand(
-      "heat", "Heat conduction alone, by finite elements: temperatures at probes under prescribed heat.");
+      "heat",
+      "Heat alone: temperatures under given heat, of plain sections by finite elements or of a touchdown bearing by its "
+      "circuit and section.");
   heat_app->add_option("case", heat.file, "Parameter file")->required();
   heat_app->add_option("-o,--output", heat.directory, "Directory for the results; default out/CASE");
   heat_app->add_option("--set", heat.overrides, "Override a parameter: fe.cells=16")

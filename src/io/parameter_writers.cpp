@@ -293,6 +293,7 @@ Json array_schema(Json items, std::size_t min_count, std::size_t max_count) {
 
 Json section_schema(const SectionDeclaration& section);
 
+// No kind requires its tag: a case's base may have it.
 Json variants_schema(const Declaration& d) {
   Json alternatives = Json::array();
   Json defaults = Json::object();
@@ -303,7 +304,6 @@ Json variants_schema(const Declaration& d) {
     if (variant.takes_defaults) defaults.update(schema["properties"]);
     properties[d.tag_key]["const"] = variant.tag;
     schema["properties"] = std::move(properties);
-    if (d.fallback_tag != variant.tag) schema["required"] = Json::array({d.tag_key});
     alternatives.push_back(std::move(schema));
   }
   return {{"type", "object"},

@@ -10,12 +10,6 @@
 namespace rotordrop {
 namespace {
 
-const TouchdownParameters& touchdown(const MachineParameters& p, const std::string& name) {
-  for (const auto& entry : p.bearings)
-    if (entry.name == name && entry.touchdown()) return *entry.touchdown();
-  throw std::invalid_argument("no touchdown bearing is called " + name);
-}
-
 BearingSectionData section_data(const MachineParameters& p, const TouchdownParameters& b) {
   const auto& fe = p.thermal.fe;
   BearingSectionData d;
@@ -43,7 +37,7 @@ BearingSectionData section_data(const MachineParameters& p, const TouchdownParam
 }  // namespace
 
 SectionPlan section_plan(const MachineParameters& p, const Node& case_node, const std::string& name) {
-  const auto data = section_data(p, touchdown(p, name));
+  const auto data = section_data(p, touchdown_of(p, name));
   const Node* bearings = case_node.find("bearings");
   const Node* table = bearings ? bearings->find(name) : nullptr;
   Faults faults;
@@ -61,7 +55,7 @@ SectionPlan section_plan(const MachineParameters& p, const Node& case_node, cons
 
 SectionMesh own_section_of_bearing(const MeshFileContent& content, const MachineParameters& p, const std::string& name,
                                    const std::string& file) {
-  OwnSectionWishes wishes{{"inner_ring", "outer_ring", "housing"}, touchdown(p, name).rows};
+  OwnSectionWishes wishes{{"inner_ring", "outer_ring", "housing"}, touchdown_of(p, name).rows};
   if (p.thermal.fe.shaft) wishes.bodies.push_back("shaft");
   Faults faults;
   auto mesh = own_section(content, wishes, file, faults);

@@ -14,18 +14,23 @@
 namespace rotordrop {
 namespace {
 
-const MaterialParameters* find_material(const MachineParameters& p, const std::string& name) {
-  for (const auto& [known, material] : p.materials)
-    if (known == name) return &material;
-  return nullptr;
+/// Of a table its value at ambient, for parts without a section.
+ThermalMaterial thermal_material(const MaterialParameters& m, double ambient) {
+  ThermalMaterial t{m.k, m.c, m.rho, m.alpha, m.nu};
+  if (m.k_table) t.conductivity = t.conductivity_table.emplace(*m.k_table).value(ambient);
+  if (m.c_table) t.heat_capacity = t.heat_capacity_table.emplace(*m.c_table).value(ambient);
+  return t;
 }
-
-ThermalMaterial thermal_material(const MaterialParameters& m) { return {m.k, m.c, m.rho, m.alpha, m.nu}; }
 
 const Node& table_of(const Node& case_node, const char* section) {
   static const Node empty = Node::table();
   const Node* found = case_node.find(section);
   return found ? *found : empty;
+}
+
+GrowthDriver chosen_driver(const ThermalParameters& t) {
+  if (t.driver != GrowthDriver::automatic) return t.driver;
+  return t.has_lumped ? GrowthDriver::lumped : GrowthDriver::fe;
 }
 
 RubShare rub_share(const ThermalParameters& t) {
@@ -45,7 +50,7 @@ std::vector<double> axial_share(const TouchdownParameters& b) {
 
 void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b, const FiniteElements& elements,
                         FiniteElements::Section& section) {
-  const auto& material = *find_material(p, b.ring);
+  const auto& material = material_of(p, b.ring);
   const auto kind = b.housing_fit_kind == HousingFit::bonded ? FitKind::bonded : FitKind::frictionless;
   const ElasticProblem problem = bearing_elastic_problem(
       section.problem, section.solver->section_mesh(),
@@ -59,7 +64,6 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
 void make_sections(const MachineParameters& p, FiniteElements& elements, ReductionSettings reduction = {}) {
   const auto& fe = p.thermal.fe;
   elements.coupling = fe.coupling;
-  elements.drives = driver_of(p.thermal) == GrowthDriver::fe;
   for (const auto& entry : p.bearings) {
     const auto* b = entry.touchdown();
     if (!b) continue;
@@ -68,6 +72,8 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
     settings.numerics.degree = fe.degree;
     settings.numerics.solver = fe.solver;
     settings.numerics.cells = std::max(2, static_cast<int>(std::lround(8 * fe.refinement)));
+    settings.housing_film = elements.alone && fe.coupling == FeCoupling::windowed;
+    if (elements.alone) settings.numerics.tolerance = elements.alone->time_tolerance;
     const SectionMesh mesh = fe.section == FeSection::plain ? SectionMesh{} : elements.make_mesh(entry.name);
     FiniteElements::Section section;
     section.name = entry.name;
@@ -128,7 +134,7 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
 /// The thermal models that a case asks for, and who drives.
 void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& network, FiniteElements* elements,
                         std::shared_ptr<const GrowthHistory> recorded, Machine::Parts& parts) {
-  const GrowthDriver driver = p.thermal.growth ? driver_of(p.thermal) : GrowthDriver::none;
+  const GrowthDriver driver = driver_of(p.thermal);
   if (p.thermal.has_lumped) {
     parts.thermal.push_back({"lumped", "/thermal/", std::make_unique<ThermalNetwork>(network)});
     if (driver == GrowthDriver::lumped) parts.driver = 0;
@@ -185,7 +191,7 @@ void check_name(const std::string& name, const std::string& what, const SourcePo
 
 void check_thermal_models(const MachineParameters& p, const Node& table, Faults& faults) {
   const auto& t = p.thermal;
-  const auto driver = driver_of(t);
+  const auto driver = chosen_driver(t);
   if ((driver == GrowthDriver::lumped && !t.has_lumped) || (driver == GrowthDriver::fe && !t.has_fe))
     faults.add(position_of_value(table, "driver"), "thermal.driver names a model that does not run.",
                "Add it to thermal.models.");
@@ -211,6 +217,29 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
                "thermal.shaft_ring_link = \"in-contact\" changes within a window; thermal.fe.coupling = \"windowed\" "
                "cannot follow it.",
                "Take the reduced coupling, or the permanent link.");
+}
+
+/// Few modes, or all of them, stand for linear equations.
+void check_tables(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  if (!p.thermal.has_fe || p.thermal.fe.coupling == FeCoupling::windowed) return;
+  const char* coupling = p.thermal.fe.coupling == FeCoupling::reduced ? "reduced" : "monolithic";
+  std::vector<std::string> told;
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    const auto* m = b ? find_material(p, b->ring) : nullptr;
+    if (!m || std::find(told.begin(), told.end(), b->ring) != told.end()) continue;
+    told.push_back(b->ring);
+    const Node& materials = table_of(case_node, "materials");
+    const Node* own = materials.find(b->ring);
+    for (const auto& [key, values] : {std::pair("k_table", &m->k_table), std::pair("c_table", &m->c_table)})
+      if (*values && !PropertyTable(**values).is_constant())
+        faults.add(
+            position_of(own ? *own : materials, key),
+            fmt::format("materials.{}.{} depends on temperature, and thermal.fe.coupling = \"{}\" takes the modes "
+                        "of a linear problem.",
+                        b->ring, key, coupling),
+            "Take thermal.fe.coupling = \"windowed\", or constant k and c.");
+  }
 }
 
 /// A rotor that may move along its axis needs rings that follow it, and shoulders where it is pushed to.
@@ -289,12 +318,34 @@ ThermalNetworkData network_data(const MachineParameters& p, const Node& case_nod
   return network;
 }
 
+ThermalParts build_thermal_models(const MachineParameters& parameters, const Node& case_node,
+                                  const std::string& bearing, FiniteElements& finite_elements) {
+  MachineParameters p = parameters;
+  p.thermal.driver = GrowthDriver::none;
+  // A user's resistors may join this bearing's circuit with others'.
+  if (p.thermal.resistors.empty())
+    std::erase_if(p.bearings, [&](const SupportEntry& entry) { return entry.name != bearing; });
+  Faults faults;
+  const auto network = network_data(p, case_node, faults);
+  faults.throw_if_any();
+  ThermalParts made;
+  for (const auto& entry : p.bearings) {
+    if (entry.name == bearing) made.place = made.n_places;
+    if (entry.touchdown()) ++made.n_places;
+  }
+  if (p.thermal.has_fe) make_sections(p, finite_elements);
+  Machine::Parts parts;
+  add_thermal_models(p, network, &finite_elements, nullptr, parts);
+  made.models = std::move(parts.thermal);
+  return made;
+}
+
 BearingCircuitData circuit_data(const MachineParameters& p, const std::string& name, const TouchdownParameters& b) {
   const auto& t = p.thermal;
   BearingCircuitData c;
   c.name = name;
-  c.ring = thermal_material(*find_material(p, b.ring));
-  c.ball = thermal_material(*find_material(p, b.ball));
+  c.ring = thermal_material(material_of(p, b.ring), p.run.ambient);
+  c.ball = thermal_material(material_of(p, b.ball), p.run.ambient);
   c.width = b.width;
   c.journal_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
   c.ring_mass = b.ring_mass;
@@ -322,14 +373,11 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
-  const MaterialParameters &ring = *find_material(p, b.ring), &ball = *find_material(p, b.ball);
+  const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
   return touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
 }
 
-GrowthDriver driver_of(const ThermalParameters& t) {
-  if (t.driver != GrowthDriver::automatic) return t.driver;
-  return t.has_lumped ? GrowthDriver::lumped : GrowthDriver::fe;
-}
+GrowthDriver driver_of(const ThermalParameters& t) { return t.growth ? chosen_driver(t) : GrowthDriver::none; }
 
 void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& bearings = table_of(case_node, "bearings");
@@ -375,6 +423,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   }
   if (materials_are_known) network_data(p, case_node, faults);
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
+  check_tables(p, case_node, faults);
   check_axial_motion(p, case_node, faults);
   check_statics(p, table_of(case_node, "statics"), faults);
 }
@@ -386,8 +435,8 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
   faults.throw_if_any();
 
   if (p.thermal.has_fe) make_sections(p, *finite_elements);
-  const bool grows_by_spinning = p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic && p.thermal.growth &&
-                                 driver_of(p.thermal) == GrowthDriver::fe;
+  const bool grows_by_spinning =
+      p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic && driver_of(p.thermal) == GrowthDriver::fe;
   Machine::Parts parts;
   std::vector<int> nodes;
   std::vector<RingCentre> ring_centres;

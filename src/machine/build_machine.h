@@ -1,5 +1,8 @@
 #pragma once
+#include <cstddef>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "machine/finite_elements.h"
 #include "machine/machine.h"
@@ -10,7 +13,7 @@ namespace rotordrop {
 /// Checks that need several sections at once; `case_node` gives the positions.
 void check_machine(const MachineParameters& parameters, const Node& case_node, Faults& faults);
 
-/// Which model's growth is fed back when a case leaves it open.
+/// Which model's growth is fed back; of no model without thermal.growth.
 GrowthDriver driver_of(const ThermalParameters& parameters);
 
 /// What the thermal models of a touchdown bearing are made from.
@@ -35,5 +38,16 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& parameters, cons
 /// @param finite_elements  the room's doors
 std::shared_ptr<const ThermalModel> reduced_fe_model(const MachineParameters& parameters,
                                                      FiniteElements& finite_elements, double longest);
+
+/// Thermal models by themselves.
+struct ThermalParts {
+  std::vector<Machine::Parts::Thermal>
+      models;  ///< "lumped"; "fe", unless its coupling is windowed: then it is a section of the finite elements
+  std::size_t n_places = 0, place = 0;  ///< of the models, and the bearing's among them
+};
+/// The models of one touchdown bearing of a case whose parameters were checked, without a machine. Its section is the only one made.
+/// @throws InputError, SolverError
+ThermalParts build_thermal_models(const MachineParameters& parameters, const Node& case_node,
+                                  const std::string& bearing, FiniteElements& finite_elements);
 
 }  // namespace rotordrop

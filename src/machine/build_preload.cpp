@@ -17,12 +17,6 @@ std::size_t place_of(const MachineParameters& p, const std::string& name) {
 
 }  // namespace
 
-const TouchdownParameters& touchdown_of(const MachineParameters& p, const std::string& name) {
-  for (const auto& entry : p.bearings)
-    if (entry.name == name && entry.touchdown()) return *entry.touchdown();
-  throw SolverError("there is no touchdown bearing " + name);
-}
-
 std::unique_ptr<TouchdownRunning> build_running_bearing(const MachineParameters& p, const std::string& name,
                                                         double speed, const FindRest& find, double preload_factor) {
   TouchdownParameters b = touchdown_of(p, name);

@@ -14,9 +14,6 @@ struct PreloadVariation {
   double cooling = 1;  ///< of every way to ambient
 };
 
-/// @throws SolverError if there is none of that name
-const TouchdownParameters& touchdown_of(const MachineParameters& parameters, const std::string& bearing);
-
 /// A touchdown bearing of a checked case on its lumped circuit, what a user added included.
 /// @param section  instead of the circuit: a thermal model of this bearing alone; then the cooling cannot be changed
 std::unique_ptr<PreloadLoop> build_preload_loop(const MachineParameters& parameters, const Node& case_node,

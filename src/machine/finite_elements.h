@@ -23,7 +23,13 @@ struct FiniteElements {
   std::function<std::unique_ptr<ElasticSolver>(const ElasticProblem&)> make_elastic_solver;
   std::function<SectionMesh(const std::string& bearing)> make_mesh;  ///< of the grooved section
 
-  // Made by build_machine().
+  /// If the sections are heated without a machine: a mesh that is not reduced then has the housing's film (eq. 16, with the local rise).
+  struct Alone {
+    double time_tolerance = 1e-6;  ///< of such a mesh
+  };
+  std::optional<Alone> alone;
+
+  // Made by build_machine() or build_thermal_models().
   struct Section {
     std::string name;  ///< of the bearing
     HeatConductionProblem problem;
@@ -35,7 +41,6 @@ struct FiniteElements {
   };
   std::vector<Section> sections;  ///< of each thermal place
   FeCoupling coupling = FeCoupling::reduced;
-  bool drives = false;
   std::shared_ptr<GrowthHistory> growth;  ///< of a windowed coupling: what conduction adds to the immediate growth
 };
 

@@ -1,5 +1,7 @@
 #include "machine/machine_parameters.h"
 
+#include <stdexcept>
+
 namespace rotordrop {
 
 Section<RunParameters> run_section() {
@@ -15,25 +17,27 @@ Section<RunParameters> run_section() {
              {.unit = "rad/s",
               .range = between(-2e4, 2e4),
               .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
-  s.custom("gravity",
-           {.unit = "m/s2",
-            .accepts = "a number (along -y), or [x, y, z]",
-            .json_types = {"number", "string", "array"},
-            .fallback = Node(9.81),
-            .source = "standard",
-            .help = "Acceleration of gravity on rotor and inner rings. A single number acts along -y. x acts on a rotor with "
-                    "axial_motion = \"free\" and on inner rings with ring_motion = \"free\"."},
-           [](const Node& node, P& target, Faults& faults) {
-             const Quantity along_axis{.unit = "m/s2", .range = between(-1e3, 1e3)};
-             const Quantity downwards{.unit = "m/s2",
-                                      .range = between(0, 1e3)};  // upwards only as a vector, not by a slip of sign
-             if (node.is_array()) {
-               if (const auto xyz = read_quantities(node, along_axis, 3, 3, "run.gravity", faults))
-                 target.gravity = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
-             } else if (const auto down = read_quantity(node, downwards, "run.gravity", faults)) {
-               target.gravity = {0., -*down, 0.};
-             }
-           });
+  s.custom(
+      "gravity",
+      {.unit = "m/s2",
+       .accepts = "a number (along -y), or [x, y, z]",
+       .json_types = {"number", "string", "array"},
+       .fallback = Node(9.81),
+       .source = "standard",
+       .help =
+           "Acceleration of gravity on rotor and inner rings. A single number acts along -y. x acts on a rotor with "
+           "axial_motion = \"free\" and on inner rings with ring_motion = \"free\"."},
+      [](const Node& node, P& target, Faults& faults) {
+        const Quantity along_axis{.unit = "m/s2", .range = between(-1e3, 1e3)};
+        const Quantity downwards{.unit = "m/s2",
+                                 .range = between(0, 1e3)};  // upwards only as a vector, not by a slip of sign
+        if (node.is_array()) {
+          if (const auto xyz = read_quantities(node, along_axis, 3, 3, "run.gravity", faults))
+            target.gravity = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
+        } else if (const auto down = read_quantity(node, downwards, "run.gravity", faults)) {
+          target.gravity = {0., -*down, 0.};
+        }
+      });
   s.quantity("ambient", &P::ambient,
              {.unit = "K",
               .range = between(60, 2000),
@@ -51,6 +55,18 @@ Section<MaterialParameters> material_section() {
   s.quantity("rho", &P::rho, {.unit = "kg/m3", .range = between(10, 3e4), .help = "Density."});
   s.quantity("k", &P::k, {.unit = "W/(m K)", .range = positive(), .help = "Thermal conductivity."});
   s.quantity("c", &P::c, {.unit = "J/(kg K)", .range = positive(), .help = "Specific heat capacity."});
+  s.function("k_table", &P::k_table,
+             {.unit = "W/(m K)",
+              .argument_unit = "K",
+              .range = positive(),
+              .help = "Conductivity over temperature, instead of k: linear between the pairs, constant outside. Meshed "
+                      "rings and housing follow it (thermal.fe.coupling = \"windowed\"); what has no section takes its "
+                      "value at run.ambient."});
+  s.function("c_table", &P::c_table,
+             {.unit = "J/(kg K)",
+              .argument_unit = "K",
+              .range = positive(),
+              .help = "Specific heat capacity over temperature, instead of c, likewise."});
   s.quantity("alpha", &P::alpha,
              {.unit = "1/K", .range = between(-1e-3, 1e-3), .help = "Linear thermal expansion coefficient."});
   return s;
@@ -62,6 +78,30 @@ Node default_materials() {
         Node::table({{"E", 2.0e11}, {"nu", 0.30}, {"rho", 7800.}, {"k", 70.}, {"c", 510.}, {"alpha", 11.8e-6}})},
        {"Si3N4",
         Node::table({{"E", 3.15e11}, {"nu", 0.26}, {"rho", 3200.}, {"k", 35.}, {"c", 673.}, {"alpha", 3.2e-6}})}});
+}
+
+const MaterialParameters* find_material(const MachineParameters& p, const std::string& name) {
+  for (const auto& [known, material] : p.materials)
+    if (known == name) return &material;
+  return nullptr;
+}
+
+const MaterialParameters& material_of(const MachineParameters& p, const std::string& name) {
+  if (const auto* material = find_material(p, name)) return *material;
+  throw std::invalid_argument("no material is called " + name);
+}
+
+std::vector<std::string> touchdown_names(const MachineParameters& p) {
+  std::vector<std::string> names;
+  for (const auto& entry : p.bearings)
+    if (entry.touchdown()) names.push_back(entry.name);
+  return names;
+}
+
+const TouchdownParameters& touchdown_of(const MachineParameters& p, const std::string& name) {
+  for (const auto& entry : p.bearings)
+    if (entry.name == name && entry.touchdown()) return *entry.touchdown();
+  throw std::invalid_argument("no touchdown bearing is called " + name);
 }
 
 }  // namespace rotordrop

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ Section<RunParameters> run_section();
 /// [materials.NAME].
 struct MaterialParameters {
   double E = 0, nu = 0, rho = 0, k = 0, c = 0, alpha = 0;
+  std::optional<std::vector<std::array<double, 2>>> k_table, c_table;  ///< pairs of temperature [K] and value
 };
 Section<MaterialParameters> material_section();
 /// Steel and Si3N4, where a case names no materials of its own.
@@ -41,5 +43,13 @@ struct MachineParameters {
   StaticsParameters statics;
   PreloadParameters preload;
 };
+
+/// nullptr if the case has no material of that name.
+[[nodiscard]] const MaterialParameters* find_material(const MachineParameters& parameters, const std::string& name);
+/// Of a case that was checked. @throws std::invalid_argument for an unknown name
+[[nodiscard]] const MaterialParameters& material_of(const MachineParameters& parameters, const std::string& name);
+[[nodiscard]] std::vector<std::string> touchdown_names(const MachineParameters& parameters);
+/// @throws std::invalid_argument if no touchdown bearing has that name
+[[nodiscard]] const TouchdownParameters& touchdown_of(const MachineParameters& parameters, const std::string& name);
 
 }  // namespace rotordrop

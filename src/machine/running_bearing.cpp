@@ -23,10 +23,6 @@ double radial_clearance(const std::vector<BallRowGeometry>& rows, const Expansio
   return least;
 }
 
-const MaterialParameters& material(const MachineParameters& p, const std::string& name) {
-  return std::find_if(p.materials.begin(), p.materials.end(), [&](const auto& m) { return m.first == name; })->second;
-}
-
 }  // namespace
 
 double housing_closure(const TouchdownParameters& b) {
@@ -39,7 +35,7 @@ Expansion cold_growth(const MachineParameters& p, const TouchdownParameters& b, 
   g.inner_race = s.inner_growth;
   g.outer_race = s.outer_growth - s.interference * housing_closure(b);
   if (s.growth_by_speed == GrowthBySpeed::thin_disc) {
-    const auto& m = material(p, b.ring);
+    const auto& m = material_of(p, b.ring);
     const double inside = 0.5 * b.inner_ring_diameters[0], outside = 0.5 * b.inner_ring_diameters[1];
     g.bore += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, inside) * speed * speed;
     g.inner_race += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, outside) * speed * speed;

@@ -21,10 +21,6 @@ bool leans_both_ways(const std::vector<BallRowGeometry>& rows) {
   return leans(1.) && leans(-1.);
 }
 
-const MaterialParameters& material(const MachineParameters& p, const std::string& name) {
-  return std::find_if(p.materials.begin(), p.materials.end(), [&](const auto& m) { return m.first == name; })->second;
-}
-
 struct RingSetup {
   RingStatics ring;
   double axial_preload;  // force from outside that presses rows which all lean one way [N]
@@ -53,13 +49,13 @@ RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, c
 }  // namespace
 
 Expansion even_growth(const MachineParameters& p, const TouchdownParameters& b) {
-  const double alpha = material(p, b.ring).alpha;
+  const double alpha = material_of(p, b.ring).alpha;
   Expansion g;
   g.shaft = alpha * (bore_radius(b, p.contact) - air_gap(b, p.contact));
   g.bore = alpha * 0.5 * b.inner_ring_diameters[0];
   g.inner_race = alpha * 0.5 * b.inner_ring_diameters[1];
   g.outer_race = alpha * 0.5 * b.outer_ring_diameters[0];
-  g.ball = material(p, b.ball).alpha * 0.5 * b.ball_diameter;
+  g.ball = material_of(p, b.ball).alpha * 0.5 * b.ball_diameter;
   return g;
 }
 

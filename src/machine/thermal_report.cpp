@@ -29,11 +29,9 @@ RubSurfaces rub_surfaces(const MachineParameters& parameters, const std::string&
 
 double rub_half_width(const MachineParameters& parameters, const TouchdownParameters& bearing, double force) {
   const double r_b = bore_radius(bearing, parameters.contact), gap = air_gap(bearing, parameters.contact);
-  for (const auto& [name, m] : parameters.materials)
-    if (name == bearing.ring)
-      return line_contact_half_width(force / bearing.width, r_b * (r_b - gap) / gap,
-                                     effective_modulus({m.E, m.nu}, {m.E, m.nu}));
-  return std::numeric_limits<double>::quiet_NaN();
+  const auto& m = material_of(parameters, bearing.ring);
+  return line_contact_half_width(force / bearing.width, r_b * (r_b - gap) / gap,
+                                 effective_modulus({m.E, m.nu}, {m.E, m.nu}));
 }
 
 }  // namespace rotordrop

@@ -193,8 +193,9 @@ class HeatConductionSolver {
   [[nodiscard]] virtual double port_area(std::size_t port) const = 0;         ///< [m2]; 0 of a node
   [[nodiscard]] virtual HeatEnergy energy() const = 0;
   [[nodiscard]] virtual HeatStatistics statistics() const = 0;
-  /// Heat into each port [W] [n_ports], from now on.
-  virtual void set_port_heat(std::span<const double> watts) = 0;
+  /// Heat into each port [W] [n_ports], from now on, and how it goes on changing [W/s] [n_ports, or none: it stays].
+  virtual void set_port_heat(std::span<const double> watts, std::span<const double> rates) = 0;
+  void set_port_heat(std::span<const double> watts) { set_port_heat(watts, {}); }
   /// One implicit step of second order without error control; factorisations are kept by step length.
   /// @param step  [s]; @throws SolverError
   virtual void advance_window(double step) = 0;

@@ -78,13 +78,6 @@ void write_mesh(const SectionMesh& mesh, const fs::path& file, MeshFileFormat fo
 
 }  // namespace
 
-std::vector<std::string> touchdown_names(const Case& c) {
-  std::vector<std::string> names;
-  for (const auto& entry : c.parameters.bearings)
-    if (entry.touchdown()) names.push_back(entry.name);
-  return names;
-}
-
 SectionMesh bearing_mesh(const Case& c, const std::string& bearing) {
   if (c.parameters.thermal.fe.mesh) return read_own_mesh(c, bearing);
   const auto plan = section_plan(c.parameters, c.tree, bearing);
@@ -92,16 +85,7 @@ SectionMesh bearing_mesh(const Case& c, const std::string& bearing) {
 }
 
 std::string write_bearing_meshes(const Case& c, const MeshOptions& options) {
-  auto names = touchdown_names(c);
-  if (!options.bearing.empty()) {
-    if (std::find(names.begin(), names.end(), options.bearing) == names.end()) {
-      const std::string guess = closest_name(options.bearing, names);
-      throw InputError({"--bearing", 0, 0}, fmt::format("the case has no touchdown bearing \"{}\".", options.bearing),
-                       (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                           fmt::format("Its touchdown bearings: {}.", fmt::join(names, ", ")));
-    }
-    names = {options.bearing};
-  }
+  const auto names = chosen_touchdowns(c, options.bearing);
   if (names.empty())
     throw InputError({c.file.string(), 0, 0}, "the case has no touchdown bearing, so there is nothing to mesh.");
   if (options.file.extension() != ".msh")

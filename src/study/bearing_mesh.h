@@ -8,9 +8,6 @@
 
 namespace rotordrop {
 
-/// Names of a case's touchdown bearings, in its order.
-std::vector<std::string> touchdown_names(const Case& c);
-
 /// The meshed section of a touchdown bearing: made from its parameters, or the user's own where thermal.fe.mesh names one.
 /// @throws InputError
 SectionMesh bearing_mesh(const Case& c, const std::string& bearing);

@@ -5,14 +5,13 @@
 #include <limits>
 
 #include "machine/thermal_report.h"
+#include "study/json_number.h"
 
 namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing) {
   const std::string at = "/bearings/" + bearing + "/", ledger = "/ledger/" + bearing + "/";
@@ -62,7 +61,7 @@ Json largest_excess(const BoreTemperatures& b, const std::vector<double>& over) 
   Extreme most{-std::numeric_limits<double>::infinity(), nothing};
   for (std::size_t i = 0; i < b.local.size(); ++i)
     if (b.local[i] - over[i] > most.value) most = {b.local[i] - over[i], b.history.times[i]};
-  return {{"value", number(most.value)}, {"time", number(most.time)}};
+  return {{"value", json_number(most.value)}, {"time", json_number(most.time)}};
 }
 
 Json bore_json(const BoreTemperatures& b, const RubRecord& r, const RubSurfaces& s, double hertz_half_width,
@@ -70,7 +69,7 @@ Json bore_json(const BoreTemperatures& b, const RubRecord& r, const RubSurfaces&
   const auto& h = b.history;
   Json j = {{"mean_from", has_mean ? "finite elements" : "half space"},
             {"half_width", s.half_width},
-            {"hertz_half_width", number(hertz_half_width)},
+            {"hertz_half_width", json_number(hertz_half_width)},
             {"axial_width", s.axial_width},
             {"wall_crossed_after", h.valid_until},
             {"track_widens_after", s.half_width * s.half_width * s.bore.capacity / s.bore.conductivity},
@@ -81,11 +80,11 @@ Json bore_json(const BoreTemperatures& b, const RubRecord& r, const RubSurfaces&
     const std::size_t i = row_at(h.times, t);
     j["at"].push_back({{"instant", name},
                        {"time", h.times[i]},
-                       {"lumped_node", number(b.node[i])},
+                       {"lumped_node", json_number(b.node[i])},
                        {"mean", b.mean[i]},
                        {"local", b.local[i]},
-                       {"flash", number(b.flash[i])},
-                       {"rotor_flash_rise", number(b.rotor_flash[i])},
+                       {"flash", json_number(b.flash[i])},
+                       {"rotor_flash_rise", json_number(b.rotor_flash[i])},
                        {"arc", h.arc[i] * s.bore.radius},
                        {"heated_arc", h.heated_arc[i] * s.bore.radius},
                        {"ring_turns", h.ring_turns[i]},
@@ -109,7 +108,7 @@ Json bore_json(const BoreTemperatures& b, const RubRecord& r, const RubSurfaces&
                        {"arc", arc * s.bore.radius},
                        {"ring_angle", angle.at(impact.end) - angle.at(impact.start)},
                        {"largest_local_rise", local},
-                       {"largest_local_rise_time", number(local_time)},
+                       {"largest_local_rise_time", json_number(local_time)},
                        {"steady_band_rise", steady_band_rise(s, joules, duration, arc)}};
   return j;
 }

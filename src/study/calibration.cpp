@@ -18,14 +18,18 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   p.thermal.driver = GrowthDriver::automatic;
   p.thermal.fe.coupling = FeCoupling::reduced;
   p.thermal.fe.modes = std::max(p.thermal.fe.modes, 48);  // speed is of no matter here
+  // What a user adds to the circuit is not fitted.
+  p.thermal.nodes.clear();
+  p.thermal.resistors.clear();
+  Faults faults;
+  check_machine(p, c.tree, faults);
+  faults.throw_if_any();
   FiniteElements elements = finite_elements_of(c);
   build_machine(p, c.tree, &elements);
   std::vector<CalibratedBearing> bearings;
   for (const auto& section : elements.sections)
-    for (const auto& entry : p.bearings)
-      if (entry.name == section.name)
-        bearings.push_back(
-            fit_circuit(circuit_data(p, entry.name, *entry.touchdown()), section.reduced, p.run.ambient, settings));
+    bearings.push_back(fit_circuit(circuit_data(p, section.name, touchdown_of(p, section.name)), section.reduced,
+                                   p.run.ambient, settings));
   if (bearings.empty())
     throw InputError({c.file.string(), 0, 0},
                      "the case has no touchdown bearing, so there is no circuit to calibrate.");

@@ -53,6 +53,7 @@ Section<CaseParameters> case_section() {
   s.table<ThermalParameters>("thermal", &P::thermal, thermal_section());
   s.table<StaticsParameters>("statics", &P::statics, statics_section());
   s.table<PreloadParameters>("preload", &P::preload, preload_section());
+  s.table<PrescribedHeatParameters>("heat", &P::heat, prescribed_heat_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
   return s;
@@ -91,6 +92,10 @@ void complete_paths(Node& tree) {
   Node* thermal = tree.find("thermal");
   complete_path(thermal, "recorded");
   complete_path(thermal && thermal->is_table() ? thermal->find("fe") : nullptr, "mesh");
+  Node* heat = tree.find("heat");
+  Node* sources = heat && heat->is_table() ? heat->find("source") : nullptr;
+  if (sources && sources->is_array())
+    for (Node& source : sources->items()) complete_path(&source, "recorded");
 }
 
 void load_catalogue(Node& bearing, const std::string& name, const fs::path& case_file) {
@@ -164,6 +169,16 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   faults.throw_if_any();
   result.resolved = write_resolved({section.erased()}, result.tree);
   return result;
+}
+
+std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {
+  const auto known = touchdown_names(c.parameters);
+  if (bearing.empty()) return known;
+  if (std::find(known.begin(), known.end(), bearing) != known.end()) return {bearing};
+  const std::string guess = closest_name(bearing, known);
+  throw InputError({"--bearing", 0, 0}, fmt::format("the case has no touchdown bearing \"{}\".", bearing),
+                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
+                       fmt::format("Its touchdown bearings: {}.", fmt::join(known, ", ")));
 }
 
 }  // namespace rotordrop

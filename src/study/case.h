@@ -1,11 +1,13 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/parameters.h"
 #include "integrate/integration_parameters.h"
 #include "machine/machine_parameters.h"
+#include "thermal/prescribed_heat_parameters.h"
 
 namespace rotordrop {
 
@@ -18,6 +20,7 @@ struct OutputParameters {
 
 /// All parameters of a case.
 struct CaseParameters : MachineParameters {
+  std::optional<PrescribedHeatParameters> heat;  ///< of `rotordrop heat` alone
   IntegrationParameters integration;
   OutputParameters output;
 };
@@ -34,6 +37,10 @@ struct Case {
 /// Reads and checks a case. @throws InputError with all faults
 /// @param overrides  such as "contact.friction_coefficient=0.05"
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// Names of the touchdown bearings that an option --bearing takes: the one it names, or all if it is empty.
+/// @throws InputError for a name that none has
+std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing);
 
 /// The declarations of a case file, for defaults, schema and resolved parameters.
 std::vector<ErasedSection> case_sections();

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "machine/thermal_report.h"
+#include "study/json_number.h"
 
 namespace rotordrop {
 namespace {
@@ -25,9 +26,6 @@ constexpr SurfacePair surface_pairs[] = {{"bore", "inner_ring"},
                                          {"outer_raceway", "outer_contact"},
                                          {"housing_surface", "housing"}};
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 /// How the two sides of a difference are called.
 struct Names {
   const char *first, *second;
@@ -39,8 +37,8 @@ Json difference_json(const TimeSeries& first, const TimeSeries& second, double t
   Json j = {{"tolerance", tolerance},
             {"largest_difference", d.largest},
             {"largest_difference_time", d.largest_time},
-            {"beyond_from", number(d.beyond)},
-            {"within_from", number(d.within)},
+            {"beyond_from", json_number(d.beyond)},
+            {"within_from", json_number(d.within)},
             {"time_beyond", d.time_beyond},
             {"at", Json::array()}};
   for (const auto& [name, t] : instants)
@@ -188,8 +186,8 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
   const auto instants = instants_of(impact, end, options.instants);
 
   Json j;
-  j["first_contact_time"] = number(impact.start);
-  j["first_contact_end"] = number(impact.end);
+  j["first_contact_time"] = json_number(impact.start);
+  j["first_contact_end"] = json_number(impact.end);
   if (models.lumped && models.fe) {
     const Side lumped{*models.lumped, Kind::lumped}, fe{*models.fe, Kind::fe};
     const Names names{"lumped", "fe"};

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/touchdown_bearing.h"
+#include "bearing/touchdown_parameters.h"
 #include "machine/machine.h"
 
 namespace rotordrop {

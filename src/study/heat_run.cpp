@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -18,6 +17,7 @@
 #include "io/toml_reader.h"
 #include "machine/machine_parameters.h"
 #include "study/fe_module.h"
+#include "study/recorded_heat.h"
 
 namespace rotordrop {
 namespace {
@@ -26,18 +26,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-void prepare_directory(const HeatRunOptions& options) {
-  const fs::path& directory = options.directory;
-  if (!options.force && (fs::exists(directory / "results.h5") || fs::exists(directory / "summary.json")))
-    throw InputError({directory.string(), 0, 0}, "the directory holds results already",
-                     "Choose another with -o DIR, or replace them with --force.");
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
-  fs::remove(directory / "summary.json");
-  if (options.force) fs::remove_all(directory / "fields");
-}
 
 int number_in(const char* variable, int otherwise) {
   const char* text = std::getenv(variable);
@@ -87,50 +75,19 @@ void complete_recorded_paths(Node& tree) {
   }
 }
 
-/// Heat from the ledger of an earlier drop.
-std::optional<RecordedHeat> read_recorded_heat(const HeatFluxParameters& flux, const Node& table,
-                                               const std::string& name, Faults& faults) {
-  const fs::path file = *flux.recorded;
-  const std::string prefix = "/ledger/", suffix = "/" + *flux.heat + "_heat", dataset = prefix + *flux.bearing + suffix;
-  try {
-    const auto datasets = list_datasets(file);
-    if (std::find(datasets.begin(), datasets.end(), dataset) == datasets.end()) {
-      std::vector<std::string> bearings;
-      for (const auto& path : datasets)
-        if (path.starts_with(prefix) && path.ends_with(suffix))
-          bearings.push_back(path.substr(prefix.size(), path.size() - prefix.size() - suffix.size()));
-      const std::string guess = closest_name(*flux.bearing, bearings);
-      if (bearings.empty())
-        faults.add(position_of_value(table, "recorded"),
-                   fmt::format("{}.recorded: \"{}\" holds no {} heat of any bearing.", name, file.string(), *flux.heat),
-                   "It should be the results.h5 of a drop, with datasets /ledger/BEARING/rub_heat and so on.");
-      else
-        faults.add(position_of_value(table, "bearing"),
-                   fmt::format("{}.bearing = \"{}\": no such bearing in \"{}\".", name, *flux.bearing, file.string()),
-                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                       fmt::format("Known: {}.", fmt::join(bearings, ", ")));
-      return {};
-    }
-    // Of a file that is being written, a series may have rows whose times are not there yet.
-    RecordedHeat heat{read_series(file, read_attribute(file, dataset, "time")).values,
-                      read_series(file, dataset).values};
-    const std::size_t n = std::min(heat.times.size(), heat.joules.size());
-    heat.times.resize(n);
-    heat.joules.resize(n);
-    if (n < 2)
-      faults.add(position_of_value(table, "recorded"),
-                 fmt::format("{}.recorded: {} of \"{}\" has {} rows; two at least are needed.", name, dataset,
-                             file.string(), n));
-    return n < 2 ? std::nullopt : std::optional(heat);
-  } catch (const InputError& error) {
-    for (const auto& fault : error.faults())
-      faults.add(position_of_value(table, "recorded"),
-                 fmt::format("{}.recorded = \"{}\": {}", name, file.string(), fault.message), fault.advice);
-    return {};
-  }
-}
-
 }  // namespace
+
+void prepare_heat_directory(const HeatRunOptions& options) {
+  const fs::path& directory = options.directory;
+  if (!options.force && (fs::exists(directory / "results.h5") || fs::exists(directory / "summary.json")))
+    throw InputError({directory.string(), 0, 0}, "the directory holds results already",
+                     "Choose another with -o DIR, or replace them with --force.");
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
+  fs::remove(directory / "summary.json");
+  if (options.force) fs::remove_all(directory / "fields");
+}
 
 bool is_first_rank() { return number_in("OMPI_COMM_WORLD_RANK", number_in("PMI_RANK", 0)) == 0; }
 
@@ -138,7 +95,7 @@ std::vector<ErasedSection> heat_sections() { return {heat_section(default_materi
 
 bool is_heat_case(const fs::path& file) {
   const Node tree = read_toml(file);
-  return !tree.has("rotor") && (tree.has("section") || tree.has("output_times"));
+  return tree.has("heat") || (!tree.has("rotor") && (tree.has("section") || tree.has("output_times")));
 }
 
 HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& overrides) {
@@ -172,7 +129,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   std::optional<FieldSeries> fields;
   const FieldTimes field_times(study.field_times, study.field_interval);
   if (is_first_rank()) {
-    prepare_directory(options);
+    prepare_heat_directory(options);
     recorder.emplace(make_recorder(heat_case, options));
     write_text_atomically(options.directory / "parameters.toml", heat_case.resolved);
     if (!field_times.empty()) fields.emplace(options.directory / "fields", "temperature");

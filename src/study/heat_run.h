@@ -19,7 +19,7 @@ struct HeatCase {
 /// @throws InputError with all faults; also about recorded heat that is not there
 HeatCase read_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// Whether a case file is one of heat alone: it has [section] or output_times, and no [rotor]. @throws InputError if it cannot be read
+/// Whether a case file is one of heat alone: it has [heat]; or [section] or output_times, and no [rotor]. @throws InputError if it cannot be read
 bool is_heat_case(const std::filesystem::path& file);
 
 /// The declarations of such a case, for defaults, schema and resolved parameters.
@@ -30,6 +30,9 @@ struct HeatRunOptions {
   bool force = false;                                ///< replace results that are there
   const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the next output time
 };
+/// Makes the directory. @throws InputError if it holds results that are not to be replaced
+void prepare_heat_directory(const HeatRunOptions& options);
+
 /// Computes a case into a directory: results.h5, summary.json, parameters.toml, fields. Under mpirun every rank computes, and only the first
 /// one writes. @return the summary
 nlohmann::ordered_json run_heat(const HeatCase& heat_case, const HeatRunOptions& options);

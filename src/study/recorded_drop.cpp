@@ -51,7 +51,6 @@ void RecordedDrop::open() {
 }
 
 std::string RecordedDrop::driver() const {
-  if (!parameters_.thermal.growth) return "none";
   switch (driver_of(parameters_.thermal)) {
     case GrowthDriver::lumped:
       return "lumped";

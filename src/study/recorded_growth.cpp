@@ -54,12 +54,9 @@ std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
 
 std::shared_ptr<const GrowthHistory> recorded_growth(const Case& c) {
   const auto& thermal = c.parameters.thermal;
-  if (!thermal.growth || driver_of(thermal) != GrowthDriver::recorded) return nullptr;
-  std::vector<std::string> bearings;
-  for (const auto& entry : c.parameters.bearings)
-    if (entry.touchdown()) bearings.push_back(entry.name);
+  if (driver_of(thermal) != GrowthDriver::recorded) return nullptr;
   try {
-    return read_growth(*thermal.recorded, bearings);
+    return read_growth(*thermal.recorded, touchdown_names(c.parameters));
   } catch (const InputError& error) {
     const Fault& fault = error.faults().front();
     throw InputError(position_of_value(*c.tree.find("thermal"), "recorded"),

@@ -10,6 +10,7 @@
 
 #include "integrate/equilibrium.h"
 #include "machine/statics.h"
+#include "study/json_number.h"
 
 namespace rotordrop {
 namespace {
@@ -17,9 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double degrees = 180. / std::numbers::pi;
-
-// JSON has no infinity: the safety of a row without load is null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 void require_found(const EquilibriumResult& r, const std::string& what) {
   if (r.found) return;
@@ -60,7 +58,7 @@ Json ring_json(const RingReport& r) {
                 {"loaded_balls", row.n_loaded},
                 {"largest_ball_load", row.largest_load},
                 {"largest_pressure", row.largest_pressure},
-                {"static_safety", number(row.static_safety)}};
+                {"static_safety", json_number(row.static_safety)}};
     one["balls"] = Json::array();
     for (const auto& b : row.balls)
       one["balls"].push_back({{"azimuth", b.azimuth},
@@ -82,12 +80,12 @@ Json growth_json(const Expansion& g) {
           {"ball", g.ball}};
 }
 
-Json bearing_json(const Case& c, const SupportEntry& entry) {
-  const auto& b = *entry.touchdown();
-  auto system = bearing_equilibrium(c.parameters, entry.name, b);
+Json bearing_json(const Case& c, const std::string& name) {
+  const auto& b = touchdown_of(c.parameters, name);
+  auto system = bearing_equilibrium(c.parameters, name, b);
   std::vector<double> x(system.size());
   const auto result = find_equilibrium(system, x);
-  require_found(result, entry.name + " under its load");
+  require_found(result, name + " under its load");
   Json j = {{"ball_model", b.ball_model == BallModel::inertial ? "inertial" : "quasi-static"}};
   j["growth"] = growth_json(static_growth(c.parameters, b));
   j.update(ring_json(report_ring(system.ring(), system.place(x), 1e-6 * system.force_scale())));
@@ -169,26 +167,16 @@ std::string residual_text(const Json& search) {
 Json find_rest(const Case& c, const std::string& bearing) {
   Json j;
   j["case"] = c.name;
-  std::vector<std::string> known;
-  for (const auto& entry : c.parameters.bearings)
-    if (entry.touchdown()) known.push_back(entry.name);
-  if (!bearing.empty() && std::find(known.begin(), known.end(), bearing) == known.end()) {
-    const std::string guess = closest_name(bearing, known);
-    throw InputError({"--bearing", 0, 0}, fmt::format("the case has no touchdown bearing \"{}\".", bearing),
-                     (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                         fmt::format("Known: {}.", fmt::join(known, ", ")));
-  }
+  const auto names = chosen_touchdowns(c, bearing);
   if (c.parameters.statics.subject == StaticsSubject::shaft) {
     j["shaft"] = shaft_json(c);
     return j;
   }
-  if (known.empty())
+  if (names.empty())
     throw InputError(position_of(c.tree, "bearings"), "the case has no touchdown bearing to load by itself.",
                      "statics.subject = \"shaft\" takes linear supports.");
   j["bearings"] = Json::object();
-  for (const auto& entry : c.parameters.bearings)
-    if (entry.touchdown() && (bearing.empty() || bearing == entry.name))
-      j["bearings"][entry.name] = bearing_json(c, entry);
+  for (const auto& name : names) j["bearings"][name] = bearing_json(c, name);
   return j;
 }
 

@@ -9,6 +9,7 @@
 
 #include "machine/rotor_report.h"
 #include "study/fe_summary.h"
+#include "study/json_number.h"
 #include "study/whirl.h"
 
 namespace rotordrop {
@@ -16,19 +17,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no NaN: what has not happened is null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json range(const FollowedRange& r) {
-  return {{"start", number(r.first)},
-          {"smallest", number(r.smallest)},
-          {"smallest_time", number(r.smallest_time)},
-          {"largest", number(r.largest)},
-          {"largest_time", number(r.largest_time)},
-          {"end", number(r.last)}};
+  return {{"start", json_number(r.first)},
+          {"smallest", json_number(r.smallest)},
+          {"smallest_time", json_number(r.smallest_time)},
+          {"largest", json_number(r.largest)},
+          {"largest_time", json_number(r.largest_time)},
+          {"end", json_number(r.last)}};
 }
 
-Json safety(double pressure) { return number(std::pow(static_pressure_limit / pressure, 3)); }
+Json safety(double pressure) { return json_number(std::pow(static_pressure_limit / pressure, 3)); }
 
 Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::size_t i, std::span<const double> y,
                      double mean_force_end) {
@@ -36,30 +34,30 @@ Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::si
   const std::size_t support = scalars.support(i);
   const auto ledger = [&](const char* name) { return machine.ledger(support, name, y); };
   Json j;
-  j["first_contact_time"] = number(s.first_contact_time);
-  j["first_contact_end"] = number(s.first_contact_end);
-  j["second_contact_time"] = number(s.second_contact_time);
-  j["peak_contact_force"] = number(s.contact_force.value);
-  j["peak_contact_force_time"] = number(s.contact_force.time);
-  j["first_bounce_apex"] = number(s.first_bounce_apex);
-  j["peak_friction_heat_rate"] = number(s.friction_heat_rate.value);
+  j["first_contact_time"] = json_number(s.first_contact_time);
+  j["first_contact_end"] = json_number(s.first_contact_end);
+  j["second_contact_time"] = json_number(s.second_contact_time);
+  j["peak_contact_force"] = json_number(s.contact_force.value);
+  j["peak_contact_force_time"] = json_number(s.contact_force.time);
+  j["first_bounce_apex"] = json_number(s.first_bounce_apex);
+  j["peak_friction_heat_rate"] = json_number(s.friction_heat_rate.value);
   j["friction_heat"] = ledger("rub heat");
   j["inner_heat"] = ledger("inner heat");
   j["outer_heat"] = ledger("outer heat");
-  j["catch_up_time"] = number(s.catch_up_time);
-  j["ring_speed_end"] = number(s.ring_speed_end);
-  j["mean_contact_force_end"] = number(mean_force_end);
-  j["load_torque_peak"] = number(s.load_torque.value);
-  j["spin_torque_peak"] = number(s.spin_torque.value);
-  j["inner_heat_rate_max"] = number(s.inner_heat_rate.value);
-  j["outer_heat_rate_max"] = number(s.outer_heat_rate.value);
-  j["largest_ball_force"] = number(s.ball_force.value);
-  j["largest_contact_pressure"] = number(s.contact_pressure.value);
-  j["largest_contact_pressure_time"] = number(s.contact_pressure.time);
+  j["catch_up_time"] = json_number(s.catch_up_time);
+  j["ring_speed_end"] = json_number(s.ring_speed_end);
+  j["mean_contact_force_end"] = json_number(mean_force_end);
+  j["load_torque_peak"] = json_number(s.load_torque.value);
+  j["spin_torque_peak"] = json_number(s.spin_torque.value);
+  j["inner_heat_rate_max"] = json_number(s.inner_heat_rate.value);
+  j["outer_heat_rate_max"] = json_number(s.outer_heat_rate.value);
+  j["largest_ball_force"] = json_number(s.ball_force.value);
+  j["largest_contact_pressure"] = json_number(s.contact_pressure.value);
+  j["largest_contact_pressure_time"] = json_number(s.contact_pressure.time);
   j["static_safety"] = safety(s.contact_pressure.value);
   for (std::size_t row = 0; row < scalars.n_rows(i); ++row)
     j["rows"].push_back({{"largest_contact_pressure", s.row_pressure[row].value},
-                         {"largest_contact_pressure_time", number(s.row_pressure[row].time)},
+                         {"largest_contact_pressure_time", json_number(s.row_pressure[row].time)},
                          {"static_safety", safety(s.row_pressure[row].value)}});
   if (scalars.n_rows(i) > 1) j["preload"] = range(s.preload);
   j["clearance"] = range(s.clearance);

@@ -224,13 +224,11 @@ Json whirl_summary(const std::filesystem::path& results, const std::string& bear
   j["full_rub"] = w.has_full_backward_rub() ? "yes" : "no";
   j["fastest_resolved"] = number(w.fastest_resolved);
   const auto& p = drop_case.parameters;
-  for (const auto& entry : p.bearings)
-    if (const auto* b = entry.touchdown(); b && entry.name == bearing) {
-      const double mu = p.contact.friction_coefficient, g = std::hypot(p.run.gravity[1], p.run.gravity[2]);
-      j["full_rub_condition"] = {{"friction_coefficient", mu},
-                                 {"friction_from_rest", full_rub_friction()},
-                                 {"speed_at_bottom", full_rub_speed(mu, air_gap(*b, p.contact), g)}};
-    }
+  const double mu = p.contact.friction_coefficient, g = std::hypot(p.run.gravity[1], p.run.gravity[2]);
+  const double gap = air_gap(touchdown_of(p, bearing), p.contact);
+  j["full_rub_condition"] = {{"friction_coefficient", mu},
+                             {"friction_from_rest", full_rub_friction()},
+                             {"speed_at_bottom", full_rub_speed(mu, gap, g)}};
   return j;
 }
 

@@ -3,16 +3,19 @@
 #include <string>
 
 #include "model/circuit_factors.h"
+#include "model/heat_conduction.h"
 #include "thermal/thermal_network.h"
 
 namespace rotordrop {
 
 struct ThermalMaterial {
-  double conductivity = 0;   ///< k [W/(m K)]
-  double heat_capacity = 0;  ///< c [J/(kg K)]
+  double conductivity = 0;   ///< k at ambient [W/(m K)]
+  double heat_capacity = 0;  ///< c at ambient [J/(kg K)]
   double density = 0;        ///< rho [kg/m^3]
   double expansion = 0;      ///< alpha [1/K]
   double poisson_ratio = 0;
+  /// Over temperature, for meshed bodies; the numbers above otherwise.
+  std::optional<PropertyTable> conductivity_table = {}, heat_capacity_table = {};
 };
 
 /// What the circuit of one touchdown bearing is made from (docs/model.md; Neisi 2019, section 3.4, fig. 6, table 1).

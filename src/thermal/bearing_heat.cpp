@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "laws/heat_flow.h"
+
 namespace rotordrop {
 namespace {
 
@@ -15,8 +17,12 @@ std::size_t body_index(const HeatConductionProblem& p, const std::string& name) 
 }
 
 HeatBody body(const std::string& name, double length, double inside, double outside, const ThermalMaterial& m) {
-  return {name,      {-0.5 * length, 0.5 * length}, {0.5 * inside, 0.5 * outside},
-          m.density, PropertyTable(m.conductivity), PropertyTable(m.heat_capacity)};
+  return {name,
+          {-0.5 * length, 0.5 * length},
+          {0.5 * inside, 0.5 * outside},
+          m.density,
+          m.conductivity_table.value_or(PropertyTable(m.conductivity)),
+          m.heat_capacity_table.value_or(PropertyTable(m.heat_capacity))};
 }
 
 /// Strips of all rows, or where the mesh has none the whole side.
@@ -81,6 +87,9 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
              {outer_raceway_port, ball_port, R5},
              {ball_port, {}, R.R6}};
   if (b.shaft_ring_link == BearingCircuitData::Link::permanent) p.links.push_back({shaft_port, bore_port, R.R2});
+
+  if (settings.housing_film)
+    p.convections = {{{housing, HeatSide::outer}, housing_convection(1.), 0.25, ambient}};  // h = 23 rise^0.25
 
   const double fit_area = pi * b.outer_outside * std::min(b.width, b.housing_length);
   p.interfaces = {{{outer, HeatSide::outer}, {housing, HeatSide::inner}, std::max(b.fit_resistance * fit_area, 1e-8)}};

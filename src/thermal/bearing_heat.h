@@ -18,6 +18,7 @@ enum BearingPort : std::size_t {
 struct SectionSettings {
   bool shaft_is_meshed = false;  ///< otherwise a lump, as in the circuit
   HeatNumerics numerics;
+  bool housing_film = false;  ///< eq. (16) on the housing's outside, with the local rise: the problem is not linear
 };
 
 /// The section of a touchdown bearing with the circuit's data: inner ring, outer ring and housing as bodies, balls (and shaft) as nodes.

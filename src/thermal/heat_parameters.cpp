@@ -72,10 +72,13 @@ Section<HeatRectangleParameters> rectangle_section() {
   return s;
 }
 
-Section<HeatPulseParameters> pulse_section() {
+}  // namespace
+
+Section<HeatPulseParameters> pulse_section(const std::string& unit) {
   using P = HeatPulseParameters;
   Section<P> s("pulse", "Equal pulses at equal distances.");
-  s.quantity("height", &P::height, {.unit = "W/m2", .help = "Heat flux density during a pulse."});
+  s.quantity("height", &P::height,
+             {.unit = unit, .help = unit == "W" ? "Heat during a pulse." : "Heat flux density during a pulse."});
   s.quantity("width", &P::width, {.unit = "s", .range = positive(), .help = "Duration of a pulse."});
   s.quantity(
       "period", &P::period,
@@ -89,10 +92,16 @@ Section<HeatPulseParameters> pulse_section() {
                  "Give period = ..., from one pulse's beginning to the next one's.");
     if (p.period && *p.period < p.width)
       faults.add(position_of_value(table, "period"), path + ".period is shorter than its width.",
-                 "Pulses must not overlap; a second flux on the same boundary adds to the first.");
+                 "Pulses must not overlap; a second one at the same place adds to the first.");
   });
   return s;
 }
+
+PulseTrain pulse_train(const HeatPulseParameters& p) {
+  return {p.height, p.width, p.period.value_or(p.width), p.start, p.count};
+}
+
+namespace {
 
 /// Which of three ways says what flows, and whether it is said completely.
 void check_flux_form(const HeatFluxParameters& p, const Node& table, const std::string& path, Faults& faults) {
@@ -123,7 +132,7 @@ Section<HeatFluxParameters> flux_section() {
   s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right."});
   s.quantities("times", &P::times, {.unit = "s", .help = "Rising; values[i] holds from times[i] until the next one."});
   s.quantities("values", &P::values, {.unit = "W/m2", .help = "Heat flux density from each of the times."});
-  s.table<HeatPulseParameters>("pulse", &P::pulse, pulse_section());
+  s.table<HeatPulseParameters>("pulse", &P::pulse, pulse_section("W/m2"));
   s.text("recorded", &P::recorded,
          {.help = "results.h5 of an earlier drop, relative to this file: the flux that brings its heat, row by row."});
   s.text("bearing", &P::bearing, {.help = "Of a recorded heat: the bearing's name."});
@@ -407,13 +416,12 @@ class StudyMaker {
     const auto b = exposed("flux", i, from.boundary);
     FluxSteps steps{from.times, from.values};
     if (from.pulse) {
-      const auto& pulse = *from.pulse;
-      steps =
-          steps_of(PulseTrain{pulse.height, pulse.width, pulse.period.value_or(pulse.width), pulse.start, pulse.count});
+      steps = steps_of(pulse_train(*from.pulse));
     } else if (from.recorded) {
       const Node* table = entry("flux", i);
       if (!table || !read_recorded_) return;
-      const auto heat = read_recorded_(from, *table, "flux#" + std::to_string(i + 1), faults_);
+      const auto heat = read_recorded_({*from.recorded, *from.bearing, *from.heat + "_heat"}, *table,
+                                       "flux#" + std::to_string(i + 1), faults_);
       if (!heat || !b) return;
       const double area = free_area(*b);
       if (area > 0.) steps = steps_of(*heat, area, from.share.value_or(1.), from.interval.value_or(0.));

@@ -39,6 +39,10 @@ struct HeatPulseParameters {
   std::optional<double> period;
   int count = 1;
 };
+/// @param unit  of their height
+Section<HeatPulseParameters> pulse_section(const std::string& unit);
+PulseTrain pulse_train(const HeatPulseParameters& pulse);
+
 /// One of three: times and values, pulse, recorded.
 struct HeatFluxParameters {
   std::string boundary;
@@ -103,10 +107,15 @@ struct HeatStudy {
   double field_interval = 0;         ///< [s]; 0: none
 };
 
-/// Reads the heat that a flux with `recorded` names, or adds faults and returns nothing.
-/// @param table  the flux's own, for places
+/// Which heat of an earlier drop.
+struct RecordedHeatName {
+  std::string file, bearing;
+  std::string ledger;  ///< "rub_heat"
+};
+/// Reads it, or adds faults and returns nothing.
+/// @param table  that names it by `recorded` and perhaps `bearing`, for places
 /// @param name   of that table in messages: "flux#1"
-using ReadRecordedHeat = std::function<std::optional<RecordedHeat>(const HeatFluxParameters& flux, const Node& table,
+using ReadRecordedHeat = std::function<std::optional<RecordedHeat>(const RecordedHeatName& heat, const Node& table,
                                                                    const std::string& name, Faults& faults)>;
 
 /// Names become indices; what does not fit together becomes faults.

@@ -39,6 +39,20 @@ Section<ExtraResistor> resistor_section() {
 
 }  // namespace
 
+ThermalModelChoice read_thermal_models(const Node& node, const std::string& name, Faults& faults) {
+  ThermalModelChoice models;
+  bool is_good = node.is_array();
+  for (const Node& item : is_good ? node.items() : std::vector<Node>{}) {
+    const bool is_lumped = item.is_text() && item.text() == "lumped", is_fe = item.is_text() && item.text() == "fe";
+    is_good = is_good && (is_lumped || is_fe);
+    models.has_lumped = models.has_lumped || is_lumped;
+    models.has_fe = models.has_fe || is_fe;
+  }
+  if (!is_good || (!models.has_lumped && !models.has_fe))
+    faults.add(node.where(), name + " must be a list of \"lumped\" and \"fe\", such as [\"lumped\", \"fe\"].");
+  return models;
+}
+
 Section<ThermalParameters> thermal_section() {
   using P = ThermalParameters;
   Section<P> s("thermal", "Lumped thermal circuit of every touchdown bearing.");
@@ -48,18 +62,9 @@ Section<ThermalParameters> thermal_section() {
             .fallback = Node::array({Node("lumped")}),
             .help = "Thermal models that run: the lumped circuit, the finite elements, or both on the same heat."},
            [](const Node& node, P& target, Faults& faults) {
-             target.has_lumped = target.has_fe = false;
-             bool is_good = node.is_array();
-             for (const Node& item : is_good ? node.items() : std::vector<Node>{}) {
-               const bool is_lumped = item.is_text() && item.text() == "lumped",
-                          is_fe = item.is_text() && item.text() == "fe";
-               is_good = is_good && (is_lumped || is_fe);
-               target.has_lumped = target.has_lumped || is_lumped;
-               target.has_fe = target.has_fe || is_fe;
-             }
-             if (!is_good || (!target.has_lumped && !target.has_fe))
-               faults.add(node.where(),
-                          "thermal.models must be a list of \"lumped\" and \"fe\", such as [\"lumped\", \"fe\"].");
+             const auto models = read_thermal_models(node, "thermal.models", faults);
+             target.has_lumped = models.has_lumped;
+             target.has_fe = models.has_fe;
            });
   s.choice("driver", &P::driver,
            {{"automatic", GrowthDriver::automatic},

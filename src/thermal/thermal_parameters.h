@@ -28,6 +28,13 @@ struct ExtraResistor {
   double resistance = 0;
 };
 
+/// Which thermal models run.
+struct ThermalModelChoice {
+  bool has_lumped = false, has_fe = false;
+};
+/// @param name  of the key, for messages: "thermal.models"
+ThermalModelChoice read_thermal_models(const Node& node, const std::string& name, Faults& faults);
+
 /// [thermal]: the lumped circuit of every touchdown bearing, and what a user adds to it.
 struct ThermalParameters {
   bool has_lumped = true, has_fe = false;  ///< models

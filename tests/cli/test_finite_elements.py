@@ -92,6 +92,38 @@ class InADrop(ProgramTest):
         self.assertLess(abs(windows["heat_residual"]), 1e-9 * windows["heat_input"])
         self.assertAlmostEqual(windows["heat_input"], windowed["energy"]["heat_deposited"], delta=1e-9 * windows["heat_input"])
 
+    TABLES = ("--set", 'materials.steel.k_table=[["293 K", 46], ["303 K", 20]]', "--set", 'materials.steel.c_table=[["293 K", 460], ["303 K", 900]]')
+
+    def test_windows_follow_tables_of_k_and_c(self):
+        """The same joules through `rotordrop heat` on the same mesh, by another method in time with error control and heat spread over 0.5 ms. Without
+        the tables the ring gets warmer by a few per cent."""
+        small = {"thermal__fe__coupling": "windowed", "thermal__fe__section": "plain", "thermal__fe__refinement": 0.5}
+        self.succeed("run", "settling.toml", "-o", "drop", *self.TABLES, *settings(thermal__models='["fe"]', **small, run__end_time="15 ms"))
+        windows = self.summary("drop")["windows"]
+        self.assertLess(abs(windows["heat_residual"]), 1e-9 * windows["heat_input"])
+        alone = ("settling.toml", *settings(**small, heat__bearing="TB1", heat__models='["fe"]', heat__end_time="15 ms",
+                                            heat__source="[{port = 'all', recorded = 'drop/results.h5', interval = '0.5 ms'}]"))
+        self.succeed("heat", *alone, "-o", "same", *self.TABLES)
+        self.succeed("heat", *alone, "-o", "constant", *settings(materials__steel__k=46, materials__steel__c=460))
+        drop = self.summary("drop")["bearings"]["TB1"]["fe"]["temperature_rise_end"]["inner_ring"]
+        same, constant = (self.summary(name)["probes"]["fe.inner_ring"]["temperature"][-1] - 293.15 for name in ("same", "constant"))
+        self.assertAlmostEqual(same / drop, 1, delta=2e-3)
+        self.assertGreater(constant / drop, 1.02)
+
+    def test_tables_that_are_constant_change_nothing(self):
+        plain = self.drop("plain", until="10 ms", thermal__fe__coupling="windowed")
+        tables = self.drop("tables", until="10 ms", thermal__fe__coupling="windowed", materials__steel__k_table=[[273, 70], [373, 70]], materials__steel__c_table=[[273, 510]])
+        self.assertEqual(plain["bearings"], tables["bearings"])
+        self.assertEqual(plain["bearings"]["TB1"]["fe"]["temperature_rise_end"], tables["bearings"]["TB1"]["fe"]["temperature_rise_end"])
+
+    def test_modes_refuse_tables_and_name_the_key(self):
+        for coupling in ("reduced", "monolithic"):
+            done = self.call("check", self.case("[materials.steel]\nk_table = [[293, 46], [393, 42]]\n"), "--set", BOTH, *settings(thermal__fe__coupling=coupling))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f'drop.toml:4:1: materials.steel.k_table depends on temperature, and thermal.fe.coupling = "{coupling}"', done.stderr)
+            self.assertIn('Take thermal.fe.coupling = "windowed"', done.stderr)
+        self.assertEqual(self.call("check", "drop.toml").returncode, 0, "the circuit takes the value at ambient")
+
     def test_both_models_run_side_by_side_and_either_drives(self):
         forces = {}
         for driver in ("lumped", "fe", "none"):

@@ -168,6 +168,322 @@ class RecordedHeat(ProgramTest):
         self.assertEqual(self.summary()["probes"], self.summary("again")["probes"])
 
 
+BEARING = """
+[heat]
+bearing = "TB1"
+output_times = ["1 ms", "5 ms", "10 ms"]
+"""
+STEADY = '[[heat.source]]\nport = "rub-into-ring"\ntimes = [0]\nvalues = [1e4]\n'
+
+
+class BearingFaults(ProgramTest):
+    """[heat] of a drop's case: faults are found before anything is written."""
+
+    def fault(self, text, *options):
+        done = self.call("heat", self.case(text), "-o", "out", *options)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+        return done.stderr
+
+    def test_a_drop_without_heat_is_told_what_it_needs(self):
+        message = self.fault("")
+        self.assertIn("has no table [heat]", message)
+        self.assertIn("docs/heat.md", message)
+
+    def test_the_bearing_is_known(self):
+        self.assertIn('Did you mean "TB1"?  Known: TB1, TB2.', self.fault(BEARING.replace("TB1", "TB") + STEADY))
+        self.assertIn("which one is heated?", self.fault(BEARING.replace('bearing = "TB1"', "") + STEADY))
+
+    def test_something_heats_it_for_some_time(self):
+        self.assertIn('missing key "source" in [heat]', self.fault(BEARING))
+        self.assertIn("how long to compute", self.fault(BEARING.replace('output_times = ["1 ms", "5 ms", "10 ms"]', "") + STEADY))
+        self.assertIn("do not rise", self.fault(BEARING.replace('"5 ms"', '"0.5 ms"') + STEADY))
+        self.assertIn("beyond heat.end_time", self.fault(BEARING + 'end_time = "9 ms"\n' + STEADY))
+
+    def test_a_port_is_one_of_those_there_are(self):
+        message = self.fault(BEARING + STEADY.replace("rub-into-ring", "rub-into-rig"))
+        self.assertIn('Did you mean "rub-into-ring"?', message)
+        self.assertIn("drop.toml:8:8", message)
+
+    def test_a_source_says_in_one_way_what_flows(self):
+        steps = "times = [0]\nvalues = [1e4]\n"
+        for old, new, words in (
+                (steps, "", "does not say what flows"),
+                (steps, steps + "pulse = { height = 1, width = 1 }\n", "in several ways"),
+                (steps, "times = [0]\n", "needs times and values"),
+                ("[1e4]", "[1e4, 0]", "1 times and 2 values"),
+                (steps, "times = [1, 0]\nvalues = [1, 1]\n", "times do not rise"),
+                (steps, steps + 'interval = "1 ms"\n', "belongs to a recorded heat"),
+                (steps, steps + "share = 0.5\n", "divides rub heat"),
+                (steps, 'pulse = { height = 1, width = 1 }\ninterpolation = "linear"\n', "belongs to times and values"),
+                ('"rub-into-ring"', '"all"', "is for heat that a drop recorded"),
+                (steps, "pulse = { height = 1, width = 1, count = 2 }\n", "needs a period")):
+            with self.subTest(words):
+                self.assertIn(words, self.fault(BEARING + STEADY.replace(old, new)))
+
+    def test_speeds_cannot_share_where_nothing_moves(self):
+        rub = STEADY.replace("rub-into-ring", "rub")
+        self.assertIn("needs a share", self.fault(BEARING + rub, "--set", "thermal.heat_share=jaeger"))
+
+    def test_a_recorded_drop_is_there_and_has_the_bearing(self):
+        source = '[[heat.source]]\nport = "all"\nrecorded = "drop/results.h5"\n'
+        self.assertIn("there is no such file", self.fault(BEARING + source))
+        self.succeed("run", "reference.toml", "-o", "drop", "--set", "run.end_time=1 ms")
+        self.assertIn('no such bearing in', self.fault(BEARING + source + 'bearing = "TB3"\n'))
+
+    def test_probes_are_nodes_of_a_model_that_runs(self):
+        probe = '[[heat.probe]]\nname = "p"\n'
+        self.assertIn('Did you mean "inner_ring"?', self.fault(BEARING + STEADY + probe + 'node = "iner_ring"\n'))
+        self.assertIn("does not run", self.fault(BEARING + STEADY + probe + 'node = "ball"\nmodel = "fe"\n'))
+        self.assertIn("belong to the finite elements", self.fault(BEARING + STEADY + probe + "x = 0\nr = 0.036\n"))
+        self.assertIn("needs either node, or boundary, or x and r", self.fault(BEARING + STEADY + probe))
+        self.assertIn("the circuit has nodes only", self.fault(BEARING + STEADY + probe + 'boundary = "inner_ring.inner"\nmodel = "lumped"\n'))
+        self.assertIn("is taken", self.fault(BEARING + STEADY + 2 * (probe + 'node = "ball"\n')))
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    def test_probes_of_the_section_lie_in_it(self):
+        probe = '[[heat.probe]]\nname = "p"\n'
+        case = BEARING + 'models = ["lumped", "fe"]\n' + STEADY + probe
+        self.assertIn("lies in no body", self.fault(case + 'x = 0\nr = "20 mm"\n'))
+        self.assertIn("lies outside housing", self.fault(case + 'x = 0\nr = "36 mm"\nbody = "housing"\n'))
+        self.assertIn('Did you mean "inner_ring.strip_1"?', self.fault(case + 'boundary = "inner_ring.strip"\n'))
+        self.assertIn("both models have", self.fault(case + 'node = "inner_ring"\n'))
+
+
+class HeatOfABearing(ProgramTest):
+    """Its circuit and its section under heat that is given."""
+
+    def heat(self, text, *options, output="out"):
+        self.succeed("heat", self.case(text), "-o", output, *options)
+        return self.summary(output)
+
+    def assert_closed(self, summary, within=1e-10):
+        for name, energy in summary["energy"].items():
+            self.assertLess(abs(energy["residual"]), within * energy["input"], name)
+            self.assertGreater(energy["stored"], 0, name)
+
+    def test_recorded_heat_gives_the_drops_own_circuit(self):
+        """Within a row of 50 us the heat is spread evenly: heat of a row, at most a fiftieth of all, moves by less than 50 us, and conduction changes a node
+        by 50 us over the circuit's time constants, 5 s and more. That is 2e-7 of the largest rise."""
+        self.run_case(self.case(""), output="drop", run__end_time="60 ms")
+        times = [5e-3, 12e-3, 30e-3, 60e-3]
+        nodes = ["shaft", "inner_ring", "ball", "outer_ring", "housing"]
+        probes = "".join(f'[[heat.probe]]\nname = "{n}"\nnode = "{n}"\n' for n in nodes)
+        for bearing in ("TB1", "TB2"):
+            summary = self.heat(f'[heat]\nbearing = "{bearing}"\noutput_times = {times}\n[[heat.source]]\nport = "all"\nrecorded = "drop/results.h5"\n' + probes, output=bearing)
+            with h5py.File(self.folder / "drop/results.h5", "r") as results:
+                rows = [int(abs(results["/time"][:] - t).argmin()) for t in times]
+                for row, t in zip(rows, times):
+                    self.assertAlmostEqual(results["/time"][row], t, delta=1e-12)
+                largest = max(results[f"/thermal/{bearing}/{n}"][-1] for n in nodes) - 293.15
+                self.assertGreater(largest, 0.1)
+                for n in nodes:
+                    for row, T in zip(rows, summary["probes"][n]["temperature"]):
+                        self.assertAlmostEqual(T, results[f"/thermal/{bearing}/{n}"][row], delta=2e-7 * largest, msg=f"{bearing} {n}")
+                growth = results[f"/growth/lumped/{bearing}"][rows[-1]]
+                for name, value in zip(("shaft", "bore", "inner_race", "outer_race", "ball_radius"), growth):
+                    self.assertAlmostEqual(summary["growth"]["lumped"][name][-1], value, delta=1e-6 * max(abs(growth)))
+                given = sum(results[f"/ledger/{bearing}/{heat}_heat"][-1] for heat in ("rub", "inner", "outer"))
+                self.assertAlmostEqual(summary["energy"]["lumped"]["input"], given, delta=1e-12 * given)
+            self.assert_closed(summary)
+
+    def test_the_share_of_a_recorded_rub_may_be_another(self):
+        self.run_case(self.case(""), output="drop")
+        source = '[[heat.source]]\nport = "{}"\nrecorded = "drop/results.h5"\n'
+        with h5py.File(self.folder / "drop/results.h5", "r") as results:
+            rub, into_ring = (results[f"/ledger/TB1/{name}"][-1] for name in ("rub_heat", "rub_heat_into_ring"))
+        own = self.heat(BEARING + source.format("rub"), output="own")["heat"]
+        other = self.heat(BEARING + source.format("rub") + "share = 0.25\n", output="other")["heat"]
+        shaft = self.heat(BEARING + source.format("rub-into-shaft"), output="shaft")["heat"]
+        self.assertAlmostEqual(own["rub_into_ring"], into_ring, delta=1e-12 * rub)
+        self.assertAlmostEqual(own["rub_into_shaft"], rub - into_ring, delta=1e-12 * rub)
+        self.assertAlmostEqual(other["rub_into_ring"], 0.25 * rub, delta=1e-12 * rub)
+        self.assertAlmostEqual(other["rub_into_shaft"], 0.75 * rub, delta=1e-12 * rub)
+        self.assertEqual(shaft["rub_into_ring"], 0)
+        self.assertAlmostEqual(shaft["rub_into_shaft"], rub - into_ring, delta=1e-12 * rub)
+        self.assertEqual(other["inner"], 0)
+
+    def test_pulses_bring_their_joules_divided_by_the_share(self):
+        pulses = '[[heat.source]]\nport = "rub"\npulse = { height = "10 kW", width = "1 ms", period = "3 ms", count = 3 }\n'
+        heat = self.heat(BEARING + pulses)["heat"]
+        self.assertAlmostEqual(heat["rub_into_ring"], 0.66 * 30, delta=1e-11)
+        self.assertAlmostEqual(heat["rub_into_shaft"], 0.34 * 30, delta=1e-11)
+
+    def test_rotor_and_ring_touch_while_rub_heat_flows(self):
+        """R2 + R3 = 0.06 K/W join shaft and ring while they touch, R2 + R3 and 1.6 K/W of air afterwards: of a ring that is 1 K warmer the shaft takes a
+        twentieth of what it takes by the permanent link."""
+        case = '[heat]\nbearing = "TB1"\noutput_times = ["1 ms", "2 ms", "0.1 s"]\n' + STEADY.replace("times = [0]\nvalues = [1e4]", 'pulse = { height = "100 kW", width = "2 ms" }')
+        always, touching = (self.heat(case, "--set", f"thermal.shaft_ring_link={link}", output=link)["probes"]["lumped.shaft"]["temperature"] for link in ("permanent", "in-contact"))
+        self.assertGreater(always[0], 293.15)
+        self.assertAlmostEqual(always[1], touching[1], delta=1e-9)
+        later = [T[2] - T[1] for T in (always, touching)]
+        self.assertLess(later[1], 0.1 * later[0])
+        self.assertGreater(later[1], 0)
+
+    def test_without_probes_every_node_is_reported(self):
+        summary = self.heat(BEARING + STEADY)
+        self.assertEqual(set(summary["probes"]), {f"lumped.{n}" for n in ("shaft", "inner_ring", "inner_contact", "ball", "outer_contact", "outer_ring", "housing")})
+        self.assertEqual(summary["probes"]["lumped.ball"]["time"], [1e-3, 5e-3, 1e-2])
+        with h5py.File(self.folder / "out/results.h5", "r") as results:
+            self.assertEqual(list(results["/probes/lumped.ball"]), summary["probes"]["lumped.ball"]["temperature"])
+            self.assertEqual(list(results["/growth/lumped"][:, 1]), summary["growth"]["lumped"]["bore"])
+
+    def test_the_resolved_case_runs_to_the_same_numbers_from_anywhere(self):
+        self.run_case(self.case(""), output="drop")
+        case = BEARING + '[[heat.source]]\nport = "all"\nrecorded = "drop/results.h5"\n' + STEADY
+        first = self.heat(case)
+        self.succeed("heat", "out/parameters.toml", "-o", "again")
+        self.assertEqual(first["probes"], self.summary("again")["probes"])
+
+    def test_a_drop_takes_no_notice_of_heat(self):
+        with_heat, without = self.run_case(self.case(BEARING + STEADY)), self.run_case(self.case("", "plain.toml"), output="plain")
+        self.assertEqual(with_heat["bearings"], without["bearings"])
+
+    def test_check_builds_the_models(self):
+        done = self.succeed("check", self.case(BEARING + STEADY))
+        self.assertIn("bearing TB1: models lumped; 100 J", done.stdout)
+        self.assertEqual(self.call("check", self.case(BEARING.replace("TB1", "TB") + STEADY)).returncode, 2)
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    def test_recorded_heat_gives_the_drops_own_finite_elements(self):
+        """The same modes on heat that is spread evenly within rows of 50 us. Bodies exchange heat through their surfaces, the bore with the shaft at ten
+        times the mean's rise, so a mean differs by ten times what the circuit's does; the surfaces themselves follow within a row and are not compared."""
+        both = 'thermal.models = ["lumped", "fe"]\n'
+        self.run_case(self.case(both), output="drop", run__end_time="30 ms")
+        nodes = ["inner_ring", "outer_ring", "housing", "ball", "shaft"]
+        summary = self.heat(both + '[heat]\nbearing = "TB1"\noutput_times = ["15 ms", "30 ms"]\n[[heat.source]]\nport = "all"\nrecorded = "drop/results.h5"\n'
+                            + "".join(f'[[heat.probe]]\nname = "{n}"\nmodel = "fe"\nnode = "{n}"\n' for n in nodes))
+        with h5py.File(self.folder / "drop/results.h5", "r") as results:
+            largest = results["/fe/TB1/inner_ring"][-1] - 293.15
+            self.assertGreater(largest, 0.1)
+            for t, at in ((15e-3, 0), (30e-3, 1)):
+                row = int(abs(results["/time"][:] - t).argmin())
+                for n in nodes:
+                    self.assertAlmostEqual(summary["probes"][n]["temperature"][at], results[f"/fe/TB1/{n}"][row], delta=2e-6 * largest, msg=n)
+                growth = results["/growth/fe/TB1"][row]
+                for name, value in zip(("shaft", "bore", "inner_race", "outer_race", "ball_radius"), growth):
+                    self.assertAlmostEqual(summary["growth"]["fe"][name][at], value, delta=4e-6 * max(abs(growth)))
+        self.assert_closed(summary)
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    def test_the_bore_follows_the_half_space_while_its_layer_is_thin(self):
+        """Flux q into the bore of radius a from t = 0, depth without end: rise = 2 q/k sqrt(D t/pi) - q D t/(2 a k), D = k/(rho c); the third term
+        is below 1e-4 of it at 1 ms. The link R2 to the shaft, which stays cold, takes rise/R2: a correction of -q_1 D^0.5/k c pi t/2/pi^0.5, where c is
+        rise/t^0.5 and q_1 = 1/(R2 area)."""
+        k, rho, c, a, width, watts = 70.0, 7800.0, 510.0, 35e-3, 20e-3, 1e4
+        D, area, R2 = k / (rho * c), 2 * math.pi * a * width, 1 / (4 * math.pi * k * width)
+        case = 'thermal.models = ["fe"]\nthermal.fe.section = "plain"\n' + BEARING.replace('"5 ms", "10 ms"', '"2 ms"') + STEADY + '[[heat.probe]]\nname = "bore"\nboundary = "inner_ring.inner"\n[[heat.probe]]\nname = "bore point"\nx = 0\nr = "35 mm"\n'
+        for coupling, tolerance in (("reduced", 5e-3), ("windowed", 2e-3)):
+            summary = self.heat(case, "--set", f"thermal.fe.coupling={coupling}", output=coupling)
+            for t, T, T_point in zip((1e-3, 2e-3), summary["probes"]["bore"]["temperature"], summary["probes"]["bore point"]["temperature"]):
+                slope = 2 * watts / area / k * math.sqrt(D / math.pi)
+                rise = slope * math.sqrt(t) - watts / area * D * t / (2 * a * k) - slope * math.sqrt(D / math.pi) / k / (R2 * area) * math.pi * t / 2
+                self.assertAlmostEqual((T - 293.15) / rise, 1, delta=tolerance, msg=f"{coupling} at {t} s")
+                self.assertAlmostEqual((T_point - 293.15) / rise, 1, delta=tolerance, msg=f"{coupling} at {t} s")
+            self.assert_closed(summary)
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    def test_modes_and_mesh_agree(self):
+        """Heat into a race that is twenty times a drop's: 48 modes instead of 28. Means of bodies agree but for the steps' tolerance; surfaces to what modes
+        leave out. The mesh carries eq. 16 with the local rise, the modes with the mean, but the housing is hardly warm yet."""
+        case = BEARING.replace('"10 ms"', '"50 ms"') + 'models = ["fe"]\n[[heat.source]]\nport = "rub"\ntimes = [0, 2e-3]\nvalues = [1e4, 0]\n[[heat.source]]\nport = "inner"\ninterpolation = "linear"\ntimes = [0, 0.05]\nvalues = [0, 2e3]\n'
+        reduced, mesh = (self.heat(case, "--set", f"thermal.fe.coupling={coupling}", "--set", "thermal.fe.modes=48", output=coupling) for coupling in ("reduced", "windowed"))
+        self.assertEqual(set(reduced["probes"]), set(mesh["probes"]))
+        for summary in (reduced, mesh):
+            self.assertAlmostEqual(summary["energy"]["fe"]["input"], 20 + 50, delta=1e-10)
+            self.assert_closed(summary)
+        self.assertEqual(set(reduced["models"]["fe"]["response_error"]), {"bore", "shaft", "inner_raceway", "outer_raceway"})
+        self.assertGreater(mesh["models"]["fe"]["factorisations"], 1)
+        largest = max(probe["temperature"][-1] for probe in mesh["probes"].values()) - 293.15
+        for name, probe in mesh["probes"].items():
+            is_mean = name.split(".")[1] in ("inner_ring", "outer_ring", "housing", "ball", "shaft")
+            for a, b in zip(reduced["probes"][name]["temperature"][1:], probe["temperature"][1:]):
+                self.assertAlmostEqual(a, b, delta=(1e-6 if is_mean else 1e-3) * largest, msg=name)
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    def test_the_circuit_meets_the_finite_elements_under_steady_heat(self):
+        """Both have the same resistances and capacities in other words: after 100 s of 20 W into both races the means differ by the few per cent that
+        one temperature a body costs."""
+        case = '[heat]\nbearing = "TB1"\nmodels = ["lumped", "fe"]\nend_time = "100 s"\n' + "".join(f'[[heat.source]]\nport = "{port}"\ntimes = [0]\nvalues = [20]\n' for port in ("inner", "outer"))
+        summary = self.heat(case, "--set", "thermal.fe.coupling=windowed")
+        self.assert_closed(summary)
+        self.assertEqual(summary["energy"]["lumped"]["input"], summary["energy"]["fe"]["input"])
+        for node in ("inner_ring", "outer_ring", "housing"):
+            lumped, fe = (summary["probes"][f"{model}.{node}"]["temperature"][-1] - 293.15 for model in ("lumped", "fe"))
+            self.assertGreater(fe, 0.5)
+            self.assertAlmostEqual(lumped / fe, 1, delta=0.1, msg=node)
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    def test_a_plain_section_is_the_one_written_by_hand(self):
+        """Outer ring and housing of TB1 as rectangles with fit, eq. 16 and tables of k and c, written down here; balls that conduct next to nothing to
+        them. Only meshes and steps differ."""
+        steel = 'k_table = [["293 K", 46], ["323 K", 30]]\nc_table = [["293 K", 460], ["323 K", 700]]\n'
+        bearing = self.heat('thermal.models = ["fe"]\nthermal.contact_half_width = "1e-9 m"\n[thermal.fe]\nsection = "plain"\ncoupling = "windowed"\n[materials.steel]\n' + steel
+                            + '[heat]\nbearing = "TB1"\noutput_times = ["50 ms", "2 s", "20 s"]\n[[heat.source]]\nport = "outer"\ntimes = [0, 10]\nvalues = [2e3, 0]\n'
+                            + '[[heat.probe]]\nname = "race"\nboundary = "outer_ring.inner"\n[[heat.probe]]\nname = "fit"\nx = 0\nr = "55 mm"\nbody = "outer_ring"\n[[heat.probe]]\nname = "outside"\nboundary = "housing.outer"\n[[heat.probe]]\nname = "end"\nx = "12.5 mm"\nr = "55 mm"\n')
+        area, fit = math.pi * 97.2e-3 * 20e-3, math.pi * 110e-3 * 20e-3
+        self.succeed("heat", self.write("by-hand.toml", f"""
+output_times = ["50 ms", "2 s", "20 s"]
+[materials.mine]
+rho = 7800
+{steel}
+[[section.rectangle]]
+name = "ring"
+x = ["-10 mm", "10 mm"]
+r = ["48.6 mm", "55 mm"]
+material = "mine"
+[[section.rectangle]]
+name = "housing"
+x = ["-12.5 mm", "12.5 mm"]
+r = ["55 mm", "65 mm"]
+material = "mine"
+[[interface]]
+between = ["ring.outer", "housing.inner"]
+resistance = {0.005 * fit}
+[[flux]]
+boundary = "ring.inner"
+times = [0, 10]
+values = [{2e3 / area}, 0]
+[[convection]]
+boundary = "housing.outer"
+coefficient = 23
+exponent = 0.25
+[[probe]]
+name = "race"
+boundary = "ring.inner"
+[[probe]]
+name = "fit"
+x = 0
+r = "55 mm"
+[[probe]]
+name = "outside"
+boundary = "housing.outer"
+[[probe]]
+name = "end"
+x = "12.5 mm"
+r = "55 mm"
+body = "housing"
+"""), "-o", "hand")
+        by_hand = self.summary("hand")
+        self.assertGreater(by_hand["probes"]["race"]["temperature"][-1], 293.15 + 5)
+        self.assertGreater(by_hand["energy"]["lost"], 0.005 * by_hand["energy"]["input"])
+        for name, probe in by_hand["probes"].items():
+            for mine, theirs in zip(bearing["probes"][name]["temperature"], probe["temperature"]):
+                self.assertAlmostEqual(mine, theirs, delta=1e-4 * (max(probe["temperature"]) - 293.15), msg=name)
+        self.assertAlmostEqual(bearing["energy"]["fe"]["lost"] / by_hand["energy"]["lost"], 1, delta=1e-4)
+        self.assert_closed(bearing)
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    def test_the_example_runs(self):
+        self.succeed("heat", PARAMS / "heat/bearing.toml", "-o", "out")
+        summary = self.summary()
+        self.assertEqual(set(summary["energy"]), {"lumped", "fe"})
+        self.assert_closed(summary)
+        probes = {name: probe["temperature"] for name, probe in summary["probes"].items()}
+        self.assertGreater(probes["bore surface"][1], probes["2 mm under the bore"][1] + 1)
+        self.assertGreater(summary["growth"]["fe"]["inner_race"][-1], 0)
+
+
 class HeatDeclarations(ProgramTest):
     def test_check_knows_a_case_of_heat(self):
         done = self.succeed("check", EXAMPLE)

@@ -105,7 +105,7 @@ HeatOperator::Vector HeatOperator::integral_over(const std::vector<Face>& faces)
 
 void HeatOperator::make_ports() {
   for (const auto& port : problem_.ports) {
-    Port made{port.name, Vector(size()), 0., 0.};
+    Port made{port.name, Vector(size()), 0., 0., 0.};
     if (port.node) {
       made.weights(index_of_node(*port.node)) = 1.;
     } else {
@@ -382,8 +382,12 @@ void HeatOperator::hold_fluxes_of(double time) {
   }
 }
 
-void HeatOperator::hold_port_heat(std::span<const double> watts) {
-  for (std::size_t p = 0; p < watts.size(); ++p) ports_[p].held = watts[p];
+void HeatOperator::hold_port_heat(std::span<const double> watts, std::span<const double> rates, double time) {
+  for (std::size_t p = 0; p < watts.size(); ++p) {
+    ports_[p].held = watts[p];
+    ports_[p].rate = rates.empty() ? 0. : rates[p];
+  }
+  held_since_ = time;
 }
 
 void HeatOperator::enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const {
@@ -405,7 +409,7 @@ void HeatOperator::heat_flow(const Vector& T, double t, Vector& out) const {
   out.sadd(-1., ambient_load_);
   for (const auto& load : loads_) out.add(load.held, load.unit);
   for (const auto& port : ports_)
-    if (port.held != 0.) out.add(port.held, port.weights);
+    if (port.held != 0. || port.rate != 0.) out.add(watts(port, t), port.weights);
 
   for (const auto& cell : curved_cells_)
     for (std::size_t q = 0; q < cell.weights.size(); ++q) {
@@ -501,7 +505,7 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
 
 double HeatOperator::input_power(double t) const {
   double power = 0.;
-  for (const auto& port : ports_) power += port.held;
+  for (const auto& port : ports_) power += watts(port, t);
   for (const auto& load : loads_) {
     power += load.held * load.area;
     if (!load.flux->function) continue;
@@ -611,17 +615,32 @@ double HeatOperator::difference(const Vector& T, const std::function<double(std:
 // --------------------------------------------------------------------------------------------------------------------- scales
 
 double HeatOperator::expected_rise(double duration) const {
-  double rise = 0.;
-  for (const auto& load : loads_) {
-    const auto& body = problem_.bodies[load.flux->boundary.body];
+  const auto half_space = [&](const HeatBoundary& boundary, double flux) {
+    const auto& body = problem_.bodies[boundary.body];
     const double k = body.conductivity.value(problem_.initial_temperature);
     const double rho_c = body.density * body.heat_capacity.value(problem_.initial_temperature);
-    const auto side = load.flux->boundary.side;
+    const auto side = boundary.side;
     const double thickness =
         side == HeatSide::left || side == HeatSide::right ? body.x[1] - body.x[0] : body.r[1] - body.r[0];
     // Until 0.1 thickness^2/diffusivity the body is thick.
     const double t = std::min(duration, 0.1 * thickness * thickness * rho_c / k);
-    rise = std::max(rise, 2. * std::fabs(load.held) * std::sqrt(t / (pi * k * rho_c)));
+    return 2. * std::fabs(flux) * std::sqrt(t / (pi * k * rho_c));
+  };
+  double rise = 0.;
+  for (const auto& load : loads_) rise = std::max(rise, half_space(load.flux->boundary, load.held));
+  for (std::size_t p = 0; p < ports_.size(); ++p) {
+    const auto& port = problem_.ports[p];
+    const double largest = std::max(std::fabs(ports_[p].held), std::fabs(ports_[p].held + ports_[p].rate * duration));
+    if (!port.node) {
+      rise = std::max(rise, half_space(port.boundaries.front(), largest / ports_[p].area));
+      continue;
+    }
+    // Until its links carry the heat on.
+    const double capacity = problem_.nodes[*port.node].capacity;
+    double t = duration;
+    for (const auto& link : problem_.links)
+      if (link.from == p || link.to == p) t = std::min(t, link.resistance * capacity);
+    rise = std::max(rise, largest * t / capacity);
   }
   return rise;
 }

@@ -49,8 +49,8 @@ class HeatOperator {
 
   /// Fluxes keep, until the next call, the values that hold right after this time [s].
   void hold_fluxes_of(double time);
-  /// Heat into each port [W] [n_ports], until the next call.
-  void hold_port_heat(std::span<const double> watts);
+  /// Heat into each port [W] [n_ports] at a time [s], and its rate [W/s] [n_ports, or none], until the next call.
+  void hold_port_heat(std::span<const double> watts, std::span<const double> rates, double time);
   /// out(v) = integral rho (H(T) - H(T_before)) v  [J]
   void enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const;
   /// out(v) = F(T, t)(v)  [W]
@@ -87,7 +87,8 @@ class HeatOperator {
 
   [[nodiscard]] double difference(const Vector& T, const std::function<double(std::size_t, double, double)>& f) const;
 
-  /// Rise of a half space [K] under the largest held flux after this time [s], as long as it has not felt the body's other side: a scale.
+  /// Rise of a half space [K] under the largest held flux or port's heat after this time [s], as long as it has not felt the body's other side,
+  /// or of a node under its port's heat: a scale.
   [[nodiscard]] double expected_rise(double duration) const;
   /// Time [s] in which heat crosses the thinnest cell, node to node.
   [[nodiscard]] double shortest_time() const;
@@ -121,8 +122,10 @@ class HeatOperator {
     std::string name;
     Vector weights;   ///< integral v / area; sums to 1
     double area = 0;  ///< [m2]; 0 for a node
-    double held = 0;  ///< [W]
+    double held = 0;  ///< at held_since_ [W]
+    double rate = 0;  ///< [W/s]
   };
+  [[nodiscard]] double watts(const Port& port, double t) const { return port.held + port.rate * (t - held_since_); }
   struct BodyMean {
     Vector weights;
     double capacity = 0;
@@ -162,6 +165,7 @@ class HeatOperator {
   std::vector<FilmFace> power_faces_, linear_faces_;
   std::vector<FluxLoad> loads_;
   std::vector<Port> ports_;
+  double held_since_ = 0;  ///< of the ports' heat [s]
   std::vector<Held> held_;
   std::vector<BodyMean> bodies_;
   dealii::SparsityPattern pattern_;

@@ -30,7 +30,7 @@ constexpr double b_embedded[6] = {4586570599. / 29645900160., 0.,
                                   -3700637. / 11593932.,      61727. / 225920.};
 
 constexpr double safety = 0.9, largest_growth = 4., worth_a_factorisation = 1.7;
-constexpr int most_iterations = 12;
+constexpr int most_iterations = 12, most_window_iterations = 25;
 constexpr double roundoff = 1e-11;  // [K] of an error estimate
 
 }  // namespace
@@ -247,22 +247,33 @@ void HeatSolver::book_held_boundaries(const Vector& before, const Vector& after,
 
 // ------------------------------------------------------------------------------------------------------------------- windows
 
-void HeatSolver::set_port_heat(std::span<const double> watts) {
-  operator_.hold_port_heat(watts);
+void HeatSolver::set_port_heat(std::span<const double> watts, std::span<const double> rates) {
+  operator_.hold_port_heat(watts, rates, time_);
   must_restart_ = true;
 }
 
+void HeatSolver::advance_window(double step) { advance_parts_of_window(step, 64); }
+
+// Steep tables may need shorter steps than the window for Newton's iteration.
+void HeatSolver::advance_parts_of_window(double step, int most_parts) {
+  if (step_window(step)) return;
+  if (most_parts <= 1)
+    throw SolverError(fmt::format("Newton's iteration does not converge in the window after t = {:.6g} s.", time_));
+  advance_parts_of_window(0.5 * step, most_parts / 2);
+  advance_parts_of_window(0.5 * step, most_parts / 2);
+}
+
 // Alexander (1977): two stages of order 2, L-stable; the second one is the new state.
-void HeatSolver::advance_window(double step) {
+bool HeatSolver::step_window(double step) {
   static const double g = 1. - 1. / std::sqrt(2.);
   Vector &first = stage_[1], &second = stage_[2];
   known_ = 0.;
   first = T_;
-  solve_window_stage(step, time_ + g * step, first, flow_[1]);
+  if (!solve_window_stage(step, time_ + g * step, first, flow_[1])) return false;
   known_ = 0.;
   known_.add(step * (1. - g), flow_[1]);
   second = first;
-  solve_window_stage(step, time_ + step, second, flow_[2]);
+  if (!solve_window_stage(step, time_ + step, second, flow_[2])) return false;
   const double weights[2] = {1. - g, g};
   for (std::size_t i = 0; i < 2; ++i) {
     input_ += step * weights[i] * operator_.input_power(time_);
@@ -273,9 +284,10 @@ void HeatSolver::advance_window(double step) {
   T_ = second;
   time_ += step;
   ++statistics_.steps;
+  return true;
 }
 
-void HeatSolver::solve_window_stage(double step, double t, Vector& T, Vector& flow) {
+bool HeatSolver::solve_window_stage(double step, double t, Vector& T, Vector& flow) {
   static const double g = 1. - 1. / std::sqrt(2.);
   const bool is_linear = operator_.is_linear();
   auto found = window_inverse_.find(step);
@@ -287,7 +299,8 @@ void HeatSolver::solve_window_stage(double step, double t, Vector& T, Vector& fl
   };
   if (found == window_inverse_.end()) factorise_at(T);
   double last = 0.;
-  for (int k = 0; k < most_iterations; ++k) {
+  bool is_fresh = false;
+  for (int k = 0; k < most_window_iterations; ++k) {
     operator_.heat_flow(T, t, flow);
     operator_.enthalpy_difference(T, T_, residual_);
     residual_.sadd(-1., step * g, flow);
@@ -299,13 +312,17 @@ void HeatSolver::solve_window_stage(double step, double t, Vector& T, Vector& fl
     const double change = residual_.linfty_norm();
     if (is_linear || change <= 1e-10) {
       operator_.heat_flow(T, t, flow);
-      return;
+      return true;
     }
     if (!std::isfinite(change)) break;
-    if (k > 2 && change > 0.3 * last) factorise_at(T);
+    if (k > 0 && change > 0.3 * last) {
+      if (is_fresh && change > 2. * last) break;
+      factorise_at(T);
+      is_fresh = true;
+    }
     last = change;
   }
-  throw SolverError(fmt::format("Newton's iteration does not converge in the window after t = {:.6g} s.", time_));
+  return false;
 }
 
 void HeatSolver::set_field(std::span<const double> temperatures, double time, double input, double lost) {

@@ -35,7 +35,8 @@ class HeatSolver final : public HeatConductionSolver {
     return operator_.port_temperature(T_, port);
   }
   [[nodiscard]] double port_area(std::size_t port) const override { return operator_.port_area(port); }
-  void set_port_heat(std::span<const double> watts) override;
+  using HeatConductionSolver::set_port_heat;
+  void set_port_heat(std::span<const double> watts, std::span<const double> rates) override;
   void advance_window(double step) override;
   [[nodiscard]] std::vector<double> field() const override { return {T_.begin(), T_.end()}; }
   void set_field(std::span<const double> temperatures, double time, double input, double lost) override;
@@ -72,7 +73,9 @@ class HeatSolver final : public HeatConductionSolver {
   [[nodiscard]] std::unique_ptr<LinearSolver> new_linear_solver() const {
     return make_linear_solver(numerics_.solver, operator_.is_symmetric());
   }
-  void solve_window_stage(double step, double t, Vector& T, Vector& flow);
+  void advance_parts_of_window(double step, int most_parts);
+  [[nodiscard]] bool step_window(double step);
+  [[nodiscard]] bool solve_window_stage(double step, double t, Vector& T, Vector& flow);
 
   HeatOperator operator_;
   const HeatNumerics numerics_;

@@ -263,8 +263,7 @@ TEST(Schema, DescribesEveryKindOfParameter) {
   const auto& kinds = bearings["additionalProperties"]["anyOf"];
   ASSERT_EQ(kinds.size(), 2U);
   EXPECT_EQ(kinds[0]["properties"]["type"]["const"], "touchdown");
-  EXPECT_FALSE(kinds[0].contains("required")) << "the default kind need not be said";
-  EXPECT_EQ(kinds[1]["required"], nlohmann::json::array({"type"}));
+  for (const auto& kind : kinds) EXPECT_FALSE(kind.contains("required")) << "a case's base may say the kind";
   EXPECT_EQ(kinds[0]["properties"]["contact_stiffness"]["type"], "number") << "N/m^n takes no unit";
   EXPECT_EQ(kinds[0]["properties"]["support"]["properties"]["stiffness"]["minItems"], 2);
   EXPECT_EQ(kinds[0]["properties"]["waviness"]["items"]["properties"]["order"]["type"], "integer");

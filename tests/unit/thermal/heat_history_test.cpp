@@ -72,5 +72,52 @@ TEST(RecordedHeat, PassesOverATimeThatIsThereTwice) {
 
 TEST(RecordedHeat, OfLessThanTwoRowsIsNone) { EXPECT_TRUE(steps_of({{0.}, {1.}}, 1., 1.).times.empty()); }
 
+// Two parts into the bore, one of them a triangle of 2 s and 6 W: 6 J. One into a race that begins later and stays.
+BearingHeatHistory example() {
+  BearingHeatHistory history;
+  history.add(HeatedPort::ring, {{0., 1.}, {4., 0.}});
+  history.add_linear(HeatedPort::ring, {{0., 1., 2.}, {0., 12., 0.}}, 0.5);
+  history.add(HeatedPort::shaft, {{0., 1.}, {4., 0.}}, 0.25);
+  history.add(HeatedPort::outer, {{0.5}, {-3.}});
+  return history;
+}
+
+TEST(BearingHeatHistory, AddsUpItsParts) {
+  const auto history = example();
+  EXPECT_EQ(history.changes(), (std::vector<double>{0., 0.5, 1., 2.}));
+  const HeatInput heat = history.heat(0.25), rate = history.rate(0.25);
+  EXPECT_DOUBLE_EQ(heat.rub_into_ring, 4. + 1.5);
+  EXPECT_DOUBLE_EQ(heat.rub, 4. + 1.5 + 1.);
+  EXPECT_EQ(heat.outer, 0.);
+  EXPECT_DOUBLE_EQ(rate.rub_into_ring, 6.);
+  EXPECT_DOUBLE_EQ(rate.rub, 6.);
+  EXPECT_TRUE(heat.is_in_contact);
+}
+
+TEST(BearingHeatHistory, TakesTheValueAfterAJump) {
+  const auto history = example();
+  EXPECT_DOUBLE_EQ(history.heat(1.).rub_into_ring, 6.);
+  EXPECT_DOUBLE_EQ(history.rate(1.).rub_into_ring, -6.);
+  EXPECT_DOUBLE_EQ(history.heat(1.).rub, 6.);
+  EXPECT_EQ(history.heat(0.5).outer, -3.);
+}
+
+TEST(BearingHeatHistory, TouchesWhileRubHeatFlows) {
+  const auto history = example();
+  EXPECT_TRUE(history.heat(0.).is_in_contact);
+  EXPECT_TRUE(history.heat(1.99).is_in_contact);
+  EXPECT_FALSE(history.heat(2.).is_in_contact);
+}
+
+TEST(BearingHeatHistory, IntegratesToJoules) {
+  const auto history = example();
+  EXPECT_DOUBLE_EQ(history.joules(HeatedPort::ring, 10.), 4. + 6.);
+  EXPECT_DOUBLE_EQ(history.joules(HeatedPort::ring, 0.5), 2. + 0.75);
+  EXPECT_DOUBLE_EQ(history.joules(HeatedPort::shaft, 10.), 1.);
+  EXPECT_DOUBLE_EQ(history.joules(HeatedPort::outer, 1.5), -3.);
+  EXPECT_EQ(history.joules(HeatedPort::inner, 10.), 0.);
+  EXPECT_DOUBLE_EQ(history.turnover(1.5), 4. + 5.25 + 1. + 3.);
+}
+
 }  // namespace
 }  // namespace rotordrop

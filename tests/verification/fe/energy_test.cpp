@@ -80,5 +80,27 @@ TEST(HeatOfABody, ReachesAmbientByConvectionAlone) {
   EXPECT_LT(std::fabs(e.residual()), 1e-10 * all);
 }
 
+// Insulated: whatever a port brings stays, so the mean rises by joules over capacity, here (3 kW + 40 kW/s t) over t.
+TEST(HeatOfAPort, GrowsLinearlyBetweenWhatItIsTold) {
+  HeatConductionProblem p;
+  p.bodies = {{"disc", {0., 10e-3}, {10e-3, 20e-3}, 7800., PropertyTable(46.), PropertyTable(460.)}};
+  p.ports = {{"bore", {{0, HeatSide::inner}}}};
+  const auto solver = make_solver(p);
+  const double C = 7800. * 460. * std::numbers::pi * (20e-3 * 20e-3 - 10e-3 * 10e-3) * 10e-3;
+  const double watts = 3e3, rate = 4e4;
+  solver->set_port_heat({&watts, 1}, {&rate, 1});
+  for (const double t : {0.01, 0.05}) {
+    solver->advance_to(t);
+    const double joules = watts * t + 0.5 * rate * t * t;
+    EXPECT_NEAR(solver->energy().input, joules, 1e-11 * joules);
+    EXPECT_NEAR(solver->body_mean(0) - p.initial_temperature, joules / C, 1e-9 * joules / C);
+  }
+  // From here on as much as flows now.
+  const double now = watts + rate * 0.05, before = solver->energy().input;
+  solver->set_port_heat({&now, 1});
+  solver->advance_to(0.06);
+  EXPECT_NEAR(solver->energy().input - before, now * 0.01, 1e-11 * before);
+}
+
 }  // namespace
 }  // namespace rotordrop
