@@ -223,7 +223,7 @@ void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out) const {
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) {
     InertialBalls w;
-    place_balls(in, F_0, w);
+    balance(in, F_0, w);
     for (std::size_t j = 0; j < load.size(); ++j) load[j] = w.u_i[j] * w.u_i[j] * w.u_i[j];
     return;
   }
@@ -250,10 +250,10 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
 double BallRow::energy(const BallRowInput& in) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) {
     InertialBalls w;
-    place_balls(in, F_0, w);
+    balance(in, F_0, w);
     double both = 0.;
     for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
-      both += inertial_.c_i * std::pow(w.u_i[j], 5) + inertial_.c_o * std::pow(w.u_o[j], 5);
+      both += inertial_.c_i * std::pow(w.u_i[j], 5) + inertial_.c_o * std::pow(w.Q_o[j], 5. / 3.);
     return 0.4 * both;
   }
   std::array<double, max_balls> added;

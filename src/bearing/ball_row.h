@@ -115,7 +115,8 @@ class BallRow {
   void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out) const;
   void fill_added(const BallRowInput& input, double* added) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
-  void place_balls(const BallRowInput& input, double F_0, InertialBalls& balls) const;
+  void place_balls(const BallRowInput& input, InertialBalls& balls) const;
+  BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out) const;
   [[nodiscard]] double penetration(const BallRowInput& input, int ball, double added) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added) const;

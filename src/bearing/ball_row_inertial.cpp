@@ -17,21 +17,25 @@ struct Place {
 };
 
 ROTORDROP_WIDE_VECTORS
-void place_grooves(const Place& p, InertialBalls& w) {
-  const RingDisplacement e = p.e;
+void place_grooves(const Place& p, double cage_speed, InertialBalls& w) {
+  const RingDisplacement e = p.e, v = p.v;
+  const double arm = p.arm, xr = p.position;
 #pragma omp simd
   for (std::size_t j = 0; j < w.n; ++j) {
     const double c = p.cage_cosine * p.cosine[j] - p.cage_sine * p.sine[j];
     const double s = p.cage_sine * p.cosine[j] + p.cage_cosine * p.sine[j];
-    w.B_r[j] = p.radial + (e.y + p.position * e.psi_z) * c + (e.z - p.position * e.psi_y) * s;
-    w.B_x[j] = p.axial + e.x + p.arm * (e.psi_y * s - e.psi_z * c);
+    const double y = e.y + xr * e.psi_z, z = e.z - xr * e.psi_y;
+    w.B_r[j] = p.radial + y * c + z * s;
+    w.B_x[j] = p.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
+    w.B_r_rate[j] = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s + cage_speed * (z * c - y * s);
+    w.B_x_rate[j] = v.x + arm * (v.psi_y * s - v.psi_z * c + cage_speed * (e.psi_y * c + e.psi_z * s));
   }
 }
 
 /// @param hardness  K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is hardness * u
 ROTORDROP_WIDE_VECTORS
-void sum_forces(const Place& p, const InertialBalls& w, double damping, double hardness, BallRowOutput& out,
-                BallMotion& motion, double cage_speed) {
+void sum_forces(const Place& p, const InertialBalls& w, double damping, double hardness, double cage_speed,
+                BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
   double largest = 0, largest_outer = 0;
   const RingDisplacement e = p.e, v = p.v;
@@ -46,7 +50,7 @@ void sum_forces(const Place& p, const InertialBalls& w, double damping, double h
     const double r_turn = (e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s;
     const double x_turn = arm * (e.psi_y * c + e.psi_z * s);
     const double rate = w.i_r[j] * r_rate + w.i_x[j] * x_rate;
-    const double elastic = is_ball * u * u * u, Q_o = is_ball * w.u_o[j] * w.u_o[j] * w.u_o[j];
+    const double elastic = is_ball * u * u * u, Q_o = is_ball * w.Q_o[j];
     const double F = std::max(elastic + is_ball * damping * hardness * u * rate, 0.);
     const double F_radial = F * w.i_r[j], F_axial = F * w.i_x[j];
     fy -= F_radial * c;
@@ -60,8 +64,6 @@ void sum_forces(const Place& p, const InertialBalls& w, double damping, double h
     cage += elastic * (w.i_r[j] * r_turn + w.i_x[j] * x_turn);
     largest = std::max(largest, F);
     largest_outer = std::max(largest_outer, Q_o);
-    motion.B_r_rate[j] = r_rate + cage_speed * r_turn;
-    motion.B_x_rate[j] = x_rate + cage_speed * x_turn;
   }
   out.force_x = fx;
   out.force_y = fy;
@@ -86,56 +88,52 @@ double BallRow::inertia_force(const BallRowInput& in) const {
   return F_0 > negligible ? F_0 : 0.;
 }
 
-void BallRow::place_balls(const BallRowInput& in, double F_0, InertialBalls& w) const {
+void BallRow::place_balls(const BallRowInput& in, InertialBalls& w) const {
   w.n = n_padded_;
   const auto n = static_cast<std::size_t>(geometry_.n_balls);
   std::fill_n(w.is_ball.begin(), n, 1.);
-  std::fill(w.is_ball.begin() + geometry_.n_balls, w.is_ball.begin() + static_cast<long>(n_padded_), 0.);
+  std::fill_n(w.is_ball.begin() + geometry_.n_balls, n_padded_ - n, 0.);
   std::fill_n(w.added_i.begin(), n_padded_, in.ball_growth);
   std::fill_n(w.added_o.begin(), n_padded_, in.ball_growth);
+  std::fill_n(w.added_i_rate.begin(), n_padded_, 0.);
+  std::fill_n(w.added_o_rate.begin(), n_padded_, 0.);
   for (const auto& wave : waves_) {
     const bool inner = wave.wave.on_inner_race;
     const double argument = wave.wave.order * (in.cage_angle - (inner ? in.ring_angle : 0.)) + wave.wave.phase;
+    const double travel = wave.wave.order * (in.cage_speed - (inner ? in.ring_speed : 0.));
     const double c = wave.wave.amplitude * std::cos(argument), s = wave.wave.amplitude * std::sin(argument);
     auto& added = inner ? w.added_i : w.added_o;
-    for (std::size_t j = 0; j < n; ++j) added[j] += wave.sine[j] * c + wave.cosine[j] * s;
+    auto& rate = inner ? w.added_i_rate : w.added_o_rate;
+    for (std::size_t j = 0; j < n; ++j) {
+      added[j] += wave.sine[j] * c + wave.cosine[j] * s;
+      rate[j] += travel * (wave.cosine[j] * c - wave.sine[j] * s);
+    }
   }
   place_grooves({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, constants_.radial + in.radial_growth,
                  constants_.axial, constants_.arm, geometry_.position, in.displacement, in.rate},
-                w);
+                in.cage_speed, w);
+}
+
+BallWork BallRow::balance(const BallRowInput& in, double F_0, InertialBalls& w) const {
+  place_balls(in, w);
   const auto& e = in.displacement;
   const bool only_translates = e.x == 0. && e.psi_y == 0. && e.psi_z == 0.;
-  balance_balls(inertial_, F_0, w, only_translates ? starts_.get() : nullptr);
+  return balance_balls(inertial_, F_0, w, only_translates ? starts_.get() : nullptr);
 }
 
 void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutput& out) const {
   InertialBalls w;
-  place_balls(in, F_0, w);
-  BallMotion motion;
+  const BallWork work = balance(in, F_0, w);
   sum_forces({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0., constants_.arm, geometry_.position,
               in.displacement, in.rate},
-             w, 1.5 * geometry_.damping_beta, 1. / (inertial_.c_i + inertial_.c_o), out, motion, in.cage_speed);
-
-  std::fill_n(motion.added_i_rate.begin(), n_padded_, 0.);
-  std::fill_n(motion.added_o_rate.begin(), n_padded_, 0.);
+             w, 1.5 * geometry_.damping_beta, 1. / (inertial_.c_i + inertial_.c_o), in.cage_speed, out);
   out.waviness_power = 0.;
-  for (const auto& wave : waves_) {
-    const bool inner = wave.wave.on_inner_race;
-    const double argument = wave.wave.order * (in.cage_angle - (inner ? in.ring_angle : 0.)) + wave.wave.phase;
-    const double travel = wave.wave.amplitude * wave.wave.order * (in.cage_speed - (inner ? in.ring_speed : 0.));
-    const double c = travel * std::cos(argument), s = travel * std::sin(argument);
-    auto& added_rate = inner ? motion.added_i_rate : motion.added_o_rate;
-    const auto& u = inner ? w.u_i : w.u_o;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j) {
-      const double rate = wave.cosine[j] * c - wave.sine[j] * s;
-      added_rate[j] += rate;
-      out.waviness_power += u[j] * u[j] * u[j] * rate;
-    }
-  }
+  if (!waves_.empty())
+    for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
+      out.waviness_power += w.u_i[j] * w.u_i[j] * w.u_i[j] * w.added_i_rate[j] + w.Q_o[j] * w.added_o_rate[j];
 
   // The forces of inertia follow no potential: what they do as the balls move is work of the prescribed motion of cage and balls. What they do as
   // parts grow belongs to the work of growth.
-  const BallWork work = inertia_work(inertial_, F_0, w, motion);
   out.inertia_power = work.power;
   out.inertia_per_speed = work.per_force * 2. / in.ring_speed;  // F_0 goes with the square of the speed
   out.elastic_radial += work.per_radial;

@@ -14,11 +14,6 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 
 constexpr double shortest_of_longest = 1. / 64.;
 
-std::size_t body_index(const HeatConductionProblem& p, const std::string& name) {
-  return static_cast<std::size_t>(
-      std::find_if(p.bodies.begin(), p.bodies.end(), [&](const auto& b) { return b.name == name; }) - p.bodies.begin());
-}
-
 double largest(const Expansion& e) {
   double value = 0.;
   for (const auto surface : growth_surfaces) value = std::max(value, std::fabs(e.*surface));
@@ -29,7 +24,7 @@ double largest(const Expansion& e) {
 
 AdiabaticSection adiabatic_section(const FiniteElements::Section& s, const SectionGrowth& growth) {
   const auto& p = s.problem;
-  const auto capacity = [&](const char* body) { return s.solver->body_capacity(body_index(p, body)); };
+  const auto capacity = [&](const char* body) { return s.solver->body_capacity(body_index(p.bodies, body)); };
   const auto& shaft = p.ports[shaft_port];
   return {s.name, capacity("inner_ring"), shaft.node ? p.nodes[*shaft.node].capacity : capacity("shaft"),
           capacity("outer_ring") + capacity("housing"), growth};
@@ -61,9 +56,9 @@ Expansion growth_of(FiniteElements::Section& s) {
   if (s.elastic) return s.elastic->solved(s.solver->field());
   const auto& p = s.problem;
   const double zero = p.initial_temperature;
-  const std::size_t shaft = body_index(p, "shaft");
-  const double inner = s.solver->body_mean(body_index(p, "inner_ring")) - zero;
-  const std::size_t ring = body_index(p, "outer_ring"), housing = body_index(p, "housing");
+  const std::size_t shaft = body_index(p.bodies, "shaft");
+  const double inner = s.solver->body_mean(body_index(p.bodies, "inner_ring")) - zero;
+  const std::size_t ring = body_index(p.bodies, "outer_ring"), housing = body_index(p.bodies, "housing");
   const double outer = (s.solver->body_capacity(ring) * (s.solver->body_mean(ring) - zero) +
                         s.solver->body_capacity(housing) * (s.solver->body_mean(housing) - zero)) /
                        s.adiabatic.outer_capacity;

@@ -137,6 +137,13 @@ struct HeatNumerics {
   HeatLinearSolver solver = HeatLinearSolver::direct;
 };
 
+/// bodies.size() if none has that name.
+[[nodiscard]] inline std::size_t body_index(const std::vector<HeatBody>& bodies, const std::string& name) {
+  std::size_t i = 0;
+  while (i < bodies.size() && bodies[i].name != name) ++i;
+  return i;
+}
+
 struct HeatConductionProblem {
   std::vector<HeatBody> bodies;
   SectionMesh mesh = {};  ///< of the bodies, in their order; empty: rectangles, meshed by grid lines

@@ -7,10 +7,27 @@ namespace rotordrop {
 
 static constexpr double rounding = 1e-9;
 
+void lift_sections(FiniteElements& elements, const Machine& machine, double t, std::span<const double> y) {
+  std::size_t model = 0;
+  while (machine.thermal_name(model) != "fe") ++model;
+  const auto states = machine.thermal_state(model, y);
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < elements.sections.size(); ++k) {
+    auto& section = elements.sections[k];
+    const HeatInput& heat = machine.heat_input(k);
+    std::array<double, n_bearing_ports> watts{};
+    watts[bore_port] = heat.rub_into_ring;
+    watts[shaft_port] = heat.rub - heat.rub_into_ring;
+    watts[inner_raceway_port] = heat.inner;
+    watts[outer_raceway_port] = heat.outer;
+    section.solver->lift(states.subspan(first, section.reduced.n_modes()), watts, t);
+    first += section.reduced.n_modes();
+  }
+}
+
 DropFields::DropFields(const std::filesystem::path& directory, FiniteElements& elements, const FeParameters& parameters,
                        const Machine& machine, double start)
     : elements_(elements), machine_(machine), times_(parameters.field_times, parameters.field_interval.value_or(0.)) {
-  while (model_ < machine.n_thermal_models() && machine.thermal_name(model_) != "fe") ++model_;
   if (times_.empty()) return;
   double last = -1.;
   for (const auto& section : elements.sections) {
@@ -28,21 +45,8 @@ void DropFields::write(std::size_t section, double t) {
 }
 
 void DropFields::write_reduced(double t, std::span<const double> y) {
-  const auto states = machine_.thermal_state(model_, y);
-  std::size_t first = 0;
-  for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
-    auto& section = elements_.sections[k];
-    const HeatInput& heat = machine_.heat_input(k);
-    std::array<double, n_bearing_ports> watts{};
-    watts[bore_port] = heat.rub_into_ring;
-    watts[shaft_port] = heat.rub - heat.rub_into_ring;
-    watts[inner_raceway_port] = heat.inner;
-    watts[outer_raceway_port] = heat.outer;
-    section.solver->lift(states.subspan(first, section.reduced.n_modes()), watts, t);
-    first += section.reduced.n_modes();
-    write(k, t);
-  }
-  next_ = times_.after(std::max(t, next_));
+  lift_sections(elements_, machine_, t, y);
+  write_windowed(t);
 }
 
 void DropFields::write_windowed(double t) {

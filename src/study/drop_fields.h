@@ -11,6 +11,10 @@
 
 namespace rotordrop {
 
+/// Puts the temperatures of sections that are in the state vector into their solvers' fields. Call after the machine's evaluate() at the
+/// same state.
+void lift_sections(FiniteElements& elements, const Machine& machine, double t, std::span<const double> y);
+
 /// Temperature fields of a drop's sections: DIRECTORY/fields/BEARING.pvd.
 class DropFields {
  public:
@@ -33,7 +37,6 @@ class DropFields {
   FiniteElements& elements_;
   const Machine& machine_;
   const FieldTimes times_;
-  std::size_t model_ = 0;  ///< the finite elements' among the machine's
   std::vector<FieldSeries> series_;
   double next_ = std::numeric_limits<double>::infinity();
 };

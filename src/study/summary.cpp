@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "machine/rotor_report.h"
+#include "study/drop_fields.h"
+#include "study/elastic_state.h"
 #include "study/fe_summary.h"
 #include "study/json_number.h"
 #include "study/whirl.h"
@@ -91,7 +93,7 @@ std::string rises_text(const Json& rise) {
 }  // namespace
 
 Json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars, const DropResult& result,
-               const FiniteElements* elements, const std::filesystem::path& results) {
+               FiniteElements* elements, const std::filesystem::path& results) {
   const std::span<const double> y = result.state;
   Json j;
   j["case"] = drop_case.name;
@@ -106,6 +108,8 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
   machine.evaluate(result.end_time, y, rates, {}, {});
   machine.observe_state(result.end_time, y, observed);
 
+  const bool is_elastic = elements && drop_case.parameters.thermal.expansion == GrowthSource::elastic;
+  if (is_elastic && elements->coupling != FeCoupling::windowed) lift_sections(*elements, machine, result.end_time, y);
   j["bearings"] = Json::object();
   for (std::size_t i = 0; i < scalars.size(); ++i) {
     const std::size_t support = scalars.support(i);
@@ -123,7 +127,11 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     }
     if (elements)
       for (const auto& section : elements->sections)
-        if (section.name == name) bearing["fe"] = fe_summary(section, elements->coupling, results);
+        if (section.name == name) {
+          bearing["fe"] = fe_summary(section, elements->coupling, results);
+          if (is_elastic)
+            bearing["fe"]["elastic_end"] = elastic_state(section, section.solver->field(), s.ring_speed_end);
+        }
     bearing["whirl"] = whirl_summary(results, name, drop_case);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);

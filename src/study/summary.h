@@ -10,7 +10,7 @@ namespace rotordrop {
 /// @param elements  of the machine, or null
 /// @param results   the run's results.h5, closed
 nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
-                                 const DropResult& result, const FiniteElements* elements,
+                                 const DropResult& result, FiniteElements* elements,
                                  const std::filesystem::path& results);
 
 /// A few lines that answer a user's first questions.

@@ -7,11 +7,6 @@
 namespace rotordrop {
 namespace {
 
-std::size_t index_of(const std::vector<HeatBody>& bodies, const std::string& name) {
-  return static_cast<std::size_t>(
-      std::find_if(bodies.begin(), bodies.end(), [&](const HeatBody& b) { return b.name == name; }) - bodies.begin());
-}
-
 /// One output for every row, or for a plain side.
 void add_race(ElasticProblem& p, const std::string& name, const std::vector<HeatBoundary>& strips,
               const std::vector<double>& axial_share) {
@@ -48,8 +43,8 @@ ElasticProblem bearing_elastic_problem(const HeatConductionProblem& heat, const 
   for (const auto& body : heat.bodies)
     p.bodies.push_back({body.name, body.x, body.r, d.density, d.E, d.nu, PropertyTable(d.expansion),
                         body.name == "inner_ring" ? 1. : 0.});
-  const std::size_t inner = index_of(heat.bodies, "inner_ring"), outer = index_of(heat.bodies, "outer_ring"),
-                    housing = index_of(heat.bodies, "housing"), shaft = index_of(heat.bodies, "shaft");
+  const std::size_t inner = body_index(heat.bodies, "inner_ring"), outer = body_index(heat.bodies, "outer_ring"),
+                    housing = body_index(heat.bodies, "housing"), shaft = body_index(heat.bodies, "shaft");
   p.fits = {{"outer ring in housing",
              {outer, HeatSide::outer},
              {housing, HeatSide::inner},

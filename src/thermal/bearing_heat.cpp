@@ -10,12 +10,6 @@ namespace {
 
 using std::numbers::pi;
 
-std::size_t body_index(const HeatConductionProblem& p, const std::string& name) {
-  for (std::size_t i = 0; i < p.bodies.size(); ++i)
-    if (p.bodies[i].name == name) return i;
-  throw std::invalid_argument("the section has no body named " + name);
-}
-
 HeatBody body(const std::string& name, double length, double inside, double outside, const ThermalMaterial& m) {
   return {name,
           {-0.5 * length, 0.5 * length},
@@ -57,14 +51,14 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
       p.bodies.push_back(*found);
     }
   }
-  const std::size_t inner = body_index(p, "inner_ring"), outer = body_index(p, "outer_ring"),
-                    housing = body_index(p, "housing");
+  const std::size_t inner = body_index(p.bodies, "inner_ring"), outer = body_index(p.bodies, "outer_ring"),
+                    housing = body_index(p.bodies, "housing");
 
   const double ball_volume = pi / 6. * b.ball_diameter * b.ball_diameter * b.ball_diameter;
   p.nodes = {{"ball", b.n_balls * ball_volume * b.ball.density * b.ball.heat_capacity}};
   HeatPort shaft{"shaft", {}};
   if (settings.shaft_is_meshed) {
-    shaft.boundaries = {{body_index(p, "shaft"), HeatSide::outer}};
+    shaft.boundaries = {{body_index(p.bodies, "shaft"), HeatSide::outer}};
   } else {
     const double section = 0.25 * pi * 4. * b.journal_radius * b.journal_radius;
     p.nodes.push_back({"shaft", section * b.shaft_length * b.ring.density * b.ring.heat_capacity});

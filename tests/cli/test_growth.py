@@ -89,6 +89,36 @@ class ElasticGrowth(ProgramTest):
         # What the ring's growth by its speed does to the contacts is booked, or this balance would miss it.
         self.assertLess(abs(summary["energy"]["residual"]), 1e-5)
 
+    def test_stresses_at_the_end_are_those_of_lames_press_fit(self):
+        """Ring a < r < b in a housing b < r < c of the same material and width, interference d by radius:
+        p = E d (b^2 - a^2)(c^2 - b^2) / (2 b^3 (c^2 - a^2)); hoop stress p (c^2 + b^2)/(c^2 - b^2) outside, -p (b^2 + a^2)/(b^2 - a^2) inside."""
+        text = 'thermal.fe.section = "plain"\nbearings.TB1.housing_fit = "10 um"\nbearings.TB1.housing_length = "20 mm"\n'
+        for coupling in ("reduced", "windowed"):
+            with self.subTest(coupling):
+                self.succeed("run", self.case(ELASTIC + text, "press.toml"), "-o", coupling, *settings(run__end_time="0.2 ms", thermal__fe__coupling=coupling))
+                state = self.summary(coupling)["bearings"]["TB1"]["fe"]["elastic_end"]
+                a, b, c, E, d = 0.0486, 0.055, 0.065, 2.0e11, 10e-6
+                p = E * d * (b**2 - a**2) * (c**2 - b**2) / (2 * b**3 * (c**2 - a**2))
+                self.assertAlmostEqual(state["fit_pressure"]["mean"], p, delta=1e-6 * p)
+                self.assertEqual(state["fit_pressure"]["open"], 0.0)
+                for key, value in (("housing_bore", p * (c**2 + b**2) / (c**2 - b**2)), ("outer_ring_outside", -p * (b**2 + a**2) / (b**2 - a**2))):
+                    for at in ("mean", "lowest", "highest"):
+                        # Stresses come from derivatives of u and stand at quadrature points a little off the side: second order of some 0.5 mm of 55.
+                        self.assertAlmostEqual(state["hoop_stress"][key][at], value, delta=2e-3 * abs(value), msg=f"Pa, {key} {at}")
+                self.assertLess(abs(state["hoop_stress"]["inner_ring_bore"]["mean"]), 1e-4 * p, "Pa: cold and at rest")
+
+    def test_raceways_at_the_end_grow_as_the_drop_felt(self):
+        _, summary, file = self.run_elastic('thermal.fe.section = "plain"\n')
+        for bearing in ("TB1", "TB2"):
+            state = summary["bearings"][bearing]["fe"]["elastic_end"]
+            felt = file[f"bearings/{bearing}/expansion"][-1]
+            self.assertEqual(state["ring_speed"], summary["bearings"][bearing]["ring_speed_end"])
+            for race, surface in (("inner", INNER), ("outer", OUTER)):
+                (row,) = state["raceway_growth"][race]  # of a plain section: one side
+                # What the modes leave out of a surface layer, and fits that the modes take as closed.
+                self.assertAlmostEqual(row["radial"], felt[surface], delta=2e-9, msg=f"m, {bearing} {race}")
+                self.assertLess(abs(row["axial"]), 1e-12, "m: even along the axis")
+
     def test_windows_and_modes_agree_while_the_fits_stay_closed(self):
         fits = 'bearings.TB1.housing_fit = "10 um"\nbearings.TB2.housing_fit = "10 um"\n'
         reduced, _, modes = self.run_elastic(fits, "reduced")
