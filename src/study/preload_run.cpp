@@ -1,9 +1,7 @@
 #include "study/preload_run.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -19,22 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-std::vector<std::string> chosen_bearings(const Case& c, const std::string& bearing) {
-  std::vector<std::string> known;
-  for (const auto& entry : c.parameters.bearings)
-    if (entry.touchdown()) known.push_back(entry.name);
-  if (known.empty())
-    throw InputError(position_of(c.tree, "bearings"), "the case has no touchdown bearing whose preload could be told.");
-  if (bearing.empty()) return known;
-  if (std::find(known.begin(), known.end(), bearing) == known.end()) {
-    const std::string guess = closest_name(bearing, known);
-    throw InputError({"--bearing", 0, 0}, fmt::format("the case has no touchdown bearing \"{}\".", bearing),
-                     (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                         fmt::format("Known: {}.", fmt::join(known, ", ")));
-  }
-  return {bearing};
-}
 
 void prepare_directory(const PreloadOptions& options) {
   const fs::path& directory = options.directory;
@@ -56,7 +38,9 @@ void prepare_directory(const PreloadOptions& options) {
 }  // namespace
 
 Json run_preload(const Case& c, const PreloadOptions& options) {
-  const auto bearings = chosen_bearings(c, options.bearing);
+  const auto bearings = chosen_touchdowns(c, options.bearing);
+  if (bearings.empty())
+    throw InputError(position_of(c.tree, "bearings"), "the case has no touchdown bearing whose preload could be told.");
   std::optional<RecordedDrop> drop;
   if (!options.results.empty()) drop.emplace(options.results);
   prepare_directory(options);
