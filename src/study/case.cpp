@@ -54,6 +54,7 @@ Section<CaseParameters> case_section() {
                "673, 3.2e-6)."});
   s.table<ThermalParameters>("thermal", &P::thermal, thermal_section());
   s.table<StaticsParameters>("statics", &P::statics, statics_section());
+  s.table<PreloadParameters>("preload", &P::preload, preload_section());
   s.table<PrescribedHeatParameters>("heat", &P::heat, prescribed_heat_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
