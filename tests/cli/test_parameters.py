@@ -32,7 +32,7 @@ class Defaults(ProgramTest):
         self.tree = tomllib.loads(self.text)
 
     def test_defaults_are_a_toml_file_with_every_section(self):
-        self.assertEqual(set(self.tree), {"run", "rotor", "contact", "thermal", "statics", "integration", "output"})
+        self.assertEqual(set(self.tree), {"run", "rotor", "contact", "thermal", "statics", "preload", "integration", "output"})
         self.assertEqual(self.tree["contact"]["air_gap"], "250 um")
         self.assertEqual(self.tree["integration"]["method"], "dormand-prince")
 
