@@ -27,6 +27,24 @@ void suggest_options(const CLI::App& app) {
   }
 }
 
+// Options that several commands have.
+template <class File>
+void add_case(CLI::App& command, File& file) {
+  command.add_option("case", file, "Parameter file")->required();
+}
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides, const std::string& example = "") {
+  command.add_option("--set", overrides, "Override a parameter" + (example.empty() ? "" : ": " + example))
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_force(CLI::App& command, bool& force, const std::string& what) {
+  command.add_flag("--force", force, "Replace " + what);
+}
+
+void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("--quiet", quiet, "Only messages about trouble"); }
+
 int run_program(int argc, char** argv) {
   using namespace rotordrop;
   CLI::App app("Drop of a magnetically levitated rotor onto its touchdown bearings.", "rotordrop");
@@ -36,45 +54,39 @@ int run_program(int argc, char** argv) {
   RunCommand run;
   auto* run_app =
       app.add_subcommand("run", "Run a case: results.h5, summary.json and parameters.toml into a directory.");
-  run_app->add_option("case", run.file, "Parameter file")->required();
+  add_case(*run_app, run.file);
   run_app->add_option("-o,--output", run.directory, "Directory for the results; default out/CASE");
-  run_app->add_option("--set", run.overrides, "Override a parameter: contact.friction_coefficient=0.05")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  run_app->add_flag("--force", run.force, "Replace results that are in the directory");
+  add_overrides(*run_app, run.overrides, "contact.friction_coefficient=0.05");
+  add_force(*run_app, run.force, "results that are in the directory");
   run_app->add_flag("--resume", run.resume, "Go on with an interrupted run");
-  run_app->add_flag("--quiet", run.quiet, "Only messages about trouble");
+  add_quiet(*run_app, run.quiet);
 
   std::string check_file;
   std::vector<std::string> check_overrides;
   auto* check = app.add_subcommand("check", "Read and check a case, of a drop or of heat alone, without running it.");
-  check->add_option("case", check_file, "Parameter file")->required();
-  check->add_option("--set", check_overrides, "Override a parameter")->type_name("KEY=VALUE")->allow_extra_args(false);
+  add_case(*check, check_file);
+  add_overrides(*check, check_overrides);
 
   ModesCommand modes;
   auto* modes_app = app.add_subcommand("modes", "Natural modes: on the case's linear supports, or free-free.");
-  modes_app->add_option("case", modes.file, "Parameter file")->required();
+  add_case(*modes_app, modes.file);
   modes_app->add_option("--speeds", modes.speeds,
                         "Spin speeds, such as \"0 rpm,15200 rpm\"; default: 0 and the initial speed");
   modes_app->add_option("--modes", modes.n_modes, "Number of modes to report")->check(CLI::Range(1, 10000));
   modes_app->add_flag("--json", modes.json, "Report as JSON");
   modes_app->add_option("--shapes", modes.shapes, "HDF5 file for the mode shapes; default out/CASE/modes.h5");
-  modes_app->add_option("--set", modes.overrides, "Override a parameter")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_overrides(*modes_app, modes.overrides);
 
   HeatCommand heat;
-  auto* heat_app = app.add_subcommand(
-      "heat",
-      "Heat alone: temperatures under given heat, of plain sections by finite elements or of a touchdown bearing by its "
-      "circuit and section.");
-  heat_app->add_option("case", heat.file, "Parameter file")->required();
+  auto* heat_app = app.add_subcommand("heat",
+                                      "Heat alone: temperatures under given heat, of plain sections by finite elements "
+                                      "or of a touchdown bearing by its "
+                                      "circuit and section.");
+  add_case(*heat_app, heat.file);
   heat_app->add_option("-o,--output", heat.directory, "Directory for the results; default out/CASE");
-  heat_app->add_option("--set", heat.overrides, "Override a parameter: fe.cells=16")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  heat_app->add_flag("--force", heat.force, "Replace results that are in the directory");
-  heat_app->add_flag("--quiet", heat.quiet, "Only messages about trouble");
+  add_overrides(*heat_app, heat.overrides, "fe.cells=16");
+  add_force(*heat_app, heat.force, "results that are in the directory");
+  add_quiet(*heat_app, heat.quiet);
 
   CompareCommand compare;
   auto* compare_app = app.add_subcommand(
@@ -91,66 +103,58 @@ int run_program(int argc, char** argv) {
   compare_app->add_option("--band-length", compare.band_length,
                           "Length of the rub along the surface; default: the case's thermal.rub_band_length");
   compare_app->add_option("-o,--output", compare.output, "Report; default DIR/comparison.json");
-  compare_app->add_flag("--force", compare.force, "Replace the file given with -o");
-  compare_app->add_flag("--quiet", compare.quiet, "Only messages about trouble");
+  add_force(*compare_app, compare.force, "the file given with -o");
+  add_quiet(*compare_app, compare.quiet);
 
   ReportCommand report;
   auto* report_app = app.add_subcommand("report", "One HTML page of a run, with figures; it needs no other file.");
   report_app->add_option("directory", report.directory, "Directory of a run's results")->required();
   report_app->add_option("-o,--output", report.output, "File; default DIR/report.html");
-  report_app->add_flag("--force", report.force, "Replace a file that is there");
-  report_app->add_flag("--quiet", report.quiet, "Only messages about trouble");
+  add_force(*report_app, report.force, "a file that is there");
+  add_quiet(*report_app, report.quiet);
 
   MeshCommand mesh;
   auto* mesh_app = app.add_subcommand("mesh", "Mesh of the touchdown bearings' sections, as a .msh file of gmsh.");
-  mesh_app->add_option("case", mesh.file, "Parameter file")->required();
+  add_case(*mesh_app, mesh.file);
   mesh_app->add_option("-o,--output", mesh.output,
                        "File, default out/CASE/mesh.msh; of several bearings FILE-NAME.msh each");
   mesh_app->add_option("--bearing", mesh.bearing, "Only this one");
   mesh_app->add_option("--format", mesh.format, "Version of the format")->check(CLI::IsMember({"4.1", "2.2"}));
-  mesh_app->add_option("--set", mesh.overrides, "Override a parameter: thermal.fe.refinement=2")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  mesh_app->add_flag("--force", mesh.force, "Replace files that are there");
-  mesh_app->add_flag("--quiet", mesh.quiet, "Only messages about trouble");
+  add_overrides(*mesh_app, mesh.overrides, "thermal.fe.refinement=2");
+  add_force(*mesh_app, mesh.force, "files that are there");
+  add_quiet(*mesh_app, mesh.quiet);
 
   CalibrateCommand calibrate;
   auto* calibrate_app = app.add_subcommand(
       "calibrate", "Fit the lumped circuits to the finite elements; writes a parameter file that builds on the case.");
-  calibrate_app->add_option("case", calibrate.file, "Parameter file")->required();
+  add_case(*calibrate_app, calibrate.file);
   calibrate_app->add_option("-o,--output", calibrate.output, "File; default CASE-calibrated.toml beside the case");
   calibrate_app->add_option("--until", calibrate.until, "Responses are compared up to this time; default 10 s");
-  calibrate_app->add_option("--set", calibrate.overrides, "Override a parameter: thermal.fe.refinement=2")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  calibrate_app->add_flag("--force", calibrate.force, "Replace a file that is there");
-  calibrate_app->add_flag("--quiet", calibrate.quiet, "Only messages about trouble");
+  add_overrides(*calibrate_app, calibrate.overrides, "thermal.fe.refinement=2");
+  add_force(*calibrate_app, calibrate.force, "a file that is there");
+  add_quiet(*calibrate_app, calibrate.quiet);
 
   StaticsCommand statics;
   auto* statics_app = app.add_subcommand(
       "statics", "Rest of the rotor on its supports, or of bearings under a load: ball loads, pressures, stiffness.");
-  statics_app->add_option("case", statics.file, "Parameter file")->required();
+  add_case(*statics_app, statics.file);
   statics_app->add_option("--bearing", statics.bearing, "Only this touchdown bearing, by itself under [statics]");
   statics_app->add_flag("--json", statics.json, "Report as JSON, with every ball");
-  statics_app->add_option("--set", statics.overrides, "Override a parameter: statics.inner_rise=\"20 K\"")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_overrides(*statics_app, statics.overrides, "statics.inner_rise=\"20 K\"");
 
   PreloadCommand preload;
   auto* preload_app = app.add_subcommand(
       "preload",
       "Thermal preload of touchdown bearings: maps, course over a drop, steady running until it holds or runs away.");
-  preload_app->add_option("case", preload.file, "Parameter file")->required();
+  add_case(*preload_app, preload.file);
   preload_app->add_option("--bearing", preload.bearing, "Only this touchdown bearing");
   preload_app->add_option("--results", preload.results,
                           "Directory of a drop's results, for the preload over that drop");
   preload_app->add_option("-o,--output", preload.directory, "Directory for the results; default out/CASE-preload");
   preload_app->add_flag("--json", preload.json, "Report as JSON on the screen too");
-  preload_app->add_option("--set", preload.overrides, "Override a parameter: preload.speed=\"3000 rpm\"")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  preload_app->add_flag("--force", preload.force, "Replace results that are in the directory");
-  preload_app->add_flag("--quiet", preload.quiet, "Only messages about trouble");
+  add_overrides(*preload_app, preload.overrides, "preload.speed=\"3000 rpm\"");
+  add_force(*preload_app, preload.force, "results that are in the directory");
+  add_quiet(*preload_app, preload.quiet);
 
   auto* defaults =
       app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");

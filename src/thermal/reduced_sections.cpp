@@ -27,24 +27,6 @@ TwoSums two_sums(const double* y, double zero, const double* a, const double* b,
   return {sum_a, sum_b};
 }
 
-struct FourSums {
-  double a, b, c, d;
-};
-ROTORDROP_WIDE_VECTORS
-FourSums four_sums(const double* y, double zero, const double* a, const double* b, const double* c, const double* d,
-                   std::size_t n) {
-  double sum_a = 0., sum_b = 0., sum_c = 0., sum_d = 0.;
-#pragma omp simd reduction(+ : sum_a, sum_b, sum_c, sum_d)
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    sum_a += a[i] * z;
-    sum_b += b[i] * z;
-    sum_c += c[i] * z;
-    sum_d += d[i] * z;
-  }
-  return {sum_a, sum_b, sum_c, sum_d};
-}
-
 struct FiveSums {
   double a, b, c, d, e;
 };
@@ -117,6 +99,21 @@ std::vector<double> times(double factor, std::vector<double> v) {
   return v;
 }
 
+/// Shapes of growth_surfaces, each so much per rise of a mean.
+std::array<std::vector<double>, growth_surfaces.size()> growth_of_means(const ReducedHeat& heat,
+                                                                        const SectionGrowth& g) {
+  const auto& inner = find(heat.bodies, "inner_ring").shape;
+  const auto &outer = find(heat.bodies, "outer_ring"), &housing = find(heat.bodies, "housing");
+  std::vector<double> outside(heat.n_modes());
+  for (std::size_t i = 0; i < outside.size(); ++i)
+    outside[i] =
+        (outer.capacity * outer.shape[i] + housing.capacity * housing.shape[i]) / (outer.capacity + housing.capacity);
+  const bool is_lump =
+      std::any_of(heat.nodes.begin(), heat.nodes.end(), [](const auto& o) { return o.name == "shaft"; });
+  return {times(g.shaft, find(is_lump ? heat.nodes : heat.bodies, "shaft").shape), times(g.bore, inner),
+          times(g.inner_race, inner), times(g.outer_race, outside), times(g.ball, find(heat.nodes, "ball").shape)};
+}
+
 // What observe() writes for a surface.
 const std::vector<std::string> surface_columns = {"mean", "lowest", "highest"};
 constexpr std::size_t surface_ports[] = {bore_port, inner_raceway_port, outer_raceway_port, housing_port};
@@ -145,15 +142,7 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     p.loss = heat.loss;
     p.bore = heat.ports[bore_port].shape;
     p.shaft_surface = heat.ports[shaft_port].shape;
-    p.inner_mean = find(heat.bodies, "inner_ring").shape;
-    const auto &outer = find(heat.bodies, "outer_ring"), &housing = find(heat.bodies, "housing");
-    const double C = outer.capacity + housing.capacity;
-    p.outer_mean = times(outer.capacity / C, outer.shape);
-    for (std::size_t i = 0; i < p.n; ++i) p.outer_mean[i] += housing.capacity / C * housing.shape[i];
-    const bool is_lump =
-        std::any_of(heat.nodes.begin(), heat.nodes.end(), [](const auto& o) { return o.name == "shaft"; });
-    p.shaft_mean = find(is_lump ? heat.nodes : heat.bodies, "shaft").shape;
-    p.ball_mean = find(heat.nodes, "ball").shape;
+    p.growth = section.elastic ? section.elastic->growth : growth_of_means(heat, section.growth);
     p.stored.assign(p.n, 0.);
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& output : *list)
@@ -186,20 +175,9 @@ void ReducedSections::initial_state(std::span<double> state) const { std::fill(s
 void ReducedSections::add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const {
   const Place& p = places_[k];
   const double* y = values.data() + p.first;
-  if (const auto& elastic = sections_[k].elastic) {
-    const auto& g = elastic->growth;
-    const auto u = five_sums(y, zero, g[0].data(), g[1].data(), g[2].data(), g[3].data(), g[4].data(), p.n);
-    out = {.shaft = u.a, .bore = u.b, .inner_race = u.c, .outer_race = u.d, .ball = u.e};
-    return;
-  }
-  const SectionGrowth& g = sections_[k].growth;
-  const auto rise =
-      four_sums(y, zero, p.inner_mean.data(), p.outer_mean.data(), p.shaft_mean.data(), p.ball_mean.data(), p.n);
-  out = {.shaft = g.shaft * rise.c,
-         .bore = g.bore * rise.a,
-         .inner_race = g.inner_race * rise.a,
-         .outer_race = g.outer_race * rise.b,
-         .ball = g.ball * rise.d};
+  const auto& g = p.growth;
+  const auto u = five_sums(y, zero, g[0].data(), g[1].data(), g[2].data(), g[3].data(), g[4].data(), p.n);
+  out = {.shaft = u.a, .bore = u.b, .inner_race = u.c, .outer_race = u.d, .ball = u.e};
 }
 
 void ReducedSections::growth(std::span<const double> state, std::span<Expansion> out) const {

@@ -25,9 +25,9 @@ struct ReducedSection {
   /// By elasticity instead of `growth`, projected on the modes.
   struct Elastic {
     std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< shapes of growth_surfaces
-    Functional mean_pressure;                                           ///< of the fit in the housing [Pa]
-    std::vector<Functional> node_pressure;                              ///< of its nodes
-    std::vector<double> node_share;                                     ///< of its area
+    Functional mean_pressure;                                        ///< of the fit in the housing [Pa]
+    std::vector<Functional> node_pressure;                           ///< of its nodes
+    std::vector<double> node_share;                                  ///< of its area
   };
   std::optional<Elastic> elastic;
 };
@@ -52,7 +52,8 @@ class ReducedSections final : public ThermalModel {
     /// Rows of n numbers: rate, the ports' inputs [K/(s W)], mean shapes.
     std::vector<double> rate, bore_input, shaft_input, inner_input, outer_input, film_input;
     std::vector<double> bore, shaft_surface, film, loss;
-    std::vector<double> inner_mean, outer_mean, shaft_mean, ball_mean, stored;
+    std::vector<double> stored;
+    std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< of growth_surfaces [m/K]
     double film_area = 0;
     struct Surface {
       std::vector<double> by_mode;  ///< rises of its points, mode after mode [n * n_points]

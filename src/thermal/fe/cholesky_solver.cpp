@@ -52,12 +52,12 @@ void CholeskySolver::set_matrix(const Matrix& matrix) {
     f.factor = cholmod_l_analyze(&m, &f.common);
     if (!f.factor)
       throw SolverError(
-          fmt::format("the matrix of heat conduction could not be analysed (CHOLMOD status {})", f.common.status));
+          fmt::format("the matrix of the finite elements could not be analysed (CHOLMOD status {})", f.common.status));
   }
   f.rows.take_values(matrix);
   if (!cholmod_l_factorize(&f.matrix, f.factor, &f.common) || f.common.status != CHOLMOD_OK)
     throw SolverError(
-        fmt::format("the matrix of heat conduction could not be factorised (CHOLMOD status {})", f.common.status));
+        fmt::format("the matrix of the finite elements could not be factorised (CHOLMOD status {})", f.common.status));
 }
 
 void CholeskySolver::solve(Vector& v) {
@@ -70,7 +70,7 @@ void CholeskySolver::solve(Vector& v) {
   given.dtype = CHOLMOD_DOUBLE;
   if (!cholmod_l_solve2(CHOLMOD_A, f.factor, &given, nullptr, &f.solution, nullptr, &f.work, &f.more_work, &f.common))
     throw SolverError(
-        fmt::format("the equations of heat conduction could not be solved (CHOLMOD status {})", f.common.status));
+        fmt::format("the equations of the finite elements could not be solved (CHOLMOD status {})", f.common.status));
   const auto* x = static_cast<const double*>(f.solution->x);
   std::copy(x, x + v.size(), v.begin());
 }

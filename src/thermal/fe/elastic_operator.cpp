@@ -6,23 +6,13 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/errors.h"
+#include "thermal/fe/ring_quadrature.h"
 
 namespace rotordrop {
 namespace {
 
-using std::numbers::pi;
-using Indices = std::vector<dealii::types::global_dof_index>;
-const auto cell_flags =
-    dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
-const auto face_flags = dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values;
-
-// 2 pi r times the quadrature's weight.
-double weight(const dealii::FEValuesBase<2>& fe, unsigned int q) {
-  return 2. * pi * fe.quadrature_point(q)[1] * fe.JxW(q);
-}
 
 struct Lame {
   double lambda, mu, beta;

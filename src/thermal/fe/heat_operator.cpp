@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "thermal/fe/ring_quadrature.h"
 
 namespace rotordrop {
 namespace {
@@ -27,21 +28,12 @@ double loss_slope(const HeatConvection& law, double T) {
 bool is_curved(const HeatBody& body) { return !body.conductivity.is_constant() || !body.heat_capacity.is_constant(); }
 
 using Values = std::vector<double>;
-using Indices = std::vector<dealii::types::global_dof_index>;
-const auto cell_flags =
-    dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
-const auto face_flags = dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values;
 double interpolated(const dealii::Vector<double>& T, const std::vector<unsigned int>& dofs,
                     const std::vector<double>& shape) {
   double sum = 0.;
   for (std::size_t i = 0; i < dofs.size(); ++i) sum += T(dofs[i]) * shape[i];
   return sum;
 }
-// 2 pi r times the quadrature's weight.
-double weight(const dealii::FEValuesBase<2>& fe, unsigned int q) {
-  return 2. * pi * fe.quadrature_point(q)[1] * fe.JxW(q);
-}
-
 }  // namespace
 
 HeatOperator::HeatOperator(const HeatConductionProblem& problem)

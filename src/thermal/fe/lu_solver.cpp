@@ -26,7 +26,7 @@ const double* control() {
 
 void check(long status, const char* what) {
   if (status != UMFPACK_OK)
-    throw SolverError(fmt::format("the matrix of heat conduction could not be {} (UMFPACK status {})", what, status));
+    throw SolverError(fmt::format("the matrix of the finite elements could not be {} (UMFPACK status {})", what, status));
 }
 
 }  // namespace

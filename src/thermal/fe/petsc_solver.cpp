@@ -79,12 +79,12 @@ class PetscSolver final : public LinearSolver {
       }
       check(MatSetValues(matrix_, 1, &row, static_cast<PetscInt>(columns.size()), columns.data(), values.data(),
                          INSERT_VALUES),
-            "take the matrix of heat conduction");
+            "take the matrix of the finite elements");
     }
-    check(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY), "assemble the matrix of heat conduction");
-    check(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY), "assemble the matrix of heat conduction");
-    check(KSPSetOperators(solver_, matrix_, matrix_), "take the matrix of heat conduction");
-    check(KSPSetUp(solver_), "prepare the solver of heat conduction");
+    check(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY), "assemble the matrix of the finite elements");
+    check(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY), "assemble the matrix of the finite elements");
+    check(KSPSetOperators(solver_, matrix_, matrix_), "take the matrix of the finite elements");
+    check(KSPSetUp(solver_), "prepare the solver of the finite elements");
   }
 
   void solve(Vector& v) override {
@@ -92,11 +92,11 @@ class PetscSolver final : public LinearSolver {
     check(VecGetArray(right_, &local), "reach a vector");
     std::copy(v.begin() + first_, v.begin() + end_, local);
     check(VecRestoreArray(right_, &local), "reach a vector");
-    check(KSPSolve(solver_, right_, solution_), "solve the equations of heat conduction");
+    check(KSPSolve(solver_, right_, solution_), "solve the equations of the finite elements");
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     KSPGetConvergedReason(solver_, &reason);
     if (reason < 0)
-      throw SolverError(fmt::format("the equations of heat conduction were not solved by {} (PETSc: {})",
+      throw SolverError(fmt::format("the equations of the finite elements were not solved by {} (PETSc: {})",
                                     kind_ == HeatLinearSolver::multigrid ? "multigrid" : "factorisation",
                                     KSPConvergedReasons[reason]));
     const PetscScalar* found = nullptr;
