@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "bearing/touchdown_touch.h"
@@ -50,6 +51,7 @@ TouchdownBearing::Touch TouchdownBearing::touch_free_ring(const SupportInput& in
   const double slope_y = j.theta_z - y[tilt_z], slope_z = y[tilt_y] - j.theta_y;
   const double slope_rate_y = j.tilt_rate_z - y[tilt_rate_z], slope_rate_z = y[tilt_rate_y] - j.tilt_rate_y;
   Touch t;
+  double deepest = -std::numeric_limits<double>::infinity();
   for (const Slice& slice : slices) {
     const double x = slice.place * data_.free_ring->width;
     const Bodies at{j.y - y[ring_y] + x * slope_y,
@@ -61,6 +63,7 @@ TouchdownBearing::Touch TouchdownBearing::touch_free_ring(const SupportInput& in
                     r_r * j.tilt_rate_z - r_b * y[tilt_rate_z]};
     const Contact c = contact(in, growth, y, at);
     if (slice.place == 0.) t.middle = c;
+    deepest = std::max(deepest, c.penetration);
     const double normal = slice.share * c.normal, friction = slice.share * c.friction;
     const double f_x = slice.share * c.friction_x;
     const double f_y = normal * c.n_y - friction * c.n_z, f_z = normal * c.n_z + friction * c.n_y;
@@ -75,6 +78,7 @@ TouchdownBearing::Touch TouchdownBearing::touch_free_ring(const SupportInput& in
     t.centres_power += friction * c.tangential_speed + f_x * c.slip_x;
     t.is_touching |= c.penetration > 0.;
   }
+  t.middle.penetration = deepest;  // a tilted journal touches at an end first
   touch_shoulders(in, y, t);
   return t;
 }

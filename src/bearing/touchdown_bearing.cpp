@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bearing/ring_equilibrium.h"
+#include "bearing/steady_friction.h"
 #include "bearing/touchdown_touch.h"
 #include "laws/ball_kinematics.h"
 #include "laws/bearing_friction.h"
@@ -22,9 +23,8 @@ struct TouchdownBearing::BallForces {
 TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)) {
   for (const auto& geometry : data_.rows) rows_.emplace_back(geometry, data_.race_waves);
   const auto& g = data_.rows.front();
-  const double projected = g.ball_diameter * std::cos(g.contact_angle);
   cage_ratio_ = cage_speed_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
-  inner_heat_share_ = 0.5 * (g.pitch_diameter - projected) / g.pitch_diameter;  // r_i / (r_i + r_o)
+  inner_heat_share_ = inner_heat_share(data_);
   cot_contact_angle_ = g.contact_angle != 0. ? 1. / std::tan(g.contact_angle) : 0.;
   const double theta = pitch_angle_outer_race_control(g.contact_angle, g.ball_diameter, g.pitch_diameter);
   const auto spin = spin_speeds(1., g.contact_angle, g.contact_angle, theta, g.ball_diameter, g.pitch_diameter);

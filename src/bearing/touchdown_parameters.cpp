@@ -69,7 +69,8 @@ Section<ShoulderParameters> shoulder_section() {
   s.quantity("gap_minus_x", &P::gap_minus_x,
              {.unit = "m",
               .range = at_least(0),
-              .help = "Axial gap to the shoulder at the ring's -x face, which stops a rotor that moves towards +x; no "
+              .help = "Axial gap, with ring and rotor in their unloaded places, to the shoulder at the ring's -x face, "
+                      "which stops a rotor that moves towards +x; no "
                       "shoulder if not given."});
   s.quantity("gap_plus_x", &P::gap_plus_x,
              {.unit = "m", .range = at_least(0), .help = "The same at the +x face, against motion towards -x."});

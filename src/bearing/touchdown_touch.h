@@ -27,11 +27,11 @@ struct TouchdownBearing::Contact {
 };
 
 struct TouchdownBearing::Touch {
-  Contact middle;                                    // at the middle of the bore
-  Force on_ring, on_rotor;                           // moments about each one's centre
-  double elastic = 0, normal = 0, friction = 0;      // of the bore [N]
-  double shoulder = 0;                               // normal force of shoulders on the ring, along +x [N]
-  double shoulder_torque = 0;                        // of their friction, on the ring [N m]
+  Contact middle;                                // at the middle of the bore; the penetration is the largest along it
+  Force on_ring, on_rotor;                       // moments about each one's centre
+  double elastic = 0, normal = 0, friction = 0;  // of the bore [N]
+  double shoulder = 0;                           // normal force of shoulders on the ring, along +x [N]
+  double shoulder_torque = 0;                    // of their friction, on the ring [N m]
   double rub_heat = 0, damping = 0, wave_power = 0;  // [W]
   double centres_power = 0;                          // friction force times the slip that is not spin [W]
   bool is_touching = false;

@@ -91,8 +91,8 @@ int check_heat_case(const std::filesystem::path& file, const std::vector<std::st
   const std::string text = is_bearing_heat_case(file) ? bearing_heat_case_text(*read_bearing_heat_case(file, overrides))
                                                       : heat_case_text(read_heat_case(file, overrides));
   fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), file.stem().string(), text);
-  fmt::print("{}: no faults. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough.\n",
-             file.string());
+  fmt::print("{}: no faults. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough{}.\n",
+             file.string(), is_bearing_heat_case(file) ? ", and what a drop needs besides" : "");
   return 0;
 }
 

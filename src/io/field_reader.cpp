@@ -59,10 +59,13 @@ std::uint32_t integer_at(const std::string& bytes, std::size_t i) {
 /// Head: number of blocks, their size, the last one's, then the packed size of each. Head and blocks are base64 by themselves.
 std::string unpacked(std::string_view text, const fs::path& file) {
   if (text.size() < 24) refuse(file, "an array is cut off");
-  const std::size_t n_blocks = integer_at(from_base64(text.substr(0, 8), file), 0), n_head = 4 * (3 + n_blocks);
+  const std::string first = from_base64(text.substr(0, 8), file);
+  if (first.size() < 4) refuse(file, "an array is damaged");
+  const std::size_t n_blocks = integer_at(first, 0), n_head = 4 * (3 + n_blocks);
   const std::size_t n_coded = 4 * ((n_head + 2) / 3);
   if (n_coded > text.size()) refuse(file, "an array is cut off");
   const std::string head = from_base64(text.substr(0, n_coded), file), packed = from_base64(text.substr(n_coded), file);
+  if (head.size() < n_head) refuse(file, "an array is damaged");
   std::string bytes;
   std::size_t at = 0;
   for (std::size_t k = 0; k < n_blocks; ++k) {

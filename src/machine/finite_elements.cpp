@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 
+#include "base/cpu_time.h"
 #include "laws/heat_flow.h"
 
 namespace rotordrop {
 namespace {
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 constexpr double shortest_of_longest = 1. / 64.;
 

@@ -46,6 +46,9 @@ inline constexpr std::array<double Expansion::*, 5> growth_surfaces = {
     &Expansion::shaft, &Expansion::bore, &Expansion::inner_race, &Expansion::outer_race, &Expansion::ball};
 inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_names = {"shaft", "bore", "inner race",
                                                                                          "outer race", "ball radius"};
+/// The same as keys of reports.
+inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_keys = {"shaft", "bore", "inner_race",
+                                                                                        "outer_race", "ball_radius"};
 inline std::array<double, growth_surfaces.size()> growth_values(const Expansion& e) {
   return {e.shaft, e.bore, e.inner_race, e.outer_race, e.ball};
 }

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "base/cpu_time.h"
 #include "base/errors.h"
 #include "base/version.h"
 #include "io/checkpoint.h"
@@ -22,14 +22,6 @@ namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string growth_key(std::size_t surface) {
-  std::string key = growth_surface_names.at(surface);
-  std::replace(key.begin(), key.end(), ' ', '_');
-  return key;
-}
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::string known(const std::string& word, const std::vector<std::string>& names) {
   const std::string guess = closest_name(word, names);
@@ -320,7 +312,7 @@ class BearingHeatRun {
       Json& growth = j["growth"][name];
       growth["time"] = times_;
       for (std::size_t k = 0; k < growth_surfaces.size(); ++k) {
-        Json& values = growth[growth_key(k)] = Json::array();
+        Json& values = growth[growth_surface_keys.at(k)] = Json::array();
         for (const auto& expansion : growth_[m]) values.push_back(expansion.*growth_surfaces[k]);
       }
       const double stored = heated->stored(), lost = heated->lost();

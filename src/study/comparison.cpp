@@ -91,8 +91,8 @@ Json surfaces_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std
 Json growth_json(const Side& a, const Side& b, const std::string& bearing, double tolerance, const Names& names,
                  const std::vector<Instant>& instants) {
   Json j = Json::object();
-  for (std::size_t c = 0; c < std::size(growth_columns); ++c)
-    j[growth_columns[c]] =
+  for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)
+    j[growth_surface_keys[c]] =
         difference_json(a.drop.series(a.drop.growth_path(a.kind, bearing), c),
                         b.drop.series(b.drop.growth_path(b.kind, bearing), c), tolerance, names, instants);
   return j;
@@ -222,8 +222,8 @@ Json compare_runs(const std::string& name, const RecordedDrop& drop, const Recor
                  {"against", forces_json(against, name, first_impact(against, name))}};
   const std::string gap = "/bearings/" + name + "/clearance", expansion = "/bearings/" + name + "/expansion";
   j["air_gap"] = difference_json(drop.series(gap), against.series(gap), options.growth, names, instants);
-  for (std::size_t c = 0; c < std::size(growth_columns); ++c)
-    j["expansion"][growth_columns[c]] =
+  for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)
+    j["expansion"][growth_surface_keys[c]] =
         difference_json(drop.series(expansion, c), against.series(expansion, c), options.growth, names, instants);
   for (const Kind kind : {Kind::lumped, Kind::fe}) {
     if (!drop.has(kind) || !against.has(kind)) continue;

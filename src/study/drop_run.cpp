@@ -11,11 +11,11 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/cpu_time.h"
 #include "base/errors.h"
 #include "base/version.h"
 #include "integrate/sundials_version.h"
@@ -23,6 +23,7 @@
 #include "io/hdf5_version.h"
 #include "io/recorder.h"
 #include "study/drop_fields.h"
+#include "study/result_files.h"
 #include "study/summary.h"
 
 namespace rotordrop {
@@ -32,8 +33,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 /// Tells whether two runs have the same parameters: FNV-1a of their resolved text, comments and white space aside.
 std::string digest_of(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
@@ -54,9 +53,7 @@ std::string digest_of(const std::string& text) {
 void prepare_directory(const RunOptions& options) {
   const fs::path& directory = options.directory;
   std::error_code error;
-  const bool holds_results =
-      fs::exists(directory / "results.h5", error) || fs::exists(directory / "summary.json", error);
-  if (holds_results && !options.force && !options.resume)
+  if (holds_results(directory) && !options.force && !options.resume)
     throw InputError(
         {directory.string(), 0, 0}, "the directory holds results already",
         "Choose another with -o DIR, replace them with --force, or go on with --resume if the run was interrupted.");

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "base/cpu_time.h"
 #include "base/errors.h"
 #include "base/version.h"
 #include "io/checkpoint.h"
@@ -18,14 +18,13 @@
 #include "machine/machine_parameters.h"
 #include "study/fe_module.h"
 #include "study/recorded_heat.h"
+#include "study/result_files.h"
 
 namespace rotordrop {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 int number_in(const char* variable, int otherwise) {
   const char* text = std::getenv(variable);
@@ -79,7 +78,7 @@ void complete_recorded_paths(Node& tree) {
 
 void prepare_heat_directory(const HeatRunOptions& options) {
   const fs::path& directory = options.directory;
-  if (!options.force && (fs::exists(directory / "results.h5") || fs::exists(directory / "summary.json")))
+  if (!options.force && holds_results(directory))
     throw InputError({directory.string(), 0, 0}, "the directory holds results already",
                      "Choose another with -o DIR, or replace them with --force.");
   std::error_code error;

@@ -44,11 +44,16 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   std::vector<TimeSeries> axial;
   const auto& b = touchdown_of(p, bearing);
   if (drop.has(from + "axial_position"))
-    for (int row = 0; row < b.rows; ++row)
+    for (int row = 0; row < touchdown_of(drop.parameters(), bearing).rows; ++row)
       axial.push_back(drop.series(from + "row_axial_force", static_cast<std::size_t>(row)));
 
   // What elasticity recorded holds the growth by speed already.
   const auto& thermal = drop.parameters().thermal;
+  if (drop.driver() == "recorded" && p.preload.growth_by_speed != GrowthBySpeed::none)
+    throw InputError(
+        position_of(c.tree, "preload"),
+        "the drop took growth that an earlier run recorded, and does not say whether growth by speed is in it.",
+        "Give that earlier run with --results, or set preload.growth_by_speed = \"none\".");
   const bool has_growth_by_speed = thermal.expansion == GrowthSource::elastic && drop.driver() == "fe";
   MachineParameters cold_parameters = p;
   if (has_growth_by_speed) cold_parameters.preload.growth_by_speed = GrowthBySpeed::none;
@@ -61,7 +66,11 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   table.group.channels.push_back(
       {to + "growth", "m", "of the inner raceway over the outer one, by heat, speed and fits", 1, {}});
   const bool under_load = p.preload.history_under_load;
-  const std::size_t n = speed.times.size(), every = under_load ? 1 : (n + most_instants - 1) / most_instants;
+  // Of a drop that is being written, some series may be longer than others.
+  std::size_t n = std::min({speed.values.size(), force_y.values.size(), force_z.values.size()});
+  for (const auto& series : growth) n = std::min(n, series.values.size());
+  for (const auto& series : axial) n = std::min(n, series.values.size());
+  const std::size_t every = under_load ? 1 : (n + most_instants - 1) / most_instants;
   for (std::size_t i = 0; i < n; i = i + every < n || i + 1 == n ? i + every : n - 1) {
     BearingState state;
     state.speed = speed.values[i];

@@ -8,7 +8,6 @@
 #include "base/errors.h"
 #include "io/recorder.h"
 #include "machine/build_machine.h"
-#include "study/heat_run.h"
 
 namespace rotordrop {
 namespace {
@@ -32,11 +31,8 @@ fs::path results_in(const fs::path& directory) {
 }  // namespace
 
 RecordedDrop::RecordedDrop(const fs::path& directory) : directory_(directory), file_(results_in(directory)) {
-  if (is_heat_case(directory / "parameters.toml"))
-    throw InputError({directory.string(), 0, 0}, "these are results of heat alone; there is no drop in them",
-                     "Give the directory into which `rotordrop run` wrote.");
+  open();  // before the parameters, which are of another kind beside results of another kind
   parameters_ = read_case(directory / "parameters.toml").parameters;
-  open();
 }
 
 RecordedDrop::RecordedDrop(const fs::path& directory, const Case& drop_case)
@@ -46,6 +42,9 @@ RecordedDrop::RecordedDrop(const fs::path& directory, const Case& drop_case)
 
 void RecordedDrop::open() {
   datasets_ = list_datasets(file_);
+  if (!has("/energy/mechanical"))
+    throw InputError({directory_.string(), 0, 0}, "these are results of heat alone; there is no drop in them",
+                     "Give the directory into which `rotordrop run` wrote.");
   case_name_ = read_attribute(file_, "/", "case");
   is_windowed_ = has("/windows/time");
 }
@@ -96,6 +95,9 @@ TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) 
   const Table& times = table(t.time_path);
   // While it is being written, or after it was killed, a series may have rows whose times are not there yet.
   const std::size_t n = std::min(times.values.size(), t.values.size() / t.n_columns);
+  if (column >= t.n_columns)
+    throw InputError({file_.string(), 0, 0}, fmt::format("{} has {} columns, not {}", dataset, t.n_columns, column + 1),
+                     "Is the case that of these results?");
   if (n == 0)
     throw InputError({file_.string(), 0, 0}, dataset + " has no rows yet", "Let the run go on, or run it again.");
   TimeSeries result;

@@ -38,7 +38,7 @@ class RecordedDrop {
                                       const std::string& node) const;
   /// Columns mean, lowest, highest; of the finite elements only.
   [[nodiscard]] std::string surface_path(const std::string& bearing, const std::string& surface) const;
-  /// Columns in the order of `growth_columns`.
+  /// Columns in the order of growth_surfaces.
   [[nodiscard]] std::string growth_path(ThermalModelKind model, const std::string& bearing) const;
   /// Series of a bearing in pascal whose names speak of pressure.
   [[nodiscard]] std::vector<std::string> pressure_paths(const std::string& bearing) const;
@@ -58,7 +58,5 @@ class RecordedDrop {
   mutable std::map<std::string, Table> tables_;  ///< read so far
   const Table& table(const std::string& dataset) const;
 };
-
-inline constexpr const char* growth_columns[] = {"shaft", "bore", "inner_race", "outer_race", "ball_radius"};
 
 }  // namespace rotordrop

@@ -63,11 +63,7 @@ Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::si
                          {"static_safety", safety(s.row_pressure[row].value)}});
   if (scalars.n_rows(i) > 1) j["preload"] = range(s.preload);
   j["clearance"] = range(s.clearance);
-  for (std::size_t k = 0; k < growth_surfaces.size(); ++k) {
-    std::string surface = growth_surface_names[k];
-    std::replace(surface.begin(), surface.end(), ' ', '_');
-    j["growth"][surface] = range(s.growth[k]);
-  }
+  for (std::size_t k = 0; k < growth_surfaces.size(); ++k) j["growth"][growth_surface_keys[k]] = range(s.growth[k]);
   if (scalars.is_free(i)) j["axial"] = {{"force", range(s.axial_force)}, {"rotor_position", range(s.axial_position)}};
   return j;
 }

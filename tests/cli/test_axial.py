@@ -43,6 +43,9 @@ class Thrust(ProgramTest):
             rotor, ring = pair["axial_position"][-1]
             self.assertAlmostEqual(rotor - ring, 0.3e-3 + 1500 / 5e8, delta=0.1e-6, msg="m: gap, and the shoulder's own spring")
             self.assertLess(abs(file["bearings/TB1/axial_force"][-1]), 30, "N: no shoulder there")
+            for name in ("TB1", "TB2"):
+                touching = file[f"bearings/{name}/contact_force"][:] > 0
+                self.assertTrue((file[f"bearings/{name}/penetration"][:][touching] > 0).all(), "of a tilted journal that of the deeper end counts")
             axial = summary["bearings"]["TB2"]["axial"]
             self.assertGreaterEqual(axial["force"]["largest"], pair["axial_force"][:].max())
             self.assertEqual(axial["rotor_position"]["end"], rotor)

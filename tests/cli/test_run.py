@@ -82,6 +82,18 @@ class Results(ProgramTest):
             self.assertEqual(max(row["largest_contact_pressure"] for row in pair["rows"]), pair["largest_contact_pressure"])
             self.assertNotIn("preload", summary["bearings"]["TB1"], "a single row has nothing to hold against")
 
+    def test_results_of_other_commands_are_not_run_over(self):
+        (self.folder / "taken").mkdir()
+        self.write("taken/preload.json", "{}")
+        done = self.call("run", self.case(""), "-o", "taken")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("holds results already", done.stderr)
+        self.assertEqual(sorted(content_of(self.folder / "taken")), ["preload.json"])
+
+    def test_a_case_of_heat_that_is_dropped_is_a_drop(self):
+        self.run_case(self.case('[heat]\nbearing = "TB1"\noutput_times = ["1 ms"]\n'), output="dropped", run__end_time="0.2 ms")
+        self.succeed("report", "dropped")
+
     def test_a_run_writes_results_summary_and_parameters(self):
         summary = self.run_case(self.case(""))
         self.assertEqual(sorted(content_of(self.folder / "out")), ["parameters.toml", "results.h5", "summary.json"])
