@@ -39,7 +39,7 @@ std::string known(const std::string& word, const std::vector<std::string>& names
 
 /// The bearing that is meant, or a fault.
 std::string chosen_bearing(const Case& drop, const PrescribedHeatParameters& heat, const Node& table, Faults& faults) {
-  const auto names = touchdown_names(drop);
+  const auto names = touchdown_names(drop.parameters);
   if (heat.bearing) {
     if (std::find(names.begin(), names.end(), *heat.bearing) == names.end())
       faults.add(position_of_value(table, "bearing"),
