@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/wide_vectors.h"
+#include "laws/skidding.h"
 
 // The row kernel is compiled for several kinds of machine and chosen when the program starts. AVX-512 serves for its 32 registers: the
 // loop keeps eight sums.
@@ -116,7 +117,7 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
-// Not for every evaluation: what skidding needs, of the first in.n balls.
+// Not for every evaluation: what skidding needs. An idle ball adds F_c to the outer loads.
 ROTORDROP_WIDE_VECTORS
 void sum_tractions(const KernelInput& in, double F_c, RowTractions& out) {
   double inner = 0, outer = 0, gyroscopic = 0, largest = 0;
@@ -140,7 +141,7 @@ void sum_tractions(const KernelInput& in, double F_c, RowTractions& out) {
     inner += F;
     outer += o.load;
     gyroscopic += T_g;
-    largest = std::max(largest, o.load > 0. ? T_g / o.load : 0.);
+    largest = std::max(largest, T_g * o.per_load);
   }
   out = {inner, outer, gyroscopic, largest};
 }
@@ -231,27 +232,28 @@ template <class Kernel>
 void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   std::array<double, max_balls> added;
   fill_added(in, added.data());
-  KernelInput balls{cosine_.data(),
-                    sine_.data(),
-                    added.data(),
-                    n_padded_,
-                    constants_.A,
-                    constants_.radial + in.radial_growth,
-                    constants_.axial,
-                    constants_.arm,
-                    geometry_.position,
-                    geometry_.stiffness,
-                    1.5 * geometry_.damping_beta,
-                    in.cage_cosine,
-                    in.cage_sine,
-                    in.displacement,
-                    in.rate};
+  const KernelInput balls{cosine_.data(),
+                          sine_.data(),
+                          added.data(),
+                          n_padded_,
+                          constants_.A,
+                          constants_.radial + in.radial_growth,
+                          constants_.axial,
+                          constants_.arm,
+                          geometry_.position,
+                          geometry_.stiffness,
+                          1.5 * geometry_.damping_beta,
+                          in.cage_cosine,
+                          in.cage_sine,
+                          in.displacement,
+                          in.rate};
   kernel(balls, out);
   out.cage_power *= in.cage_speed;
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
   if (!tractions) return;
-  balls.n = static_cast<std::size_t>(geometry_.n_balls);
-  sum_tractions(balls, centrifugal_force(in), *tractions);
+  const double F_c = centrifugal_force(in);
+  sum_tractions(balls, F_c, *tractions);
+  tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
 }
 
 double BallRow::centrifugal_force(const BallRowInput& in) const {

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "bearing/inertial_balls.h"
-#include "laws/skidding.h"
 
 namespace rotordrop {
+
+struct RowTractions;  // laws/skidding.h
 
 /// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
 struct RingDisplacement {

@@ -4,6 +4,7 @@
 
 #include "base/wide_vectors.h"
 #include "bearing/ball_row.h"
+#include "laws/skidding.h"
 
 namespace rotordrop {
 namespace {

@@ -26,15 +26,18 @@ inline RollingTractions rolling_tractions(double ball_mass, double acceleration)
 
 /// Outer contact of a ball.
 struct OuterContact {
-  double load;  ///< Q_o [N]
-  double sine;  ///< of the contact angle, 0 without load
+  double load;      ///< Q_o [N]
+  double sine;      ///< of the contact angle, 0 without load
+  double per_load;  ///< 1 / Q_o, finite without load [1/N]
 };
 /// The outer contact of a ball takes the inner one's load and the centrifugal force: Q_o n_o = Q_i n_i + F_c e_r.
 /// @param load, sine, cosine  Q_i [N] and the inner contact angle's; @param centrifugal_force F_c [N], >= 0
 inline OuterContact outer_contact(double load, double sine, double cosine, double centrifugal_force) {
   const double axial = load * sine, radial = load * cosine + centrifugal_force;
-  const double outer = std::sqrt(axial * axial + radial * radial);
-  return {outer, outer > 0. ? axial / outer : 0.};
+  const double square = axial * axial + radial * radial;
+  constexpr double nothing = 1e-200;  // [N^2], added instead of asked for, so that loops over balls become vectors
+  const double inverse = 1. / std::sqrt(square + nothing);
+  return {square * inverse, axial * inverse, inverse};
 }
 
 /// Friction across the rolling direction that keeps the axis of a ball turning with its orbit [N]:
