@@ -11,23 +11,8 @@ if(ROTORDROP_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(Boost 1.74 REQUIRED)
-find_package(HDF5 REQUIRED COMPONENTS C)
-find_package(SUNDIALS REQUIRED COMPONENTS arkode cvodes kinsol sunlinsoldense sunmatrixdense nvecserial)
+# A library that is not there is an error here, as if it were asked for by find_package(rotordrop REQUIRED).
+set(CMAKE_FIND_PACKAGE_NAME rotordrop)
+set(rotordrop_FIND_REQUIRED TRUE)
+include(RotordropLibraries)
 find_package(CLI11 REQUIRED)
-
-find_package(tomlplusplus REQUIRED)
-
-# UDUNITS-2 ships no CMake package in Debian 12.
-find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
-find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
-add_library(udunits2 INTERFACE)
-target_include_directories(udunits2 SYSTEM INTERFACE ${UDUNITS2_INCLUDE_DIR})
-target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
-add_library(hdf5_c INTERFACE)
-target_include_directories(hdf5_c SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
-target_link_libraries(hdf5_c INTERFACE ${HDF5_C_LIBRARIES})
-target_compile_definitions(hdf5_c INTERFACE ${HDF5_C_DEFINITIONS})

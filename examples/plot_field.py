@@ -5,70 +5,26 @@
 
 DIR is the folder of a `rotordrop heat` or `rotordrop run` with fields (field_times or field_interval), or its folder fields. Writes, for each series
 NAME.pvd, a PNG per time and a contact sheet of all of them, NAME-sheet.png, into DIR/figures/fields. All pictures of a series have one scale. The files
-themselves open in ParaView; this script reads them without it, and nothing but what rotordrop writes.
+themselves open in ParaView; this script reads them without it (rotordrop_results.py).
 
-Needs numpy and matplotlib (Debian: python3-matplotlib). Exit codes: 0 done, 2 nothing to draw from.
+Needs h5py, numpy and matplotlib (Debian: python3-h5py, python3-matplotlib). Exit codes: 0 done, 2 nothing to draw from.
 """
 
 import argparse
-import base64
 import pathlib
 import sys
-import xml.etree.ElementTree
-import zlib
 
 try:
     import matplotlib
     import numpy as np
+    from rotordrop_results import RISE, TEMPERATURE, read_series, read_vtu  # beside this file
 except ImportError as error:
-    sys.exit(f"error: {error}. Install python3-matplotlib, or try /usr/bin/python3 (this is {sys.executable}).")
+    sys.exit(f"error: {error}. Install python3-h5py and python3-matplotlib, or try /usr/bin/python3 (this is {sys.executable}).")
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.tri import Triangulation  # noqa: E402
-
-TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "UInt32": "<u4", "Int64": "<i8", "UInt64": "<u8", "UInt8": "u1", "Int8": "i1"}
-TEMPERATURE, RISE = "temperature [K]", "temperature rise [K]"
-
-
-def read_array(element):
-    """Values of a DataArray: plain text, or base64 of blocks that zlib compressed (a head of 4-byte integers, then the blocks)."""
-    text = "".join((element.text or "").split())
-    kind = np.dtype(TYPES[element.get("type")])
-    if element.get("format") == "ascii":
-        values = np.array((element.text or "").split(), dtype=float).astype(kind)
-    else:
-        n_blocks = int.from_bytes(base64.b64decode(text[:8])[:4], "little")
-        n_head = 4 * (3 + n_blocks)
-        n_coded = 4 * -(-n_head // 3)
-        sizes = np.frombuffer(base64.b64decode(text[:n_coded])[12:n_head], "<u4")
-        packed, at, blocks = base64.b64decode(text[n_coded:]), 0, []
-        for size in sizes:
-            blocks.append(zlib.decompress(packed[at : at + size]))
-            at += size
-        values = np.frombuffer(b"".join(blocks), kind)
-    n = int(element.get("NumberOfComponents", "1"))
-    return values.reshape(-1, n) if n > 1 else values
-
-
-def read_vtu(file):
-    """A dictionary: points [n, 3], quads [n_cells, 4] as indices of points, point data and cell data by name."""
-    piece = xml.etree.ElementTree.parse(file).getroot().find("UnstructuredGrid/Piece")
-    cells = {a.get("Name"): read_array(a) for a in piece.iterfind("Cells/DataArray")}
-    if not np.all(cells["types"] == 9):
-        raise ValueError(f"{file} has cells that are no quadrilaterals")
-    return {
-        "points": read_array(piece.find("Points/DataArray")),
-        "quads": cells["connectivity"].reshape(-1, 4),
-        "data": {a.get("Name"): read_array(a) for part in ("PointData", "CellData") for a in piece.iterfind(f"{part}/DataArray")},
-    }
-
-
-def read_series(pvd):
-    """Pairs of time [s] and file."""
-    root = xml.etree.ElementTree.parse(pvd).getroot()
-    return [(float(e.get("timestep")), pvd.parent / e.get("file")) for e in root.iterfind("Collection/DataSet")]
 
 
 def outline(field):

@@ -27,6 +27,7 @@
 #include "study/heat_run.h"
 #include "study/modes_report.h"
 #include "study/new_case.h"
+#include "study/preload_run.h"
 #include "study/recorded_growth.h"
 #include "study/report.h"
 #include "study/statics_report.h"
@@ -334,6 +335,23 @@ int statics_command(const StaticsCommand& command) {
     fmt::print("{}\n", report.dump(2));
   else
     fmt::print("rotordrop {} ({})   statics, case {}\n{}", version(), git_revision(), c.name, statics_text(report));
+  return 0;
+}
+
+int preload_command(const PreloadCommand& command) {
+  const Case c = read_case(command.file, command.overrides);
+  PreloadOptions options;
+  options.directory =
+      command.directory.empty() ? std::filesystem::path("out") / (c.name + "-preload") : command.directory;
+  options.bearing = command.bearing;
+  options.results = command.results;
+  options.force = command.force;
+  const auto report = run_preload(c, options);
+  if (command.json)
+    fmt::print("{}\n", report.dump(2));
+  else if (!command.quiet)
+    fmt::print("rotordrop {} ({})   thermal preload, case {}\n{}results in {}\n", version(), git_revision(), c.name,
+               preload_text(report), options.directory.string());
   return 0;
 }
 

@@ -72,6 +72,14 @@ struct StaticsCommand {
 };
 int statics_command(const StaticsCommand& command);
 
+struct PreloadCommand {
+  std::filesystem::path file, directory, results;
+  std::vector<std::string> overrides;
+  std::string bearing;
+  bool json = false, force = false, quiet = false;
+};
+int preload_command(const PreloadCommand& command);
+
 /// "rotordrop 0.1.0 (revision ...; SUNDIALS ..., HDF5 ...)".
 std::string version_text();
 

@@ -136,6 +136,22 @@ int run_program(int argc, char** argv) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 
+  PreloadCommand preload;
+  auto* preload_app = app.add_subcommand(
+      "preload",
+      "Thermal preload of touchdown bearings: maps, course over a drop, steady running until it holds or runs away.");
+  preload_app->add_option("case", preload.file, "Parameter file")->required();
+  preload_app->add_option("--bearing", preload.bearing, "Only this touchdown bearing");
+  preload_app->add_option("--results", preload.results,
+                          "Directory of a drop's results, for the preload over that drop");
+  preload_app->add_option("-o,--output", preload.directory, "Directory for the results; default out/CASE-preload");
+  preload_app->add_flag("--json", preload.json, "Report as JSON on the screen too");
+  preload_app->add_option("--set", preload.overrides, "Override a parameter: preload.speed=\"3000 rpm\"")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  preload_app->add_flag("--force", preload.force, "Replace results that are in the directory");
+  preload_app->add_flag("--quiet", preload.quiet, "Only messages about trouble");
+
   auto* defaults =
       app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
   bool heat_defaults = false, heat_schema = false;
@@ -161,6 +177,7 @@ int run_program(int argc, char** argv) {
   if (*mesh_app) return mesh_command(mesh);
   if (*calibrate_app) return calibrate_command(calibrate);
   if (*modes_app) return modes_command(modes);
+  if (*preload_app) return preload_command(preload);
   if (*statics_app) return statics_command(statics);
   if (*defaults) return defaults_command(heat_defaults);
   if (*schema) return schema_command(heat_schema);

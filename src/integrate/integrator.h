@@ -42,6 +42,11 @@ class Integrator {
 std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters,
                                             double start_time, std::span<const double> state, double end_time);
 
+/// For few slow and stiff states: backward differences (CVODES) without a longest step.
+/// @param tolerance  relative; absolute is this times each state's scale
+std::unique_ptr<Integrator> make_stiff_integrator(const OdeSystem& system, double tolerance, double start_time,
+                                                  std::span<const double> state, double end_time);
+
 /// The `count` largest shares of a squared error norm, in words: ""TB1/inner ring y [m]" (84 %), ...".
 std::string worst_components(const StateLayout& layout, std::span<const double> weighted_error, std::size_t count = 3);
 

@@ -167,6 +167,8 @@ class DefaultsWriter {
 
 class ResolvedWriter {
  public:
+  explicit ResolvedWriter(std::function<std::string(const SourcePosition&)> source_of)
+      : source_of_(std::move(source_of)) {}
   /// @param shared  for a named table of variants: the values that come from its parent table
   void section(const SectionDeclaration& section, const Node& table, const std::string& path,
                const Node& shared = Node(), const std::string& path_of_shared = "") {
@@ -174,7 +176,7 @@ class ResolvedWriter {
       const Node* given = table.find(d.key);
       const Node* from_parent = shared.find(d.key);
       if (is_one_value(d) || is_empty_list(d, given ? given : from_parent))
-        value(d, given, from_parent, path_of_shared);
+        value(d, given, from_parent, position_of(given ? table : shared, d.key), path_of_shared);
     }
     for (const Declaration& d : section.declarations) {
       const Node* given = table.find(d.key);
@@ -196,11 +198,14 @@ class ResolvedWriter {
   static bool is_empty_list(const Declaration& d, const Node* given) {
     return d.kind == Kind::list && given && given->is_array() && given->items().empty();
   }
-  void value(const Declaration& d, const Node* given, const Node* from_parent, const std::string& path_of_shared) {
+  void value(const Declaration& d, const Node* given, const Node* from_parent, const SourcePosition& where,
+             const std::string& path_of_shared) {
+    const auto source = [&](const char* prefix) { return source_of_ ? prefix + source_of_(where) : ""; };
     if (given)
-      text_ += fmt::format("{} = {}\n", toml_key(d.key), toml_value(*given));
+      text_ += fmt::format("{} = {}{}\n", toml_key(d.key), toml_value(*given), source("  # from "));
     else if (from_parent)
-      text_ += fmt::format("{} = {}  # from [{}]\n", toml_key(d.key), toml_value(*from_parent), path_of_shared);
+      text_ += fmt::format("{} = {}  # from [{}]{}\n", toml_key(d.key), toml_value(*from_parent), path_of_shared,
+                           source(", "));
     else if (d.fallback)
       text_ += fmt::format("{} = {}  # default\n", toml_key(d.key), toml_value(*d.fallback));
   }
@@ -237,6 +242,7 @@ class ResolvedWriter {
     return section;
   }
 
+  const std::function<std::string(const SourcePosition&)> source_of_;
   std::string text_;
 };
 
@@ -417,8 +423,9 @@ std::string write_defaults(const std::vector<ErasedSection>& sections) {
   return writer.text();
 }
 
-std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree) {
-  ResolvedWriter writer;
+std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree,
+                           const std::function<std::string(const SourcePosition&)>& source_of) {
+  ResolvedWriter writer(source_of);
   for (const ErasedSection& section : top_level_first(sections)) {
     if (section->name.empty()) {
       writer.section(*section, tree, "");

@@ -3,6 +3,7 @@
 #include "base/node.h"
 #include "base/parameters.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,9 @@ std::string write_json_schema(const std::vector<ErasedSection>& sections);
 
 /// The tree as read, completed with all defaults, as TOML that reads back to the same values; "# default" marks what
 /// was not given. Defaults for all bearings are written out in each. Keys that no section declares are left out.
-std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree);
+/// @param source_of  a line of text on where a given value is from, for a comment "# from ..." behind it; none: no such comments
+std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree,
+                           const std::function<std::string(const SourcePosition&)>& source_of = {});
 
 /// A value as TOML on one line; numbers read back to the same double. Throws std::invalid_argument for null, which TOML
 /// has not.

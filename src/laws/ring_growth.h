@@ -21,4 +21,15 @@ struct RingGrowth {
 /// @param constraint  1 for a free ring, 1 + nu for plane strain
 RingGrowth ring_growth(double expansion, double a, double b, double r, double constraint = 1.);
 
+/// Radial growth of a spinning ring a < r < b, thin along its axis, per square of its speed [m s^2]:
+///   u = rho r / (4 E) [(3 + nu) other^2 + (1 - nu) r^2]   at r = a (other = b) or r = b (other = a).
+/// Source: Timoshenko & Goodier, Theory of Elasticity, rotating disk with a hole (plane stress).
+/// @param r  a or b [m]
+double spinning_ring_growth(double youngs_modulus, double poisson_ratio, double density, double a, double b, double r);
+
+/// By how much the bore of a ring a < r < b closes per interference with the ring b < r < c around it (by radius), same material, equal
+/// width, plane stress (Lame):
+///   2 a b / (b^2 - a^2) / [(b^2 + a^2)/(b^2 - a^2) + (c^2 + b^2)/(c^2 - b^2)].
+double bore_closure(double a, double b, double c);
+
 }  // namespace rotordrop

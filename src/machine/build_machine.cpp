@@ -61,7 +61,7 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
 }
 
 /// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
-void make_sections(const MachineParameters& p, FiniteElements& elements) {
+void make_sections(const MachineParameters& p, FiniteElements& elements, ReductionSettings reduction = {}) {
   const auto& fe = p.thermal.fe;
   elements.coupling = fe.coupling;
   for (const auto& entry : p.bearings) {
@@ -85,7 +85,6 @@ void make_sections(const MachineParameters& p, FiniteElements& elements) {
       if (fe.coupling == FeCoupling::windowed) section.adiabatic.growth = immediate_elastic_growth(section);
     }
     if (fe.coupling != FeCoupling::windowed) {
-      ReductionSettings reduction;
       if (fe.coupling == FeCoupling::monolithic) {
         reduction.modes = 0;
         reduction.fastest = std::numeric_limits<double>::infinity();
@@ -154,15 +153,6 @@ void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& ne
     }
   }
   if (driver == GrowthDriver::recorded) parts.prescribed_growth = std::move(recorded);
-}
-
-ThermalNetworkData network_data(const MachineParameters& p, const Node& case_node, Faults& faults) {
-  ThermalNetworkData network;
-  network.ambient = p.run.ambient;
-  for (const auto& entry : p.bearings)
-    if (const auto* b = entry.touchdown()) add_bearing_circuit(circuit_data(p, entry.name, *b), network);
-  add_extra_parts(p.thermal, table_of(case_node, "thermal"), network, faults);
-  return network;
 }
 
 using RingCentre = std::pair<double, std::pair<double, double>>;  // x, (y, z)
@@ -319,6 +309,15 @@ void check_statics(const MachineParameters& p, const Node& table, Faults& faults
 
 }  // namespace
 
+ThermalNetworkData network_data(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  ThermalNetworkData network;
+  network.ambient = p.run.ambient;
+  for (const auto& entry : p.bearings)
+    if (const auto* b = entry.touchdown()) add_bearing_circuit(circuit_data(p, entry.name, *b), network);
+  add_extra_parts(p.thermal, table_of(case_node, "thermal"), network, faults);
+  return network;
+}
+
 ThermalParts build_thermal_models(const MachineParameters& parameters, const Node& case_node,
                                   const std::string& bearing, FiniteElements& finite_elements) {
   MachineParameters p = parameters;
@@ -429,8 +428,8 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   check_statics(p, table_of(case_node, "statics"), faults);
 }
 
-std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node,
-                                       FiniteElements* finite_elements, std::shared_ptr<const GrowthHistory> recorded) {
+Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, FiniteElements* finite_elements,
+                             std::shared_ptr<const GrowthHistory> recorded) {
   Faults faults;
   const auto network = network_data(p, case_node, faults);
   faults.throw_if_any();
@@ -459,8 +458,10 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
       parts.supports.push_back(std::move(bearing));
       parts.thermal_place.push_back(n_places++);
     } else {
-      const auto& l = *entry.linear();
-      parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l.stiffness, l.damping));
+      if (const auto* l = entry.linear())
+        parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l->stiffness, l->damping));
+      else
+        parts.supports.push_back(entry.other()->make(entry.name));
       parts.thermal_place.push_back(std::nullopt);
     }
   }
@@ -483,7 +484,23 @@ std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& c
                              parts.initial_rotor_state);
   check_start(p, case_node, *rotor, parts, ring_centres);
   parts.rotor = std::move(rotor);
-  return std::make_unique<Machine>(std::move(parts));
+  return parts;
+}
+
+std::unique_ptr<Machine> build_machine(const MachineParameters& p, const Node& case_node,
+                                       FiniteElements* finite_elements, std::shared_ptr<const GrowthHistory> recorded) {
+  return std::make_unique<Machine>(machine_parts(p, case_node, finite_elements, std::move(recorded)));
+}
+
+std::shared_ptr<const ThermalModel> reduced_fe_model(const MachineParameters& p, FiniteElements& finite_elements,
+                                                     double longest) {
+  MachineParameters reduced = p;
+  reduced.thermal.fe.coupling = FeCoupling::reduced;
+  ReductionSettings settings;
+  settings.shortest_time = 0.01;
+  settings.longest_time = longest;
+  make_sections(reduced, finite_elements, settings);
+  return reduced_sections(reduced, finite_elements);
 }
 
 }  // namespace rotordrop

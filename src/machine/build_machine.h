@@ -20,9 +20,18 @@ GrowthDriver driver_of(const ThermalParameters& parameters);
 BearingCircuitData circuit_data(const MachineParameters& parameters, const std::string& name,
                                 const TouchdownParameters& bearing);
 
+/// The lumped circuits of all touchdown bearings, its places, with what a user adds; unknown names become faults.
+ThermalNetworkData network_data(const MachineParameters& parameters, const Node& case_node, Faults& faults);
+
 /// One touchdown bearing of a case whose parameters were checked, as numbers.
 TouchdownBearingData touchdown_data_of(const MachineParameters& parameters, const std::string& name,
                                        const TouchdownParameters& bearing);
+
+/// The parts of a machine, for programs that add thermal models of their own, or replace parts, before they wire them with
+/// `Machine(std::move(parts))`. Arguments as of build_machine().
+Machine::Parts machine_parts(const MachineParameters& parameters, const Node& case_node,
+                             FiniteElements* finite_elements = nullptr,
+                             std::shared_ptr<const GrowthHistory> recorded = nullptr);
 
 /// The machine of a case whose parameters were checked. @throws InputError, SolverError
 /// @param finite_elements  the room's doors if the case has finite elements; takes the sections that are made
@@ -30,6 +39,11 @@ TouchdownBearingData touchdown_data_of(const MachineParameters& parameters, cons
 std::unique_ptr<Machine> build_machine(const MachineParameters& parameters, const Node& case_node,
                                        FiniteElements* finite_elements = nullptr,
                                        std::shared_ptr<const GrowthHistory> recorded = nullptr);
+
+/// The section of every touchdown bearing by finite elements on few modes, by itself: good from a hundredth of a second to `longest` [s].
+/// @param finite_elements  the room's doors
+std::shared_ptr<const ThermalModel> reduced_fe_model(const MachineParameters& parameters,
+                                                     FiniteElements& finite_elements, double longest);
 
 /// Thermal models by themselves.
 struct ThermalParts {

@@ -7,6 +7,7 @@
 
 #include "base/parameters.h"
 #include "bearing/touchdown_parameters.h"
+#include "machine/preload_parameters.h"
 #include "machine/statics_parameters.h"
 #include "machine/supports.h"
 #include "rotor/rotor_parameters.h"
@@ -40,6 +41,7 @@ struct MachineParameters {
   std::vector<std::pair<std::string, MaterialParameters>> materials;
   ThermalParameters thermal;
   StaticsParameters statics;
+  PreloadParameters preload;
 };
 
 /// nullptr if the case has no material of that name.

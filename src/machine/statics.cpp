@@ -26,47 +26,64 @@ struct RingSetup {
   double axial_preload;  // force from outside that presses rows which all lean one way [N]
 };
 
-RingSetup ring_setup(const MachineParameters& p, const TouchdownParameters& b, const TouchdownBearingData& data,
-                     const Expansion& growth) {
+RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, const TouchdownBearingData& data,
+                     const Expansion& growth, double speed) {
   auto rows = data.rows;
   RingSurroundings around;
   around.radial_growth = growth.inner_race - growth.outer_race;
   around.ball_growth = growth.ball;
-  around.speed = p.statics.speed;
+  around.speed = speed;
   around.has_inertia = data.ball_model == BallModel::inertial;
   std::optional<PreloadSpring> spring;
   double axial = 0.;
   const bool opposed = leans_both_ways(rows);
-  if (!opposed || p.statics.preload_by == PreloadBy::spring)
+  if (!opposed || s.preload_by == PreloadBy::spring)
     for (auto& g : rows) g.preload_offset = 0.;
   if (!opposed)
     axial = b.preload * static_cast<double>(rows.size()) * rows.front().direction;
-  else if (p.statics.preload_by == PreloadBy::spring)
-    spring = PreloadSpring{b.preload, p.statics.preload_stiffness};
+  else if (s.preload_by == PreloadBy::spring)
+    spring = PreloadSpring{b.preload, s.preload_stiffness};
   return {RingStatics(std::move(rows), around, spring), axial};
 }
 
 }  // namespace
 
-Expansion static_growth(const MachineParameters& p, const TouchdownParameters& b) {
-  const auto& s = p.statics;
+Expansion even_growth(const MachineParameters& p, const TouchdownParameters& b) {
   const double alpha = material_of(p, b.ring).alpha;
   Expansion g;
-  g.shaft = alpha * (bore_radius(b, p.contact) - air_gap(b, p.contact)) * s.shaft_rise;
-  g.bore = alpha * 0.5 * b.inner_ring_diameters[0] * s.inner_rise;
-  g.inner_race = alpha * 0.5 * b.inner_ring_diameters[1] * s.inner_rise + s.inner_growth;
-  g.outer_race = alpha * 0.5 * b.outer_ring_diameters[0] * s.outer_rise + s.outer_growth;
-  g.ball = material_of(p, b.ball).alpha * 0.5 * b.ball_diameter * s.ball_rise;
+  g.shaft = alpha * (bore_radius(b, p.contact) - air_gap(b, p.contact));
+  g.bore = alpha * 0.5 * b.inner_ring_diameters[0];
+  g.inner_race = alpha * 0.5 * b.inner_ring_diameters[1];
+  g.outer_race = alpha * 0.5 * b.outer_ring_diameters[0];
+  g.ball = material_of(p, b.ball).alpha * 0.5 * b.ball_diameter;
   return g;
+}
+
+Expansion static_growth(const MachineParameters& p, const TouchdownParameters& b) {
+  const auto& s = p.statics;
+  Expansion g = even_growth(p, b);
+  g.shaft *= s.shaft_rise;
+  g.bore *= s.inner_rise;
+  g.inner_race = g.inner_race * s.inner_rise + s.inner_growth;
+  g.outer_race = g.outer_race * s.outer_rise + s.outer_growth;
+  g.ball *= s.ball_rise;
+  return g;
+}
+
+BearingEquilibrium bearing_equilibrium(const StaticsParameters& statics, const TouchdownParameters& b,
+                                       const TouchdownBearingData& data, const BearingState& state) {
+  auto [ring, axial] = ring_setup(statics, b, data, state.growth, state.speed);
+  Force load = state.load;
+  load.x += axial;
+  return BearingEquilibrium(std::move(ring), load);
 }
 
 BearingEquilibrium bearing_equilibrium(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
-  const auto data = touchdown_data_of(p, name, b);
-  auto [ring, axial] = ring_setup(p, b, data, static_growth(p, b));
   const auto& s = p.statics;
-  return BearingEquilibrium(std::move(ring),
-                            {s.force[0] + axial, s.force[1], s.force[2], s.moment[0], s.moment[1], 0.});
+  return bearing_equilibrium(
+      s, b, touchdown_data_of(p, name, b),
+      {static_growth(p, b), s.speed, {s.force[0], s.force[1], s.force[2], s.moment[0], s.moment[1], 0.}});
 }
 
 // ----------------------------------------------------------------------------------------------------------------
@@ -118,7 +135,7 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
     if (const auto* b = entry.touchdown()) {
       const auto growth = static_growth(p, *b);
       auto data = touchdown_data_of(p, entry.name, *b);
-      auto [ring, axial] = ring_setup(p, *b, data, growth);
+      auto [ring, axial] = ring_setup(p.statics, *b, data, growth, p.statics.speed);
       Touchdown t{entry.name,      station, static_cast<Eigen::Index>(scales_.size()),          std::move(data),
                   std::move(ring), axial,   air_gap(*b, p.contact) + growth.bore - growth.shaft};
       scales_.insert(scales_.end(), 2, length);
@@ -127,6 +144,10 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
       preload = std::max(preload, b->preload);
       is_circulatory_ = is_circulatory_ || (t.ring.surroundings().has_inertia && p.statics.speed != 0.);
       touchdowns_.push_back(std::move(t));
+    } else if (entry.other()) {
+      throw InputError({},
+                       "the static balance knows nothing of " + entry.name + ", a support of another program's kind",
+                       "Leave it out, or let the rotor settle in a drop.");
     } else {
       const auto& K = entry.linear()->stiffness;
       linears_.push_back({entry.name, station, Eigen::Matrix2d{{K[0][0], K[0][1]}, {K[1][0], K[1][1]}}});

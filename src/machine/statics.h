@@ -12,10 +12,22 @@
 
 namespace rotordrop {
 
+/// Growth of the surfaces of free parts that are evenly warm, per kelvin of each part [m/K].
+Expansion even_growth(const MachineParameters& parameters, const TouchdownParameters& bearing);
+
 /// Growth of a touchdown bearing's surfaces under [statics]; free rings of even temperature.
 Expansion static_growth(const MachineParameters& parameters, const TouchdownParameters& bearing);
 
-/// One touchdown bearing by itself under the load of [statics].
+/// One touchdown bearing by itself: what its rings feel.
+struct BearingState {
+  Expansion growth;
+  double speed = 0;  ///< of the inner ring [rad/s]
+  Force load;        ///< on the inner ring, without preload
+};
+/// @param data  of the same bearing (touchdown_data_of)
+BearingEquilibrium bearing_equilibrium(const StaticsParameters& statics, const TouchdownParameters& bearing,
+                                       const TouchdownBearingData& data, const BearingState& state);
+/// Under the load of [statics].
 BearingEquilibrium bearing_equilibrium(const MachineParameters& parameters, const std::string& name,
                                        const TouchdownParameters& bearing);
 

@@ -1,5 +1,8 @@
 #pragma once
-// The kinds of support that a machine can have. A new kind is its own files in bearing/ and one alternative here.
+// The kinds of support that a machine can have. A new kind of ours is its own files in bearing/ and one alternative here;
+// one from outside registers itself with add_support_kind().
+#include <functional>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -7,13 +10,46 @@
 #include "base/parameters.h"
 #include "bearing/linear_support_parameters.h"
 #include "bearing/touchdown_parameters.h"
+#include "model/support.h"
 
 namespace rotordrop {
+
+/// A support of a registered kind. It gives off no heat to the thermal models: what it dissipates is "other dissipation".
+struct OtherSupport {
+  int node = 0;
+  std::function<std::unique_ptr<Support>(const std::string& name)> make;
+};
+
+/// A kind of support that a program adds to those of the library.
+struct SupportKind {
+  std::string type;
+  ErasedSection section;
+  std::function<OtherSupport(const Node& table, const ReadContext& here, Faults& faults)> read;
+};
+
+/// Those added so far, in their order.
+const std::vector<SupportKind>& support_kinds();
+
+/// @throws std::invalid_argument if the type is known already
+void add_support_kind(SupportKind kind);
+
+/// Lets cases say `type = "..."` in a table of [bearings]. Call it before a case is read, from one thread.
+/// @param section  the table's keys; P has a member `int node`, filled from a key of its own
+/// @param make     (const std::string& name, const P&) -> std::unique_ptr<Support>; called once for each machine
+/// @throws std::invalid_argument if the type is known already
+template <class P, class Make>
+void add_support_kind(const std::string& type, const Section<P>& section, Make make) {
+  add_support_kind(
+      {type, section.erased(), [section, make](const Node& table, const ReadContext& here, Faults& faults) {
+         const P p = section.read(table, faults, here);
+         return OtherSupport{p.node, [make, p](const std::string& name) { return make(name, p); }};
+       }});
+}
 
 /// One table of [bearings].
 struct SupportEntry {
   std::string name;
-  std::variant<TouchdownParameters, LinearSupportParameters> parameters;
+  std::variant<TouchdownParameters, LinearSupportParameters, OtherSupport> parameters;
 
   [[nodiscard]] int node() const {
     return std::visit([](const auto& p) { return p.node; }, parameters);
@@ -22,22 +58,30 @@ struct SupportEntry {
   [[nodiscard]] const LinearSupportParameters* linear() const {
     return std::get_if<LinearSupportParameters>(&parameters);
   }
+  [[nodiscard]] const OtherSupport* other() const { return std::get_if<OtherSupport>(&parameters); }
 };
 
 /// Declares the key "bearings" of a case: named tables by `type`, read into a std::vector<SupportEntry> member.
 template <class T>
 void declare_bearings(Section<T>& section, std::vector<SupportEntry> T::*member) {
-  section.variants("bearings", "type",
-                   {variant<T>("touchdown", touchdown_section(),
-                               [member](T& target, const std::string& name, TouchdownParameters p) {
-                                 (target.*member).push_back({name, std::move(p)});
-                               },
-                               {.takes_defaults = true}),
-                    variant<T>("linear", linear_support_section(),
-                               [member](T& target, const std::string& name, LinearSupportParameters p) {
-                                 (target.*member).push_back({name, std::move(p)});
-                               },
-                               {})},
+  std::vector<Variant<T>> alternatives = {
+      variant<T>("touchdown", touchdown_section(),
+                 [member](T& target, const std::string& name, TouchdownParameters p) {
+                   (target.*member).push_back({name, std::move(p)});
+                 },
+                 {.takes_defaults = true}),
+      variant<T>("linear", linear_support_section(),
+                 [member](T& target, const std::string& name, LinearSupportParameters p) {
+                   (target.*member).push_back({name, std::move(p)});
+                 },
+                 {})};
+  for (const SupportKind& kind : support_kinds())
+    alternatives.push_back({{kind.type, kind.section, false},
+                            [member, read = kind.read](const std::string& name, const Node& table,
+                                                       const ReadContext& here, T& target, Faults& faults) {
+                              (target.*member).push_back({name, read(table, here, faults)});
+                            }});
+  section.variants("bearings", "type", std::move(alternatives),
                    {.help = "Supports of the rotor by name. Keys directly in [bearings] hold for all touchdown "
                             "bearings that do not set them."});
 }

@@ -8,8 +8,10 @@
 
 #include "io/json_reader.h"
 #include "io/parameter_writers.h"
+#include "io/source_comments.h"
 #include "io/toml_reader.h"
 #include "machine/build_machine.h"
+#include "study/program_files.h"
 
 namespace rotordrop {
 namespace {
@@ -52,6 +54,7 @@ Section<CaseParameters> case_section() {
                "673, 3.2e-6)."});
   s.table<ThermalParameters>("thermal", &P::thermal, thermal_section());
   s.table<StaticsParameters>("statics", &P::statics, statics_section());
+  s.table<PreloadParameters>("preload", &P::preload, preload_section());
   s.table<PrescribedHeatParameters>("heat", &P::heat, prescribed_heat_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
@@ -132,7 +135,7 @@ std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
   std::vector<fs::path> folders;
   if (const char* chosen = std::getenv("ROTORDROP_PARAMS")) folders.push_back(fs::path(chosen) / "bearings");
   folders.push_back(case_file.parent_path() / "bearings");
-  folders.push_back(fs::path(ROTORDROP_PARAMS_DIRECTORY) / "bearings");
+  folders.push_back(params_folder() / "bearings");
   return folders;
 }
 
@@ -166,7 +169,9 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   faults.throw_if_any();
   check_machine(result.parameters, result.tree, faults);
   faults.throw_if_any();
-  result.resolved = write_resolved({section.erased()}, result.tree);
+  SourceComments comments;
+  result.resolved = write_resolved({section.erased()}, result.tree,
+                                   [&comments](const SourcePosition& where) { return comments.at(where); });
   return result;
 }
 

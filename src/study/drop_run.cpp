@@ -41,7 +41,7 @@ std::string digest_of(const std::string& text) {
   for (const char c : text) {
     if (c == '\n')
       is_comment = false;
-    else if (c == '"')
+    else if (c == '"' && !is_comment)
       is_quoted = !is_quoted;
     else if (c == '#' && !is_quoted)
       is_comment = true;

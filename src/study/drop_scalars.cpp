@@ -89,7 +89,7 @@ DropScalars::DropScalars(const Machine& machine) {
   }
   for (std::size_t i = 0; i < machine.n_supports(); ++i) {
     const std::string prefix = "/bearings/" + machine.support(i).name() + "/";
-    if (!where.contains(prefix + "contact_force")) continue;  // not a touchdown bearing
+    if (!where.contains(prefix + "ball_force")) continue;  // not a touchdown bearing
     const auto column = [&](const char* name) { return where.at(prefix + name).first; };
     const auto column_of_free = [&](const char* name) {
       const auto found = where.find(prefix + name);

@@ -2,12 +2,12 @@
 
 #include <dlfcn.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "base/errors.h"
 #include "study/bearing_mesh.h"
+#include "study/program_files.h"
 
 namespace rotordrop {
 namespace {
@@ -21,16 +21,9 @@ struct Module {
   std::string needed;  ///< who needs it, for messages
 };
 
-// Beside the program, or in the folder that ROTORDROP_MODULES names.
-fs::path path_of(const Module& module) {
-  if (module.file.empty()) return {};
-  if (const char* chosen = std::getenv("ROTORDROP_MODULES")) return fs::path(chosen) / module.file;
-  return fs::read_symlink("/proc/self/exe").parent_path() / module.file;
-}
-
 template <class Function>
 Function* load(const Module& module, const char* function) {
-  const fs::path file = path_of(module);
+  const fs::path file = module.file.empty() ? fs::path() : module_file(module.file);
   if (file.empty() || !fs::exists(file))
     throw InputError({}, "this program was built without " + module.room + ", which " + module.needed + " needs",
                      "Install its libraries with ./install-dependencies, then build with\n"

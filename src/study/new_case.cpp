@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "io/checkpoint.h"
+#include "study/program_files.h"
 
 namespace rotordrop {
 namespace {
@@ -37,7 +38,7 @@ fs::path new_case(const fs::path& directory) {
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw InputError({directory.string(), 0, 0}, "the folder cannot be made: " + error.message());
-  const fs::path params = ROTORDROP_PARAMS_DIRECTORY;
+  const fs::path params = params_folder();
   for (const auto& [from, to] :
        {std::pair{"neisi2019.toml", "reference.toml"}, std::pair{"neisi2019-rotor.json", "neisi2019-rotor.json"}}) {
     fs::copy_file(params / from, directory / to, error);

@@ -68,6 +68,7 @@ Json report_data(const RecordedDrop& drop) {
   data["checks"] = report_checks(drop, summary, comparison);
   data["animation"] = report_animation(drop);
   data["charts"] = report_charts(drop);
+  data["fields"] = report_fields(drop);
   data["ball_loads"] = report_ball_loads(drop);
   if (!comparison.is_null())
     data["comparison"] = {{"in_short", comparison.value("in_short", Json::array())},

@@ -24,6 +24,9 @@ nlohmann::ordered_json report_charts(const RecordedDrop& drop);
 nlohmann::ordered_json report_animation(const RecordedDrop& drop);
 /// Of each touchdown bearing the load of every ball, the largest in each of up to 400 spans of time [ball][span].
 nlohmann::ordered_json report_ball_loads(const RecordedDrop& drop);
+/// Of each touchdown bearing with temperature fields those next to the first impact's peak, to the middle of the run and to its end, as pictures.
+/// @throws InputError if a file of fields is damaged
+nlohmann::ordered_json report_fields(const RecordedDrop& drop);
 /// Rows of the table of main numbers, texts of figures with their units.
 nlohmann::ordered_json report_numbers(const RecordedDrop& drop, const nlohmann::ordered_json& summary);
 /// What was looked at for warnings, and what was found: name, state ("ok", "warning", "unknown"), text.

@@ -134,7 +134,7 @@ void add_motion(Charts& c, const RecordedDrop& drop) {
            "Mean over 5 ms of contact; positive from +y towards +z. Lines connect across flights.");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     const std::string& name = c.names()[i];
-    if (!drop.has("/bearings/" + name + "/penetration")) continue;
+    if (!drop.has("/bearings/" + name + "/ball_force")) continue;
     const ContactWhirl whirl = recorded_whirl(drop.directory() / "results.h5", name);
     const TimeSeries orbit = drop.series("/bearings/" + name + "/orbit");
     TimeSeries speed;

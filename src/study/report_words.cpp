@@ -1,94 +1,19 @@
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
 #include "base/version.h"
-#include "io/parameter_writers.h"
 #include "io/recorder.h"
 #include "io/sha256.h"
 #include "machine/rotor_report.h"
+#include "study/given_values.h"
 #include "study/report.h"
 
 namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// One `key = value` of parameters.toml.
-struct Assignment {
-  std::string section, key, value;
-  bool is_default = false;
-};
-
-std::vector<Assignment> assignments_of(const std::filesystem::path& file) {
-  std::vector<Assignment> list;
-  std::ifstream stream(file);
-  std::string section;
-  std::map<std::string, int> count;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with("[[")) {
-      section = line.substr(2, line.find("]]") - 2);
-      section += fmt::format("[{}]", count[section]++);
-    } else if (line.starts_with("[")) {
-      section = line.substr(1, line.find(']') - 1);
-    } else if (const auto equals = line.find(" = "); equals != std::string::npos) {
-      Assignment a{section, line.substr(0, equals), line.substr(equals + 3), false};
-      for (const char* mark : {"  # default", "  # from "})
-        if (const auto at = a.value.rfind(mark); at != std::string::npos) {
-          a.is_default |= std::string(mark) == "  # default";
-          a.value.resize(at);
-        }
-      list.push_back(std::move(a));
-    }
-  }
-  return list;
-}
-
-std::string shortened(const std::string& text, std::size_t length) {
-  return text.size() <= length ? text : text.substr(0, length) + " … (in parameters.toml)";
-}
-
-/// "2.0 rad/s" and 2.0 of a parameter in rad/s as number and unit; a value that begins with no number as it is.
-std::string normalised(std::string text, const std::string& unit) {
-  if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (end == text.c_str()) return text;
-  std::string rest(end);
-  if (!rest.empty() && rest.front() != ' ') return text;
-  if (rest.empty() && !unit.empty() && unit != "1") rest = " " + unit;
-  return fmt::format("{:.6g}{}", number, rest);
-}
-
-using Path = std::vector<std::string>;
-
-const Declaration* found_in(const SectionDeclaration& section, const Path& path, std::size_t at) {
-  if (at >= path.size()) return nullptr;
-  const Declaration* d = section.find(path[at]);
-  if (!d || at + 1 == path.size()) return d;
-  const bool is_named = d->kind == Declaration::Kind::tables;
-  if (d->nested) return found_in(*d->nested, path, at + (is_named ? 2 : 1));
-  for (const auto& variant : d->variants)
-    if (const auto* found = found_in(*variant.section, path, at + 2)) return found;
-  return nullptr;
-}
-
-const Declaration* declaration_of(const std::vector<ErasedSection>& sections, const std::string& name) {
-  Path path;
-  std::istringstream stream(name);
-  for (std::string part; std::getline(stream, part, '.');) path.push_back(part.substr(0, part.find('[')));
-  for (const auto& section : sections) {
-    const bool is_top = section->name.empty();
-    if (!is_top && section->name != path[0]) continue;
-    if (const auto* found = found_in(*section, path, is_top ? 0 : 1)) return found;
-  }
-  return nullptr;
-}
 
 std::string driver_words(const std::string& driver) {
   if (driver == "lumped") return "the lumped thermal circuit";
@@ -125,7 +50,9 @@ Json report_words(const RecordedDrop& drop) {
     if (const auto* b = entry.touchdown())
       words.push_back(bearing_words(entry.name, *b, p.contact));
     else
-      words.push_back(fmt::format("{} is a linear support at the rotor's node {}.", entry.name, entry.node()));
+      words.push_back(fmt::format("{} is a {} at the rotor's node {}.", entry.name,
+                                  entry.linear() ? "linear support" : "support of another program's kind",
+                                  entry.node()));
   if (!touchdown.empty()) {
     words.push_back(fmt::format("Rotor and inner rings rub with a friction coefficient of {:.3g}.",
                                 p.contact.friction_coefficient));
@@ -140,18 +67,22 @@ Json report_words(const RecordedDrop& drop) {
 Json report_assumptions(const RecordedDrop& drop) {
   const auto& p = drop.parameters();
   Json list = Json::array();
-  list.push_back(fmt::format("The rotor is a Timoshenko beam with gyroscopic effect ({}), without axial motion.",
+  list.push_back(fmt::format("The rotor is a Timoshenko beam with gyroscopic effect ({}), {} axial motion.",
                              p.rotor.model == RotorRepresentation::modal
                                  ? fmt::format("free-free modes up to {:.4g} Hz, damping ratio {:.3g}",
                                                p.rotor.cut_off_frequency, p.rotor.modal_damping)
                              : p.rotor.model == RotorRepresentation::full ? std::string("all degrees of freedom")
-                                                                          : std::string("rigid")));
+                                                                          : std::string("rigid"),
+                             p.rotor.axial_motion == AxialFreedom::free ? "with rigid" : "without"));
   if (drop.bearings().empty()) return list;
   list.push_back(fmt::format(
       "Rotor and inner ring touch by a Hunt-Crossley law with exponent {:.4g} that never pulls; friction is Coulomb's, "
       "smoothed below {:.3g} m/s.",
       p.contact.exponent, p.contact.regularisation_speed));
-  list.push_back("Inner rings move radially and spin; the outer ring moves with its support.");
+  for (const auto& [name, b] : drop.bearings())
+    list.push_back(fmt::format("{}: the inner ring {}; the outer ring moves radially with its support.", name,
+                               b.ring_motion == RingMotion::free ? "moves radially and along its axis, tilts and spins"
+                                                                 : "moves radially and spins"));
   for (const auto& [name, b] : drop.bearings())
     list.push_back(fmt::format("{}: load-dependent friction of the {} load; heat inside the bearing is {}.", name,
                                b.load_law == FrictionLoadLaw::radial ? "radial" : "equivalent (preload included)",
@@ -185,23 +116,10 @@ Json report_provenance(const RecordedDrop& drop) {
   fact("SHA-256 of results.h5", sha256_of_file(results));
   fact("SHA-256 of parameters.toml", sha256_of_file(parameters));
 
-  const auto sections = case_sections();
+  const GivenValues values = given_values(parameters);
   Json given = Json::array();
-  std::size_t n_defaults = 0;
-  for (const auto& a : assignments_of(parameters)) {
-    if (a.is_default) {
-      ++n_defaults;
-      continue;
-    }
-    const std::string name = a.section.empty() ? a.key : a.section + "." + a.key;
-    const Declaration* d = declaration_of(sections, name);
-    const std::string unit = d ? d->unit : "";
-    const std::string fallback = d && d->fallback ? normalised(shortened(toml_value(*d->fallback), 40), unit) : "—";
-    const std::string value = normalised(shortened(a.value, 60), unit);
-    if (fallback == value) continue;
-    given.push_back({name, value, fallback, d ? d->help : "", d ? d->source : ""});
-  }
-  return {{"facts", facts}, {"given", given}, {"n_defaults", n_defaults}};
+  for (const auto& v : values.list) given.push_back({v.name, v.value, v.fallback, v.source, v.help});
+  return {{"facts", facts}, {"given", given}, {"n_defaults", values.n_defaults}};
 }
 
 }  // namespace rotordrop

@@ -4,7 +4,6 @@ The browser is Debian's chromium, driven through chromium-driver by the WebDrive
 """
 
 import base64
-import contextlib
 import hashlib
 import json
 import math
@@ -12,97 +11,27 @@ import pathlib
 import re
 import shutil
 import signal
-import subprocess
 import sys
-import tempfile
 import time
 import unittest
-import urllib.error
-import urllib.request
 
 import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, ProgramTest, content_of, settings, start  # noqa: E402
+from browser import BROWSER, DRIVER, Browser  # noqa: E402
+from program import PROGRAM, SOURCE, ProgramTest, content_of, settings, start  # noqa: E402
+
+sys.path.insert(0, str(SOURCE / "examples"))
+from rotordrop_results import RISE, Results, read_vtu  # noqa: E402
 
 HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
-DRIVER, BROWSER = shutil.which("chromedriver"), shutil.which("chromium")
 LARGEST = 5_000_000  # bytes of a page
 
 
 def data_of(page):
     """What the page's script draws from."""
     return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
-
-
-class Browser:
-    """Chromium without a window, by WebDriver."""
-
-    def __init__(self):
-        self.folder = tempfile.TemporaryDirectory(prefix="rotordrop-browser-")
-        self.driver = subprocess.Popen([DRIVER, "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        port = None
-        for line in self.driver.stdout:
-            if found := re.search(r"started successfully on port (\d+)", line):
-                port = found[1]
-                break
-        self.url = f"http://127.0.0.1:{port}"
-        # Root has no sandbox in a container; /dev/shm may be small there.
-        arguments = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--window-size=1366,900", f"--user-data-dir={self.folder.name}",
-                     "--disable-background-networking", "--no-first-run"]
-        wanted = {"browserName": "chrome", "goog:chromeOptions": {"binary": BROWSER, "args": arguments}, "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"}}
-        try:
-            answer = self.call("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})
-        except Exception:
-            self.close()
-            raise
-        self.url += "/session/" + answer["sessionId"]
-        self.call("POST", "/timeouts", {"script": 20000, "pageLoad": 60000})
-
-    def call(self, method, path, body=None):
-        request = urllib.request.Request(self.url + path, method=method, data=None if body is None else json.dumps(body).encode(), headers={"Content-Type": "application/json"})
-        try:
-            with urllib.request.urlopen(request, timeout=120) as answer:
-                return json.load(answer)["value"]
-        except urllib.error.HTTPError as error:
-            raise AssertionError(json.load(error)["value"]["message"]) from None
-
-    def open(self, path):
-        self.call("POST", "/url", {"url": "about:blank"})  # the browser's own first page asks for much
-        self.log("performance"), self.log("browser")
-        self.call("POST", "/url", {"url": pathlib.Path(path).resolve().as_uri()})
-
-    def run(self, script, *arguments):
-        return self.call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
-
-    def log(self, kind):
-        return self.call("POST", "/se/log", {"type": kind})
-
-    def requests(self):
-        """Addresses that the page has asked for since it was opened."""
-        messages = (json.loads(entry["message"])["message"] for entry in self.log("performance"))
-        asked = (m["params"] for m in messages if m["method"] == "Network.requestWillBeSent")
-        return [m["request"]["url"] for m in asked if not m["documentURL"].startswith("chrome:")]
-
-    def point(self, *actions):
-        """Mouse: ("move", x, y), ("down",), ("up",) in the window."""
-        steps = {"move": lambda x, y: {"type": "pointerMove", "duration": 0, "x": round(x), "y": round(y)}, "down": lambda: {"type": "pointerDown", "button": 0}, "up": lambda: {"type": "pointerUp", "button": 0}}
-        self.call("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [steps[name](*rest) for name, *rest in actions]}]})
-
-    def close(self):
-        with contextlib.suppress(Exception):
-            if "/session/" in self.url:
-                self.call("DELETE", "")
-        self.driver.terminate()
-        self.driver.wait()
-        self.driver.stdout.close()
-        for _ in range(20):  # its children may still be writing
-            try:
-                self.folder.cleanup()
-                break
-            except OSError:
-                time.sleep(0.1)
 
 
 class SharedRun(ProgramTest):
@@ -117,7 +46,7 @@ class SharedRun(ProgramTest):
         ProgramTest.setUp(maker)
         cls.maker = maker
         models = json.dumps(cls.models)
-        maker.write("drop.toml", f'base = "reference.toml"\nthermal.fe.section = "plain"\nrun.end_time = "15 ms"\nthermal.models = {models}\n')
+        maker.write("drop.toml", f'base = "reference.toml"\nthermal.fe.section = "plain"\nthermal.fe.field_times = ["3 ms", "8.3 ms", "8.6 ms", "12 ms", "15 ms"]\nrun.end_time = "15 ms"  # as long as it takes\nbearings.drag_viscosity = "16e-6 m2/s" # warm air\nthermal.models = {models}\n')
         maker.succeed("run", "drop.toml", "-o", "out")
         cls.screen = maker.succeed("report", "out").stdout
         cls.out = maker.folder / "out"
@@ -186,13 +115,95 @@ class Page(SharedRun):
             self.assertEqual(facts[f"SHA-256 of {name}"], hashlib.sha256((self.out / name).read_bytes()).hexdigest())
         given = {row[0]: row[1:] for row in self.data["provenance"]["given"]}
         self.assertEqual(given["run.end_time"][0], "15 ms")
+        self.assertEqual(given["run.end_time"][2], "drop.toml:4: as long as it takes")
+        lines = (self.maker.folder / "reference.toml").read_text().splitlines()
+        for name, start in (("bearings.TB1.support.K_y", "support = "), ("rotor.geometry", "geometry = ")):
+            number = next(i for i, line in enumerate(lines) if line.startswith(start))
+            comment = lines[number].partition("# ")[2]
+            self.assertTrue(comment.startswith("source: "))
+            self.assertEqual(given[name][2], f"reference.toml:{number + 1}: {comment}")
+        self.assertEqual(given["bearings.TB1.drag_viscosity"][2], "[bearings], drop.toml:5: warm air", "of all bearings")
+        self.assertRegex(given["materials.steel.k"][2], "^reference.toml:" if "[materials" in (self.maker.folder / "reference.toml").read_text() else "^the program: Neisi")
         self.assertEqual(given["bearings.TB1.support.K_y"][0], "2.7e+09 N/m", "a bare number is SI, and says so")
         self.assertNotIn("bearings.TB1.drag_regularisation", given, "2.0 rad/s is the default, 2 rad/s")
-        self.assertIn("spin", given["bearings.TB1.ring_spin_inertia"][2].lower())
+        self.assertIn("spin", given["bearings.TB1.ring_spin_inertia"][3].lower())
         self.assertNotIn("rotor.initial_offset", given, "at its default")
 
     def test_sound_runs_have_no_warnings(self):
         self.assertEqual({check["state"] for check in self.data["checks"]}, {"ok"})
+
+
+def rises(picture, levels):
+    """Rises [K] of a picture's levels: 1 to 255 over the square root."""
+    return picture["low"] + (picture["high"] - picture["low"]) * ((levels.astype(float) - 1) / 254) ** 2
+
+
+@unittest.skipUnless(HAS_ROOM, "the finite-element room is not built")
+class Fields(SharedRun):
+    """Pictures of the section, against the files that ParaView gets, read by the reader in Python."""
+
+    models = ["lumped", "fe"]
+
+    def test_instants_are_the_peak_of_the_first_impact_the_middle_and_the_end(self):
+        with h5py.File(self.out / "results.h5") as results:
+            times = results["/time"][:]
+            for bearing in self.data["fields"]:
+                peak = 1e3 * times[numpy.argmax(results[f"/bearings/{bearing['name']}/contact_force"][:])]
+                kept = [0, 3, 8.3, 8.6, 12, 15]
+                nearest = [min(kept, key=lambda t: abs(t - wanted)) for wanted in (peak, 7.5, 15)]
+                with self.subTest(bearing["name"]):
+                    numpy.testing.assert_allclose([p["time"] for p in bearing["pictures"]], sorted(set(nearest)), atol=1e-6)
+                    text = json.dumps([p["next_to"] for p in bearing["pictures"]])
+                    for words in ("first impact's peak", "middle (7.5 ms)", "end (15 ms)"):
+                        self.assertIn(words, text)
+        self.assertLess(len(self.page.encode()), LARGEST)
+
+    def test_points_show_the_field_of_their_file(self):
+        with Results(self.out) as run:
+            for bearing in self.data["fields"]:
+                files = {round(1e3 * t, 6): file for t, file in run.fields(bearing["name"])}
+                for picture in bearing["pictures"]:
+                    field = read_vtu(files[round(picture["time"], 6)])
+                    rise, points, quads = field["data"][RISE], 1e3 * field["points"][:, :2], field["quads"]
+                    self.assertAlmostEqual(picture["low"], rise.min(), delta=1e-4)
+                    self.assertAlmostEqual(picture["high"], rise.max(), delta=1e-4)
+                    levels = numpy.frombuffer(base64.b64decode(picture["levels"]), numpy.uint8).reshape(bearing["rows"], bearing["columns"])
+                    (x0, x1), (r0, r1) = bearing["x"], bearing["r"]
+                    middle = points[quads].mean(axis=1)
+                    column = ((middle[:, 0] - x0) / (x1 - x0) * bearing["columns"]).astype(int)
+                    row = ((r1 - middle[:, 1]) / (r1 - r0) * bearing["rows"]).astype(int)
+                    # Cells that hold the whole point of the picture, whose value is then between their corners' but for rounding to a level.
+                    pitch = (x1 - x0) / bearing["columns"]
+                    large = numpy.ptp(points[quads], axis=1).min(axis=1) > 2.5 * pitch
+                    self.assertGreater(large.sum(), 50)
+                    level = levels[row, column][large]
+                    self.assertTrue((level > 0).all())
+                    low, high = (rises(picture, numpy.maximum(level.astype(float) + shift, 1)) for shift in (-0.6, 0.6))
+                    corners = rise[quads][large]
+                    self.assertTrue((low <= corners.max(axis=1) + 1e-4).all() and (high >= corners.min(axis=1) - 1e-4).all())
+
+    def test_edges_are_the_bodies_outlines(self):
+        # Plain sections: rectangles, whose outlines and common lines follow from the case.
+        for bearing in self.data["fields"]:
+            edges = numpy.array(bearing["edges"]).reshape(-1, 2, 2)
+            lengths = numpy.abs(edges[:, 1] - edges[:, 0])
+            self.assertLess(lengths.min(axis=1).max(), 2e-3, "along x or r; numbers are rounded to a thousandth of a millimetre")
+            radii = {round(float(r), 1) for r in edges[lengths[:, 1] < 1e-3][:, 0, 1]}
+            expected = {"TB1": {35.0, 39.0, 48.6, 55.0, 65.0}, "TB2": {35.0, 39.0, 46.0, 50.0, 60.0}}[bearing["name"]]
+            self.assertEqual(radii, expected)
+
+    def test_a_damaged_file_is_named(self):
+        copy = self.folder / "out"
+        shutil.copytree(self.out, copy)
+        (copy / "report.html").unlink()
+        for path in (copy / "fields").glob("TB2-*.vtu"):
+            text = path.read_text()
+            path.write_text(text[: len(text) // 2])
+        done = self.call("report", "out")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("out/fields/TB2-", done.stderr)
+        self.assertIn("this is no field of rotordrop", done.stderr)
+        self.assertFalse((copy / "report.html").exists())
 
 
 class Trouble(SharedRun):
@@ -326,6 +337,17 @@ class OtherRuns(ProgramTest):
         self.assertEqual(data["animation"]["bearings"], [])
         self.assertIn("on linear supports", data["words"][0])
 
+    def test_assumptions_say_which_motion_was_computed(self):
+        for name in ("neisi2019-thrust.toml", "neisi2019-settling.toml"):
+            shutil.copy(SOURCE / "params" / name, self.folder)
+        shutil.copy(SOURCE / "params/neisi2019.toml", self.folder)
+        for name, axial, ring in (("thrust", "with rigid axial motion", "moves radially and along its axis, tilts and spins"), ("settling", "without axial motion", "moves radially and spins")):
+            self.succeed("run", f"neisi2019-{name}.toml", "-o", "out", "--force", "--quiet", *settings(run__end_time="2 ms"))
+            (self.folder / "out/report.html").unlink(missing_ok=True)
+            text = " ".join(self.report()["assumptions"])
+            self.assertIn(axial, text)
+            self.assertIn(f"TB2: the inner ring {ring};", text)
+
     def test_an_interrupted_run_says_so(self):
         case = self.case("output.checkpoint_interval = 0.05\n")
         process = start("run", case, "-o", "out", "--quiet", *settings(run__end_time="100 s"), cwd=self.folder)
@@ -405,7 +427,7 @@ class InTheBrowser(SharedRun):
 
     def test_every_figure_shows_its_lines(self):
         figures = self.browser.run("""
-            return [...document.querySelectorAll("figure:not(.map)")].map((figure) => ({
+            return [...document.querySelectorAll("figure:not(.map):not(.field)")].map((figure) => ({
               name: figure.id || figure.textContent,
               lines: [...figure.querySelectorAll("path.series")].map((path) => path.getAttribute("d")),
               box: figure.querySelector("svg").getBoundingClientRect().toJSON(),
@@ -426,6 +448,55 @@ class InTheBrowser(SharedRun):
                 for label in figure["labels"]:
                     self.assertRegex(label, r" \[.+\]$", "an axis has a unit")
         self.assertEqual(len(figures), len(self.charts) + 4, "two drops and two orbits")
+
+    @unittest.skipUnless(HAS_ROOM, "the finite-element room is not built")
+    def test_fields_are_pictures_with_units(self):
+        figures = self.browser.run("""
+            return Promise.all([...document.querySelectorAll("figure.field")].map(async (figure) => {
+              const source = new Image(), canvas = document.createElement("canvas");
+              source.src = figure.querySelector("image").getAttribute("href");
+              await source.decode();
+              [canvas.width, canvas.height] = [source.width, source.height];
+              const context = canvas.getContext("2d");
+              context.drawImage(source, 0, 0);
+              const pixels = context.getImageData(0, 0, source.width, source.height).data;
+              let lightest = 255, darkest = 255, nothing = 0;
+              for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3]) darkest = Math.min(darkest, pixels[i + 1]); else ++nothing;
+              return {size: [source.width, source.height], darkest, nothing: nothing / (pixels.length / 4), edges: figure.querySelector("path.edges").getAttribute("d").length,
+                      labels: [...figure.querySelectorAll(".x-label, .y-label, .bar-label")].map((text) => text.textContent), caption: figure.textContent,
+                      bar: [...figure.querySelectorAll("text[text-anchor=start]")].map((text) => +text.textContent), box: figure.querySelector("svg").getBoundingClientRect().toJSON()}
+            }))""")
+        pictures = [(bearing, picture) for bearing in self.data["fields"] for picture in bearing["pictures"]]
+        self.assertEqual(len(figures), len(pictures))
+        self.assertGreaterEqual(len(figures), 4, "two bearings; two instants may share a field")
+        for figure, (bearing, picture) in zip(figures, pictures):
+            with self.subTest(bearing["name"], time=picture["time"]):
+                self.assertEqual(figure["size"], [bearing["columns"], bearing["rows"]])
+                self.assertEqual(figure["labels"], ["x [mm]", "r [mm]", "temperature rise [K]"])
+                self.assertIn(picture["next_to"][0], figure["caption"])
+                self.assertGreater(min(figure["box"]["width"], figure["box"]["height"]), 150, "px")
+                self.assertGreater(figure["edges"], 100)
+                self.assertLess(figure["nothing"], 0.7)
+                self.assertGreater(figure["nothing"], 0.05, "between the rings")
+                self.assertLess(figure["darkest"], 80, "its warmest point is dark; the very warmest may be thinner than a point")
+                self.assertGreaterEqual(len(figure["bar"]), 2)
+                self.assertTrue(all(picture["low"] - 1e-9 <= value <= picture["high"] + 1e-9 for value in figure["bar"]), figure["bar"])
+
+    @unittest.skipUnless(HAS_ROOM, "the finite-element room is not built")
+    def test_hovering_over_a_field_shows_the_rise_there(self):
+        bearing = self.data["fields"][0]
+        picture = bearing["pictures"][-1]
+        selector = f"figure.field:nth-of-type({len(bearing['pictures'])}) image"
+        box = self.box(selector)
+        self.browser.point(("move", box["x"] + box["width"] / 2, box["y"] + box["height"] - 2))
+        tip = self.browser.run("const tip = document.getElementById('tip'); return tip.hidden ? null : tip.innerText")
+        x, r, rise = map(float, re.fullmatch(r"x (\S+) mm, r (\S+) mm: (\S+) K", tip).groups())
+        levels = numpy.frombuffer(base64.b64decode(picture["levels"]), numpy.uint8).reshape(bearing["rows"], bearing["columns"])
+        (x0, x1), (r0, r1) = bearing["x"], bearing["r"]
+        column, row = int((x - x0) / (x1 - x0) * bearing["columns"]), int((r1 - r) / (r1 - r0) * bearing["rows"])
+        values = rises(picture, levels[max(row - 2, 0):row + 3, max(column - 2, 0):column + 3])
+        self.assertTrue(values.min() - 0.01 <= rise <= values.max() + 0.01, (tip, values.min(), values.max()))
+        self.assertGreater(rise, 0.5, "the bore is warm")
 
     def test_every_ball_has_its_row_in_the_picture(self):
         with h5py.File(self.out / "results.h5") as results:

@@ -360,8 +360,7 @@ function showOrbits(animation) {
 }
 
 // White to dark blue; darker is more, also in grey.
-function shade(part) {
-  const stops = [[255, 255, 255], [86, 180, 233], [0, 114, 178], [0, 32, 64]];
+function shade(part, stops = [[255, 255, 255], [86, 180, 233], [0, 114, 178], [0, 32, 64]]) {
   const at = Math.max(0, Math.min(1, part)) * (stops.length - 1), i = Math.min(Math.floor(at), stops.length - 2);
   return stops[i].map((low, c) => Math.round(low + (at - i) * (stops[i + 1][c] - low)));
 }
@@ -405,6 +404,60 @@ function showBallLoads(bearing, into) {
   into.append(figure);
 }
 
+// White through orange to dark brown; darker is warmer, also in grey.
+const WARM = [[255, 255, 255], [253, 208, 140], [230, 120, 20], [160, 50, 0], [70, 15, 0]];
+
+// The section of a bearing with its temperatures at one instant.
+function showField(bearing, picture, into) {
+  const { columns, rows } = bearing, n = columns * rows;
+  const levels = Uint8Array.from(atob(picture.levels), (c) => c.charCodeAt(0));
+  const canvas = element("canvas", { width: columns, height: rows });
+  const pixels = canvas.getContext("2d").createImageData(columns, rows);
+  for (let i = 0; i < n; ++i)
+    if (levels[i]) pixels.data.set([...shade((levels[i] - 1) / 254, WARM), 255], 4 * i);
+  canvas.getContext("2d").putImageData(pixels, 0, 0);
+  const [x0, x1] = bearing.x, [r0, r1] = bearing.r;
+  const left = 64, top = 12, scale = Math.min(420 / (x1 - x0), 380 / (r1 - r0)), width = scale * (x1 - x0), height = scale * (r1 - r0);
+  const total = { width: left + width + 96, height: top + height + 46 };
+  const toX = (x) => left + scale * (x - x0), toY = (r) => top + height - scale * (r - r0);
+  let d = "";
+  for (let i = 0; i < bearing.edges.length; i += 4) d += `M${toX(bearing.edges[i]).toFixed(1)} ${toY(bearing.edges[i + 1]).toFixed(1)}L${toX(bearing.edges[i + 2]).toFixed(1)} ${toY(bearing.edges[i + 3]).toFixed(1)}`;
+  const right = left + width + 18, part = (k) => shade((k + 0.5) / 60, WARM);
+  const bar = Array.from({ length: 60 }, (_, k) => element("rect", { x: right, y: top + height * (1 - (k + 1) / 60), width: 14, height: height / 60 + 0.5, fill: `rgb(${part(k)})` }));
+  const svg = element("svg", { viewBox: `0 0 ${total.width} ${total.height}`, style: `max-width:${total.width}px`, role: "img", "aria-label": `${bearing.name}: temperature rise at ${short(picture.time)} ms` },
+    element("image", { href: canvas.toDataURL(), x: left, y: top, width, height, preserveAspectRatio: "none" }), element("path", { class: "edges", d, fill: "none", stroke: "#444", "stroke-width": 0.7 }), ...bar,
+    element("rect", { x: right, y: top, width: 14, height, class: "axis" }), element("path", { class: "axis", d: `M${left} ${top}V${top + height}H${left + width}` }));
+  const text = (x, y, anchor, content, more = {}) => svg.append(element("text", { x, y, "text-anchor": anchor, ...more }, content));
+  for (const { value, text: label } of ticks(x0, x1, Math.max(2, Math.round(width / 70)))) text(toX(value), top + height + 15, "middle", label);
+  for (const { value, text: label } of ticks(r0, r1, Math.max(2, Math.round(height / 50)))) text(left - 6, toY(value) + 4, "end", label);
+  const span = picture.high - picture.low;
+  if (span > 0) for (const { value, text: label } of ticks(picture.low, picture.high, 4)) text(right + 18, top + height * (1 - Math.sqrt((value - picture.low) / span)) + 4, "start", label);
+  const fixed = (value) => String(+value.toFixed(Math.max(0, Math.ceil(3 - Math.log10(span || 1)) - 1)) || 0);
+  text(left + width / 2, total.height - 10, "middle", "x [mm]", { class: "x-label" });
+  svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "r [mm]"),
+    element("text", { class: "bar-label", "text-anchor": "middle", transform: `translate(${total.width - 8} ${top + height / 2}) rotate(-90)` }, "temperature rise [K]"));
+  const caption = element("p", { class: "note" }, `Recorded next to: ${picture.next_to.join("; ")}. From ${fixed(picture.low)} to ${fixed(picture.high)} K over the ambient temperature; means around the circumference. Colours follow the square root, so that thin hot layers and warm bodies both show.`);
+  svg.onpointermove = (event) => {
+    const box = svg.getBoundingClientRect(), zoom = total.width / box.width;
+    const x = x0 + ((event.clientX - box.left) * zoom - left) / scale, r = r0 + (top + height - (event.clientY - box.top) * zoom) / scale;
+    const column = Math.floor(((x - x0) / (x1 - x0)) * columns), row = Math.floor(((r1 - r) / (r1 - r0)) * rows);
+    const level = column >= 0 && column < columns && row >= 0 && row < rows ? levels[row * columns + column] : 0;
+    tip.hidden = !level;
+    if (!level) return;
+    tip.textContent = `x ${x.toFixed(2)} mm, r ${r.toFixed(2)} mm: ${fixed(picture.low + span * ((level - 1) / 254) ** 2)} K`;
+    tip.style.left = Math.min(event.clientX + 16, innerWidth - tip.offsetWidth - 8) + "px";
+    tip.style.top = event.clientY + 12 + "px";
+  };
+  svg.onpointerleave = () => { tip.hidden = true; };
+  into.append(element("figure", { class: "field" }, element("figcaption", {}, `${bearing.name}: temperature rise over the section at ${short(picture.time)} ms`), svg, caption));
+}
+
+function showFields() {
+  const figures = element("div", { class: "figures" });
+  section("Temperature fields", figures);
+  for (const bearing of data.fields) for (const picture of bearing.pictures) showField(bearing, picture, figures);
+}
+
 function showHead() {
   const warnings = data.checks.filter((check) => check.state === "warning");
   page.append(element("h1", {}, data.title), element("div", { class: "subtitle" }, data.provenance.facts.filter((f) => f[0] === "run by").map((f) => f[1]).join("")), element("nav", {}));
@@ -424,8 +477,8 @@ function showProvenance() {
   const { facts, given, n_defaults } = data.provenance;
   const parts = [table(null, facts, ["", "code"]),
     element("h3", {}, "Parameters that differ from their defaults"),
-    element("p", { class: "note" }, `${n_defaults} further parameters are at their defaults. A run keeps the values that it used (parameters.toml), not the case file's comments on where they are from.`),
-    table(["parameter", "value", "default", "what it is"], given.map(([name, value, fallback, help]) => [name, value, fallback, help]), ["code name", "code", "code", "note"])];
+    element("p", { class: "note" }, `${n_defaults} further parameters are at their defaults, whose sources the command “rotordrop defaults” names. Where a value is from: file, line and what its author wrote there.`),
+    table(["parameter", "value", "default", "where the value is from", "what it is"], given, ["code name", "code", "code", "code", "note"])];
   section("Provenance", ...parts);
 }
 
@@ -440,6 +493,7 @@ if (data.animation.bearings.length) {
 const sections = new Map();
 for (const chart of data.charts) {
   if (!sections.has(chart.section)) {
+    if (sections.has("Temperatures") && data.fields.length && !document.getElementById("temperature-fields")) showFields();
     sections.set(chart.section, element("div", { class: "figures" }));
     section(chart.section, sections.get(chart.section));
   }

@@ -59,5 +59,32 @@ TEST(RingGrowth, UnderPlaneStrainIsOnePlusPoissonTimesThat) {
   EXPECT_NEAR(ring_growth(alpha, a, b, a, 1.3).at(5., 12.) / ring_growth(alpha, a, b, a).at(5., 12.), 1.3, 1e-14);
 }
 
+// Plane stress, rings of one material: u = p r + q / r - (1 - nu^2) rho omega^2 r^3 / (8 E),
+// sigma_r = E/(1 - nu) p - E/(1 + nu) q / r^2 - (3 + nu)/8 rho omega^2 r^2; p and q from what the faces carry.
+constexpr double nu_s = 0.3, rho = 7800.;
+
+TEST(SpinningRing, HasFreeFaces) {
+  const double omega = 1500., load = rho * omega * omega;
+  // sigma_r(a) = sigma_r(b) = 0
+  const double q = -(3. + nu_s) / 8. * load * (b * b - a * a) / (1. / (b * b) - 1. / (a * a)) * (1. + nu_s) / E;
+  const double p = ((3. + nu_s) / 8. * load * a * a + E / (1. + nu_s) * q / (a * a)) * (1. - nu_s) / E;
+  for (const double r : {a, b}) {
+    const double u = p * r + q / r - (1. - nu_s * nu_s) * load * r * r * r / (8. * E);
+    EXPECT_NEAR(spinning_ring_growth(E, nu_s, rho, a, b, r) * omega * omega, u, 1e-12 * u) << "m";
+  }
+}
+
+TEST(PressFit, ClosesTheBoreAsLameSays) {
+  const double c = 60e-3, pressure = 1e7;  // a ring a..b in one of b..c
+  // inner ring: sigma_r(a) = 0, sigma_r(b) = -pressure; outer: sigma_r(b) = -pressure, sigma_r(c) = 0
+  const double q_i = pressure * (1. + nu_s) / E / (1. / (b * b) - 1. / (a * a)),
+               p_i = (1. - nu_s) / (1. + nu_s) * q_i / (a * a);
+  const double q_o = pressure * (1. + nu_s) / E / (1. / (b * b) - 1. / (c * c)),
+               p_o = (1. - nu_s) / (1. + nu_s) * q_o / (c * c);
+  const double interference = (p_o * b + q_o / b) - (p_i * b + q_i / b), bore = p_i * a + q_i / a;
+  EXPECT_GT(interference, 0.);
+  EXPECT_NEAR(bore_closure(a, b, c), -bore / interference, 1e-12);
+}
+
 }  // namespace
 }  // namespace rotordrop

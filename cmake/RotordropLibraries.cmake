@@ -1,0 +1,23 @@
+# The external libraries under rotordrop's own, as targets. Also read by programs that find_package(rotordrop).
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(fmt)
+find_dependency(nlohmann_json)
+find_dependency(Boost 1.74)
+find_dependency(HDF5 COMPONENTS C)
+find_dependency(SUNDIALS COMPONENTS arkode cvodes kinsol sunlinsoldense sunmatrixdense nvecserial)
+find_dependency(tomlplusplus)
+find_dependency(ZLIB)
+
+# Debian 12 has no CMake package of UDUNITS-2, and of HDF5 no target.
+if(NOT TARGET rotordrop_udunits2)
+  find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
+  find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+  add_library(rotordrop_udunits2 INTERFACE IMPORTED GLOBAL)
+  target_include_directories(rotordrop_udunits2 INTERFACE ${UDUNITS2_INCLUDE_DIR})
+  target_link_libraries(rotordrop_udunits2 INTERFACE ${UDUNITS2_LIBRARY})
+  add_library(rotordrop_hdf5 INTERFACE IMPORTED GLOBAL)
+  target_include_directories(rotordrop_hdf5 INTERFACE ${HDF5_C_INCLUDE_DIRS})
+  target_link_libraries(rotordrop_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+  target_compile_definitions(rotordrop_hdf5 INTERFACE ${HDF5_C_DEFINITIONS})
+endif()

@@ -1,0 +1,134 @@
+#include "machine/preload_parameters.h"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+namespace rotordrop {
+namespace {
+
+Section<PreloadMapParameters> map_section() {
+  using P = PreloadMapParameters;
+  Section<P> s("map", "Axes of the maps, rising. An empty axis of growth, interference or rises leaves its map out.");
+  const auto axis = [&](const char* key, std::vector<double> P::*member, QuantityList options) {
+    s.quantities(key, member, std::move(options));
+    s.check([key, member](const P& p, const Node& table, Faults& faults) {
+      const auto& values = p.*member;
+      if (!std::is_sorted(values.begin(), values.end(), std::less_equal<>()))
+        faults.add(position_of_value(table, key),
+                   std::string("preload.map.") + key + " must rise from entry to entry.");
+    });
+  };
+  axis("growth", &P::growth,
+       {.unit = "m",
+        .range = between(-2e-4, 2e-4),
+        .fallback = {"0 um", "0.5 um", "1 um", "1.5 um", "2 um", "3 um", "4 um", "5 um", "6 um", "7 um", "8 um", "9 um",
+                     "10 um"},
+        .help = "Radial growth of the inner raceway over that of the outer one, balls cold."});
+  axis(
+      "interference", &P::interference,
+      {.unit = "m",
+       .range = between(-1e-3, 1e-3),
+       .fallback = {"0 um", "2 um", "4 um", "6 um", "8 um", "10 um"},
+       .help = "Interference of outer ring and housing by radius, over the mounted one. It closes the outer raceway as "
+               "thick rings of one material do (Lame)."});
+  const auto rise = [&](const char* key, std::vector<double> P::*member, const char* part) {
+    axis(key, member,
+         {.unit = "K",
+          .kind = QuantityKind::temperature_difference,
+          .range = between(-300, 1500),
+          .fallback = {"0 K", "5 K", "10 K", "15 K", "20 K", "25 K", "30 K", "35 K", "40 K", "45 K", "50 K"},
+          .help = std::string("Temperature of the ") + part +
+                  " ring over ambient, even over the ring, which grows "
+                  "freely; balls cold."});
+  };
+  rise("inner_rise", &P::inner_rise, "inner");
+  rise("outer_rise", &P::outer_rise, "outer");
+  axis("speed", &P::speed,
+       {.unit = "rad/s",
+        .range = between(0, 2e4),
+        .help = "Speeds of the inner ring in the maps of growth and interference; standstill, half and full "
+                "preload.speed if not given. Matters with growth_by_speed or ball_model = \"inertial\"."});
+  return s;
+}
+
+}  // namespace
+
+Section<PreloadParameters> preload_section() {
+  using P = PreloadParameters;
+  Section<P> s("preload",
+               "What `rotordrop preload` does to every touchdown bearing by itself; a drop does not look at it.");
+  s.choice(
+      "model", &P::model, {{"lumped", PreloadModel::lumped}, {"fe", PreloadModel::fe}},
+      {.fallback = "lumped",
+       .help = "Thermal model of a bearing that runs: its circuit with what the case adds to it, or finite elements "
+               "of its section on thermal.fe.modes modes, whatever thermal.models."});
+  s.quantity("speed", &P::speed,
+             {.unit = "rad/s",
+              .range = between(0, 2e4),
+              .help = "Of the inner ring, running steadily; run.initial_speed if not given."});
+  s.quantities("force", &P::force,
+               {.unit = "N",
+                .fallback = {"0 N", "0 N", "0 N"},
+                .help = "On the inner ring along x, y, z, in maps and running steadily."});
+  s.quantities("moment", &P::moment,
+               {.unit = "N m",
+                .fallback = {"0 N m", "0 N m"},
+                .help = "On the inner ring about y and z, in maps and running steadily."});
+  const auto growth = [&](const char* key, double P::*member, const std::string& part) {
+    s.quantity(key, member,
+               {.unit = "m",
+                .range = between(-2e-4, 2e-4),
+                .fallback = "0 um",
+                .help = "Radial growth of the " + part +
+                        " raceway besides that of heat and speed: by fits, or as elasticity gives it."});
+  };
+  growth("inner_growth", &P::inner_growth, "inner");
+  growth("outer_growth", &P::outer_growth, "outer");
+  s.quantity("interference", &P::interference,
+             {.unit = "m",
+              .range = between(-1e-3, 1e-3),
+              .fallback = "0 um",
+              .help = "Interference of outer ring and housing by radius, over the mounted one."});
+  s.choice("growth_by_speed", &P::growth_by_speed,
+           {{"none", GrowthBySpeed::none}, {"thin-disc", GrowthBySpeed::thin_disc}},
+           {.fallback = "thin-disc",
+            .source = "Timoshenko & Goodier, rotating disk with a hole, plane stress",
+            .help = "Growth of bore and inner raceway by the ring's speed. Not added to what a drop recorded with "
+                    "thermal.expansion = \"elastic\", which has it."});
+  s.boolean("history_under_load", &P::history_under_load,
+            {.fallback = false,
+             .help = "Whether histories put the recorded force of balls on ring on the inner ring, or leave it "
+                     "unloaded."});
+  s.quantity("end_time", &P::end_time,
+             {.unit = "s",
+              .range = positive(),
+              .fallback = "48 h",
+              .help = "Up to when running is followed if it neither settles nor meets a limit."});
+  s.quantity("settled_rate", &P::settled_rate,
+             {.unit = "K/s",
+              .range = positive(),
+              .fallback = "1e-6 K/s",
+              .source = "estimate: 4 mK in an hour",
+              .help = "The bearing has settled when no temperature changes faster."});
+  s.quantity("temperature_limit", &P::temperature_limit,
+             {.unit = "K",
+              .range = positive(),
+              .fallback = "150 degC",
+              .source = "estimate: rings are commonly stabilised up to 150 degC (class S0)",
+              .help = "Any node hotter than this counts as seized."});
+  s.quantity("pressure_limit", &P::pressure_limit,
+             {.unit = "Pa",
+              .range = positive(),
+              .fallback = "4.2 GPa",
+              .source = "ISO 76, ball bearings",
+              .help = "A larger pressure of balls and races counts as seized."});
+  s.quantity("tolerance", &P::tolerance,
+             {.range = between(1e-12, 1e-2),
+              .fallback = "1e-7",
+              .help = "Relative local error of the integration in time; absolute: this times 1 K."});
+  s.table("map", &P::map, map_section());
+  return s;
+}
+
+}  // namespace rotordrop

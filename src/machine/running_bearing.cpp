@@ -1,0 +1,88 @@
+#include "machine/running_bearing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bearing/steady_friction.h"
+#include "laws/ring_growth.h"
+#include "machine/build_machine.h"
+
+namespace rotordrop {
+namespace {
+
+/// Radial motion of the ring, in its mounted place along the axis, until the first ball touches: sqrt((A - 2 eps_b)^2 - B_x^2) - B_r.
+double radial_clearance(const std::vector<BallRowGeometry>& rows, const Expansion& growth) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& g : rows) {
+    const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
+    const double reach = A - 2. * growth.ball, B_x = A * std::sin(g.contact_angle) + g.preload_offset;
+    const double B_r = A * std::cos(g.contact_angle) - g.radial_clearance + growth.inner_race - growth.outer_race;
+    least = std::min(least, std::sqrt(std::max(reach * reach - B_x * B_x, 0.)) - B_r);
+  }
+  return least;
+}
+
+}  // namespace
+
+double housing_closure(const TouchdownParameters& b) {
+  return bore_closure(0.5 * b.outer_ring_diameters[0], 0.5 * b.outer_ring_diameters[1], 0.5 * b.housing_diameters[1]);
+}
+
+Expansion cold_growth(const MachineParameters& p, const TouchdownParameters& b, double speed) {
+  const auto& s = p.preload;
+  Expansion g;
+  g.inner_race = s.inner_growth;
+  g.outer_race = s.outer_growth - s.interference * housing_closure(b);
+  if (s.growth_by_speed == GrowthBySpeed::thin_disc) {
+    const auto& m = material_of(p, b.ring);
+    const double inside = 0.5 * b.inner_ring_diameters[0], outside = 0.5 * b.inner_ring_diameters[1];
+    g.bore += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, inside) * speed * speed;
+    g.inner_race += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, outside) * speed * speed;
+  }
+  return g;
+}
+
+Force preload_load(const PreloadParameters& s) {
+  return {s.force[0], s.force[1], s.force[2], s.moment[0], s.moment[1], 0.};
+}
+
+double preload_speed(const MachineParameters& p) { return p.preload.speed.value_or(std::fabs(p.run.initial_speed)); }
+
+TouchdownRunning::TouchdownRunning(const MachineParameters& p, const std::string& name, const TouchdownParameters& b,
+                                   const BearingState& at_rest, FindRest find)
+    : statics_(p.statics),
+      bearing_(b),
+      data_(touchdown_data_of(p, name, b)),
+      at_rest_(at_rest),
+      find_(std::move(find)) {}
+
+RunningState TouchdownRunning::in(const BearingState& state) const {
+  auto system = bearing_equilibrium(statics_, bearing_, data_, state);
+  // Always from the mounted place: what is found depends on nothing but what is asked.
+  std::vector<double> x(system.size());
+  find_(system, x);
+  const auto ring = report_ring(system.ring(), system.place(x), 1e-6 * system.force_scale());
+  const auto friction = steady_friction(data_, ring, state.speed);
+  RunningState s;
+  s.heat = friction.total() * std::fabs(state.speed);
+  s.load_torque = friction.load;
+  s.drag_torque = friction.drag;
+  s.spin_torque = friction.spin;
+  s.preload = ring.preload;
+  for (const auto& row : ring.rows) {
+    s.largest_ball_load = std::max(s.largest_ball_load, row.largest_load);
+    s.largest_pressure = std::max(s.largest_pressure, row.largest_pressure);
+  }
+  s.static_safety = std::pow(static_pressure_limit / s.largest_pressure, 3);
+  s.axial_stiffness = ring.stiffness[0][0];
+  s.radial_stiffness_y = ring.stiffness[1][1];
+  s.radial_stiffness_z = ring.stiffness[2][2];
+  s.radial_clearance = radial_clearance(system.ring().rows(), state.growth);
+  s.is_floating = ring.is_floating;
+  return s;
+}
+
+double TouchdownRunning::inner_share() const { return inner_heat_share(data_); }
+
+}  // namespace rotordrop

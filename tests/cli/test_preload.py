@@ -1,0 +1,208 @@
+"""`rotordrop preload`: verdicts of the documented cases, maps against `rotordrop statics`, histories of a drop, refusals, figures."""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PARAMS, PROGRAM, SOURCE, ProgramTest  # noqa: E402
+
+HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
+
+NO_MAPS = ["--set", "preload.map.growth=[]", "--set", "preload.map.interference=[]", "--set", "preload.map.inner_rise=[]"]
+RPM = np.pi / 30
+
+
+class Preload(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        for name in ("neisi2019.toml", "neisi2019-preload.toml", "neisi2019-preload-runaway.toml"):
+            shutil.copy(PARAMS / name, self.folder)
+
+    def preload(self, case, *options, bearing="TB2", output="out"):
+        self.succeed("preload", case, "--bearing", bearing, "-o", output, "--quiet", "--force", *options)
+        return json.loads((self.folder / output / "preload.json").read_text())["bearings"][bearing]
+
+    def file(self, output="out"):
+        file = h5py.File(self.folder / output / "preload.h5", "r")
+        self.addCleanup(file.close)
+        return file
+
+    def statics(self, *options):
+        done = self.succeed("statics", "neisi2019.toml", "--bearing", "TB2", "--json", *options)
+        return json.loads(done.stdout)["bearings"]["TB2"]
+
+    def test_the_documented_case_settles(self):
+        done = self.succeed("preload", "neisi2019-preload.toml", "-o", "out")
+        self.assertIn("TB1 at 2500 rpm: stable", done.stdout)
+        self.assertIn("TB2 at 2500 rpm: stable. It settles in", done.stdout)
+        self.assertEqual({p.name for p in (self.folder / "out").iterdir()}, {"preload.h5", "preload.json", "parameters.toml"})
+        running = json.loads((self.folder / "out/preload.json").read_text())["bearings"]["TB2"]["running"]
+        self.assertEqual(running["verdict"], "stable")
+        stable, unstable = running["operating_points"]
+        self.assertLess(stable["loop_gain"], 1)
+        self.assertLess(stable["eigenvalue"][0], 0)
+        self.assertGreater(unstable["loop_gain"], 1)
+        self.assertGreater(unstable["eigenvalue"][0], 0)
+        self.assertAlmostEqual(running["end"]["state"]["preload"], stable["preload"], delta=1)
+        self.assertGreater(running["critical"]["speed"]["value"], running["speed"])
+        file = self.file()
+        self.assertAlmostEqual(file["/TB2/running/time"][-1], running["end"]["time"], places=6)
+        for dataset in ("/TB2/running/preload", "/TB2/running/temperature/TB2/inner_ring", "/TB2/maps/growth/preload", "/TB2/operating_points/preload"):
+            self.assertIn("units", file[dataset].attrs, dataset)
+        ledger = [file[f"/TB2/running/heat_{name}"][-1] for name in ("made", "lost", "stored")]
+        self.assertAlmostEqual(ledger[0], ledger[1] + ledger[2], delta=1e-8 * ledger[0])
+        # The points over speed end where the two meet.
+        preload = file["/TB2/operating_points/preload"]
+        self.assertLess(preload[-1, 1] / preload[-1, 0], 1.05)
+        self.assertAlmostEqual(file["/TB2/operating_points/speed"][-1], running["critical"]["speed"]["value"], places=6)
+
+    def test_the_documented_runaway_is_found_by_transient_and_criterion(self):
+        running = self.preload("neisi2019-preload-runaway.toml", *NO_MAPS)["running"]
+        self.assertEqual(running["verdict"], "runs-away")
+        self.assertEqual(running["operating_points"], [])
+        self.assertEqual(running["end"]["limit"], "temperature_limit")
+        self.assertAlmostEqual(max(running["end"]["temperatures"].values()), 423.15, delta=1e-4)
+        self.assertLess(running["critical"]["speed"]["value"], running["speed"])
+        made, heat = (self.file()[f"/TB2/balance/{name}"][:] for name in ("made", "heat"))
+        self.assertTrue((made > heat).all())
+        text = self.succeed("preload", "neisi2019-preload-runaway.toml", "--bearing", "TB2", "-o", "again", *NO_MAPS).stdout
+        self.assertRegex(text, r"TB2 at 6000 rpm: runs away: 150 degC after 21\.7 min")
+
+    def test_at_the_critical_speed_transient_and_criterion_part_together(self):
+        critical = self.preload("neisi2019-preload.toml", *NO_MAPS)["running"]["critical"]["speed"]["value"]
+        for factor, verdict in ((0.995, "stable"), (1.005, "runs-away")):
+            running = self.preload("neisi2019-preload.toml", *NO_MAPS, "--set", f"preload.speed={factor * critical}")["running"]
+            self.assertEqual(running["verdict"], verdict)
+
+    def test_a_spring_takes_the_loop_away(self):
+        running = self.preload("neisi2019.toml", *NO_MAPS, "--set", "statics.preload_by=spring")["running"]  # at 15200 rpm
+        self.assertEqual(running["verdict"], "stable")
+        self.assertAlmostEqual(running["operating_points"][0]["loop_gain"], 0, delta=1e-9)
+        self.assertAlmostEqual(running["end"]["state"]["preload"], 290, delta=1e-3)
+
+    def test_pressure_beyond_its_limit_when_cold_is_said(self):
+        text = self.succeed("preload", "neisi2019-preload.toml", "--bearing", "TB2", "-o", "out", *NO_MAPS, "--set", "preload.pressure_limit=0.5 GPa").stdout
+        self.assertIn("beyond 0.5 GPa when cold", text)
+
+    def test_a_bearing_at_rest_makes_no_heat(self):
+        running = self.preload("neisi2019-preload.toml", *NO_MAPS, "--set", "preload.speed=0 rpm")["running"]
+        self.assertEqual((running["verdict"], running["end"]["time"], running["operating_points"][0]["heat"]), ("stable", 0, 0))
+
+    def test_maps_are_those_of_statics(self):
+        maps = ["--set", "preload.map.growth=[0, 3e-6]", "--set", "preload.map.interference=[0, 5e-6]", "--set", "preload.map.inner_rise=[0, 20]",
+                "--set", "preload.map.outer_rise=[0, 10]", "--set", "preload.map.speed=[0, 1000]", "--set", "preload.speed=500"]
+        load = ["--set", 'preload.force=["100 N", "-300 N", 0]', "--set", "preload.growth_by_speed=none", "--set", "bearings.TB2.ball_model=inertial"]
+        report = self.preload("neisi2019.toml", *maps, *load)["maps"]
+        same_load = ["--set", 'statics.force=["100 N", "-300 N", 0]', "--set", "bearings.TB2.ball_model=inertial"]
+        closure = report["interference"]["closure_per_interference"]
+        file = self.file()["/TB2/maps"]
+        points = (("growth", 1, 1, ["statics.inner_growth=3e-6", "statics.speed=1000"]),
+                  ("growth", 0, 0, []),
+                  ("interference", 1, 0, [f"statics.outer_growth={-5e-6 * closure}"]),
+                  ("rise", 1, 1, ["statics.inner_rise=20", "statics.outer_rise=10", "statics.speed=500"]),
+                  ("rise", 1, 0, ["statics.inner_rise=20", "statics.speed=500"]))
+        for name, i, j, settings in points:
+            with self.subTest(name, row=i, column=j):
+                rest = self.statics(*same_load, *(word for s in settings for word in ("--set", s)))
+                self.assertAlmostEqual(file[f"{name}/preload"][i, j], rest["preload"], delta=1e-6)
+                for key, among in (("largest_ball_load", "largest_ball_load"), ("largest_pressure", "largest_pressure")):
+                    largest = max(row[among] for row in rest["rows"])
+                    self.assertAlmostEqual(file[f"{name}/{key}"][i, j] / largest, 1, delta=1e-9)
+                for key, k in (("axial_stiffness", 0), ("radial_stiffness_y", 1), ("radial_stiffness_z", 2)):
+                    self.assertAlmostEqual(file[f"{name}/{key}"][i, j] / rest["stiffness"][k][k], 1, delta=1e-9)
+        self.assertEqual(file["growth/growth"][1], 3e-6)
+        self.assertEqual(list(file["growth/speed"]), [0, 1000])
+
+    def test_growth_raises_the_preload_as_estimated(self):
+        self.preload("neisi2019.toml", "--set", "preload.map.growth=[0, 1.4e-6, 5e-6]", "--set", "preload.map.speed=[0, 1]")
+        preload = self.file()["/TB2/maps/growth/preload"][:, 0]
+        np.testing.assert_allclose(preload, [290, 593.708003, 1641.956429], rtol=1e-7)  # validation/preload_loop.py
+
+    def test_history_of_a_drop(self):
+        self.succeed("run", "neisi2019.toml", "-o", "drop", "--quiet", "--set", "run.end_time=40 ms")
+        history = self.preload("neisi2019.toml", *NO_MAPS, "--results", "drop", "--set", "preload.growth_by_speed=none")["history"]
+        self.assertAlmostEqual(history["preload"]["start"], 290, delta=1e-3)
+        self.assertGreater(history["preload"]["end"], 291)
+        with h5py.File(self.folder / "drop/results.h5", "r") as drop:
+            shaft, bore, inner, outer, ball = drop["/bearings/TB2/expansion"][-1]
+            rest = self.statics("--set", f"statics.inner_growth={inner}", "--set", f"statics.outer_growth={outer}", "--set", f"statics.ball_rise={ball / (11.8e-6 * 9.525e-3 / 2)}")
+            self.assertAlmostEqual(self.file()["/TB2/history/preload"][-1], rest["preload"], delta=1e-6)
+            # Under the recorded force a single row's balls carry what they did.
+            self.preload("neisi2019.toml", *NO_MAPS, "--results", "drop", "--set", "preload.growth_by_speed=none", "--set", "preload.history_under_load=true", bearing="TB1")
+            recorded, quasi_static = drop["/bearings/TB1/ball_force"][:], self.file()["/TB1/history/largest_ball_load"][:]
+            self.assertEqual(len(recorded), len(quasi_static))
+            peak = recorded.argmax()  # where the force turns, so that its damping is small
+            self.assertAlmostEqual(quasi_static[peak] / recorded[peak], 1, delta=0.01)
+
+    def test_growth_by_speed_is_that_of_a_thin_disc(self):
+        self.preload("neisi2019.toml", "--set", "preload.map.growth=[0, 1e-6]", "--set", "preload.map.speed=[0, 1500]")
+        growth = 7800 * 1500**2 * 39e-3 / (4 * 2e11) * (3.3 * 35e-3**2 + 0.7 * 39e-3**2)
+        rest = self.statics("--set", f"statics.inner_growth={growth}")
+        self.assertAlmostEqual(self.file()["/TB2/maps/growth/preload"][0, 1], rest["preload"], delta=1e-6)
+
+    @unittest.skipUnless(HAS_ROOM, "built without finite elements")
+    def test_finite_elements_may_take_the_circuits_place(self):
+        fe = ["--set", "preload.model=fe"]
+        circuit = self.preload("neisi2019-preload.toml", *NO_MAPS)["running"]["operating_points"][0]
+        few = self.preload("neisi2019-preload.toml", *NO_MAPS, *fe)["running"]
+        many = self.preload("neisi2019-preload.toml", *NO_MAPS, *fe, "--set", "thermal.fe.modes=40")["running"]
+        self.assertEqual(few["verdict"], "stable")
+        self.assertIsNone(few["critical"]["cooling"])
+        point, energy = few["operating_points"][0], few["end"]["energy"]
+        self.assertLess(abs(energy["residual"]), 1e-8 * energy["made"])
+        self.assertAlmostEqual(few["end"]["state"]["preload"], point["preload"], delta=1)
+        # More modes change little (0.2 % and 0.4 % measured); the circuit is another model of the same bearing (4 %).
+        self.assertAlmostEqual(many["operating_points"][0]["preload"] / point["preload"], 1, delta=0.005)
+        self.assertAlmostEqual(many["operating_points"][0]["loop_gain"] / point["loop_gain"], 1, delta=0.01)
+        self.assertAlmostEqual(circuit["preload"] / point["preload"], 1, delta=0.1)
+        runaway = self.preload("neisi2019-preload-runaway.toml", *NO_MAPS, *fe)["running"]
+        self.assertEqual((runaway["verdict"], runaway["operating_points"]), ("runs-away", []))
+        added = self.call("preload", "neisi2019-preload.toml", "-o", "other", *fe, "--set", 'thermal.node=[{ name = "frame", capacity = 10.0 }]',
+                          "--set", 'thermal.resistor=[{ between = ["TB2/housing", "frame"], resistance = 1.0 }]')
+        self.assertEqual(added.returncode, 2)
+        self.assertIn('preload.model = "fe" does not know', added.stderr)
+
+    def test_the_screen_may_have_json(self):
+        done = self.succeed("preload", "neisi2019-preload.toml", "--bearing", "TB1", "-o", "out", "--json", *NO_MAPS)
+        self.assertEqual(json.loads(done.stdout), json.loads((self.folder / "out/preload.json").read_text()))
+
+    def test_faulty_requests_are_refused(self):
+        def refuse(*options):
+            done = self.call("preload", "neisi2019-preload.toml", "-o", "out", *options)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            return done.stderr
+
+        self.assertRegex(refuse("--bearing", "TB3"), r'no touchdown bearing "TB3"[\s\S]*Did you mean')
+        self.assertIn("preload.map.growth must rise", refuse("--set", "preload.map.growth=[1e-6, 0]"))
+        self.assertIn('Did you mean "speed"', refuse("--set", "preload.sped=1 rpm"))
+        self.assertIn("no such directory", refuse("--results", "nowhere"))
+        self.assertFalse((self.folder / "out").exists())
+        self.succeed("preload", "neisi2019-preload.toml", "--bearing", "TB1", "-o", "out", "--quiet", *NO_MAPS)
+        before = (self.folder / "out/preload.h5").read_bytes()
+        self.assertIn("--force", refuse("--bearing", "TB1"))
+        self.assertEqual((self.folder / "out/preload.h5").read_bytes(), before)
+        self.succeed("run", "neisi2019.toml", "-o", "drop", "--quiet", "--set", "run.end_time=1 ms")
+        done = self.call("preload", "neisi2019-preload.toml", "-o", "drop", "--force")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("results of another kind", done.stderr)
+
+    def test_figures_are_drawn(self):
+        self.succeed("run", "neisi2019.toml", "-o", "drop", "--quiet", "--set", "run.end_time=10 ms")
+        self.succeed("preload", "neisi2019-preload.toml", "-o", "out", "--quiet", "--results", "drop")
+        subprocess.run([sys.executable, SOURCE / "examples/plot_preload.py", self.folder / "out"], check=True, capture_output=True)
+        figures = {p.stem for p in (self.folder / "out/figures").glob("*.png")}
+        self.assertEqual(figures, {f"{bearing}-{page}" for bearing in ("TB1", "TB2") for page in ("running", "maps", "history")})
+        done = subprocess.run([sys.executable, SOURCE / "examples/plot_preload.py", self.folder], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""Thermal preload of the reference case's angular-contact pair (TB2), written again from the equations, for tests to compare with.
+
+    /usr/bin/python3 validation/preload_loop.py
+
+Shares no code with the program. The pair is symmetric and unloaded, so its inner ring stays in the middle: rows in closed form instead of an
+equilibrium. The circuit keeps its contacts without mass as algebraic unknowns (the program eliminates them). Needs numpy and scipy.
+"""
+
+from math import atan2, cos, hypot, log, pi, radians, sin, tan
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq, fsolve
+
+E, NU, RHO, CONDUCTIVITY, HEAT, ALPHA = 2.0e11, 0.30, 7800.0, 70.0, 510.0, 11.8e-6
+Z, D, D_M, PHI, F = 23, 9.525e-3, 85e-3, radians(25), 0.52
+WIDTH, BORE, INNER, OUTER, OUTSIDE, HOUSING, LENGTH, RING_MASS, GAP = 32e-3, 70e-3, 78e-3, 92e-3, 100e-3, 120e-3, 50e-3, 0.21, 250e-6
+F1_Z, F1_Y, C0, F2, VISCOSITY, H_SHAFT, H_BALL, FIT, HALF_WIDTH, AMBIENT = 0.001, 0.33, 31e3, 0.25, 15.0, 50.0, 50.0, 0.005, 0.4e-3, 293.15
+A = (2 * F - 1) * D
+
+
+def hertz(race_radius, sign):
+    """K, semi-major axis over Q^(1/3), ellipticity; Brewe and Hamrock's fits."""
+    R_x, R_y = 1 / (2 / D + sign / race_radius), 1 / (2 / D - 1 / (F * D))
+    R = 1 / (1 / R_x + 1 / R_y)
+    k, second, first = 1.0339 * (R_y / R_x) ** 0.636, 1.0003 + 0.5968 * R_x / R_y, 1.5277 + 0.6023 * log(R_y / R_x)
+    modulus = E / (1 - NU**2)
+    return pi * k * modulus * (2 * second * R / (9 * first**3)) ** 0.5, (6 * k**2 * second * R / (pi * modulus)) ** (1 / 3), k
+
+
+INNER_RACE, OUTER_RACE = hertz(D_M / 2 - D / 2 * cos(PHI), 1), hertz(D_M / 2 + D / 2 * cos(PHI), -1)
+K = (INNER_RACE[0] ** (-2 / 3) + OUTER_RACE[0] ** (-2 / 3)) ** -1.5
+
+
+def row(offset, growth, ball):
+    """Axial force of a row and load of a ball."""
+    B_r, B_x = A * cos(PHI) + growth, A * sin(PHI) + offset
+    distance = hypot(B_r, B_x)
+    Q = K * max(distance - A + 2 * ball, 0) ** 1.5
+    return Z * Q * B_x / distance, Q
+
+
+def offset_of(preload):
+    return brentq(lambda offset: row(offset, 0, 0)[0] - preload, 0, 1e-4, xtol=1e-18, rtol=1e-14)
+
+
+def pressure(Q):
+    return max(3 * Q / (2 * pi * (axis * Q ** (1 / 3)) ** 2 / k) for _, axis, k in (INNER_RACE, OUTER_RACE))
+
+
+def speed_growth(omega):
+    return RHO * omega**2 * (INNER / 2) / (4 * E) * ((3 + NU) * (BORE / 2) ** 2 + (1 - NU) * (INNER / 2) ** 2)
+
+
+def friction_heat(axial, omega):
+    P = 0.9 * axial / tan(PHI)
+    load = 2 * F1_Z * (P / C0) ** F1_Y * P * D_M
+    nu_n = VISCOSITY * omega * 30 / pi
+    drag = F2 * (D_M * 1e3) ** 3 * (1e-7 * nu_n ** (2 / 3) if nu_n > 2000 else 160e-7) * 1e-3
+    return (load + drag) * omega
+
+
+# The circuit: shaft, inner ring, inner contact, ball, outer contact, outer ring, housing; rises over ambient.
+D_S = BORE - 2 * GAP
+D_MI, D_OM, D_HM = (BORE + INNER) / 2, (OUTER + OUTSIDE) / 2, (OUTSIDE + HOUSING) / 2
+R1, R23 = 1 / (H_SHAFT * pi * D_S * WIDTH), 1 / (4 * pi * CONDUCTIVITY * WIDTH) + log(D_MI / D_S) / (2 * pi * CONDUCTIVITY * WIDTH)
+R4, R5 = log(INNER / D_MI) / (2 * pi * CONDUCTIVITY * WIDTH), 2 / (pi * CONDUCTIVITY * D * 2 * Z) + 2 / (4 * CONDUCTIVITY * HALF_WIDTH * 2 * Z)
+R6, R7 = 1 / (H_BALL * 2 * Z * pi * D**2), log(D_OM / OUTER) / (2 * pi * CONDUCTIVITY * WIDTH)
+R8 = log(OUTSIDE / D_OM) / (2 * pi * CONDUCTIVITY * WIDTH) + FIT + log(D_HM / OUTSIDE) / (2 * pi * CONDUCTIVITY * LENGTH)
+INNER_SHARE = 0.5 * (D_M - D * cos(PHI)) / D_M
+
+
+def disc(diameter):
+    return pi / 4 * diameter**2
+
+
+CAPACITY = [RHO * HEAT * disc(D_S) * WIDTH, RING_MASS * HEAT, 2 * Z * pi / 6 * D**3 * RHO * HEAT,
+            RHO * HEAT * (disc(OUTSIDE) - disc(OUTER)) * WIDTH, RHO * HEAT * (disc(HOUSING) - disc(OUTSIDE)) * LENGTH]
+
+
+def flows(s, i, ci, b, co, o, h, heat, cooling=1.0):
+    """Heat into each node, the two contacts included."""
+    lost = 23 * max(h, 0) ** 0.25 * pi * HOUSING * LENGTH * h * cooling
+    return [(i - s) / R23 - cooling * s / R1, (s - i) / R23 + (ci - i) / R4, (i - ci) / R4 + (b - ci) / R5 + INNER_SHARE * heat,
+            (ci - b) / R5 + (co - b) / R5 - cooling * b / R6, (b - co) / R5 + (o - co) / R7 + (1 - INNER_SHARE) * heat, (co - o) / R7 + (h - o) / R8,
+            (o - h) / R8 - lost]
+
+
+def contacts(i, b, o, heat):
+    """Rises of the contacts, which hold no heat."""
+    return ((i / R4 + b / R5 + INNER_SHARE * heat) / (1 / R4 + 1 / R5), (o / R7 + b / R5 + (1 - INNER_SHARE) * heat) / (1 / R7 + 1 / R5))
+
+
+def growth_of(T):
+    """Of races and ball from shaft, ring, ball, outer ring, housing; a contact counts with what its neighbours give it, without its own heat."""
+    s, i, b, o, h = T
+    ci, _ = contacts(i, b, o, 0)
+    annulus = lambda r_in, r_out, r, T_in, T_out: ALPHA * r / (3 * (r_in + r_out)) * (T_in * (2 * r_in + r_out) + T_out * (2 * r_out + r_in))
+    inner = annulus(BORE / 2, INNER / 2, INNER / 2, i, ci)
+    outer = annulus(OUTER / 2, HOUSING / 2, OUTER / 2, o, h)
+    return inner - outer, ALPHA * D / 2 * b
+
+
+def rates(T, heat, cooling=1.0):
+    s, i, b, o, h = T
+    ci, co = contacts(i, b, o, heat)
+    q = flows(s, i, ci, b, co, o, h, heat, cooling)
+    return np.array([q[0], q[1], q[3], q[5], q[6]]) / CAPACITY
+
+
+def steady(heat, cooling=1.0):
+    return fsolve(lambda T: rates(T, heat, cooling), np.full(5, 0.4 * heat), xtol=1e-13)
+
+
+def made(T, omega, offset):
+    growth, ball = growth_of(T)
+    return friction_heat(row(offset, growth + speed_growth(omega), ball)[0], omega)
+
+
+def largest_shortfall(omega, preload=290.0, cooling=1.0):
+    """The most by which heat can leave faster than it is made; an operating point exists if it is positive."""
+    offset = offset_of(preload)
+    grid = np.linspace(1, 200, 400)
+    values = [Q - made(steady(Q, cooling), omega, offset) for Q in grid]
+    best = int(np.argmax(values))
+    low, high = grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]
+    for _ in range(60):  # golden section
+        a, b = high - 0.618034 * (high - low), low + 0.618034 * (high - low)
+        if a - made(steady(a, cooling), omega, offset) > b - made(steady(b, cooling), omega, offset):
+            high = b
+        else:
+            low = a
+    Q = (low + high) / 2
+    return Q - made(steady(Q, cooling), omega, offset)
+
+
+def main():
+    print(f"K_b = {K:.6e} N/m^1.5, preload under 1.4 and 5 um: {row(offset_of(290), 1.4e-6, 0)[0]:.6f} {row(offset_of(290), 5e-6, 0)[0]:.6f} N")
+    omega = 3000 * pi / 30
+    offset = offset_of(290)
+    balance = lambda Q: made(steady(Q), omega, offset) - Q
+    for low, high in ((1, 55), (55, 120)):
+        Q = brentq(balance, low, high, xtol=1e-12, rtol=1e-14)
+        T = steady(Q)
+        growth, ball = growth_of(T)
+        axial, load = row(offset, growth + speed_growth(omega), ball)
+        gain = (balance(Q * 1.0001) - balance(Q * 0.9999)) / (2e-4 * Q) + 1
+        J = np.empty((5, 5))
+        for k in range(5):
+            step = np.zeros(5)
+            step[k] = 1e-4
+            J[:, k] = (rates(T + step, made(T + step, omega, offset)) - rates(T - step, made(T - step, omega, offset))) / 2e-4
+        print(f"3000 rpm: heat {Q:.8f} W, preload {axial:.6f} N, ball load {load:.7f} N, pressure {pressure(load):.6e} Pa, gain {gain:.6f}, "
+              f"eigenvalue {max(np.linalg.eigvals(J).real):.7e} 1/s, rises s i b o h {np.array2string(T, precision=7)}")
+    critical = brentq(lambda rpm: largest_shortfall(rpm * pi / 30), 2500, 6000, xtol=1e-4)
+    print(f"critical speed {critical:.3f} rpm")
+    print(f"critical preload at 3000 rpm {brentq(lambda P: largest_shortfall(omega, P), 290, 1500, xtol=1e-4):.4f} N")
+    print(f"critical cooling at 3000 rpm {brentq(lambda f: largest_shortfall(omega, 290, f), 0.2, 1, xtol=1e-7):.6f}")
+    for rpm in (6000, 15200):
+        omega = rpm * pi / 30
+
+        def hot(t, T):
+            heat = made(T, omega, offset)
+            i, b, o = T[1], T[2], T[3]
+            return 150 + 273.15 - AMBIENT - max(max(T), *contacts(i, b, o, heat))
+
+        def pressed(t, T):
+            growth, ball = growth_of(T)
+            return 4.2e9 - pressure(row(offset, growth + speed_growth(omega), ball)[1])
+
+        hot.terminal = pressed.terminal = True
+        way = solve_ivp(lambda t, T: rates(T, made(T, omega, offset)), (0, 1e6), np.zeros(5), method="Radau", rtol=1e-9, atol=1e-9, events=(hot, pressed))
+        T = way.y[:, -1]
+        growth, ball = growth_of(T)
+        print(f"{rpm} rpm: {'temperature' if len(way.t_events[0]) else 'pressure'} after {way.t[-1]:.6f} s, preload "
+              f"{row(offset, growth + speed_growth(omega), ball)[0]:.5f} N")
+
+
+if __name__ == "__main__":
+    main()
