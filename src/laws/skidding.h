@@ -24,6 +24,8 @@ inline RollingTractions rolling_tractions(double ball_mass, double acceleration)
   return {0.7 * ball_mass * acceleration, 0.3 * ball_mass * acceleration};
 }
 
+// Always inline: loops over balls are compiled for several kinds of machine, and such a loop calls what is compiled for the plain one.
+
 /// Outer contact of a ball.
 struct OuterContact {
   double load;      ///< Q_o [N]
@@ -32,7 +34,8 @@ struct OuterContact {
 };
 /// The outer contact of a ball takes the inner one's load and the centrifugal force: Q_o n_o = Q_i n_i + F_c e_r.
 /// @param load, sine, cosine  Q_i [N] and the inner contact angle's; @param centrifugal_force F_c [N], >= 0
-inline OuterContact outer_contact(double load, double sine, double cosine, double centrifugal_force) {
+[[gnu::always_inline]] inline OuterContact outer_contact(double load, double sine, double cosine,
+                                                         double centrifugal_force) {
   const double axial = load * sine, radial = load * cosine + centrifugal_force;
   const double square = axial * axial + radial * radial;
   constexpr double nothing = 1e-200;  // [N^2], added instead of asked for, so that loops over balls become vectors
@@ -44,7 +47,7 @@ inline OuterContact outer_contact(double load, double sine, double cosine, doubl
 ///   T_g = 2 M_g / d = 0.4 F_c sin phi_o, all of it at the outer race (outer-race control; laws/ball_balance.h).
 /// In line contacts with outer_contact() it is at most 0.2 tan(phi_i / 2) of the outer load, reached where Q_i = F_c.
 /// @param centrifugal_force F_c [N]; @param outer_sine sin phi_o
-inline double gyroscopic_traction(double centrifugal_force, double outer_sine) {
+[[gnu::always_inline]] inline double gyroscopic_traction(double centrifugal_force, double outer_sine) {
   return 0.4 * centrifugal_force * std::fabs(outer_sine);
 }
 
