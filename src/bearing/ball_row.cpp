@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/wide_vectors.h"
+#include "laws/skidding.h"
 
 // The row kernel is compiled for several kinds of machine and chosen when the program starts. AVX-512 serves for its 32 registers: the
 // loop keeps eight sums.
@@ -116,6 +117,35 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
+// Not for every evaluation: what skidding needs. An idle ball adds F_c to the outer loads.
+ROTORDROP_WIDE_VECTORS
+void sum_tractions(const KernelInput& in, double F_c, RowTractions& out) {
+  double inner = 0, outer = 0, gyroscopic = 0, largest = 0;
+  const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
+  const RingDisplacement e = in.e, v = in.v;
+#pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : largest)
+  for (std::size_t j = 0; j < in.n; ++j) {
+    const double c = C * in.cosine[j] - S * in.sine[j];
+    const double s = S * in.cosine[j] + C * in.sine[j];
+    const double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
+    const double distance = std::sqrt(Br * Br + Bx * Bx);
+    const double inverse = 1. / distance;
+    const double cos_phi = Br * inverse, sin_phi = Bx * inverse;
+    const double delta = std::max(distance - in.A + in.added[j], 0.);
+    const double rate = cos_phi * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) +
+                        sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
+    const double F = std::max(in.K * std::sqrt(delta) * (delta + in.damping * rate), 0.);
+    const OuterContact o = outer_contact(F, sin_phi, cos_phi, F_c);
+    const double T_g = gyroscopic_traction(F_c, o.sine);
+    inner += F;
+    outer += o.load;
+    gyroscopic += T_g;
+    largest = std::max(largest, T_g * o.per_load);
+  }
+  out = {inner, outer, gyroscopic, largest};
+}
+
 }  // namespace
 
 double RaceContact::largest_pressure(double load) const {
@@ -199,25 +229,45 @@ double BallRow::waviness_power(const BallRowInput& in, const double* added) cons
 }
 
 template <class Kernel>
-void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out) const {
+void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   std::array<double, max_balls> added;
   fill_added(in, added.data());
-  kernel({cosine_.data(), sine_.data(), added.data(), n_padded_, constants_.A, constants_.radial + in.radial_growth,
-          constants_.axial, constants_.arm, geometry_.position, geometry_.stiffness, 1.5 * geometry_.damping_beta,
-          in.cage_cosine, in.cage_sine, in.displacement, in.rate},
-         out);
+  const KernelInput balls{cosine_.data(),
+                          sine_.data(),
+                          added.data(),
+                          n_padded_,
+                          constants_.A,
+                          constants_.radial + in.radial_growth,
+                          constants_.axial,
+                          constants_.arm,
+                          geometry_.position,
+                          geometry_.stiffness,
+                          1.5 * geometry_.damping_beta,
+                          in.cage_cosine,
+                          in.cage_sine,
+                          in.displacement,
+                          in.rate};
+  kernel(balls, out);
   out.cage_power *= in.cage_speed;
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
+  if (!tractions) return;
+  const double F_c = centrifugal_force(in);
+  sum_tractions(balls, F_c, *tractions);
+  tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
 }
 
-void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out) const {
-  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out);
-  run([](const KernelInput& k, BallRowOutput& o) { sum_translations(k, o); }, in, out);
+double BallRow::centrifugal_force(const BallRowInput& in) const {
+  return 0.5 * geometry_.ball_mass * geometry_.pitch_diameter * in.cage_speed * in.cage_speed;
 }
 
-void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out) const {
-  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out);
-  run([](const KernelInput& k, BallRowOutput& o) { sum_all(k, o); }, in, out);
+void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
+  run([](const KernelInput& k, BallRowOutput& o) { sum_translations(k, o); }, in, out, tractions);
+}
+
+void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
+  run([](const KernelInput& k, BallRowOutput& o) { sum_all(k, o); }, in, out, tractions);
 }
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {

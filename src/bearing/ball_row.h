@@ -7,6 +7,8 @@
 
 namespace rotordrop {
 
+struct RowTractions;  // laws/skidding.h
+
 /// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
 struct RingDisplacement {
   double x = 0, y = 0, z = 0;   ///< [m] ([m/s])
@@ -94,8 +96,10 @@ class BallRow {
 
   [[nodiscard]] const BallRowGeometry& geometry() const { return geometry_; }
   /// Axial and tilting motion of the ring taken as zero: the cheap form for rings that only translate.
-  void evaluate_translations(const BallRowInput& input, BallRowOutput& out) const;
-  void evaluate(const BallRowInput& input, BallRowOutput& out) const;
+  /// @param tractions  if given, what skidding needs besides, F_c being that of the cage's speed; with inertia of the
+  ///                   balls' own balance, without their damping
+  void evaluate_translations(const BallRowInput& input, BallRowOutput& out, RowTractions* tractions = nullptr) const;
+  void evaluate(const BallRowInput& input, BallRowOutput& out, RowTractions* tractions = nullptr) const;
   /// Load of every ball on the inner race [n_balls] [N]; with inertia without its damping.
   void ball_loads(const BallRowInput& input, std::span<double> load) const;
   /// Elastic energy sum 2/5 K delta^2.5 [J], of both contacts.
@@ -112,12 +116,13 @@ class BallRow {
     double A, radial, axial, arm;  // A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
   };
   template <class Kernel>
-  void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out) const;
+  void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
   void fill_added(const BallRowInput& input, double* added) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
   void place_balls(const BallRowInput& input, InertialBalls& balls) const;
   BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls) const;
-  void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out) const;
+  void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out, RowTractions* tractions) const;
+  [[nodiscard]] double centrifugal_force(const BallRowInput& input) const;
   [[nodiscard]] double penetration(const BallRowInput& input, int ball, double added) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added) const;
 

@@ -4,6 +4,7 @@
 
 #include "base/wide_vectors.h"
 #include "bearing/ball_row.h"
+#include "laws/skidding.h"
 
 namespace rotordrop {
 namespace {
@@ -121,7 +122,7 @@ BallWork BallRow::balance(const BallRowInput& in, double F_0, InertialBalls& w) 
   return balance_balls(inertial_, F_0, w, only_translates ? starts_.get() : nullptr);
 }
 
-void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutput& out) const {
+void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutput& out, RowTractions* tractions) const {
   InertialBalls w;
   const BallWork work = balance(in, F_0, w);
   sum_forces({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0., constants_.arm, geometry_.position,
@@ -138,6 +139,17 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   out.inertia_per_speed = work.per_force * 2. / in.ring_speed;  // F_0 goes with the square of the speed
   out.elastic_radial += work.per_radial;
   out.elastic_normal += 0.5 * work.per_ball_growth;
+
+  if (!tractions) return;
+  *tractions = {};
+  const double F_c = centrifugal_force(in);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j) {
+    const double T_g = gyroscopic_traction(F_c, w.o_x[j]);
+    tractions->inner_load += w.u_i[j] * w.u_i[j] * w.u_i[j];
+    tractions->outer_load += w.Q_o[j];
+    tractions->gyroscopic += T_g;
+    tractions->largest_gyroscopic_over_load = std::max(tractions->largest_gyroscopic_over_load, T_g / w.Q_o[j]);
+  }
 }
 
 }  // namespace rotordrop

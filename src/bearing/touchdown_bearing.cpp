@@ -9,12 +9,14 @@
 #include "bearing/touchdown_touch.h"
 #include "laws/ball_kinematics.h"
 #include "laws/bearing_friction.h"
+#include "laws/skidding.h"
 
 namespace rotordrop {
 
 struct TouchdownBearing::BallForces {
   BallForces() {}  // leaves the rows unwritten: only those that exist are
   std::array<BallRowOutput, max_rows> row;
+  std::array<RowTractions, max_rows> tractions;  // when asked for
   double force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
   double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
   double inertia_power = 0, inertia_per_speed = 0;
@@ -175,14 +177,15 @@ BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<cons
   return in;
 }
 
-TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& in) const {
+TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& in, bool with_tractions) const {
   BallForces sum;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     auto& row = sum.row[i];
+    RowTractions* tractions = with_tractions ? &sum.tractions[i] : nullptr;
     if (data_.free_ring)
-      rows_[i].evaluate(in, row);
+      rows_[i].evaluate(in, row, tractions);
     else
-      rows_[i].evaluate_translations(in, row);
+      rows_[i].evaluate_translations(in, row, tractions);
     sum.force_x += row.force_x;
     sum.moment_y += row.moment_y;
     sum.moment_z += row.moment_z;
@@ -235,7 +238,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   const Expansion grown = growth(in, y);
   const Touch t = touch(in, grown, y);
   const BallRowInput rows_in = row_input(grown, y);
-  const BallForces balls = ball_forces(rows_in);
+  const BallForces balls = ball_forces(rows_in, !out.observed.empty());
   out.force_on_rotor = t.on_rotor;
 
   const double ring_speed = y[ring_spin];
@@ -301,7 +304,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
       in.rotor_spin.speed * (bore_torque + t.shoulder_torque * data_.bore_radius / data_.rotor_radius);
   ledger[spin_up_centres] = t.centres_power;
 
-  if (!out.observed.empty()) observe(in, grown, y, t, balls, M_L, M_v, out.heat, out.observed);
+  if (!out.observed.empty()) observe(in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
   if (!out.observed_details.empty()) {
     std::size_t at = 0;
     for (const auto& row : rows_) {
@@ -359,7 +362,12 @@ std::vector<Observable> TouchdownBearing::observables() const {
       {"outer_heat_rate", "W", "friction heat of balls and outer race", 1, {}},
       growth_observable("expansion", "thermal and centrifugal growth"),
       {"row_axial_force", "N", "axial force of each row of balls on the inner ring", rows_.size(), row_names},
-      {"preload", "N", "what opposed rows hold against each other: the smaller of their axial forces", 1, {}}};
+      {"preload", "N", "what opposed rows hold against each other: the smaller of their axial forces", 1, {}},
+      {"skid_demand", "1", "traction that rolling and gyroscopic moments ask of the row, over what friction gives",
+       rows_.size(), row_names},
+      {"gyroscopic_demand", "1",
+       "traction that a ball's gyroscopic moment asks of the outer race, over what friction gives", rows_.size(),
+       row_names}};
   if (data_.free_ring)
     list.insert(list.end(), {{"axial_position", "m", "rotor and inner ring along the axis", 2, {"rotor", "ring"}},
                              {"ring_tilt", "rad", "rotation of the inner ring about y and z", 2, yz},
@@ -380,7 +388,7 @@ std::vector<Observable> TouchdownBearing::detailed_observables() const {
 
 void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, std::span<const double> y,
                                const Touch& touch, const BallForces& balls, double load_torque, double drag_torque,
-                               const HeatInput& heat, std::span<double> out) const {
+                               double ring_acceleration, const HeatInput& heat, std::span<double> out) const {
   std::size_t at = 0;
   const auto put = [&](std::initializer_list<double> values) {
     for (const double value : values) out[at++] = value;
@@ -414,6 +422,14 @@ void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, 
     (axial > 0. ? towards_plus : towards_minus) += std::fabs(axial);
   }
   put({rows_.size() > 1 ? std::min(towards_plus, towards_minus) : 0.});
+  const double mu = data_.race_friction_coefficient;
+  const double acceleration = 0.5 * data_.rows.front().pitch_diameter * cage_ratio_ * std::fabs(ring_acceleration);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto& row = rows_[i].geometry();
+    put({rolling_demand(balls.tractions[i], row.n_balls, row.ball_mass, acceleration, mu)});
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    put({traction_demand(balls.tractions[i].largest_gyroscopic_over_load, mu, 1.)});
   if (!data_.free_ring) return;
   put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.on_ring.x, touch.shoulder});
   put({touch.on_ring.moment_y, touch.on_ring.moment_z});

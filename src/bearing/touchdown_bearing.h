@@ -155,12 +155,12 @@ class TouchdownBearing final : public Support {
                                       std::span<const double> y) const;
   void touch_shoulders(const SupportInput& input, std::span<const double> y, Touch& sum) const;
   [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
-  [[nodiscard]] BallForces ball_forces(const BallRowInput& input) const;
+  [[nodiscard]] BallForces ball_forces(const BallRowInput& input, bool with_tractions) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;
   [[nodiscard]] double spin_drag(const BallRowInput& input) const;
   void observe(const SupportInput& input, const Expansion& growth, std::span<const double> y, const Touch& touch,
-               const BallForces& balls, double load_torque, double drag_torque, const HeatInput& heat,
-               std::span<double> out) const;
+               const BallForces& balls, double load_torque, double drag_torque, double ring_acceleration,
+               const HeatInput& heat, std::span<double> out) const;
 
   TouchdownBearingData data_;
   std::vector<BallRow> rows_;

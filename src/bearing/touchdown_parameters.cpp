@@ -246,9 +246,11 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
       {.fallback = "energy-consistent",
        .help =
            "Heat of the bearing's friction torque alone, or with the balls' spin moments as an additional torque."});
-  s.quantity("race_friction_coefficient", &P::race_friction_coefficient,
-             {.range = at_least(0),
-              .help = "Friction of balls and races in the spin moment; contact.friction_coefficient if not given."});
+  s.quantity(
+      "race_friction_coefficient", &P::race_friction_coefficient,
+      {.range = at_least(0),
+       .help = "Friction of balls and races in the spin moment and in what keeps the balls rolling (skid_demand); "
+               "contact.friction_coefficient if not given."});
 }
 
 /// @param path  name of the bearing's table, "bearings.TB1"

@@ -60,6 +60,26 @@ void FollowedRange::follow(double t, double f) {
   last = f;
 }
 
+void FollowedDemand::follow(double t, double demand, double speed) {
+  if (demand > largest) {
+    largest = demand;
+    largest_time = t;
+  }
+  if (std::isfinite(last_time_)) speed_change += std::fabs(speed - last_speed_);
+  const double high = std::max(demand, last_), low = std::min(demand, last_);
+  if (std::isfinite(last_time_) && high > 1.) {
+    const double share = low >= 1. ? 1. : (high - 1.) / (high - low);
+    const double beyond = share * (t - last_time_);
+    time_beyond += beyond;
+    speed_change_beyond += share * std::fabs(speed - last_speed_);
+    stretch_ = last_ > 1. ? stretch_ + beyond : beyond;
+    longest_beyond = std::max(longest_beyond, stretch_);
+  }
+  last_time_ = t;
+  last_ = demand;
+  last_speed_ = speed;
+}
+
 DropScalars::DropScalars(const Machine& machine) {
   std::map<std::string, std::pair<std::size_t, std::size_t>> where;  // name -> first column, size
   std::size_t at = 0;
@@ -75,11 +95,26 @@ DropScalars::DropScalars(const Machine& machine) {
       const auto found = where.find(prefix + name);
       return found == where.end() ? std::nullopt : std::optional(found->second.first);
     };
-    columns_.push_back({i, column("orbit"), column("penetration"), column("contact_force"), column("rub_heat_rate"),
-                        column("spin_lag"), column("load_torque"), column("spin_torque"), column("inner_heat_rate"),
-                        column("outer_heat_rate"), column("ring_speed"), column("ball_force"),
-                        column("contact_pressure"), where.at(prefix + "ball_force").second, column("clearance"),
-                        column("expansion"), column("preload"), column_of_free("axial_force"),
+    columns_.push_back({i,
+                        column("orbit"),
+                        column("penetration"),
+                        column("contact_force"),
+                        column("rub_heat_rate"),
+                        column("spin_lag"),
+                        column("load_torque"),
+                        column("spin_torque"),
+                        column("inner_heat_rate"),
+                        column("outer_heat_rate"),
+                        column("ring_speed"),
+                        column("ball_force"),
+                        column("contact_pressure"),
+                        where.at(prefix + "ball_force").second,
+                        column("clearance"),
+                        column("expansion"),
+                        column("preload"),
+                        column("skid_demand"),
+                        column("gyroscopic_demand"),
+                        column_of_free("axial_force"),
                         column_of_free("axial_position")});
   }
   scalars_.resize(columns_.size());
@@ -126,6 +161,13 @@ void DropScalars::follow(double t, std::span<const double> step) {
     s.clearance.follow(t, step[c.clearance]);
     for (std::size_t k = 0; k < s.growth.size(); ++k) s.growth[k].follow(t, step[c.growth + k]);
     s.preload.follow(t, step[c.preload]);
+    double skid = 0., gyroscopic = 0.;
+    for (std::size_t row = 0; row < c.n_rows; ++row) {
+      skid = std::max(skid, step[c.skid_demand + row]);
+      gyroscopic = std::max(gyroscopic, step[c.gyroscopic_demand + row]);
+    }
+    s.skid.follow(t, skid, step[c.ring_speed]);
+    s.gyroscopic.follow(t, gyroscopic, step[c.ring_speed]);
     if (c.axial_force) s.axial_force.follow(t, step[*c.axial_force]);
     if (c.axial_position) s.axial_position.follow(t, step[*c.axial_position]);
     s.ring_speed_end = step[c.ring_speed];

@@ -29,6 +29,24 @@ struct FollowedRange {
   void follow(double t, double f);
 };
 
+/// Balls that cannot follow changes of the ring's speed matter from this part of all its changes on; less happens in flight, when bare drag
+/// slows unloaded rings down.
+inline constexpr double relevant_speed_share = 0.05;
+
+/// How long a demand is above 1, by straight lines between steps, and what a ring's speed does meanwhile.
+struct FollowedDemand {
+  double largest = 0;                                              ///< at a step
+  double largest_time = std::numeric_limits<double>::quiet_NaN();  ///< [s]; never: nothing was asked
+  double time_beyond = 0;                                          ///< [s]
+  double longest_beyond = 0;                                       ///< at one stretch [s]
+  double speed_change = 0;         ///< sum of all the ring's changes of speed, up and down [rad/s]
+  double speed_change_beyond = 0;  ///< those meanwhile: so much at most can rolling be left behind [rad/s]
+  void follow(double t, double demand, double speed);
+
+ private:
+  double last_time_ = std::numeric_limits<double>::quiet_NaN(), last_ = 0, last_speed_ = 0, stretch_ = 0;
+};
+
 /// Scalars of one touchdown bearing, followed from step to step. NaN where something has not happened.
 struct BearingScalars {
   static constexpr double never = std::numeric_limits<double>::quiet_NaN();
@@ -47,6 +65,7 @@ struct BearingScalars {
   FollowedRange clearance;                                            ///< radial air gap [m]
   std::array<FollowedRange, growth_surfaces.size()> growth;           ///< of growth_surfaces [m]
   FollowedRange preload;                                              ///< of opposed rows [N]
+  FollowedDemand skid, gyroscopic;                                    ///< of the row that asks for most
   FollowedRange axial_force, axial_position;  ///< of rotor on ring [N], of the rotor [m]; of a free ring
   double ring_speed_end = never;              ///< [rad/s]
   // The last step, for crossings.
@@ -74,7 +93,8 @@ class DropScalars {
  private:
   struct Columns {
     std::size_t support, orbit, penetration, contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque,
-        inner_heat_rate, outer_heat_rate, ring_speed, ball_force, contact_pressure, n_rows, clearance, growth, preload;
+        inner_heat_rate, outer_heat_rate, ring_speed, ball_force, contact_pressure, n_rows, clearance, growth, preload,
+        skid_demand, gyroscopic_demand;
     std::optional<std::size_t> axial_force, axial_position;
   };
   std::vector<Columns> columns_;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bearing/touchdown_parameters.h"
+#include "study/drop_scalars.h"
 #include "study/report.h"
 
 namespace rotordrop {
@@ -96,6 +97,29 @@ void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
   }
 }
 
+void check_skidding(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name;
+  const double all = at(summary, key + "/skid/speed_change"), beyond = at(summary, key + "/skid/speed_change_beyond");
+  if (!std::isfinite(beyond)) {
+    checks.unknown(name + ": skidding", "not looked for in this run");
+    return;
+  }
+  const bool is_rolling = beyond <= relevant_speed_share * all;
+  checks.add(
+      name + ": skidding", is_rolling,
+      fmt::format("{}: for {:.4g} ms, {:.4g} ms at one stretch, friction at the races cannot keep all rows rolling; "
+                  "{:.3g} % of the ring's changes of speed fall into it{}",
+                  is_rolling ? "the balls can be taken as rolling" : "balls may skid",
+                  1e3 * at(summary, key + "/skid/time_beyond"), 1e3 * at(summary, key + "/skid/longest_beyond"),
+                  all > 0. ? 100. * beyond / all : 0., is_rolling ? "" : ", while the program takes them as rolling"));
+  const double pivoting = at(summary, key + "/gyroscopic/largest_demand");
+  if (pivoting > 0.)
+    checks.add(name + ": pivoting of balls", pivoting <= 1.,
+               fmt::format("their gyroscopic moments ask for up to {:.3g} times the friction at the outer race, beyond "
+                           "it for {:.4g} ms",
+                           pivoting, 1e3 * at(summary, key + "/gyroscopic/time_beyond")));
+}
+
 void check_temperatures(Checks& checks, const RecordedDrop& drop, const Json& comparison, const std::string& name) {
   double warmest = 0.;
   for (const char* node : {"inner_ring", "ball", "outer_ring"})
@@ -143,7 +167,10 @@ Json report_checks(const RecordedDrop& drop, const Json& summary, const Json& co
   for (const auto& [name, b] : drop.bearings()) {
     check_clearance(checks, drop, name);
     check_load(checks, drop, name, b, drop.pressure_paths(name));
-    if (!summary.is_null()) check_whirl(checks, summary, name);
+    if (!summary.is_null()) {
+      check_skidding(checks, summary, name);
+      check_whirl(checks, summary, name);
+    }
     check_temperatures(checks, drop, comparison, name);
   }
   if (!summary.is_null()) {

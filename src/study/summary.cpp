@@ -28,6 +28,13 @@ Json range(const FollowedRange& r) {
           {"end", json_number(r.last)}};
 }
 
+Json demand(const FollowedDemand& d) {
+  return {{"largest_demand", d.largest},
+          {"largest_demand_time", json_number(d.largest_time)},
+          {"time_beyond", d.time_beyond},
+          {"longest_beyond", d.longest_beyond}};
+}
+
 Json safety(double pressure) { return json_number(std::pow(static_pressure_limit / pressure, 3)); }
 
 Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::size_t i, std::span<const double> y,
@@ -62,6 +69,10 @@ Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::si
                          {"largest_contact_pressure_time", json_number(s.row_pressure[row].time)},
                          {"static_safety", safety(s.row_pressure[row].value)}});
   if (scalars.n_rows(i) > 1) j["preload"] = range(s.preload);
+  j["skid"] = demand(s.skid);
+  j["skid"]["speed_change"] = s.skid.speed_change;
+  j["skid"]["speed_change_beyond"] = s.skid.speed_change_beyond;
+  j["gyroscopic"] = demand(s.gyroscopic);
   j["clearance"] = range(s.clearance);
   for (std::size_t k = 0; k < growth_surfaces.size(); ++k) j["growth"][growth_surface_keys[k]] = range(s.growth[k]);
   if (scalars.is_free(i)) j["axial"] = {{"force", range(s.axial_force)}, {"rotor_position", range(s.axial_position)}};
@@ -79,6 +90,25 @@ Json spin_up_balance(const Machine& machine, std::size_t support, std::span<cons
                          machine.ledger(support, "inner heat", y) - machine.ledger(support, "outer heat", y) +
                          machine.ledger(support, "spin-up centres", y);
   return {{"slip_energy", balance}, {"residual", machine.ledger(support, "rub heat", y) - balance}};
+}
+
+/// Lines on balls that friction may not keep rolling, if any.
+std::string skid_text(const std::string& name, const Json& b) {
+  const std::string indent(name.size() + 2, ' ');
+  const auto number = [&](const char* part, const char* key) { return b[part][key].get<double>(); };
+  const double beyond = number("skid", "speed_change_beyond"), all = number("skid", "speed_change");
+  std::string text;
+  if (beyond > relevant_speed_share * all)
+    text += fmt::format(
+        "{}balls may skid: in {:.4g} ms, with {:.0f} % of the ring's changes of speed, friction at the races cannot "
+        "keep them rolling\n",
+        indent, number("skid", "time_beyond") * 1e3, 100. * beyond / all);
+  if (const double largest = number("gyroscopic", "largest_demand"); largest > 1.)
+    text += fmt::format(
+        "{}balls may pivot: their gyroscopic moments ask for up to {:.3g} times the friction at the outer race, "
+        "beyond it for {:.4g} ms\n",
+        indent, largest, number("gyroscopic", "time_beyond") * 1e3);
+  return text;
 }
 
 std::string rises_text(const Json& rise) {
@@ -188,6 +218,7 @@ std::string summary_text(const Json& j) {
         text += fmt::format(
             "{:{}}balls press on the races with {:.2f} GPa, beyond the static limit of {:.1f} GPa (ISO 76)\n", "",
             name.size() + 2, p * 1e-9, static_pressure_limit * 1e-9);
+      text += skid_text(name, b);
       if (b.contains("axial"))
         text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", name.size() + 2,
                             b["axial"]["force"]["smallest"].get<double>() * 1e-3,

@@ -272,6 +272,24 @@ class Trouble(SharedRun):
         self.assertEqual(check["state"], "warning")
         self.assertIn("up to 120 Hz, in 50 % of the contact time; full rub", check["text"])
 
+    def test_skidding_is_warned_of(self):
+        checks = self.report()[1]
+        self.assertEqual([checks[name]["state"] for name in ("TB1: skidding", "TB2: skidding", "TB2: pivoting of balls")], ["ok"] * 3)
+        self.assertNotIn("TB1: pivoting of balls", checks, "a deep-groove ball has no gyroscopic moment here")
+
+        def skid(summary):
+            summary["bearings"]["TB1"]["skid"].update(time_beyond=0.004, longest_beyond=0.003, speed_change=1000, speed_change_beyond=60)
+            summary["bearings"]["TB2"]["gyroscopic"].update(largest_demand=1.5, time_beyond=0.002)
+
+        self.edit("summary.json", skid)
+        checks = self.report("--force")[1]
+        self.assertEqual(checks["TB1: skidding"]["state"], "warning")
+        self.assertIn("for 4 ms, 3 ms at one stretch, friction at the races cannot keep all rows rolling; 6 % of", checks["TB1: skidding"]["text"])
+        self.assertEqual(checks["TB2: pivoting of balls"]["state"], "warning")
+        self.assertIn("up to 1.5 times", checks["TB2: pivoting of balls"]["text"])
+        self.edit("summary.json", lambda summary: summary["bearings"]["TB1"].pop("skid"))
+        self.assertEqual(self.report("--force")[1]["TB1: skidding"]["state"], "unknown")
+
     def test_lost_energy_is_warned_of(self):
         self.edit("summary.json", lambda summary: summary["energy"].update(residual=0.01 * summary["energy"]["dissipated"]))
         self.assertEqual(self.report()[1]["mechanical energy"]["state"], "warning")

@@ -63,6 +63,47 @@ class Results(ProgramTest):
                 self.assertGreaterEqual(bearing["largest_contact_pressure"], pressure.max())
                 self.assertAlmostEqual(bearing["static_safety"], (4.2e9 / bearing["largest_contact_pressure"]) ** 3, places=9)
 
+    def test_the_skid_demand_follows_from_the_rings_torque_and_the_balls_loads(self):
+        # TB1, phi = 0: Z T_i = 0.35 Z m r_i |omega_i'| on the inner race, mu times the sum of its loads against it; mu = 0.1 is the contact's.
+        summary = self.run_case(self.case(""), output="skid", run__end_time="40 ms", output__interval="20 us", output__detail_interval="20 us")
+        with h5py.File(self.folder / "skid/results.h5") as file:
+            tb1 = file["bearings/TB1"]
+            speed, drag = tb1["ring_speed"][()], tb1["load_torque"][()] + tb1["drag_torque"][()]
+            rate = (0.035 * tb1["friction_force"][()] - drag * numpy.tanh(speed / 2.0)) / 3.4e-4
+            d, d_m = 11.906e-3, 90e-3
+            asked = 14 * 0.35 * 3200 * numpy.pi / 6 * d**3 * (d_m - d) / 2 * numpy.abs(rate)
+            given = 0.1 * tb1["ball_loads"][()].sum(axis=1)
+            demand = tb1["skid_demand"][()]
+            expected = numpy.minimum(asked / numpy.maximum(given, 1e-300), 100)
+            # 1e-5 of the pressed balls: the recorded numbers are exact, those of a ball that is just touched lose digits.
+            numpy.testing.assert_allclose(demand, expected, rtol=1e-5, atol=1e-9)
+            self.assertGreater(numpy.count_nonzero((demand > 0) & (demand < 1)), 100)
+            self.assertGreater(numpy.count_nonzero(demand == 100), 10, "the ring bounces in its clearance")
+            numpy.testing.assert_array_equal(tb1["gyroscopic_demand"][()], 0)
+            # The balls' contact angle rises a little above 25 degrees; 0.2 tan(phi/2)/mu bounds their pivoting.
+            pivoting = file["bearings/TB2/gyroscopic_demand"][()]
+            self.assertEqual(pivoting.shape[1], 2)
+            self.assertLess(pivoting.max(), 2 * numpy.tan(numpy.radians(14)))
+            self.assertGreater(pivoting.max(), 2 * numpy.tan(numpy.radians(12)))
+            skid = summary["bearings"]["TB1"]["skid"]
+            self.assertEqual(skid["largest_demand"], 100)
+            self.assertAlmostEqual(skid["time_beyond"], 20e-6 * numpy.count_nonzero(demand > 1), delta=0.05 * skid["time_beyond"], msg="s; rows lie further apart than steps")
+            self.assertLessEqual(skid["longest_beyond"], skid["time_beyond"])
+            self.assertAlmostEqual(skid["speed_change"], numpy.abs(numpy.diff(speed)).sum(), delta=1e-3 * skid["speed_change"])
+            self.assertLess(skid["speed_change_beyond"], 0.02 * skid["speed_change"], "in flight bare drag acts")
+            self.assertAlmostEqual(summary["bearings"]["TB2"]["gyroscopic"]["largest_demand"], pivoting.max(), delta=1e-2 * pivoting.max())
+
+    def test_the_screen_warns_of_skidding_and_pivoting_balls_only(self):
+        fine = self.succeed("run", self.case(""), "-o", "fine").stdout
+        self.assertNotIn("balls may", fine)
+        # Little friction at the races: what drives the ring at 0.1 presses balls that have 0.004 to follow. 0.2 tan(12.5 deg)/0.03 = 1.48.
+        slippery = self.case("bearings.TB1.race_friction_coefficient = 0.004\nbearings.TB2.race_friction_coefficient = 0.03\n", "slippery.toml")
+        screen = self.succeed("run", slippery, "-o", "slippery").stdout
+        self.assertRegex(screen, r"TB1: .*\n.*\n     balls may skid: in [0-9.]+ ms, with [0-9]+ % of the ring's changes of speed, friction at the races cannot keep them rolling\nTB2")
+        found = re.search(r"balls may pivot: their gyroscopic moments ask for up to ([0-9.]+) times the friction at the outer race, beyond it for [0-9.]+ ms\n", screen)
+        self.assertAlmostEqual(float(found[1]), 1.48, delta=0.1)
+        self.assertGreater(self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change_beyond"], 0.5 * self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change"])
+
     def test_ranges_in_the_summary_are_those_of_the_series(self):
         summary = self.run_case(self.case(""), output="ranges")
         with h5py.File(self.folder / "ranges/results.h5") as file:

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "../../verification/bearing/test_bearings.h"
+#include "laws/ball_balance.h"
+#include "laws/skidding.h"
 
 namespace rotordrop {
 namespace {
@@ -151,6 +153,104 @@ TEST(TouchdownBearing, ReportsAsManyNumbersAsItAnnounces) {
       EXPECT_EQ(o.columns.size(), o.size > 1 || !o.columns.empty() ? o.size : 0u) << o.name;
     }
   }
+}
+
+// A ring in the middle of its balls, which all carry Q = preload / (Z sin phi), while the rotor rubs in the bore and spins it up.
+struct SpinningUp {
+  TB bearing;
+  std::vector<double> y = std::vector<double>(TB::n_state, 0.);
+  SupportInput in = journal_at(-260 * um, 0.);
+  explicit SpinningUp(const TouchdownBearingData& data, double ring_speed = 0.) : bearing(data) {
+    in.rotor_spin.speed = 1591.7;
+    y[TB::ring_spin] = ring_speed;
+  }
+  [[nodiscard]] double acceleration() const {
+    std::vector<double> rates(TB::n_state), ledger(TB::n_ledger);
+    SupportOutput out;
+    bearing.evaluate(in, y, rates, ledger, out);
+    return rates[TB::ring_spin];
+  }
+  [[nodiscard]] double reports(const std::string& name, std::size_t row = 0) const {
+    return observed(bearing, in, y, name, row);
+  }
+};
+
+TEST(TouchdownBearing, ReportsWhatSpinningUpAsksOfTheBallsFriction) {
+  const auto rows = angular_contact_pair(290.);
+  const BallRowGeometry& g = rows[0];
+  const SpinningUp up(touchdown("TB2", rows));
+  ASSERT_GT(up.acceleration(), 1e3) << "rad/s2";
+  const double A = 0.04 * g.ball_diameter, B_x = A * std::sin(25 * deg) + g.preload_offset,
+               B_r = A * std::cos(25 * deg);
+  const double sum_of_loads = 290. / (B_x / std::hypot(B_x, B_r));
+  const double cage = 0.5 * (1. - g.ball_diameter * std::cos(25 * deg) / g.pitch_diameter);
+  const double asked = 23 * 0.7 * g.ball_mass * 0.5 * g.pitch_diameter * cage * up.acceleration();
+  for (const std::size_t row : {0u, 1u}) {
+    EXPECT_NEAR(up.reports("skid_demand", row) / (asked / (0.1 * sum_of_loads)), 1., 1e-9)
+        << "preload is found to 1e-9";
+    EXPECT_EQ(up.reports("gyroscopic_demand", row), 0.) << "the balls do not travel yet";
+  }
+}
+
+TEST(TouchdownBearing, ReportsTheDemandOfBothRingMotions) {
+  auto data = touchdown("TB2", angular_contact_pair(290.));
+  const SpinningUp locked(data, 900.);
+  FreeRing ring;
+  ring.polar_inertia = ring.diametral_inertia = 1e-4;
+  ring.width = 0.032;
+  data.free_ring = ring;
+  SpinningUp free(data, 900.);
+  free.y.resize(TB::n_state_free, 0.);
+  std::vector<double> values(observed_size(free.bearing.observables())), rates(TB::n_state_free), ledger(TB::n_ledger);
+  SupportOutput out;
+  out.observed = values;
+  free.bearing.evaluate(free.in, free.y, rates, ledger, out);
+  std::size_t at = 0;
+  for (const auto& o : free.bearing.observables()) {
+    if (o.name == "skid_demand" || o.name == "gyroscopic_demand") {
+      ASSERT_GT(locked.reports(o.name), 0.) << o.name;
+      EXPECT_NEAR(values[at] / locked.reports(o.name), 1., 1e-9) << o.name;
+    }
+    at += o.size;
+  }
+}
+
+TEST(TouchdownBearing, AsksMoreThanThereIsOfBallsWithoutLoad) {
+  const SpinningUp up(touchdown("TB1", {deep_groove_row()}));
+  EXPECT_EQ(up.reports("skid_demand"), largest_traction_demand) << "the ring floats in its clearance";
+}
+
+TEST(TouchdownBearing, ReportsTheGyroscopicDemandOfItsBalls) {
+  const auto rows = angular_contact_pair(290.);
+  const BallRowGeometry& g = rows[0];
+  const double speed = 1500., orbit = speed * 0.5 * (1. - g.ball_diameter * std::cos(25 * deg) / g.pitch_diameter);
+  const double F_c = 0.5 * g.ball_mass * g.pitch_diameter * orbit * orbit;
+  const double A = 0.04 * g.ball_diameter,
+               phi = std::atan2(A * std::sin(25 * deg) + g.preload_offset, A * std::cos(25 * deg));
+  const double Q = 290. / 23 / std::sin(phi), outer = std::hypot(Q * std::sin(phi), Q * std::cos(phi) + F_c);
+  SpinningUp still(touchdown("TB2", rows), speed);
+  const double T_g = 0.4 * F_c * Q * std::sin(phi) / outer;
+  EXPECT_NEAR(still.reports("gyroscopic_demand") / (T_g / (0.1 * outer)), 1., 1e-9);
+  still.in.journal.y = 0.;  // out of contact, bare friction torque: the outer race has more to do than the inner one
+  const double T_o = 0.3 * g.ball_mass * 0.5 * g.pitch_diameter * orbit / speed * still.acceleration();
+  EXPECT_NEAR(still.reports("skid_demand") / (std::hypot(T_o, T_g) / (0.1 * outer)), 1., 1e-9);
+
+  auto data = touchdown("TB2", rows);
+  for (auto& r : data.rows) r.has_inertia = true;
+  const BallContacts contacts{g.inner.stiffness,      g.outer.stiffness, 0.02 * g.ball_diameter,
+                              0.02 * g.ball_diameter, g.ball_mass,       g.ball_diameter / g.pitch_diameter,
+                              g.pitch_diameter};
+  const auto ball =
+      ball_balance(contacts, A * std::sin(25 * deg) + g.preload_offset, A * std::cos(25 * deg), 0., speed);
+  const SpinningUp inertial(data, speed);
+  EXPECT_NEAR(inertial.reports("gyroscopic_demand") / (0.4 * F_c * ball.sin_o / ball.load_o / 0.1), 1., 1e-6)
+      << "rows are balanced to 2e-7";
+  const double rolling =
+      23 * 0.7 * g.ball_mass * 0.5 * g.pitch_diameter * orbit / speed * std::fabs(inertial.acceleration());
+  EXPECT_NEAR(inertial.reports("skid_demand") /
+                  std::max(rolling / (0.1 * 23 * ball.load_i),
+                           std::hypot(rolling * 3. / 7., 23 * 0.4 * F_c * ball.sin_o) / (0.1 * 23 * ball.load_o)),
+              1., 1e-6);
 }
 
 TEST(TouchdownBearing, ReportsTheSpinOfTheBallsUnderOuterRaceControl) {

@@ -1,0 +1,76 @@
+#pragma once
+// What rolling and gyroscopic moments ask of the friction between balls and races, outer ring at rest.
+//
+// One ball on the pitch radius r_m, carried round with omega_c, J_b = m d^2/10; t: its direction of travel, n: contact normal, both contacts in line,
+// a = n x t the axis about which it rolls, W = -Omega . a the part of its absolute spin along it. Tractions T_i, T_o of the races on the ball along +t:
+//   T_i + T_o = m r_m omega_c'                     orbit, no force from the cage
+//   (T_i - T_o) d/2 = J_b W'                       spin about a
+//   W d/2 = r_m omega_c                            rolling on the outer race, which stands
+// so T_i = 0.7 m r_m omega_c', T_o = 0.3 m r_m omega_c', whatever the contact angle. On the inner race, which moves with v = 2 r_m omega_c, T_i v is the
+// rate of m r_m^2 omega_c^2 / 2 + J_b W^2 / 2. A cage may move forces from ball to ball; the sums over a row stay.
+#include <cmath>
+
+namespace rotordrop {
+
+/// Tractions of the races on one ball along its direction of travel [N].
+struct RollingTractions {
+  double inner, outer;
+};
+/// Those that keep a ball rolling while its centre is accelerated along its path.
+/// Source: Newton's and Euler's equations of a solid sphere, above. Valid for both contacts in line; left out: friction torques of
+/// the bearing (rolling resistance, drag on the balls) and the small moment J_b omega_c' sin phi about the contact normal.
+/// @param ball_mass m [kg]; @param acceleration r_m omega_c' [m/s^2]
+inline RollingTractions rolling_tractions(double ball_mass, double acceleration) {
+  return {0.7 * ball_mass * acceleration, 0.3 * ball_mass * acceleration};
+}
+
+// Always inline: loops over balls are compiled for several kinds of machine, and such a loop calls what is compiled for the plain one.
+
+/// Outer contact of a ball.
+struct OuterContact {
+  double load;      ///< Q_o [N]
+  double sine;      ///< of the contact angle, 0 without load
+  double per_load;  ///< 1 / Q_o, finite without load [1/N]
+};
+/// The outer contact of a ball takes the inner one's load and the centrifugal force: Q_o n_o = Q_i n_i + F_c e_r.
+/// @param load, sine, cosine  Q_i [N] and the inner contact angle's; @param centrifugal_force F_c [N], >= 0
+[[gnu::always_inline]] inline OuterContact outer_contact(double load, double sine, double cosine,
+                                                         double centrifugal_force) {
+  const double axial = load * sine, radial = load * cosine + centrifugal_force;
+  const double square = axial * axial + radial * radial;
+  constexpr double nothing = 1e-200;  // [N^2], added instead of asked for, so that loops over balls become vectors
+  const double inverse = 1. / std::sqrt(square + nothing);
+  return {square * inverse, axial * inverse, inverse};
+}
+
+/// Friction across the rolling direction that keeps the axis of a ball turning with its orbit [N]:
+///   T_g = 2 M_g / d = 0.4 F_c sin phi_o, all of it at the outer race (outer-race control; laws/ball_balance.h).
+/// In line contacts with outer_contact() it is at most 0.2 tan(phi_i / 2) of the outer load, reached where Q_i = F_c.
+/// @param centrifugal_force F_c [N]; @param outer_sine sin phi_o
+[[gnu::always_inline]] inline double gyroscopic_traction(double centrifugal_force, double outer_sine) {
+  return 0.4 * centrifugal_force * std::fabs(outer_sine);
+}
+
+/// Loads of a row's contacts and the gyroscopic tractions at them.
+struct RowTractions {
+  double inner_load = 0, outer_load = 0;    ///< sums over the balls [N]
+  double gyroscopic = 0;                    ///< sum of T_g [N]
+  double largest_gyroscopic_over_load = 0;  ///< largest T_g / Q_o of a ball
+};
+
+/// What is reported where friction gives nothing, or less than a hundredth of what is asked.
+inline constexpr double largest_traction_demand = 100.;
+
+/// Traction asked for over the most that friction gives, mu Q: 0 where nothing is asked, at most largest_traction_demand.
+/// @param traction [N], >= 0; @param friction_coefficient mu, >= 0; @param load Q [N], >= 0
+double traction_demand(double traction, double friction_coefficient, double load);
+
+/// Demand of a row's rolling: the larger of
+///   inner race  Z T_i / (mu sum Q_i)
+///   outer race  sqrt((Z T_o)^2 + (sum T_g)^2) / (mu sum Q_o)
+/// Above 1 the row's balls together cannot be kept rolling. Below 1 they can if the cage shares forces out.
+/// @param n_balls Z; @param acceleration r_m |omega_c'| [m/s^2]
+double rolling_demand(const RowTractions& row, int n_balls, double ball_mass, double acceleration,
+                      double friction_coefficient);
+
+}  // namespace rotordrop
