@@ -132,7 +132,7 @@ class Results(ProgramTest):
         self.assertEqual(sorted(content_of(self.folder / "taken")), ["preload.json"])
 
     def test_a_case_of_heat_that_is_dropped_is_a_drop(self):
-        self.run_case(self.case('[heat]\nbearing = "TB1"\noutput_times = ["1 ms"]\n'), output="dropped", run__end_time="0.2 ms")
+        self.run_case(self.case('[heat]\nbearing = "TB1"\noutput_times = ["1 ms"]\n[[heat.source]]\nport = "inner"\nvalues = ["1 W"]\ntimes = ["0 s"]\n'), output="dropped", run__end_time="0.2 ms")
         self.succeed("report", "dropped")
 
     def test_a_run_writes_results_summary_and_parameters(self):
