@@ -150,7 +150,9 @@ class Interruption(ProgramTest):
             self.assertEqual(code, 130, err)
         else:
             self.resume(*odd)
-        self.assert_equals_an_uninterrupted_run(*odd, roundoff=1e-14)
+        # Places differ by 1e-16 of themselves; balls of 100 um displacement are pressed by a hundredth of that, so their loads by some 1e-14, and by how much
+        # depends on where the run was stopped.
+        self.assert_equals_an_uninterrupted_run(*odd, roundoff=1e-12)
 
     def test_a_run_with_error_control_resumes_to_the_same_result(self):
         # Its steps start anew at the checkpoint, so it is not the same bit for bit: within the tolerance instead.
