@@ -1,86 +1,31 @@
-#include <cvodes/cvodes.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include <algorithm>
-#include <vector>
-
-#include "base/errors.h"
 #include "integrate/methods.h"
-#include "integrate/sundials_problem.h"
+#include "integrate/multistep.h"
 
 namespace rotordrop {
 namespace {
 
-/// Adams-Moulton of variable order and step (CVODES), corrected by functional iteration: no Jacobian.
-class Adams final : public Integrator {
+/// Adams-Moulton, corrected by functional iteration: no Jacobian.
+class Adams final : public Multistep {
  public:
   Adams(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
         std::span<const double> state, double end_time)
-      : problem_(system, state, parameters.tolerance), time_(start_time), end_time_(end_time) {
-    memory_ = CVodeCreate(CV_ADAMS, problem_.context());
+      : Multistep(CV_ADAMS, system, parameters.tolerance, start_time, state, end_time) {
     solver_ = SUNNonlinSol_FixedPoint(problem_.state(), 0, problem_.context());
-    bool good = memory_ != nullptr && solver_ != nullptr;
-    const auto check = [&](int code) { good = good && code == 0; };
-    check(CVodeSetErrHandlerFn(memory_, SundialsProblem::take_message, &problem_));
-    check(CVodeInit(memory_, SundialsProblem::right_hand_side, start_time, problem_.state()));
-    check(CVodeSetUserData(memory_, &problem_));
-    check(CVodeSVtolerances(memory_, parameters.tolerance, problem_.absolute_tolerance()));
+    check(solver_ ? 0 : -1);
     check(CVodeSetNonlinearSolver(memory_, solver_));
     check(CVodeSetMaxStep(memory_, step_or_bound(parameters)));
     check(CVodeSetMinStep(memory_, shortest_step * step_or_bound(parameters)));
-    check(CVodeSetMaxNumSteps(memory_, -1));
-    check(CVodeSetMaxHnilWarns(memory_, -1));
-    check(CVodeSetStopTime(memory_, end_time));
-    if (!good) throw SolverError("the Adams integrator could not be set up");
+    require_good("the Adams integrator");
   }
   ~Adams() override {
-    CVodeFree(&memory_);
+    free_memory();
     SUNNonlinSolFree(solver_);
   }
 
-  [[nodiscard]] double time() const override { return time_; }
-  [[nodiscard]] std::span<const double> state() const override { return problem_.values(); }
-
-  void advance() override {
-    const int code = CVode(memory_, end_time_, problem_.state(), &time_, CV_ONE_STEP);
-    if (code >= 0) return;
-    double step = 0.;
-    CVodeGetCurrentStep(memory_, &step);
-    problem_.fail(code, time_, step, weighted_error());
-  }
-
-  void offer_rates(std::span<const double>) override {}  // its next evaluation is at the predicted state
-  [[nodiscard]] bool uses_offered_rates() const override { return false; }
-
-  void interpolate(double t, std::span<double> y) const override {
-    const int code = CVodeGetDky(memory_, t, 0, problem_.scratch());
-    if (code != 0) throw SolverError("a time outside the last step was asked for");
-    std::copy_n(NV_DATA_S(problem_.scratch()), y.size(), y.begin());
-  }
-
-  [[nodiscard]] IntegrationStatistics statistics() const override {
-    IntegrationStatistics s;
-    CVodeGetNumSteps(memory_, &s.steps);
-    CVodeGetNumErrTestFails(memory_, &s.rejected_steps);
-    s.rhs_evaluations = problem_.rhs_evaluations();
-    return s;
-  }
-
  private:
-  [[nodiscard]] std::vector<double> weighted_error() const {
-    N_Vector error = problem_.clone(), weight = problem_.clone();
-    std::vector<double> product(problem_.values().size());
-    if (CVodeGetEstLocalErrors(memory_, error) == 0 && CVodeGetErrWeights(memory_, weight) == 0)
-      for (std::size_t i = 0; i < product.size(); ++i) product[i] = NV_DATA_S(error)[i] * NV_DATA_S(weight)[i];
-    N_VDestroy(error);
-    N_VDestroy(weight);
-    return product;
-  }
-
-  SundialsProblem problem_;
-  void* memory_ = nullptr;
   SUNNonlinearSolver solver_ = nullptr;
-  double time_, end_time_;
 };
 
 }  // namespace

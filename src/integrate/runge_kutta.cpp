@@ -1,6 +1,5 @@
 #include <arkode/arkode_arkstep.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -64,7 +63,7 @@ class RungeKutta final : public Integrator {
     const int code = ARKStepEvolve(memory_, end_time_, problem_.state(), &time_, ARK_ONE_STEP);
     if (code < 0) {
       std::vector<double> error;
-      if (!fixed_) error = weighted_error();
+      if (!fixed_) error = problem_.weighted_error(memory_, ARKStepGetEstLocalErrors, ARKStepGetErrWeights);
       double step = 0.;
       ARKStepGetCurrentStep(memory_, &step);
       problem_.fail(code, time_, step, error);
@@ -80,9 +79,7 @@ class RungeKutta final : public Integrator {
   [[nodiscard]] bool uses_offered_rates() const override { return true; }
 
   void interpolate(double t, std::span<double> y) const override {
-    const int code = ARKStepGetDky(memory_, t, 0, problem_.scratch());
-    if (code != 0) throw SolverError("a time outside the last step was asked for");
-    std::copy_n(NV_DATA_S(problem_.scratch()), y.size(), y.begin());
+    problem_.take_interpolated(ARKStepGetDky(memory_, t, 0, problem_.scratch()), y);
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const override {
@@ -94,16 +91,6 @@ class RungeKutta final : public Integrator {
   }
 
  private:
-  [[nodiscard]] std::vector<double> weighted_error() const {
-    N_Vector error = problem_.clone(), weight = problem_.clone();
-    std::vector<double> product(problem_.values().size());
-    if (ARKStepGetEstLocalErrors(memory_, error) == 0 && ARKStepGetErrWeights(memory_, weight) == 0)
-      for (std::size_t i = 0; i < product.size(); ++i) product[i] = NV_DATA_S(error)[i] * NV_DATA_S(weight)[i];
-    N_VDestroy(error);
-    N_VDestroy(weight);
-    return product;
-  }
-
   SundialsProblem problem_;
   void* memory_ = nullptr;
   double time_, end_time_ = 0;

@@ -99,6 +99,21 @@ void SundialsProblem::check_finite(double t) const {
                   t * 1e3, not_finite(values())));
 }
 
+std::vector<double> SundialsProblem::weighted_error(void* memory, GetVector errors, GetVector weights) const {
+  N_Vector error = N_VClone(state_), weight = N_VClone(state_);
+  std::vector<double> product(n_);
+  if (errors(memory, error) == 0 && weights(memory, weight) == 0)
+    for (std::size_t i = 0; i < n_; ++i) product[i] = NV_DATA_S(error)[i] * NV_DATA_S(weight)[i];
+  N_VDestroy(error);
+  N_VDestroy(weight);
+  return product;
+}
+
+void SundialsProblem::take_interpolated(int code, std::span<double> y) const {
+  if (code != 0) throw SolverError("a time outside the last step was asked for");
+  std::copy_n(NV_DATA_S(scratch_), y.size(), y.begin());
+}
+
 void SundialsProblem::fail(int, double t, double step, std::span<const double> weighted_error) const {
   if (exception_) std::rethrow_exception(exception_);
   if (!bad_rates_.empty())

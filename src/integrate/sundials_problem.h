@@ -35,8 +35,12 @@ class SundialsProblem {
   [[nodiscard]] long rhs_evaluations() const { return rhs_evaluations_; }
   /// A vector for SUNDIALS to write to, apart from the state.
   [[nodiscard]] N_Vector scratch() const { return scratch_; }
-  [[nodiscard]] N_Vector clone() const { return N_VClone(state_); }
 
+  /// Errors of the last test over what the tolerance allows [n]; zeros if the method cannot tell.
+  using GetVector = int (*)(void* memory, N_Vector);
+  [[nodiscard]] std::vector<double> weighted_error(void* memory, GetVector errors, GetVector weights) const;
+  /// Copies what `code` says was found in scratch(). @throws SolverError for a time outside the last step
+  void take_interpolated(int code, std::span<double> y) const;
   /// Throws for a failed step: the kept exception if there is one, else a SolverError that names time, step, cause and components.
   /// @param weighted_error  [n] of the last error test; empty if the method has none
   [[noreturn]] void fail(int code, double t, double step, std::span<const double> weighted_error) const;
