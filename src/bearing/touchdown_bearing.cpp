@@ -90,68 +90,6 @@ Expansion TouchdownBearing::growth(const SupportInput& in, std::span<const doubl
   return growth;
 }
 
-TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, const Expansion& growth,
-                                                    std::span<const double> y, const Bodies& at) const {
-  Contact c;
-  const double ey = at.y, ez = at.z, vy = at.vy, vz = at.vz;
-  const double distance = std::sqrt(ey * ey + ez * ez);
-  // Concentric rings have no direction; they do not touch either.
-  c.n_y = distance > 0. ? ey / distance : -1.;
-  c.n_z = distance > 0. ? ez / distance : 0.;
-  c.rate = vy * c.n_y + vz * c.n_z;
-  c.tangential_speed = vz * c.n_y - vy * c.n_z;
-  c.centres_turning = distance > 0. ? c.tangential_speed / distance : 0.;
-  c.slip_speed = in.rotor_spin.speed * data_.rotor_radius - y[ring_spin] * data_.bore_radius + c.tangential_speed;
-  c.penetration = distance - (data_.air_gap + growth.bore - growth.shaft);
-  if (!data_.bore_waves.empty() && distance > 0.) {
-    const double angle = std::atan2(ez, ey) - y[ring_angle];
-    const double angle_rate = c.centres_turning - y[ring_spin];
-    for (const auto& w : data_.bore_waves) {
-      c.penetration += w.amplitude * std::sin(w.order * angle + w.phase);
-      c.wave_rate += w.amplitude * w.order * angle_rate * std::cos(w.order * angle + w.phase);
-    }
-  }
-  // Written so that a penetration that is not a number goes on into the force and is found.
-  if (!(c.penetration <= 0.)) {
-    c.elastic = data_.contact.K * std::pow(c.penetration, data_.contact.n);
-    c.normal = data_.contact.total(c.elastic, c.rate);
-    c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
-    const double per_slip = data_.friction.per_speed(c.slip_speed * c.slip_speed + c.slip_x * c.slip_x) * c.normal;
-    c.friction = per_slip * c.slip_speed;
-    c.friction_x = per_slip * c.slip_x;
-  }
-  return c;
-}
-
-// A ring that only translates takes no axial force and no moments.
-TouchdownBearing::Touch TouchdownBearing::touch(const SupportInput& in, const Expansion& growth,
-                                                std::span<const double> y) const {
-  if (data_.free_ring) return touch_free_ring(in, growth, y);
-  Touch t;
-  t.middle = contact(in, growth, y,
-                     {.y = in.journal.y - y[ring_y],
-                      .z = in.journal.z - y[ring_z],
-                      .vy = in.journal.velocity_y - y[ring_vy],
-                      .vz = in.journal.velocity_z - y[ring_vz]});
-  const Contact& c = t.middle;
-  // On the ring: N n + F_t t, with t = x cross n = (-n_z, n_y).
-  t.on_ring.y = c.normal * c.n_y - c.friction * c.n_z;
-  t.on_ring.z = c.normal * c.n_z + c.friction * c.n_y;
-  t.on_ring.torque = c.friction * data_.bore_radius;
-  t.on_rotor.y = -t.on_ring.y;
-  t.on_rotor.z = -t.on_ring.z;
-  t.on_rotor.torque = -c.friction * data_.rotor_radius;
-  t.elastic = c.elastic;
-  t.normal = c.normal;
-  t.friction = c.friction;
-  t.rub_heat = c.friction * c.slip_speed;
-  t.damping = (c.normal - c.elastic) * c.rate;
-  t.wave_power = c.elastic * c.wave_rate;
-  t.centres_power = c.friction * c.tangential_speed;
-  t.is_touching = c.penetration > 0.;
-  return t;
-}
-
 BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<const double> y) const {
   BallRowInput in;
   in.displacement.y = y[ring_y] - y[support_y];

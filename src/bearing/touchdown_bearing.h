@@ -146,11 +146,11 @@ class TouchdownBearing final : public Support {
   struct BallForces;  // sums over the rows
   /// Thermal and centrifugal.
   [[nodiscard]] Expansion growth(const SupportInput& input, std::span<const double> y) const;
+  /// @param x  along the bore, from the ring's middle [m]
+  [[nodiscard]] Bodies bodies(const Motion& journal, std::span<const double> y, double x) const;
   [[nodiscard]] Contact contact(const SupportInput& input, const Expansion& growth, std::span<const double> y,
                                 const Bodies& at) const;
   [[nodiscard]] Touch touch(const SupportInput& input, const Expansion& growth, std::span<const double> y) const;
-  [[nodiscard]] Touch touch_free_ring(const SupportInput& input, const Expansion& growth,
-                                      std::span<const double> y) const;
   [[nodiscard]] double contact_energy(const SupportInput& input, const Expansion& growth,
                                       std::span<const double> y) const;
   void touch_shoulders(const SupportInput& input, std::span<const double> y, Touch& sum) const;

@@ -1,5 +1,5 @@
 #pragma once
-// How the rotor touches an inner ring: what touchdown_bearing.cpp and free_ring.cpp share.
+// How the rotor touches an inner ring: what touchdown_bearing.cpp and touchdown_touch.cpp share.
 #include "bearing/touchdown_bearing.h"
 
 namespace rotordrop {

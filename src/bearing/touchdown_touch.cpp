@@ -1,9 +1,10 @@
-// Rotor against an inner ring that tilts and moves along its axis: the bore in slices along its width, shoulders of the rotor beside its faces.
+// Rotor against the inner ring: the bore, at its middle or in slices along its width, and shoulders of the rotor beside the ring's faces.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "bearing/touchdown_touch.h"
 
@@ -16,6 +17,16 @@ struct Slice {
 /// Gauss' three points: they integrate a pressure that changes linearly along the bore, and its moment, exactly.
 const std::array<Slice, 3> slices = {
     {{0., 4. / 9.}, {-0.5 * std::sqrt(0.6), 5. / 18.}, {0.5 * std::sqrt(0.6), 5. / 18.}}};
+
+/// Of a ring that only translates: no axial force, no moments.
+constexpr std::array<Slice, 1> middle = {{{0., 1.}}};
+struct Bore {
+  std::span<const Slice> slices;
+  double width;
+};
+Bore bore_of(const TouchdownBearingData& data) {
+  return data.free_ring ? Bore{slices, data.free_ring->width} : Bore{middle, 0.};
+}
 
 /// A shoulder meets the ring's face at so many places around it.
 constexpr std::size_t n_around = 8;
@@ -31,44 +42,83 @@ const std::array<Direction, n_around> around = [] {
   return directions;
 }();
 
-/// A force at the point (x, y, z) from a body's centre.
-void add_force(Force& to, double x, double y, double z, double f_x, double f_y, double f_z) {
+/// A force at the point (x, y, z) from a body's centre, with its torque about x.
+void add_force(Force& to, double x, double y, double z, double f_x, double f_y, double f_z, double torque) {
   to.x += f_x;
   to.y += f_y;
   to.z += f_z;
   to.moment_y += z * f_x - x * f_z;
   to.moment_z += x * f_y - y * f_x;
-  to.torque += y * f_z - z * f_y;
+  to.torque += torque;
 }
 
 }  // namespace
 
-TouchdownBearing::Touch TouchdownBearing::touch_free_ring(const SupportInput& in, const Expansion& growth,
-                                                          std::span<const double> y) const {
-  const Motion& j = in.journal;
-  const double r_r = data_.rotor_radius, r_b = data_.bore_radius;
+TouchdownBearing::Bodies TouchdownBearing::bodies(const Motion& j, std::span<const double> y, double x) const {
+  Bodies at{j.y - y[ring_y], j.z - y[ring_z], j.velocity_y - y[ring_vy], j.velocity_z - y[ring_vz]};
+  if (!data_.free_ring) return at;
   // A point at x on the axis of a body with the tilts psi is displaced by psi x r = x (psi_z, -psi_y).
-  const double slope_y = j.theta_z - y[tilt_z], slope_z = y[tilt_y] - j.theta_y;
-  const double slope_rate_y = j.tilt_rate_z - y[tilt_rate_z], slope_rate_z = y[tilt_rate_y] - j.tilt_rate_y;
+  at.y += x * (j.theta_z - y[tilt_z]);
+  at.z += x * (y[tilt_y] - j.theta_y);
+  at.vy += x * (j.tilt_rate_z - y[tilt_rate_z]);
+  at.vz += x * (y[tilt_rate_y] - j.tilt_rate_y);
+  at.vx = j.velocity_x - y[ring_vx];
+  at.rolling_y = data_.rotor_radius * j.tilt_rate_y - data_.bore_radius * y[tilt_rate_y];
+  at.rolling_z = data_.rotor_radius * j.tilt_rate_z - data_.bore_radius * y[tilt_rate_z];
+  return at;
+}
+
+TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, const Expansion& growth,
+                                                    std::span<const double> y, const Bodies& at) const {
+  Contact c;
+  const double ey = at.y, ez = at.z, vy = at.vy, vz = at.vz;
+  const double distance = std::sqrt(ey * ey + ez * ez);
+  // Concentric rings have no direction; they do not touch either.
+  c.n_y = distance > 0. ? ey / distance : -1.;
+  c.n_z = distance > 0. ? ez / distance : 0.;
+  c.rate = vy * c.n_y + vz * c.n_z;
+  c.tangential_speed = vz * c.n_y - vy * c.n_z;
+  c.centres_turning = distance > 0. ? c.tangential_speed / distance : 0.;
+  c.slip_speed = in.rotor_spin.speed * data_.rotor_radius - y[ring_spin] * data_.bore_radius + c.tangential_speed;
+  c.penetration = distance - (data_.air_gap + growth.bore - growth.shaft);
+  if (!data_.bore_waves.empty() && distance > 0.) {
+    const double angle = std::atan2(ez, ey) - y[ring_angle];
+    const double angle_rate = c.centres_turning - y[ring_spin];
+    for (const auto& w : data_.bore_waves) {
+      c.penetration += w.amplitude * std::sin(w.order * angle + w.phase);
+      c.wave_rate += w.amplitude * w.order * angle_rate * std::cos(w.order * angle + w.phase);
+    }
+  }
+  // Written so that a penetration that is not a number goes on into the force and is found.
+  if (!(c.penetration <= 0.)) {
+    c.elastic = data_.contact.K * std::pow(c.penetration, data_.contact.n);
+    c.normal = data_.contact.total(c.elastic, c.rate);
+    c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
+    const double per_slip = data_.friction.per_speed(c.slip_speed * c.slip_speed + c.slip_x * c.slip_x) * c.normal;
+    c.friction = per_slip * c.slip_speed;
+    c.friction_x = per_slip * c.slip_x;
+  }
+  return c;
+}
+
+TouchdownBearing::Touch TouchdownBearing::touch(const SupportInput& in, const Expansion& growth,
+                                                std::span<const double> y) const {
+  const double r_r = data_.rotor_radius, r_b = data_.bore_radius;
   Touch t;
   double deepest = -std::numeric_limits<double>::infinity();
-  for (const Slice& slice : slices) {
-    const double x = slice.place * data_.free_ring->width;
-    const Bodies at{j.y - y[ring_y] + x * slope_y,
-                    j.z - y[ring_z] + x * slope_z,
-                    j.velocity_y - y[ring_vy] + x * slope_rate_y,
-                    j.velocity_z - y[ring_vz] + x * slope_rate_z,
-                    j.velocity_x - y[ring_vx],
-                    r_r * j.tilt_rate_y - r_b * y[tilt_rate_y],
-                    r_r * j.tilt_rate_z - r_b * y[tilt_rate_z]};
-    const Contact c = contact(in, growth, y, at);
+  const Bore bore = bore_of(data_);
+  for (const Slice& slice : bore.slices) {
+    const double x = slice.place * bore.width;
+    const Contact c = contact(in, growth, y, bodies(in.journal, y, x));
     if (slice.place == 0.) t.middle = c;
-    deepest = std::max(deepest, c.penetration);
+    // Unlike std::max, a penetration that is not a number goes on.
+    if (!(c.penetration <= deepest)) deepest = c.penetration;
+    // On the ring: N n + F_t t, with t = x cross n = (-n_z, n_y).
     const double normal = slice.share * c.normal, friction = slice.share * c.friction;
     const double f_x = slice.share * c.friction_x;
     const double f_y = normal * c.n_y - friction * c.n_z, f_z = normal * c.n_z + friction * c.n_y;
-    add_force(t.on_ring, x, r_b * c.n_y, r_b * c.n_z, f_x, f_y, f_z);
-    add_force(t.on_rotor, x, r_r * c.n_y, r_r * c.n_z, -f_x, -f_y, -f_z);
+    add_force(t.on_ring, x, r_b * c.n_y, r_b * c.n_z, f_x, f_y, f_z, friction * r_b);
+    add_force(t.on_rotor, x, r_r * c.n_y, r_r * c.n_z, -f_x, -f_y, -f_z, -friction * r_r);
     t.elastic += slice.share * c.elastic;
     t.normal += normal;
     t.friction += friction;
@@ -79,7 +129,7 @@ TouchdownBearing::Touch TouchdownBearing::touch_free_ring(const SupportInput& in
     t.is_touching |= c.penetration > 0.;
   }
   t.middle.penetration = deepest;  // a tilted journal touches at an end first
-  touch_shoulders(in, y, t);
+  if (data_.free_ring) touch_shoulders(in, y, t);
   return t;
 }
 
@@ -103,10 +153,11 @@ void TouchdownBearing::touch_shoulders(const SupportInput& in, std::span<const d
       const double slip_y = v_y - spinning * r * s, slip_z = v_z + spinning * r * c;
       const double per_slip = data_.friction.per_speed(slip_y * slip_y + slip_z * slip_z) * normal;
       const double f_x = -shoulder.side * normal, f_y = per_slip * slip_y, f_z = per_slip * slip_z;
-      add_force(sum.on_ring, face, r * c, r * s, f_x, f_y, f_z);
-      add_force(sum.on_rotor, face, r * c, r * s, -f_x, -f_y, -f_z);
+      const double torque = r * (c * f_z - s * f_y);
+      add_force(sum.on_ring, face, r * c, r * s, f_x, f_y, f_z, torque);
+      add_force(sum.on_rotor, face, r * c, r * s, -f_x, -f_y, -f_z, -torque);
       sum.shoulder += f_x;
-      sum.shoulder_torque += r * (c * f_z - s * f_y);
+      sum.shoulder_torque += torque;
       sum.rub_heat += f_y * slip_y + f_z * slip_z;
       sum.centres_power += f_y * v_y + f_z * v_z;
       sum.damping += (normal - elastic) * rate;
@@ -117,15 +168,12 @@ void TouchdownBearing::touch_shoulders(const SupportInput& in, std::span<const d
 
 double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion& growth,
                                         std::span<const double> y) const {
-  if (!data_.free_ring) return data_.contact.energy(touch(in, growth, y).middle.penetration);
   const Motion& j = in.journal;
+  const Bore bore = bore_of(data_);
   double U = 0.;
-  for (const Slice& slice : slices) {
-    const double x = slice.place * data_.free_ring->width;
-    const Bodies at{.y = j.y - y[ring_y] + x * (j.theta_z - y[tilt_z]),
-                    .z = j.z - y[ring_z] - x * (j.theta_y - y[tilt_y])};
-    U += slice.share * data_.contact.energy(contact(in, growth, y, at).penetration);
-  }
+  for (const Slice& slice : bore.slices)
+    U += slice.share * data_.contact.energy(contact(in, growth, y, bodies(j, y, slice.place * bore.width)).penetration);
+  if (!data_.free_ring) return U;
   const double r = data_.free_ring->shoulder_radius;
   for (const Shoulder& shoulder : data_.free_ring->shoulders)
     for (const auto& [c, s] : around) {
