@@ -114,7 +114,7 @@ TEST(PreloadOfThePair, RunsAwayWhenThePeerDoes) {
 
 TEST(PreloadOfThePair, TheGainIsThatOfAssumedAndPredictedHeat) {
   for (const char* model : {"quasi-static", "inertial"})
-    for (const char* heat_kind : {"energy-consistent", "with-spin"}) {
+    for (const char* heat_kind : {"energy-consistent", "with-spin", "ball-speed"}) {
       const Case c = reference({"preload.speed=2000 rpm", std::string("bearings.TB2.ball_model=") + model,
                                 std::string("bearings.TB2.internal_heat=") + heat_kind,
                                 "preload.force=[\"40 N\", \"-100 N\", \"30 N\"]"});
