@@ -14,9 +14,9 @@ RULES = {
     "value": f"""A number. The band is the paper's value and the claim's width on either side. The spread is lowest to highest over the reference and all runs in which one unknown is changed.
 <ol><li><b>{REPRODUCED}</b>: the reference lies in the band, and no unknown moves our number out of a factor {MAGNITUDE} of the paper's;</li>
 <li><b>{NOT_DECIDABLE}</b>: the spread reaches the band, or crosses it, but the first rule does not hold: what the paper does not say decides. Also, whenever the number was used to fit a parameter of the reference case and the spread
-over that parameter is what reaches the band: to meet it proves nothing. And where the band reaches zero, as that of a last digit;</li>
+over that parameter is what reaches the band: to meet it proves nothing; likewise what the reference case was made to have. And where the band reaches zero, as that of a last digit;</li>
 <li><b>{IN_TREND}</b>: the spread does not reach the band, but the reference is within a factor {MAGNITUDE} of the paper's;</li>
-<li><b>{CONTRADICTED}</b>: neither the reference nor any run comes near.</li></ol>""",
+<li><b>{CONTRADICTED}</b>: neither the reference nor any run comes within a factor {MAGNITUDE}; where only a run with an unknown changed does, <b>{NOT_DECIDABLE}</b>.</li></ol>""",
     "holds": f"""A claim that a run meets or does not (an order, a sign, a bound with its number in the claim).
 <ol><li><b>{REPRODUCED}</b>: it holds in the reference and in every run with an unknown changed;</li>
 <li><b>{IN_TREND}</b>: it holds in the reference and in at least two thirds of these runs;</li>
@@ -70,6 +70,8 @@ def of_value(paper, reference, runs, width, fitted=()):
         return Verdict(NOT_DECIDABLE, f"the reference is outside the band, but the spread reaches it by: {reached_by}")
     if is_near(reference):
         return Verdict(IN_TREND, f"outside the band for all unknowns, but within a factor {MAGNITUDE}")
+    if any(is_near(value) for _, value in runs):
+        return Verdict(NOT_DECIDABLE, f"no run reaches the band, and the reference is not within a factor {MAGNITUDE}, but a run is: {unknowns_that(runs, is_near)}")
     return Verdict(CONTRADICTED, f"no run comes near: reference {reference / paper:.2g} times the paper's value")
 
 

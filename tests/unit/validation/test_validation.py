@@ -61,6 +61,13 @@ class VerdictOnANumber(unittest.TestCase):
     def test_nothing_near_is_contradicted(self):
         self.assertEqual(self.verdict(20, [("a", 10), ("b", 60)]), C)
 
+    def test_a_run_that_comes_near_keeps_it_from_being_contradicted(self):
+        verdict = verdicts.of_value(100, 160, [("inertia", 149), ("damping", 170)], 0.1)
+        self.assertEqual(verdict.verdict, N)
+        self.assertIn("inertia", verdict.reason)
+        self.assertNotIn("damping", verdict.reason)
+        self.assertEqual(self.verdict(160, [("inertia", 151)]), C)
+
     def test_what_was_fitted_to_the_number_is_undecidable(self):
         runs = [("share", 130), ("other", 100)]
         self.assertEqual(self.verdict(100, runs), R)
@@ -255,6 +262,13 @@ class Statements(unittest.TestCase):
         claim = next(c for s in STATEMENTS for c in s.claims if c.id == "12.order3-low")
         bearing = {f"contact_force_{span}": {"lowest": 0.0} for span in measures.SPANS} | {"contact_force_swinging_end": {"lowest": 306.0}}
         self.assertEqual(statements.judge(claim, PLAN, {"order3-1um": {"bearings": {"TB2": bearing}}})["verdict"], N)
+
+    def test_what_the_case_was_made_to_have_decides_nothing(self):
+        summary = {"rotor": {"mass": 109.7}}
+        claim = next(c for s in STATEMENTS for c in s.claims if c.id == "text.mass")
+        self.assertTrue(claim.by_construction)
+        result = statements.judge(claim, PLAN, {"ideal": {"bearings": {}, "summary": summary}})
+        self.assertEqual((result["verdict"], result["ours"]), (N, 109.7))
 
     def test_figure_17_is_about_watts(self):
         claims = [c for s in STATEMENTS for c in s.claims if c.id.startswith("17.waves")]
