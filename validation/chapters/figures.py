@@ -47,20 +47,20 @@ def legend_above(axes, columns=6):
     axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncol=columns, borderaxespad=0.2, handlelength=1.6, columnspacing=1.0)
 
 
-def mark(axis, series, claim, x=None, scale=1.0, offset=0.0, text="", side=1, horizontal=False):
-    """The paper's number as a diamond with the claim's band as a bar; a bound as an arrow. `x`: where the paper does not say where it stands."""
+def mark(axis, series, claim, x=None, scale=1.0, offset=0.0, text="", side=1, y=None):
+    """The paper's number as a diamond with the claim's band as a bar; a bound as a triangle. `x`: where the paper does not say where it stands. `y`: of a number that is a time."""
     c = series.claims[claim]
     x = c.at if c.at is not None else x
     value, style = scale * (c.paper + offset), dict(color=BLACK, marker="D", markersize=4, linestyle="", zorder=5, clip_on=False)
     if c.bound:
         axis.plot([x], [value], **{**style, "marker": "^" if c.bound == "above" else "v", "markersize": 7})
-    elif horizontal:
-        axis.errorbar([scale * c.paper], [x], xerr=[scale * abs(c.paper) * c.width], capsize=3, elinewidth=0.9, **style)
-        x, value = scale * c.paper, x
+    elif y is not None:
+        x, value = c.paper, y
+        axis.errorbar([x], [value], xerr=[x * c.width], capsize=3, elinewidth=0.9, **style)
     else:
         axis.errorbar([x], [value], yerr=[scale * abs(c.paper) * c.width], capsize=3, elinewidth=0.9, **style)
     if text:
-        axis.annotate(text, (x, value), xytext=(7 * side, 4), textcoords="offset points", ha="left" if side > 0 else "right", color="#555555", fontsize=7.5)
+        axis.annotate(text, (x, value), xytext=(7 * side, -11 if y is not None else 4), textcoords="offset points", ha="left" if side > 0 else "right", color="#555555", fontsize=7.5)
 
 
 def figure_9(series):
@@ -103,7 +103,7 @@ def figure_11(series):
     both_bearings(axis, series, "ring_speed", 1)
     time, speed = series.get("ideal", "/time", "/rotor/spin_speed")
     axis.plot(time, speed, color=BLACK, label="rotor")
-    mark(axis, series, "11.catch-up", x=float(speed[0]), text="paper: TB1 at rotor speed", side=-1, horizontal=True)
+    mark(axis, series, "11.catch-up", y=float(speed[0]), text="paper: TB1 at rotor speed", side=-1)
     axis.set(xlabel="time [s]", ylabel="angular velocity [rad/s]", ylim=(0, 1700))
     legend_above(axis)
     return figure
