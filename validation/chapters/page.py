@@ -205,7 +205,7 @@ def models_section(models, pictures):
                       ("most loaded ball, mean of the last 50 ms [N]", "most_loaded_ball", 1, 4), ("preload at rest with that growth [N]", "preload", 1, 4)]
         parts.append(table([bearing, *(f"#{text(r['driver'])}" for r in rows)], [[label, *(number(scale * r[key], digits) for r in rows)] for label, key, scale, digits in quantities if key in rows[0]]))
     parts.append('<p class="soft">Preload at rest: Hertz contacts of the pair with rigid rings, computed in Python from the growth at 0.3 s; the program recorded ball loads under the rotor, which contain its weight.</p>')
-    parts.append("<h3>Where the circuit can be trusted</h3><p>Difference: finite elements less circuit. Tolerance: 5 % of the largest rise, 0.1 µm for growth and clearances. &ldquo;One lump in both&rdquo;: the finite elements treat the body as one temperature, too, so agreement proves little.</p>")
+    parts.append("<h3>Where the circuit can be trusted</h3><p>Difference: finite elements less circuit. Tolerance: 5 % of the rise at the time, but not below the value in the column; 0.1 µm for growth and clearances. &ldquo;One lump in both&rdquo;: the finite elements treat the body as one temperature, too, so agreement proves little.</p>")
     for bearing, rows in models["trust"].items():
         parts.append(table([f"{bearing}", "", "#largest difference", "#at", "#tolerance", "#first beyond it", "trusted"],
                            [[text(r["group"]), text(r["what"].replace("_", " ")) + (" (one lump in both)" if r["one_lump_in_both"] else ""), scaled(r["largest_difference"], r["unit"]), milliseconds(r["largest_difference_time"]), scaled(r["tolerance"], r["unit"]), milliseconds(r["beyond_from"]),
