@@ -356,6 +356,16 @@ class Formulas(unittest.TestCase):
         self.assertAlmostEqual(pair.preload_with(0), 290, delta=1e-6)
         self.assertGreater(pair.preload_with(1e-6), 290)
 
+    def test_radial_growth_alone_changes_the_preload_of_an_evenly_warm_pair(self):
+        # 50 K on rings and balls: raceways at 39 and 46 mm, balls of 9.525 mm. By hand: B_r and the balls grow by 11.8e-6 * 50 K of -7 mm and 9.525 mm.
+        pair = self.bearing["TB2"]
+        strain = 11.8e-6 * 50
+        radial = pair.A * math.cos(pair.phi) - 7e-3 * strain
+        axial = pair.A * math.sin(pair.phi) + pair.offset_of(290)
+        by_hand = 23 * pair.K_b * (math.hypot(radial, axial) - pair.A + 9.525e-3 * strain) ** 1.5 * axial / math.hypot(radial, axial)
+        self.assertAlmostEqual(pair.preload_with(-7e-3 * strain, 9.525e-3 / 2 * strain), by_hand, delta=1e-6)
+        self.assertGreater(by_hand, 2.5 * 290)
+
     def test_growth_of_the_balls_radius_counts_twice(self):
         # The ball lies between two races: F = K (delta_0 + 2 eps)^1.5 in the direction that it had.
         pair, eps = self.bearing["TB2"], 0.5e-6
@@ -418,6 +428,28 @@ class Document(unittest.TestCase):
                 own, claims = row[-1], []
             else:
                 claims.append(row[5])
+
+    def test_the_errata_of_the_model_have_an_effect_each_from_a_run(self):
+        text = (ROOT / "docs/model.md").read_text()
+        rows = [line.split(" | ") for line in text.split(documents.ERRATA_BEGIN)[1].split(documents.ERRATA_END)[0].splitlines()[2:]]
+        without = {known["where"] for known in errata.WITHOUT_EFFECT}
+        self.assertGreater(len(rows), len(without) + 12)
+        for row in rows:
+            where, effect = row[0].strip("| "), row[-1].strip("| ")
+            self.assertEqual(bool(effect), where not in without, where)
+            if effect:
+                self.assertRegex(effect, r"\d", f"{where}: an effect is a number")
+
+    def test_the_update_of_errata_writes_the_numbers_given(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "page.md"
+            file.write_text(f"before\n{documents.ERRATA_BEGIN}stale\n{documents.ERRATA_END}\nafter\n")
+            found = errata.entry("eq. 1", "|a|", "b", errata.RUN, "", [], f"{errata.shown(189.3)} times, {errata.shown(0.0123)} K, {errata.signed(-0.002)}")
+            documents.update_errata(file, {"errata": [found]})
+            text = file.read_text()
+        self.assertTrue(text.startswith("before\n") and text.endswith("\nafter\n"))
+        self.assertNotIn("stale", text)
+        self.assertIn("| eq. 1 | \\|a\\| | b | 189 times, 0.012 K, -0.2 % |", text)
 
     def test_the_update_replaces_the_table_only(self):
         with tempfile.TemporaryDirectory() as folder:
