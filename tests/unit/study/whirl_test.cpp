@@ -129,7 +129,7 @@ TEST(Whirl, LongFlightsBreakIt) {
 }
 
 TEST(Whirl, BeginsAndEndsInContactThoughTheWindowSeesItFromTheFlight) {
-  // Falls towards the bore on a spiral that turns already, whirls in contact from 20 to 80 ms, and leaves on the same path.
+  // Goes around at the bore's radius all the time, and touches it from 20 to 80 ms only.
   Path path;
   for (int k = 0; k <= 2000; ++k) {
     const double t = k * 50e-6, a = -2. * pi * 100. * t;
