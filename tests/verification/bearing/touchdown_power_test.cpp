@@ -142,9 +142,9 @@ TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
       worst = std::max(worst, std::fabs(residual) / scale);
       // Balls with inertia are in balance to about 1e-8 of their loads only, some 1e3 N at 1e-2 m/s.
       const double balance = data.rows[0].has_inertia ? 2e-6 : 0.;
-      EXPECT_LT(std::fabs(residual), 1e-9 * scale + 1e-7 + balance)
+      EXPECT_LT(std::fabs(residual), 1e-9 * scale + 2e-7 + balance)
           << data.name << (in_contact ? ", in contact" : ", apart") << " W of " << scale
-          << "; 1e-7 W is roundoff of 400 J over 0.5 us";
+          << "; 2e-7 W is roundoff of 400 J over 0.5 us, twice 3e-14 J and the sum's own";
     }
     printf("%s: worst residual %.1e of the largest power\n", data.name.c_str(), worst);
   }

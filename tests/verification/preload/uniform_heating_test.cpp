@@ -14,8 +14,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "machine/build_machine.h"
 #include "machine/build_preload.h"
 #include "machine/preload_criterion.h"
 #include "machine/statics.h"
