@@ -4,13 +4,15 @@
     /usr/bin/python3 validation/preload_loop.py
 
 Shares no code with the program. The pair is symmetric and unloaded, so its inner ring stays in the middle: rows in closed form instead of an
-equilibrium. The circuit keeps its contacts without mass as algebraic unknowns (the program eliminates them). Needs numpy and scipy.
+equilibrium. Growth moves the two contact points of a ball and the centres of the grooves, as vectors in the plane of the axis. The circuit keeps
+its contacts without mass as algebraic unknowns (the program eliminates them). Needs numpy and scipy.
 """
 
-from math import atan2, cos, hypot, log, pi, radians, sin, tan
+from dataclasses import dataclass
+from math import cos, log, pi, radians, sin, tan
 
 import numpy as np
-from scipy.integrate import solve_ivp
+from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, fsolve
 
 E, NU, RHO, CONDUCTIVITY, HEAT, ALPHA = 2.0e11, 0.30, 7800.0, 70.0, 510.0, 11.8e-6
@@ -33,16 +35,41 @@ INNER_RACE, OUTER_RACE = hertz(D_M / 2 - D / 2 * cos(PHI), 1), hertz(D_M / 2 + D
 K = (INNER_RACE[0] ** (-2 / 3) + OUTER_RACE[0] ** (-2 / 3)) ** -1.5
 
 
-def row(offset, growth, ball):
-    """Axial force of a row and load of a ball."""
-    B_r, B_x = A * cos(PHI) + growth, A * sin(PHI) + offset
-    distance = hypot(B_r, B_x)
-    Q = K * max(distance - A + 2 * ball, 0) ** 1.5
-    return Z * Q * B_x / distance, Q
+@dataclass
+class Growth:
+    """Radial growth of the raceways at the contact points, axial strains of the rings, growth of a ball's radius."""
+
+    inner: float = 0.0
+    outer: float = 0.0
+    inner_strain: float = 0.0
+    outer_strain: float = 0.0
+    ball: float = 0.0
+
+    def __add__(self, other):
+        return Growth(*(getattr(self, name) + getattr(other, name) for name in self.__dataclass_fields__))
+
+
+def even(inner=0.0, outer=0.0, ball=0.0, ball_alpha=ALPHA):
+    """Of parts that are warm throughout, by so many kelvin."""
+    return Growth(ALPHA * inner * (D_M / 2 - D / 2 * cos(PHI)), ALPHA * outer * (D_M / 2 + D / 2 * cos(PHI)), ALPHA * inner, ALPHA * outer, ball_alpha * ball * D / 2)
+
+
+def row(offset, growth=Growth(), lean=1, place=WIDTH / 4):
+    """Axial force of a row and load of a ball. The outer contact lies on the side `lean` of the ball: away from the other row (1) or towards it (-1)."""
+    n = np.array([lean * sin(PHI), cos(PHI)])
+    ball = np.array([place, D_M / 2])
+    inner, outer = ball - D / 2 * n, ball + D / 2 * n
+    groove_i, groove_o = F * D * (1 + growth.inner_strain), F * D * (1 + growth.outer_strain)
+    centre_i = inner + [growth.inner_strain * inner[0], growth.inner] + groove_i * n
+    centre_o = outer + [growth.outer_strain * outer[0], growth.outer] - groove_o * n
+    B = centre_i - centre_o + [lean * offset, 0]
+    distance = np.hypot(*B)
+    Q = K * max(distance - (groove_i + groove_o - D - 2 * growth.ball), 0) ** 1.5
+    return Z * Q * lean * B[0] / distance, Q
 
 
 def offset_of(preload):
-    return brentq(lambda offset: row(offset, 0, 0)[0] - preload, 0, 1e-4, xtol=1e-18, rtol=1e-14)
+    return brentq(lambda offset: row(offset)[0] - preload, 0, 1e-4, xtol=1e-18, rtol=1e-14)
 
 
 def pressure(Q):
@@ -50,7 +77,12 @@ def pressure(Q):
 
 
 def speed_growth(omega):
-    return RHO * omega**2 * (INNER / 2) / (4 * E) * ((3 + NU) * (BORE / 2) ** 2 + (1 - NU) * (INNER / 2) ** 2)
+    """Of the inner ring as a thin spinning disc with a hole: radially where the balls touch it, and its width, as Poisson's ratio has it."""
+    a, b, r = BORE / 2, INNER / 2, D_M / 2 - D / 2 * cos(PHI)
+    radial = lambda x: (3 + NU) / 8 * RHO * omega**2 * (a**2 + b**2 - a**2 * b**2 / x**2 - x**2)
+    hoop = lambda x: (3 + NU) / 8 * RHO * omega**2 * (a**2 + b**2 + a**2 * b**2 / x**2 - (1 + 3 * NU) / (3 + NU) * x**2)
+    mean = quad(lambda x: (radial(x) + hoop(x)) * x, a, b, epsabs=0, epsrel=1e-12)[0] / quad(lambda x: x, a, b)[0]
+    return Growth(inner=r / E * (hoop(r) - NU * radial(r)), inner_strain=-NU / E * mean)
 
 
 def friction_heat(axial, omega):
@@ -93,13 +125,14 @@ def contacts(i, b, o, heat):
 
 
 def growth_of(T):
-    """Of races and ball from shaft, ring, ball, outer ring, housing; a contact counts with what its neighbours give it, without its own heat."""
+    """From shaft, ring, ball, outer ring, housing; a contact counts with what its neighbours give it, without its own heat."""
     s, i, b, o, h = T
     ci, _ = contacts(i, b, o, 0)
-    annulus = lambda r_in, r_out, r, T_in, T_out: ALPHA * r / (3 * (r_in + r_out)) * (T_in * (2 * r_in + r_out) + T_out * (2 * r_out + r_in))
-    inner = annulus(BORE / 2, INNER / 2, INNER / 2, i, ci)
-    outer = annulus(OUTER / 2, HOUSING / 2, OUTER / 2, o, h)
-    return inner - outer, ALPHA * D / 2 * b
+    mean = lambda r_in, r_out, T_in, T_out: (T_in * (2 * r_in + r_out) + T_out * (2 * r_out + r_in)) / (3 * (r_in + r_out))
+    inner, outer = mean(BORE / 2, INNER / 2, i, ci), mean(OUTER / 2, HOUSING / 2, o, h)
+    growth = even(inner, outer, b)
+    growth.outer_strain = ALPHA * o  # the housing does not hold the ring along the axis
+    return growth
 
 
 def rates(T, heat, cooling=1.0):
@@ -114,8 +147,7 @@ def steady(heat, cooling=1.0):
 
 
 def made(T, omega, offset):
-    growth, ball = growth_of(T)
-    return friction_heat(row(offset, growth + speed_growth(omega), ball)[0], omega)
+    return friction_heat(row(offset, growth_of(T) + speed_growth(omega))[0], omega)
 
 
 def largest_shortfall(omega, preload=290.0, cooling=1.0):
@@ -136,15 +168,18 @@ def largest_shortfall(omega, preload=290.0, cooling=1.0):
 
 
 def main():
-    print(f"K_b = {K:.6e} N/m^1.5, preload under 1.4 and 5 um: {row(offset_of(290), 1.4e-6, 0)[0]:.6f} {row(offset_of(290), 5e-6, 0)[0]:.6f} N")
-    omega = 3000 * pi / 30
     offset = offset_of(290)
+    print(f"K_b = {K:.6e} N/m^1.5, preload under 1.4 and 5 um: {row(offset, Growth(1.4e-6))[0]:.6f} {row(offset, Growth(5e-6))[0]:.6f} N")
+    for name, growth in (("even, -50 K", even(-50, -50, -50)), ("even, +50 K", even(50, 50, 50)), ("even, +150 K", even(150, 150, 150)),
+                         ("inner ring 5 K warmer", even(5)), ("even, +15 K, Si3N4 balls", even(15, 15, 15, ball_alpha=3.2e-6)),
+                         ("even, +25 K, Si3N4 balls", even(25, 25, 25, ball_alpha=3.2e-6))):
+        print(f"{name}: X {row(offset, growth)[0]:.6f} N, O {row(offset, growth, -1)[0]:.6f} N")
+    omega = 3000 * pi / 30
     balance = lambda Q: made(steady(Q), omega, offset) - Q
-    for low, high in ((1, 55), (55, 120)):
+    for low, high in ((1, 70), (70, 200)):
         Q = brentq(balance, low, high, xtol=1e-12, rtol=1e-14)
         T = steady(Q)
-        growth, ball = growth_of(T)
-        axial, load = row(offset, growth + speed_growth(omega), ball)
+        axial, load = row(offset, growth_of(T) + speed_growth(omega))
         gain = (balance(Q * 1.0001) - balance(Q * 0.9999)) / (2e-4 * Q) + 1
         J = np.empty((5, 5))
         for k in range(5):
@@ -156,7 +191,7 @@ def main():
     critical = brentq(lambda rpm: largest_shortfall(rpm * pi / 30), 2500, 6000, xtol=1e-4)
     print(f"critical speed {critical:.3f} rpm")
     print(f"critical preload at 3000 rpm {brentq(lambda P: largest_shortfall(omega, P), 290, 1500, xtol=1e-4):.4f} N")
-    print(f"critical cooling at 3000 rpm {brentq(lambda f: largest_shortfall(omega, 290, f), 0.2, 1, xtol=1e-7):.6f}")
+    print(f"critical cooling at 3000 rpm {brentq(lambda f: largest_shortfall(omega, 290, f), 0.1, 1, xtol=1e-7):.6f}")
     for rpm in (6000, 15200):
         omega = rpm * pi / 30
 
@@ -166,15 +201,13 @@ def main():
             return 150 + 273.15 - AMBIENT - max(max(T), *contacts(i, b, o, heat))
 
         def pressed(t, T):
-            growth, ball = growth_of(T)
-            return 4.2e9 - pressure(row(offset, growth + speed_growth(omega), ball)[1])
+            return 4.2e9 - pressure(row(offset, growth_of(T) + speed_growth(omega))[1])
 
         hot.terminal = pressed.terminal = True
         way = solve_ivp(lambda t, T: rates(T, made(T, omega, offset)), (0, 1e6), np.zeros(5), method="Radau", rtol=1e-9, atol=1e-9, events=(hot, pressed))
         T = way.y[:, -1]
-        growth, ball = growth_of(T)
         print(f"{rpm} rpm: {'temperature' if len(way.t_events[0]) else 'pressure'} after {way.t[-1]:.6f} s, preload "
-              f"{row(offset, growth + speed_growth(omega), ball)[0]:.5f} N")
+              f"{row(offset, growth_of(T) + speed_growth(omega))[0]:.5f} N")
 
 
 if __name__ == "__main__":

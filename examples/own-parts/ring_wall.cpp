@@ -62,8 +62,12 @@ RingWall::RingWall(const std::vector<BearingCircuitData>& bearings, double ambie
     made.housing_area = pi * b.housing_outside * b.housing_length;
     const double alpha = b.ring.expansion, ball = 0.5 * b.ball_diameter * b.ball.expansion;
     made.per_shaft.shaft = alpha * b.journal_radius;
-    made.per_wall = {.bore = alpha * radii.front(), .inner_race = alpha * radii.back(), .ball = 0.5 * ball};
-    made.per_outside = {.outer_race = 0.5 * alpha * b.outer_bore, .ball = 0.5 * ball};
+    // Growth counts where balls and races touch; contact points move along the axis with their ring's width.
+    made.per_wall = {.bore = alpha * radii.front(),
+                     .inner_race = alpha * b.races.inner,
+                     .ball = 0.5 * ball,
+                     .inner_width = alpha * b.races.width};
+    made.per_outside = {.outer_race = alpha * b.races.outer, .ball = 0.5 * ball, .outer_width = alpha * b.races.width};
     bearings_.push_back(std::move(made));
   }
 }

@@ -32,10 +32,11 @@ struct KernelInput {
 // The two kernels differ in the tilt and axial terms only; kept apart because the short one is the hot loop of every drop.
 ROTORDROP_WIDE_VECTORS
 void sum_translations(const KernelInput& in, BallRowOutput& out) {
-  double fy = 0, fz = 0, fx = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0, largest = 0;
+  double fy = 0, fz = 0, fx = 0, dissipated = 0, elastic_radial = 0, elastic_axial = 0, elastic_normal = 0, cage = 0;
+  double largest = 0;
   const double C = in.cage_cosine, S = in.cage_sine, ey = in.e.y, ez = in.e.z, vy = in.v.y, vz = in.v.z;
   const double radial = in.radial, Bx = in.axial, Bx2 = Bx * Bx, A = in.A, K = in.K, damping = in.damping;
-#pragma omp simd reduction(+ : fy, fz, fx, dissipated, elastic_radial, elastic_normal, cage) reduction(max : largest)
+#pragma omp simd reduction(+ : fy, fz, fx, dissipated, elastic_radial, elastic_axial, elastic_normal, cage) reduction(max : largest)
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
@@ -54,6 +55,7 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
     fx -= F * inverse;
     dissipated += (F - elastic) * rate;
     elastic_radial += elastic * cos_phi;
+    elastic_axial += elastic * inverse;
     elastic_normal += elastic;
     cage += elastic * cos_phi * (ez * c - ey * s);
     largest = std::max(largest, F);
@@ -64,7 +66,9 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
   out.moment_y = out.moment_z = 0;
   out.damping_power = dissipated;
   out.elastic_radial = elastic_radial;
+  out.elastic_axial = elastic_axial * Bx;
   out.elastic_normal = elastic_normal;
+  out.elastic_outer_surplus = 0;
   out.cage_power = cage;
   out.largest_load = out.largest_outer_load = largest;
   out.inertia_power = out.inertia_per_speed = 0;
@@ -73,10 +77,10 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
 ROTORDROP_WIDE_VECTORS
 void sum_all(const KernelInput& in, BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
-  double largest = 0;
+  double elastic_axial = 0, largest = 0;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e, v = in.v;
-#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_normal, cage) reduction(max : largest)
+#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, cage) reduction(max : largest)
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
@@ -99,6 +103,7 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
     mz += F_axial * arm * c - F_radial * xr * c;
     dissipated += (F - elastic) * rate;
     elastic_radial += elastic * cos_phi;
+    elastic_axial += elastic * sin_phi;
     elastic_normal += elastic;
     cage += elastic * (cos_phi * ((e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s) +
                        sin_phi * arm * (e.psi_y * c + e.psi_z * s));
@@ -111,7 +116,9 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.moment_z = mz;
   out.damping_power = dissipated;
   out.elastic_radial = elastic_radial;
+  out.elastic_axial = elastic_axial;
   out.elastic_normal = elastic_normal;
+  out.elastic_outer_surplus = 0;
   out.cage_power = cage;
   out.largest_load = out.largest_outer_load = largest;
   out.inertia_power = out.inertia_per_speed = 0;
@@ -154,7 +161,15 @@ double RaceContact::largest_pressure(double load) const {
   return 1.5 * load * ellipticity / (std::numbers::pi * major * major);
 }
 
-BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves) : geometry_(geometry) {
+RowStrains row_strains(const BallRowGeometry& g) {
+  const double c = std::cos(g.contact_angle), s = g.direction * std::sin(g.contact_angle), x = g.position;
+  const double groove_i = g.inner_conformity * g.ball_diameter, groove_o = g.outer_conformity * g.ball_diameter;
+  const double half = 0.5 * g.ball_diameter;
+  return {{x - half * s + groove_i * s, groove_i * c, groove_i}, {-(x + half * s) + groove_o * s, groove_o * c, groove_o}};
+}
+
+BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves)
+    : geometry_(geometry), strains_(row_strains(geometry)) {
   const auto& g = geometry_;
   if (g.n_balls > max_balls) throw std::invalid_argument("a row holds at most 256 balls");
   const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
@@ -201,18 +216,36 @@ void BallRow::fill_added(const BallRowInput& in, double* added) const {
   }
 }
 
-double BallRow::penetration(const BallRowInput& in, int ball, double added) const {
+BallRow::Constants BallRow::grown(const BallRowInput& in) const {
+  const auto& [inner, outer] = strains_;
+  Constants c = constants_;
+  c.A += in.inner_strain * inner.groove + in.outer_strain * outer.groove;
+  c.radial += in.radial_growth + (in.inner_strain * inner.radial + in.outer_strain * outer.radial);
+  c.axial += in.inner_strain * inner.axial + in.outer_strain * outer.axial;
+  return c;
+}
+
+std::pair<double, double> BallRow::strain_gradient(const BallRowOutput& out) const {
+  const auto gradient = [&](const GrooveStrain& s, double normal) {
+    return s.axial * out.elastic_axial + s.radial * out.elastic_radial - s.groove * normal;
+  };
+  return {gradient(strains_.inner, out.elastic_normal - out.elastic_outer_surplus),
+          gradient(strains_.outer, out.elastic_normal + out.elastic_outer_surplus)};
+}
+
+double BallRow::penetration(const BallRowInput& in, const Constants& grown, int ball, double added) const {
   const auto j = static_cast<std::size_t>(ball);
   const double c = in.cage_cosine * cosine_[j] - in.cage_sine * sine_[j];
   const double s = in.cage_sine * cosine_[j] + in.cage_cosine * sine_[j];
   const auto& e = in.displacement;
   const double xr = geometry_.position;
-  const double Br = constants_.radial + in.radial_growth + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
-  const double Bx = constants_.axial + e.x + constants_.arm * (e.psi_y * s - e.psi_z * c);
-  return std::sqrt(Br * Br + Bx * Bx) - constants_.A + added;
+  const double Br = grown.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+  const double Bx = grown.axial + e.x + grown.arm * (e.psi_y * s - e.psi_z * c);
+  return std::sqrt(Br * Br + Bx * Bx) - grown.A + added;
 }
 
 double BallRow::waviness_power(const BallRowInput& in, const double* added) const {
+  const Constants at = grown(in);
   double power = 0.;
   for (const auto& w : waves_) {
     const double on_ring = w.wave.on_inner_race ? 1. : 0.;
@@ -221,7 +254,7 @@ double BallRow::waviness_power(const BallRowInput& in, const double* added) cons
     const double c = std::cos(argument), s = std::sin(argument);
     for (int j = 0; j < geometry_.n_balls; ++j) {
       const auto k = static_cast<std::size_t>(j);
-      const double delta = std::max(penetration(in, j, added[j]), 0.);
+      const double delta = std::max(penetration(in, at, j, added[j]), 0.);
       power += geometry_.stiffness * delta * std::sqrt(delta) * travel * (w.cosine[k] * c - w.sine[k] * s);
     }
   }
@@ -232,14 +265,15 @@ template <class Kernel>
 void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   std::array<double, max_balls> added;
   fill_added(in, added.data());
+  const Constants at = grown(in);
   const KernelInput balls{cosine_.data(),
                           sine_.data(),
                           added.data(),
                           n_padded_,
-                          constants_.A,
-                          constants_.radial + in.radial_growth,
-                          constants_.axial,
-                          constants_.arm,
+                          at.A,
+                          at.radial,
+                          at.axial,
+                          at.arm,
                           geometry_.position,
                           geometry_.stiffness,
                           1.5 * geometry_.damping_beta,
@@ -282,14 +316,15 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
   const auto& v = in.rate;
   const auto& e = in.displacement;
   const double xr = geometry_.position, arm = constants_.arm;
+  const Constants at = grown(in);
   for (int j = 0; j < geometry_.n_balls; ++j) {
     const auto k = static_cast<std::size_t>(j);
     const double c = in.cage_cosine * cosine_[k] - in.cage_sine * sine_[k];
     const double s = in.cage_sine * cosine_[k] + in.cage_cosine * sine_[k];
-    const double Br = constants_.radial + in.radial_growth + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
-    const double Bx = constants_.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
+    const double Br = at.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    const double Bx = at.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
     const double distance = std::sqrt(Br * Br + Bx * Bx);
-    const double delta = std::max(distance - constants_.A + added[k], 0.);
+    const double delta = std::max(distance - at.A + added[k], 0.);
     const double rate =
         (Br * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) + Bx * (v.x + arm * (v.psi_y * s - v.psi_z * c))) /
         distance;
@@ -308,9 +343,10 @@ double BallRow::energy(const BallRowInput& in) const {
   }
   std::array<double, max_balls> added;
   fill_added(in, added.data());
+  const Constants at = grown(in);
   double sum = 0.;
   for (int j = 0; j < geometry_.n_balls; ++j) {
-    const double delta = std::max(penetration(in, j, added[static_cast<std::size_t>(j)]), 0.);
+    const double delta = std::max(penetration(in, at, j, added[static_cast<std::size_t>(j)]), 0.);
     sum += delta * delta * std::sqrt(delta);
   }
   return 0.4 * geometry_.stiffness * sum;

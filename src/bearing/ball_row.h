@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bearing/inertial_balls.h"
@@ -44,6 +45,19 @@ struct BallRowGeometry {
   bool has_inertia = false;     ///< each ball in balance with its centrifugal force and gyroscopic moment
 };
 
+/// How a row's grooves move and widen with the axial strain of a ring, the growth of its width over its width. With s the row's direction and
+/// x its position, the contact points lie at x -+ s (d/2) sin phi_0; a groove's centre is its radius f d away from them along the normal, and
+/// that radius grows with the ring.
+struct GrooveStrain {
+  double axial = 0;   ///< growth of B_x per strain [m]
+  double radial = 0;  ///< growth of B_r per strain, besides that of the contact points' radii [m]
+  double groove = 0;  ///< growth of the groove's radius per strain; what the contact's deflection loses [m]
+};
+struct RowStrains {
+  GrooveStrain inner, outer;
+};
+RowStrains row_strains(const BallRowGeometry& geometry);
+
 /// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (eqs. 11, 12).
 struct RaceWave {
   bool on_inner_race = true;  ///< argument b_j - theta_i; on the outer race b_j
@@ -60,8 +74,10 @@ struct BallRowInput {
   double cage_speed = 0;     ///< [rad/s], for the work of the prescribed cage
   double ring_angle = 0;     ///< theta_i [rad]
   double ring_speed = 0;     ///< omega_i [rad/s]
-  double radial_growth = 0;  ///< eps_in - eps_out [m]
+  double radial_growth = 0;  ///< eps_in - eps_out, radial displacements of the contact points [m]
   double ball_growth = 0;    ///< eps_b, growth of a ball's radius [m]
+  double inner_strain = 0;   ///< axial strain of the inner ring
+  double outer_strain = 0;   ///< of the outer ring
 };
 
 /// What a row does to the inner ring, and the sums that energy and heat need. Evaluation writes every member.
@@ -70,7 +86,9 @@ struct BallRowOutput {
   double moment_y, moment_z;         ///< on the inner ring [N m]
   double damping_power;              ///< dissipated in the contacts [W]
   double elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
+  double elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
   double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
+  double elastic_outer_surplus;  ///< by how much that of the outer contacts exceeds it; the inner ones fall short by as much [N]
   double cage_power;                 ///< work rate of the prescribed cage motion [W]
   double waviness_power;             ///< work rate of the prescribed travel of the waves [W]
   double largest_load;               ///< of the row's balls on the inner race [N]
@@ -81,9 +99,9 @@ struct BallRowOutput {
 
 /// Forces of a row of balls after Sopanen & Mikkola (2003), without trigonometry per ball. With b the azimuth of a ball,
 ///   e_r = e_y cos b + e_z sin b + x_row (psi_z cos b - psi_y sin b),   e_t = e_x + R_c (psi_y sin b - psi_z cos b),
-///   B_r = A cos phi_0 - clearance + e_r + eps_in - eps_out,            B_x = s (A sin phi_0 + offset) + e_t,
-///   delta = sqrt(B_r^2 + B_x^2) - A + 2 eps_b + waves,                 F = K delta^0.5 (delta + 1.5 beta delta') >= 0,
-/// delta' being the ring's rate along the contact normal (B_r, B_x), without cage motion. The tilts' terms are those of u = psi x r with the
+///   B_r = A cos phi_0 - clearance + e_r + eps_in - eps_out + g cos phi_0,   B_x = s (A sin phi_0 + offset) + e_t + u_x,in - u_x,out + s g sin phi_0,
+///   delta = sqrt(B_r^2 + B_x^2) - A - g + 2 eps_b + waves,                 F = K delta^0.5 (delta + 1.5 beta delta') >= 0,
+/// u_x the axial displacements of the contact points and g the growth of both groove radii (row_strains()), delta' being the ring's rate along the contact normal (B_r, B_x), without cage motion. The tilts' terms are those of u = psi x r with the
 /// one arm R_c, so the elastic forces are the gradient of an energy. With inertia and a turning ring each ball has its own balance
 /// (inertial_balls.h); F is then its load on the inner race, along the inner contact's normal, damped with the same beta.
 /// Corrects Neisi 2019, eqs. (2)-(6), (12); see docs/model.md.
@@ -106,6 +124,8 @@ class BallRow {
   [[nodiscard]] double energy(const BallRowInput& input) const;
   /// Axial approach of the races [m] at which an undisplaced row carries an axial load [N] with this geometry's contact.
   static double offset_for_axial_load(const BallRowGeometry& geometry, double axial_load);
+  /// dU/d(inner_strain) and dU/d(outer_strain) [J] of an evaluation.
+  [[nodiscard]] std::pair<double, double> strain_gradient(const BallRowOutput& out) const;
 
  private:
   struct Wave {
@@ -115,6 +135,7 @@ class BallRow {
   struct Constants {
     double A, radial, axial, arm;  // A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
   };
+  [[nodiscard]] Constants grown(const BallRowInput& input) const;
   template <class Kernel>
   void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
   void fill_added(const BallRowInput& input, double* added) const;
@@ -123,11 +144,12 @@ class BallRow {
   BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out, RowTractions* tractions) const;
   [[nodiscard]] double centrifugal_force(const BallRowInput& input) const;
-  [[nodiscard]] double penetration(const BallRowInput& input, int ball, double added) const;
+  [[nodiscard]] double penetration(const BallRowInput& input, const Constants& grown, int ball, double added) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added) const;
 
   BallRowGeometry geometry_;
   Constants constants_{};
+  RowStrains strains_;
   InertialRow inertial_;
   std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
   std::vector<double> cosine_,

@@ -38,10 +38,10 @@ ROTORDROP_WIDE_VECTORS
 void sum_forces(const Place& p, const InertialBalls& w, double damping, double hardness, double cage_speed,
                 BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
-  double largest = 0, largest_outer = 0;
+  double elastic_axial = 0, elastic_outer = 0, largest = 0, largest_outer = 0;
   const RingDisplacement e = p.e, v = p.v;
   const double arm = p.arm, xr = p.position;
-#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_normal, cage) reduction(max : largest, largest_outer)
+#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, elastic_outer, cage) reduction(max : largest, largest_outer)
   for (std::size_t j = 0; j < w.n; ++j) {
     const double c = p.cage_cosine * p.cosine[j] - p.cage_sine * p.sine[j];
     const double s = p.cage_sine * p.cosine[j] + p.cage_cosine * p.sine[j];
@@ -61,7 +61,9 @@ void sum_forces(const Place& p, const InertialBalls& w, double damping, double h
     mz += F_axial * arm * c - F_radial * xr * c;
     dissipated += (F - elastic) * rate;
     elastic_radial += elastic * w.i_r[j];
+    elastic_axial += elastic * w.i_x[j];
     elastic_normal += 0.5 * (elastic + Q_o);
+    elastic_outer += Q_o;
     cage += elastic * (w.i_r[j] * r_turn + w.i_x[j] * x_turn);
     largest = std::max(largest, F);
     largest_outer = std::max(largest_outer, Q_o);
@@ -73,7 +75,9 @@ void sum_forces(const Place& p, const InertialBalls& w, double damping, double h
   out.moment_z = mz;
   out.damping_power = dissipated;
   out.elastic_radial = elastic_radial;
+  out.elastic_axial = elastic_axial;
   out.elastic_normal = elastic_normal;
+  out.elastic_outer_surplus = elastic_outer - elastic_normal;
   out.cage_power = cage * cage_speed;
   out.largest_load = largest;
   out.largest_outer_load = largest_outer;
@@ -94,8 +98,9 @@ void BallRow::place_balls(const BallRowInput& in, InertialBalls& w) const {
   const auto n = static_cast<std::size_t>(geometry_.n_balls);
   std::fill_n(w.is_ball.begin(), n, 1.);
   std::fill_n(w.is_ball.begin() + geometry_.n_balls, n_padded_ - n, 0.);
-  std::fill_n(w.added_i.begin(), n_padded_, in.ball_growth);
-  std::fill_n(w.added_o.begin(), n_padded_, in.ball_growth);
+  const Constants at = grown(in);
+  std::fill_n(w.added_i.begin(), n_padded_, in.ball_growth - in.inner_strain * strains_.inner.groove);
+  std::fill_n(w.added_o.begin(), n_padded_, in.ball_growth - in.outer_strain * strains_.outer.groove);
   std::fill_n(w.added_i_rate.begin(), n_padded_, 0.);
   std::fill_n(w.added_o_rate.begin(), n_padded_, 0.);
   for (const auto& wave : waves_) {
@@ -110,8 +115,8 @@ void BallRow::place_balls(const BallRowInput& in, InertialBalls& w) const {
       rate[j] += travel * (wave.cosine[j] * c - wave.sine[j] * s);
     }
   }
-  place_grooves({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, constants_.radial + in.radial_growth,
-                 constants_.axial, constants_.arm, geometry_.position, in.displacement, in.rate},
+  place_grooves({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, at.radial, at.axial, at.arm,
+                 geometry_.position, in.displacement, in.rate},
                 in.cage_speed, w);
 }
 
@@ -138,7 +143,9 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   out.inertia_power = work.power;
   out.inertia_per_speed = work.per_force * 2. / in.ring_speed;  // F_0 goes with the square of the speed
   out.elastic_radial += work.per_radial;
+  out.elastic_axial += work.per_axial;
   out.elastic_normal += 0.5 * work.per_ball_growth;
+  out.elastic_outer_surplus += work.per_outer - 0.5 * work.per_ball_growth;
 
   if (!tractions) return;
   *tractions = {};

@@ -175,8 +175,8 @@ double step(const Row& constants, double enough, InertialBalls& w) {
 ROTORDROP_WIDE_VECTORS
 double finish(const Row& constants, double u_per_root_i, double enough, InertialBalls& w, BallWork& sums) {
   const Row row = constants;
-  double n_left = 0., power = 0., per_radial = 0., per_ball_growth = 0., per_force = 0.;
-#pragma omp simd reduction(+ : n_left, power, per_radial, per_ball_growth, per_force)
+  double n_left = 0., power = 0., per_radial = 0., per_axial = 0., per_ball_growth = 0., per_outer = 0., per_force = 0.;
+#pragma omp simd reduction(+ : n_left, power, per_radial, per_axial, per_ball_growth, per_outer, per_force)
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
     const Balance b(row, {w.delta_o[j], w.o_x[j], w.o_r[j]}, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
     n_left += b.is_left(enough);
@@ -199,10 +199,12 @@ double finish(const Row& constants, double u_per_root_i, double enough, Inertial
     power += is_ball * (gap_n * (B_x * b.i_x + B_r * b.i_r + outer * b.c + w.added_i_rate[j]) +
                         gap_t * (B_x * b.i_r - B_r * b.i_x - outer * b.s) - f_n * outer);
     per_radial += is_ball * (gap_n * b.i_r - gap_t * b.i_x);
+    per_axial += is_ball * (gap_n * b.i_x + gap_t * b.i_r);
     per_ball_growth += is_ball * (gap_n * (1. + b.c) - gap_t * b.s - f_n);
+    per_outer += is_ball * (gap_n * b.c - gap_t * b.s - f_n);
     per_force += is_ball * (f_n * by_n + f_t * by_t);
   }
-  sums = {power, per_radial, per_ball_growth, per_force};
+  sums = {power, per_radial, per_axial, per_ball_growth, per_outer, per_force};
   return n_left;
 }
 

@@ -39,7 +39,9 @@ struct InertialBalls {
 struct BallWork {
   double power = 0;            ///< of the forces of inertia on the balls as they move [W]
   double per_radial = 0;       ///< work per growth of B_r [N]
+  double per_axial = 0;        ///< work per growth of B_x [N]
   double per_ball_growth = 0;  ///< work per growth of the balls' radius [N]
+  double per_outer = 0;        ///< the outer contacts' part of that [N]
   double per_force = 0;        ///< work per relative change of F_0 [J]
 };
 

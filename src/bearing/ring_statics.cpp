@@ -16,10 +16,13 @@ struct RingStatics::Plane {
 RingStatics::RingStatics(std::vector<BallRowGeometry> rows, const RingSurroundings& surroundings,
                          std::optional<PreloadSpring> spring)
     : rows_(std::move(rows)), surroundings_(surroundings), spring_(spring) {
-  for (const auto& g : rows_)
-    contacts_.push_back({g.inner.stiffness, g.outer.stiffness, (g.inner_conformity - 0.5) * g.ball_diameter,
-                         (g.outer_conformity - 0.5) * g.ball_diameter, g.ball_mass, g.ball_diameter / g.pitch_diameter,
-                         g.pitch_diameter});
+  for (const auto& g : rows_) {
+    const auto [inner, outer] = row_strains(g);
+    contacts_.push_back({g.inner.stiffness, g.outer.stiffness,
+                         (g.inner_conformity - 0.5) * g.ball_diameter + surroundings_.inner_strain * inner.groove,
+                         (g.outer_conformity - 0.5) * g.ball_diameter + surroundings_.outer_strain * outer.groove,
+                         g.ball_mass, g.ball_diameter / g.pitch_diameter, g.pitch_diameter});
+  }
 }
 
 RingStatics::Plane RingStatics::plane(std::size_t row, int ball, const RingVector& q) const {
@@ -32,8 +35,14 @@ RingStatics::Plane RingStatics::plane(std::size_t row, int ball, const RingVecto
   const double travel = spring_ && row + 1 == rows_.size() ? g.direction : 0.;
   p.by_place << 1., 0., 0., arm * s, -arm * c, travel,  //
       0., c, s, -at * s, at * c, 0.;
-  const Eigen::Vector2d rest(g.direction * (A * std::sin(g.contact_angle) + g.preload_offset),
-                             A * std::cos(g.contact_angle) - g.radial_clearance + surroundings_.radial_growth);
+  const auto [inner, outer] = row_strains(g);
+  const auto strained = [&](double GrooveStrain::*part) {
+    return surroundings_.inner_strain * inner.*part + surroundings_.outer_strain * outer.*part;
+  };
+  const Eigen::Vector2d rest(
+      g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial),
+      A * std::cos(g.contact_angle) - g.radial_clearance + surroundings_.radial_growth +
+          strained(&GrooveStrain::radial));
   p.B = rest + p.by_place * q;
   return p;
 }

@@ -19,12 +19,14 @@ struct TouchdownBearing::BallForces {
   std::array<RowTractions, max_rows> tractions;  // when asked for
   double force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
   double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
+  double by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
   double inertia_power = 0, inertia_per_speed = 0;
 };
 
 TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)) {
   for (const auto& geometry : data_.rows) rows_.emplace_back(geometry, data_.race_waves);
   const auto& g = data_.rows.front();
+  strain_per_growth_ = data_.width > 0. ? 1. / data_.width : 0.;
   cage_ratio_ = cage_speed_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
   inner_heat_share_ = inner_heat_share(data_);
   cot_contact_angle_ = g.contact_angle != 0. ? 1. / std::tan(g.contact_angle) : 0.;
@@ -83,11 +85,7 @@ void TouchdownBearing::initial_state(std::span<double> y) const {
 }
 
 Expansion TouchdownBearing::growth(const SupportInput& in, std::span<const double> y) const {
-  Expansion growth = in.growth;
-  const double speed_squared = y[ring_spin] * y[ring_spin];
-  growth.bore += data_.centrifugal_bore_growth * speed_squared;
-  growth.inner_race += data_.centrifugal_race_growth * speed_squared;
-  return growth;
+  return combined(1., in.growth, y[ring_spin] * y[ring_spin], data_.centrifugal_growth);
 }
 
 BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<const double> y) const {
@@ -112,6 +110,8 @@ BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<cons
   in.ring_speed = y[ring_spin];
   in.radial_growth = growth.inner_race - growth.outer_race;
   in.ball_growth = growth.ball;
+  in.inner_strain = strain_per_growth_ * growth.inner_width;
+  in.outer_strain = strain_per_growth_ * growth.outer_width;
   return in;
 }
 
@@ -132,6 +132,9 @@ TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& i
     sum.damping_power += row.damping_power;
     sum.elastic_radial += row.elastic_radial;
     sum.elastic_normal += row.elastic_normal;
+    const auto [by_inner, by_outer] = rows_[i].strain_gradient(row);
+    sum.by_inner_strain += by_inner;
+    sum.by_outer_strain += by_outer;
     sum.cage_power += row.cage_power;
     sum.waviness_power += row.waviness_power;
     sum.inertia_power += row.inertia_power;
@@ -222,11 +225,16 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   const double inertia_work = balls.inertia_power + balls.inertia_per_speed * dydt[ring_spin];
   const double wave_work = balls.waviness_power + t.wave_power;
   out.other_dissipation = t.damping + balls.damping_power + support_loss - (data_.heat_over_work - 1.) * M * ring_speed;
-  out.energy_gradient = {t.elastic, -t.elastic, balls.elastic_radial, -balls.elastic_radial, 2. * balls.elastic_normal};
+  out.energy_gradient = {t.elastic,
+                         -t.elastic,
+                         balls.elastic_radial,
+                         -balls.elastic_radial,
+                         2. * balls.elastic_normal,
+                         strain_per_growth_ * balls.by_inner_strain,
+                         strain_per_growth_ * balls.by_outer_strain};
   // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
-  const double centrifugal_work = (out.energy_gradient.bore * data_.centrifugal_bore_growth +
-                                   out.energy_gradient.inner_race * data_.centrifugal_race_growth) *
-                                  2. * ring_speed * dydt[ring_spin];
+  const double centrifugal_work =
+      out.energy_gradient.dot(data_.centrifugal_growth) * 2. * ring_speed * dydt[ring_spin];
   out.prescribed_work = balls.cage_power + wave_work + inertia_work + centrifugal_work;
 
   ledger[contact_impulse] = t.normal;

@@ -78,8 +78,8 @@ struct TouchdownBearingData {
   double support_mass = 0;                                  ///< [kg]
   double support_stiffness_y = 0, support_stiffness_z = 0;  ///< [N/m]
   double support_damping_y = 0, support_damping_z = 0;      ///< [N s/m]
-  /// Growth of bore and inner raceway per square of the ring's speed [m s^2].
-  double centrifugal_bore_growth = 0, centrifugal_race_growth = 0;
+  double width = 0;               ///< of the rings, all rows, over which their widths grow; 0: they do not [m]
+  Expansion centrifugal_growth;   ///< per square of the ring's speed [m s^2]
   double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
   std::optional<FreeRing> free_ring;    ///< none: axial and tilting motion of the inner ring are locked
 };
@@ -165,6 +165,7 @@ class TouchdownBearing final : public Support {
 
   TouchdownBearingData data_;
   std::vector<BallRow> rows_;
+  double strain_per_growth_ = 0;  // of the rings' widths [1/m]
   double cage_ratio_ = 0;
   double inner_heat_share_ = 0.5;
   double cot_contact_angle_ = 0;

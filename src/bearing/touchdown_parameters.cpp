@@ -540,6 +540,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   }
   d.ball_model = b.ball_model;
   d.ring_mass = b.ring_mass;
+  d.width = b.width;
   d.ring_spin_inertia = b.ring_spin_inertia;
   d.bore_radius = bore_radius(b, contact);
   d.air_gap = air_gap(b, contact);

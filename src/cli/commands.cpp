@@ -327,10 +327,21 @@ int modes_command(const ModesCommand& command) {
   return 0;
 }
 
+/// The paper's growth takes uniform heating for preload.
+void warn_of_growth(const CaseParameters& p) {
+  const auto& s = p.statics;
+  const bool is_warm = s.inner_rise != 0. || s.outer_rise != 0. || s.ball_rise != 0.;
+  if (p.thermal.expansion == GrowthSource::paper && is_warm)
+    fmt::print(stderr,
+               "warning: thermal.expansion = \"paper\": rings grow at their shoulders and radially only, so that uniform "
+               "heating changes the preload. Set thermal.expansion = \"formula\" for growth where balls touch.\n");
+}
+
 int statics_command(const StaticsCommand& command) {
   auto overrides = command.overrides;
   if (!command.bearing.empty()) overrides.emplace_back("statics.subject=bearings");
   const Case c = read_case(command.file, overrides);
+  warn_of_growth(c.parameters);
   const auto report = find_rest(c, command.bearing);
   if (command.json)
     fmt::print("{}\n", report.dump(2));

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "bearing/linear_support.h"
+#include "machine/statics.h"
 #include "thermal/reduced_sections.h"
 
 namespace rotordrop {
@@ -37,27 +38,16 @@ RubShare rub_share(const ThermalParameters& t) {
   return {t.share_to_ring, t.heat_share == HeatShare::jaeger, {t.rub_band_length, t.rub_contact_time, 1.}};
 }
 
-/// tan of the contact angles with the sides to which the rows of a pair lean; none of rows that are free to move along their axis.
-std::vector<double> axial_share(const TouchdownParameters& b) {
-  std::vector<double> share;
-  double sum = 0.;
-  for (const auto& row : row_places(b)) {
-    share.push_back(row.direction * std::tan(b.contact_angle));
-    sum += share.back();
-  }
-  return std::fabs(sum) < 1e-12 ? share : std::vector<double>{};
-}
-
 void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b, const FiniteElements& elements,
                         FiniteElements::Section& section) {
   const auto& material = material_of(p, b.ring);
   const auto kind = b.housing_fit_kind == HousingFit::bonded ? FitKind::bonded : FitKind::frictionless;
   const ElasticProblem problem = bearing_elastic_problem(
       section.problem, section.solver->section_mesh(),
-      {material.E, material.nu, material.rho, material.alpha, b.housing_fit, kind, axial_share(b)});
+      {material.E, material.nu, material.rho, material.alpha, b.housing_fit, kind});
   section.elastic_solver = elements.make_elastic_solver(problem);
-  section.elastic.emplace(*section.elastic_solver, problem, section.problem, section.adiabatic.growth,
-                          section.solver->field().size());
+  section.elastic.emplace(*section.elastic_solver, problem, section.problem, section.formula,
+                          race_surfaces(p, b), section.solver->field().size());
 }
 
 /// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
@@ -79,7 +69,8 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
     section.name = entry.name;
     section.problem = bearing_heat_problem(circuit, mesh, p.run.ambient, settings);
     section.solver = elements.make_solver(section.problem);
-    section.adiabatic = adiabatic_section(section, section_growth(circuit));
+    section.formula = section_growth(circuit);
+    section.adiabatic = adiabatic_section(section);
     if (p.thermal.expansion == GrowthSource::elastic) {
       add_elastic_growth(p, *b, elements, section);
       if (fe.coupling == FeCoupling::windowed) section.adiabatic.growth = immediate_elastic_growth(section);
@@ -119,7 +110,7 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
     const auto* b = entry.touchdown();
     if (!b) continue;
     const auto& made = elements.sections[k++];
-    ReducedSection section{made.name, made.reduced, made.adiabatic.growth, {}, {}};
+    ReducedSection section{made.name, made.reduced, made.formula, {}, {}};
     if (made.elastic) section.elastic = reduced_elastic(made);
     const auto circuit = circuit_data(p, entry.name, *b);
     if (circuit.shaft_ring_link == BearingCircuitData::Link::in_contact) {
@@ -202,11 +193,12 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
     faults.add(position_of_value(table, "expansion"),
                "thermal.expansion = \"elastic\" needs the finite elements, which do not run.",
                "Add \"fe\" to thermal.models, or take expansion = \"formula\".");
-  if (!t.has_fe) return;
-  if (t.expansion == GrowthSource::elastic && t.plane_strain_growth)
+  if (t.plane_strain_growth && t.expansion != GrowthSource::paper)
     faults.add(position_of_value(table, "plane_strain_growth"),
-               "thermal.plane_strain_growth changes formulas, and thermal.expansion = \"elastic\" uses none.",
-               "Leave one of them out.");
+               fmt::format("thermal.plane_strain_growth changes the paper's formulas, and thermal.expansion is \"{}\".",
+                           t.expansion == GrowthSource::elastic ? "elastic" : "formula"),
+               "Leave it out, or set thermal.expansion = \"paper\".");
+  if (!t.has_fe) return;
   if (!t.nodes.empty() || !t.resistors.empty())
     faults.add(
         position_of(table, t.nodes.empty() ? "resistor" : "node"),
@@ -363,6 +355,7 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.h_ball = t.h_ball;
   c.fit_resistance = t.fit_resistance;
   c.contact_half_width = t.contact_half_width;
+  c.races = race_surfaces(p, b);
   c.plane_strain_growth = t.plane_strain_growth;
   c.shaft_ring_link = t.shaft_ring_link;
   c.factors = b.circuit;
@@ -445,11 +438,8 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
     nodes.push_back(entry.node());
     if (const auto* b = entry.touchdown()) {
       auto data = touchdown_data_of(p, entry.name, *b);
-      if (grows_by_spinning) {
-        const Expansion& growth = finite_elements->sections[n_places].elastic->per_speed_squared();
-        data.centrifugal_bore_growth = growth.bore;
-        data.centrifugal_race_growth = growth.inner_race;
-      }
+      if (grows_by_spinning)
+        data.centrifugal_growth = finite_elements->sections[n_places].elastic->per_speed_squared();
       auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
       std::vector<double> state(bearing->state_entries().size());
       bearing->initial_state(state);

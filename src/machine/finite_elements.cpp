@@ -20,15 +20,18 @@ double largest(const Expansion& e) {
 
 }  // namespace
 
-AdiabaticSection adiabatic_section(const FiniteElements::Section& s, const SectionGrowth& growth) {
+AdiabaticSection adiabatic_section(const FiniteElements::Section& s) {
   const auto& p = s.problem;
   const auto capacity = [&](const char* body) { return s.solver->body_capacity(body_index(p.bodies, body)); };
   const auto& shaft = p.ports[shaft_port];
-  return {s.name, capacity("inner_ring"), shaft.node ? p.nodes[*shaft.node].capacity : capacity("shaft"),
-          capacity("outer_ring") + capacity("housing"), growth};
+  const double outer_ring = capacity("outer_ring"), outer = outer_ring + capacity("housing");
+  // What enters at the outer raceway first warms the outer ring alone.
+  GrowthPerRise growth = s.formula;
+  growth.outer_width *= outer / outer_ring;
+  return {s.name, capacity("inner_ring"), shaft.node ? p.nodes[*shaft.node].capacity : capacity("shaft"), outer, growth};
 }
 
-SectionGrowth immediate_elastic_growth(FiniteElements::Section& s) {
+GrowthPerRise immediate_elastic_growth(FiniteElements::Section& s) {
   constexpr double step = 1e-6;  // [s]: conduction reaches about 4 um
   const auto start = s.solver->field();
   const auto per_joule = [&](std::size_t port) {
@@ -45,9 +48,14 @@ SectionGrowth immediate_elastic_growth(FiniteElements::Section& s) {
   // The inner ring's heat is nearly all from the rub.
   const Expansion rub = per_joule(bore_port);
   const auto& a = s.adiabatic;
-  return {rub.bore * a.inner_capacity, rub.inner_race * a.inner_capacity,
-          per_joule(outer_raceway_port).outer_race * a.outer_capacity, per_joule(shaft_port).shaft * a.shaft_capacity,
-          a.growth.ball};
+  const Expansion outer = per_joule(outer_raceway_port);
+  return {.bore = rub.bore * a.inner_capacity,
+          .inner_race = rub.inner_race * a.inner_capacity,
+          .outer_race = outer.outer_race * a.outer_capacity,
+          .shaft = per_joule(shaft_port).shaft * a.shaft_capacity,
+          .ball = a.growth.ball,
+          .inner_width = rub.inner_width * a.inner_capacity,
+          .outer_width = outer.outer_width * a.outer_capacity};
 }
 
 Expansion growth_of(FiniteElements::Section& s) {
@@ -57,16 +65,19 @@ Expansion growth_of(FiniteElements::Section& s) {
   const std::size_t shaft = body_index(p.bodies, "shaft");
   const double inner = s.solver->body_mean(body_index(p.bodies, "inner_ring")) - zero;
   const std::size_t ring = body_index(p.bodies, "outer_ring"), housing = body_index(p.bodies, "housing");
-  const double outer = (s.solver->body_capacity(ring) * (s.solver->body_mean(ring) - zero) +
+  const double outer_ring = s.solver->body_mean(ring) - zero;
+  const double outer = (s.solver->body_capacity(ring) * outer_ring +
                         s.solver->body_capacity(housing) * (s.solver->body_mean(housing) - zero)) /
                        s.adiabatic.outer_capacity;
   const double shaft_rise =
       (shaft < p.bodies.size() ? s.solver->body_mean(shaft) : s.solver->port_temperature(shaft_port)) - zero;
-  return {.shaft = s.adiabatic.growth.shaft * shaft_rise,
-          .bore = s.adiabatic.growth.bore * inner,
-          .inner_race = s.adiabatic.growth.inner_race * inner,
-          .outer_race = s.adiabatic.growth.outer_race * outer,
-          .ball = s.adiabatic.growth.ball * (s.solver->port_temperature(ball_port) - zero)};
+  return {.shaft = s.formula.shaft * shaft_rise,
+          .bore = s.formula.bore * inner,
+          .inner_race = s.formula.inner_race * inner,
+          .outer_race = s.formula.outer_race * outer,
+          .ball = s.formula.ball * (s.solver->port_temperature(ball_port) - zero),
+          .inner_width = s.formula.inner_width * inner,
+          .outer_width = s.formula.outer_width * outer_ring};
 }
 
 WindowedSections::WindowedSections(FiniteElements& elements, double tolerance, double longest)

@@ -34,7 +34,8 @@ struct FiniteElements {
     std::string name;  ///< of the bearing
     HeatConductionProblem problem;
     std::unique_ptr<HeatConductionSolver> solver;
-    AdiabaticSection adiabatic;
+    GrowthPerRise formula;       ///< per rise of the bodies' means
+    AdiabaticSection adiabatic;  ///< what heat causes at once
     ReducedHeat reduced;                            ///< if it is
     std::unique_ptr<ElasticSolver> elastic_solver;  ///< with thermal.expansion = "elastic"
     std::optional<ElasticGrowth> elastic;
@@ -94,10 +95,10 @@ class WindowedSections {
   Report report_;
 };
 
-/// Capacities and growth of a section, once it has its solver.
-AdiabaticSection adiabatic_section(const FiniteElements::Section& section, const SectionGrowth& growth);
+/// Capacities and growth of a section, once it has its solver and formulas.
+AdiabaticSection adiabatic_section(const FiniteElements::Section& section);
 /// Growth by elasticity right after heat, over the rises without conduction.
-SectionGrowth immediate_elastic_growth(FiniteElements::Section& section);
+GrowthPerRise immediate_elastic_growth(FiniteElements::Section& section);
 /// Growth from a section's field: of its volume means, or by elasticity.
 Expansion growth_of(FiniteElements::Section& section);
 

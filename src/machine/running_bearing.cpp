@@ -11,13 +11,22 @@
 namespace rotordrop {
 namespace {
 
-/// Radial motion of the ring, in its mounted place along the axis, until the first ball touches: sqrt((A - 2 eps_b)^2 - B_x^2) - B_r.
-double radial_clearance(const std::vector<BallRowGeometry>& rows, const Expansion& growth) {
+/// Radial motion of the ring, in its mounted place along the axis, until the first ball touches: sqrt((A + g - 2 eps_b)^2 - B_x^2) - B_r,
+/// with g the growth of both groove radii.
+double radial_clearance(const RingStatics& ring) {
+  const auto& around = ring.surroundings();
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& g : rows) {
+  for (const auto& g : ring.rows()) {
+    const auto [inner, outer] = row_strains(g);
+    const auto strained = [&](double GrooveStrain::*part) {
+      return around.inner_strain * inner.*part + around.outer_strain * outer.*part;
+    };
     const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
-    const double reach = A - 2. * growth.ball, B_x = A * std::sin(g.contact_angle) + g.preload_offset;
-    const double B_r = A * std::cos(g.contact_angle) - g.radial_clearance + growth.inner_race - growth.outer_race;
+    const double reach = A + strained(&GrooveStrain::groove) - 2. * around.ball_growth;
+    const double B_x =
+        g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial);
+    const double B_r = A * std::cos(g.contact_angle) - g.radial_clearance + around.radial_growth +
+                       strained(&GrooveStrain::radial);
     least = std::min(least, std::sqrt(std::max(reach * reach - B_x * B_x, 0.)) - B_r);
   }
   return least;
@@ -38,7 +47,9 @@ Expansion cold_growth(const MachineParameters& p, const TouchdownParameters& b, 
     const auto& m = material_of(p, b.ring);
     const double inside = 0.5 * b.inner_ring_diameters[0], outside = 0.5 * b.inner_ring_diameters[1];
     g.bore += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, inside) * speed * speed;
-    g.inner_race += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, outside) * speed * speed;
+    const RaceSurfaces races = race_surfaces(p, b);
+    g.inner_race += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, races.inner) * speed * speed;
+    g.inner_width += spinning_ring_strain(m.E, m.nu, m.rho, inside, outside) * races.width * speed * speed;
   }
   return g;
 }
@@ -78,7 +89,7 @@ RunningState TouchdownRunning::in(const BearingState& state) const {
   s.axial_stiffness = ring.stiffness[0][0];
   s.radial_stiffness_y = ring.stiffness[1][1];
   s.radial_stiffness_z = ring.stiffness[2][2];
-  s.radial_clearance = radial_clearance(system.ring().rows(), state.growth);
+  s.radial_clearance = radial_clearance(system.ring());
   s.is_floating = ring.is_floating;
   return s;
 }

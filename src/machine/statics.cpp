@@ -32,6 +32,8 @@ RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, c
   RingSurroundings around;
   around.radial_growth = growth.inner_race - growth.outer_race;
   around.ball_growth = growth.ball;
+  around.inner_strain = growth.inner_width / b.width;
+  around.outer_strain = growth.outer_width / b.width;
   around.speed = speed;
   around.has_inertia = data.ball_model == BallModel::inertial;
   std::optional<PreloadSpring> spring;
@@ -48,15 +50,24 @@ RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, c
 
 }  // namespace
 
+RaceSurfaces race_surfaces(const MachineParameters& p, const TouchdownParameters& b) {
+  if (p.thermal.expansion == GrowthSource::paper)
+    return {0.5 * b.inner_ring_diameters[1], 0.5 * b.outer_ring_diameters[0], 0.};
+  return contact_point_surfaces(b.ball_diameter, b.pitch_diameter, b.contact_angle, b.width);
+}
+
 Expansion even_growth(const MachineParameters& p, const TouchdownParameters& b) {
-  const double alpha = material_of(p, b.ring).alpha;
-  Expansion g;
-  g.shaft = alpha * (bore_radius(b, p.contact) - air_gap(b, p.contact));
-  g.bore = alpha * 0.5 * b.inner_ring_diameters[0];
-  g.inner_race = alpha * 0.5 * b.inner_ring_diameters[1];
-  g.outer_race = alpha * 0.5 * b.outer_ring_diameters[0];
-  g.ball = material_of(p, b.ball).alpha * 0.5 * b.ball_diameter;
-  return g;
+  const GrowthPerRise g =
+      growth_per_rise({material_of(p, b.ring).alpha, material_of(p, b.ball).alpha,
+                       bore_radius(b, p.contact) - air_gap(b, p.contact), 0.5 * b.inner_ring_diameters[0],
+                       0.5 * b.ball_diameter, race_surfaces(p, b)});
+  return {.shaft = g.shaft,
+          .bore = g.bore,
+          .inner_race = g.inner_race,
+          .outer_race = g.outer_race,
+          .ball = g.ball,
+          .inner_width = g.inner_width,
+          .outer_width = g.outer_width};
 }
 
 Expansion static_growth(const MachineParameters& p, const TouchdownParameters& b) {
@@ -67,6 +78,8 @@ Expansion static_growth(const MachineParameters& p, const TouchdownParameters& b
   g.inner_race = g.inner_race * s.inner_rise + s.inner_growth;
   g.outer_race = g.outer_race * s.outer_rise + s.outer_growth;
   g.ball *= s.ball_rise;
+  g.inner_width *= s.inner_rise;
+  g.outer_width *= s.outer_rise;
   return g;
 }
 

@@ -28,38 +28,44 @@ struct Force {
 };
 
 /// Growth of the surfaces that clearances and preload see; positive outwards (every radius grows). [m]
+/// A raceway's is the radial displacement of its contact points. Those at the axial position x from the bearing's middle move along the
+/// axis by x / W times the growth of their ring's width W (all rows); docs/growth.md.
 struct Expansion {
-  double shaft = 0;       ///< rotor's contact surface
-  double bore = 0;        ///< inner ring's bore
-  double inner_race = 0;  ///< inner raceway
-  double outer_race = 0;  ///< outer raceway
-  double ball = 0;        ///< radius of a ball
+  double shaft = 0;        ///< rotor's contact surface
+  double bore = 0;         ///< inner ring's bore
+  double inner_race = 0;   ///< inner raceway
+  double outer_race = 0;   ///< outer raceway
+  double ball = 0;         ///< radius of a ball
+  double inner_width = 0;  ///< width of the inner ring(s)
+  double outer_width = 0;  ///< width of the outer ring(s)
 
   /// Sum of products; of a generalised force [N] with a growth rate [m/s] it is a power [W].
   [[nodiscard]] double dot(const Expansion& other) const {
     return shaft * other.shaft + bore * other.bore + inner_race * other.inner_race + outer_race * other.outer_race +
-           ball * other.ball;
+           ball * other.ball + inner_width * other.inner_width + outer_width * other.outer_width;
   }
 };
 /// Its surfaces, in the order in which results list them.
-inline constexpr std::array<double Expansion::*, 5> growth_surfaces = {
-    &Expansion::shaft, &Expansion::bore, &Expansion::inner_race, &Expansion::outer_race, &Expansion::ball};
-inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_names = {"shaft", "bore", "inner race",
-                                                                                         "outer race", "ball radius"};
+inline constexpr std::array<double Expansion::*, 7> growth_surfaces = {
+    &Expansion::shaft, &Expansion::bore,        &Expansion::inner_race, &Expansion::outer_race,
+    &Expansion::ball,  &Expansion::inner_width, &Expansion::outer_width};
+inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_names = {
+    "shaft", "bore", "inner race", "outer race", "ball radius", "inner width", "outer width"};
 /// The same as keys of reports.
-inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_keys = {"shaft", "bore", "inner_race",
-                                                                                        "outer_race", "ball_radius"};
+inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_keys = {
+    "shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width"};
 inline std::array<double, growth_surfaces.size()> growth_values(const Expansion& e) {
-  return {e.shaft, e.bore, e.inner_race, e.outer_race, e.ball};
+  return {e.shaft, e.bore, e.inner_race, e.outer_race, e.ball, e.inner_width, e.outer_width};
 }
 /// @param values [growth_surfaces.size()]
 inline Expansion expansion_of(std::span<const double> values) {
-  return {values[0], values[1], values[2], values[3], values[4]};
+  return {values[0], values[1], values[2], values[3], values[4], values[5], values[6]};
 }
 /// f a + g b
 inline Expansion combined(double f, const Expansion& a, double g, const Expansion& b) {
-  return {f * a.shaft + g * b.shaft, f * a.bore + g * b.bore, f * a.inner_race + g * b.inner_race,
-          f * a.outer_race + g * b.outer_race, f * a.ball + g * b.ball};
+  Expansion sum;
+  for (const auto surface : growth_surfaces) sum.*surface = f * a.*surface + g * b.*surface;
+  return sum;
 }
 
 /// Heat that a bearing releases, by port, and what a law for sharing it needs to know.

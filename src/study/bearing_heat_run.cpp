@@ -356,7 +356,7 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
   }
   // Nobody's growth is fed back into anything.
   p.thermal.driver = GrowthDriver::none;
-  if (!p.thermal.has_fe) p.thermal.expansion = GrowthSource::formula;
+  if (!p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic) p.thermal.expansion = GrowthSource::formula;
   Faults faults;
   check_machine(p, c->drop.tree, faults);
   c->bearing = chosen_bearing(c->drop, *p.heat, table, faults);

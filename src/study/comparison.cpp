@@ -119,7 +119,7 @@ Json growth_json(const Side& a, const Side& b, const std::string& bearing, const
 
 /// constant + sum of factors times growths, by one model.
 TimeSeries of_growth(const Side& side, const std::string& bearing, double constant,
-                     const std::array<double, 5>& factors) {
+                     const std::array<double, growth_surfaces.size()>& factors) {
   TimeSeries sum;
   for (std::size_t c = 0; c < factors.size(); ++c) {
     const TimeSeries u = side.drop.series(side.drop.growth_path(side.kind, bearing), c);
@@ -133,7 +133,15 @@ TimeSeries of_growth(const Side& side, const std::string& bearing, double consta
 Json clearances_json(const Side& a, const Side& b, const std::string& bearing, const TouchdownParameters& p,
                      const Tolerance& tolerance, const Names& names, const std::vector<Instant>& instants) {
   const double gap = air_gap(p, a.drop.parameters().contact), lean = std::cos(p.contact_angle);
-  const std::array<double, 5> in_gap = {-1., 1., 0., 0., 0.}, in_play = {0., 0., -lean, lean, -2.};
+  // Along the contact's normal: contact points lie at x_row -+ s (d/2) sin phi and move by x/W of their ring's growth.
+  const double per_width = std::sin(p.contact_angle) / p.width,
+               half = 0.5 * p.ball_diameter * std::sin(p.contact_angle);
+  double apart = 0.;  // s x_row; 0 in the mean of rows that all lean one way
+  const auto rows = row_places(p);
+  for (const auto& row : rows) apart += row.direction * row.position / static_cast<double>(rows.size());
+  const std::array<double, growth_surfaces.size()> in_gap = {-1., 1.};
+  const std::array<double, growth_surfaces.size()> in_play = {
+      0., 0., -lean, lean, -2., -per_width * (apart - half), per_width * (apart + half)};
   return {{"air_gap", difference_json(of_growth(a, bearing, gap, in_gap), of_growth(b, bearing, gap, in_gap), tolerance,
                                       names, instants)},
           {"ball_play_change", difference_json(of_growth(a, bearing, 0., in_play), of_growth(b, bearing, 0., in_play),

@@ -131,7 +131,10 @@ Json make_preload_maps(const Case& c, const std::string& bearing, std::vector<Pr
         [&](double inner, double outer) {
           auto state = cold(full);
           state.growth.inner_race += ring.inner_race * inner;
+          state.growth.inner_width += ring.inner_width * inner;
           state.growth.outer_race += ring.outer_race * outer;
+          state.growth.outer_width += ring.outer_width * outer;
+          state.growth.ball += ring.ball * 0.5 * (inner + outer);  // balls between the rings
           return state;
         },
         tables);

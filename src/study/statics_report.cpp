@@ -77,7 +77,9 @@ Json growth_json(const Expansion& g) {
           {"bore", g.bore},
           {"inner_race", g.inner_race},
           {"outer_race", g.outer_race},
-          {"ball", g.ball}};
+          {"ball", g.ball},
+          {"inner_width", g.inner_width},
+          {"outer_width", g.outer_width}};
 }
 
 Json bearing_json(const Case& c, const std::string& name) {

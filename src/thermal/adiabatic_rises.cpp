@@ -8,12 +8,14 @@ namespace {
 
 constexpr std::size_t n_states = 3;  // inner ring, shaft, outer ring and housing
 
-Expansion growth_of_rises(const SectionGrowth& g, double inner, double shaft, double outer) {
+Expansion growth_of_rises(const GrowthPerRise& g, double inner, double shaft, double outer) {
   return {.shaft = g.shaft * shaft,
           .bore = g.bore * inner,
           .inner_race = g.inner_race * inner,
           .outer_race = g.outer_race * outer,
-          .ball = 0.};
+          .ball = 0.,
+          .inner_width = g.inner_width * inner,
+          .outer_width = g.outer_width * outer};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace rotordrop {
 struct AdiabaticSection {
   std::string name;                                                   ///< of the bearing
   double inner_capacity = 0, shaft_capacity = 0, outer_capacity = 0;  ///< outer: ring and housing [J/K]
-  SectionGrowth growth;
+  GrowthPerRise growth;
   /// @param inner, shaft, outer  heat given to them [J]; or [W], for a rate
   [[nodiscard]] Expansion growth_by(double inner, double shaft, double outer) const;
 };

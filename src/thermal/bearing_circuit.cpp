@@ -27,6 +27,10 @@ CircuitResistances circuit_resistances(const BearingCircuitData& b) {
   return R;
 }
 
+GrowthDimensions growth_dimensions(const BearingCircuitData& b) {
+  return {b.ring.expansion, b.ball.expansion, b.journal_radius, 0.5 * b.inner_bore, 0.5 * b.ball_diameter, b.races};
+}
+
 void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& network) {
   using std::numbers::pi;
   using Law = ThermalNetworkData::Law;
@@ -82,17 +86,22 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   const auto grow = [&](double Expansion::*surface, const std::string& node, double coefficient) {
     network.growths.push_back({place, surface, node, coefficient});
   };
-  const auto bore = ring_growth(b.ring.expansion, a_i, b_i, a_i, constraint);
-  const auto inner_race = ring_growth(b.ring.expansion, a_i, b_i, b_i, constraint);
-  const auto outer_race = ring_growth(b.ring.expansion, a_o, b_o, a_o, constraint);
-  grow(&Expansion::bore, i, bore.per_rise_inside);
-  grow(&Expansion::bore, ci, bore.per_rise_outside);
-  grow(&Expansion::inner_race, i, inner_race.per_rise_inside);
-  grow(&Expansion::inner_race, ci, inner_race.per_rise_outside);
-  grow(&Expansion::outer_race, o, outer_race.per_rise_inside);
-  grow(&Expansion::outer_race, h, outer_race.per_rise_outside);
-  grow(&Expansion::shaft, s, b.ring.expansion * b.journal_radius);
-  grow(&Expansion::ball, ball, b.ball.expansion * 0.5 * b.ball_diameter);
+  // Two nodes make a linear profile over the wall: of the inner ring, and of outer ring and housing together.
+  const GrowthPerRise whole = growth_per_rise(growth_dimensions(b), constraint);
+  const auto grow_ring = [&](double Expansion::*surface, const std::string& inside, const std::string& outside, double a,
+                             double c, double length) {
+    const auto u = ring_growth(b.ring.expansion, a, c, length, constraint);
+    grow(surface, inside, u.per_rise_inside);
+    grow(surface, outside, u.per_rise_outside);
+  };
+  grow_ring(&Expansion::bore, i, ci, a_i, b_i, a_i);
+  grow_ring(&Expansion::inner_race, i, ci, a_i, b_i, b.races.inner);
+  grow_ring(&Expansion::outer_race, o, h, a_o, b_o, b.races.outer);
+  grow(&Expansion::shaft, s, whole.shaft);
+  grow(&Expansion::ball, ball, whole.ball);
+  if (b.races.width == 0.) return;
+  grow_ring(&Expansion::inner_width, i, ci, a_i, b_i, b.races.width);
+  grow(&Expansion::outer_width, o, whole.outer_width);
 }
 
 }  // namespace rotordrop

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <string>
 
+#include "laws/bearing_growth.h"
 #include "model/circuit_factors.h"
 #include "model/heat_conduction.h"
 #include "thermal/thermal_network.h"
@@ -35,6 +36,7 @@ struct BearingCircuitData {
   double h_shaft = 0, h_ball = 0;                ///< convection [W/(m^2 K)]
   double fit_resistance = 0;                     ///< outer ring to housing [K/W]
   double contact_half_width = 0;                 ///< a of the constriction [m]
+  RaceSurfaces races;                            ///< where the rings' growth counts
   bool plane_strain_growth = false;              ///< growth times (1 + nu)
   enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
   double gap_resistance = 0;  ///< of Link::in_contact, when apart [K/W]
@@ -53,6 +55,8 @@ struct CircuitResistances {
   double R8_ring = 0, R8_fit = 0, R8_housing = 0;  ///< on to its outside; fit; to the middle of the housing's wall
 };
 CircuitResistances circuit_resistances(const BearingCircuitData& bearing);
+
+GrowthDimensions growth_dimensions(const BearingCircuitData& bearing);
 
 /// Adds a bearing's nodes, resistors, port and growth to a network; the bearing becomes its next place.
 ///   ambient -R1- s -R2- x -R3- i -R4- ci -R5- b -R5- co -R7- o -R8- h -R9- ambient,   b -R6- ambient

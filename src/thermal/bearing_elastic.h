@@ -15,9 +15,6 @@ struct BearingElasticData {
   double E = 0, nu = 0, density = 0, expansion = 0;  ///< of rings, housing and shaft
   double housing_interference = 0;                   ///< by radius [m]
   FitKind housing_fit = FitKind::frictionless;
-  /// Of every row, tan of the contact angle, with the sign of the side to which the outer contact leans: what an axial displacement of a race does to the
-  /// balls over what a radial one does. Empty: axial displacements do not count.
-  std::vector<double> axial_share;
 };
 
 /// Pressures below this are none: roundoff of a fit without interference [Pa].
@@ -30,22 +27,24 @@ std::vector<Observable> housing_fit_observables(const std::string& path);
 ElasticProblem bearing_elastic_problem(const HeatConductionProblem& heat, const SectionMesh& mesh,
                                        const BearingElasticData& data);
 
-/// Growth of the five surfaces that clearances and ball loads see, as functionals of all unknowns of the heat problem, over the joined, cold and standing
-/// state. A raceway's is the mean over its strips of the displacement along the contact's normal, over the normal's radial part: what, as a radial growth,
-/// loads the balls as much. The axial parts count for pairs in X or O arrangement alone; a single row, or a tandem, moves along its axis instead.
+/// Growth of the surfaces that clearances and ball loads see, as functionals of all unknowns of the heat problem, over the joined, cold and standing
+/// state. A raceway's radial growth is the mean of its strips' radial displacement, as a hoop strain brought from the strip's mean radius to the contact
+/// points'. The growth of a ring's width is the slope of the strips' axial displacements over their positions, times the width; with fewer than two
+/// rows of strips, of the ring's end faces. A strip's mean radius and position are what a uniform rise of all bodies moves, which expand alike.
 class ElasticGrowth {
  public:
   /// @param elastic  of bearing_elastic_problem(), whose last solve was at rest; must outlive this
   /// @param formula  of the lump of shaft, if it is not meshed, and of the balls
+  /// @param races    contact points and width
   ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& problem, const HeatConductionProblem& heat,
-                const SectionGrowth& formula, std::size_t n_unknowns);
+                const GrowthPerRise& formula, const RaceSurfaces& races, std::size_t n_unknowns);
 
   /// Weights of each surface [growth_surfaces.size()][n_unknowns], while the fits stay closed.
   [[nodiscard]] const std::array<std::vector<double>, growth_surfaces.size()>& weights() const { return weights_; }
   [[nodiscard]] Expansion linear(std::span<const double> temperatures) const;
   /// With fits as they must be: solves.
   [[nodiscard]] Expansion solved(std::span<const double> temperatures);
-  /// Growth of bore and inner raceway per speed squared [m s^2]; the others' is zero.
+  /// Growth of the inner ring's surfaces per speed squared [m s^2]; the others' is zero.
   [[nodiscard]] const Expansion& per_speed_squared() const { return per_speed_squared_; }
 
   /// Pressure of the fit's nodes, while it stays closed.
@@ -59,13 +58,18 @@ class ElasticGrowth {
   [[nodiscard]] FitState fit_state() const { return elastic_.fit(0); }
 
  private:
-  struct Mean {
-    std::vector<std::size_t> outputs;  ///< of the elastic problem, of equal weight
+  /// A sum of outputs of the elastic problem.
+  struct Sum {
+    struct Term {
+      std::size_t output;
+      double factor;
+    };
+    std::vector<Term> terms;
     double at_rest = 0;
   };
   ElasticSolver& elastic_;
   double zero_;
-  std::array<Mean, growth_surfaces.size()> means_;
+  std::array<Sum, growth_surfaces.size()> sums_;
   std::array<std::vector<double>, growth_surfaces.size()> weights_;
   Expansion per_speed_squared_;
   FitNodes housing_fit_;

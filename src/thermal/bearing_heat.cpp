@@ -90,10 +90,8 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
   return p;
 }
 
-SectionGrowth section_growth(const BearingCircuitData& b) {
-  const double alpha = b.ring.expansion * (b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.);
-  return {0.5 * alpha * b.inner_bore, 0.5 * alpha * b.inner_outside, 0.5 * alpha * b.outer_bore,
-          b.ring.expansion * b.journal_radius, b.ball.expansion * 0.5 * b.ball_diameter};
+GrowthPerRise section_growth(const BearingCircuitData& b) {
+  return growth_per_rise(growth_dimensions(b), b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.);
 }
 
 }  // namespace rotordrop

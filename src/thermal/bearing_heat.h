@@ -1,4 +1,5 @@
 #pragma once
+#include "laws/bearing_growth.h"
 #include "model/heat_conduction.h"
 #include "thermal/bearing_circuit.h"
 
@@ -29,12 +30,7 @@ struct SectionSettings {
 HeatConductionProblem bearing_heat_problem(const BearingCircuitData& bearing, const SectionMesh& mesh, double ambient,
                                            const SectionSettings& settings);
 
-/// Growth of the surfaces per rise of means [m/K] (MODEL: alpha r times the volume-mean rise).
-struct SectionGrowth {
-  double bore = 0, inner_race = 0;  ///< per rise of the inner ring
-  double outer_race = 0;            ///< per rise of outer ring and housing together
-  double shaft = 0, ball = 0;
-};
-SectionGrowth section_growth(const BearingCircuitData& bearing);
+/// Growth of the surfaces per rise of volume means: of the inner ring, of outer ring and housing together, of the outer ring.
+GrowthPerRise section_growth(const BearingCircuitData& bearing);
 
 }  // namespace rotordrop

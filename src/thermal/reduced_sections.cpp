@@ -101,7 +101,7 @@ std::vector<double> times(double factor, std::vector<double> v) {
 
 /// Shapes of growth_surfaces, each so much per rise of a mean.
 std::array<std::vector<double>, growth_surfaces.size()> growth_of_means(const ReducedHeat& heat,
-                                                                        const SectionGrowth& g) {
+                                                                        const GrowthPerRise& g) {
   const auto& inner = find(heat.bodies, "inner_ring").shape;
   const auto &outer = find(heat.bodies, "outer_ring"), &housing = find(heat.bodies, "housing");
   std::vector<double> outside(heat.n_modes());
@@ -110,8 +110,13 @@ std::array<std::vector<double>, growth_surfaces.size()> growth_of_means(const Re
         (outer.capacity * outer.shape[i] + housing.capacity * housing.shape[i]) / (outer.capacity + housing.capacity);
   const bool is_lump =
       std::any_of(heat.nodes.begin(), heat.nodes.end(), [](const auto& o) { return o.name == "shaft"; });
-  return {times(g.shaft, find(is_lump ? heat.nodes : heat.bodies, "shaft").shape), times(g.bore, inner),
-          times(g.inner_race, inner), times(g.outer_race, outside), times(g.ball, find(heat.nodes, "ball").shape)};
+  return {times(g.shaft, find(is_lump ? heat.nodes : heat.bodies, "shaft").shape),
+          times(g.bore, inner),
+          times(g.inner_race, inner),
+          times(g.outer_race, outside),
+          times(g.ball, find(heat.nodes, "ball").shape),
+          times(g.inner_width, inner),
+          times(g.outer_width, outer.shape)};
 }
 
 // What observe() writes for a surface.
@@ -143,6 +148,7 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     p.bore = heat.ports[bore_port].shape;
     p.shaft_surface = heat.ports[shaft_port].shape;
     p.growth = section.elastic ? section.elastic->growth : growth_of_means(heat, section.growth);
+    p.has_widths = section.elastic || section.growth.inner_width != 0. || section.growth.outer_width != 0.;
     p.stored.assign(p.n, 0.);
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& output : *list)
@@ -178,6 +184,10 @@ void ReducedSections::add_growth(std::size_t k, std::span<const double> values, 
   const auto& g = p.growth;
   const auto u = five_sums(y, zero, g[0].data(), g[1].data(), g[2].data(), g[3].data(), g[4].data(), p.n);
   out = {.shaft = u.a, .bore = u.b, .inner_race = u.c, .outer_race = u.d, .ball = u.e};
+  if (!p.has_widths) return;
+  const auto widths = two_sums(y, zero, g[5].data(), g[6].data(), p.n);
+  out.inner_width = widths.a;
+  out.outer_width = widths.b;
 }
 
 void ReducedSections::growth(std::span<const double> state, std::span<Expansion> out) const {

@@ -12,7 +12,7 @@ namespace rotordrop {
 struct ReducedSection {
   std::string name;  ///< of the bearing
   ReducedHeat heat;  ///< of bearing_heat_problem()
-  SectionGrowth growth;
+  GrowthPerRise growth;
   struct ContactLink {
     double touching = 0, apart = 0;  ///< resistance between shaft and bore [K/W]
   };
@@ -54,6 +54,7 @@ class ReducedSections final : public ThermalModel {
     std::vector<double> bore, shaft_surface, film, loss;
     std::vector<double> stored;
     std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< of growth_surfaces [m/K]
+    bool has_widths = false;  ///< the axial growths are not zero
     double film_area = 0;
     struct Surface {
       std::vector<double> by_mode;  ///< rises of its points, mode after mode [n * n_points]

@@ -138,12 +138,16 @@ Section<ThermalParameters> thermal_section() {
               .help = "Conductivity of the gas in the air gap."});
   s.boolean("plane_strain_growth", &P::plane_strain_growth,
             {.fallback = false,
-             .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise."});
-  s.choice("expansion", &P::expansion, {{"formula", GrowthSource::formula}, {"elastic", GrowthSource::elastic}},
+             .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise. With "
+                     "expansion = \"paper\"."});
+  s.choice("expansion", &P::expansion,
+           {{"formula", GrowthSource::formula}, {"paper", GrowthSource::paper}, {"elastic", GrowthSource::elastic}},
            {.fallback = "formula",
-            .help = "Growth of the finite elements' races: by formulas for free rings from mean temperatures, or by "
-                    "elasticity of the meshed section with the fit in the housing and the inner ring's centrifugal "
-                    "growth (docs/growth.md)."});
+            .help = "Growth of the rings. \"formula\": radial and axial growth of free rings where balls and races "
+                    "touch, from mean temperatures. \"paper\": radial growth of the shoulders, as Neisi (2019) takes "
+                    "it; uniform heating of a bearing of one material then changes its preload. \"elastic\": of the "
+                    "finite elements' section, with the fit in the housing and the inner ring's centrifugal growth; the "
+                    "circuit keeps the formulas (docs/growth.md)."});
   s.table("fe", &P::fe, fe_section(), {.help = "Finite elements of every touchdown bearing."});
   s.list("node", &P::nodes, node_section(), {.help = "Further nodes."});
   s.list("resistor", &P::resistors, resistor_section(), {.help = "Further resistors."});

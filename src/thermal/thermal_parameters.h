@@ -14,8 +14,12 @@ enum class HeatShare { constant, jaeger };
 /// Whose growth is fed back into clearances and ball loads.
 enum class GrowthDriver { automatic, lumped, fe, none, recorded };
 
-/// Where growth comes from: closed forms of the means, or elasticity on the finite elements' mesh.
-enum class GrowthSource { formula, elastic };
+/// Where growth comes from.
+enum class GrowthSource {
+  formula,  ///< closed forms of mean temperatures, at the contact points of balls and races
+  paper,    ///< the same at the rings' shoulders and without the axial part (Neisi 2019, eqs. 25 to 27)
+  elastic   ///< elasticity on the finite elements' mesh
+};
 
 /// A node that a user adds to the circuit.
 struct ExtraNode {

@@ -16,7 +16,11 @@ from program import PROGRAM, ProgramTest, content_of, settings  # noqa: E402
 HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 ELASTIC = 'thermal.models = ["lumped", "fe"]\nthermal.driver = "fe"\nthermal.expansion = "elastic"\n'
 AMBIENT = 293.15
-SHAFT, BORE, INNER, OUTER, BALL = range(5)  # columns of a growth
+SHAFT, BORE, INNER, OUTER, BALL, INNER_WIDTH, OUTER_WIDTH = range(7)  # columns of a growth
+# Where balls touch, d_m / 2 -+ d / 2 cos phi [m], and the sides of plain sections, the shoulders; widths.
+INNER_CONTACT = {"TB1": 45e-3 - 5.953e-3, "TB2": 42.5e-3 - 4.7625e-3 * np.cos(np.radians(25))}
+OUTER_CONTACT = {"TB1": 45e-3 + 5.953e-3, "TB2": 42.5e-3 + 4.7625e-3 * np.cos(np.radians(25))}
+INNER_SIDE, OUTER_SIDE, WIDTH = 39e-3, {"TB1": 48.6e-3, "TB2": 46e-3}, {"TB1": 20e-3, "TB2": 32e-3}
 
 
 def find(tree, key):
@@ -48,7 +52,7 @@ class FaultyCases(ProgramTest):
         self.assertIn('thermal.fe.coupling = "windowed"', message)
 
     def test_a_factor_of_formulas_is_refused(self):
-        self.assertIn("thermal.plane_strain_growth changes formulas", self.fault(ELASTIC + "thermal.plane_strain_growth = true\n"))
+        self.assertIn("thermal.plane_strain_growth changes the paper's formulas, and thermal.expansion is \"elastic\"", self.fault(ELASTIC + "thermal.plane_strain_growth = true\n"))
 
     def test_an_interference_of_millimetres_is_refused(self):
         self.assertIn("housing_fit", self.fault(ELASTIC + 'bearings.TB1.housing_fit = "2 mm"\n'))
@@ -67,7 +71,8 @@ class ElasticGrowth(ProgramTest):
 
     def test_a_plain_free_ring_grows_by_its_volume_mean_and_its_speed(self):
         """Betti: the mean growth of bore and outside of a free ring of rectangular section is alpha r times its mean rise, whatever the field.
-        The thin disc, in the mean over the length exact too: u(a) = rho w^2 a/(4 E) [(3 + nu) b^2 + (1 - nu) a^2], u(b) = rho w^2 b/(4 E) [(1 - nu) b^2 + (3 + nu) a^2]."""
+        The thin disc, in the mean over the length exact too: u(a) = rho w^2 a/(4 E) [(3 + nu) b^2 + (1 - nu) a^2], u(b) = rho w^2 b/(4 E) [(1 - nu) b^2 + (3 + nu) a^2].
+        A raceway's growth is the side's hoop strain at the contact points. Likewise by Betti the width grows by alpha W times the mean rise, and shrinks by nu rho w^2 (a^2 + b^2)/(2 E) W."""
         done, summary, file = self.run_elastic('thermal.fe.section = "plain"\n')
         alpha, E, nu, rho, a, b = 11.8e-6, 2.0e11, 0.30, 7800.0, 35e-3, 39e-3
         for bearing in ("TB1", "TB2"):
@@ -76,15 +81,19 @@ class ElasticGrowth(ProgramTest):
             self.assertGreater(rise[-1], 0.5)
             # 1e-4: the modes that are left out, of a surface layer; the mesh alone leaves 1e-6.
             np.testing.assert_allclose(growth[:, BORE], alpha * a * rise, rtol=0, atol=1e-4 * alpha * a * rise.max())
-            np.testing.assert_allclose(growth[:, INNER], alpha * b * rise, rtol=0, atol=1e-4 * alpha * b * rise.max())
+            contact, width = INNER_CONTACT[bearing], WIDTH[bearing]
+            np.testing.assert_allclose(growth[:, INNER], alpha * contact * rise, rtol=0, atol=1e-4 * alpha * b * rise.max())
+            np.testing.assert_allclose(growth[:, INNER_WIDTH], alpha * width * rise, rtol=0, atol=1e-4 * alpha * b * rise.max())
             speed = file[f"bearings/{bearing}/ring_speed"][:]
             self.assertGreater(speed[-1], 200.0)
             by_speed = file[f"bearings/{bearing}/expansion"][:] - growth
             factor = rho * speed**2 / (4 * E)
-            bore, race = factor * a * ((3 + nu) * b**2 + (1 - nu) * a**2), factor * b * ((1 - nu) * b**2 + (3 + nu) * a**2)
+            bore, race = factor * a * ((3 + nu) * b**2 + (1 - nu) * a**2), factor * contact * ((1 - nu) * b**2 + (3 + nu) * a**2)
+            narrower = -2 * nu * factor * width * (a**2 + b**2)
+            np.testing.assert_allclose(by_speed[:, INNER_WIDTH], narrower, rtol=0, atol=1e-6 * bore.max())
             np.testing.assert_allclose(by_speed[:, BORE], bore, rtol=0, atol=1e-6 * bore.max())
             np.testing.assert_allclose(by_speed[:, INNER], race, rtol=0, atol=1e-6 * race.max())
-            for surface in (SHAFT, OUTER, BALL):
+            for surface in (SHAFT, OUTER, BALL, OUTER_WIDTH):
                 np.testing.assert_array_equal(by_speed[:, surface], 0.0)
         # What the ring's growth by its speed does to the contacts is booked, or this balance would miss it.
         self.assertLess(abs(summary["energy"]["residual"]), 1e-5)
@@ -113,10 +122,10 @@ class ElasticGrowth(ProgramTest):
             state = summary["bearings"][bearing]["fe"]["elastic_end"]
             felt = file[f"bearings/{bearing}/expansion"][-1]
             self.assertEqual(state["ring_speed"], summary["bearings"][bearing]["ring_speed_end"])
-            for race, surface in (("inner", INNER), ("outer", OUTER)):
+            for race, surface, scale in (("inner", INNER, INNER_CONTACT[bearing] / INNER_SIDE), ("outer", OUTER, OUTER_CONTACT[bearing] / OUTER_SIDE[bearing])):
                 (row,) = state["raceway_growth"][race]  # of a plain section: one side
                 # What the modes leave out of a surface layer, and fits that the modes take as closed.
-                self.assertAlmostEqual(row["radial"], felt[surface], delta=2e-9, msg=f"m, {bearing} {race}")
+                self.assertAlmostEqual(row["radial"] * scale, felt[surface], delta=2e-9, msg=f"m, {bearing} {race}")
                 self.assertLess(abs(row["axial"]), 1e-12, "m: even along the axis")
 
     def test_windows_and_modes_agree_while_the_fits_stay_closed(self):

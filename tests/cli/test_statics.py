@@ -49,6 +49,16 @@ class Statics(ProgramTest):
         self.assertAlmostEqual(sprung["preload"], 290, delta=1e-3)
         self.assertAlmostEqual(warm["growth"]["inner_race"], 11.8e-6 * 39e-3 * 5, delta=1e-12)
 
+    def test_uniform_heating_changes_no_preload_unless_growth_is_the_papers(self):
+        for arrangement in ("X", "O"):
+            for rise, allowed in ((-50, 1e-3), (50, 1e-3), (150, 4e-3)):  # at 150 K similarity itself says 1.003
+                warm = [x for part in ("inner", "outer", "ball", "shaft") for x in ("--set", f"statics.{part}_rise={rise} K")]
+                found = self.bearing("--set", "thermal.expansion=formula", "--set", f"bearings.TB2.arrangement={arrangement}", *warm)
+                self.assertAlmostEqual(found["preload"], 290, delta=290 * allowed, msg=f"N, {arrangement}, {rise} K")
+                self.assertAlmostEqual(found["growth"]["inner_width"], 11.8e-6 * 32e-3 * rise, delta=1e-12)
+        papers = self.bearing(*(x for part in ("inner", "outer", "ball", "shaft") for x in ("--set", f"statics.{part}_rise=50 K")))
+        self.assertAlmostEqual(papers["preload"], 783, delta=1)
+
     def test_fast_balls_press_on_the_outer_race(self):
         still = self.bearing("--set", "bearings.TB2.ball_model=inertial")
         fast = self.bearing("--set", "bearings.TB2.ball_model=inertial", "--set", "statics.speed=15200 rpm")

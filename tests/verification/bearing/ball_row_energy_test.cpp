@@ -36,9 +36,19 @@ double oracle_energy(const BallRowGeometry& g, const std::vector<RaceWave>& wave
     const double own = g.phase + 2. * pi * j / g.n_balls, b = own + in.cage_angle, b_wave = own + wave_cage_angle;
     const Eigen::Vector3d radial(0, std::cos(b), std::sin(b)), p = Eigen::Vector3d(g.position, 0, 0) + R_c * radial;
     const Eigen::Vector3d u = e + psi.cross(p);
-    const double B_r = A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth + u.dot(radial);
-    const double B_x = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + u[0];
-    double delta = std::hypot(B_r, B_x) - A + 2. * in.ball_growth;
+    // Strains move the contact points along the axis, and the grooves' centres away from them.
+    const Eigen::Vector2d n(g.direction * std::sin(g.contact_angle), std::cos(g.contact_angle)), along(1, 0);
+    const double inner_x = g.position - 0.5 * g.ball_diameter * n[0],
+                 outer_x = g.position + 0.5 * g.ball_diameter * n[0];
+    const double wider_inner = in.inner_strain * g.inner_conformity * g.ball_diameter,
+                 wider_outer = in.outer_strain * g.outer_conformity * g.ball_diameter;
+    const Eigen::Vector2d inner_centre = in.inner_strain * inner_x * along + wider_inner * n,
+                          outer_centre = in.outer_strain * outer_x * along - wider_outer * n,
+                          apart = inner_centre - outer_centre;
+    const double B_r =
+        A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth + u.dot(radial) + apart[1];
+    const double B_x = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + u[0] + apart[0];
+    double delta = std::hypot(B_r, B_x) - A - wider_inner - wider_outer + 2. * in.ball_growth;
     for (const auto& w : waves)
       delta += w.amplitude * std::sin(w.order * (b_wave - (w.on_inner_race ? in.ring_angle : 0.)) + w.phase);
     U += 0.4 * g.stiffness * std::pow(std::max(delta, 0.), 2.5);
@@ -89,6 +99,8 @@ std::vector<Sample> samples(bool with_free_balls) {
       in.ring_speed = 1500. * one(random);
       in.radial_growth = 0.7 * um * one(random);
       in.ball_growth = 0.2 * um * one(random);
+      in.inner_strain = 2e-5 * one(random);
+      in.outer_strain = 2e-5 * one(random);
       all.push_back(s);
     }
   return all;
@@ -204,6 +216,18 @@ TEST(BallRow, GrowthForcesAreTheEnergysDerivativesByGrowth) {
           return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
         },
         5e-8);
+    const auto by_strain = row.strain_gradient(out);
+    for (const auto& [strain, gradient] :
+         {std::pair{&BallRowInput::inner_strain, by_strain.first}, {&BallRowInput::outer_strain, by_strain.second}}) {
+      const double expected = derivative(
+          [&](double h) {
+            BallRowInput moved = s.input;
+            moved.*strain += h;
+            return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
+          },
+          1e-5);
+      EXPECT_NEAR(gradient, expected, 1e-8 * 10e-3 * normal) << s.name << ": J, arms of 10 mm";
+    }
     EXPECT_NEAR(out.elastic_radial, radial, 1e-8 * radial) << s.name;
     EXPECT_NEAR(2. * out.elastic_normal, normal, 1e-8 * normal) << s.name;
   }

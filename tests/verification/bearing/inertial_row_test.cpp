@@ -34,11 +34,13 @@ Sample sample(std::mt19937& random, double reach, double tilt, double speed) {
   in.ring_speed = speed * one(random);
   in.radial_growth = 0.3 * reach * one(random);
   in.ball_growth = 0.05 * reach * one(random);
+  in.inner_strain = 10. * reach * one(random);  // per metre: contact points some 5 mm off the middle
+  in.outer_strain = 10. * reach * one(random);
   return s;
 }
 
 RingSurroundings surroundings(const BallRowInput& in) {
-  return {in.radial_growth, in.ball_growth, in.ring_speed, true, in.cage_angle};
+  return {in.radial_growth, in.ball_growth, in.ring_speed, true, in.cage_angle, in.inner_strain, in.outer_strain};
 }
 
 TEST(InertialRow, EveryBallIsInTheBalanceOfTheScalarLaw) {
@@ -154,6 +156,8 @@ TEST(InertialRow, StandingRingsHaveBallsWithoutInertia) {
       EXPECT_NEAR(slow.damping_power, plain.damping_power, 1e-8 * scale) << "W";
       EXPECT_NEAR(slow.elastic_radial, plain.elastic_radial, 1e-8 * scale) << "N";
       EXPECT_NEAR(slow.elastic_normal, plain.elastic_normal, 1e-8 * scale) << "N";
+      EXPECT_NEAR(slow.elastic_axial, plain.elastic_axial, 1e-8 * scale) << "N";
+      EXPECT_NEAR(slow.elastic_outer_surplus, 0., 1e-8 * scale) << "N";
     }
   }
 }

@@ -79,6 +79,7 @@ inline TouchdownBearingData touchdown(std::string name, std::vector<BallRowGeome
   d.f1_y = 0.33;
   d.static_rating = 31e3;
   d.f2 = 0.25;
+  d.width = 32e-3;
   d.drag_viscosity = 15e-6;
   d.drag_regularisation = 2.;
   d.race_friction_coefficient = 0.1;

@@ -69,8 +69,9 @@ Instant random_instant(std::mt19937& random, bool in_contact) {
   s.in.journal.velocity_z = 0.5 * one(random);
   s.in.rotor_spin = {3., 1500 * one(random)};
   s.in.growth = {1 * um * one(random), 1 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random),
-                 0.2 * um * one(random)};
-  s.growth_rate = {3e-3 * one(random), 3e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random)};
+                 0.2 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random)};
+  s.growth_rate = {3e-3 * one(random), 3e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random),
+                   1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random)};
   return s;
 }
 
@@ -108,8 +109,7 @@ double energy_rate(const TB& bearing, const Instant& s, const std::vector<double
         j.z += t * j.velocity_z;
         auto& g = moved.in.growth;
         const auto& v = s.growth_rate;
-        g = {g.shaft + t * v.shaft, g.bore + t * v.bore, g.inner_race + t * v.inner_race,
-             g.outer_race + t * v.outer_race, g.ball + t * v.ball};
+        for (const auto surface : growth_surfaces) g.*surface += t * v.*surface;
         return bearing.energy(moved.in, moved.y);
       },
       5e-7);
@@ -120,8 +120,7 @@ TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
   auto bearings = lively_bearings();
   bearings.push_back(bearings[1]);
   bearings.back().name = "X pair that grows by its speed";
-  bearings.back().centrifugal_bore_growth = 2.1e-12;  // 5 um at 15200 rpm
-  bearings.back().centrifugal_race_growth = 1.9e-12;
+  bearings.back().centrifugal_growth = {.bore = 2.1e-12, .inner_race = 1.9e-12, .inner_width = -0.5e-12};  // 5 um at 15200 rpm
   for (const auto& data : bearings) {
     const TB bearing(data);
     double worst = 0.;
@@ -143,9 +142,9 @@ TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
       worst = std::max(worst, std::fabs(residual) / scale);
       // Balls with inertia are in balance to about 1e-8 of their loads only, some 1e3 N at 1e-2 m/s.
       const double balance = data.rows[0].has_inertia ? 2e-6 : 0.;
-      EXPECT_LT(std::fabs(residual), 1e-9 * scale + 1e-7 + balance)
+      EXPECT_LT(std::fabs(residual), 1e-9 * scale + 2e-7 + balance)
           << data.name << (in_contact ? ", in contact" : ", apart") << " W of " << scale
-          << "; 1e-7 W is roundoff of 400 J over 0.5 us";
+          << "; 2e-7 W is roundoff of 400 J over 0.5 us, twice 3e-14 J and the sum's own";
     }
     printf("%s: worst residual %.1e of the largest power\n", data.name.c_str(), worst);
   }

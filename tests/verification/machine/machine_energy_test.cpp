@@ -32,6 +32,7 @@ const std::vector<std::string> lively = {
     "bearings.TB2.waviness=[{ surface = \"outer_race\", order = 23, amplitude = \"0.3 um\", phase = 1.0 }]",
     "bearings.load_law=\"equivalent\"",
     "thermal.heat_share=\"jaeger\"",
+    "thermal.expansion=\"formula\"",
     "run.gravity=[0, -9.81, 1.3]"};
 
 struct Balance {

@@ -50,6 +50,7 @@ BearingCircuitData tb1() {
   b.h_shaft = b.h_ball = 50.;
   b.fit_resistance = 0.005;
   b.contact_half_width = 0.4e-3;
+  b.races = contact_point_surfaces(b.ball_diameter, 90e-3, 0., b.width);
   return b;
 }
 
@@ -64,6 +65,7 @@ BearingCircuitData tb2() {
   b.housing_length = 50e-3;
   b.n_balls = 46;
   b.ball_diameter = 9.525e-3;
+  b.races = contact_point_surfaces(b.ball_diameter, 85e-3, 25. * pi / 180., b.width);
   return b;
 }
 
@@ -325,8 +327,13 @@ TEST(BearingCircuit, GrowsByTheVolumeMeanRise) {
     const double inner = mean_rise(b.inner_bore, b.inner_outside, T[1], T_ci),
                  outer = mean_rise(b.outer_bore, b.housing_outside, T[3], T[4]);
     EXPECT_NEAR(growth.bore, 11.8e-6 * 35e-3 * inner, 1e-16) << "m";
-    EXPECT_NEAR(growth.inner_race, 11.8e-6 * 39e-3 * inner, 1e-16) << "m";
-    EXPECT_NEAR(growth.outer_race, 11.8e-6 * 0.5 * b.outer_bore * outer, 1e-16) << "m";
+    // Where a ball touches: d_m / 2 -+ d / 2 cos phi; of TB1 45 -+ 5.953 mm, of TB2 42.5 mm -+ 4.7625 mm cos 25 degrees.
+    const bool is_first = b.name == "TB1";
+    const double projected = is_first ? 5.953e-3 : 4.7625e-3 * 0.9063077870366499, middle = is_first ? 45e-3 : 42.5e-3;
+    EXPECT_NEAR(growth.inner_race, 11.8e-6 * (middle - projected) * inner, 1e-16) << "m";
+    EXPECT_NEAR(growth.outer_race, 11.8e-6 * (middle + projected) * outer, 1e-16) << "m";
+    EXPECT_NEAR(growth.inner_width, 11.8e-6 * b.width * inner, 1e-16) << "m";
+    EXPECT_NEAR(growth.outer_width, 11.8e-6 * b.width * (T[3] - ambient), 1e-16) << "m: the outer ring's own";
     EXPECT_NEAR(growth.shaft, 11.8e-6 * 34.75e-3 * (T[0] - ambient), 1e-16) << "m";
     EXPECT_NEAR(growth.ball, b.ball.expansion * 0.5 * b.ball_diameter * (T[2] - ambient), 1e-16) << "m: of the radius";
   }
@@ -336,10 +343,14 @@ TEST(BearingCircuit, PlaneStrainGrowsRingsByOnePlusPoissonMore) {
   auto b = tb2();
   const std::vector<double> T = {ambient + 3., ambient + 9., ambient + 4., ambient + 2., ambient + 1.};
   Expansion free, strained;
+  b.races = {39e-3, 46e-3, 0.};  // the paper's: shoulders, no width
   ThermalNetwork(data_of(b)).growth(T, {&free, 1});
   b.plane_strain_growth = true;
   ThermalNetwork(data_of(b)).growth(T, {&strained, 1});
   EXPECT_NEAR(strained.bore / free.bore, 1.3, 1e-12);
+  EXPECT_NEAR(free.inner_race / free.bore, 39. / 35., 1e-12);
+  EXPECT_EQ(free.inner_width, 0.);
+  EXPECT_EQ(free.outer_width, 0.);
   EXPECT_NEAR(strained.inner_race / free.inner_race, 1.3, 1e-12);
   EXPECT_NEAR(strained.outer_race / free.outer_race, 1.3, 1e-12);
 }
