@@ -44,7 +44,7 @@ Json report_words(const RecordedDrop& drop) {
       "A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) turns at {:.6g} rpm {} {:.6g} ms are "
       "computed, at an ambient temperature of {:.2f} K.",
       rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * 30. / std::numbers::pi,
-      touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.", p.run.end_time * 1e3,
+      touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.", p.run.latest_end() * 1e3,
       p.run.ambient));
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown())
