@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "laws/windage.h"
 
@@ -14,8 +15,10 @@ void check_windage(const WindageParameters& p, const Node& table, Faults& faults
     faults.add(table.where(), "rotor.windage with law = \"power\" needs a torque and the speed at which it acts.",
                "Give both, such as { torque = \"1 N m\", speed = \"15200 rpm\" }, or law = \"geometry\".");
   if (p.law != WindageLaw::geometry) return;
-  for (const char* key : {"torque", "speed", "exponent"})
-    if (table.find(key))
+  // The completed parameters of a run hold the default exponent: that one may stand.
+  for (const auto& [key, is_set] : {std::pair{"torque", p.torque.has_value()}, std::pair{"speed", p.speed.has_value()},
+                                    std::pair{"exponent", p.exponent != 2.}})
+    if (is_set)
       faults.add(position_of(table, key),
                  std::string("rotor.windage.") + key + " belongs to law = \"power\", but the law is \"geometry\".",
                  "Remove it; rotor.windage.factor scales what the geometry gives.");

@@ -541,8 +541,8 @@ class DropRun {
     detail_rows_.unpack(c.extras.at("detail rows"));
     window_rows_.unpack(c.extras.at("window rows"));
     condition_.unpack(c.extras.at("condition"));
-    if (const auto found = c.extras.find("recent impulses"); found != c.extras.end())
-      for (auto at = found->second.begin(); at != found->second.end();) {
+    if (const auto recent_values = c.extras.find("recent impulses"); recent_values != c.extras.end())
+      for (auto at = recent_values->second.begin(); at != recent_values->second.end();) {
         RecentImpulse recent{*at++, {}};
         for (std::size_t i = 0; i < scalars_.size(); ++i) recent.impulse.push_back(*at++);
         recent_impulses_.push_back(std::move(recent));
