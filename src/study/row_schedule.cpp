@@ -40,6 +40,7 @@ double RowSchedule::due() const {
 void RowSchedule::follow(double t, std::span<const double> step) {
   if (stride_ == 1) return;
   const bool was_changed = is_changed_;
+  followed_ = t;
   for (std::size_t k = 0; k < watched_.size(); ++k) {
     latest_[k] = step[watched_[k]];
     largest_[k] = std::max(largest_[k], std::fabs(latest_[k]));
@@ -55,8 +56,10 @@ bool RowSchedule::is_awoken(double before) const { return is_first_change_ && be
 void RowSchedule::written(double t) {
   last_row_ = t;
   has_rows_ = true;
+  is_first_change_ = false;
+  if (t < followed_) return;  // before the change, which the next multiple still has to show
   reference_ = latest_;
-  is_changed_ = is_first_change_ = false;
+  is_changed_ = false;
   pass(t);
 }
 

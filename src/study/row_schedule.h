@@ -44,6 +44,7 @@ class RowSchedule {
   std::vector<std::size_t> watched_;
   std::size_t next_ = 0;  // first multiple not passed
   double last_row_ = 0;   // [s]
+  double followed_ = 0;   // time of the last step [s]
   bool has_rows_ = false, is_changed_ = false, is_first_change_ = false;
   std::vector<double> latest_, reference_, largest_;  // of each watched column
 };

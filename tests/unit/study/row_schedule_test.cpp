@@ -71,8 +71,22 @@ TEST(RowSchedule, MissesLessThanTheChangeBetweenRows) {
   EXPECT_LT(worst, 10. + 2. * 7e-6 * 3.2e5);
 }
 
+TEST(RowSchedule, KeepsTheLineStraightUpToAJump) {
+  const auto jump = [](double t) { return t < 0.1093 ? 0. : 500.; };
+  RowSchedule rows(50e-6, 20e-3, 0.02, {0});
+  const auto times = rows_of(rows, jump, 7e-6, 0.3);
+  double area = 0.;
+  for (std::size_t k = 1; k < times.size(); ++k)
+    area += 0.5 * (jump(times[k]) + jump(times[k - 1])) * (times[k] - times[k - 1]);
+  // The line rises between the step before the jump and the first multiple after it.
+  EXPECT_NEAR(area, 500. * (times.back() - 0.1093), 500. * (7e-6 + 50e-6));
+}
+
 TEST(RowSchedule, GoesOnAfterAResumeAsIfNothingHadBeen) {
-  const auto wave = [](double t) { return t < 0.05 ? std::sin(300. * t) : 0.3 * std::floor(t / 0.04); };
+  // A blip in one step at 60.4 ms: what it changed is over in the next one, and only the checkpoint knows of it.
+  const auto wave = [](double t) {
+    return t < 0.05 ? std::sin(300. * t) : std::fabs(t - 0.0604) < 1e-6 ? 0.9 : 0.3 * std::floor((t + 1e-9) / 0.04);
+  };
   RowSchedule whole(1e-3, 8e-3, 0.02, {0});
   const auto expected = rows_of(whole, wave, 0.4e-3, 0.2);
   for (const double stop : {0.0212, 0.06, 0.0604, 0.1604}) {
