@@ -90,7 +90,7 @@ class WindageAlone(ProgramTest):
             w, t = file["rotor/spin_speed"][:], file["time"][:]
         torque = -IP * (w[-1] - w[0]) / (t[-1] - t[0])
         # By hand: C = 0.00288 for the largest cylinder (Re = 1.09e6): 0.55 N m; 0.15 for those beside it; 2 x 0.074 for its faces; the rest less than 0.1
-        self.assertGreater(torque, 0.75)
+        self.assertGreater(torque, 0.7)
         self.assertLess(torque, 1.0)
 
 
