@@ -482,6 +482,9 @@ def dissipation_by_kind(case):
     series = case.results.get("/ledger/rotor_damping", quiet=True)
     if series is not None:
         add("damping of the rotor", "#333333", series)
+    series = case.results.get("/ledger/windage", quiet=True)
+    if series is not None:
+        add("windage of the rotor", "#7f9fbf", series)
     if total is not None:
         rest = total[1] - sum(energy for energy, _ in kinds.values())
         if np.nanmax(np.abs(rest)) > 1e-6 * np.nanmax(np.abs(total[1])):

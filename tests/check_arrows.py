@@ -29,7 +29,7 @@ ROOMS = {
     "base": set(),
     "model": {"base"},
     "laws": {"base"},
-    "rotor": {"base", "model"},
+    "rotor": {"base", "model", "laws"},
     "bearing": {"base", "model", "laws"},
     "thermal": {"base", "model", "laws"},
     "thermal/fe": {"base", "model", "laws"},

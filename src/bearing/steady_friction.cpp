@@ -39,9 +39,9 @@ SteadyFriction steady_friction(const TouchdownBearingData& b, const RingReport& 
   const auto n_rows = static_cast<double>(b.rows.size());
   for (std::size_t i = 0; i < ring.rows.size(); ++i) {
     const auto& g = b.rows[i];
-    const double cot = g.contact_angle != 0. ? 1. / std::tan(g.contact_angle) : 0.;
-    const double P = equivalent_friction_load(radial_force(ring.rows[i]), std::fabs(ring.rows[i].axial_force), cot);
-    M.load += through_standstill * load_torque(P, b.f1_z, b.f1_y, b.static_rating / n_rows, g.pitch_diameter);
+    const FrictionLoads loads = friction_load_factors(g.contact_angle)
+                                    .loads(radial_force(ring.rows[i]), std::fabs(ring.rows[i].axial_force));
+    M.load += through_standstill * load_torque(loads, b.f1_z, b.f1_y, b.static_rating / n_rows, g.pitch_diameter);
   }
   M.drag = through_standstill * drag_torque(b.drag_viscosity, speed, b.rows.front().pitch_diameter, b.f2);
   if (b.add_spin_heat) M.spin = through_standstill * spin_torque(b, ring);

@@ -12,8 +12,9 @@ struct SteadyFriction {
   [[nodiscard]] double total() const { return load + drag + spin; }
 };
 
-/// As a drop has it (docs/model.md, section 5), with the balls' loads of a ring at rest: per row P = P0 = max(F_r, 0.9 F_a cot phi - 0.1 F_r),
-/// phi nominal. A row without contact angle has P = F_r: balls pressed evenly all round by growth make no heat in this law.
+/// As a drop has it (docs/model.md, section 5), with the balls' loads of a ring at rest: per row P1 and P0 from its radial and axial load,
+/// FrictionLoadFactors at the nominal contact angle. A deep-groove row whose balls growth presses uniformly all round has neither load, so no
+/// load-dependent heat in this law.
 SteadyFriction steady_friction(const TouchdownBearingData& bearing, const RingReport& ring, double speed);
 
 /// Part of the heat that enters the inner race, r_i / (r_i + r_o).

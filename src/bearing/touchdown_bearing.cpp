@@ -8,7 +8,6 @@
 #include "bearing/steady_friction.h"
 #include "bearing/touchdown_touch.h"
 #include "laws/ball_kinematics.h"
-#include "laws/bearing_friction.h"
 #include "laws/skidding.h"
 
 namespace rotordrop {
@@ -29,7 +28,7 @@ TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(
   strain_per_growth_ = data_.width > 0. ? 1. / data_.width : 0.;
   cage_ratio_ = cage_speed_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
   inner_heat_share_ = inner_heat_share(data_);
-  cot_contact_angle_ = g.contact_angle != 0. ? 1. / std::tan(g.contact_angle) : 0.;
+  friction_load_factors_ = friction_load_factors(g.contact_angle);
   const double theta = pitch_angle_outer_race_control(g.contact_angle, g.ball_diameter, g.pitch_diameter);
   const auto spin = spin_speeds(1., g.contact_angle, g.contact_angle, theta, g.ball_diameter, g.pitch_diameter);
   spin_speed_sum_ratio_ = std::fabs(spin.inner) + std::fabs(spin.outer);
@@ -147,15 +146,15 @@ double TouchdownBearing::load_torque_of(const BallForces& forces) const {
   const double d_m = data_.rows.front().pitch_diameter;
   if (data_.load_law == FrictionLoadLaw::radial) {
     const double P = std::sqrt(forces.force_y * forces.force_y + forces.force_z * forces.force_z);
-    return load_torque(P, data_.f1_z, data_.f1_y, data_.static_rating, d_m);
+    return load_torque({P, P}, data_.f1_z, data_.f1_y, data_.static_rating, d_m);
   }
   double torque = 0.;
   const auto n_rows = static_cast<double>(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto& row = forces.row[i];
     const double radial = std::hypot(row.force_y, row.force_z);
-    const double P = equivalent_friction_load(radial, std::fabs(row.force_x), cot_contact_angle_);
-    torque += load_torque(P, data_.f1_z, data_.f1_y, data_.static_rating / n_rows, d_m);
+    const FrictionLoads loads = friction_load_factors_.loads(radial, std::fabs(row.force_x));
+    torque += load_torque(loads, data_.f1_z, data_.f1_y, data_.static_rating / n_rows, d_m);
   }
   return torque;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bearing/ball_row.h"
+#include "laws/bearing_friction.h"
 #include "laws/contact.h"
 #include "model/support.h"
 
@@ -13,8 +14,8 @@ namespace rotordrop {
 
 /// Which load enters the load-dependent friction torque (docs/model.md).
 enum class FrictionLoadLaw {
-  radial,     ///< magnitude of the instantaneous radial resultant of all ball forces, without preload
-  equivalent  ///< per row max(F_r, 0.9 F_a cot phi - 0.1 F_r), preload included
+  radial,     ///< P1 = P0 = magnitude of the instantaneous radial resultant of all ball forces, without preload
+  equivalent  ///< P1 and P0 of each row from its radial and axial load, preload included (FrictionLoadFactors)
 };
 
 /// What the balls are.
@@ -168,7 +169,7 @@ class TouchdownBearing final : public Support {
   double strain_per_growth_ = 0;  // of the rings' widths [1/m]
   double cage_ratio_ = 0;
   double inner_heat_share_ = 0.5;
-  double cot_contact_angle_ = 0;
+  FrictionLoadFactors friction_load_factors_;
   double spin_speed_sum_ratio_ = 0;  // (|omega_si| + |omega_so|) / omega_i
 };
 

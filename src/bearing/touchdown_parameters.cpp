@@ -214,9 +214,9 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
 void add_friction_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
   s.quantity("f1_z", &P::f1_z,
-             {.range = at_least(0), .help = "z in f1 = z (P/C0)^y of the load-dependent friction torque f1 P d_m."});
-  s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .help = "y in f1 = z (P/C0)^y."});
-  s.quantity("C0", &P::C0, {.unit = "N", .range = positive(), .help = "Static load rating of all rows together."});
+             {.range = at_least(0), .help = "z in f1 = z (P0/C0)^y of the load-dependent friction torque f1 P1 d_m; load_law says which loads P0 and P1 are."});
+  s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .help = "y in f1 = z (P0/C0)^y."});
+  s.quantity("C0", &P::C0, {.unit = "N", .range = positive(), .help = "Static load rating of all rows together: of a pair twice the catalogue's value for one bearing. Each row of n takes C0 / n."});
   s.quantity("C", &P::C,
              {.unit = "N",
               .range = positive(),
@@ -239,9 +239,11 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
               .source = "estimate",
               .help = "The friction torque grows as tanh(speed / this) through standstill."});
   s.choice("load_law", &P::load_law, {{"radial", FrictionLoadLaw::radial}, {"equivalent", FrictionLoadLaw::equivalent}},
-           {.fallback = "radial",
-            .help = "Load in the friction torque: the radial resultant without preload, or per row max(F_r, 0.9 F_a "
-                    "cot phi - 0.1 F_r) with it."});
+           {.fallback = "equivalent",
+            .help = "Loads in the friction torque. equivalent: for each row, with its axial load F_a and so with preload, "
+                    "P0 = max(F_r, X0 F_r + Y0 F_a) by ISO 76 in (P0/C0)^y and P1 = max(F_r, 0.9 F_a cot phi - 0.1 F_r) "
+                    "times f1, for a row without contact angle 3 F_a in place of 0.9 F_a cot phi. radial: P0 and P1 are "
+                    "the radial resultant of all rows, without preload; thrust makes no friction then."});
   s.choice(
       "internal_heat", &P::internal_heat,
       {{"energy-consistent", InternalHeat::energy_consistent},

@@ -21,6 +21,7 @@
 #include "study/bearing_mesh.h"
 #include "study/calibration.h"
 #include "study/case.h"
+#include "study/case_warnings.h"
 #include "study/comparison.h"
 #include "study/drop_run.h"
 #include "study/fe_module.h"
@@ -79,6 +80,10 @@ std::string header(const Case& c) {
       "rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; expansion driven by the {}\n",
       version(), git_revision(), c.name, rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi,
       bearings, driver_in_words(p.thermal));
+}
+
+void print_warnings(const Case& c) {
+  for (const auto& text : case_warnings(c)) fmt::print(stderr, "warning: {}\n", text);
 }
 
 double parse_time(const char* option, const std::string& text) {
@@ -161,6 +166,7 @@ int run_command(const RunCommand& command) {
   options.elements = &elements;
   if (!command.quiet) fmt::print("{}", header(drop_case));
   std::fflush(stdout);
+  print_warnings(drop_case);
   catch_signals();
   DropResult result;
   try {
@@ -197,6 +203,8 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
              report.body.Ip, report.body.Id, report.body.centre_of_gravity);
+  std::fflush(stdout);
+  print_warnings(c);
   fmt::print("{}: no faults. Not checked: whether the step suits the stiffest contact.\n", file.string());
   return 0;
 }

@@ -1,18 +1,31 @@
 #include "laws/bearing_friction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace rotordrop {
 
-double load_torque(double load, double z, double y, double static_rating, double pitch_diameter) {
-  if (!(load > 0.)) return 0. * load;  // keeps NaN
-  return z * std::pow(load / static_rating, y) * load * pitch_diameter;
+FrictionLoads FrictionLoadFactors::loads(double radial_load, double axial_load) const {
+  return {std::max(radial_load, torque_axial * axial_load - 0.1 * radial_load),
+          std::max(radial_load, static_radial * radial_load + static_axial * axial_load)};
 }
 
-double equivalent_friction_load(double radial_load, double axial_load, double cot_contact_angle) {
-  return std::max(radial_load, 0.9 * axial_load * cot_contact_angle - 0.1 * radial_load);
+FrictionLoadFactors friction_load_factors(double contact_angle) {
+  if (contact_angle == 0.) return {};
+  constexpr std::array<double, 9> Y_0 = {0.52, 0.50, 0.46, 0.42, 0.38, 0.33, 0.29, 0.26, 0.22};  // 5, 10 ... 45 deg
+  constexpr double spacing = 5. * std::numbers::pi / 180.;
+  const double phi = std::max(contact_angle, spacing);
+  const double at = std::min(phi / spacing - 1., static_cast<double>(Y_0.size() - 1));
+  const auto below = std::min(static_cast<std::size_t>(at), Y_0.size() - 2);
+  const double part = at - static_cast<double>(below);
+  return {0.5, Y_0[below] + part * (Y_0[below + 1] - Y_0[below]), 0.9 / std::tan(phi)};
+}
+
+double load_torque(const FrictionLoads& loads, double z, double y, double static_rating, double pitch_diameter) {
+  if (!(loads.torque > 0.)) return 0. * loads.torque;  // keeps NaN
+  return z * std::pow(loads.static_equivalent / static_rating, y) * loads.torque * pitch_diameter;
 }
 
 double drag_torque(double viscosity, double ring_speed, double pitch_diameter, double f2) {

@@ -3,15 +3,35 @@
 
 namespace rotordrop {
 
-/// Load-dependent friction torque M_L = f1 P d_m with f1 = z (P0/C0)^y [N m].
-/// Source: Neisi, Heikkinen & Sopanen (2019), eq. (21), after Palmgren. Here P = P0.
-/// @param load            P [N], >= 0
-/// @param static_rating   C0 of all rows together [N], > 0
-/// @param pitch_diameter  d_m [m]
-double load_torque(double load, double z, double y, double static_rating, double pitch_diameter);
+/// The two loads in the friction torque of one row.
+struct FrictionLoads {
+  double torque = 0;             ///< P1, multiplied by f1 d_m [N]
+  double static_equivalent = 0;  ///< P0, in f1 = z (P0/C0)^y [N]
+};
 
-/// Equivalent load of one row for the friction torque: max(F_r, 0.9 F_a cot phi - 0.1 F_r) [N], F_a with preload.
-double equivalent_friction_load(double radial_load, double axial_load, double cot_contact_angle);
+/// Factors of a row's radial and axial load in P0 and P1.
+struct FrictionLoadFactors {
+  double static_radial = 0.6;  ///< X0 in P0 = max(F_r, X0 F_r + Y0 F_a)
+  double static_axial = 0.5;   ///< Y0
+  double torque_axial = 3.;    ///< in P1 = max(F_r, this F_a - 0.1 F_r)
+
+  /// @param radial_load, axial_load  of one row, preload included [N], >= 0
+  [[nodiscard]] FrictionLoads loads(double radial_load, double axial_load) const;
+};
+
+/// Factors of one row. Deep groove (angle 0): X0 = 0.6, Y0 = 0.5 and P1 = max(F_r, 3 F_a - 0.1 F_r). Angular contact: X0 = 0.5, Y0 by the
+/// table over the contact angle, straight lines between, and P1 = max(F_r, 0.9 F_a cot phi - 0.1 F_r).
+/// Source: ISO 76:2006, table 2 (X0, Y0, single row); Harris & Kotzalas, Essential Concepts of Bearing Technology (P1), after Palmgren.
+/// Valid:  contact angles 5 to 45 deg. An angle between 0 and 5 deg counts as 5 deg; beyond 45 deg Y0 stays that of 45 deg.
+/// @param contact_angle  nominal [rad], >= 0
+FrictionLoadFactors friction_load_factors(double contact_angle);
+
+/// Load-dependent friction torque M_L = f1 P1 d_m with f1 = z (P0/C0)^y [N m].
+/// Source: Neisi, Heikkinen & Sopanen (2019), eq. (21), after Palmgren.
+/// @param loads           P1 and P0 [N], >= 0
+/// @param static_rating   C0 of what carries the load [N], > 0
+/// @param pitch_diameter  d_m [m]
+double load_torque(const FrictionLoads& loads, double z, double y, double static_rating, double pitch_diameter);
 
 /// Friction torque of an unloaded ball bearing from lubricant or air drag [N m], >= 0.
 ///

@@ -276,6 +276,15 @@ void check_axial_motion(const MachineParameters& p, const Node& case_node, Fault
   if (to_minus < 0. && !stops_minus) unheld("-x", "shoulders.gap_plus_x", to_minus);
 }
 
+void check_end(const MachineParameters& p, const Node& case_node, Faults& faults) {
+  if ((p.run.until != EndCondition::no_contact && p.run.until != EndCondition::rings_at_speed) ||
+      !touchdown_names(p).empty())
+    return;
+  faults.add(position_of_value(table_of(case_node, "run"), "until"),
+             fmt::format("run.until = \"{}\", but the case has no touchdown bearing.", name_of(p.run.until)),
+             "Use \"standstill\" or a time.");
+}
+
 void check_statics(const MachineParameters& p, const Node& table, Faults& faults) {
   const auto& s = p.statics;
   for (const auto& load : s.loads)
@@ -418,6 +427,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
   check_tables(p, case_node, faults);
   check_axial_motion(p, case_node, faults);
+  check_end(p, case_node, faults);
   check_statics(p, table_of(case_node, "statics"), faults);
 }
 

@@ -60,6 +60,8 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
     entries.push_back(part.name == "lumped" ? StateEntry{"heat lost", "J", 1., "heat lost to ambient"}
                                             : StateEntry{part.name + " heat lost", "J", 1.,
                                                          "heat lost to ambient by model " + part.name});
+  if (parts_.rotor->has_windage())
+    entries.push_back({"windage", "J", 100., "energy dissipated by the gas around the rotor, which warms no bearing"});
   n_machine_ledger_ = entries.size();
   layout_.add_block("energy", entries);
 
@@ -223,6 +225,7 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
   machine_ledger[rotor_damping] = power.damping;
   machine_ledger[unbalance_work] = power.unbalance_work;
   machine_ledger[drive_work] = power.drive_work;
+  if (parts_.rotor->has_windage()) machine_ledger[heat_lost + thermal_.size()] = power.windage;
 }
 
 double Machine::mechanical_energy(double t, std::span<const double> y) const {
@@ -244,7 +247,8 @@ EnergyBalance Machine::energy_balance(double t, std::span<const double> y) const
     b.growth_work += ledger[growth_work];
   }
   const auto ledger = y.subspan(machine_ledger_, n_machine_ledger_);
-  b.dissipated += b.heat_deposited + ledger[rotor_damping];
+  if (parts_.rotor->has_windage()) b.windage = ledger[heat_lost + thermal_.size()];
+  b.dissipated += b.heat_deposited + ledger[rotor_damping] + b.windage;
   b.unbalance_work = ledger[unbalance_work];
   b.drive_work = ledger[drive_work];
   b.residual = initial_mechanical_ - b.mechanical - b.dissipated + b.growth_work + b.prescribed_work +

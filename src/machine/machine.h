@@ -22,6 +22,7 @@ struct EnergyBalance {
   double prescribed_work = 0;  ///< by the prescribed motion of cages and waves
   double unbalance_work = 0;
   double drive_work = 0;  ///< by motor or brake
+  double windage = 0;     ///< dissipated by the gas around the rotor; part of `dissipated`
   double residual = 0;    ///< initial - mechanical - dissipated + works: 0 if every joule is found
   double heat_deposited = 0;
   struct Heat {
@@ -114,7 +115,7 @@ class Machine final : public OdeSystem {
     unbalance_work,
     drive_work,
     heat_lost
-  };  // heat_lost: one for each thermal model
+  };  // heat_lost: one for each thermal model; after them the windage, if the rotor has any
   struct Place {
     std::size_t state = 0, n_state = 0;    // of the support
     std::size_t ledger = 0, n_own = 0;     // its ledgers: n_support_ledger common ones, then its own

@@ -1,8 +1,58 @@
 #include "machine/machine_parameters.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <stdexcept>
 
 namespace rotordrop {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, EndCondition>, 3> end_conditions = {
+    {{"standstill", EndCondition::standstill},
+     {"no contact", EndCondition::no_contact},
+     {"rings at speed", EndCondition::rings_at_speed}}};
+
+void read_until(const Node& node, RunParameters& target, Faults& faults) {
+  if (node.is_text()) {
+    std::vector<std::string> known;
+    for (const auto& [name, condition] : end_conditions) {
+      known.emplace_back(name);
+      if (node.text() == name) {
+        target.until = condition;
+        return;
+      }
+    }
+    const std::string& text = node.text();
+    if (std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); })) {
+      const std::string guess = closest_name(text, known);
+      faults.add(node.where(), "run.until = \"" + text + "\" is neither a condition nor a time.",
+                 (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") +
+                     "Allowed: \"standstill\", \"no contact\", \"rings at speed\", or a time such as \"2 s\".");
+      return;
+    }
+  }
+  target.until_time = read_quantity(node, {.unit = "s", .range = positive()}, "run.until", faults);
+}
+
+void check_until(const RunParameters& p, const Node& table, Faults& faults) {
+  if (p.until_time && *p.until_time > p.end_time)
+    faults.add(position_of_value(table, "until"), "run.until is later than run.end_time, the latest end of the run.",
+               "Raise run.end_time; only a run.until that comes first has an effect.");
+  if (p.until == EndCondition::standstill && std::fabs(p.initial_speed) < standstill_speed)
+    faults.add(position_of_value(table, "until"),
+               "run.until = \"standstill\", but the rotor already stands at the start: run.initial_speed is below 1 rad/s.",
+               "Give a higher run.initial_speed, or end the run at a time.");
+}
+
+}  // namespace
+
+std::string name_of(EndCondition condition) {
+  for (const auto& [name, known] : end_conditions)
+    if (known == condition) return name;
+  return "";
+}
 
 Section<RunParameters> run_section() {
   using P = RunParameters;
@@ -12,7 +62,15 @@ Section<RunParameters> run_section() {
               .range = positive(),
               .fallback = "0.3 s",
               .source = "Neisi, Heikkinen & Sopanen 2019",
-              .help = "Simulated time."});
+              .help = "Simulated time; with run.until the latest end of the run."});
+  s.custom("until",
+           {.accepts = "\"standstill\", \"no contact\", \"rings at speed\", or a time",
+            .json_types = {"string", "number"},
+            .help = "What ends the run before run.end_time. standstill: the rotor's spin speed falls below 1 rad/s. no "
+                    "contact: after a contact, the rotor has touched no inner ring for 0.1 s, longer than any bounce. "
+                    "rings at speed: the bores of all inner rings run within 1 % of the rotor's surface speed. The run "
+                    "ends with the step in which this first holds."},
+           read_until);
   s.quantity("initial_speed", &P::initial_speed,
              {.unit = "rad/s",
               .range = between(-2e4, 2e4),
@@ -44,6 +102,7 @@ Section<RunParameters> run_section() {
               .fallback = "293.15 K",
               .source = "estimate: the paper's plots start near 293 K",
               .help = "Temperature of the surroundings and of everything at the start."});
+  s.check(check_until);
   return s;
 }
 

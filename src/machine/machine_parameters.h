@@ -15,13 +15,28 @@
 
 namespace rotordrop {
 
+/// What ends a run before its latest end.
+enum class EndCondition {
+  time,           ///< nothing
+  standstill,     ///< the rotor's spin speed is below standstill_speed
+  no_contact,     ///< after a contact, no rotor surface has touched an inner ring for flight_without_contact
+  rings_at_speed  ///< the bores of all inner rings run within 1 % of the rotor's surface speed
+};
+inline constexpr double standstill_speed = 1.;         ///< [rad/s]
+inline constexpr double flight_without_contact = 0.1;  ///< longer than any bounce in an air gap under gravity [s]
+
 /// [run]: what happens, how long, in what surroundings.
 struct RunParameters {
+  EndCondition until = EndCondition::time;
+  std::optional<double> until_time;  ///< [s]
   double end_time = 0, initial_speed = 0;
   std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
   double ambient = 0;               ///< [K]
+  [[nodiscard]] double latest_end() const { return until_time.value_or(end_time); }
 };
 Section<RunParameters> run_section();
+/// Name of a condition in a case file: "standstill"; empty for `time`.
+[[nodiscard]] std::string name_of(EndCondition condition);
 
 /// [materials.NAME].
 struct MaterialParameters {

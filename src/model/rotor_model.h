@@ -12,6 +12,7 @@ struct RotorPower {
   double damping = 0;         ///< dissipated by modal and mass-proportional damping
   double unbalance_work = 0;  ///< done on the rotor by the unbalance forces (which have no reaction torque on the spin)
   double drive_work = 0;      ///< done on the rotor by the motor or brake torque
+  double windage = 0;         ///< dissipated by the gas around the rotor
 };
 
 /// A rotor. Mass is inverted inside; stations were fixed when it was built. Keeps no copy of the state.
@@ -30,6 +31,8 @@ class RotorModel {
   /// Rates of the rotor's own states under the forces on the stations [n_stations].
   virtual RotorPower rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
                            std::span<double> dydt) const = 0;
+  /// Whether the gas around it brakes it; then rates() reports that power.
+  [[nodiscard]] virtual bool has_windage() const { return false; }
   /// Kinetic (with spin), elastic and gravitational energy [J]; gravity's zero is the undisplaced centre line.
   [[nodiscard]] virtual double energy(std::span<const double> y) const = 0;
 };

@@ -84,6 +84,7 @@ ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& setti
       gravity_z_(settings.gravity_z),
       alpha_(settings.mass_proportional_alpha),
       drive_torque_(settings.drive_torque),
+      windage_(settings.windage),
       axial_(settings.axial) {
   const ModalBasis basis = free_free_modes(geometry, highest_frequency(settings));
   const auto n = static_cast<std::size_t>(basis.n_modes());
@@ -252,6 +253,11 @@ RotorPower ModalRotor::rates_of(double t, const double* __restrict y, const Forc
   const double drive = drive_torque_.empty() ? 0 : drive_torque(t);
   double torque = drive;
   for (std::size_t s = 0; s < n_stations_; ++s) torque += force_on_station[s].torque;
+  double windage = 0;
+  if (windage_) {
+    windage = (*windage_)(omega);
+    torque -= windage;
+  }
   const double omega_rate = torque / body_.Ip;
   dydt[4 * n] = omega;
   dydt[4 * n + 1] = omega_rate;
@@ -306,7 +312,7 @@ RotorPower ModalRotor::rates_of(double t, const double* __restrict y, const Forc
       dydt[2 * n + i] = a_y[i];
       dydt[3 * n + i] = a_z[i];
     }
-  return {body_.mass * damping, body_.mass * unbalance_work, drive * omega};
+  return {body_.mass * damping, body_.mass * unbalance_work, drive * omega, windage * omega};
 }
 
 double ModalRotor::energy(std::span<const double> y) const {

@@ -7,6 +7,7 @@
 
 #include "model/rotor_model.h"
 #include "rotor/geometry.h"
+#include "rotor/windage.h"
 
 namespace rotordrop {
 
@@ -44,6 +45,7 @@ struct RotorSettings {
   double gravity_z = 0;                ///< acceleration along +z [m/s^2]
   std::vector<Unbalance> unbalance;
   TimeTable drive_torque;            ///< on the rotor [N m]
+  std::optional<Windage> windage;    ///< none: the rotor turns in a vacuum
   std::optional<AxialMotion> axial;  ///< none: the rotor is held along its axis
 };
 
@@ -60,7 +62,7 @@ struct RotorSettings {
 ///
 ///   q_y'' = Phi^T f_y / m - omega G q_z' - c q_y' - omega_k^2 q_y,   c_k = 2 zeta omega_k + alpha (rigid modes: alpha)
 ///   q_z'' = Phi^T f_z / m + omega G q_y' - c q_z' - omega_k^2 q_z
-///   Ip omega' = torques on the stations + drive torque
+///   Ip omega' = torques on the stations + drive torque - windage torque
 /// with the force of an unbalance
 ///   f_y = me (omega^2 cos(theta + a) + omega' sin(theta + a))
 ///   f_z = me (omega^2 sin(theta + a) - omega' cos(theta + a))
@@ -83,6 +85,7 @@ class ModalRotor final : public RotorModel {
   [[nodiscard]] Spin spin(std::span<const double> y) const override { return {y[4 * n_modes_], y[4 * n_modes_ + 1]}; }
   RotorPower rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
                    std::span<double> dydt) const override;
+  [[nodiscard]] bool has_windage() const override { return windage_.has_value(); }
   [[nodiscard]] double energy(std::span<const double> y) const override;
 
   /// State of the undeformed rotor that moves as a rigid body.
@@ -137,6 +140,7 @@ class ModalRotor final : public RotorModel {
   std::vector<Shape> node_shape_;        // [n_nodes x n_modes]
   std::vector<double> station_position_;
   TimeTable drive_torque_;
+  std::optional<Windage> windage_;
   std::optional<AxialMotion> axial_;
 };
 

@@ -311,6 +311,8 @@ Section<RotorParameters> rotor_section() {
                  .help = "Of motor (positive) or brake (negative) on the rotor: [time, torque] pairs, linear between, "
                          "constant before and "
                          "after. A constant brake turns a standing rotor backwards: let the table end with 0."})
+      .table("windage", &RotorParameters::windage, windage_section(),
+             {.help = "Friction of the rotor in the gas around it; none if left out."})
       .choice("axial_motion", &RotorParameters::axial_motion,
               {{"locked", AxialFreedom::locked}, {"free", AxialFreedom::free}},
               {.fallback = "locked",
@@ -367,6 +369,7 @@ RotorSettings rotor_settings(const RotorParameters& parameters, const std::array
     return acts ? table : TimeTable{};
   };
   settings.drive_torque = unless_zero(parameters.torque);
+  if (parameters.windage) settings.windage = windage_of(parameters.geometry, *parameters.windage);
   if (parameters.axial_motion == AxialFreedom::free)
     settings.axial = AxialMotion{gravity[0], unless_zero(parameters.axial_force)};
   return settings;

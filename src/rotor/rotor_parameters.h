@@ -1,6 +1,7 @@
 #pragma once
 // The table [rotor] of a case, and the geometry of a rotor as a tree of values (a file of its own, or inline).
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "base/parameters.h"
 #include "rotor/geometry.h"
 #include "rotor/modal_rotor.h"
+#include "rotor/windage.h"
 
 namespace rotordrop {
 
@@ -31,6 +33,7 @@ struct RotorParameters {
   double cut_off_frequency = 0;        ///< [Hz]
   std::vector<Unbalance> unbalance;
   TimeTable torque;  ///< [N m]
+  std::optional<WindageParameters> windage;
   AxialFreedom axial_motion = AxialFreedom::locked;
   TimeTable axial_force;  ///< along +x [N]
   // What the start adds to the rotor's straight line through both ring centres, at rest.

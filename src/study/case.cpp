@@ -31,6 +31,20 @@ Section<OutputParameters> output_section() {
               .range = at_least(1e-7),
               .fallback = "1 ms",
               .help = "Time between rows of the detailed series: the load of every ball."});
+  s.quantity("longest_interval", &P::longest_interval,
+             {.unit = "s",
+              .range = positive(),
+              .help = "Time between rows of the series while nothing changes; detailed series become coarse in the same "
+                      "ratio. A 20000th of the latest end if not given, so that long runs keep files of sensible size; "
+                      "never less than output.interval, so that runs up to 1 s have evenly spaced rows by default. Set "
+                      "it to output.interval for evenly spaced rows in any run."});
+  s.quantity("change", &P::change,
+             {.range = between(0, 1),
+              .fallback = "0.02",
+              .source = "estimate: two line widths of a figure",
+              .help = "A contact force, rotor position or ring speed has changed if it differs from its value in the "
+                      "last row by more than this part of its largest magnitude so far. While something changes rows "
+                      "come every output.interval."});
   s.quantity("checkpoint_interval", &P::checkpoint_interval,
              {.unit = "s",
               .range = positive(),

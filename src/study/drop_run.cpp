@@ -11,6 +11,7 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,8 @@
 #include "io/recorder.h"
 #include "study/drop_fields.h"
 #include "study/result_files.h"
+#include "study/row_schedule.h"
+#include "study/run_end.h"
 #include "study/summary.h"
 
 namespace rotordrop {
@@ -165,7 +168,11 @@ class DropRun {
         options_(options),
         scalars_(machine),
         digest_(digest_of(drop_case.resolved)),
-        end_time_(drop_case.parameters.run.end_time) {
+        condition_(machine, drop_case.parameters.run.until),
+        end_time_(drop_case.parameters.run.latest_end()),
+        rows_(schedule(drop_case.parameters.output.interval)),
+        detail_rows_(schedule(drop_case.parameters.output.detail_interval)),
+        window_rows_(schedule(drop_case.parameters.output.interval)) {
     const std::size_t n = machine.layout().size();
     state_.resize(n);
     rates_.resize(n);
@@ -211,10 +218,10 @@ class DropRun {
     wall_start_ = Clock::now();
     cpu_start_ = cpu_seconds();
     start_time_ = time_;
-    if (time_ < end_time_) integrate();
+    if (!is_at_end()) integrate();
     if (windows_ && !interrupted_) {
-      windows_->finish(end_time_, energies(state_));
-      record_window(end_time_);
+      windows_->finish(time_, energies(state_));
+      record_window(time_, true);
     }
     recorder_->close();
 
@@ -225,8 +232,13 @@ class DropRun {
     result.cpu_time = earlier_cpu_ + cpu_seconds() - cpu_start_;
     result.statistics = statistics();
     result.state = state_;
+    result.condition_met = condition_.is_reached();
     result.impulse_before_end = impulse_;
     result.averaging_start = is_averaging_ ? averaging_start_ : 0.;
+    if (!recent_impulses_.empty()) {
+      result.averaging_start = recent_impulses_.front().time;
+      result.impulse_before_end = recent_impulses_.front().impulse;
+    }
     if (windows_) {
       result.windows = windows_->report();
       result.windows_energy = windows_->energy();
@@ -239,6 +251,15 @@ class DropRun {
   }
 
  private:
+  [[nodiscard]] RowSchedule schedule(double interval) const {
+    const auto& output = case_.parameters.output;
+    const double longest = output.longest_interval.value_or(std::max(output.interval, end_time_ / 20000.));
+    // Details keep their ratio to the other rows.
+    return {interval, longest * interval / output.interval, output.change, watched_columns(machine_.step_observables())};
+  }
+
+  [[nodiscard]] bool is_at_end() const { return time_ >= end_time_ || condition_.is_reached(); }
+
   void integrate() {
     integrator_ = make_integrator(machine_, case_.parameters.integration, time_, state_, end_time_);
     if (time_ == 0.) {
@@ -255,14 +276,14 @@ class DropRun {
     }
     auto last_report = Clock::now(), last_checkpoint = last_report;
     long counter = 0;
-    while (time_ < end_time_) {
+    while (!is_at_end()) {
       try {
         take_step();
       } catch (const SolverError& error) {
         fail(error);
       }
       if (is_stopped()) {
-        interrupted_ = time_ < end_time_;
+        interrupted_ = !is_at_end();
         break;
       }
       if (++counter % 64 != 0) continue;
@@ -291,8 +312,10 @@ class DropRun {
       if (!windows_) write_reduced_fields();
       if (is_to_be_observed()) {
         evaluate_step(time_, y);
+        if (rows_.is_awoken(last_time)) record_before_change(last_time, y);
         record_at(y);
       }
+      follow_impulse(y);
       advance_windows();
     } catch (...) {
       time_ = last_time;
@@ -316,10 +339,13 @@ class DropRun {
     }
   }
 
-  void record_window(double t) {
+  void record_window(double t, bool is_last = false) {
     windows_->observe(window_row_);
     fits_->look(t, window_row_, options_.tell);
-    recorder_->append(n_detail_ > 0 ? 2 : 1, t, window_row_);
+    if (is_last || window_rows_.due() <= t || is_same_time(window_rows_.due(), t)) {
+      recorder_->append(n_detail_ > 0 ? 2 : 1, t, window_row_);
+      window_rows_.written(t);
+    }
     write_windowed_fields(t);
   }
 
@@ -343,7 +369,7 @@ class DropRun {
   /// Every step where that costs nothing; else as often as peaks need: 12 times in a period of the rings' fastest motion, 8 kHz.
   [[nodiscard]] bool is_to_be_observed() const {
     return integrator_->uses_offered_rates() || time_ - observed_time_ >= 10e-6 || time_ >= end_time_ ||
-           is_now(record_time(next_record_)) || (n_detail_ > 0 && is_now(detail_time(next_detail_)));
+           is_now(rows_.due()) || (n_detail_ > 0 && is_now(detail_rows_.due()));
   }
 
   /// Rates and step observables at an accepted state; the scalars follow.
@@ -352,34 +378,50 @@ class DropRun {
     integrator_->offer_rates(rates_);
     observed_time_ = t;
     scalars_.follow(t, step_);
+    for (auto* rows : {&rows_, &detail_rows_, &window_rows_}) rows->follow(t, step_);
+    condition_.follow(t, step_, machine_.spin(y).speed);
+  }
+
+  /// A row at the beginning of the step that brought a change after a long interval without any.
+  void record_before_change(double before, std::span<const double> y) {
+    machine_.evaluate(before, state_, rates_, step_, {});
+    record(before, state_);
+    machine_.evaluate(time_, y, rates_, step_, {});
+  }
+
+  /// Impulses of a sliding mean before an end that is not known yet.
+  void follow_impulse(std::span<const double> y) {
+    if (case_.parameters.run.until == EndCondition::time) return;
+    constexpr double spacing = 0.1 * averaging_time;
+    if (!recent_impulses_.empty() && time_ - recent_impulses_.back().time < spacing && !is_at_end()) return;
+    RecentImpulse now{time_, {}};
+    for (std::size_t i = 0; i < scalars_.size(); ++i)
+      now.impulse.push_back(machine_.ledger(scalars_.support(i), "contact impulse", y));
+    while (recent_impulses_.size() > 1 && recent_impulses_[1].time <= time_ - averaging_time)
+      recent_impulses_.pop_front();
+    if (!is_at_end()) recent_impulses_.push_back(std::move(now));
   }
 
   [[nodiscard]] bool is_stopped() const { return options_.stop && *options_.stop; }
-  [[nodiscard]] double record_time(std::size_t index) const {
-    return static_cast<double>(index) * case_.parameters.output.interval;
-  }
-  [[nodiscard]] double detail_time(std::size_t index) const {
-    return static_cast<double>(index) * case_.parameters.output.detail_interval;
-  }
   // A record time this close to a step's end is that end.
-  [[nodiscard]] bool is_now(double t) const { return std::fabs(t - time_) <= 1e-9 * std::max(time_, 1e-3); }
+  [[nodiscard]] bool is_now(double t) const { return is_same_time(t, time_); }
 
   /// Everything that lies between the last state and the new one, by the integrator's own interpolation; also of the step after which the run is
   /// stopped, for a resumed run goes on behind it.
   void record_between() {
-    while (record_time(next_record_) < time_ && !is_now(record_time(next_record_))) {
-      const double t = record_time(next_record_);
+    while (rows_.due() < time_ && !is_now(rows_.due())) {
+      const double t = rows_.due();
       integrator_->interpolate(t, at_record_);
       machine_.evaluate(t, at_record_, rates_, step_, {});
       record(t, at_record_);
     }
     if (n_detail_ > 0)
-      while (detail_time(next_detail_) < time_ && !is_now(detail_time(next_detail_))) {
-        const double t = detail_time(next_detail_);
+      while (detail_rows_.due() < time_ && !is_now(detail_rows_.due())) {
+        const double t = detail_rows_.due();
         integrator_->interpolate(t, at_record_);
         record_details(t, at_record_);
       }
-    if (!is_averaging_ && averaging_start_ <= time_) {
+    if (!is_averaging_ && averaging_start_ <= time_ && case_.parameters.run.until == EndCondition::time) {
       is_averaging_ = true;
       if (averaging_start_ > 0.) {
         integrator_->interpolate(std::min(averaging_start_, time_), at_record_);
@@ -390,9 +432,9 @@ class DropRun {
   }
 
   void record_at(std::span<const double> y) {
-    const bool is_last = time_ >= end_time_;
-    if (is_now(record_time(next_record_)) || is_last) record(time_, y);
-    if (n_detail_ > 0 && (is_now(detail_time(next_detail_)) || is_last)) record_details(time_, y);
+    const bool is_last = is_at_end();
+    if (is_now(rows_.due()) || is_last) record(time_, y);
+    if (n_detail_ > 0 && (is_now(detail_rows_.due()) || is_last)) record_details(time_, y);
   }
 
   /// Writes a row; rates and step observables must be those at t, y.
@@ -401,14 +443,14 @@ class DropRun {
     machine_.observe_state(t, y, std::span(row_).subspan(n_step_));
     if (!windows_) fits_->look(t, row_, options_.tell);
     recorder_->append(0, t, row_);
-    ++next_record_;
+    rows_.written(t);
     if (t == 0. && n_detail_ > 0) record_details(t, y);
   }
 
   void record_details(double t, std::span<const double> y) {
     machine_.evaluate(t, y, rates_, {}, details_);
     recorder_->append(1, t, details_);
-    ++next_detail_;
+    detail_rows_.written(t);
   }
 
   void open_recorder() {
@@ -423,11 +465,8 @@ class DropRun {
       recorder_options.overwrite |= options_.resume;
       recorder_.emplace(file, record_header(case_), series_groups(machine_, windows()), recorder_options);
     }
-    while (next_record_ > 0 || time_ > 0.) {  // the first record time after the checkpoint
-      if (record_time(next_record_) > time_ && !is_now(record_time(next_record_))) break;
-      ++next_record_;
-    }
-    while (time_ > 0. && (detail_time(next_detail_) < time_ || is_now(detail_time(next_detail_)))) ++next_detail_;
+    if (time_ > 0.)
+      for (auto* rows : {&rows_, &detail_rows_}) rows->pass(time_);
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const {
@@ -451,6 +490,15 @@ class DropRun {
     c.entry_names = entry_names_;
     c.extras["scalars"] = scalars_.packed();
     c.extras["impulse"] = impulse_;
+    c.extras["rows"] = rows_.packed();
+    c.extras["detail rows"] = detail_rows_.packed();
+    c.extras["window rows"] = window_rows_.packed();
+    c.extras["condition"] = condition_.packed();
+    for (const auto& recent : recent_impulses_) {
+      auto& values = c.extras["recent impulses"];
+      values.push_back(recent.time);
+      values.insert(values.end(), recent.impulse.begin(), recent.impulse.end());
+    }
     if (windows_) c.extras["windows"] = windows_->packed();
     const auto s = statistics();
     c.extras["statistics"] = {static_cast<double>(s.steps),
@@ -489,6 +537,16 @@ class DropRun {
     state_ = c.state;
     scalars_.unpack(c.extras.at("scalars"));
     impulse_ = c.extras.at("impulse");
+    rows_.unpack(c.extras.at("rows"));
+    detail_rows_.unpack(c.extras.at("detail rows"));
+    window_rows_.unpack(c.extras.at("window rows"));
+    condition_.unpack(c.extras.at("condition"));
+    if (const auto recent_values = c.extras.find("recent impulses"); recent_values != c.extras.end())
+      for (auto at = recent_values->second.begin(); at != recent_values->second.end();) {
+        RecentImpulse recent{*at++, {}};
+        for (std::size_t i = 0; i < scalars_.size(); ++i) recent.impulse.push_back(*at++);
+        recent_impulses_.push_back(std::move(recent));
+      }
     if (windows_) windows_->unpack(c.extras.at("windows"));
     const auto& s = c.extras.at("statistics");
     earlier_ = {static_cast<long>(s[0]), static_cast<long>(s[1]), static_cast<long>(s[2])};
@@ -544,9 +602,16 @@ class DropRun {
   std::vector<double> window_row_;
   std::optional<FitWatch> fits_;
 
+  struct RecentImpulse {
+    double time;                  // [s]
+    std::vector<double> impulse;  // of each touchdown bearing [N s]
+  };
+  RunEnd condition_;
+  std::deque<RecentImpulse> recent_impulses_;
   double time_ = 0, start_time_ = 0, observed_time_ = 0, end_time_;
+  RowSchedule rows_, detail_rows_, window_rows_;
   std::vector<double> state_, rates_, at_record_, step_, row_, details_;
-  std::size_t n_step_ = 0, n_detail_ = 0, next_record_ = 0, next_detail_ = 0;
+  std::size_t n_step_ = 0, n_detail_ = 0;
   std::vector<std::size_t> inner_rings_;
   double averaging_start_ = 0;
   bool is_averaging_ = false, interrupted_ = false;

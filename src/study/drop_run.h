@@ -36,7 +36,8 @@ struct RunOptions {
 /// A finished or interrupted drop.
 struct DropResult {
   bool completed = false;
-  double end_time = 0;  ///< reached [s]
+  bool condition_met = false;  ///< that of run.until, before its latest end
+  double end_time = 0;         ///< reached [s]
   double wall_time = 0,
          cpu_time = 0;               ///< of the time integration, results included, over all parts of a resumed run [s]
   IntegrationStatistics statistics;  ///< likewise

@@ -152,7 +152,7 @@ void check_residual(Checks& checks, const Json& summary, const std::string& name
 
 Json report_checks(const RecordedDrop& drop, const Json& summary, const Json& comparison) {
   Checks checks;
-  const double end = drop.parameters().run.end_time;
+  const double end = drop.parameters().run.latest_end();
   if (summary.is_null()) {
     checks.add("complete", false,
                "there is no summary.json: the run still goes on, was killed or failed; the table below lacks what only "

@@ -44,8 +44,14 @@ Json report_words(const RecordedDrop& drop) {
       "A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) turns at {:.6g} rpm {} {:.6g} ms are "
       "computed, at an ambient temperature of {:.2f} K.",
       rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * 30. / std::numbers::pi,
-      touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.", p.run.end_time * 1e3,
+      touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.", p.run.latest_end() * 1e3,
       p.run.ambient));
+  if (p.run.until != EndCondition::time)
+    words.push_back(fmt::format("The run ends before that with run.until = \"{}\".", name_of(p.run.until)));
+  if (p.rotor.windage)
+    words.push_back(p.rotor.windage->law == WindageLaw::geometry
+                        ? "The gas around the rotor brakes it, by smooth cylinders and faces of its geometry."
+                        : "The gas around the rotor brakes it, by a power of the speed.");
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown())
       words.push_back(bearing_words(entry.name, *b, p.contact));

@@ -35,6 +35,12 @@ Json demand(const FollowedDemand& d) {
           {"longest_beyond", d.longest_beyond}};
 }
 
+Json ended_by(const RunParameters& run, const DropResult& result) {
+  if (!result.completed) return "interruption";
+  if (result.condition_met) return name_of(run.until);
+  return run.until_time ? "until" : "end_time";
+}
+
 Json safety(double pressure) { return json_number(std::pow(static_pressure_limit / pressure, 3)); }
 
 Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::size_t i, std::span<const double> y,
@@ -174,6 +180,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
                  {"drive_work", e.drive_work},
                  {"residual", e.residual},
                  {"heat_deposited", e.heat_deposited}};
+  if (machine.rotor().has_windage()) j["energy"]["windage"] = e.windage;
   for (std::size_t k = 0; k < e.heat.size(); ++k) {
     const std::string prefix = machine.thermal_name(k) == "lumped" ? "" : machine.thermal_name(k) + "_";
     j["energy"][prefix + "heat_stored"] = e.heat[k].stored;
@@ -183,6 +190,8 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
   if (result.windows) j["windows"] = windows_summary(*result.windows, result.windows_energy);
   j["run"] = {{"completed", result.completed},
               {"end_time", result.end_time},
+              {"ended_by", ended_by(drop_case.parameters.run, result)},
+              {"until", name_of(drop_case.parameters.run.until)},
               {"wall_time", result.wall_time},
               {"cpu_time", result.cpu_time},
               {"steps", result.statistics.steps},
@@ -227,8 +236,17 @@ std::string summary_text(const Json& j) {
       if (b.contains("whirl")) text += whirl_text(name, b["whirl"]);
     }
   const auto& e = j["energy"];
-  text += fmt::format("Energy: {:.2f} J dissipated, residual {:.1e} J; heat {:.2f} J deposited",
-                      e["dissipated"].get<double>(), e["residual"].get<double>(), e["heat_deposited"].get<double>());
+  const auto& run = j["run"];
+  if (const std::string until = run.value("until", ""); !until.empty())
+    text += run["ended_by"] == until
+                ? fmt::format("Ended by run.until = \"{}\" at t = {:.6g} s, at {:.4g} rpm\n", until,
+                              run["end_time"].get<double>(), j["rotor_speed_end"].get<double>() * rpm)
+                : fmt::format("run.until = \"{}\" was not met by t = {:.6g} s; raise run.end_time\n", until,
+                              run["end_time"].get<double>());
+  text += fmt::format("Energy: {:.2f} J dissipated", e["dissipated"].get<double>());
+  if (e.contains("windage")) text += fmt::format(" ({:.2f} J by windage)", e["windage"].get<double>());
+  text += fmt::format(", residual {:.1e} J; heat {:.2f} J deposited", e["residual"].get<double>(),
+                      e["heat_deposited"].get<double>());
   if (e.contains("heat_residual")) text += fmt::format(", residual {:.1e} J", e["heat_residual"].get<double>());
   if (e.contains("fe_heat_residual"))
     text += fmt::format(", of the finite elements {:.1e} J", e["fe_heat_residual"].get<double>());

@@ -146,7 +146,7 @@ ContactWhirl find_whirl(const ContactOrbit& o, const WhirlOptions& options) {
   whirl.contact_time = s.contact.back();
   double longest_step = 0.;
   for (std::size_t k = 1; k < n; ++k) longest_step = std::max(longest_step, o.time[k] - o.time[k - 1]);
-  whirl.fastest_resolved = 0.25 * turn / longest_step;
+  whirl.fastest_resolved = 0.25 * turn / options.row_interval.value_or(longest_step);
 
   std::size_t start = 0;
   auto current = direction_of(whirl.speed[0], o.spin_speed[0], options.slowest);
@@ -198,7 +198,8 @@ double friction_that_sustains_whirl(std::complex<double> receptance) {
   return std::fabs(receptance.imag() / receptance.real());
 }
 
-ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing) {
+ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing,
+                            const WhirlOptions& options) {
   const std::string prefix = "/bearings/" + bearing + "/";
   const auto times = read_series(results, "/time").values, spin = read_series(results, "/rotor/spin_speed").values,
              orbit = read_series(results, prefix + "orbit").values,
@@ -211,11 +212,11 @@ ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::str
     if (!std::isfinite(y[k] + z[k] + penetration[k] + spin[k])) n = k;
   }
   const auto cut = [n](const std::vector<double>& v) { return std::span(v).first(n); };
-  return find_whirl({cut(times), cut(y), cut(z), cut(penetration), cut(spin)});
+  return find_whirl({cut(times), cut(y), cut(z), cut(penetration), cut(spin)}, options);
 }
 
 Json whirl_summary(const std::filesystem::path& results, const std::string& bearing, const Case& drop_case) {
-  const ContactWhirl w = recorded_whirl(results, bearing);
+  const ContactWhirl w = recorded_whirl(results, bearing, {.row_interval = drop_case.parameters.output.interval});
   const WhirlStretch* longest = w.longest();
   const WhirlStretch* fastest = w.fastest_backward();
   const auto share = [&](double time) { return w.contact_time > 0. ? number(time / w.contact_time) : Json(nullptr); };

@@ -26,6 +26,8 @@ struct WhirlOptions {
   double window = 5e-3;
   /// Slower than this is rest [rad/s]: a turn a second.
   double slowest = 6.283185307179586;
+  /// Time between rows while the rotor moves [s]; none: the longest between any two. Rows are farther apart while nothing changes.
+  std::optional<double> row_interval = {};
 };
 
 enum class WhirlDirection { none, forward, backward };
@@ -90,7 +92,8 @@ double full_rub_friction();
 double friction_that_sustains_whirl(std::complex<double> receptance);
 
 /// Whirl in every touchdown bearing of a run's results.h5, by name; NaN rows and live files are cut.
-ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing);
+ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing,
+                            const WhirlOptions& options = {});
 /// The entry `whirl` of a bearing in summary.json.
 nlohmann::ordered_json whirl_summary(const std::filesystem::path& results, const std::string& bearing,
                                      const Case& drop_case);

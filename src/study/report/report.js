@@ -318,10 +318,12 @@ function showDrops(animation) {
   const times = animation.bearings[0].time;
   const slider = element("input", { type: "range", id: "time", min: 0, max: times.length - 1, step: 1, "aria-label": "time" });
   const output = element("output", { id: "instant" }), play = element("button", { id: "play" }, "play");
-  const step = short(times.length > 1 ? times[1] - times[0] : 0);
+  const steps = times.slice(1).map((time, k) => time - times[k]);
+  const shortest = steps.reduce((a, b) => Math.min(a, b), Infinity), longest = steps.reduce((a, b) => Math.max(a, b), 0);
+  const pace = longest > 1.5 * shortest ? `every ${short(shortest)} to ${short(longest)} ms, more often while something changes` : `every ${short(longest)} ms`;
   section("The drop", element("div", { class: "player" }, play, slider, output), drops,
     element("p", { class: "note" }, `Seen along +x: y up, z to the right, positive spin clockwise. Gap, displacements and penetration are magnified alike, the radii are not. ` +
-      `Dashed: how far the gap lets the rotor's centre (dot) go while the ring is centred; a ring with clearance, or under load, lies lower. Full dot on the bore: contact. The bars on rotor and ring turn with them. A picture every ${step} ms: what is faster is not seen here.`));
+      `Dashed: how far the gap lets the rotor's centre (dot) go while the ring is centred; a ring with clearance, or under load, lies lower. Full dot on the bore: contact. The bars on rotor and ring turn with them. A picture ${pace}: what is faster is not seen here.`));
   const made = animation.bearings.map((bearing) => new Drop(bearing, drops));
   const show = () => {
     const time = times[+slider.value];

@@ -302,9 +302,9 @@ TEST(TouchdownBearing, InternalHeatIsFrictionTorqueTimesRingSpeed) {
   y[TB::ring_spin] = 1591.7;
   const auto e = evaluate(bearing, {}, y);
   const double W = 0.21 * 9.81;
-  const double M = load_torque(W, 0.001, 0.33, 31e3, 90e-3) + drag_torque(15e-6, 1591.7, 90e-3, 0.25);
+  const double M = load_torque({W, W}, 0.001, 0.33, 31e3, 90e-3) + drag_torque(15e-6, 1591.7, 90e-3, 0.25);
   EXPECT_NEAR(e.out.heat.inner + e.out.heat.outer, M * 1591.7, 1e-7 * M * 1591.7) << "W";
-  // Equivalent law: two rows with 290 N each, per row P = 0.9 * 290 N cot 25 deg - 0.1 F_r on half of C0.
+  // Equivalent law: two rows with 290 N each, per row P1 = 0.9 * 290 N cot 25 deg - 0.1 F_r and P0 = 0.38 * 290 N on half of C0.
   auto pair_data = touchdown("TB2", angular_contact_pair(290.));
   pair_data.load_law = FrictionLoadLaw::equivalent;
   pair_data.static_rating = 62e3;
@@ -314,7 +314,7 @@ TEST(TouchdownBearing, InternalHeatIsFrictionTorqueTimesRingSpeed) {
   y[TB::ring_spin] = 1591.7;
   const auto p = evaluate(pair_bearing, {}, y);
   const double P = 0.9 * 290. * 2.1445069,
-               M_pair = 2. * 0.001 * std::pow(P / 31e3, 0.33) * P * 85e-3 + drag_torque(15e-6, 1591.7, 85e-3, 0.25);
+               M_pair = 2. * 0.001 * std::pow(0.38 * 290. / 31e3, 0.33) * P * 85e-3 + drag_torque(15e-6, 1591.7, 85e-3, 0.25);
   EXPECT_NEAR(p.out.heat.inner + p.out.heat.outer, M_pair * 1591.7, 1e-6 * M_pair * 1591.7) << "W";
 }
 

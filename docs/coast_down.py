@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Runs the coast-down of the reference machine and puts its results into docs/coast-down.md.
+
+    python3 docs/coast_down.py [--program build/release/rotordrop] [--output out/coast-down] [--only NAME ...] [--update]
+
+One run for each line of VARIANTS, minutes each; results that are there already are read, not computed again. Without --update the tables are printed.
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+DOCUMENT = pathlib.Path(__file__).with_name("coast-down.md")
+CASE = ROOT / "params/neisi2019-coast-down.toml"
+BEGIN, END = "<!-- results: made by docs/coast_down.py -->\n", "<!-- end of results -->\n"
+BOTH = ("thermal.models=[\"lumped\", \"fe\"]",)
+VARIANTS = {  # name: (what it is, settings)
+    "circuit": ("growth by the circuit", ()),
+    "elements": ("growth by finite elements", (*BOTH, "thermal.driver=fe")),
+    "windage": ("no brake: windage and bearings only; growth by the circuit", ("rotor.torque=0 N m", "run.end_time=6000 s")),
+}
+
+
+def run(program, name, output):
+    directory = output / name
+    if not (directory / "summary.json").exists() or not json.loads((directory / "summary.json").read_text())["run"]["completed"]:
+        settings = [word for setting in VARIANTS[name][1] for word in ("--set", setting)]
+        subprocess.run([program, "run", CASE, "-o", directory, "--quiet", "--force", *settings], check=True)
+    return json.loads((directory / "summary.json").read_text()), (directory / "results.h5").stat().st_size
+
+
+def verdict(bearing):
+    """What ends a bearing, by the limits of docs/preload.md: 4.2 GPa (ISO 76) and 150 degC; and how far it was from them."""
+    rise = max(value for key, value in {**bearing.get("temperature_rise_end", {}), **bearing.get("fe", {}).get("temperature_rise_end", {})}.items() if isinstance(value, float))
+    pressure = bearing["largest_contact_pressure"]
+    good = pressure < 4.2e9 and rise < 130
+    return "survives" if good else "fails"
+
+
+def lines(results):
+    rpm = 30 / math.pi
+    runs = [(name, *results[name]) for name in VARIANTS if name in results]
+    text = "| run | ended by | at [s] | speed left [rpm] | windage [kJ] | brake [kJ] | into bearings [kJ] | energy residual [J] | heat residual [J] | CPU [s] | file [MB] |\n" + "|---" * 11 + "|\n"
+    for name, s, size in runs:
+        e = s["energy"]
+        text += (f"| {VARIANTS[name][0]} | {s['run']['ended_by']} | {s['run']['end_time']:.1f} | {s['rotor_speed_end'] * rpm:.1f} | {e['windage'] / 1e3:.2f} | {-e['drive_work'] / 1e3:.2f} | "
+                 f"{e['heat_deposited'] / 1e3:.2f} | {e['residual']:.1e} | {e['heat_residual']:.1e} | {s['run']['cpu_time']:.0f} | {size / 1e6:.0f} |\n")
+    text += "\n| run | bearing | rub heat [kJ] | friction in it [kJ] | preload at start, largest, end [N] | largest pressure [GPa] | rises at the end, circuit [K] | by finite elements [K] | verdict |\n" + "|---" * 9 + "|\n"
+    for name, s, _ in runs:
+        for bearing, b in s["bearings"].items():
+            preload = " / ".join(f"{b['preload'][key]:.0f}" for key in ("start", "largest", "end")) if "preload" in b else "-"
+            rises = lambda values: ", ".join(f"{part.replace('_', ' ')} {values[part]:.1f}" for part in ("inner_ring", "ball", "outer_ring", "housing") if part in values) or "-"
+            text += (f"| {VARIANTS[name][0]} | {bearing} | {b['friction_heat'] / 1e3:.2f} | {(b['inner_heat'] + b['outer_heat']) / 1e3:.2f} | {preload} | {b['largest_contact_pressure'] / 1e9:.2f} | "
+                     f"{rises(b.get('temperature_rise_end', {}))} | {rises(b.get('fe', {}).get('temperature_rise_end', {}))} | {verdict(b)} |\n")
+    return text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rotordrop")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "out/coast-down")
+    parser.add_argument("--only", nargs="+", choices=list(VARIANTS), default=list(VARIANTS))
+    parser.add_argument("--update", action="store_true", help="put the tables into docs/coast-down.md")
+    options = parser.parse_args()
+    text = lines({name: run(options.program, name, options.output) for name in options.only})
+    if not options.update:
+        print(text)
+        return
+    before, rest = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)
+    DOCUMENT.write_text(before + BEGIN + text + END + rest.split(END)[1], encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
