@@ -28,12 +28,13 @@ void spread_over_cells(std::size_t n_cells, double from, double to, double half_
   const auto first = static_cast<long>(std::floor((low - b) / cell_angle)),
              last = static_cast<long>(std::floor((high + b) / cell_angle));
   const auto count = static_cast<long>(n_cells);
+  auto cell = static_cast<std::size_t>(((first % count) + count) % count);
   double before = 0.;
-  for (long i = first; i <= last; ++i) {
+  for (long i = first; i <= last; ++i, cell = cell + 1 == n_cells ? 0 : cell + 1) {
     const double after = i == last ? 2. * b : covered(static_cast<double>(i + 1) * cell_angle);
     const double share = (after - before) / (2. * b);
     before = after;
-    if (share > 0.) give(static_cast<std::size_t>(((i % count) + count) % count), share);
+    if (share > 0.) give(cell, share);
   }
 }
 

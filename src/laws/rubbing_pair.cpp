@@ -21,7 +21,9 @@ TrackMemory::TrackMemory(const RubbedBody& body, std::size_t n_cells, double axi
       cell_area_(2. * pi * body.radius / static_cast<double>(n_cells) * axial_width),
       heated_at_(n_cells, 0.),
       heat_(n_cells, 0.),
-      fresh_(n_cells, 0.) {
+      fresh_(n_cells, 0.),
+      interval_(shortest_interval),
+      is_kept_(n_kept, 0) {
   // 1/sqrt(s) = pi^(-1/2) sum H e^(z/2) exp(-s e^z) over z = z_0 + j H, as in SweptArcHistory.
   constexpr double H = 1.1;
   const double lowest = std::log(4e-3 / duration), highest = std::log(10. / shortest_interval);
@@ -35,6 +37,7 @@ TrackMemory::TrackMemory(const RubbedBody& body, std::size_t n_cells, double axi
   memory_.assign(n_cells * rate_.size(), 0.);
   gain_.resize(rate_.size());
   decay_.resize(rate_.size());
+  kept_decay_.resize(n_kept * rate_.size());
 }
 
 std::size_t TrackMemory::cell_at(double angle) const {
@@ -43,20 +46,30 @@ std::size_t TrackMemory::cell_at(double angle) const {
   return std::min(cell, n_cells() - 1);
 }
 
-// Neighbouring cells were mostly heated last in the same interval, so that one set of decays serves many.
-void TrackMemory::decay_over(double lag) const {
-  if (lag == decay_lag_) return;
+const double* TrackMemory::decay_over(double lag) const {
+  const auto fill = [&](double* to, double over) {
+    for (std::size_t l = 0; l < rate_.size(); ++l) to[l] = std::exp(-rate_[l] * over);
+  };
+  const double count = std::nearbyint(lag / interval_);
+  if (count < static_cast<double>(n_kept) && std::fabs(lag - count * interval_) < 1e-6 * interval_) {
+    const auto k = static_cast<std::size_t>(count);
+    double* const kept = &kept_decay_[k * rate_.size()];
+    if (!is_kept_[k]) fill(kept, count * interval_);
+    is_kept_[k] = 1;
+    return kept;
+  }
+  if (lag != decay_lag_) fill(decay_.data(), lag);
   decay_lag_ = lag;
-  for (std::size_t l = 0; l < rate_.size(); ++l) decay_[l] = std::exp(-rate_[l] * lag);
+  return decay_.data();
 }
 
 double TrackMemory::rise(double angle, double t) const {
   const std::size_t cell = cell_at(angle);
   if (heat_[cell] == 0.) return 0.;
-  decay_over(t - heated_at_[cell]);
+  const double* const decay = decay_over(t - heated_at_[cell]);
   const double* const y = &memory_[cell * rate_.size()];
   double sum = 0.;
-  for (std::size_t l = 0; l < rate_.size(); ++l) sum += decay_[l] * y[l];
+  for (std::size_t l = 0; l < rate_.size(); ++l) sum += decay[l] * y[l];
   return sum;
 }
 
@@ -77,9 +90,9 @@ void TrackMemory::commit(double t, double step) {
   for (const std::size_t cell : fresh_cells_) {
     const double heat = fresh_[cell], flux = heat / (step * cell_area_);
     double* const y = &memory_[cell * rate_.size()];
-    decay_over(t - heated_at_[cell]);
+    const double* const decay = decay_over(t - heated_at_[cell]);
     // What has died away must not become denormal, which is slow to compute with.
-    for (std::size_t l = 0; l < rate_.size(); ++l) y[l] = decay_[l] * y[l] + gain_[l] * flux + 1e-250;
+    for (std::size_t l = 0; l < rate_.size(); ++l) y[l] = decay[l] * y[l] + gain_[l] * flux + 1e-250;
     heated_at_[cell] = t;
     heat_[cell] += heat;
     fresh_[cell] = 0.;
@@ -168,8 +181,8 @@ void RubbingPair::advance(double time, const RubbingBand& band) {
   }
   const double area_time = h * options_.axial_width * step, into_ring = sum * area_time;
   state_.share_to_ring = band.heat > 0. ? into_ring / band.heat : 0.;
-  // A band that has gone by more than its length leaves the same everywhere, whatever was under which piece.
-  if (std::fabs(ring_way) * ring_.radius > 2. * b || options_.division == RubDivision::given) {
+  // A band that has gone by more than half of its length smears what was under which piece.
+  if (std::fabs(ring_way) * ring_.radius > b || options_.division == RubDivision::given) {
     ring_memory_.add(ring_place - ring_way, ring_place, b / ring_.radius, into_ring);
   } else {
     for (std::size_t k = 0; k < n; ++k) {

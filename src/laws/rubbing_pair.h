@@ -37,7 +37,8 @@ class TrackMemory {
 
  private:
   [[nodiscard]] std::size_t cell_at(double angle) const;
-  void decay_over(double lag) const;
+  /// Decays of the terms over a lag [n_terms].
+  [[nodiscard]] const double* decay_over(double lag) const;
 
   double scale_ = 0, cell_area_ = 0;
   std::vector<double> rate_, weight_;  ///< of the terms [1/s], [s^-1/2]
@@ -47,7 +48,11 @@ class TrackMemory {
   std::vector<std::size_t> fresh_cells_;
   std::vector<double> gain_;  ///< of the terms over the interval of gain_step_
   double gain_step_ = -1;
-  mutable std::vector<double> decay_;  ///< of the terms over decay_lag_
+  // Lags are mostly whole numbers of intervals: their decays are kept [up to n_kept][n_terms].
+  static constexpr std::size_t n_kept = 512;
+  double interval_ = 0;
+  mutable std::vector<double> kept_decay_, decay_;
+  mutable std::vector<char> is_kept_;
   mutable double decay_lag_ = -1;
 };
 
