@@ -69,6 +69,7 @@ double TrackMemory::rise(double angle, double t) const {
   const double* const decay = decay_over(t - heated_at_[cell]);
   const double* const y = &memory_[cell * rate_.size()];
   double sum = 0.;
+#pragma omp simd reduction(+ : sum)
   for (std::size_t l = 0; l < rate_.size(); ++l) sum += decay[l] * y[l];
   return sum;
 }
@@ -156,6 +157,7 @@ void RubbingPair::advance(double time, const RubbingBand& band) {
   // What earlier turns left on the rotor, just ahead of the band.
   const double cell = 2. * pi / static_cast<double>(rotor_memory_.n_cells());
   const double before = rotor_memory_.rise(rotor_place + front * (b / rotor_.radius + cell), time);
+  const bool is_given = options_.division == RubDivision::given;
   const double q = band.heat / (step * 2. * b * options_.axial_width);
 
   state_ = {};
@@ -169,10 +171,14 @@ void RubbingPair::advance(double time, const RubbingBand& band) {
     const double direct = per_flux_ring * std::sqrt(dwell);
     const double kept = ring_memory_.rise(ring_place + xi / ring_.radius, time);
     double rotor = before;
-    for (std::size_t l = 0; l < k; ++l) rotor += kernel_[k - l] * (q - q_ring_[l]);
-    q_ring_[k] = options_.division == RubDivision::given ? band.share_to_ring * q
-                                                         : (rotor + kernel_[0] * q - kept) / (kernel_[0] + direct);
-    rotor += kernel_[0] * (q - q_ring_[k]);
+    if (is_given) {
+      q_ring_[k] = band.share_to_ring * q;
+      rotor += per_flux_rotor * std::sqrt(age((static_cast<double>(k) + 0.5) * h)) * (q - q_ring_[k]);
+    } else {
+      for (std::size_t l = 0; l < k; ++l) rotor += kernel_[k - l] * (q - q_ring_[l]);
+      q_ring_[k] = (rotor + kernel_[0] * q - kept) / (kernel_[0] + direct);
+      rotor += kernel_[0] * (q - q_ring_[k]);
+    }
     const double ring = kept + direct * q_ring_[k];
     sum += q_ring_[k];
     state_.ring_rise = std::max(state_.ring_rise, ring);
@@ -182,7 +188,7 @@ void RubbingPair::advance(double time, const RubbingBand& band) {
   const double area_time = h * options_.axial_width * step, into_ring = sum * area_time;
   state_.share_to_ring = band.heat > 0. ? into_ring / band.heat : 0.;
   // A band that has gone by more than half of its length smears what was under which piece.
-  if (std::fabs(ring_way) * ring_.radius > b || options_.division == RubDivision::given) {
+  if (std::fabs(ring_way) * ring_.radius > b || is_given) {
     ring_memory_.add(ring_place - ring_way, ring_place, b / ring_.radius, into_ring);
   } else {
     for (std::size_t k = 0; k < n; ++k) {
