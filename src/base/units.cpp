@@ -180,6 +180,7 @@ constexpr NamedDimension named_dimensions[] = {
     {"N m s/rad", "angular damping coefficient", "10 N m s/rad"},
     {"N s", "impulse", "2 N s"},
     {"Pa", "pressure", "200 GPa"},
+    {"1/Pa", "wear coefficient", "1e-14 m2/N"},
     {"Pa s", "dynamic viscosity", "0.01 Pa s"},
     {"m2/s", "kinematic viscosity or diffusivity", "15 mm2/s"},
     {"W", "power", "50 W"},

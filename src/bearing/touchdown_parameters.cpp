@@ -392,12 +392,58 @@ Section<ContactParameters> contact_section() {
               .fallback = "0.5 m/s",
               .source = "estimate",
               .help = "Slip speed over which static friction falls to dynamic."});
+  s.function("friction_over_speed", &P::friction_over_speed,
+             {.argument_unit = "m/s",
+              .range = between(0, 2),
+              .help = "Dynamic friction of rotor and bore over slip speed, instead of friction_coefficient in the contact: "
+                      "linear between the pairs, constant outside. regularisation_speed acts besides. What is derived "
+                      "from one coefficient (race_friction_coefficient, the condition for a full rub) keeps "
+                      "friction_coefficient."});
+  s.function("friction_over_temperature", &P::friction_over_temperature,
+             {.argument_unit = "K",
+              .range = between(0, 10),
+              .help = "Factor on the friction of rotor and bore over the mean temperature of the inner ring in the "
+                      "lumped circuit: linear between the pairs, constant outside. The local temperature of the rubbing "
+                      "spot does not enter."});
+  s.quantity("wear_coefficient_bore", &P::wear_coefficient_bore,
+             {.unit = "m2/N",
+              .range = at_least(0),
+              .fallback = "1e-14 m2/N",
+              .source = "estimate: K/H with K = 7e-5 for unlubricated hardened steel (Archard 1953; Rabinowicz 1995: "
+                        "1e-5 to 1e-3) and H = 7 GPa (60 HRC)",
+              .help = "Volume that the bore loses, over normal force and sliding distance (Archard). It acts on the "
+                      "reported wear alone."});
+  s.quantity("wear_coefficient_rotor", &P::wear_coefficient_rotor,
+             {.unit = "m2/N",
+              .range = at_least(0),
+              .fallback = "2.3e-14 m2/N",
+              .source = "estimate: K/H with the same K and H = 3 GPa (quenched and tempered steel of a landing sleeve)",
+              .help = "The same of the rotor's surface."});
+  s.quantity("wear_depth_limit", &P::wear_depth_limit,
+             {.unit = "m",
+              .range = positive(),
+              .fallback = "50 um",
+              .source = "estimate: a fifth of the reference case's air gap",
+              .help = "Wear depth of bore or rotor up to which drops are counted."});
   s.check([](const P& p, const Node& table, Faults& faults) {
     if (p.bore_radius && p.air_gap >= *p.bore_radius)
       faults.add(position_of_value(table, "air_gap"),
                  fmt::format("contact.air_gap = {:.6g} mm is not smaller than bore_radius = {:.6g} mm.",
                              p.air_gap * 1e3, *p.bore_radius * 1e3),
                  "The rotor's radius is bore_radius - air_gap.");
+    if (p.friction_over_speed && p.static_friction_coefficient)
+      faults.add(position_of_value(table, "static_friction_coefficient"),
+                 "contact.static_friction_coefficient and contact.friction_over_speed both say how friction changes with "
+                 "slip speed.",
+                 "Give one of them; a table may begin with the static value at 0 m/s.");
+    if (p.friction_over_speed && p.friction_over_speed->front()[0] < 0.)
+      faults.add(position_of_value(table, "friction_over_speed"),
+                 "contact.friction_over_speed has a negative slip speed; friction depends on the magnitude alone.",
+                 "Begin the table at 0 m/s or above.");
+    if (p.friction_over_temperature && p.friction_over_temperature->front()[0] < 0.)
+      faults.add(position_of_value(table, "friction_over_temperature"),
+                 "contact.friction_over_temperature has a temperature below 0 K.",
+                 "Temperatures are absolute: write 20 degC or 293.15 K.");
   });
   return s;
 }
@@ -551,6 +597,9 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.friction = {contact.friction_coefficient, contact.regularisation_speed,
                 contact.static_friction_coefficient.value_or(0.), contact.stribeck_speed,
                 contact.static_friction_coefficient.has_value()};
+  if (contact.friction_over_speed) d.friction.over_speed = *contact.friction_over_speed;
+  if (contact.friction_over_temperature) d.friction.over_temperature = *contact.friction_over_temperature;
+  d.friction.has_tables = contact.friction_over_speed || contact.friction_over_temperature;
   d.f1_z = b.f1_z;
   d.f1_y = b.f1_y;
   d.static_rating = b.C0;

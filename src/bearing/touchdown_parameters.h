@@ -17,6 +17,8 @@ struct ContactParameters {
   std::optional<double> bore_radius;
   std::optional<double> static_friction_coefficient;
   double stribeck_speed = 0;
+  std::optional<std::vector<std::array<double, 2>>> friction_over_speed, friction_over_temperature;
+  double wear_coefficient_bore = 0, wear_coefficient_rotor = 0, wear_depth_limit = 0;
 };
 Section<ContactParameters> contact_section();
 

@@ -94,7 +94,8 @@ TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, cons
     c.elastic = data_.contact.K * std::pow(c.penetration, data_.contact.n);
     c.normal = data_.contact.total(c.elastic, c.rate);
     c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
-    const double per_slip = data_.friction.per_speed(c.slip_speed * c.slip_speed + c.slip_x * c.slip_x) * c.normal;
+    const double slip_squared = c.slip_speed * c.slip_speed + c.slip_x * c.slip_x;
+    const double per_slip = data_.friction.per_speed(slip_squared, in.ring_temperature) * c.normal;
     c.friction = per_slip * c.slip_speed;
     c.friction_x = per_slip * c.slip_x;
   }
@@ -151,7 +152,8 @@ void TouchdownBearing::touch_shoulders(const SupportInput& in, std::span<const d
       const double elastic = ring.shoulder_stiffness / n_around * penetration;
       const double normal = std::max(elastic * (1. + 1.5 * data_.contact.lambda * rate), 0.);
       const double slip_y = v_y - spinning * r * s, slip_z = v_z + spinning * r * c;
-      const double per_slip = data_.friction.per_speed(slip_y * slip_y + slip_z * slip_z) * normal;
+      const double slip_squared = slip_y * slip_y + slip_z * slip_z;
+      const double per_slip = data_.friction.per_speed(slip_squared, in.ring_temperature) * normal;
       const double f_x = -shoulder.side * normal, f_y = per_slip * slip_y, f_z = per_slip * slip_z;
       const double torque = r * (c * f_z - s * f_y);
       add_force(sum.on_ring, face, r * c, r * s, f_x, f_y, f_z, torque);

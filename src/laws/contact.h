@@ -1,7 +1,9 @@
 #pragma once
 // Rotor surface against inner-ring bore: normal and friction law. Inlined: called once per bearing and right-hand side.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace rotordrop {
 
@@ -22,23 +24,44 @@ struct HuntCrossley {
   [[nodiscard]] double energy(double delta) const { return delta > 0. ? elastic(delta) * delta / (n + 1.) : 0.; }
 };
 
+/// Value of a table of pairs [argument, value] with rising arguments: straight lines between them, constant outside.
+inline double table_value(const std::vector<std::array<double, 2>>& table, double x) {
+  const auto after =
+      std::upper_bound(table.begin(), table.end(), x, [](double a, const std::array<double, 2>& p) { return a < p[0]; });
+  if (after == table.begin()) return table.front()[1];
+  if (after == table.end()) return table.back()[1];
+  const auto& low = *(after - 1);
+  return low[1] + (x - low[0]) * ((*after)[1] - low[1]) / ((*after)[0] - low[0]);
+}
+
 /// Coulomb friction, regularised: mu(v) = mu v / sqrt(v^2 + v_reg^2), with an optional higher (or lower) value near
-/// rest (Stribeck): mu = mu_d + (mu_s - mu_d) exp(-(v / v_s)^2).
+/// rest (Stribeck): mu = mu_d + (mu_s - mu_d) exp(-(v / v_s)^2); or mu from a table over slip speed. A table over temperature is a factor.
 struct CoulombFriction {
   double mu = 0;                    ///< dynamic friction coefficient, >= 0
   double regularisation_speed = 1;  ///< v_reg [m/s], > 0
   double static_mu = 0;             ///< mu_s; used if has_stribeck
   double stribeck_speed = 1;        ///< v_s [m/s], > 0
   bool has_stribeck = false;
+  bool has_tables = false;                                   ///< one of those below is not empty
+  std::vector<std::array<double, 2>> over_speed = {};        ///< mu over slip speed [m/s]; instead of mu and static_mu
+  std::vector<std::array<double, 2>> over_temperature = {};  ///< factor on mu over the ring's temperature [K]
 
   /// Coefficient over slip speed [s/m]: times a slip speed, or a vector of it, the signed coefficient.
-  [[nodiscard]] double per_speed(double slip_speed_squared) const {
+  /// @param temperature  of the ring [K]; needed for a table over it only
+  [[nodiscard]] double per_speed(double slip_speed_squared, double temperature = 0.) const {
     double m = mu;
     if (has_stribeck) m += (static_mu - mu) * std::exp(-slip_speed_squared / (stribeck_speed * stribeck_speed));
+    if (has_tables) m = from_tables(m, slip_speed_squared, temperature);
     return m / std::sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
   }
   /// Signed coefficient at a slip speed [m/s].
   [[nodiscard]] double coefficient(double slip_speed) const { return per_speed(slip_speed * slip_speed) * slip_speed; }
+
+  [[nodiscard]] double from_tables(double m, double slip_speed_squared, double temperature) const {
+    if (!over_speed.empty()) m = table_value(over_speed, std::sqrt(slip_speed_squared));
+    if (!over_temperature.empty()) m *= table_value(over_temperature, temperature);
+    return m;
+  }
 };
 
 }  // namespace rotordrop

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "laws/arc_cells.h"
+
 namespace rotordrop {
 namespace {
 
@@ -174,35 +176,13 @@ std::size_t SweptArcHistory::slot_for(std::size_t cell) {
   return slot;
 }
 
-// The spot's middle goes from one angle to the other evenly. Length of a cell under the spot, summed over the way:
-//   integral of [r(c1 - p + b) - r(c0 - p + b) - r(c1 - p - b) + r(c0 - p - b)] dp,  r(x) = max(x, 0), whose integral is r^2/2.
 void SweptArcHistory::deposit(double from, double to, const RubbingSpot& spot, double heat) {
-  const double n = static_cast<double>(n_cells()), cell_angle = 2. * pi / n;
-  // A spot that reaches round is one that covers all.
-  const double b = std::min(spot.half_width / surface_.radius, pi);
-  const double low = std::min(from, to), high = std::max(from, to), way = high - low, middle = 0.5 * (low + high);
-  const bool rests = way < 1e-7 * b;
-  const auto ramp = [&](double x) {
-    if (rests) return std::max(x - middle, 0.);
-    const double at_low = std::max(x - low, 0.), at_high = std::max(x - high, 0.);
-    // (at_low^2 - at_high^2)/(2 way), without the difference of squares where both are positive
-    return at_high > 0. ? 0.5 * (at_low + at_high) : 0.5 * at_low * at_low / way;
-  };
-  const auto covered = [&](double x) { return ramp(x + b) - ramp(x - b); };
-  const double area = surface_.radius * cell_angle * spot.axial_width;
-  const auto first = static_cast<long>(std::floor((low - b) / cell_angle)),
-             last = static_cast<long>(std::floor((high + b) / cell_angle));
-  const auto count = static_cast<long>(n_cells());
-  double before = 0.;
-  for (long i = first; i <= last; ++i) {
-    const double after = i == last ? 2. * b : covered(static_cast<double>(i + 1) * cell_angle);
-    const double share = (after - before) / (2. * b);
-    before = after;
-    if (share <= 0.) continue;
-    const std::size_t slot = slot_for(static_cast<std::size_t>(((i % count) + count) % count));
+  const double area = surface_.radius * 2. * pi / static_cast<double>(n_cells()) * spot.axial_width;
+  spread_over_cells(n_cells(), from, to, spot.half_width / surface_.radius, [&](std::size_t cell, double share) {
+    const std::size_t slot = slot_for(cell);
     total_[slot] += share * heat;
     flux_[slot] += share * heat / (interval_ * area);
-  }
+  });
 }
 
 void SweptArcHistory::decay_and_heat(double step) {

@@ -12,6 +12,8 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double turned(double from, double to) { return std::remainder(to - from, 2. * std::numbers::pi); }
 
+}  // namespace
+
 std::vector<std::size_t> rows_to_follow(const RubRecord& r, std::size_t most) {
   const std::size_t n = r.times.size();
   std::vector<std::size_t> rows;
@@ -28,8 +30,6 @@ std::vector<std::size_t> rows_to_follow(const RubRecord& r, std::size_t most) {
   }
   return rows;
 }
-
-}  // namespace
 
 BoreHistory bore_history(const RubRecord& r, const RubSurfaces& s, std::size_t most_rows) {
   BoreHistory h;

@@ -13,6 +13,9 @@ struct RubRecord {
   std::vector<double> joules_into_ring, joules_into_rotor;  ///< since the start [J]
   std::vector<double> contact_angle;                        ///< from ring centre to rotor centre, atan2(z, y) [rad]
   std::vector<double> ring_angle, rotor_angle;              ///< how far they have turned [rad]
+  // Only for local_rub():
+  std::vector<double> impulse;     ///< integral of the contact force [N s]
+  std::vector<double> slip_speed;  ///< rotor's surface past the bore [m/s]
 };
 
 struct RubSurfaces {
@@ -41,6 +44,9 @@ struct BoreHistory {
 /// @param most_rows  rows that are followed one by one; of a longer record later ones are joined, as long as the contact moves over the bore by less
 /// than a radian. Heat is kept.
 BoreHistory bore_history(const RubRecord& record, const RubSurfaces& surfaces, std::size_t most_rows = 12000);
+
+/// Rows of a record to follow: all of one with `most` rows at most; of a longer one later rows are joined, see bore_history().
+std::vector<std::size_t> rows_to_follow(const RubRecord& record, std::size_t most);
 
 /// The same contact as Jaeger's band moving over a half space at constant speed with constant heat: largest rise at its end [K].
 /// @param heat      into the bore during the contact [J]; @param duration  of it [s]; @param arc  way of the contact over the bore [rad]

@@ -127,7 +127,9 @@ void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& ne
                         std::shared_ptr<const GrowthHistory> recorded, Machine::Parts& parts) {
   const GrowthDriver driver = driver_of(p.thermal);
   if (p.thermal.has_lumped) {
-    parts.thermal.push_back({"lumped", "/thermal/", std::make_unique<ThermalNetwork>(network)});
+    auto circuit = std::make_unique<ThermalNetwork>(network);
+    if (p.contact.friction_over_temperature) parts.friction_temperatures = {0, circuit->ring_states()};
+    parts.thermal.push_back({"lumped", "/thermal/", std::move(circuit)});
     if (driver == GrowthDriver::lumped) parts.driver = 0;
   }
   if (p.thermal.has_fe) {
@@ -426,6 +428,10 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
   if (materials_are_known) network_data(p, case_node, faults);
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
   check_tables(p, case_node, faults);
+  if (p.contact.friction_over_temperature && !p.thermal.has_lumped)
+    faults.add(position_of_value(table_of(case_node, "contact"), "friction_over_temperature"),
+               "contact.friction_over_temperature follows the inner rings of the lumped circuit, which does not run.",
+               "Put \"lumped\" into thermal.models, which may drive nothing, or leave the table out.");
   check_axial_motion(p, case_node, faults);
   check_end(p, case_node, faults);
   check_statics(p, table_of(case_node, "statics"), faults);

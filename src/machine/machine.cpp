@@ -170,7 +170,11 @@ void Machine::prepare_inputs(double t, std::span<const double> y) const {
     inputs_[i].time = t;
     inputs_[i].journal = motions_[i];
     inputs_[i].rotor_spin = spin;
-    if (const auto place = parts_.thermal_place[i]) inputs_[i].growth = growth_[*place];
+    if (const auto place = parts_.thermal_place[i]) {
+      inputs_[i].growth = growth_[*place];
+      if (const auto& followed = parts_.friction_temperatures)
+        inputs_[i].ring_temperature = thermal_part(followed->model, y)[followed->states[*place]];
+    }
   }
 }
 

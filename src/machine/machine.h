@@ -50,6 +50,12 @@ class Machine final : public OdeSystem {
     std::vector<std::optional<std::size_t>> thermal_place;   ///< of each support, if it gives off heat
     std::vector<RubShare> rub_share;                         ///< of each thermal place
     std::optional<std::size_t> driver;                       ///< the thermal model whose growth is fed back
+    /// Temperatures that friction of rotor and ring follows; none: it follows none.
+    struct RingTemperatures {
+      std::size_t model = 0;            ///< thermal model
+      std::vector<std::size_t> states;  ///< of it, for each thermal place
+    };
+    std::optional<RingTemperatures> friction_temperatures;
     std::shared_ptr<const GrowthHistory> prescribed_growth;  ///< fed back instead, if there is no driver
     /// Its growth is added to the prescribed one: what heat does at once, before any of it is conducted on. Reported nowhere.
     std::unique_ptr<ThermalModel> immediate_growth;

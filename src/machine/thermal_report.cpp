@@ -27,6 +27,18 @@ RubSurfaces rub_surfaces(const MachineParameters& parameters, const std::string&
   return s;
 }
 
+LocalRubSettings local_rub_settings(const MachineParameters& parameters, const std::string& name,
+                                    const TouchdownParameters& bearing) {
+  LocalRubSettings s;
+  s.surfaces = rub_surfaces(parameters, name, bearing, parameters.thermal.rub_band_length);
+  s.hertz_width_per_root = rub_half_width(parameters, bearing, 1.);
+  s.by_hertz = parameters.thermal.rub_band == RubBand::hertz;
+  s.is_one_temperature = parameters.thermal.local_share == LocalShare::one_temperature;
+  s.bore_wear = parameters.contact.wear_coefficient_bore;
+  s.rotor_wear = parameters.contact.wear_coefficient_rotor;
+  return s;
+}
+
 double rub_half_width(const MachineParameters& parameters, const TouchdownParameters& bearing, double force) {
   const double r_b = bore_radius(bearing, parameters.contact), gap = air_gap(bearing, parameters.contact);
   const auto& m = material_of(parameters, bearing.ring);

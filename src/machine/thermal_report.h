@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "machine/bore_history.h"
+#include "machine/local_rub.h"
 #include "machine/machine_parameters.h"
 #include "thermal/lumping.h"
 
@@ -16,6 +16,10 @@ std::vector<LumpedBody> lumped_bodies(const MachineParameters& parameters, const
 /// @param band_length  of the spot along the surface [m]
 RubSurfaces rub_surfaces(const MachineParameters& parameters, const std::string& name,
                          const TouchdownParameters& bearing, double band_length);
+
+/// The same as the case wants local temperatures and wear.
+LocalRubSettings local_rub_settings(const MachineParameters& parameters, const std::string& name,
+                                    const TouchdownParameters& bearing);
 
 /// Half width of the contact of rotor and bore under a force [N], as cylinders of the ring's material [m].
 double rub_half_width(const MachineParameters& parameters, const TouchdownParameters& bearing, double force);

@@ -15,6 +15,7 @@ struct SupportInput {
   Motion journal;   ///< of the rotor at the support's station
   Spin rotor_spin;
   Expansion growth;
+  double ring_temperature = 0;  ///< mean of the inner ring [K]; 0 where no friction asks for it
 };
 
 /// What a support returns from one evaluation.

@@ -13,23 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing) {
-  const std::string at = "/bearings/" + bearing + "/", ledger = "/ledger/" + bearing + "/";
-  const TimeSeries y = drop.series(at + "orbit", 0), z = drop.series(at + "orbit", 1);
-  const TimeSeries ring_y = drop.series(at + "ring_position", 0), ring_z = drop.series(at + "ring_position", 1);
-  const TimeSeries all = drop.series(ledger + "rub_heat");
-  RubRecord r;
-  r.times = y.times;
-  r.joules_into_ring = drop.series(ledger + "rub_heat_into_ring").values;
-  r.ring_angle = integral_of(drop.series(at + "ring_speed")).values;
-  r.rotor_angle = drop.series("/rotor/spin_angle").values;
-  for (std::size_t i = 0; i < r.times.size(); ++i) {
-    r.contact_angle.push_back(std::atan2(z.values[i] - ring_z.values[i], y.values[i] - ring_y.values[i]));
-    r.joules_into_rotor.push_back(all.values[i] - r.joules_into_ring[i]);
-  }
-  return r;
-}
-
 BoreTemperatures bore_temperatures(const std::string& bearing, BoreHistory history, const TimeSeries* node,
                                    const TimeSeries* mean, double ambient) {
   BoreTemperatures b;
@@ -114,6 +97,25 @@ Json bore_json(const BoreTemperatures& b, const RubRecord& r, const RubSurfaces&
 }
 
 }  // namespace
+
+RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing) {
+  const std::string at = "/bearings/" + bearing + "/", ledger = "/ledger/" + bearing + "/";
+  const TimeSeries y = drop.series(at + "orbit", 0), z = drop.series(at + "orbit", 1);
+  const TimeSeries ring_y = drop.series(at + "ring_position", 0), ring_z = drop.series(at + "ring_position", 1);
+  const TimeSeries all = drop.series(ledger + "rub_heat");
+  RubRecord r;
+  r.times = y.times;
+  r.joules_into_ring = drop.series(ledger + "rub_heat_into_ring").values;
+  r.ring_angle = integral_of(drop.series(at + "ring_speed")).values;
+  r.rotor_angle = drop.series("/rotor/spin_angle").values;
+  r.impulse = drop.series(ledger + "contact_impulse").values;
+  r.slip_speed = drop.series(at + "slip_speed").values;
+  for (std::size_t i = 0; i < r.times.size(); ++i) {
+    r.contact_angle.push_back(std::atan2(z.values[i] - ring_z.values[i], y.values[i] - ring_y.values[i]));
+    r.joules_into_rotor.push_back(all.values[i] - r.joules_into_ring[i]);
+  }
+  return r;
+}
 
 BoreReport report_bore(const std::string& bearing, const TouchdownParameters& p, const RecordedDrop& drop,
                        const RecordedDrop* lumped, const RecordedDrop* fe, const std::optional<double>& band_length,

@@ -20,6 +20,9 @@ struct BoreReport {
   nlohmann::ordered_json report;  ///< docs/results.md
   BoreTemperatures temperatures;
 };
+/// What a drop recorded of a bearing's rub.
+RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing);
+
 /// Local temperatures of a bearing's bore from the rub that a drop recorded.
 /// @param lumped, fe   runs that give the circuit's inner ring and the mean around the bore; may be none
 /// @param band_length  of the rub along the surface [m]; none: the case's

@@ -65,7 +65,7 @@ Json report_data(const RecordedDrop& drop) {
   data["title"] = "Drop " + drop.case_name();
   data["words"] = report_words(drop);
   data["numbers"] = report_numbers(drop, summary);
-  data["checks"] = report_checks(drop, summary, comparison);
+  data["checks"] = report_checks(drop, summary);
   data["animation"] = report_animation(drop);
   data["charts"] = report_charts(drop);
   data["fields"] = report_fields(drop);

@@ -29,9 +29,8 @@ nlohmann::ordered_json report_ball_loads(const RecordedDrop& drop);
 nlohmann::ordered_json report_fields(const RecordedDrop& drop);
 /// Rows of the table of main numbers, texts of figures with their units.
 nlohmann::ordered_json report_numbers(const RecordedDrop& drop, const nlohmann::ordered_json& summary);
-/// What was looked at for warnings, and what was found: name, state ("ok", "warning", "unknown"), text.
-nlohmann::ordered_json report_checks(const RecordedDrop& drop, const nlohmann::ordered_json& summary,
-                                     const nlohmann::ordered_json& comparison);
+/// What was looked at for warnings, and what was found: name, state ("ok", "warning", "uncertain", "unknown": not assessed), text.
+nlohmann::ordered_json report_checks(const RecordedDrop& drop, const nlohmann::ordered_json& summary);
 /// The case in sentences; what it assumes.
 nlohmann::ordered_json report_words(const RecordedDrop& drop);
 nlohmann::ordered_json report_assumptions(const RecordedDrop& drop);

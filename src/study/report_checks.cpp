@@ -28,6 +28,10 @@ class Checks {
   void unknown(const std::string& name, const std::string& text) {
     list_.push_back({{"name", name}, {"state", "unknown"}, {"text", text}});
   }
+  /// The stated value is within its limit, its bounds are not.
+  void uncertain(const std::string& name, const std::string& text) {
+    list_.push_back({{"name", name}, {"state", "uncertain"}, {"text", text}});
+  }
   [[nodiscard]] Json take() { return std::move(list_); }
 
  private:
@@ -77,7 +81,7 @@ void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
   const std::string key = "/bearings/" + name + "/whirl/";
   const Json::json_pointer direction(key + "direction");
   if (!summary.contains(direction)) {
-    checks.unknown(name + ": whirl", "not looked for in this run");
+    checks.unknown(name + ": whirl", "not assessed in this run");
     return;
   }
   const double speed = at(summary, key + "largest_backward_speed");
@@ -101,7 +105,7 @@ void check_skidding(Checks& checks, const Json& summary, const std::string& name
   const std::string key = "/bearings/" + name;
   const double all = at(summary, key + "/skid/speed_change"), beyond = at(summary, key + "/skid/speed_change_beyond");
   if (!std::isfinite(beyond)) {
-    checks.unknown(name + ": skidding", "not looked for in this run");
+    checks.unknown(name + ": skidding", "not assessed in this run");
     return;
   }
   const bool is_rolling = beyond <= relevant_speed_share * all;
@@ -120,24 +124,64 @@ void check_skidding(Checks& checks, const Json& summary, const std::string& name
                            pivoting, 1e3 * at(summary, key + "/gyroscopic/time_beyond")));
 }
 
-void check_temperatures(Checks& checks, const RecordedDrop& drop, const Json& comparison, const std::string& name) {
+/// The rubbed surfaces, by the replay of the moving band in summary.json.
+void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Json& summary, const std::string& name) {
+  const std::string title = name + ": local temperature where rotor and bore rub", key = "/bearings/" + name + "/local/";
+  const double rise = at(summary, key + "bore_rise"), low = at(summary, key + "bore_rise_low"),
+               high = at(summary, key + "bore_rise_high"), time = at(summary, key + "bore_rise_time");
+  if (!std::isfinite(rise)) {
+    checks.unknown(title, "not assessed: there is no summary.json with it");
+    return;
+  }
+  if (!std::isfinite(time)) {
+    checks.add(title, true, "rotor and bore never rub");
+    return;
+  }
+  const double ambient = drop.parameters().run.ambient;
+  const std::string verdict = ambient + rise >= steel_limit   ? "above"
+                              : ambient + high >= steel_limit ? "below, but the upper bound is above,"
+                                                              : "below";
+  const std::string text =
+      fmt::format("the bore reaches {:.0f} K at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving band of heat, lasting some "
+                  "milliseconds); {} the 423 K up to which bearing steel keeps its dimensions",
+                  ambient + rise, time * 1e3, ambient + low, ambient + high, verdict);
+  if (ambient + rise < steel_limit && ambient + high >= steel_limit)
+    checks.uncertain(title, text);
+  else
+    checks.add(title, ambient + rise < steel_limit, text);
+}
+
+void check_wear(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name + "/wear/";
+  const double bore = at(summary, key + "bore_depth"), drops = at(summary, key + "drops_until_limit");
+  if (!std::isfinite(bore)) {
+    checks.unknown(name + ": wear", "not assessed: there is no summary.json with it");
+    return;
+  }
+  if (!std::isfinite(drops)) {
+    checks.add(name + ": wear", true, "none: nothing rubs, or the wear coefficients are zero");
+    return;
+  }
+  checks.add(name + ": wear", drops >= 1.,
+             fmt::format("bore {:.2g} um and rotor {:.2g} um deep at most after this drop; {:.2g} such drops in one place "
+                         "until {:.3g} um. Wear coefficients are known to a factor of ten at best",
+                         bore * 1e6, at(summary, key + "rotor_depth") * 1e6, drops,
+                         at(summary, key + "depth_limit") * 1e6));
+}
+
+void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name) {
   double warmest = 0.;
   for (const char* node : {"inner_ring", "ball", "outer_ring"})
     for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
       if (const auto path = drop.node_path(kind, name, node); drop.has(path))
         warmest = std::max(warmest, largest_of(drop.series(path)).value);
+  const std::string title = name + ": mean temperature of rings and balls";
   if (warmest > 0.)
-    checks.add(name + ": temperature of rings and balls", warmest < steel_limit,
-               fmt::format("mean temperatures up to {:.4g} K; bearing steel keeps its dimensions to 423 K", warmest));
-  const double rise = at(comparison, "/bearings/" + name + "/bore/first_impact/largest_local_rise");
-  if (std::isfinite(rise)) {
-    const double local = rise + drop.parameters().run.ambient;
-    checks.add(
-        name + ": local temperature of the bore", local < steel_limit,
-        fmt::format("the arc swept by the first impact reaches about {:.3g} K for a moment, by a moving band of heat; "
-                    "bearing steel keeps its dimensions to 423 K",
-                    local));
-  }
+    checks.add(title, warmest < steel_limit,
+               fmt::format("up to {:.4g} K; bearing steel keeps its dimensions to 423 K. Surfaces that rub are hotter",
+                           warmest));
+  else
+    checks.unknown(title, "not assessed: no thermal model ran");
 }
 
 void check_residual(Checks& checks, const Json& summary, const std::string& name, const std::string& residual,
@@ -150,7 +194,7 @@ void check_residual(Checks& checks, const Json& summary, const std::string& name
 
 }  // namespace
 
-Json report_checks(const RecordedDrop& drop, const Json& summary, const Json& comparison) {
+Json report_checks(const RecordedDrop& drop, const Json& summary) {
   Checks checks;
   const double end = drop.parameters().run.latest_end();
   if (summary.is_null()) {
@@ -171,7 +215,9 @@ Json report_checks(const RecordedDrop& drop, const Json& summary, const Json& co
       check_skidding(checks, summary, name);
       check_whirl(checks, summary, name);
     }
-    check_temperatures(checks, drop, comparison, name);
+    check_temperatures(checks, drop, name);
+    check_local_temperature(checks, drop, summary, name);
+    check_wear(checks, summary, name);
   }
   if (!summary.is_null()) {
     check_residual(checks, summary, "mechanical energy", "/energy/residual", "/energy/dissipated");

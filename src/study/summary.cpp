@@ -12,6 +12,8 @@
 #include "study/elastic_state.h"
 #include "study/fe_summary.h"
 #include "study/json_number.h"
+#include "study/local_report.h"
+#include "study/recorded_drop.h"
 #include "study/whirl.h"
 
 namespace rotordrop {
@@ -144,6 +146,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
   const bool is_elastic = elements && drop_case.parameters.thermal.expansion == GrowthSource::elastic;
   if (is_elastic && elements->coupling != FeCoupling::windowed) lift_sections(*elements, machine, result.end_time, y);
   j["bearings"] = Json::object();
+  std::optional<RecordedDrop> recorded;
   for (std::size_t i = 0; i < scalars.size(); ++i) {
     const std::size_t support = scalars.support(i);
     const std::string name = machine.support(support).name();
@@ -165,6 +168,10 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
           if (is_elastic)
             bearing["fe"]["elastic_end"] = elastic_state(section, section.solver->field(), s.ring_speed_end);
         }
+    if (!recorded) recorded.emplace(results.parent_path(), drop_case);
+    for (const auto& entry : drop_case.parameters.bearings)
+      if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == name)
+        add_local_report(*recorded, name, *touchdown, bearing);
     bearing["whirl"] = whirl_summary(results, name, drop_case);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);
@@ -213,7 +220,7 @@ std::string summary_text(const Json& j) {
                           b["friction_heat"].get<double>(), b["peak_friction_heat_rate"].get<double>() * 1e-3);
       text += fmt::format("{:{}}ring {:.0f} rpm at the end, catches up: {}; ", "", name.size() + 2,
                           b["ring_speed_end"].get<double>() * rpm, time(b["catch_up_time"], 1e3, "ms"));
-      text += "warmer by ";
+      text += "mean temperature rise ";
       const char* separator = "";
       if (b.contains("temperature_rise_end")) {
         text += rises_text(b["temperature_rise_end"]);
@@ -224,6 +231,7 @@ std::string summary_text(const Json& j) {
                 fmt::format(", bore {:.1f} K at {}", b["fe"]["surface_rise"]["bore"]["highest"].get<double>(),
                             time(b["fe"]["surface_rise"]["bore"]["highest_time"], 1e3, "ms"));
       text += "\n";
+      text += local_text(name, b);
       if (const double p = b["largest_contact_pressure"].get<double>(); p > static_pressure_limit)
         text += fmt::format(
             "{:{}}balls press on the races with {:.2f} GPa, beyond the static limit of {:.1f} GPa (ISO 76)\n", "",

@@ -188,6 +188,15 @@ void ThermalNetwork::initial_state(std::span<double> T) const {
   for (double& value : T) value = data_.ambient;
 }
 
+std::vector<std::size_t> ThermalNetwork::ring_states() const {
+  std::vector<std::size_t> states;
+  for (const auto& place : data_.places)
+    for (std::size_t k = 0; k < with_capacity_.size(); ++k)
+      if (data_.nodes[with_capacity_[k]].name == place.ring_node) states.push_back(k);
+  if (states.size() != data_.places.size()) throw std::invalid_argument("a ring without capacity has no temperature");
+  return states;
+}
+
 void ThermalNetwork::growth(std::span<const double> T, std::span<Expansion> out) const {
   for (auto& expansion : out) expansion = {};
   for (const auto& term : growth_terms_)

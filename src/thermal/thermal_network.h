@@ -69,6 +69,8 @@ class ThermalNetwork final : public ThermalModel {
   void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                std::span<double> out) const override;
   [[nodiscard]] double stored_energy(std::span<const double> temperature) const override;
+  /// Of each place the state that is its ring's temperature [n_places].
+  [[nodiscard]] std::vector<std::size_t> ring_states() const;
 
  private:
   struct Link {  // between two nodes with capacity, or one and the surroundings (b = ambient_index)

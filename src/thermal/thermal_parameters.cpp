@@ -93,13 +93,26 @@ Section<ThermalParameters> thermal_section() {
               .range = positive(),
               .fallback = "5.9 mm",
               .source = "estimate: Hertz width of a 35 mm bore on a 34.75 mm rotor at 5 kN",
-              .help = "Length of the rubbing spot along the surface, for Jaeger's share."});
+              .help = "Length of the rubbing spot along the surface, for Jaeger's share, and for local temperatures if "
+                      "rub_band is fixed."});
   s.quantity("rub_contact_time", &P::rub_contact_time,
              {.unit = "s",
               .range = positive(),
               .fallback = "2.2 ms",
               .source = "estimate: duration of the first contact",
               .help = "How long a surface at rest is heated, for Jaeger's share."});
+  s.choice("rub_band", &P::rub_band, {{"hertz", RubBand::hertz}, {"fixed", RubBand::fixed}},
+           {.fallback = "hertz",
+            .source = "Johnson, Contact Mechanics (1985), eq. (4.43)",
+            .help = "Length of the rubbing spot for local temperatures: Hertz's line contact under the instant's force, "
+                    "or rub_band_length. The other one is among the bounds."});
+  s.choice("local_share", &P::local_share,
+           {{"one-temperature", LocalShare::one_temperature}, {"as-heated", LocalShare::as_heated}},
+           {.fallback = "one-temperature",
+            .source = "Blok 1937; Jaeger 1942",
+            .help = "Share of the rub heat for local temperatures: so that rotor and bore have one temperature where "
+                    "they touch, or the share that the thermal models get. The other one is among the bounds. The heat "
+                    "of the thermal models stays as heat_share says."});
   s.quantity("h_shaft", &P::h_shaft,
              {.unit = "W/(m2 K)",
               .range = positive(),

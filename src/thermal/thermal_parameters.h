@@ -11,6 +11,11 @@ namespace rotordrop {
 
 enum class HeatShare { constant, jaeger };
 
+/// Length of the rubbing spot in the replay of the rub: Hertz's by the instant's force, or rub_band_length.
+enum class RubBand { hertz, fixed };
+/// Share of the heat in the replay of the rub: so that both surfaces have one temperature, or that of the thermal models.
+enum class LocalShare { one_temperature, as_heated };
+
 /// Whose growth is fed back into clearances and ball loads.
 enum class GrowthDriver { automatic, lumped, fe, none, recorded };
 
@@ -48,6 +53,8 @@ struct ThermalParameters {
   HeatShare heat_share = HeatShare::constant;
   double share_to_ring = 0;
   double rub_band_length = 0, rub_contact_time = 0;
+  RubBand rub_band = RubBand::hertz;
+  LocalShare local_share = LocalShare::one_temperature;
   double h_shaft = 0, h_ball = 0, fit_resistance = 0, contact_half_width = 0;
   BearingCircuitData::Link shaft_ring_link = BearingCircuitData::Link::permanent;
   double gas_conductivity = 0;

@@ -191,6 +191,9 @@ CROSS_REFERENCES = [
     Fault("a resistor from a node to itself", '[thermal]\nresistor = [{ between = »["TB1/housing", "TB1/housing"], resistance = 0.1 }]', ("TB1/housing", "itself")),
     Fault("two thermal nodes of one name", '[thermal]\nnode = [{ name = "frame", capacity = 1 }, { name = »"frame", capacity = 1 }]', ('name "frame" is taken',)),
     Fault("a thermal node without capacity and resistor", '[thermal]\nnode = [{ name = "frame", capacity = »0 }]', ('"frame" has no capacity, and no resistor',)),
+    Fault("friction over speed by a table and by a static value", '[contact]\nstatic_friction_coefficient = »0.2\nfriction_over_speed = [["0 m/s", 0.2], ["1 m/s", 0.1]]', ("both say how friction changes", "Give one of them")),
+    Fault("a negative slip speed", '[contact]\nfriction_over_speed = »[["-1 m/s", 0.2], ["1 m/s", 0.1]]', ("negative slip speed", "0 m/s or above")),
+    Fault("friction over the temperature of a circuit that does not run", '[contact]\nfriction_over_temperature = »[["20 degC", 1], ["200 degC", 0.8]]\n[thermal]\nmodels = ["fe"]', ("does not run", r'Put "lumped" into thermal\.models')),
     Fault("a torque whose times do not rise", '[rotor]\ntorque = [["0 s", "1 N m"], »["0 s", "2 N m"]]', (r"rotor\.torque#2", "must rise")),
 ]
 

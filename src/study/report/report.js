@@ -461,10 +461,12 @@ function showFields() {
 }
 
 function showHead() {
-  const warnings = data.checks.filter((check) => check.state === "warning");
+  const warnings = data.checks.filter((check) => check.state === "warning"), missing = data.checks.filter((check) => check.state === "unknown"), uncertain = data.checks.filter((check) => check.state === "uncertain");
   page.append(element("h1", {}, data.title), element("div", { class: "subtitle" }, data.provenance.facts.filter((f) => f[0] === "run by").map((f) => f[1]).join("")), element("nav", {}));
   page.append(element("div", { class: "alert" + (warnings.length ? "" : " none") },
-    ...(warnings.length ? warnings.map((w) => element("p", {}, element("strong", {}, `Warning, ${w.name}: `), w.text)) : [element("p", {}, "No warnings.")])));
+    ...(warnings.length ? warnings.map((w) => element("p", {}, element("strong", {}, `Warning, ${w.name}: `), w.text)) : [element("p", {}, "No warnings.")]),
+    ...uncertain.map((u) => element("p", {}, element("strong", {}, `Uncertain, ${u.name}: `), u.text)),
+    ...(missing.length ? [element("p", {}, element("strong", {}, "Not assessed: "), missing.map((m) => m.name).join("; "))] : [])));
 }
 
 function showNumbers() {
@@ -487,7 +489,7 @@ function showProvenance() {
 showHead();
 section("The case", ...data.words.map((text) => element("p", {}, text)));
 showNumbers();
-section("Checks", table(["", "", ""], data.checks.map((c) => [element("span", { class: "state " + c.state }, { ok: "✓ good", warning: "! warning", unknown: "? not known" }[c.state]), c.name, c.text])));
+section("Checks", table(["", "", ""], data.checks.map((c) => [element("span", { class: "state " + c.state }, { ok: "✓ good", warning: "! warning", unknown: "? not assessed", uncertain: "? uncertain" }[c.state]), c.name, c.text])));
 if (data.animation.bearings.length) {
   showDrops(data.animation);
   showOrbits(data.animation);

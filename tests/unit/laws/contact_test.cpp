@@ -138,6 +138,20 @@ TEST(CoulombFriction, TurnsHeatOutNeverIn) {
   }
 }
 
+TEST(CoulombFriction, FollowsItsTablesOverSpeedAndTemperature) {
+  CoulombFriction law{0.3, 1e-9, 0.16, 0.5, false, true};  // sharp, to see the coefficient alone
+  law.over_speed = {{1., 0.2}, {11., 0.1}, {51., 0.06}};
+  for (const auto& [v, mu] : {std::pair{0.5, 0.2}, {1., 0.2}, {6., 0.15}, {11., 0.1}, {31., 0.08}, {51., 0.06}, {80., 0.06}}) {
+    EXPECT_NEAR(law.coefficient(v), mu, 1e-14) << v;
+    EXPECT_EQ(law.coefficient(-v), -law.coefficient(v));
+  }
+  law.over_temperature = {{300., 1.}, {400., 0.5}};
+  EXPECT_NEAR(law.per_speed(36., 350.) * 6., 0.15 * 0.75, 1e-14);
+  EXPECT_NEAR(law.per_speed(36., 200.) * 6., 0.15, 1e-14);
+  law.over_speed.clear();
+  EXPECT_NEAR(law.per_speed(36., 500.) * 6., 0.3 * 0.5, 1e-14) << "a factor on friction_coefficient";
+}
+
 TEST(CoulombFriction, StribeckLeadsFromStaticToDynamic) {
   const CoulombFriction law{0.1, 1e-9, 0.16, 0.5, true};  // sharp, to see the coefficient alone
   EXPECT_NEAR(law.coefficient(1e-4), 0.16, 1e-8);
