@@ -7,6 +7,7 @@
 
 #include "bearing/ball_row.h"
 #include "laws/contact.h"
+#include "laws/rolling_conduction.h"
 #include "model/support.h"
 
 namespace rotordrop {
@@ -80,6 +81,7 @@ struct TouchdownBearingData {
   /// Growth of bore and inner raceway per square of the ring's speed [m s^2].
   double centrifugal_bore_growth = 0, centrifugal_race_growth = 0;
   double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
+  std::optional<RowConduction> conduction;  ///< of every row; none: the thermal models have fixed resistances
   std::optional<FreeRing> free_ring;    ///< none: axial and tilting motion of the inner ring are locked
 };
 
@@ -158,6 +160,7 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input, bool with_tractions) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;
   [[nodiscard]] double spin_drag(const BallRowInput& input) const;
+  [[nodiscard]] BallConduction conduction(const BallForces& forces, double ring_speed) const;
   void observe(const SupportInput& input, const Expansion& growth, std::span<const double> y, const Touch& touch,
                const BallForces& balls, double load_torque, double drag_torque, double ring_acceleration,
                const HeatInput& heat, std::span<double> out) const;
@@ -167,6 +170,7 @@ class TouchdownBearing final : public Support {
   double cage_ratio_ = 0;
   double inner_heat_share_ = 0.5;
   double cot_contact_angle_ = 0;
+  double rolling_speed_ratio_ = 0;   // speed of the contacts over the surfaces, over omega_i [m]
   double spin_speed_sum_ratio_ = 0;  // (|omega_si| + |omega_so|) / omega_i
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "laws/ring_growth.h"
+#include "laws/strip_spreading.h"
 
 namespace rotordrop {
 
@@ -17,6 +18,13 @@ CircuitResistances circuit_resistances(const BearingCircuitData& b) {
   R.R2 = 1. / (4. * pi * k * W);  // centre to surface
   R.R3 = std::log(d_mi / d_s) / (2. * pi * k * W);
   R.R4 = std::log(b.inner_outside / d_mi) / (2. * pi * k * W);
+  if (b.strips) {
+    const auto& s = *b.strips;
+    R.R4_spreading = strip_spreading(W, s.inner_thickness, s.inner, s.half_width, k) / (2. * pi * s.inner_radius);
+    R.R7_spreading = strip_spreading(W, s.outer_thickness, s.outer, s.half_width, k,
+                                      {b.fit_resistance * pi * b.outer_outside * W, 0.5 * (b.housing_outside - b.outer_outside)}) /
+                      (2. * pi * s.outer_radius);
+  }
   R.R5_inside = 2. / (pi * k_b * b.ball_diameter * Z);
   R.R5_constriction = 2. / (4. * k_b * b.contact_half_width * Z);
   R.R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
@@ -47,8 +55,8 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   const double C_o = f.outer_ring_capacity * volumetric * sleeve(b.outer_bore, b.outer_outside) * W;
   const double C_h = f.housing_capacity * volumetric * sleeve(b.housing_bore, b.housing_outside) * b.housing_length;
 
-  const auto [R1, R2, R3, R4, R5_inside, R5_constriction, R6, R7, R8_ring, R8_fit, R8_housing] = circuit_resistances(b);
-  const double R5 = R5_inside + R5_constriction, R8 = R8_ring + R8_fit + R8_housing;
+  const CircuitResistances R = circuit_resistances(b);
+  const double R5 = R.R5_inside + R.R5_constriction, R8 = R.R8_ring + R.R8_fit + R.R8_housing;
   const double housing_area = pi * b.housing_outside * b.housing_length;  // R9 = 1 / (h_h area)
 
   network.nodes.insert(network.nodes.end(), {{s, C_s, "shaft under the bearing"},
@@ -58,23 +66,31 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
                                              {co, 0., "contact of balls and outer race"},
                                              {o, C_o, "outer ring"},
                                              {h, C_h, "housing"}});
-  const auto join = [&](const std::string& a, const std::string& c, double R) {
-    network.resistors.push_back({a, c, R, Law::constant, 0., 0., 0});
+  const auto join = [&](const std::string& a, const std::string& c, double resistance) {
+    network.resistors.push_back({a, c, resistance, Law::constant, 0., 0., 0});
   };
-  join(s, ambient_node, R1);
-  const double R23 = f.shaft_ring * (R2 + R3);
+  join(s, ambient_node, R.R1);
+  const double R23 = f.shaft_ring * (R.R2 + R.R3);
   if (b.shaft_ring_link == BearingCircuitData::Link::permanent)
     join(s, i, R23);
   else
     network.resistors.push_back({s, i, R23, Law::contact, 0., R23 + b.gap_resistance, place});
-  join(i, ci, f.inner_race * R4);
-  join(ci, ball, f.ball * R5);
-  join(ball, co, f.ball * R5);
-  join(ball, ambient_node, R6);
-  join(co, o, f.outer_race * R7);
+  join(i, ci, f.inner_race * (R.R4 + R.R4_spreading));
+  if (!b.balls_roll) {
+    join(ci, ball, f.ball * R5);
+    join(ball, co, f.ball * R5);
+  }
+  join(ball, ambient_node, R.R6);
+  join(co, o, f.outer_race * (R.R7 + R.R7_spreading));
   join(o, h, f.fit * R8);
   network.resistors.push_back({h, ambient_node, 0., Law::housing_convection, housing_area, 0., place});
-  network.places.push_back({s, i, ci, co});
+  for (std::size_t n = 0; n < b.fins.size(); ++n) {
+    const FinNode& fin = b.fins[n];
+    network.nodes.push_back({name(fin.name.c_str()), fin.capacity, "shaft beside the bearing"});
+    join(fin.is_first ? s : name(b.fins[n - 1].name.c_str()), name(fin.name.c_str()), fin.resistance);
+    join(name(fin.name.c_str()), ambient_node, fin.to_ambient);
+  }
+  network.places.push_back({s, i, ci, co, b.balls_roll ? ball : std::string{}, f.ball});
 
   const double constraint = b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.;
   const double a_i = 0.5 * b.inner_bore, b_i = 0.5 * b.inner_outside, a_o = 0.5 * b.outer_bore,
@@ -84,11 +100,16 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   };
   const auto bore = ring_growth(b.ring.expansion, a_i, b_i, a_i, constraint);
   const auto inner_race = ring_growth(b.ring.expansion, a_i, b_i, b_i, constraint);
+  // Rings grow with the mean of their raceway, which is on the way from the ring to the strips.
+  const double on_strips = R.R4 / (R.R4 + R.R4_spreading);
+  const auto grow_inner = [&](double Expansion::*surface, const RingGrowth& growth) {
+    network.growths.push_back(
+        {place, surface, i, growth.per_rise_inside + (1. - on_strips) * growth.per_rise_outside});
+    network.growths.push_back({place, surface, ci, on_strips * growth.per_rise_outside});
+  };
   const auto outer_race = ring_growth(b.ring.expansion, a_o, b_o, a_o, constraint);
-  grow(&Expansion::bore, i, bore.per_rise_inside);
-  grow(&Expansion::bore, ci, bore.per_rise_outside);
-  grow(&Expansion::inner_race, i, inner_race.per_rise_inside);
-  grow(&Expansion::inner_race, ci, inner_race.per_rise_outside);
+  grow_inner(&Expansion::bore, bore);
+  grow_inner(&Expansion::inner_race, inner_race);
   grow(&Expansion::outer_race, o, outer_race.per_rise_inside);
   grow(&Expansion::outer_race, h, outer_race.per_rise_outside);
   grow(&Expansion::shaft, s, b.ring.expansion * b.journal_radius);
