@@ -134,8 +134,11 @@ def spreading(thickness, middles, behind=None):
 
 
 SIDE = D / 2 * sin(PHI)  # rows of an X pair lean outwards: strips of the inner race towards the middle, of the outer one away from it
-R4_STRIP = R4 + spreading(R_INNER - BORE / 2, [WIDTH / 4 + SIDE, 3 * WIDTH / 4 - SIDE]) / (2 * pi * R_INNER * CONDUCTIVITY)
-R7_STRIP = R7 + spreading(OUTSIDE / 2 - R_OUTER, [WIDTH / 4 - SIDE, 3 * WIDTH / 4 + SIDE],
+# Of the wall under the groove instead of the ring's up to its shoulder.
+R4_WALL = log(R_INNER / ((R_INNER + BORE / 2) / 2)) / (2 * pi * CONDUCTIVITY * WIDTH)
+R7_WALL = log((R_OUTER + OUTSIDE / 2) / 2 / R_OUTER) / (2 * pi * CONDUCTIVITY * WIDTH)
+R4_STRIP = R4_WALL + spreading(R_INNER - BORE / 2, [WIDTH / 4 + SIDE, 3 * WIDTH / 4 - SIDE]) / (2 * pi * R_INNER * CONDUCTIVITY)
+R7_STRIP = R7_WALL + spreading(OUTSIDE / 2 - R_OUTER, [WIDTH / 4 - SIDE, 3 * WIDTH / 4 + SIDE],
                           (FIT * pi * OUTSIDE * WIDTH * CONDUCTIVITY, (HOUSING - OUTSIDE) / 2)) / (2 * pi * R_OUTER * CONDUCTIVITY)
 
 

@@ -18,17 +18,20 @@ CircuitResistances circuit_resistances(const BearingCircuitData& b) {
   R.R2 = 1. / (4. * pi * k * W);  // centre to surface
   R.R3 = std::log(d_mi / d_s) / (2. * pi * k * W);
   R.R4 = std::log(b.inner_outside / d_mi) / (2. * pi * k * W);
+  R.R5_inside = 2. / (pi * k_b * b.ball_diameter * Z);
+  R.R5_constriction = 2. / (4. * k_b * b.contact_half_width * Z);
+  R.R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
+  R.R7 = std::log(d_om / b.outer_bore) / (2. * pi * k * W);
   if (b.strips) {
     const auto& s = *b.strips;
+    // The slab under the groove: half of it to its mean, instead of half the ring up to its shoulder.
+    R.R4 = std::log(s.inner_radius / (s.inner_radius - 0.5 * s.inner_thickness)) / (2. * pi * k * W);
+    R.R7 = std::log((s.outer_radius + 0.5 * s.outer_thickness) / s.outer_radius) / (2. * pi * k * W);
     R.R4_spreading = strip_spreading(W, s.inner_thickness, s.inner, s.half_width, k) / (2. * pi * s.inner_radius);
     R.R7_spreading = strip_spreading(W, s.outer_thickness, s.outer, s.half_width, k,
                                       {b.fit_resistance * pi * b.outer_outside * W, 0.5 * (b.housing_outside - b.outer_outside)}) /
                       (2. * pi * s.outer_radius);
   }
-  R.R5_inside = 2. / (pi * k_b * b.ball_diameter * Z);
-  R.R5_constriction = 2. / (4. * k_b * b.contact_half_width * Z);
-  R.R6 = 1. / (b.h_ball * Z * pi * b.ball_diameter * b.ball_diameter);
-  R.R7 = std::log(d_om / b.outer_bore) / (2. * pi * k * W);
   R.R8_ring = std::log(b.outer_outside / d_om) / (2. * pi * k * W);
   R.R8_fit = b.fit_resistance;
   R.R8_housing = std::log(d_hm / b.outer_outside) / (2. * pi * k * b.housing_length);

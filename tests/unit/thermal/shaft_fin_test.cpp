@@ -69,8 +69,9 @@ TEST(ShaftFin, TakesHeatInTimeLikeAHalfSpace) {
     const double D = k / rho_c, exact = 2. * k * 0.25 * pi * d * d * std::sqrt(t / (pi * D));
     printf("%5.0f s: fin took %.2f J, half space %.2f J\n", t, stored, exact);
     EXPECT_GT(before, 0.);
-    // The first piece is 10.5 mm long, which heat crosses in 9 s; five pieces then follow to some per cent.
-    EXPECT_NEAR(stored / exact, 1., t < 20. ? 0.12 : 0.06);
+    // The first piece is 10.5 mm long, which heat crosses in 9 s; the few pieces then follow to some per cent.
+    EXPECT_NEAR(stored / exact, 1., t < 20. ? 0.12 : 0.08);
+    EXPECT_LT(stored, exact);
   }
 }
 
