@@ -130,7 +130,8 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
         reduction.modes = 0;
         reduction.fastest = std::numeric_limits<double>::infinity();
       } else {
-        reduction.modes = static_cast<std::size_t>(fe.modes);
+        // The nodes of a fin have modes of their own, which must not be taken from the rings'.
+        reduction.modes = static_cast<std::size_t>(fe.modes) + circuit.fins.size();
       }
       section.reduced = section.solver->reduce(reduction);
     }

@@ -53,9 +53,11 @@ TEST(RollingPair, OperatingPointsAreThoseOfThePeer) {
     const auto T = loop->node_temperatures(p.T, p.heat);
     const std::array<std::string, 5> nodes = {"TB2/shaft", "TB2/inner_ring", "TB2/ball", "TB2/outer_ring",
                                               "TB2/housing"};
-    for (std::size_t n = 0; n < T.size(); ++n)
-      if (const auto node = std::find(nodes.begin(), nodes.end(), loop->nodes()[n].name); node != nodes.end())
-        EXPECT_NEAR(T[n] - ambient, peer.rise[static_cast<std::size_t>(node - nodes.begin())], 1e-5) << *node;
+    for (std::size_t n = 0; n < T.size(); ++n) {
+      const auto node = std::find(nodes.begin(), nodes.end(), loop->nodes()[n].name);
+      if (node == nodes.end()) continue;  // contacts
+      EXPECT_NEAR(T[n] - ambient, peer.rise[static_cast<std::size_t>(node - nodes.begin())], 1e-5) << *node;
+    }
   }
 }
 
