@@ -58,7 +58,7 @@ values = ["{WATTS} W"]
             data = tomllib.loads((PARAMS / f"bearings/{self.name}.toml").read_text())
             millimetres = lambda key: float(data[key].split()[0])
             outside, bore, width = millimetres("outside_diameter"), millimetres("bore_diameter"), millimetres("width")
-            preload = '"100 N"' if data["contact_angle"] else 0
+            preload = '"100 N"' if "-25" in self.name else 0
             self.text = f'''base = "reference.toml"
 [bearings.B]
 type = "touchdown"
