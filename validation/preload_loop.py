@@ -14,6 +14,7 @@ from math import cos, log, pi, radians, sin, tan
 import numpy as np
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, fsolve
+from scipy.special import ellipk, gamma
 
 E, NU, RHO, CONDUCTIVITY, HEAT, ALPHA = 2.0e11, 0.30, 7800.0, 70.0, 510.0, 11.8e-6
 Z, D, D_M, PHI, F = 23, 9.525e-3, 85e-3, radians(25), 0.52
@@ -124,10 +125,10 @@ def contacts(i, b, o, heat):
     return ((i / R4 + b / R5 + INNER_SHARE * heat) / (1 / R4 + 1 / R5), (o / R7 + b / R5 + (1 - INNER_SHARE) * heat) / (1 / R7 + 1 / R5))
 
 
-def growth_of(T):
+def growth_of(T, contact=None):
     """From shaft, ring, ball, outer ring, housing; a contact counts with what its neighbours give it, without its own heat."""
     s, i, b, o, h = T
-    ci, _ = contacts(i, b, o, 0)
+    ci = contacts(i, b, o, 0)[0] if contact is None else contact
     mean = lambda r_in, r_out, T_in, T_out: (T_in * (2 * r_in + r_out) + T_out * (2 * r_out + r_in)) / (3 * (r_in + r_out))
     inner, outer = mean(BORE / 2, INNER / 2, i, ci), mean(OUTER / 2, HOUSING / 2, o, h)
     growth = even(inner, outer, b)
@@ -150,6 +151,87 @@ def made(T, omega, offset):
     return friction_heat(row(offset, growth_of(T) + speed_growth(omega))[0], omega)
 
 
+# The same pair with contacts that conduct as they roll, and with spreading from the strips (thermal.contact_conduction = "rolling", thermal.spreading = "strip").
+STRIP = HALF_WIDTH
+R_INNER, R_OUTER = D_M / 2 - D / 2 * cos(PHI), D_M / 2 + D / 2 * cos(PHI)
+
+
+def spreading(thickness, middles, behind=None):
+    """Strip over surface of a slab as wide as the pair, per length and conductivity 1; cosine series. behind: resistance times conductivity, thickness."""
+    l = np.arange(1, 40001) * pi / WIDTH
+    c = np.mean([np.cos(l * x) for x in middles], axis=0) * np.sin(l * STRIP) / (l * STRIP)
+    far = 1 / (l * behind[0] + 1 / np.tanh(l * behind[1])) if behind else 0.0
+    near = np.tanh(l * thickness)
+    return float(np.sum(2 / (WIDTH * l) * c**2 * (1 + far * near) / (far + near)))
+
+
+SIDE = D / 2 * sin(PHI)  # rows of an X pair lean outwards: strips of the inner race towards the middle, of the outer one away from it
+# Of the wall under the groove instead of the ring's up to its shoulder.
+R4_WALL = log(R_INNER / ((R_INNER + BORE / 2) / 2)) / (2 * pi * CONDUCTIVITY * WIDTH)
+R7_WALL = log((R_OUTER + OUTSIDE / 2) / 2 / R_OUTER) / (2 * pi * CONDUCTIVITY * WIDTH)
+R4_STRIP = R4_WALL + spreading(R_INNER - BORE / 2, [WIDTH / 4 + SIDE, 3 * WIDTH / 4 - SIDE]) / (2 * pi * R_INNER * CONDUCTIVITY)
+R7_STRIP = R7_WALL + spreading(OUTSIDE / 2 - R_OUTER, [WIDTH / 4 - SIDE, 3 * WIDTH / 4 + SIDE],
+                          (FIT * pi * OUTSIDE * WIDTH * CONDUCTIVITY, (HOUSING - OUTSIDE) / 2)) / (2 * pi * R_OUTER * CONDUCTIVITY)
+
+
+def rolling_contact(axis, k, Q, speed):
+    """A ball and a race of one material in series: static and rolling conductance of an ellipse, mixed by squares."""
+    a = axis * Q ** (1 / 3)
+    at_rest = 2 * pi * CONDUCTIVITY * a / ellipk(1 - 1 / k**2)
+    effusivity = (CONDUCTIVITY * RHO * HEAT) ** 0.5
+    rolling = 2 * (2 * a / k * speed) ** 0.5 * effusivity * a * gamma(1.25) / gamma(1.75)
+    return 0.5 * hypot(at_rest, rolling)
+
+
+def rolling_balls(Q, omega):
+    """Star of both contacts and the way into the ball as a triangle, all balls alike: inner race to ball, outer race to ball, race to race."""
+    if Q <= 0:
+        return 0.0, 0.0, 0.0
+    turn = D * cos(PHI) / D_M
+    speed = omega * D_M / 4 * (1 - turn**2)
+    G_i, G_o = (rolling_contact(axis, k, Q, speed) for _, axis, k in (INNER_RACE, OUTER_RACE))
+    G_b = 2 * pi**2 * CONDUCTIVITY * D / 2 / (log(D / 2 / HALF_WIDTH) + 0.43)
+    per = 2 * Z / (G_i + G_o + G_b)
+    return per * G_i * G_b, per * G_o * G_b, per * G_i * G_o
+
+
+def rolling_state(T, omega, offset):
+    """Axial force and ball load; the inner ring grows with its own temperature."""
+    return row(offset, growth_of(T, contact=T[1]) + speed_growth(omega))
+
+
+def rolling_rates(T, heat, omega, offset):
+    s, i, b, o, h = T
+    G_ib, G_ob, G_io = rolling_balls(rolling_state(T, omega, offset)[1], omega)
+    ci, co = np.linalg.solve([[1 / R4_STRIP + G_ib + G_io, -G_io], [-G_io, 1 / R7_STRIP + G_ob + G_io]],
+                             [i / R4_STRIP + G_ib * b + INNER_SHARE * heat, o / R7_STRIP + G_ob * b + (1 - INNER_SHARE) * heat])
+    lost = 23 * max(h, 0) ** 0.25 * pi * HOUSING * LENGTH * h
+    into = [(i - s) / R23 - s / R1, (s - i) / R23 + (ci - i) / R4_STRIP, G_ib * (ci - b) + G_ob * (co - b) - b / R6, (co - o) / R7_STRIP + (h - o) / R8,
+            (o - h) / R8 - lost]
+    return np.array(into) / CAPACITY
+
+
+def rolling_points(rpm, brackets):
+    """Operating points of the pair whose contacts roll."""
+    omega, offset = rpm * pi / 30, offset_of(290)
+    made_by = lambda T: friction_heat(rolling_state(T, omega, offset)[0], omega)
+    steady_at = lambda Q: fsolve(lambda T: rolling_rates(T, Q, omega, offset), np.full(5, 0.4 * Q), xtol=1e-13)
+    balance = lambda Q: made_by(steady_at(Q)) - Q
+    for low, high in brackets:
+        Q = brentq(balance, low, high, xtol=1e-12, rtol=1e-14)
+        T = steady_at(Q)
+        axial, load = rolling_state(T, omega, offset)
+        gain = (balance(Q * 1.0001) - balance(Q * 0.9999)) / (2e-4 * Q) + 1
+        J = np.empty((5, 5))
+        for k in range(5):
+            step = np.zeros(5)
+            step[k] = 1e-4
+            J[:, k] = (rolling_rates(T + step, made_by(T + step), omega, offset) - rolling_rates(T - step, made_by(T - step), omega, offset)) / 2e-4
+        G = rolling_balls(load, omega)
+        print(f"rolling, {rpm} rpm: heat {Q:.8f} W, preload {axial:.6f} N, ball load {load:.7f} N, gain {gain:.6f}, eigenvalue {max(np.linalg.eigvals(J).real):.7e} 1/s, "
+              f"conductances {G[0]:.7f} {G[1]:.7f} {G[2]:.7f} W/K, rises s i b o h {np.array2string(T, precision=7)}")
+
+
 def largest_shortfall(omega, preload=290.0, cooling=1.0):
     """The most by which heat can leave faster than it is made; an operating point exists if it is positive."""
     offset = offset_of(preload)
@@ -165,6 +247,9 @@ def largest_shortfall(omega, preload=290.0, cooling=1.0):
             low = a
     Q = (low + high) / 2
     return Q - made(steady(Q, cooling), omega, offset)
+
+
+ROLLING = ((2000, ((1, 60),)), (3000, ((1, 100),)))  # rpm, brackets of heat [W]
 
 
 def main():
@@ -190,6 +275,8 @@ def main():
             J[:, k] = (rates(T + step, made(T + step, omega, offset)) - rates(T - step, made(T - step, omega, offset))) / 2e-4
         print(f"3000 rpm: heat {Q:.8f} W, preload {axial:.6f} N, ball load {load:.7f} N, pressure {pressure(load):.6e} Pa, gain {gain:.6f}, "
               f"eigenvalue {max(np.linalg.eigvals(J).real):.7e} 1/s, rises s i b o h {np.array2string(T, precision=7)}")
+    for rpm, brackets in ROLLING:
+        rolling_points(rpm, brackets)
     critical = brentq(lambda rpm: largest_shortfall(rpm * pi / 30), 2500, 6000, xtol=1e-4)
     print(f"critical speed {critical:.3f} rpm")
     print(f"critical preload at 3000 rpm {brentq(lambda P: largest_shortfall(omega, P), 290, 1500, xtol=1e-4):.4f} N")

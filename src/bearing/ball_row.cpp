@@ -33,10 +33,10 @@ struct KernelInput {
 ROTORDROP_WIDE_VECTORS
 void sum_translations(const KernelInput& in, BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, dissipated = 0, elastic_radial = 0, elastic_axial = 0, elastic_normal = 0, cage = 0;
-  double largest = 0;
+  double largest = 0, roots = 0;
   const double C = in.cage_cosine, S = in.cage_sine, ey = in.e.y, ez = in.e.z, vy = in.v.y, vz = in.v.z;
   const double radial = in.radial, Bx = in.axial, Bx2 = Bx * Bx, A = in.A, K = in.K, damping = in.damping;
-#pragma omp simd reduction(+ : fy, fz, fx, dissipated, elastic_radial, elastic_axial, elastic_normal, cage) reduction(max : largest)
+#pragma omp simd reduction(+ : fy, fz, fx, dissipated, elastic_radial, elastic_axial, elastic_normal, cage, roots) reduction(max : largest)
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
@@ -46,7 +46,8 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
     const double cos_phi = Br * inverse;
     const double delta = std::max(distance - A + in.added[j], 0.);
     const double rate = cos_phi * (vy * c + vz * s);
-    const double stiffness = K * std::sqrt(delta);
+    const double root = std::sqrt(delta);
+    const double stiffness = K * root;
     const double elastic = stiffness * delta;
     const double F = std::max(stiffness * (delta + damping * rate), 0.);
     const double F_radial = F * cos_phi;
@@ -59,6 +60,7 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
     elastic_normal += elastic;
     cage += elastic * cos_phi * (ez * c - ey * s);
     largest = std::max(largest, F);
+    roots += root;
   }
   out.force_x = fx * Bx;
   out.force_y = fy;
@@ -71,16 +73,18 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
   out.elastic_outer_surplus = 0;
   out.cage_power = cage;
   out.largest_load = out.largest_outer_load = largest;
+  out.inner_load_roots = roots;
+  out.inner_loads = out.outer_loads = elastic_normal;
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
 ROTORDROP_WIDE_VECTORS
 void sum_all(const KernelInput& in, BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
-  double elastic_axial = 0, largest = 0;
+  double elastic_axial = 0, largest = 0, roots = 0;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e, v = in.v;
-#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, cage) reduction(max : largest)
+#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, cage, roots) reduction(max : largest)
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
@@ -92,7 +96,8 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
     const double delta = std::max(distance - in.A + in.added[j], 0.);
     const double rate = cos_phi * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) +
                         sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
-    const double stiffness = in.K * std::sqrt(delta);
+    const double root = std::sqrt(delta);
+    const double stiffness = in.K * root;
     const double elastic = stiffness * delta;
     const double F = std::max(stiffness * (delta + in.damping * rate), 0.);
     const double F_radial = F * cos_phi, F_axial = F * sin_phi;
@@ -108,6 +113,7 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
     cage += elastic * (cos_phi * ((e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s) +
                        sin_phi * arm * (e.psi_y * c + e.psi_z * s));
     largest = std::max(largest, F);
+    roots += root;
   }
   out.force_x = fx;
   out.force_y = fy;
@@ -121,6 +127,8 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.elastic_outer_surplus = 0;
   out.cage_power = cage;
   out.largest_load = out.largest_outer_load = largest;
+  out.inner_load_roots = roots;
+  out.inner_loads = out.outer_loads = elastic_normal;
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
@@ -177,6 +185,7 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   constants_.radial = A * std::cos(g.contact_angle) - g.radial_clearance;
   constants_.axial = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
   constants_.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  stiffness_root_ = std::cbrt(g.stiffness);
   inertial_ = {std::pow(g.inner.stiffness, -2. / 3.), std::pow(g.outer.stiffness, -2. / 3.),
                (g.inner_conformity - 0.5) * g.ball_diameter, (g.outer_conformity - 0.5) * g.ball_diameter,
                g.ball_diameter / g.pitch_diameter};
@@ -282,6 +291,7 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
                           in.displacement,
                           in.rate};
   kernel(balls, out);
+  out.inner_load_roots = out.outer_load_roots = stiffness_root_ * out.inner_load_roots;
   out.cage_power *= in.cage_speed;
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
   if (!tractions) return;

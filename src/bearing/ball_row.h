@@ -42,6 +42,7 @@ struct BallRowGeometry {
   double preload_offset = 0;    ///< axial approach of the races at rest [m]
   RaceContact inner, outer;     ///< each contact by itself; `stiffness` is both in series
   double ball_mass = 0;         ///< [kg]; for the balls' inertia
+  bool conducts = false;        ///< a row of balls with inertia sums the cube roots of its loads too
   bool has_inertia = false;     ///< each ball in balance with its centrifugal force and gyroscopic moment
 };
 
@@ -93,6 +94,9 @@ struct BallRowOutput {
   double waviness_power;             ///< work rate of the prescribed travel of the waves [W]
   double largest_load;               ///< of the row's balls on the inner race [N]
   double largest_outer_load;         ///< on the outer race [N]; the same without inertia
+  /// Sums of the loads and of their cube roots on either race, without damping [N], [N^(1/3)]: what conducts heat. Loads of balls without inertia are
+  /// the same on both.
+  double inner_load_roots, outer_load_roots, inner_loads, outer_loads;
   double inertia_power;              ///< work rate of the balls' forces of inertia on the balls, at constant speed [W]
   double inertia_per_speed;          ///< and more per acceleration of the ring [W s^2/rad]
 };
@@ -155,6 +159,7 @@ class BallRow {
   std::vector<double> cosine_,
       sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;
+  double stiffness_root_ = 0;  // K^(1/3)
   std::vector<Wave> waves_;
 };
 

@@ -23,10 +23,12 @@ struct TouchdownBearing::BallForces {
 };
 
 TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)) {
+  for (auto& geometry : data_.rows) geometry.conducts = data_.conduction.has_value();
   for (const auto& geometry : data_.rows) rows_.emplace_back(geometry, data_.race_waves);
   const auto& g = data_.rows.front();
   strain_per_growth_ = data_.width > 0. ? 1. / data_.width : 0.;
   cage_ratio_ = cage_speed_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
+  rolling_speed_ratio_ = 0.5 * g.ball_diameter * ball_spin_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
   inner_heat_share_ = inner_heat_share(data_);
   friction_load_factors_ = friction_load_factors(g.contact_angle);
   const double theta = pitch_angle_outer_race_control(g.contact_angle, g.ball_diameter, g.pitch_diameter);
@@ -173,6 +175,17 @@ double TouchdownBearing::spin_drag(const BallRowInput& in) const {
   return sum * spin_speed_sum_ratio_;
 }
 
+BallConduction TouchdownBearing::conduction(const BallForces& forces, double ring_speed) const {
+  const double speed = rolling_speed_ratio_ * std::fabs(ring_speed);
+  BallConductances sum;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto& row = forces.row[i];
+    sum.add(data_.conduction->of_row(row.inner_load_roots, row.inner_loads, row.outer_load_roots, row.outer_loads,
+                                     speed));
+  }
+  return {sum.inner_to_ball, sum.outer_to_ball, sum.inner_to_outer};
+}
+
 void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> y, std::span<double> dydt,
                                 std::span<double> ledger, SupportOutput& out) const {
   const Expansion grown = growth(in, y);
@@ -215,6 +228,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   out.heat.inner = inner_heat_share_ * M * ring_speed * data_.heat_over_work;
   out.heat.outer = (1. - inner_heat_share_) * M * ring_speed * data_.heat_over_work;
   out.heat.is_in_contact = t.is_touching;
+  if (data_.conduction) out.heat.balls = conduction(balls, ring_speed);
   // The rubbing spot lies on the line of centres and turns with it.
   const double spot_speed = data_.bore_radius * t.middle.centres_turning;
   out.heat.rotor_surface_speed = in.rotor_spin.speed * data_.rotor_radius - spot_speed;

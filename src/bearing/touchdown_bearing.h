@@ -8,6 +8,7 @@
 #include "bearing/ball_row.h"
 #include "laws/bearing_friction.h"
 #include "laws/contact.h"
+#include "laws/rolling_conduction.h"
 #include "model/support.h"
 
 namespace rotordrop {
@@ -82,6 +83,7 @@ struct TouchdownBearingData {
   double width = 0;               ///< of the rings, all rows, over which their widths grow; 0: they do not [m]
   Expansion centrifugal_growth;   ///< per square of the ring's speed [m s^2]
   double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
+  std::optional<RowConduction> conduction;  ///< of every row; none: the thermal models have fixed resistances
   std::optional<FreeRing> free_ring;    ///< none: axial and tilting motion of the inner ring are locked
 };
 
@@ -160,6 +162,7 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input, bool with_tractions) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;
   [[nodiscard]] double spin_drag(const BallRowInput& input) const;
+  [[nodiscard]] BallConduction conduction(const BallForces& forces, double ring_speed) const;
   void observe(const SupportInput& input, const Expansion& growth, std::span<const double> y, const Touch& touch,
                const BallForces& balls, double load_torque, double drag_torque, double ring_acceleration,
                const HeatInput& heat, std::span<double> out) const;
@@ -170,6 +173,7 @@ class TouchdownBearing final : public Support {
   double cage_ratio_ = 0;
   double inner_heat_share_ = 0.5;
   FrictionLoadFactors friction_load_factors_;
+  double rolling_speed_ratio_ = 0;   // speed of the contacts over the surfaces, over omega_i [m]
   double spin_speed_sum_ratio_ = 0;  // (|omega_si| + |omega_so|) / omega_i
 };
 

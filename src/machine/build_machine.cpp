@@ -9,6 +9,7 @@
 #include <map>
 
 #include "bearing/linear_support.h"
+#include "machine/shaft_geometry.h"
 #include "machine/statics.h"
 #include "thermal/reduced_sections.h"
 
@@ -27,6 +28,46 @@ const Node& table_of(const Node& case_node, const char* section) {
   static const Node empty = Node::table();
   const Node* found = case_node.find(section);
   return found ? *found : empty;
+}
+
+RowConduction row_conduction(const MachineParameters& p, const TouchdownParameters& b, const BallRowGeometry& row) {
+  const auto& t = p.thermal;
+  const auto body = [&](const std::string& name) {
+    const ThermalMaterial m = thermal_material(material_of(p, name), p.run.ambient);
+    return ConductingBody{m.conductivity, m.density * m.heat_capacity};
+  };
+  const ConductingBody ring = body(b.ring), ball = body(b.ball);
+  const auto contact = [&](const RaceContact& race) {
+    return contact_conduction(ring, ball, race.axis_factor, race.ellipticity, t.oil_film, t.oil_conductivity);
+  };
+  const double radius = 0.5 * b.ball_diameter;
+  return {contact(row.inner), contact(row.outer),
+          t.ball_track == BallTrack::wandering
+              ? wandering_track_conductance(ball.conductivity, radius)
+              : repeating_track_conductance(ball.conductivity, radius, t.contact_half_width)};
+}
+
+/// Where the balls of each row run on the rings.
+BearingCircuitData::Strips raceway_strips(const MachineParameters& p, const TouchdownParameters& b) {
+  const double to_side = 0.5 * b.ball_diameter * std::sin(b.contact_angle),
+               to_race = 0.5 * b.ball_diameter * std::cos(b.contact_angle);
+  BearingCircuitData::Strips s;
+  s.half_width = p.thermal.fe.strip_half_width.value_or(p.thermal.contact_half_width);
+  for (const auto& row : row_places(b)) {
+    const double middle = 0.5 * b.width + row.position;
+    s.inner.push_back(middle - row.direction * to_side);
+    s.outer.push_back(middle + row.direction * to_side);
+  }
+  s.inner_radius = 0.5 * b.pitch_diameter - to_race;
+  s.outer_radius = 0.5 * b.pitch_diameter + to_race;
+  // Rings given as cylinders may have no wall left under the groove: then half of theirs.
+  const auto wall = [](double given, const std::array<double, 2>& diameters) {
+    const double half = 0.25 * (diameters[1] - diameters[0]);
+    return given > 0.2 * half ? given : half;
+  };
+  s.inner_thickness = wall(s.inner_radius - 0.5 * b.inner_ring_diameters[0], {b.inner_ring_diameters[0], b.inner_ring_diameters[1]});
+  s.outer_thickness = wall(0.5 * b.outer_ring_diameters[1] - s.outer_radius, {b.outer_ring_diameters[0], b.outer_ring_diameters[1]});
+  return s;
 }
 
 GrowthDriver chosen_driver(const ThermalParameters& t) {
@@ -80,7 +121,8 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
         reduction.modes = 0;
         reduction.fastest = std::numeric_limits<double>::infinity();
       } else {
-        reduction.modes = static_cast<std::size_t>(fe.modes);
+        // The nodes of a fin have modes of their own, which must not be taken from the rings'.
+        reduction.modes = static_cast<std::size_t>(fe.modes) + circuit.fins.size();
       }
       section.reduced = section.solver->reduce(reduction);
     }
@@ -110,9 +152,10 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
     const auto* b = entry.touchdown();
     if (!b) continue;
     const auto& made = elements.sections[k++];
-    ReducedSection section{made.name, made.reduced, made.formula, {}, {}};
+    ReducedSection section{made.name, made.reduced, made.formula, {}, false, {}};
     if (made.elastic) section.elastic = reduced_elastic(made);
     const auto circuit = circuit_data(p, entry.name, *b);
+    section.balls_roll = circuit.balls_roll;
     if (circuit.shaft_ring_link == BearingCircuitData::Link::in_contact) {
       const double touching = circuit_resistances(circuit).R2;
       section.contact_link = {touching, touching + circuit.gap_resistance};
@@ -325,6 +368,7 @@ ThermalParts build_thermal_models(const MachineParameters& parameters, const Nod
                                   const std::string& bearing, FiniteElements& finite_elements) {
   MachineParameters p = parameters;
   p.thermal.driver = GrowthDriver::none;
+  p.thermal.contact_conduction = BallConductionModel::fixed;  // there are no loads
   // A user's resistors may join this bearing's circuit with others'.
   if (p.thermal.resistors.empty())
     std::erase_if(p.bearings, [&](const SupportEntry& entry) { return entry.name != bearing; });
@@ -367,6 +411,9 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.fit_resistance = t.fit_resistance;
   c.contact_half_width = t.contact_half_width;
   c.races = race_surfaces(p, b);
+  if (t.shaft == ShaftModel::fin) c.fins = shaft_fins(p, b, c);
+  c.balls_roll = t.contact_conduction == BallConductionModel::rolling;
+  if (t.spreading == RacewaySpreading::strip) c.strips = raceway_strips(p, b);
   c.plane_strain_growth = t.plane_strain_growth;
   c.shaft_ring_link = t.shaft_ring_link;
   c.factors = b.circuit;
@@ -378,7 +425,10 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
   const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
-  return touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
+  auto data = touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
+  if (p.thermal.contact_conduction == BallConductionModel::rolling)
+    data.conduction = row_conduction(p, b, data.rows.front());
+  return data;
 }
 
 GrowthDriver driver_of(const ThermalParameters& t) { return t.growth ? chosen_driver(t) : GrowthDriver::none; }

@@ -65,16 +65,22 @@ Responses responses_of(const BearingCircuitData& circuit, double ambient, const 
   add_bearing_circuit(circuit, data);
   std::erase_if(data.resistors, [](const auto& r) { return r.law == ThermalNetworkData::Law::housing_convection; });
   const ThermalNetwork network(data);
-  Eigen::VectorXd capacity(n_nodes);
-  for (std::size_t k = 0; k < n_nodes; ++k)
-    for (const auto& node : data.nodes)
-      if (node.name == circuit.name + "/" + nodes[k]) capacity(static_cast<Eigen::Index>(k)) = node.capacity;
-
-  const Eigen::Index n = n_nodes;
+  // States are the nodes with capacity, in their order; those of a fin are nobody's to compare.
+  std::vector<double> capacities;
+  std::array<Eigen::Index, n_nodes> place{};
+  for (const auto& node : data.nodes) {
+    if (node.capacity == 0.) continue;
+    for (std::size_t k = 0; k < n_nodes; ++k)
+      if (node.name == circuit.name + "/" + nodes[k]) place[k] = static_cast<Eigen::Index>(capacities.size());
+    capacities.push_back(node.capacity);
+  }
+  const std::size_t n_states = capacities.size();
+  const auto n = static_cast<Eigen::Index>(n_states);
+  const Eigen::VectorXd capacity = Eigen::Map<const Eigen::VectorXd>(capacities.data(), n);
   Eigen::MatrixXd A(n, n), B(n, static_cast<Eigen::Index>(n_ports));
   Eigen::VectorXd y(n), rate(n);
   const auto rates = [&](const HeatInput& heat) {
-    network.rates({y.data(), n_nodes}, {&heat, 1}, {rate.data(), n_nodes});
+    network.rates({y.data(), n_states}, {&heat, 1}, {rate.data(), n_states});
   };
   for (Eigen::Index j = 0; j < n; ++j) {
     y.setConstant(ambient);
@@ -100,7 +106,7 @@ Responses responses_of(const BearingCircuitData& circuit, double ambient, const 
     for (std::size_t k = 0; k < n_nodes; ++k) {
       r[p][k] = Eigen::ArrayXd::Zero(t.size());
       for (Eigen::Index i = 0; i < n; ++i)
-        r[p][k] += shape(static_cast<Eigen::Index>(k), i) * input(i, static_cast<Eigen::Index>(p)) *
+        r[p][k] += shape(place[k], i) * input(i, static_cast<Eigen::Index>(p)) *
                    integral_of_decay(-modes.eigenvalues()(i), t);
     }
   return r;

@@ -6,6 +6,7 @@
 
 #include "base/cpu_time.h"
 #include "laws/heat_flow.h"
+#include "thermal/rolling_exchange.h"
 
 namespace rotordrop {
 namespace {
@@ -94,7 +95,7 @@ WindowedSections::WindowedSections(FiniteElements& elements, double tolerance, d
   report_.shortest = longest;
 }
 
-void WindowedSections::step(double length, std::span<const PlaceEnergy> energy) {
+void WindowedSections::step(double length, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
   const double start = cpu_seconds();
   before_ = conducted_;
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
@@ -110,6 +111,17 @@ void WindowedSections::step(double length, std::span<const PlaceEnergy> energy) 
     const double rise = solver.port_temperature(housing_port) - section.problem.initial_temperature;
     heat[housing_port] = -housing_convection(rise) * solver.port_area(housing_port) * rise;
     film_loss_ -= heat[housing_port] * length;
+    if (const auto& G = balls[k]; G.inner_to_ball + G.outer_to_ball + G.inner_to_outer > 0.) {
+      // Strips follow within the window: their rise by conducted heat is left to the solver, from the temperatures at its start.
+      const ContactHeat q =
+          contact_heat(G, solver.port_temperature(inner_raceway_port), solver.port_temperature(outer_raceway_port),
+                       solver.port_temperature(ball_port), 0., 0., 0.);
+      heat[inner_raceway_port] += q.inner;
+      heat[outer_raceway_port] += q.outer;
+      heat[ball_port] = -q.from_balls();
+    } else {
+      heat[ball_port] = 0.;
+    }
     solver.set_port_heat(heat);
     solver.advance_window(length);
     energy_[k] = given;
@@ -128,8 +140,8 @@ void WindowedSections::step(double length, std::span<const PlaceEnergy> energy) 
   report_.cpu_time += cpu_seconds() - start;
 }
 
-void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy) {
-  step(length_, energy);
+void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
+  step(length_, energy, balls);
   const std::size_t n = growth_.size();
   std::vector<Expansion> in_force(n), expected(n);
   elements_.growth->at(time_, in_force);
@@ -151,8 +163,8 @@ void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy) 
   elements_.growth->append(time_ + ahead, expected);
 }
 
-void WindowedSections::finish(double end, std::span<const PlaceEnergy> energy) {
-  if (end > time_) step(end - time_, energy);
+void WindowedSections::finish(double end, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
+  if (end > time_) step(end - time_, energy, balls);
 }
 
 WindowedSections::Report WindowedSections::report() const { return report_; }

@@ -59,9 +59,10 @@ class WindowedSections {
   /// Advances to next_end().
   /// @param now     where the drop stands [s], >= next_end()
   /// @param energy  at next_end() [n_places]
-  void advance(double now, std::span<const PlaceEnergy> energy);
+  /// @param balls   what balls conduct as they roll at next_end(); held over the window, as are the temperatures between which they conduct [n_places]
+  void advance(double now, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
   /// Advances to the drop's end.
-  void finish(double end, std::span<const PlaceEnergy> energy);
+  void finish(double end, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
 
   struct Report {
     long windows = 0;
@@ -82,7 +83,7 @@ class WindowedSections {
   void unpack(std::span<const double> values);
 
  private:
-  void step(double length, std::span<const PlaceEnergy> energy);
+  void step(double length, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
 
   FiniteElements& elements_;
   double tolerance_, shortest_, longest_;

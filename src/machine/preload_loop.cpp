@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/errors.h"
@@ -33,21 +34,27 @@ Expansion PreloadLoop::growth(std::span<const double> T) const {
   return all[place_];
 }
 
-std::vector<HeatInput> PreloadLoop::inputs(double heat) const {
+BallConduction PreloadLoop::balls(std::span<const double> T) const {
+  return bearing_->balls_roll() ? state(T).balls : BallConduction{};
+}
+
+std::vector<HeatInput> PreloadLoop::inputs(double heat, const BallConduction& balls) const {
   std::vector<HeatInput> all(n_places_);
   all[place_].inner = bearing_->inner_share() * heat;
   all[place_].outer = heat - all[place_].inner;
   all[place_].is_in_contact = true;
+  all[place_].balls = balls;
   return all;
 }
 
-double PreloadLoop::rates(std::span<const double> T, double heat, std::span<double> dydt) const {
-  return thermal_->rates(T, inputs(heat), dydt);
+double PreloadLoop::rates(std::span<const double> T, double heat, const BallConduction& balls,
+                          std::span<double> dydt) const {
+  return thermal_->rates(T, inputs(heat, balls), dydt);
 }
 
 std::vector<double> PreloadLoop::node_temperatures(std::span<const double> T, double heat) const {
   std::vector<double> all(observed_size(observables_)), nodes;
-  thermal_->observe(T, inputs(heat), all);
+  thermal_->observe(T, inputs(heat, balls(T)), all);
   std::size_t at = 0;
   for (const auto& o : observables_) {
     if (o.unit == "K" && o.size == 1) nodes.push_back(all[at]);
@@ -61,17 +68,49 @@ double PreloadLoop::highest_temperature(std::span<const double> T, double heat) 
   return *std::max_element(nodes.begin(), nodes.end());
 }
 
-std::vector<double> PreloadLoop::jacobian(std::span<const double> T, double heat) const {
+std::vector<double> PreloadLoop::jacobian_of_fixed_balls(std::span<const double> T, double heat) const {
+  const BallConduction held = balls(T);
   constexpr double step = 1e-3;  // [K]; rates are straight lines but for convection's power of the rise
   const std::size_t n = size();
   std::vector<double> J(n * n), trial(T.begin(), T.end()), above(n), below(n);
   for (std::size_t k = 0; k < n; ++k) {
     trial[k] = T[k] + step;
-    rates(trial, heat, above);
+    rates(trial, heat, held, above);
     trial[k] = T[k] - step;
-    rates(trial, heat, below);
+    rates(trial, heat, held, below);
     trial[k] = T[k];
     for (std::size_t i = 0; i < n; ++i) J[i * n + k] = (above[i] - below[i]) / (2. * step);
+  }
+  return J;
+}
+
+std::vector<double> PreloadLoop::jacobian(std::span<const double> T, double heat) const {
+  auto J = jacobian_of_fixed_balls(T, heat);
+  if (!bearing_->balls_roll()) return J;
+  constexpr double step = 2e-8;  // [m], as for gradients of heat (preload_criterion.cpp)
+  const std::size_t n = size();
+  const Expansion grown = growth(T);
+  std::vector<Expansion> by_T(n), all(n_places_);
+  std::vector<double> one(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    one[k] = 1.;
+    thermal_->growth_rates(one, all);
+    by_T[k] = all[place_];
+    one[k] = 0.;
+  }
+  constexpr std::array<double, 4> places = {-2., -1., 1., 2.}, weights = {1., -8., 8., -1.};
+  std::vector<double> at(n), derivative(n);
+  for (const auto surface : growth_surfaces) {
+    if (std::all_of(by_T.begin(), by_T.end(), [&](const Expansion& e) { return e.*surface == 0.; })) continue;
+    std::fill(derivative.begin(), derivative.end(), 0.);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      Expansion moved = grown;
+      moved.*surface += places[i] * step;
+      rates(T, heat, bearing_->at(moved).balls, at);
+      for (std::size_t k = 0; k < n; ++k) derivative[k] += weights[i] * at[k] / (12. * step);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < n; ++k) J[i * n + k] += derivative[i] * by_T[k].*surface;
   }
   return J;
 }
@@ -83,7 +122,7 @@ std::vector<double> PreloadLoop::steady(double heat, std::span<const double> sta
   Eigen::VectorXd F(n);
   for (int i = 0; i < 100; ++i) {
     rates(T, heat, {F.data(), size()});
-    const auto J = jacobian(T, heat);
+    const auto J = jacobian_of_fixed_balls(T, heat);  // what balls conduct changes slowly
     const Eigen::VectorXd step = Eigen::Map<const Matrix>(J.data(), n, n).partialPivLu().solve(F);
     for (std::size_t k = 0; k < size(); ++k) T[k] -= step[static_cast<Eigen::Index>(k)];
     const double largest = step.lpNorm<Eigen::Infinity>();
@@ -108,12 +147,15 @@ void PreloadTransient::initial_state(std::span<double> y) const {
 void PreloadTransient::rhs(double, std::span<const double> y, std::span<double> dydt) const {
   const auto T = temperatures(y);
   double heat = NAN;
+  BallConduction balls;
   try {
-    heat = loop_.state(T).heat;
+    const RunningState state = loop_.state(T);
+    heat = state.heat;
+    balls = state.balls;
   } catch (const SolverError&) {
     // No rest of the bearing: a trial state far out. Rates that are no numbers ask for a shorter step.
   }
-  dydt[loop_.size() + 1] = loop_.rates(T, heat, dydt.first(loop_.size()));
+  dydt[loop_.size() + 1] = loop_.rates(T, heat, balls, dydt.first(loop_.size()));
   dydt[loop_.size()] = heat;
 }
 

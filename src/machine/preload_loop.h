@@ -23,19 +23,25 @@ class PreloadLoop {
   [[nodiscard]] RunningState state(std::span<const double> T) const { return bearing_->at(growth(T)); }
   [[nodiscard]] const RunningBearing& bearing() const { return *bearing_; }
   /// Rates [K/s] under a heat of the bearing [W]; returns what is lost to ambient [W].
-  double rates(std::span<const double> T, double heat, std::span<double> dydt) const;
+  double rates(std::span<const double> T, double heat, std::span<double> dydt) const {
+    return rates(T, heat, balls(T), dydt);
+  }
+  /// The same where it is known what the balls conduct.
+  double rates(std::span<const double> T, double heat, const BallConduction& balls, std::span<double> dydt) const;
   [[nodiscard]] double stored_energy(std::span<const double> T) const { return thermal_->stored_energy(T); }
   /// Nodes in kelvin, contacts without mass among them.
   [[nodiscard]] const std::vector<Observable>& nodes() const { return nodes_; }
   [[nodiscard]] std::vector<double> node_temperatures(std::span<const double> T, double heat) const;
   [[nodiscard]] double highest_temperature(std::span<const double> T, double heat) const;
-  /// d rates / dT [1/s] under a constant heat, row by row [size * size], by central differences.
+  /// d rates / dT [1/s] under a constant heat, row by row [size * size], by central differences. What rolling balls conduct changes with growth.
   [[nodiscard]] std::vector<double> jacobian(std::span<const double> T, double heat) const;
   /// Steady temperatures under a heat; Newton's method from `start`. @throws SolverError
   [[nodiscard]] std::vector<double> steady(double heat, std::span<const double> start) const;
 
  private:
-  [[nodiscard]] std::vector<HeatInput> inputs(double heat) const;
+  [[nodiscard]] BallConduction balls(std::span<const double> T) const;
+  [[nodiscard]] std::vector<HeatInput> inputs(double heat, const BallConduction& balls) const;
+  [[nodiscard]] std::vector<double> jacobian_of_fixed_balls(std::span<const double> T, double heat) const;
 
   std::shared_ptr<const ThermalModel> thermal_;
   std::unique_ptr<RunningBearing> bearing_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bearing/steady_friction.h"
+#include "laws/ball_kinematics.h"
 #include "laws/ring_growth.h"
 #include "machine/build_machine.h"
 
@@ -30,6 +31,17 @@ double radial_clearance(const RingStatics& ring) {
     least = std::min(least, std::sqrt(std::max(reach * reach - B_x * B_x, 0.)) - B_r);
   }
   return least;
+}
+
+BallConduction ball_conduction(const TouchdownBearingData& b, const RingReport& ring, double speed) {
+  const auto& g = b.rows.front();
+  const double rolling =
+      0.5 * g.ball_diameter * ball_spin_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle) * std::fabs(speed);
+  BallConductances sum;
+  for (const auto& row : ring.rows)
+    for (const auto& ball : row.balls)
+      sum.add(b.conduction->of_balls(1., std::cbrt(ball.inner.load), std::cbrt(ball.outer.load), rolling));
+  return {sum.inner_to_ball, sum.outer_to_ball, sum.inner_to_outer};
 }
 
 }  // namespace
@@ -91,6 +103,7 @@ RunningState TouchdownRunning::in(const BearingState& state) const {
   s.radial_stiffness_z = ring.stiffness[2][2];
   s.radial_clearance = radial_clearance(system.ring());
   s.is_floating = ring.is_floating;
+  if (data_.conduction) s.balls = ball_conduction(data_, ring, state.speed);
   return s;
 }
 

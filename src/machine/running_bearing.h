@@ -20,6 +20,7 @@ struct RunningState {
   double radial_clearance =
       0;  ///< how far the ring, else in its mounted place, may move until a ball is touched; negative: they are pressed [m]
   bool is_floating = false;  ///< no ball touches
+  BallConduction balls;      ///< what they conduct as they roll; zeros if thermal models have fixed resistances
 };
 
 /// What heat is made of; physics of the bearing behind one function, so that loops can be tried on laws with known answers.
@@ -31,6 +32,8 @@ class RunningBearing {
   virtual ~RunningBearing() = default;
   /// @param growth  by heat [m]
   [[nodiscard]] virtual RunningState at(const Expansion& growth) const = 0;
+  /// Whether RunningState::balls depends on growth.
+  [[nodiscard]] virtual bool balls_roll() const { return false; }
   /// Part of the heat that enters the inner race.
   [[nodiscard]] virtual double inner_share() const = 0;
 };
@@ -56,6 +59,7 @@ class TouchdownRunning final : public RunningBearing {
   /// In any state; growth is the whole one.
   [[nodiscard]] RunningState in(const BearingState& state) const;
   [[nodiscard]] double inner_share() const override;
+  [[nodiscard]] bool balls_roll() const override { return data_.conduction.has_value(); }
 
  private:
   StaticsParameters statics_;

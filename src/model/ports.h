@@ -68,6 +68,12 @@ inline Expansion combined(double f, const Expansion& a, double g, const Expansio
   return sum;
 }
 
+/// Conductances that the balls of a bearing make as they roll, by their loads and speed [W/K].
+struct BallConduction {
+  double inner_to_ball = 0, outer_to_ball = 0;  ///< race to the balls' bulk
+  double inner_to_outer = 0;                    ///< race to race, without warming the balls
+};
+
 /// Heat that a bearing releases, by port, and what a law for sharing it needs to know.
 struct HeatInput {
   double rub = 0;  ///< H_r: rotor surface against bore [W] (eq. 19)
@@ -78,6 +84,7 @@ struct HeatInput {
   double rotor_surface_speed = 0;  ///< speed of the rotor's surface relative to the rubbing spot [m/s]
   double ring_surface_speed = 0;   ///< speed of the bore's surface relative to the rubbing spot [m/s]
   bool is_in_contact = false;      ///< rotor and bore touch
+  BallConduction balls;            ///< no heat, but a way for it; zeros unless balls conduct as they roll
 };
 
 }  // namespace rotordrop

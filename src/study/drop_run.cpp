@@ -186,6 +186,7 @@ class DropRun {
       const auto& fe = drop_case.parameters.thermal.fe;
       windows_.emplace(*options.elements, fe.window_tolerance, fe.longest_window);
       energies_.resize(machine.n_thermal_places());
+      balls_.resize(machine.n_thermal_places());
       window_row_.resize(observed_size(windows_->observables()));
     }
     if (windows_)
@@ -220,7 +221,7 @@ class DropRun {
     start_time_ = time_;
     if (!is_at_end()) integrate();
     if (windows_ && !interrupted_) {
-      windows_->finish(time_, energies(state_));
+      windows_->finish(time_, energies(state_), balls(time_, state_));
       record_window(time_, true);
     }
     recorder_->close();
@@ -330,11 +331,20 @@ class DropRun {
     return energies_;
   }
 
+  /// What the balls of the thermal places conduct in a state, if they do as they roll.
+  std::span<const BallConduction> balls(double t, std::span<const double> y) {
+    if (case_.parameters.thermal.contact_conduction != BallConductionModel::rolling) return balls_;
+    window_rates_.resize(y.size());
+    machine_.rhs(t, y, window_rates_);
+    for (std::size_t place = 0; place < balls_.size(); ++place) balls_[place] = machine_.heat_input(place).balls;
+    return balls_;
+  }
+
   void advance_windows() {
     while (windows_ && windows_->next_end() <= time_ && !is_stopped()) {
       const double end = windows_->next_end();
       integrator_->interpolate(end, at_record_);
-      windows_->advance(time_, energies(at_record_));
+      windows_->advance(time_, energies(at_record_), balls(end, at_record_));
       record_window(end);
     }
   }
@@ -599,6 +609,8 @@ class DropRun {
   std::optional<WindowedSections> windows_;
   std::optional<DropFields> fields_;
   std::vector<PlaceEnergy> energies_;
+  std::vector<BallConduction> balls_;  ///< of the thermal places
+  std::vector<double> window_rates_;
   std::vector<double> window_row_;
   std::optional<FitWatch> fits_;
 

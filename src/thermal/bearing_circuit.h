@@ -1,10 +1,13 @@
 #pragma once
 #include <numbers>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "laws/bearing_growth.h"
 #include "model/circuit_factors.h"
 #include "model/heat_conduction.h"
+#include "thermal/shaft_fin.h"
 #include "thermal/thermal_network.h"
 
 namespace rotordrop {
@@ -37,9 +40,19 @@ struct BearingCircuitData {
   double fit_resistance = 0;                     ///< outer ring to housing [K/W]
   double contact_half_width = 0;                 ///< a of the constriction [m]
   RaceSurfaces races;                            ///< where the rings' growth counts
+  bool balls_roll = false;                       ///< contacts conduct by HeatInput::balls instead of R5
+  /// Strips on the raceways, for spreading; none: heat enters the whole raceway evenly.
+  struct Strips {
+    std::vector<double> inner, outer;                ///< middles of both races' strips, from the rings' end at -x [m]
+    double inner_thickness = 0, outer_thickness = 0;  ///< of the walls under them [m]
+    double inner_radius = 0, outer_radius = 0;        ///< of the strips [m]
+    double half_width = 0;                            ///< [m]
+  };
+  std::optional<Strips> strips;
   bool plane_strain_growth = false;              ///< growth times (1 + nu)
   enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
   double gap_resistance = 0;  ///< of Link::in_contact, when apart [K/W]
+  std::vector<FinNode> fins;  ///< shaft beside the bearing, both sides; none: the shaft ends with its lump
   CircuitFactors factors;     ///< calibration
 };
 
@@ -47,11 +60,13 @@ struct BearingCircuitData {
 struct CircuitResistances {
   double R1 = 0;               ///< shaft to ambient
   double R2 = 0;               ///< shaft's centre to its surface
-  double R3 = 0, R4 = 0;       ///< inner ring: journal to the middle of its wall, and on to its outside
+  double R3 = 0, R4 = 0;       ///< inner ring: journal to the middle of its wall, and on to its outside; R4 under strips: half the wall
   double R5_inside = 0;        ///< a race to the balls' middle: inside the balls
   double R5_constriction = 0;  ///< and at their contacts
+  double R4_spreading = 0;     ///< and from the strips that the balls roll on
   double R6 = 0;               ///< balls to ambient
   double R7 = 0;               ///< outer ring: its inside to the middle of its wall
+  double R7_spreading = 0;                         ///< from the strips
   double R8_ring = 0, R8_fit = 0, R8_housing = 0;  ///< on to its outside; fit; to the middle of the housing's wall
 };
 CircuitResistances circuit_resistances(const BearingCircuitData& bearing);
@@ -60,6 +75,7 @@ GrowthDimensions growth_dimensions(const BearingCircuitData& bearing);
 
 /// Adds a bearing's nodes, resistors, port and growth to a network; the bearing becomes its next place.
 ///   ambient -R1- s -R2- x -R3- i -R4- ci -R5- b -R5- co -R7- o -R8- h -R9- ambient,   b -R6- ambient
+/// R4 and R7 with their spreading. Balls that roll have instead of R5 what HeatInput::balls says, between ci, b and co.
 /// x is eliminated here: the rub heat enters s and i by the share, and R2 + R3 join them.
 void add_bearing_circuit(const BearingCircuitData& bearing, ThermalNetworkData& network);
 

@@ -76,11 +76,18 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
 
   const CircuitResistances R = circuit_resistances(b);
   const double R5 = R.R5_inside + R.R5_constriction;
-  p.links = {{shaft_port, {}, R.R1},
-             {inner_raceway_port, ball_port, R5},
-             {outer_raceway_port, ball_port, R5},
-             {ball_port, {}, R.R6}};
+  p.links = {{shaft_port, {}, R.R1}, {ball_port, {}, R.R6}};
+  if (!b.balls_roll)
+    p.links.insert(p.links.begin() + 1, {{inner_raceway_port, ball_port, R5}, {outer_raceway_port, ball_port, R5}});
   if (b.shaft_ring_link == BearingCircuitData::Link::permanent) p.links.push_back({shaft_port, bore_port, R.R2});
+
+  for (const FinNode& fin : b.fins) {
+    const std::size_t port = p.ports.size(), before = fin.is_first ? std::size_t{shaft_port} : port - 1;
+    p.nodes.push_back({fin.name, fin.capacity});
+    p.ports.push_back({fin.name, {}, p.nodes.size() - 1, 1e-4});  // nothing heats them but the shaft
+    p.links.push_back({before, port, fin.resistance});
+    p.links.push_back({port, {}, fin.to_ambient});
+  }
 
   if (settings.housing_film)
     p.convections = {{{housing, HeatSide::outer}, housing_convection(1.), 0.25, ambient}};  // h = 23 rise^0.25

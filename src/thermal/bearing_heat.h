@@ -13,7 +13,7 @@ enum BearingPort : std::size_t {
   outer_raceway_port,
   housing_port,  ///< the housing's outside: eq. (16) is applied there by whoever advances the problem, with the mean rise
   ball_port,
-  n_bearing_ports
+  n_bearing_ports  ///< the nodes of the shaft beside the bearing follow, which nothing heats from outside
 };
 
 struct SectionSettings {
@@ -24,7 +24,8 @@ struct SectionSettings {
 
 /// The section of a touchdown bearing with the circuit's data: inner ring, outer ring and housing as bodies, balls (and shaft) as nodes.
 ///   ambient -R1- shaft -R2- bore,  strips -R5- balls -R5- strips,  balls -R6- ambient,  fit between ring and housing.
-/// R3, R4, R7 and R8 are what the section itself conducts. A link that acts only in contact is left out: see ReducedSections.
+/// R3, R4, R7 and R8 are what the section itself conducts. A link that acts only in contact and balls that conduct as they roll are left out: see
+/// ReducedSections and WindowedSections.
 /// @param mesh     with bodies inner_ring, outer_ring, housing (and shaft); empty: plain rectangles of the rings' diameters
 /// @param ambient  [K]
 HeatConductionProblem bearing_heat_problem(const BearingCircuitData& bearing, const SectionMesh& mesh, double ambient,

@@ -57,7 +57,8 @@ Section<FeParameters> fe_section() {
   s.integer("modes", &P::modes,
             {.range = between(8, 200),
              .fallback = 28,
-             .help = "Modes of each bearing's section that a reduced coupling keeps. More follow faster changes."});
+             .help = "Modes of each bearing's section that a reduced coupling keeps, besides one for each node of the "
+                     "shaft's fins. More follow faster changes."});
   s.choice("solver", &P::solver, linear_solvers(), {.fallback = "direct", .help = linear_solver_help});
   s.quantity("window_tolerance", &P::window_tolerance,
              {.unit = "m",

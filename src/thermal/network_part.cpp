@@ -9,10 +9,11 @@ NetworkPart part_around(const ThermalNetworkData& network, std::size_t place) {
   std::set<std::string> reached;
   const auto reach_place = [&](const ThermalNetworkData::Place& p) {
     reached.insert({p.shaft_node, p.ring_node, p.inner_contact, p.outer_contact});
+    if (!p.balls.empty()) reached.insert(p.balls);
   };
   const auto sits_on = [&](const ThermalNetworkData::Place& p) {
     return reached.contains(p.ring_node) || reached.contains(p.shaft_node) || reached.contains(p.inner_contact) ||
-           reached.contains(p.outer_contact);
+           reached.contains(p.outer_contact) || reached.contains(p.balls);
   };
   reach_place(network.places.at(place));
   for (std::size_t before = 0; before != reached.size();) {

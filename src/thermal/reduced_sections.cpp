@@ -46,6 +46,28 @@ FiveSums five_sums(const double* y, double zero, const double* a, const double* 
   return {sum_a, sum_b, sum_c, sum_d, sum_e};
 }
 
+struct ThreeSums {
+  double a, b, c;
+};
+ROTORDROP_WIDE_VECTORS
+ThreeSums three_sums(const double* y, double zero, const double* a, const double* b, const double* c, std::size_t n) {
+  double sum_a = 0., sum_b = 0., sum_c = 0.;
+#pragma omp simd reduction(+ : sum_a, sum_b, sum_c)
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = y[i] - zero;
+    sum_a += a[i] * z;
+    sum_b += b[i] * z;
+    sum_c += c[i] * z;
+  }
+  return {sum_a, sum_b, sum_c};
+}
+
+ROTORDROP_WIDE_VECTORS
+void add_times(double factor, const double* row, double* to, std::size_t n) {
+#pragma omp simd
+  for (std::size_t i = 0; i < n; ++i) to[i] += factor * row[i];
+}
+
 struct Heats {
   const double *bore, *shaft, *inner, *outer, *film;  // rows
   double q_bore, q_shaft, q_inner, q_outer, q_film;   // [W]
@@ -147,6 +169,14 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     p.loss = heat.loss;
     p.bore = heat.ports[bore_port].shape;
     p.shaft_surface = heat.ports[shaft_port].shape;
+    if (section.balls_roll) {
+      p.inner_strip = heat.ports[inner_raceway_port].shape;
+      p.outer_strip = heat.ports[outer_raceway_port].shape;
+      p.inner_at_once = heat.ports[inner_raceway_port].at_once;
+      p.outer_at_once = heat.ports[outer_raceway_port].at_once;
+      p.balls = heat.ports.at(ball_port).shape;
+      p.ball_input = input(ball_port);
+    }
     p.growth = section.elastic ? section.elastic->growth : growth_of_means(heat, section.growth);
     p.has_widths = section.elastic || section.growth.inner_width != 0. || section.growth.outer_width != 0.;
     p.stored.assign(p.n, 0.);
@@ -198,6 +228,12 @@ void ReducedSections::growth_rates(std::span<const double> rate, std::span<Expan
   for (std::size_t k = 0; k < places_.size(); ++k) add_growth(k, rate, 0., out[k]);
 }
 
+ContactHeat ReducedSections::rolling_heat(const Place& p, const double* y, const HeatInput& heat) const {
+  const auto rise = three_sums(y, ambient_, p.inner_strip.data(), p.outer_strip.data(), p.balls.data(), p.n);
+  return contact_heat(heat.balls, rise.a + p.inner_at_once * heat.inner, rise.b + p.outer_at_once * heat.outer, rise.c,
+                      p.inner_at_once, 0., p.outer_at_once);
+}
+
 double ReducedSections::rates(std::span<const double> state, std::span<const HeatInput> heat,
                               std::span<double> dydt) const {
   double lost = 0.;
@@ -214,10 +250,18 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
       q_bore -= q;
       q_shaft += q;
     }
+    double q_inner = heat[k].inner, q_outer = heat[k].outer, from_balls = 0.;
+    if (sections_[k].balls_roll) {
+      const ContactHeat q = rolling_heat(p, y, heat[k]);
+      q_inner += q.inner;
+      q_outer += q.outer;
+      from_balls = q.from_balls();
+    }
     modal_rates(y, ambient_, p.rate.data(),
                 {p.bore_input.data(), p.shaft_input.data(), p.inner_input.data(), p.outer_input.data(),
-                 p.film_input.data(), q_bore, q_shaft, heat[k].inner, heat[k].outer, -film_loss},
+                 p.film_input.data(), q_bore, q_shaft, q_inner, q_outer, -film_loss},
                 dydt.data() + p.first, p.n);
+    if (sections_[k].balls_roll) add_times(-from_balls, p.ball_input.data(), dydt.data() + p.first, p.n);
     lost += linear_loss + film_loss;
   }
   return lost;
@@ -248,7 +292,8 @@ void ReducedSections::observe(std::span<const double> state, std::span<const Hea
     const double* y = state.data() + places_[k].first;
     for (const auto* outputs : {&heat.bodies, &heat.nodes})
       for (const auto& output : *outputs) out[at++] = ambient_ + sum(output.shape, y, ambient_);
-    const double watts[] = {heats[k].rub_into_ring, heats[k].inner, heats[k].outer, 0.};
+    const ContactHeat rolling = sections_[k].balls_roll ? rolling_heat(places_[k], y, heats[k]) : ContactHeat{};
+    const double watts[] = {heats[k].rub_into_ring, heats[k].inner + rolling.inner, heats[k].outer + rolling.outer, 0.};
     for (std::size_t i = 0; i < std::size(surface_ports); ++i) {
       const auto& port = heat.ports[surface_ports[i]];
       const auto& surface = places_[k].surfaces[i];

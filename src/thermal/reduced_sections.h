@@ -5,6 +5,7 @@
 #include "model/thermal_model.h"
 #include "thermal/bearing_elastic.h"
 #include "thermal/bearing_heat.h"
+#include "thermal/rolling_exchange.h"
 
 namespace rotordrop {
 
@@ -17,6 +18,7 @@ struct ReducedSection {
     double touching = 0, apart = 0;  ///< resistance between shaft and bore [K/W]
   };
   std::optional<ContactLink> contact_link;  ///< if it is not permanent
+  bool balls_roll = false;                  ///< HeatInput::balls join strips and balls
   /// A linear functional of the states: value = at_rest + shape . (z - T_0).
   struct Functional {
     double at_rest = 0;
@@ -53,6 +55,9 @@ class ReducedSections final : public ThermalModel {
     std::vector<double> rate, bore_input, shaft_input, inner_input, outer_input, film_input;
     std::vector<double> bore, shaft_surface, film, loss;
     std::vector<double> stored;
+    /// Of balls that roll: mean shapes of strips and balls, input of the balls; rises of strips at once [K/W].
+    std::vector<double> inner_strip, outer_strip, balls, ball_input;
+    double inner_at_once = 0, outer_at_once = 0;
     std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< of growth_surfaces [m/K]
     bool has_widths = false;  ///< the axial growths are not zero
     double film_area = 0;
@@ -62,6 +67,7 @@ class ReducedSections final : public ThermalModel {
     };
     std::vector<Surface> surfaces;  ///< of the ports that are observed
   };
+  [[nodiscard]] ContactHeat rolling_heat(const Place& place, const double* states, const HeatInput& heat) const;
   void add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const;
 
   std::vector<ReducedSection> sections_;

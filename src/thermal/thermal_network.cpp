@@ -138,6 +138,36 @@ ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
     ports_.push_back(std::move(port));
   }
 
+  // Contacts of rolling balls, each a massless node, or one with capacity that a user's circuit has instead.
+  for (std::size_t p = 0; p < data_.places.size(); ++p) {
+    const auto& place = data_.places[p];
+    if (place.balls.empty()) continue;
+    const std::size_t balls = index(place.balls);
+    if (state_of[balls] == none || balls == n)
+      throw std::invalid_argument("the balls' node \"" + place.balls + "\" needs a heat capacity");
+    Rolling r{p, state_of[balls], 1. / place.ball_factor, 0., 0., {}, {}, 0., 0., 0.};
+    const std::array<std::size_t, 2> contact = {index(place.inner_contact), index(place.outer_contact)};
+    spread(place.inner_contact, r.inner_of, r.inner_of_ambient);
+    spread(place.outer_contact, r.outer_of, r.outer_of_ambient);
+    const auto impedance = [&](std::size_t a, std::size_t b) {
+      const std::size_t row = massless_of[a], column = massless_of[b];
+      return row == none || column == none
+                 ? 0.
+                 : elimination.impedance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+    };
+    r.inner_inner = impedance(contact[0], contact[0]);
+    r.inner_outer = impedance(contact[0], contact[1]);
+    r.outer_outer = impedance(contact[1], contact[1]);
+    for (const auto& other : data_.places) {
+      if (&other == &place || other.balls.empty()) continue;
+      for (const std::size_t own : contact)
+        for (const auto* name : {&other.inner_contact, &other.outer_contact})
+          if (impedance(own, index(*name)) != 0.)
+            throw std::invalid_argument("massless nodes alone join contacts of rolling balls of two bearings");
+    }
+    rolling_.push_back(std::move(r));
+  }
+
   for (const auto& g : data_.growths) {
     const std::size_t node = index(g.node);
     if (massless_of[node] == none) {
@@ -208,6 +238,16 @@ void ThermalNetwork::growth_rates(std::span<const double> rate, std::span<Expans
   for (const auto& term : growth_terms_) out[term.place].*term.surface += term.coefficient * rate[term.node];
 }
 
+ContactHeat ThermalNetwork::Rolling::heat(std::span<const double> T, double ambient, const HeatInput& input) const {
+  double inner = inner_of_ambient * ambient + inner_inner * input.inner + inner_outer * input.outer;
+  double outer = outer_of_ambient * ambient + inner_outer * input.inner + outer_outer * input.outer;
+  for (const auto& term : inner_of) inner += term.factor * T[term.node];
+  for (const auto& term : outer_of) outer += term.factor * T[term.node];
+  const BallConduction G{factor * input.balls.inner_to_ball, factor * input.balls.outer_to_ball,
+                         factor * input.balls.inner_to_outer};
+  return contact_heat(G, inner, outer, T[balls], inner_inner, inner_outer, outer_outer);
+}
+
 double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInput> heat, std::span<double> dydt) const {
   const std::size_t n = with_capacity_.size();
   double lost = 0.;
@@ -240,6 +280,14 @@ double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInpu
     lost += port.ring_lost * to_ring + port.shaft_lost * to_shaft + port.inner_lost * heat[p].inner +
             port.outer_lost * heat[p].outer;
   }
+  for (const auto& r : rolling_) {
+    const Port& port = ports_[r.place];
+    const ContactHeat q = r.heat(T, data_.ambient, heat[r.place]);
+    for (const auto& term : port.inner) dydt[term.node] += term.factor * q.inner;
+    for (const auto& term : port.outer) dydt[term.node] += term.factor * q.outer;
+    lost += port.inner_lost * q.inner + port.outer_lost * q.outer;
+    dydt[r.balls] -= q.from_balls();
+  }
   for (std::size_t i = 0; i < n; ++i) dydt[i] *= inverse_capacity_[i];
   return lost;
 }
@@ -261,6 +309,11 @@ void ThermalNetwork::observe(std::span<const double> T, std::span<const HeatInpu
                shown.of_heat[4 * p + 2] * heat[p].inner + shown.of_heat[4 * p + 3] * heat[p].outer;
     }
     out[i] = value;
+  }
+  for (const auto& r : rolling_) {
+    const ContactHeat q = r.heat(T, data_.ambient, heat[r.place]);
+    for (std::size_t i = 0; i < shown_.size(); ++i)
+      out[i] += shown_[i].of_heat[4 * r.place + 2] * q.inner + shown_[i].of_heat[4 * r.place + 3] * q.outer;
   }
 }
 

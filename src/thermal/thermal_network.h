@@ -4,6 +4,7 @@
 
 #include "laws/heat_flow.h"
 #include "model/thermal_model.h"
+#include "thermal/rolling_exchange.h"
 
 namespace rotordrop {
 
@@ -33,6 +34,8 @@ struct ThermalNetworkData {
   struct Place {
     std::string shaft_node, ring_node;         ///< take the rub heat
     std::string inner_contact, outer_contact;  ///< take the bearing's internal heat
+    std::string balls = {};                    ///< join both contacts by HeatInput::balls; empty: resistors do
+    double ball_factor = 1;                    ///< calibration: multiplies their resistances
   };
   /// One linear term of a place's growth: coefficient times the rise of a node.
   struct Growth {
@@ -52,11 +55,13 @@ struct ThermalNetworkData {
 inline constexpr const char* ambient_node = "ambient";
 
 /// Lumped thermal network. Massless nodes are eliminated when it is built (their resistors must be constant), so that heat flows between
-/// pairs of nodes with capacity and what leaves one enters the other exactly. Growth sees a massless node's temperature
-/// without its own instantaneous heat: no feedthrough.
+/// pairs of nodes with capacity and what leaves one enters the other exactly. What rolling balls pass between contacts and their bulk is solved for at each
+/// evaluation, since their conductances change. Growth sees a massless node's temperature without its own instantaneous heat, rolling balls' included: no
+/// feedthrough.
 class ThermalNetwork final : public ThermalModel {
  public:
-  /// @throws std::invalid_argument for unknown node names, a massless node on a resistor that is not constant, or one without resistors
+  /// @throws std::invalid_argument for unknown node names, a massless node on a resistor that is not constant, or one without resistors,
+  ///   contacts of rolling balls of two places that are joined by massless nodes alone
   explicit ThermalNetwork(const ThermalNetworkData& data);
 
   [[nodiscard]] std::vector<StateEntry> state_entries() const override;
@@ -89,6 +94,15 @@ class ThermalNetwork final : public ThermalModel {
     std::vector<Term> ring, shaft, inner, outer;           // how a watt at each port spreads over nodes with capacity
     double ring_lost, shaft_lost, inner_lost, outer_lost;  // and what of it goes straight to the surroundings
   };
+  /// Rolling balls of a place, by what its contacts' temperatures follow from.
+  struct Rolling {
+    std::size_t place, balls;
+    double factor;
+    double inner_of_ambient, outer_of_ambient;
+    std::vector<Term> inner_of, outer_of;         // temperatures with capacity [K/K]
+    double inner_inner, inner_outer, outer_outer;  // rises by heat into the contacts [K/W]
+    [[nodiscard]] ContactHeat heat(std::span<const double> T, double ambient, const HeatInput& input) const;
+  };
   struct GrowthTerm {
     std::size_t place;
     double Expansion::*surface;
@@ -107,6 +121,7 @@ class ThermalNetwork final : public ThermalModel {
   std::vector<Link> links_;
   std::vector<LawLink> law_links_;
   std::vector<Port> ports_;
+  std::vector<Rolling> rolling_;
   std::vector<GrowthTerm> growth_terms_;
   std::vector<Shown> shown_;  // one per node
 };

@@ -10,7 +10,7 @@ Section<ExtraNode> node_section() {
   Section<ExtraNode> s("node", "A node added to the circuit.");
   s.text("name", &ExtraNode::name,
          {.help = "Name, unlike all others; the built-in nodes are BEARING/shaft, /inner_ring, /inner_contact, /ball, "
-                  "/outer_contact, /outer_ring, /housing."});
+                  "/outer_contact, /outer_ring, /housing, and of a fin /shaft_left_1, /shaft_right_1, ..."});
   s.quantity("capacity", &ExtraNode::capacity,
              {.unit = "J/K", .range = at_least(0), .help = "Heat capacity; 0 for a point without mass."});
   return s;
@@ -136,7 +136,40 @@ Section<ThermalParameters> thermal_section() {
               .range = positive(),
               .fallback = "0.4 mm",
               .source = "estimate",
-              .help = "Half width a of the contact spot in the balls' constriction resistance."});
+              .help = "Half width a of the contact spot, across the track: in the balls' constriction resistance if "
+                      "contact_conduction is fixed, of the strips on raceways and balls from which heat spreads."});
+  s.choice("contact_conduction", &P::contact_conduction,
+           {{"rolling", BallConductionModel::rolling}, {"fixed", BallConductionModel::fixed}},
+           {.fallback = "rolling",
+            .help = "How balls and races conduct: by load and rolling speed of the balls, none without load "
+                    "(docs/model.md, section 6); or by the fixed resistance R5 of the published circuit. `rotordrop "
+                    "heat` and `calibrate` of a bearing know no loads and take the fixed one."});
+  s.quantity("oil_film", &P::oil_film,
+             {.unit = "m",
+              .range = between(0, 1e-5),
+              .fallback = "0 um",
+              .help = "Thickness of the film between balls and races through which rolling contacts conduct; 0: dry. "
+                      "0.1 um cuts the conductance to about a third."});
+  s.quantity("oil_conductivity", &P::oil_conductivity,
+             {.unit = "W/(m K)",
+              .range = positive(),
+              .fallback = "0.14 W/(m K)",
+              .source = "mineral oil at ambient pressure",
+              .help = "Thermal conductivity of that film."});
+  s.choice("ball_track", &P::ball_track,
+           {{"repeating", BallTrack::repeating}, {"wandering", BallTrack::wandering}},
+           {.fallback = "repeating",
+            .help = "Whether a ball's contacts always run on the same circle of its surface, or its axis wanders and "
+                    "heats it all over: decides how heat gets from the track into a rolling ball."});
+  s.choice("spreading", &P::spreading, {{"strip", RacewaySpreading::strip}, {"none", RacewaySpreading::none}},
+           {.fallback = "strip",
+            .help = "Whether R4 and R7 contain the resistance of heat that spreads from the balls' strips over the "
+                    "rings' width, or take raceways as evenly heated cylinders (the published circuit)."});
+  s.choice("shaft", &P::shaft, {{"fin", ShaftModel::fin}, {"lump", ShaftModel::lump}},
+           {.fallback = "fin",
+            .help = "Whether the shaft conducts on to both sides of its lump, by the rotor's diameters, with convection "
+                    "h_shaft along its surface; to the rotor's end or half-way to the next touchdown bearing. Or a lump "
+                    "of shaft_lump_length by itself (the published circuit)."});
   s.choice("shaft_ring_link", &P::shaft_ring_link,
            {{"permanent", BearingCircuitData::Link::permanent}, {"in-contact", BearingCircuitData::Link::in_contact}},
            {.fallback = "permanent",

@@ -26,6 +26,16 @@ enum class GrowthSource {
   elastic   ///< elasticity on the finite elements' mesh
 };
 
+/// How balls conduct at their contacts: as the circuit's R5 says, or by their loads and speed.
+enum class BallConductionModel { fixed, rolling };
+/// Where on a ball its contacts run: always the same circle, or all over its surface.
+enum class BallTrack { repeating, wandering };
+/// Whether the circuit's rings are heated at the balls' strips or over their whole raceways.
+enum class RacewaySpreading { strip, none };
+
+/// Whether the shaft goes on beside the bearing or ends with its lump.
+enum class ShaftModel { fin, lump };
+
 /// A node that a user adds to the circuit.
 struct ExtraNode {
   std::string name;
@@ -56,6 +66,11 @@ struct ThermalParameters {
   RubBand rub_band = RubBand::hertz;
   LocalShare local_share = LocalShare::one_temperature;
   double h_shaft = 0, h_ball = 0, fit_resistance = 0, contact_half_width = 0;
+  BallConductionModel contact_conduction = BallConductionModel::rolling;
+  double oil_film = 0, oil_conductivity = 0;
+  BallTrack ball_track = BallTrack::repeating;
+  RacewaySpreading spreading = RacewaySpreading::strip;
+  ShaftModel shaft = ShaftModel::fin;
   BearingCircuitData::Link shaft_ring_link = BearingCircuitData::Link::permanent;
   double gas_conductivity = 0;
   bool plane_strain_growth = false;
