@@ -106,8 +106,8 @@ class Preload(ProgramTest):
         points = (("growth", 1, 1, ["statics.inner_growth=3e-6", "statics.speed=1000"]),
                   ("growth", 0, 0, []),
                   ("interference", 1, 0, [f"statics.outer_growth={-5e-6 * closure}"]),
-                  ("rise", 1, 1, ["statics.inner_rise=20", "statics.outer_rise=10", "statics.speed=500"]),
-                  ("rise", 1, 0, ["statics.inner_rise=20", "statics.speed=500"]))
+                  ("rise", 1, 1, ["statics.inner_rise=20", "statics.outer_rise=10", "statics.speed=500", "statics.ball_rise=15"]),
+                  ("rise", 1, 0, ["statics.inner_rise=20", "statics.ball_rise=10", "statics.speed=500"]))
         for name, i, j, settings in points:
             with self.subTest(name, row=i, column=j):
                 rest = self.statics(*same_load, *(word for s in settings for word in ("--set", s)))
