@@ -173,7 +173,8 @@ RowStrains row_strains(const BallRowGeometry& g) {
   const double c = std::cos(g.contact_angle), s = g.direction * std::sin(g.contact_angle), x = g.position;
   const double groove_i = g.inner_conformity * g.ball_diameter, groove_o = g.outer_conformity * g.ball_diameter;
   const double half = 0.5 * g.ball_diameter;
-  return {{x - half * s + groove_i * s, groove_i * c, groove_i}, {-(x + half * s) + groove_o * s, groove_o * c, groove_o}};
+  return {{x - half * s + groove_i * s, groove_i * c, groove_i},
+          {-(x + half * s) + groove_o * s, groove_o * c, groove_o}};
 }
 
 BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves)

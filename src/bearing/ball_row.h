@@ -89,16 +89,17 @@ struct BallRowOutput {
   double elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
   double elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
   double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
-  double elastic_outer_surplus;  ///< by how much that of the outer contacts exceeds it; the inner ones fall short by as much [N]
-  double cage_power;                 ///< work rate of the prescribed cage motion [W]
-  double waviness_power;             ///< work rate of the prescribed travel of the waves [W]
-  double largest_load;               ///< of the row's balls on the inner race [N]
-  double largest_outer_load;         ///< on the outer race [N]; the same without inertia
+  double
+      elastic_outer_surplus;  ///< by how much that of the outer contacts exceeds it; the inner ones fall short by as much [N]
+  double cage_power;          ///< work rate of the prescribed cage motion [W]
+  double waviness_power;      ///< work rate of the prescribed travel of the waves [W]
+  double largest_load;        ///< of the row's balls on the inner race [N]
+  double largest_outer_load;  ///< on the outer race [N]; the same without inertia
   /// Sums of the loads and of their cube roots on either race, without damping [N], [N^(1/3)]: what conducts heat. Loads of balls without inertia are
   /// the same on both.
   double inner_load_roots, outer_load_roots, inner_loads, outer_loads;
-  double inertia_power;              ///< work rate of the balls' forces of inertia on the balls, at constant speed [W]
-  double inertia_per_speed;          ///< and more per acceleration of the ring [W s^2/rad]
+  double inertia_power;      ///< work rate of the balls' forces of inertia on the balls, at constant speed [W]
+  double inertia_per_speed;  ///< and more per acceleration of the ring [W s^2/rad]
 };
 
 /// Forces of a row of balls after Sopanen & Mikkola (2003), without trigonometry per ball. With b the azimuth of a ball,

@@ -39,8 +39,8 @@ SteadyFriction steady_friction(const TouchdownBearingData& b, const RingReport& 
   const auto n_rows = static_cast<double>(b.rows.size());
   for (std::size_t i = 0; i < ring.rows.size(); ++i) {
     const auto& g = b.rows[i];
-    const FrictionLoads loads = friction_load_factors(g.contact_angle)
-                                    .loads(radial_force(ring.rows[i]), std::fabs(ring.rows[i].axial_force));
+    const FrictionLoads loads =
+        friction_load_factors(g.contact_angle).loads(radial_force(ring.rows[i]), std::fabs(ring.rows[i].axial_force));
     M.load += through_standstill * load_torque(loads, b.f1_z, b.f1_y, b.static_rating / n_rows, g.pitch_diameter);
   }
   M.drag = through_standstill * drag_torque(b.drag_viscosity, speed, b.rows.front().pitch_diameter, b.f2);

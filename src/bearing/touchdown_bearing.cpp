@@ -180,8 +180,8 @@ BallConduction TouchdownBearing::conduction(const BallForces& forces, double rin
   BallConductances sum;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto& row = forces.row[i];
-    sum.add(data_.conduction->of_row(row.inner_load_roots, row.inner_loads, row.outer_load_roots, row.outer_loads,
-                                     speed));
+    sum.add(
+        data_.conduction->of_row(row.inner_load_roots, row.inner_loads, row.outer_load_roots, row.outer_loads, speed));
   }
   return {sum.inner_to_ball, sum.outer_to_ball, sum.inner_to_outer};
 }
@@ -246,8 +246,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
                          strain_per_growth_ * balls.by_inner_strain,
                          strain_per_growth_ * balls.by_outer_strain};
   // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
-  const double centrifugal_work =
-      out.energy_gradient.dot(data_.centrifugal_growth) * 2. * ring_speed * dydt[ring_spin];
+  const double centrifugal_work = out.energy_gradient.dot(data_.centrifugal_growth) * 2. * ring_speed * dydt[ring_spin];
   out.prescribed_work = balls.cage_power + wave_work + inertia_work + centrifugal_work;
 
   ledger[contact_impulse] = t.normal;

@@ -80,11 +80,11 @@ struct TouchdownBearingData {
   double support_mass = 0;                                  ///< [kg]
   double support_stiffness_y = 0, support_stiffness_z = 0;  ///< [N/m]
   double support_damping_y = 0, support_damping_z = 0;      ///< [N s/m]
-  double width = 0;               ///< of the rings, all rows, over which their widths grow; 0: they do not [m]
-  Expansion centrifugal_growth;   ///< per square of the ring's speed [m s^2]
+  double width = 0;                     ///< of the rings, all rows, over which their widths grow; 0: they do not [m]
+  Expansion centrifugal_growth;         ///< per square of the ring's speed [m s^2]
   double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
   std::optional<RowConduction> conduction;  ///< of every row; none: the thermal models have fixed resistances
-  std::optional<FreeRing> free_ring;    ///< none: axial and tilting motion of the inner ring are locked
+  std::optional<FreeRing> free_ring;        ///< none: axial and tilting motion of the inner ring are locked
 };
 
 /// Ball bearing that catches a falling rotor: rotor surface against bore, inner-ring body, ball rows, outer ring on its support.

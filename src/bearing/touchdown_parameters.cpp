@@ -214,9 +214,15 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
 void add_friction_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
   s.quantity("f1_z", &P::f1_z,
-             {.range = at_least(0), .help = "z in f1 = z (P0/C0)^y of the load-dependent friction torque f1 P1 d_m; load_law says which loads P0 and P1 are."});
+             {.range = at_least(0),
+              .help = "z in f1 = z (P0/C0)^y of the load-dependent friction torque f1 P1 d_m; load_law says which "
+                      "loads P0 and P1 are."});
   s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .help = "y in f1 = z (P0/C0)^y."});
-  s.quantity("C0", &P::C0, {.unit = "N", .range = positive(), .help = "Static load rating of all rows together: of a pair twice the catalogue's value for one bearing. Each row of n takes C0 / n."});
+  s.quantity("C0", &P::C0,
+             {.unit = "N",
+              .range = positive(),
+              .help = "Static load rating of all rows together: of a pair twice the catalogue's value for one bearing. "
+                      "Each row of n takes C0 / n."});
   s.quantity("C", &P::C,
              {.unit = "N",
               .range = positive(),
@@ -238,12 +244,13 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
               .fallback = "2 rad/s",
               .source = "estimate",
               .help = "The friction torque grows as tanh(speed / this) through standstill."});
-  s.choice("load_law", &P::load_law, {{"radial", FrictionLoadLaw::radial}, {"equivalent", FrictionLoadLaw::equivalent}},
-           {.fallback = "equivalent",
-            .help = "Loads in the friction torque. equivalent: for each row, with its axial load F_a and so with preload, "
-                    "P0 = max(F_r, X0 F_r + Y0 F_a) by ISO 76 in (P0/C0)^y and P1 = max(F_r, 0.9 F_a cot phi - 0.1 F_r) "
-                    "times f1, for a row without contact angle 3 F_a in place of 0.9 F_a cot phi. radial: P0 and P1 are "
-                    "the radial resultant of all rows, without preload; thrust makes no friction then."});
+  s.choice(
+      "load_law", &P::load_law, {{"radial", FrictionLoadLaw::radial}, {"equivalent", FrictionLoadLaw::equivalent}},
+      {.fallback = "equivalent",
+       .help = "Loads in the friction torque. equivalent: for each row, with its axial load F_a and so with preload, "
+               "P0 = max(F_r, X0 F_r + Y0 F_a) by ISO 76 in (P0/C0)^y and P1 = max(F_r, 0.9 F_a cot phi - 0.1 F_r) "
+               "times f1, for a row without contact angle 3 F_a in place of 0.9 F_a cot phi. radial: P0 and P1 are "
+               "the radial resultant of all rows, without preload; thrust makes no friction then."});
   s.choice(
       "internal_heat", &P::internal_heat,
       {{"energy-consistent", InternalHeat::energy_consistent},
@@ -392,19 +399,21 @@ Section<ContactParameters> contact_section() {
               .fallback = "0.5 m/s",
               .source = "estimate",
               .help = "Slip speed over which static friction falls to dynamic."});
-  s.function("friction_over_speed", &P::friction_over_speed,
-             {.argument_unit = "m/s",
-              .range = between(0, 2),
-              .help = "Dynamic friction of rotor and bore over slip speed, instead of friction_coefficient in the contact: "
-                      "linear between the pairs, constant outside. regularisation_speed acts besides. What is derived "
-                      "from one coefficient (race_friction_coefficient, the condition for a full rub) keeps "
-                      "friction_coefficient."});
-  s.function("friction_over_temperature", &P::friction_over_temperature,
-             {.argument_unit = "K",
-              .range = between(0, 10),
-              .help = "Factor on the friction of rotor and bore over the mean temperature of the inner ring in the "
-                      "lumped circuit: linear between the pairs, constant outside. The local temperature of the rubbing "
-                      "spot does not enter."});
+  s.function(
+      "friction_over_speed", &P::friction_over_speed,
+      {.argument_unit = "m/s",
+       .range = between(0, 2),
+       .help = "Dynamic friction of rotor and bore over slip speed, instead of friction_coefficient in the contact: "
+               "linear between the pairs, constant outside. regularisation_speed acts besides. What is derived "
+               "from one coefficient (race_friction_coefficient, the condition for a full rub) keeps "
+               "friction_coefficient."});
+  s.function(
+      "friction_over_temperature", &P::friction_over_temperature,
+      {.argument_unit = "K",
+       .range = between(0, 10),
+       .help = "Factor on the friction of rotor and bore over the mean temperature of the inner ring in the "
+               "lumped circuit: linear between the pairs, constant outside. The local temperature of the rubbing "
+               "spot does not enter."});
   s.quantity("wear_coefficient_bore", &P::wear_coefficient_bore,
              {.unit = "m2/N",
               .range = at_least(0),
@@ -432,10 +441,11 @@ Section<ContactParameters> contact_section() {
                              p.air_gap * 1e3, *p.bore_radius * 1e3),
                  "The rotor's radius is bore_radius - air_gap.");
     if (p.friction_over_speed && p.static_friction_coefficient)
-      faults.add(position_of_value(table, "static_friction_coefficient"),
-                 "contact.static_friction_coefficient and contact.friction_over_speed both say how friction changes with "
-                 "slip speed.",
-                 "Give one of them; a table may begin with the static value at 0 m/s.");
+      faults.add(
+          position_of_value(table, "static_friction_coefficient"),
+          "contact.static_friction_coefficient and contact.friction_over_speed both say how friction changes with "
+          "slip speed.",
+          "Give one of them; a table may begin with the static value at 0 m/s.");
     if (p.friction_over_speed && p.friction_over_speed->front()[0] < 0.)
       faults.add(position_of_value(table, "friction_over_speed"),
                  "contact.friction_over_speed has a negative slip speed; friction depends on the magnitude alone.",

@@ -340,9 +340,10 @@ void warn_of_growth(const CaseParameters& p) {
   const auto& s = p.statics;
   const bool is_warm = s.inner_rise != 0. || s.outer_rise != 0. || s.ball_rise != 0.;
   if (p.thermal.expansion == GrowthSource::paper && is_warm)
-    fmt::print(stderr,
-               "warning: thermal.expansion = \"paper\": rings grow at their shoulders and radially only, so that uniform "
-               "heating changes the preload. Set thermal.expansion = \"formula\" for growth where balls touch.\n");
+    fmt::print(
+        stderr,
+        "warning: thermal.expansion = \"paper\": rings grow at their shoulders and radially only, so that uniform "
+        "heating changes the preload. Set thermal.expansion = \"formula\" for growth where balls touch.\n");
 }
 
 int statics_command(const StaticsCommand& command) {

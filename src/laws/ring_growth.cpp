@@ -9,8 +9,7 @@ RingGrowth ring_growth(double expansion, double a, double b, double r, double co
 
 double spinning_ring_growth(double E, double nu, double rho, double a, double b, double r) {
   const double a2 = a * a, b2 = b * b, r2 = r * r;
-  return rho * r / (8. * E) *
-         ((3. + nu) * ((1. - nu) * (a2 + b2) + (1. + nu) * a2 * b2 / r2) - (1. - nu * nu) * r2);
+  return rho * r / (8. * E) * ((3. + nu) * ((1. - nu) * (a2 + b2) + (1. + nu) * a2 * b2 / r2) - (1. - nu * nu) * r2);
 }
 
 double spinning_ring_strain(double E, double nu, double rho, double a, double b) {

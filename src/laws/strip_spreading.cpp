@@ -17,9 +17,8 @@ double strip_spreading(double width, double thickness, const std::vector<double>
     c /= static_cast<double>(middles.size());
     const double spread = c * std::sin(l * half_width) / (l * half_width);
     const double t = std::tanh(l * thickness);
-    const double y = behind.thickness > 0.
-                         ? 1. / (conductivity * l * behind.resistance + 1. / std::tanh(l * behind.thickness))
-                         : 0.;
+    const double y =
+        behind.thickness > 0. ? 1. / (conductivity * l * behind.resistance + 1. / std::tanh(l * behind.thickness)) : 0.;
     sum += spread * spread * (1. + y * t) / ((y + t) * l);
   }
   return 2. * sum / (conductivity * width);

@@ -65,8 +65,10 @@ BearingCircuitData::Strips raceway_strips(const MachineParameters& p, const Touc
     const double half = 0.25 * (diameters[1] - diameters[0]);
     return given > 0.2 * half ? given : half;
   };
-  s.inner_thickness = wall(s.inner_radius - 0.5 * b.inner_ring_diameters[0], {b.inner_ring_diameters[0], b.inner_ring_diameters[1]});
-  s.outer_thickness = wall(0.5 * b.outer_ring_diameters[1] - s.outer_radius, {b.outer_ring_diameters[0], b.outer_ring_diameters[1]});
+  s.inner_thickness =
+      wall(s.inner_radius - 0.5 * b.inner_ring_diameters[0], {b.inner_ring_diameters[0], b.inner_ring_diameters[1]});
+  s.outer_thickness =
+      wall(0.5 * b.outer_ring_diameters[1] - s.outer_radius, {b.outer_ring_diameters[0], b.outer_ring_diameters[1]});
   return s;
 }
 
@@ -83,12 +85,12 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
                         FiniteElements::Section& section) {
   const auto& material = material_of(p, b.ring);
   const auto kind = b.housing_fit_kind == HousingFit::bonded ? FitKind::bonded : FitKind::frictionless;
-  const ElasticProblem problem = bearing_elastic_problem(
-      section.problem, section.solver->section_mesh(),
-      {material.E, material.nu, material.rho, material.alpha, b.housing_fit, kind});
+  const ElasticProblem problem =
+      bearing_elastic_problem(section.problem, section.solver->section_mesh(),
+                              {material.E, material.nu, material.rho, material.alpha, b.housing_fit, kind});
   section.elastic_solver = elements.make_elastic_solver(problem);
-  section.elastic.emplace(*section.elastic_solver, problem, section.problem, section.formula,
-                          race_surfaces(p, b), section.solver->field().size());
+  section.elastic.emplace(*section.elastic_solver, problem, section.problem, section.formula, race_surfaces(p, b),
+                          section.solver->field().size());
 }
 
 /// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
@@ -504,8 +506,7 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
     nodes.push_back(entry.node());
     if (const auto* b = entry.touchdown()) {
       auto data = touchdown_data_of(p, entry.name, *b);
-      if (grows_by_spinning)
-        data.centrifugal_growth = finite_elements->sections[n_places].elastic->per_speed_squared();
+      if (grows_by_spinning) data.centrifugal_growth = finite_elements->sections[n_places].elastic->per_speed_squared();
       auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
       std::vector<double> state(bearing->state_entries().size());
       bearing->initial_state(state);

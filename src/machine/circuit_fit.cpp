@@ -106,8 +106,8 @@ Responses responses_of(const BearingCircuitData& circuit, double ambient, const 
     for (std::size_t k = 0; k < n_nodes; ++k) {
       r[p][k] = Eigen::ArrayXd::Zero(t.size());
       for (Eigen::Index i = 0; i < n; ++i)
-        r[p][k] += shape(place[k], i) * input(i, static_cast<Eigen::Index>(p)) *
-                   integral_of_decay(-modes.eigenvalues()(i), t);
+        r[p][k] +=
+            shape(place[k], i) * input(i, static_cast<Eigen::Index>(p)) * integral_of_decay(-modes.eigenvalues()(i), t);
     }
   return r;
 }

@@ -29,7 +29,8 @@ AdiabaticSection adiabatic_section(const FiniteElements::Section& s) {
   // What enters at the outer raceway first warms the outer ring alone.
   GrowthPerRise growth = s.formula;
   growth.outer_width *= outer / outer_ring;
-  return {s.name, capacity("inner_ring"), shaft.node ? p.nodes[*shaft.node].capacity : capacity("shaft"), outer, growth};
+  return {s.name, capacity("inner_ring"), shaft.node ? p.nodes[*shaft.node].capacity : capacity("shaft"), outer,
+          growth};
 }
 
 GrowthPerRise immediate_elastic_growth(FiniteElements::Section& s) {

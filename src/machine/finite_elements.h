@@ -34,8 +34,8 @@ struct FiniteElements {
     std::string name;  ///< of the bearing
     HeatConductionProblem problem;
     std::unique_ptr<HeatConductionSolver> solver;
-    GrowthPerRise formula;       ///< per rise of the bodies' means
-    AdiabaticSection adiabatic;  ///< what heat causes at once
+    GrowthPerRise formula;                          ///< per rise of the bodies' means
+    AdiabaticSection adiabatic;                     ///< what heat causes at once
     ReducedHeat reduced;                            ///< if it is
     std::unique_ptr<ElasticSolver> elastic_solver;  ///< with thermal.expansion = "elastic"
     std::optional<ElasticGrowth> elastic;

@@ -20,11 +20,11 @@ constexpr std::size_t n_ring_cells = 720, n_rotor_cells = 180, n_wear_cells = 72
 /// One interval in which rotor and bore touch, or one without.
 struct Interval {
   double end = 0, step = 0;
-  double heat = 0, heat_into_ring = 0;                          // [J]
-  double sliding_work = 0;                                      // [J]
-  double force = 0;                                             // mean [N]; 0: no contact
-  double contact_angle = 0, ring_angle = 0, rotor_angle = 0;    // at the end
-  double turned = 0, ring_turned = 0, rotor_turned = 0;         // in it: line of centres, ring, rotor
+  double heat = 0, heat_into_ring = 0;                        // [J]
+  double sliding_work = 0;                                    // [J]
+  double force = 0;                                           // mean [N]; 0: no contact
+  double contact_angle = 0, ring_angle = 0, rotor_angle = 0;  // at the end
+  double turned = 0, ring_turned = 0, rotor_turned = 0;       // in it: line of centres, ring, rotor
 };
 
 std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
@@ -40,8 +40,8 @@ std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
     v.heat_into_ring = r.joules_into_ring[j] - r.joules_into_ring[i];
     v.heat = v.heat_into_ring + r.joules_into_rotor[j] - r.joules_into_rotor[i];
     for (std::size_t m = i; m < j; ++m)
-      v.sliding_work += (r.impulse[m + 1] - r.impulse[m]) * 0.5 *
-                        (std::fabs(r.slip_speed[m]) + std::fabs(r.slip_speed[m + 1]));
+      v.sliding_work +=
+          (r.impulse[m + 1] - r.impulse[m]) * 0.5 * (std::fabs(r.slip_speed[m]) + std::fabs(r.slip_speed[m + 1]));
     v.force = (r.impulse[j] - r.impulse[i]) / v.step;
     v.contact_angle = r.contact_angle[j];
     v.ring_angle = r.ring_angle[j];

@@ -8,26 +8,26 @@
 namespace rotordrop {
 
 struct LocalRubSettings {
-  RubSurfaces surfaces;              ///< their half width is that of the fixed band
-  double hertz_width_per_root = 0;   ///< half width of Hertz's band over the root of the force [m N^(-1/2)]
-  bool by_hertz = true;              ///< the band of the stated value; the other one is a bound
-  bool is_one_temperature = true;    ///< the share of the stated value; the share as recorded is a bound
+  RubSurfaces surfaces;                  ///< their half width is that of the fixed band
+  double hertz_width_per_root = 0;       ///< half width of Hertz's band over the root of the force [m N^(-1/2)]
+  bool by_hertz = true;                  ///< the band of the stated value; the other one is a bound
+  bool is_one_temperature = true;        ///< the share of the stated value; the share as recorded is a bound
   double bore_wear = 0, rotor_wear = 0;  ///< Archard's k = K/H [m2/N]
 };
 
 /// One replay of the rub: a band and a share.
 struct LocalRise {
-  double bore = 0, rotor = 0;                                 ///< largest rise over what was before the drop [K]
-  double time = std::numeric_limits<double>::quiet_NaN();     ///< of the bore's [s]; never: no rub
-  double share_to_ring = 0;                                   ///< of all heat
-  double share_then = 0;                                      ///< of the interval that ends at that time
-  double half_width = 0;                                      ///< b at that time [m]
-  double difference_then = 0;                                 ///< |T_bore - T_rotor| under the band at that time [K]
-  double heat = 0, heat_into_ring = 0, heat_into_rotor = 0;   ///< [J]
+  double bore = 0, rotor = 0;                                ///< largest rise over what was before the drop [K]
+  double time = std::numeric_limits<double>::quiet_NaN();    ///< of the bore's [s]; never: no rub
+  double share_to_ring = 0;                                  ///< of all heat
+  double share_then = 0;                                     ///< of the interval that ends at that time
+  double half_width = 0;                                     ///< b at that time [m]
+  double difference_then = 0;                                ///< |T_bore - T_rotor| under the band at that time [K]
+  double heat = 0, heat_into_ring = 0, heat_into_rotor = 0;  ///< [J]
 };
 
 struct Wear {
-  double sliding_work = 0;               ///< integral of F_n |v_s| [J]: force times distance
+  double sliding_work = 0;                           ///< integral of F_n |v_s| [J]: force times distance
   double bore_depth = 0, rotor_depth = 0;            ///< largest around the circumference [m]
   double bore_mean_depth = 0, rotor_mean_depth = 0;  ///< [m]
   double bore_volume = 0, rotor_volume = 0;          ///< sums over the cells [m3]

@@ -46,10 +46,10 @@ class Machine final : public OdeSystem {
       std::string place;  ///< of its datasets, "/thermal/"
       std::unique_ptr<ThermalModel> model;
     };
-    std::vector<Thermal> thermal;                            ///< all take the same heat; may be none
-    std::vector<std::optional<std::size_t>> thermal_place;   ///< of each support, if it gives off heat
-    std::vector<RubShare> rub_share;                         ///< of each thermal place
-    std::optional<std::size_t> driver;                       ///< the thermal model whose growth is fed back
+    std::vector<Thermal> thermal;                           ///< all take the same heat; may be none
+    std::vector<std::optional<std::size_t>> thermal_place;  ///< of each support, if it gives off heat
+    std::vector<RubShare> rub_share;                        ///< of each thermal place
+    std::optional<std::size_t> driver;                      ///< the thermal model whose growth is fed back
     /// Temperatures that friction of rotor and ring follows; none: it follows none.
     struct RingTemperatures {
       std::size_t model = 0;            ///< thermal model

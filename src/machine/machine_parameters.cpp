@@ -41,9 +41,10 @@ void check_until(const RunParameters& p, const Node& table, Faults& faults) {
     faults.add(position_of_value(table, "until"), "run.until is later than run.end_time, the latest end of the run.",
                "Raise run.end_time; only a run.until that comes first has an effect.");
   if (p.until == EndCondition::standstill && std::fabs(p.initial_speed) < standstill_speed)
-    faults.add(position_of_value(table, "until"),
-               "run.until = \"standstill\", but the rotor already stands at the start: run.initial_speed is below 1 rad/s.",
-               "Give a higher run.initial_speed, or end the run at a time.");
+    faults.add(
+        position_of_value(table, "until"),
+        "run.until = \"standstill\", but the rotor already stands at the start: run.initial_speed is below 1 rad/s.",
+        "Give a higher run.initial_speed, or end the run at a time.");
 }
 
 }  // namespace

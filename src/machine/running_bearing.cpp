@@ -26,8 +26,8 @@ double radial_clearance(const RingStatics& ring) {
     const double reach = A + strained(&GrooveStrain::groove) - 2. * around.ball_growth;
     const double B_x =
         g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial);
-    const double B_r = A * std::cos(g.contact_angle) - g.radial_clearance + around.radial_growth +
-                       strained(&GrooveStrain::radial);
+    const double B_r =
+        A * std::cos(g.contact_angle) - g.radial_clearance + around.radial_growth + strained(&GrooveStrain::radial);
     least = std::min(least, std::sqrt(std::max(reach * reach - B_x * B_x, 0.)) - B_r);
   }
   return least;

@@ -17,7 +17,7 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   p.thermal.has_fe = true;
   p.thermal.driver = GrowthDriver::automatic;
   p.thermal.fe.coupling = FeCoupling::reduced;
-  p.thermal.fe.modes = std::max(p.thermal.fe.modes, 48);  // speed is of no matter here
+  p.thermal.fe.modes = std::max(p.thermal.fe.modes, 48);      // speed is of no matter here
   p.thermal.contact_conduction = BallConductionModel::fixed;  // there are no loads
   // What a user adds to the circuit is not fitted.
   p.thermal.nodes.clear();

@@ -31,13 +31,14 @@ Section<OutputParameters> output_section() {
               .range = at_least(1e-7),
               .fallback = "1 ms",
               .help = "Time between rows of the detailed series: the load of every ball."});
-  s.quantity("longest_interval", &P::longest_interval,
-             {.unit = "s",
-              .range = positive(),
-              .help = "Time between rows of the series while nothing changes; detailed series become coarse in the same "
-                      "ratio. A 20000th of the latest end if not given, so that long runs keep files of sensible size; "
-                      "never less than output.interval, so that runs up to 1 s have evenly spaced rows by default. Set "
-                      "it to output.interval for evenly spaced rows in any run."});
+  s.quantity(
+      "longest_interval", &P::longest_interval,
+      {.unit = "s",
+       .range = positive(),
+       .help = "Time between rows of the series while nothing changes; detailed series become coarse in the same "
+               "ratio. A 20000th of the latest end if not given, so that long runs keep files of sensible size; "
+               "never less than output.interval, so that runs up to 1 s have evenly spaced rows by default. Set "
+               "it to output.interval for evenly spaced rows in any run."});
   s.quantity("change", &P::change,
              {.range = between(0, 1),
               .fallback = "0.02",

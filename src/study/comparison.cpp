@@ -50,16 +50,11 @@ Json by_time_json(const Difference& d) {
 Json difference_json(const TimeSeries& first, const TimeSeries& second, const Tolerance& tolerance, const Names& names,
                      const std::vector<Instant>& instants) {
   const Difference d = difference_of(first, second, tolerance);
-  Json j = {{"tolerance", tolerance.floor},
-            {"tolerance_part", tolerance.part},
-            {"largest_difference", d.largest},
-            {"largest_difference_time", d.largest_time},
-            {"beyond_from", json_number(d.beyond)},
-            {"within_from", json_number(d.within)},
-            {"time_beyond", d.time_beyond},
-            {"end", d.series.times.back()},
-            {"by_time", by_time_json(d)},
-            {"at", Json::array()}};
+  Json j = {{"tolerance", tolerance.floor},         {"tolerance_part", tolerance.part},
+            {"largest_difference", d.largest},      {"largest_difference_time", d.largest_time},
+            {"beyond_from", json_number(d.beyond)}, {"within_from", json_number(d.within)},
+            {"time_beyond", d.time_beyond},         {"end", d.series.times.back()},
+            {"by_time", by_time_json(d)},           {"at", Json::array()}};
   for (const auto& [name, t] : instants)
     j["at"].push_back({{"instant", name},
                        {"time", t},
@@ -84,8 +79,8 @@ double largest_rise(const Side& side, const std::string& bearing) {
   return rise;
 }
 
-Json temperatures_json(const Side& a, const Side& b, const std::string& bearing, const Tolerance& tolerance, const Names& names,
-                       const std::vector<Instant>& instants) {
+Json temperatures_json(const Side& a, const Side& b, const std::string& bearing, const Tolerance& tolerance,
+                       const Names& names, const std::vector<Instant>& instants) {
   Json j = Json::object();
   for (const char* node : nodes)
     j[node] = difference_json(a.drop.series(a.drop.node_path(a.kind, bearing, node)),
@@ -93,8 +88,8 @@ Json temperatures_json(const Side& a, const Side& b, const std::string& bearing,
   return j;
 }
 
-Json surfaces_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std::string& bearing, const Tolerance& tolerance,
-                   const std::vector<Instant>& instants) {
+Json surfaces_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std::string& bearing,
+                   const Tolerance& tolerance, const std::vector<Instant>& instants) {
   Json j = Json::object();
   const char* columns[] = {"mean", "lowest", "highest"};
   for (const auto& [surface, node] : surface_pairs) {
@@ -107,8 +102,8 @@ Json surfaces_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std
   return j;
 }
 
-Json growth_json(const Side& a, const Side& b, const std::string& bearing, const Tolerance& tolerance, const Names& names,
-                 const std::vector<Instant>& instants) {
+Json growth_json(const Side& a, const Side& b, const std::string& bearing, const Tolerance& tolerance,
+                 const Names& names, const std::vector<Instant>& instants) {
   Json j = Json::object();
   for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)
     j[growth_surface_keys[c]] =
@@ -261,7 +256,8 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
     j["temperatures"] = temperatures_json(lumped, fe, name, tolerance, names, instants);
     j["surfaces"] = surfaces_json(*models.lumped, *models.fe, name, tolerance, instants);
     j["growth"] = growth_json(lumped, fe, name, growth, names, instants);
-    j["reasons"] = reasons_json(*models.lumped, *models.fe, name, j["temperatures"], lumped_bodies(drop.parameters(), name, p), impact);
+    j["reasons"] = reasons_json(*models.lumped, *models.fe, name, j["temperatures"],
+                                lumped_bodies(drop.parameters(), name, p), impact);
     j["clearances"] = clearances_json(lumped, fe, name, p, growth, names, instants);
   }
 

@@ -256,7 +256,8 @@ class DropRun {
     const auto& output = case_.parameters.output;
     const double longest = output.longest_interval.value_or(std::max(output.interval, end_time_ / 20000.));
     // Details keep their ratio to the other rows.
-    return {interval, longest * interval / output.interval, output.change, watched_columns(machine_.step_observables())};
+    return {interval, longest * interval / output.interval, output.change,
+            watched_columns(machine_.step_observables())};
   }
 
   [[nodiscard]] bool is_at_end() const { return time_ >= end_time_ || condition_.is_reached(); }

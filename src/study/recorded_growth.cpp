@@ -40,11 +40,11 @@ std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
     growth.push_back(read_series(file, dataset));
     const auto& shape = growth.back().shape;
     if (shape.size() != 2 || (shape[1] != growth_surfaces.size() && shape[1] != surfaces_without_widths))
-      throw InputError({},
-                       fmt::format("its growth of {} has {} columns instead of {}: {}.", name,
-                                   shape.size() == 2 ? shape[1] : 1, growth_surfaces.size(),
-                                   fmt::join(growth_surface_names, ", ")),
-                       "It should be the results.h5 of a drop.");
+      throw InputError(
+          {},
+          fmt::format("its growth of {} has {} columns instead of {}: {}.", name, shape.size() == 2 ? shape[1] : 1,
+                      growth_surfaces.size(), fmt::join(growth_surface_names, ", ")),
+          "It should be the results.h5 of a drop.");
   }
   // Of a file that is being written, a series may have rows whose times are not there yet.
   std::size_t n = times.size();

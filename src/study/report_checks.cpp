@@ -126,7 +126,8 @@ void check_skidding(Checks& checks, const Json& summary, const std::string& name
 
 /// The rubbed surfaces, by the replay of the moving band in summary.json.
 void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Json& summary, const std::string& name) {
-  const std::string title = name + ": local temperature where rotor and bore rub", key = "/bearings/" + name + "/local/";
+  const std::string title = name + ": local temperature where rotor and bore rub",
+                    key = "/bearings/" + name + "/local/";
   const double rise = at(summary, key + "bore_rise"), low = at(summary, key + "bore_rise_low"),
                high = at(summary, key + "bore_rise_high"), time = at(summary, key + "bore_rise_time");
   if (!std::isfinite(rise)) {
@@ -141,10 +142,10 @@ void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Jso
   const std::string verdict = ambient + rise >= steel_limit   ? "above"
                               : ambient + high >= steel_limit ? "below, but the upper bound is above,"
                                                               : "below";
-  const std::string text =
-      fmt::format("the bore reaches {:.0f} K at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving band of heat, lasting some "
-                  "milliseconds); {} the 423 K up to which bearing steel keeps its dimensions",
-                  ambient + rise, time * 1e3, ambient + low, ambient + high, verdict);
+  const std::string text = fmt::format(
+      "the bore reaches {:.0f} K at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving band of heat, lasting some "
+      "milliseconds); {} the 423 K up to which bearing steel keeps its dimensions",
+      ambient + rise, time * 1e3, ambient + low, ambient + high, verdict);
   if (ambient + rise < steel_limit && ambient + high >= steel_limit)
     checks.uncertain(title, text);
   else
@@ -162,11 +163,11 @@ void check_wear(Checks& checks, const Json& summary, const std::string& name) {
     checks.add(name + ": wear", true, "none: nothing rubs, or the wear coefficients are zero");
     return;
   }
-  checks.add(name + ": wear", drops >= 1.,
-             fmt::format("bore {:.2g} um and rotor {:.2g} um deep at most after this drop; {:.2g} such drops in one place "
-                         "until {:.3g} um. Wear coefficients are known to a factor of ten at best",
-                         bore * 1e6, at(summary, key + "rotor_depth") * 1e6, drops,
-                         at(summary, key + "depth_limit") * 1e6));
+  checks.add(
+      name + ": wear", drops >= 1.,
+      fmt::format("bore {:.2g} um and rotor {:.2g} um deep at most after this drop; {:.2g} such drops in one place "
+                  "until {:.3g} um. Wear coefficients are known to a factor of ten at best",
+                  bore * 1e6, at(summary, key + "rotor_depth") * 1e6, drops, at(summary, key + "depth_limit") * 1e6));
 }
 
 void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name) {

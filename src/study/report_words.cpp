@@ -61,13 +61,13 @@ Json report_words(const RecordedDrop& drop) {
                                   entry.node()));
   if (!touchdown.empty()) {
     const auto& over_speed = p.contact.friction_over_speed;
-    words.push_back(
-        fmt::format("Rotor and inner rings rub with a friction coefficient {}{}.",
-                    over_speed ? fmt::format("over slip speed, {:.3g} at {:.3g} m/s to {:.3g} at {:.3g} m/s",
-                                             over_speed->front()[1], over_speed->front()[0], over_speed->back()[1],
-                                             over_speed->back()[0])
-                               : fmt::format("of {:.3g}", p.contact.friction_coefficient),
-                    p.contact.friction_over_temperature ? ", times a factor over the inner ring's mean temperature" : ""));
+    words.push_back(fmt::format(
+        "Rotor and inner rings rub with a friction coefficient {}{}.",
+        over_speed
+            ? fmt::format("over slip speed, {:.3g} at {:.3g} m/s to {:.3g} at {:.3g} m/s", over_speed->front()[1],
+                          over_speed->front()[0], over_speed->back()[1], over_speed->back()[0])
+            : fmt::format("of {:.3g}", p.contact.friction_coefficient),
+        p.contact.friction_over_temperature ? ", times a factor over the inner ring's mean temperature" : ""));
     words.push_back(fmt::format("Thermal models: {}{}{}. The clearances follow {}.",
                                 p.thermal.has_lumped ? "lumped circuit" : "",
                                 p.thermal.has_lumped && p.thermal.has_fe ? " and " : "",
@@ -104,27 +104,29 @@ Json report_assumptions(const RecordedDrop& drop) {
                                    ? "friction torque times ball speed, more than the work done (for comparison)"
                                    : "not only friction torque times ring speed"));
   if (p.thermal.heat_share == HeatShare::constant)
-    list.push_back(
-        fmt::format("In the thermal models a constant share of {:.3g} of the rub heat enters the inner ring, the rest the "
-                    "rotor.",
-                    p.thermal.share_to_ring));
+    list.push_back(fmt::format(
+        "In the thermal models a constant share of {:.3g} of the rub heat enters the inner ring, the rest the "
+        "rotor.",
+        p.thermal.share_to_ring));
   else
-    list.push_back("In the thermal models the rub heat is shared between ring and rotor by their speeds (Jaeger, Blok).");
+    list.push_back(
+        "In the thermal models the rub heat is shared between ring and rotor by their speeds (Jaeger, Blok).");
   if (p.thermal.has_lumped)
     list.push_back("The lumped circuit has one temperature per body; it says nothing of a surface.");
   if (p.thermal.has_fe)
     list.push_back("The finite elements are axisymmetric: all their temperatures are means around the circumference.");
+  list.push_back(fmt::format(
+      "The surfaces that rub are locally far warmer for milliseconds than any of these temperatures. Their local "
+      "temperature is that of a moving band of heat, {}, whose heat is shared {}; it acts on nothing else.",
+      p.thermal.rub_band == RubBand::hertz ? "as long as Hertz's line contact"
+                                           : fmt::format("{:.3g} mm long", p.thermal.rub_band_length * 1e3),
+      p.thermal.local_share == LocalShare::one_temperature
+          ? "so that rotor and bore have one temperature where they touch"
+          : "as in the thermal models"));
   list.push_back(
-      fmt::format("The surfaces that rub are locally far warmer for milliseconds than any of these temperatures. Their local "
-                  "temperature is that of a moving band of heat, {}, whose heat is shared {}; it acts on nothing else.",
-                  p.thermal.rub_band == RubBand::hertz ? "as long as Hertz's line contact"
-                                                       : fmt::format("{:.3g} mm long", p.thermal.rub_band_length * 1e3),
-                  p.thermal.local_share == LocalShare::one_temperature
-                      ? "so that rotor and bore have one temperature where they touch"
-                      : "as in the thermal models"));
-  list.push_back(fmt::format("Wear is Archard's, {:.2g} m2/N of the bore and {:.2g} m2/N of the rotor times force and "
-                             "sliding distance; it changes no clearance.",
-                             p.contact.wear_coefficient_bore, p.contact.wear_coefficient_rotor));
+      fmt::format("Wear is Archard's, {:.2g} m2/N of the bore and {:.2g} m2/N of the rotor times force and "
+                  "sliding distance; it changes no clearance.",
+                  p.contact.wear_coefficient_bore, p.contact.wear_coefficient_rotor));
   return list;
 }
 

@@ -43,13 +43,13 @@ struct BearingCircuitData {
   bool balls_roll = false;                       ///< contacts conduct by HeatInput::balls instead of R5
   /// Strips on the raceways, for spreading; none: heat enters the whole raceway evenly.
   struct Strips {
-    std::vector<double> inner, outer;                ///< middles of both races' strips, from the rings' end at -x [m]
+    std::vector<double> inner, outer;                 ///< middles of both races' strips, from the rings' end at -x [m]
     double inner_thickness = 0, outer_thickness = 0;  ///< of the walls under them [m]
     double inner_radius = 0, outer_radius = 0;        ///< of the strips [m]
     double half_width = 0;                            ///< [m]
   };
   std::optional<Strips> strips;
-  bool plane_strain_growth = false;              ///< growth times (1 + nu)
+  bool plane_strain_growth = false;  ///< growth times (1 + nu)
   enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
   double gap_resistance = 0;  ///< of Link::in_contact, when apart [K/W]
   std::vector<FinNode> fins;  ///< shaft beside the bearing, both sides; none: the shaft ends with its lump
@@ -58,14 +58,16 @@ struct BearingCircuitData {
 
 /// The circuit's resistances [K/W], the constant ones; R5 and R8 in their parts.
 struct CircuitResistances {
-  double R1 = 0;               ///< shaft to ambient
-  double R2 = 0;               ///< shaft's centre to its surface
-  double R3 = 0, R4 = 0;       ///< inner ring: journal to the middle of its wall, and on to its outside; R4 under strips: half the wall
-  double R5_inside = 0;        ///< a race to the balls' middle: inside the balls
-  double R5_constriction = 0;  ///< and at their contacts
-  double R4_spreading = 0;     ///< and from the strips that the balls roll on
-  double R6 = 0;               ///< balls to ambient
-  double R7 = 0;               ///< outer ring: its inside to the middle of its wall
+  double R1 = 0;  ///< shaft to ambient
+  double R2 = 0;  ///< shaft's centre to its surface
+  double
+      R3 = 0,
+      R4 = 0;  ///< inner ring: journal to the middle of its wall, and on to its outside; R4 under strips: half the wall
+  double R5_inside = 0;                            ///< a race to the balls' middle: inside the balls
+  double R5_constriction = 0;                      ///< and at their contacts
+  double R4_spreading = 0;                         ///< and from the strips that the balls roll on
+  double R6 = 0;                                   ///< balls to ambient
+  double R7 = 0;                                   ///< outer ring: its inside to the middle of its wall
   double R7_spreading = 0;                         ///< from the strips
   double R8_ring = 0, R8_fit = 0, R8_housing = 0;  ///< on to its outside; fit; to the middle of the housing's wall
 };

@@ -81,8 +81,7 @@ ElasticGrowth::ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& probl
       double middle = 0., square = 0.;
       for (const auto& term : terms) middle += position[term.output] / n;
       for (const auto& term : terms) square += (position[term.output] - middle) * (position[term.output] - middle);
-      for (auto& term : terms)
-        term.factor = square > 0. ? races.width * (position[term.output] - middle) / square : 0.;
+      for (auto& term : terms) term.factor = square > 0. ? races.width * (position[term.output] - middle) / square : 0.;
     } else {
       const double radius = surface == &Expansion::inner_race   ? races.inner
                             : surface == &Expansion::outer_race ? races.outer

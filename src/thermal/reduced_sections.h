@@ -59,7 +59,7 @@ class ReducedSections final : public ThermalModel {
     std::vector<double> inner_strip, outer_strip, balls, ball_input;
     double inner_at_once = 0, outer_at_once = 0;
     std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< of growth_surfaces [m/K]
-    bool has_widths = false;  ///< the axial growths are not zero
+    bool has_widths = false;                                         ///< the axial growths are not zero
     double film_area = 0;
     struct Surface {
       std::vector<double> by_mode;  ///< rises of its points, mode after mode [n * n_points]

@@ -13,11 +13,11 @@ struct FinPiece {
 
 /// A node of a fin: a piece with its capacity in the middle.
 struct FinNode {
-  std::string name;        ///< "shaft_left_1", counted from the bearing; left: towards -x
-  double capacity = 0;     ///< [J/K]
-  double resistance = 0;   ///< to the node before it; of the first to the shaft under the bearing [K/W]
-  double to_ambient = 0;   ///< [K/W]
-  bool is_first = false;   ///< of its side
+  std::string name;       ///< "shaft_left_1", counted from the bearing; left: towards -x
+  double capacity = 0;    ///< [J/K]
+  double resistance = 0;  ///< to the node before it; of the first to the shaft under the bearing [K/W]
+  double to_ambient = 0;  ///< [K/W]
+  bool is_first = false;  ///< of its side
 };
 
 /// The nodes of one side. Each piece is the T of two arms tanh(m l/2)/s and a shunt 1/(s sinh(m l)), s = sqrt(h p k A), m = sqrt(h p/(k A)), which is exact in

@@ -99,7 +99,7 @@ class ThermalNetwork final : public ThermalModel {
     std::size_t place, balls;
     double factor;
     double inner_of_ambient, outer_of_ambient;
-    std::vector<Term> inner_of, outer_of;         // temperatures with capacity [K/K]
+    std::vector<Term> inner_of, outer_of;          // temperatures with capacity [K/K]
     double inner_inner, inner_outer, outer_outer;  // rises by heat into the contacts [K/W]
     [[nodiscard]] ContactHeat heat(std::span<const double> T, double ambient, const HeatInput& input) const;
   };

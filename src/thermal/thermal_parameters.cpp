@@ -101,11 +101,12 @@ Section<ThermalParameters> thermal_section() {
               .fallback = "2.2 ms",
               .source = "estimate: duration of the first contact",
               .help = "How long a surface at rest is heated, for Jaeger's share."});
-  s.choice("rub_band", &P::rub_band, {{"hertz", RubBand::hertz}, {"fixed", RubBand::fixed}},
-           {.fallback = "hertz",
-            .source = "Johnson, Contact Mechanics (1985), eq. (4.43)",
-            .help = "Length of the rubbing spot for local temperatures: Hertz's line contact under the instant's force, "
-                    "or rub_band_length. The other one is among the bounds."});
+  s.choice(
+      "rub_band", &P::rub_band, {{"hertz", RubBand::hertz}, {"fixed", RubBand::fixed}},
+      {.fallback = "hertz",
+       .source = "Johnson, Contact Mechanics (1985), eq. (4.43)",
+       .help = "Length of the rubbing spot for local temperatures: Hertz's line contact under the instant's force, "
+               "or rub_band_length. The other one is among the bounds."});
   s.choice("local_share", &P::local_share,
            {{"one-temperature", LocalShare::one_temperature}, {"as-heated", LocalShare::as_heated}},
            {.fallback = "one-temperature",
@@ -156,8 +157,7 @@ Section<ThermalParameters> thermal_section() {
               .fallback = "0.14 W/(m K)",
               .source = "mineral oil at ambient pressure",
               .help = "Thermal conductivity of that film."});
-  s.choice("ball_track", &P::ball_track,
-           {{"repeating", BallTrack::repeating}, {"wandering", BallTrack::wandering}},
+  s.choice("ball_track", &P::ball_track, {{"repeating", BallTrack::repeating}, {"wandering", BallTrack::wandering}},
            {.fallback = "repeating",
             .help = "Whether a ball's contacts always run on the same circle of its surface, or its axis wanders and "
                     "heats it all over: decides how heat gets from the track into a rolling ball."});
@@ -165,11 +165,12 @@ Section<ThermalParameters> thermal_section() {
            {.fallback = "strip",
             .help = "Whether R4 and R7 contain the resistance of heat that spreads from the balls' strips over the "
                     "rings' width, or take raceways as evenly heated cylinders (the published circuit)."});
-  s.choice("shaft", &P::shaft, {{"fin", ShaftModel::fin}, {"lump", ShaftModel::lump}},
-           {.fallback = "fin",
-            .help = "Whether the shaft conducts on to both sides of its lump, by the rotor's diameters, with convection "
-                    "h_shaft along its surface; to the rotor's end or half-way to the next touchdown bearing. Or a lump "
-                    "of shaft_lump_length by itself (the published circuit)."});
+  s.choice(
+      "shaft", &P::shaft, {{"fin", ShaftModel::fin}, {"lump", ShaftModel::lump}},
+      {.fallback = "fin",
+       .help = "Whether the shaft conducts on to both sides of its lump, by the rotor's diameters, with convection "
+               "h_shaft along its surface; to the rotor's end or half-way to the next touchdown bearing. Or a lump "
+               "of shaft_lump_length by itself (the published circuit)."});
   s.choice("shaft_ring_link", &P::shaft_ring_link,
            {{"permanent", BearingCircuitData::Link::permanent}, {"in-contact", BearingCircuitData::Link::in_contact}},
            {.fallback = "permanent",
@@ -186,14 +187,15 @@ Section<ThermalParameters> thermal_section() {
             {.fallback = false,
              .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise. With "
                      "expansion = \"paper\"."});
-  s.choice("expansion", &P::expansion,
-           {{"formula", GrowthSource::formula}, {"paper", GrowthSource::paper}, {"elastic", GrowthSource::elastic}},
-           {.fallback = "formula",
-            .help = "Growth of the rings. \"formula\": radial and axial growth of free rings where balls and races "
-                    "touch, from mean temperatures. \"paper\": radial growth of the shoulders, as Neisi (2019) takes "
-                    "it; uniform heating of a bearing of one material then changes its preload. \"elastic\": of the "
-                    "finite elements' section, with the fit in the housing and the inner ring's centrifugal growth; the "
-                    "circuit keeps the formulas (docs/growth.md)."});
+  s.choice(
+      "expansion", &P::expansion,
+      {{"formula", GrowthSource::formula}, {"paper", GrowthSource::paper}, {"elastic", GrowthSource::elastic}},
+      {.fallback = "formula",
+       .help = "Growth of the rings. \"formula\": radial and axial growth of free rings where balls and races "
+               "touch, from mean temperatures. \"paper\": radial growth of the shoulders, as Neisi (2019) takes "
+               "it; uniform heating of a bearing of one material then changes its preload. \"elastic\": of the "
+               "finite elements' section, with the fit in the housing and the inner ring's centrifugal growth; the "
+               "circuit keeps the formulas (docs/growth.md)."});
   s.table("fe", &P::fe, fe_section(), {.help = "Finite elements of every touchdown bearing."});
   s.list("node", &P::nodes, node_section(), {.help = "Further nodes."});
   s.list("resistor", &P::resistors, resistor_section(), {.help = "Further resistors."});

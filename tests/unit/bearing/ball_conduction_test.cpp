@@ -16,7 +16,9 @@ BallRowInput input(std::mt19937& random, bool tilting) {
   std::uniform_real_distribution<double> one(-1, 1);
   BallRowInput in;
   in.displacement = {0., 25 * um * one(random), 25 * um * one(random), 0., 0.};
-  if (tilting) in.displacement = {10 * um * one(random), 25 * um * one(random), 25 * um * one(random), 2e-4 * one(random), 2e-4 * one(random)};
+  if (tilting)
+    in.displacement = {10 * um * one(random), 25 * um * one(random), 25 * um * one(random), 2e-4 * one(random),
+                       2e-4 * one(random)};
   in.cage_angle = 7. * one(random);
   in.cage_cosine = std::cos(in.cage_angle);
   in.cage_sine = std::sin(in.cage_angle);

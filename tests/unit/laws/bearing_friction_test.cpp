@@ -78,8 +78,15 @@ TEST(FrictionLoads, StaticEquivalentIsThatOfIso76) {
 }
 
 TEST(FrictionLoads, FollowTheTableOverTheContactAngle) {
-  const std::array<std::array<double, 2>, 9> table = {{{5., 0.52}, {10., 0.50}, {15., 0.46}, {20., 0.42}, {25., 0.38},
-                                                       {30., 0.33}, {35., 0.29}, {40., 0.26}, {45., 0.22}}};
+  const std::array<std::array<double, 2>, 9> table = {{{5., 0.52},
+                                                       {10., 0.50},
+                                                       {15., 0.46},
+                                                       {20., 0.42},
+                                                       {25., 0.38},
+                                                       {30., 0.33},
+                                                       {35., 0.29},
+                                                       {40., 0.26},
+                                                       {45., 0.22}}};
   const auto Y_0 = [](double degrees) { return friction_load_factors(degrees * pi / 180.).static_axial; };
   for (const auto& [degrees, value] : table) {
     EXPECT_NEAR(Y_0(degrees), value, 1e-12) << degrees;

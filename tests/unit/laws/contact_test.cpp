@@ -141,7 +141,8 @@ TEST(CoulombFriction, TurnsHeatOutNeverIn) {
 TEST(CoulombFriction, FollowsItsTablesOverSpeedAndTemperature) {
   CoulombFriction law{0.3, 1e-9, 0.16, 0.5, false, true};  // sharp, to see the coefficient alone
   law.over_speed = {{1., 0.2}, {11., 0.1}, {51., 0.06}};
-  for (const auto& [v, mu] : {std::pair{0.5, 0.2}, {1., 0.2}, {6., 0.15}, {11., 0.1}, {31., 0.08}, {51., 0.06}, {80., 0.06}}) {
+  for (const auto& [v, mu] :
+       {std::pair{0.5, 0.2}, {1., 0.2}, {6., 0.15}, {11., 0.1}, {31., 0.08}, {51., 0.06}, {80., 0.06}}) {
     EXPECT_NEAR(law.coefficient(v), mu, 1e-14) << v;
     EXPECT_EQ(law.coefficient(-v), -law.coefficient(v));
   }

@@ -118,7 +118,8 @@ TEST(BallTrack, IsThatOfABandOnASphere) {
     double rise = 1. / (4. * pi * r * r) * r / (5. * k);
     const int n_terms = static_cast<int>(40. * r / a);
     for (int n = 2; n <= n_terms; n += 2) {
-      const double integral = 2. / (2 * n + 1.) * (boost::math::legendre_p(n + 1, x) - boost::math::legendre_p(n - 1, x));
+      const double integral =
+          2. / (2 * n + 1.) * (boost::math::legendre_p(n + 1, x) - boost::math::legendre_p(n - 1, x));
       const double q_n = 0.5 * (2 * n + 1.) * flux * integral;
       rise += q_n * r / (k * n) * integral / (2. * x);  // mean over the band
     }
@@ -168,7 +169,8 @@ TEST(StripSpreading, IsThatOfFiniteDifferences) {
   struct Strip {
     double W, t, middle, a;
   };
-  for (const auto& s : {Strip{16e-3, 4e-3, 8e-3, 1e-3}, Strip{16e-3, 8e-3, 5e-3, 2e-3}, Strip{8e-3, 4e-3, 1e-3, 1e-3}}) {
+  for (const auto& s :
+       {Strip{16e-3, 4e-3, 8e-3, 1e-3}, Strip{16e-3, 8e-3, 5e-3, 2e-3}, Strip{8e-3, 4e-3, 1e-3, 1e-3}}) {
     const double coarse = spreading_by_differences(s.W, s.t, s.middle - s.a, s.middle + s.a, 46., 64),
                  fine = spreading_by_differences(s.W, s.t, s.middle - s.a, s.middle + s.a, 46., 128);
     const double found = strip_spreading(s.W, s.t, {s.middle}, s.a, 46.);

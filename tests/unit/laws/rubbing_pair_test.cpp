@@ -36,8 +36,8 @@ RubbingPair::Options options(std::size_t n_nodes) {
 
 /// Constant heat rate [W], band at rest in space, surfaces with constant speeds [m/s]; to the time end.
 template <class Watch>
-void rub(RubbingPair& pair, const RubbedBody& ring, const RubbedBody& rotor, double watts, double v_ring, double v_rotor,
-         double end, Watch&& watch, double share = 0.) {
+void rub(RubbingPair& pair, const RubbedBody& ring, const RubbedBody& rotor, double watts, double v_ring,
+         double v_rotor, double end, Watch&& watch, double share = 0.) {
   const int n = static_cast<int>(std::lround(end / step));
   for (int i = 1; i <= n; ++i) {
     const double t = i * step;

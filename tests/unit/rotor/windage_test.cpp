@@ -67,7 +67,8 @@ TEST(Windage, OfAStepHasItsRingAndASleeveCountsByItsOutside) {
     return windage_torque(cylinders({0., 2.}, {d}), p, speed) - windage_torque(cylinders({0., 1.}, {d}), p, speed);
   };
   const double faces = thick - cylinder(0.2);
-  EXPECT_NEAR(windage_torque(cylinders({0., 1., 2.}, {0.2, 0.1}), p, speed), cylinder(0.2) + cylinder(0.1) + faces, 1e-9);
+  EXPECT_NEAR(windage_torque(cylinders({0., 1., 2.}, {0.2, 0.1}), p, speed), cylinder(0.2) + cylinder(0.1) + faces,
+              1e-9);
   auto sleeved = cylinders({0., 1.}, {0.1});
   sleeved.elements.push_back({1, 2, 0.2, 0.1, {}});
   EXPECT_NEAR(windage_torque(sleeved, p, speed), thick, 1e-12);
@@ -78,7 +79,8 @@ TEST(Windage, TableOfAGeometryIsItsTorque) {
   auto p = gas(1.2, 15e-6);
   const auto rotor = cylinders({0., 0.3, 0.5, 0.8}, {0.1, 0.2, 0.08});
   const Windage w = windage_of(rotor, p);
-  for (const double speed : {3., 70., 400., 1591.7}) EXPECT_NEAR(w(speed) / windage_torque(rotor, p, speed), 1., 1e-3) << speed;
+  for (const double speed : {3., 70., 400., 1591.7})
+    EXPECT_NEAR(w(speed) / windage_torque(rotor, p, speed), 1., 1e-3) << speed;
 }
 
 TEST(Windage, IsLargerInANarrowGap) {

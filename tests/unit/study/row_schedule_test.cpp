@@ -37,14 +37,16 @@ std::vector<double> rows_of(RowSchedule& rows, const std::function<double(double
 
 TEST(RowSchedule, IsEvenWithoutALongerInterval) {
   RowSchedule rows(1e-3, 1e-3, 0.02, {0});
-  const auto times = rows_of(rows, [](double) { return 1.; }, 0.3e-3, 0.03);
+  const auto times = rows_of(
+      rows, [](double) { return 1.; }, 0.3e-3, 0.03);
   ASSERT_EQ(times.size(), 31u);
   for (std::size_t k = 0; k < times.size(); ++k) EXPECT_DOUBLE_EQ(times[k], 1e-3 * static_cast<double>(k));
 }
 
 TEST(RowSchedule, IsCoarseWhileNothingChanges) {
   RowSchedule rows(1e-3, 10e-3, 0.02, {0});
-  const auto times = rows_of(rows, [](double t) { return 100. + std::sin(1e3 * t); }, 0.3e-3, 0.3);  // 1 % of its size
+  const auto times = rows_of(
+      rows, [](double t) { return 100. + std::sin(1e3 * t); }, 0.3e-3, 0.3);  // 1 % of its size
   ASSERT_GE(times.size(), 30u);
   EXPECT_LE(times.size(), 34u);
   for (std::size_t k = 2; k < times.size(); ++k) EXPECT_NEAR(times[k] - times[k - 1], 10e-3, 1e-9);

@@ -92,7 +92,7 @@ TEST(RollingNetwork, BalancesItsContactsAtEveryEvaluation) {
     A << 1. / R4 + G.inner_to_ball + G.inner_to_outer, -G.inner_to_outer,  //
         -G.inner_to_outer, 1. / R7 + G.outer_to_ball + G.inner_to_outer;
     const Eigen::Vector2d contact = A.inverse() * Eigen::Vector2d(T_i / R4 + G.inner_to_ball * T_b + h.inner,
-                                                                 T_o / R7 + G.outer_to_ball * T_b + h.outer);
+                                                                  T_o / R7 + G.outer_to_ball * T_b + h.outer);
     std::vector<double> shown(7), rate(5);
     net.observe(warm, {&h, 1}, shown);
     EXPECT_NEAR(shown[2], contact(0), 1e-9) << "K";

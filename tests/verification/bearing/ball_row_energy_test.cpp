@@ -45,8 +45,7 @@ double oracle_energy(const BallRowGeometry& g, const std::vector<RaceWave>& wave
     const Eigen::Vector2d inner_centre = in.inner_strain * inner_x * along + wider_inner * n,
                           outer_centre = in.outer_strain * outer_x * along - wider_outer * n,
                           apart = inner_centre - outer_centre;
-    const double B_r =
-        A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth + u.dot(radial) + apart[1];
+    const double B_r = A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth + u.dot(radial) + apart[1];
     const double B_x = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + u[0] + apart[0];
     double delta = std::hypot(B_r, B_x) - A - wider_inner - wider_outer + 2. * in.ball_growth;
     for (const auto& w : waves)

@@ -69,7 +69,8 @@ TEST(FrictionTables, SpinARingUpAsTheClosedFormSays) {
   ASSERT_GT(expected, 1.) << "still sliding";
   ASSERT_LT(expected, 0.8 * v_0);
   EXPECT_NEAR(s.slip, expected, 1e-9 * v_0) << "m/s";
-  EXPECT_NEAR(s.heat, 0.5 * J * (v_0 * v_0 - expected * expected) / (r * r), 1e-9 * 0.5 * J * v_0 * v_0 / (r * r)) << "J";
+  EXPECT_NEAR(s.heat, 0.5 * J * (v_0 * v_0 - expected * expected) / (r * r), 1e-9 * 0.5 * J * v_0 * v_0 / (r * r))
+      << "J";
 }
 
 TEST(FrictionTables, AWarmRingTakesTheTablesFactor) {

@@ -68,7 +68,7 @@ Instant random_instant(std::mt19937& random, bool in_contact) {
   s.in.journal.velocity_y = 0.5 * one(random);
   s.in.journal.velocity_z = 0.5 * one(random);
   s.in.rotor_spin = {3., 1500 * one(random)};
-  s.in.growth = {1 * um * one(random), 1 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random),
+  s.in.growth = {1 * um * one(random),   1 * um * one(random),   0.5 * um * one(random), 0.5 * um * one(random),
                  0.2 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random)};
   s.growth_rate = {3e-3 * one(random), 3e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random),
                    1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random)};
@@ -120,7 +120,8 @@ TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
   auto bearings = lively_bearings();
   bearings.push_back(bearings[1]);
   bearings.back().name = "X pair that grows by its speed";
-  bearings.back().centrifugal_growth = {.bore = 2.1e-12, .inner_race = 1.9e-12, .inner_width = -0.5e-12};  // 5 um at 15200 rpm
+  bearings.back().centrifugal_growth = {
+      .bore = 2.1e-12, .inner_race = 1.9e-12, .inner_width = -0.5e-12};  // 5 um at 15200 rpm
   for (const auto& data : bearings) {
     const TB bearing(data);
     double worst = 0.;
@@ -313,8 +314,8 @@ TEST(TouchdownBearing, InternalHeatIsFrictionTorqueTimesRingSpeed) {
   pair_bearing.initial_state(y);
   y[TB::ring_spin] = 1591.7;
   const auto p = evaluate(pair_bearing, {}, y);
-  const double P = 0.9 * 290. * 2.1445069,
-               M_pair = 2. * 0.001 * std::pow(0.38 * 290. / 31e3, 0.33) * P * 85e-3 + drag_torque(15e-6, 1591.7, 85e-3, 0.25);
+  const double P = 0.9 * 290. * 2.1445069, M_pair = 2. * 0.001 * std::pow(0.38 * 290. / 31e3, 0.33) * P * 85e-3 +
+                                                    drag_torque(15e-6, 1591.7, 85e-3, 0.25);
   EXPECT_NEAR(p.out.heat.inner + p.out.heat.outer, M_pair * 1591.7, 1e-6 * M_pair * 1591.7) << "W";
 }
 

@@ -32,7 +32,8 @@ TEST(UniformHeating, OfTheMeshedSectionLeavesThePreload) {
           if (section.elastic) found.push_back(section.elastic->linear(field));
           const bool is_first = section.name == "TB1";
           // d_m / 2 -+ d / 2 cos phi; TB1 is a deep-groove bearing. Widths 20 and 2 x 16 mm.
-          const double projected = is_first ? 5.953e-3 : 4.7625e-3 * 0.9063077870366499, middle = is_first ? 45e-3 : 42.5e-3;
+          const double projected = is_first ? 5.953e-3 : 4.7625e-3 * 0.9063077870366499,
+                       middle = is_first ? 45e-3 : 42.5e-3;
           const Expansion expected = {.shaft = 34.75e-3,
                                       .bore = 35e-3,
                                       .inner_race = middle - projected,
@@ -42,7 +43,8 @@ TEST(UniformHeating, OfTheMeshedSectionLeavesThePreload) {
                                       .outer_width = is_first ? 20e-3 : 32e-3};
           for (const auto& growth : found) {
             for (std::size_t s = 0; s < growth_surfaces.size(); ++s)
-              EXPECT_NEAR(growth.*growth_surfaces[s], alpha * T * expected.*growth_surfaces[s], 1e-6 * alpha * 50. * 45e-3)
+              EXPECT_NEAR(growth.*growth_surfaces[s], alpha * T * expected.*growth_surfaces[s],
+                          1e-6 * alpha * 50. * 45e-3)
                   << "m, " << section.name << ", " << growth_surface_names[s] << ", " << expansion;
             if (is_first) continue;
             const double preload = running->at(growth).preload;

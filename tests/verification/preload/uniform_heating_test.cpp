@@ -77,8 +77,18 @@ struct Row {
 /// The stiffness of the contacts is the program's; all lengths are the case's.
 Row pair_row(const Case& c, bool is_X, double alpha_ball = steel) {
   const auto data = touchdown_data_of(c.parameters, "TB2", touchdown_of(c.parameters, "TB2"));
-  return {23,   9.525e-3, 85e-3, 0.52,           0.52, 25. * std::numbers::pi / 180., 0.,
-          8e-3, is_X ? 1. : -1., data.rows[0].stiffness, steel, alpha_ball};
+  return {23,
+          9.525e-3,
+          85e-3,
+          0.52,
+          0.52,
+          25. * std::numbers::pi / 180.,
+          0.,
+          8e-3,
+          is_X ? 1. : -1.,
+          data.rows[0].stiffness,
+          steel,
+          alpha_ball};
 }
 
 Expansion statics_growth(const Case& base, const Rises& T) {
@@ -99,10 +109,10 @@ double allowed(double rise) { return 290. * (std::fabs(rise) > 100. ? 4e-3 : 1e-
 
 TEST(UniformHeating, LeavesThePreloadOfAPairOfOneMaterial) {
   for (const char* arrangement : {"X", "O"}) {
-    const Case c = of_case({std::string("bearings.TB2.arrangement=") + arrangement, "preload.speed=0 rpm",
-                            "preload.growth_by_speed=\"none\"",
-                            "preload.map.inner_rise=[\"-50 K\", \"50 K\", \"150 K\"]",
-                            "preload.map.outer_rise=[\"-50 K\", \"50 K\", \"150 K\"]"});
+    const Case c =
+        of_case({std::string("bearings.TB2.arrangement=") + arrangement, "preload.speed=0 rpm",
+                 "preload.growth_by_speed=\"none\"", "preload.map.inner_rise=[\"-50 K\", \"50 K\", \"150 K\"]",
+                 "preload.map.outer_rise=[\"-50 K\", \"50 K\", \"150 K\"]"});
     const Row row = pair_row(c, *arrangement == 'X');
     const double approach = row.approach_of(290.);
     const auto loop = build_preload_loop(c.parameters, c.tree, "TB2", rest_finder("TB2"));
@@ -176,8 +186,8 @@ TEST(WarmInnerRing, PressesAnXPairMoreThanAnOPair) {
 
 TEST(UniformHeating, LeavesADeepGrooveBearingUnderThrustInItsPlace) {
   // The contact angle is far from the nominal 0: about 15 degrees. Clearance does not grow, so x of order sqrt(2 A c) goes with the root of A.
-  const Case c = of_case({"bearings.TB1.ball=steel", "statics.subject=\"bearings\"",
-                          "statics.force=[\"500 N\", \"0 N\", \"0 N\"]"});
+  const Case c = of_case(
+      {"bearings.TB1.ball=steel", "statics.subject=\"bearings\"", "statics.force=[\"500 N\", \"0 N\", \"0 N\"]"});
   const auto& b = touchdown_of(c.parameters, "TB1");
   const auto data = touchdown_data_of(c.parameters, "TB1", b);
   const Row row{14, 11.906e-3, 90e-3, 0.52, 0.52, 0., 19e-6, 0., 1., data.rows[0].stiffness, steel, steel};
