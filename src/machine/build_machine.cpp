@@ -61,14 +61,12 @@ BearingCircuitData::Strips raceway_strips(const MachineParameters& p, const Touc
   s.inner_radius = 0.5 * b.pitch_diameter - to_race;
   s.outer_radius = 0.5 * b.pitch_diameter + to_race;
   // Rings given as cylinders may have no wall left under the groove: then half of theirs.
-  const auto wall = [](double given, const std::array<double, 2>& diameters) {
+  const auto wall = [](double given, const auto& diameters) {
     const double half = 0.25 * (diameters[1] - diameters[0]);
     return given > 0.2 * half ? given : half;
   };
-  s.inner_thickness =
-      wall(s.inner_radius - 0.5 * b.inner_ring_diameters[0], {b.inner_ring_diameters[0], b.inner_ring_diameters[1]});
-  s.outer_thickness =
-      wall(0.5 * b.outer_ring_diameters[1] - s.outer_radius, {b.outer_ring_diameters[0], b.outer_ring_diameters[1]});
+  s.inner_thickness = wall(s.inner_radius - 0.5 * b.inner_ring_diameters[0], b.inner_ring_diameters);
+  s.outer_thickness = wall(0.5 * b.outer_ring_diameters[1] - s.outer_radius, b.outer_ring_diameters);
   return s;
 }
 

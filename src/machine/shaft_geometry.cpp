@@ -59,8 +59,8 @@ std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParam
       from += l;
     }
     if (std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.section <= 0.; })) continue;
-    for (auto& node :
-         fin_nodes(side, pieces, before, circuit.h_shaft, k, circuit.ring.density * circuit.ring.heat_capacity))
+    const double rho_c = circuit.ring.density * circuit.ring.heat_capacity;
+    for (auto& node : fin_nodes(side, pieces, before, circuit.h_shaft, k, rho_c))
       fins.push_back(std::move(node));
   }
   return fins;
