@@ -18,7 +18,7 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   p.thermal.driver = GrowthDriver::automatic;
   p.thermal.fe.coupling = FeCoupling::reduced;
   // Speed is of no matter here.
-  p.thermal.fe.response_tolerance = std::min(p.thermal.fe.response_tolerance, 1e-3);
+  p.thermal.fe.response_tolerance = std::min(p.thermal.fe.response_tolerance, 2e-3);
   // What a user adds to the circuit is not fitted.
   p.thermal.nodes.clear();
   p.thermal.resistors.clear();

@@ -195,7 +195,8 @@ namespace {
 /// How far the modes of reduced finite elements are off.
 std::string reduction_text(const Json& j) {
   std::string text;
-  for (const auto& [name, b] : j.value("bearings", Json::object()).items()) {
+  if (!j.contains("bearings")) return text;
+  for (const auto& [name, b] : j["bearings"].items()) {
     if (!b.contains("fe") || b["fe"].value("worst_response", "").empty()) continue;
     text += fmt::format("{} {}: {} modes follow heat within {:.2g} % (worst: {})\n",
                         text.empty() ? "Finite elements," : "                 ", name, b["fe"]["modes"].get<long>(),

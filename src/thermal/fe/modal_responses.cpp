@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int times_per_decade = 7, snapshots_per_decade = 5;
+constexpr int times_per_decade = 12, snapshots_per_decade = 5;
 constexpr double first_modes_per_decade = 3.;  // the rest is chosen by the errors
 constexpr double means_weight = 3.;            // of a mean's responses among the snapshots, by trial
 constexpr double dependent = 1e-7;             // what is left of a vector that the others span
