@@ -91,6 +91,19 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
                           section.solver->field().size());
 }
 
+/// Refuses modes that answer heat less exactly than is asked for.
+void check_reduction(const FiniteElements::Section& section, const FeParameters& fe) {
+  const ReducedHeat& heat = section.reduced;
+  if (heat.response_error <= fe.response_tolerance) return;
+  throw InputError({}, fmt::format("the section of {} on {} modes answers heat with an error of {:.2g} % ({}), and "
+                                   "thermal.fe.response_tolerance = {:.4g} allows {:.2g} %.",
+                                   section.name, heat.n_modes(), 100. * heat.response_error, heat.worst_response,
+                                   fe.response_tolerance, 100. * fe.response_tolerance),
+                   fmt::format("thermal.fe.modes = {} is the most that the case allows: raise it (200 if not given), "
+                               "allow a larger error, or set thermal.fe.coupling = \"windowed\".",
+                               fe.modes));
+}
+
 /// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
 void make_sections(const MachineParameters& p, FiniteElements& elements, ReductionSettings reduction = {}) {
   const auto& fe = p.thermal.fe;
@@ -123,8 +136,11 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
       } else {
         // The nodes of a fin have modes of their own, which must not be taken from the rings'.
         reduction.modes = static_cast<std::size_t>(fe.modes) + circuit.fins.size();
+        reduction.response_tolerance = fe.response_tolerance;
+        reduction.longest_time = std::max(reduction.longest_time, p.run.end_time);
       }
       section.reduced = section.solver->reduce(reduction);
+      check_reduction(section, fe);
     }
     elements.sections.push_back(std::move(section));
   }

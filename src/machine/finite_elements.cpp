@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/cpu_time.h"
 #include "laws/heat_flow.h"
@@ -12,6 +13,17 @@ namespace rotordrop {
 namespace {
 
 constexpr double shortest_of_longest = 1. / 64.;
+// A window may heat a bore by this part of its largest rise so far, or of 1 K.
+constexpr double heating_of_a_window = 0.1, least_rise = 1.;
+
+/// Mean rise of a half space under a joule into the bore at constant power, times the root of its duration: 2/(sqrt(pi) A sqrt(k rho c)).
+double rise_per_joule(const FiniteElements::Section& s) {
+  const auto& p = s.problem;
+  const auto& ring = p.bodies[body_index(p.bodies, "inner_ring")];
+  const double T = p.initial_temperature;
+  return 2. / (std::sqrt(std::numbers::pi * ring.conductivity.value(T) * ring.density * ring.heat_capacity.value(T)) *
+               s.solver->port_area(bore_port));
+}
 
 double largest(const Expansion& e) {
   double value = 0.;
@@ -93,7 +105,10 @@ WindowedSections::WindowedSections(FiniteElements& elements, double tolerance, d
       growth_(elements.sections.size()),
       before_(elements.sections.size()),
       conducted_(elements.sections.size()) {
+  for (const auto& section : elements.sections) rise_per_joule_.push_back(rise_per_joule(section));
+  largest_rise_.resize(elements.sections.size());
   report_.shortest = longest;
+  report_.tolerance = tolerance;
 }
 
 void WindowedSections::step(double length, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
@@ -125,6 +140,8 @@ void WindowedSections::step(double length, std::span<const PlaceEnergy> energy, 
     }
     solver.set_port_heat(heat);
     solver.advance_window(length);
+    largest_rise_[k] =
+        std::max(largest_rise_[k], solver.port_temperature(bore_port) - section.problem.initial_temperature);
     energy_[k] = given;
     growth_[k] = growth_of(section);
     conducted_[k] = combined(
@@ -141,6 +158,18 @@ void WindowedSections::step(double length, std::span<const PlaceEnergy> energy, 
   report_.cpu_time += cpu_seconds() - start;
 }
 
+void WindowedSections::look(double now, std::span<const PlaceEnergy> energy) {
+  const double elapsed = now - time_;
+  if (is_cut_ || elapsed <= 0. || length_ <= shortest_) return;
+  for (std::size_t k = 0; k < energy.size(); ++k) {
+    const double joules = energy[k].rub_into_ring - energy_[k].rub_into_ring,
+                 rise = joules * rise_per_joule_[k] / std::sqrt(std::max(elapsed, shortest_));
+    if (rise > heating_of_a_window * std::max(largest_rise_[k], least_rise)) is_cut_ = true;
+  }
+  // In whole shortest windows, so that few lengths need a factorisation.
+  if (is_cut_) length_ = std::min(length_, std::ceil(elapsed / shortest_) * shortest_);
+}
+
 void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
   step(length_, energy, balls);
   const std::size_t n = growth_.size();
@@ -149,11 +178,19 @@ void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy, 
   last_error_ = 0.;
   for (std::size_t k = 0; k < n; ++k)
     last_error_ = std::max(last_error_, largest(combined(1., in_force[k], -1., conducted_[k])));
-  report_.largest_error = std::max(report_.largest_error, last_error_);
-  if (last_error_ > tolerance_)
+  if (last_error_ > report_.largest_error) {
+    report_.largest_error = last_error_;
+    report_.largest_error_time = time_;
+  }
+  if (last_error_ > tolerance_) ++report_.beyond_tolerance;
+  if (is_cut_)
+    length_ = last_error_ > tolerance_ ? shortest_ : 2. * shortest_;
+  else if (last_error_ > tolerance_)
     length_ = std::max(0.5 * length_, shortest_);
   else if (last_error_ < 0.25 * tolerance_)
     length_ = std::min(2. * length_, longest_);
+
+  is_cut_ = false;
 
   // From what is in force now, straight to where conduction leads in another window.
   elements_.growth->cut(now);
@@ -235,16 +272,19 @@ std::vector<double> WindowedSections::packed() const {
                                 last_error_,
                                 last_length_,
                                 film_loss_,
+                                is_cut_ ? 1. : 0.,
                                 static_cast<double>(report_.windows),
                                 report_.shortest,
                                 report_.longest,
                                 report_.mean,
                                 report_.largest_error,
+                                report_.largest_error_time,
+                                static_cast<double>(report_.beyond_tolerance),
                                 report_.largest_growth,
                                 report_.cpu_time};
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
     const auto& e = energy_[k];
-    values.insert(values.end(), {e.rub, e.rub_into_ring, e.inner, e.outer});
+    values.insert(values.end(), {e.rub, e.rub_into_ring, e.inner, e.outer, largest_rise_[k]});
     for (const auto* growth : {&growth_[k], &before_[k], &conducted_[k]})
       for (const auto surface : growth_surfaces) values.push_back(growth->*surface);
     const auto& solver = *elements_.sections[k].solver;
@@ -262,13 +302,16 @@ void WindowedSections::unpack(std::span<const double> values) {
   std::size_t at = 0;
   const auto next = [&] { return values[at++]; };
   for (double* value : {&time_, &length_, &last_error_, &last_length_, &film_loss_}) *value = next();
+  is_cut_ = next() != 0.;
   report_.windows = static_cast<long>(next());
-  for (double* value : {&report_.shortest, &report_.longest, &report_.mean, &report_.largest_error,
-                        &report_.largest_growth, &report_.cpu_time})
+  for (double* value :
+       {&report_.shortest, &report_.longest, &report_.mean, &report_.largest_error, &report_.largest_error_time})
     *value = next();
+  report_.beyond_tolerance = static_cast<long>(next());
+  for (double* value : {&report_.largest_growth, &report_.cpu_time}) *value = next();
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
     auto& e = energy_[k];
-    for (double* value : {&e.rub, &e.rub_into_ring, &e.inner, &e.outer}) *value = next();
+    for (double* value : {&e.rub, &e.rub_into_ring, &e.inner, &e.outer, &largest_rise_[k]}) *value = next();
     for (auto* growth : {&growth_[k], &before_[k], &conducted_[k]})
       for (const auto surface : growth_surfaces) growth->*surface = next();
     const double input = next(), lost = next();

@@ -48,7 +48,7 @@ struct FiniteElements {
 /// Sections that advance beside the drop. The growth of a section is what its heat causes at once (AdiabaticRises, in the state vector)
 /// and what conduction adds. Each window takes the energy that its ports received in it, and hands on how conduction's part changes: linear in
 /// time, from what is in force to what the next window is expected to end with. Windows become shorter where that was wrong by more
-/// than the tolerance.
+/// than the tolerance, and while a rub heats a bore fast.
 class WindowedSections {
  public:
   /// @param tolerance  error of a growth at a window's end [m]
@@ -56,6 +56,10 @@ class WindowedSections {
   WindowedSections(FiniteElements& elements, double tolerance, double longest);
 
   [[nodiscard]] double next_end() const { return time_ + length_; }
+  /// Ends the window under way soon after `now` if the rub has heated a bore fast in it, so that what is recorded at windows' ends shows impacts. To be called
+  /// after every step of the drop.
+  /// @param energy  at `now` [n_places]
+  void look(double now, std::span<const PlaceEnergy> energy);
   /// Advances to next_end().
   /// @param now     where the drop stands [s], >= next_end()
   /// @param energy  at next_end() [n_places]
@@ -68,6 +72,9 @@ class WindowedSections {
     long windows = 0;
     double shortest = 0, longest = 0, mean = 0;  ///< [s]
     double largest_error = 0;                    ///< of the growth at windows' ends [m]
+    double largest_error_time = 0;               ///< [s]
+    double tolerance = 0;                        ///< of that error [m]
+    long beyond_tolerance = 0;                   ///< windows with a larger error
     double largest_growth = 0;                   ///< [m]
     double cpu_time = 0;                         ///< [s]
   };
@@ -89,6 +96,9 @@ class WindowedSections {
   double tolerance_, shortest_, longest_;
   double length_;  ///< of the window under way [s]: the longest, halved a few times
   double time_ = 0, last_error_ = 0, last_length_ = 0, film_loss_ = 0;
+  bool is_cut_ = false;                                         ///< the window under way ends before its time
+  std::vector<double> rise_per_joule_;                          ///< of a bore in a half space, times root of time [K s^0.5/J]
+  std::vector<double> largest_rise_;                            ///< mean of each bore at windows' ends, so far [K]
   std::vector<PlaceEnergy> energy_;                             ///< at time_
   std::vector<std::array<double, n_bearing_ports>> port_heat_;  ///< [W]
   std::vector<Expansion> growth_;                               ///< at time_

@@ -113,7 +113,7 @@ struct HeatPort {
   std::string name;
   std::vector<HeatBoundary> boundaries;
   std::optional<std::size_t> node = {};  ///< instead of boundaries
-  double importance = 1;                 ///< typical heat, in any unit: what a reduction weighs the ports by
+  double steady_for = 0;                 ///< [s] its heat changes no faster: a reduction need not answer it sooner
 };
 
 /// A thermal resistance between two ports, or a port and the surroundings (at the initial temperature).

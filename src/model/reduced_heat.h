@@ -7,10 +7,11 @@
 namespace rotordrop {
 
 struct ReductionSettings {
-  std::size_t modes = 24;       ///< at most so many; 0: every one of the mesh (small meshes only)
-  double fastest = 3e4;         ///< [1/s] modes that decay faster are left out
-  double shortest_time = 5e-5;  ///< [s] the response to heat is matched from here
-  double longest_time = 10.;    ///< [s] to here
+  std::size_t modes = 200;            ///< at most so many; 0: every one of the mesh (small meshes only)
+  double response_tolerance = 0.005;  ///< as few modes are taken as this relative error of the responses allows
+  double fastest = 6e4;               ///< [1/s] modes that decay faster are left out; explicit steps of 50 us bear these
+  double shortest_time = 1e-4;        ///< [s] the response to heat is matched from here: a twentieth of an impact
+  double longest_time = 1000.;        ///< [s] to here
 };
 
 /// Mean temperatures and heat of a linear problem in coordinates z [K] of its modes:
@@ -28,7 +29,8 @@ struct ReducedHeat {
     /// Of a port: what the modes left out add to its own rise per watt into it, at once; and to the points' [K/W].
     double at_once = 0;
     std::vector<double> points_at_once = {};
-    /// Of a port: largest relative error of its response to its own heat, at times from the shortest to the longest; a few are tried.
+    /// Largest relative error from the shortest to the longest time. Of a port: of its rise under a step of heat into it. Of a body or node:
+    /// of its mean under a step of heat or a joule at once into any port, over its rise plus a thousandth of the largest mean rise.
     double response_error = 0;
   };
   std::vector<double> rate;    ///< [1/s], rising [n_modes]
@@ -37,6 +39,9 @@ struct ReducedHeat {
   std::vector<Output> bodies;  ///< volume means
   std::vector<Output> nodes;
   std::vector<double> loss;  ///< heat lost by linear convection and links [W/K] [n_modes]
+  /// The largest error of all responses, and which it is, in words; none if every mode of the mesh is kept.
+  double response_error = 0;
+  std::string worst_response;
   [[nodiscard]] std::size_t n_modes() const { return rate.size(); }
 };
 

@@ -17,8 +17,9 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   p.thermal.has_fe = true;
   p.thermal.driver = GrowthDriver::automatic;
   p.thermal.fe.coupling = FeCoupling::reduced;
-  p.thermal.fe.modes = std::max(p.thermal.fe.modes, 48);      // speed is of no matter here
   p.thermal.contact_conduction = BallConductionModel::fixed;  // there are no loads
+  // Speed is of no matter here.
+  p.thermal.fe.response_tolerance = std::min(p.thermal.fe.response_tolerance, 2e-3);
   // What a user adds to the circuit is not fitted.
   p.thermal.nodes.clear();
   p.thermal.resistors.clear();

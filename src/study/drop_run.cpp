@@ -342,6 +342,7 @@ class DropRun {
   }
 
   void advance_windows() {
+    if (windows_) windows_->look(time_, energies(integrator_->state()));
     while (windows_ && windows_->next_end() <= time_ && !is_stopped()) {
       const double end = windows_->next_end();
       integrator_->interpolate(end, at_record_);

@@ -54,6 +54,10 @@ Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std
   if (coupling != FeCoupling::windowed) {
     j["modes"] = s.reduced.n_modes();
     for (const auto& port : s.reduced.ports) j["response_error"][port.name] = port.response_error;
+    for (const auto* outputs : {&s.reduced.bodies, &s.reduced.nodes})
+      for (const auto& output : *outputs) j["mean_response_error"][output.name] = output.response_error;
+    j["largest_response_error"] = s.reduced.response_error;
+    j["worst_response"] = s.reduced.worst_response;
   }
   j["heat_capacity"] = {{"inner_ring", s.adiabatic.inner_capacity},
                         {"outer_ring_and_housing", s.adiabatic.outer_capacity}};
@@ -82,7 +86,10 @@ Json windows_summary(const WindowedSections::Report& r, const HeatEnergy& energy
           {"shortest", r.shortest},
           {"longest", r.longest},
           {"mean", r.mean},
+          {"tolerance", r.tolerance},
+          {"beyond_tolerance", r.beyond_tolerance},
           {"largest_growth_error", r.largest_error},
+          {"largest_growth_error_time", r.largest_error_time},
           {"largest_growth", r.largest_growth},
           {"cpu_time", r.cpu_time},
           {"heat_input", energy.input},

@@ -1,10 +1,13 @@
 #include "study/heated_bearing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/errors.h"
 #include "integrate/integrator.h"
 #include "machine/heated_model.h"
 
@@ -77,6 +80,7 @@ class InStateVector final : public HeatedBearing {
     const auto end = integrator->state();
     std::copy(end.begin(), end.end(), state_.begin());
     time_ = until;
+    require_above_zero();
     const auto s = integrator->statistics();
     statistics_.steps += s.steps;
     statistics_.rejected_steps += s.rejected_steps;
@@ -109,12 +113,23 @@ class InStateVector final : public HeatedBearing {
         const auto& heated = settings_.section->reduced.ports.at(port);
         to["response_error"][heated.name] = heated.response_error;
       }
+      to["largest_response_error"] = settings_.section->reduced.response_error;
+      to["worst_response"] = settings_.section->reduced.worst_response;
     }
     to["steps"] = statistics_.steps;
     to["rejected_steps"] = statistics_.rejected_steps;
   }
 
  private:
+  void require_above_zero() const {
+    const auto T = temperatures();
+    for (std::size_t i = 0; i < T.size(); ++i)
+      if (!(T[i] > 0.))
+        throw SolverError(fmt::format("{} of {} is cooled below 0 K before t = {:.6g} s: its temperature would be "
+                                      "{:.4g} K. No boundary can give off so much heat: check the negative values of "
+                                      "[[heat.source]].",
+                                      names_[i], settings_.bearing, time_, T[i]));
+  }
   [[nodiscard]] std::span<const double> temperature_state() const { return std::span(state_).first(state_.size() - 1); }
 
   const ThermalModel& model_;

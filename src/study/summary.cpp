@@ -207,6 +207,33 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
   return j;
 }
 
+namespace {
+
+/// How far the modes of reduced finite elements are off.
+std::string reduction_text(const Json& j) {
+  std::string text;
+  if (!j.contains("bearings")) return text;
+  for (const auto& [name, b] : j["bearings"].items()) {
+    if (!b.contains("fe") || b["fe"].value("worst_response", "").empty()) continue;
+    text += fmt::format("{} {}: {} modes follow heat within {:.2g} % (worst: {})\n",
+                        text.empty() ? "Finite elements," : "                 ", name, b["fe"]["modes"].get<long>(),
+                        100. * b["fe"]["largest_response_error"].get<double>(),
+                        b["fe"]["worst_response"].get<std::string>());
+  }
+  return text;
+}
+
+std::string window_excess_text(const Json& windows) {
+  const long beyond = windows["beyond_tolerance"].get<long>();
+  if (beyond == 0) return {};
+  return fmt::format("\n{} of {} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most at {:.4g} ms; "
+                     "a shorter thermal.fe.longest_window leaves less",
+                     beyond, windows["count"].get<long>(), windows["tolerance"].get<double>() * 1e9,
+                     windows["largest_growth_error_time"].get<double>() * 1e3);
+}
+
+}  // namespace
+
 std::string summary_text(const Json& j) {
   std::string text;
   const auto time = [](const Json& v, double unit, const char* name) {
@@ -243,6 +270,7 @@ std::string summary_text(const Json& j) {
                             b["axial"]["force"]["largest"].get<double>() * 1e-3);
       if (b.contains("whirl")) text += whirl_text(name, b["whirl"]);
     }
+  text += reduction_text(j);
   const auto& e = j["energy"];
   const auto& run = j["run"];
   if (const std::string until = run.value("until", ""); !until.empty())
@@ -265,6 +293,7 @@ std::string summary_text(const Json& j) {
         j["windows"]["heat_residual"].get<double>(), j["windows"]["count"].get<long>(),
         j["windows"]["shortest"].get<double>() * 1e3, j["windows"]["longest"].get<double>() * 1e3,
         j["windows"]["largest_growth_error"].get<double>() * 1e9, j["windows"]["largest_growth"].get<double>() * 1e9);
+  if (j.contains("windows")) text += window_excess_text(j["windows"]);
   text += "\n";
   return text;
 }

@@ -70,9 +70,7 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
              {"outer_raceway", race(p.mesh, outer, HeatSide::inner)},
              {"housing_surface", {{housing, HeatSide::outer}}},
              {"ball", {}, 0}};
-  // Typical watts of a drop: 10 kW of rub, 0.1 kW inside the bearing, next to nothing lost from the housing.
-  p.ports[inner_raceway_port].importance = p.ports[outer_raceway_port].importance = 0.03;
-  p.ports[housing_port].importance = p.ports[ball_port].importance = 0.01;
+  p.ports[housing_port].steady_for = 1.;  // its film follows the housing, which takes minutes to warm
 
   const CircuitResistances R = circuit_resistances(b);
   const double R5 = R.R5_inside + R.R5_constriction;

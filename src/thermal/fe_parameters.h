@@ -24,6 +24,7 @@ struct FeParameters {
   FeSection section = FeSection::grooved;
   FeCoupling coupling = FeCoupling::reduced;
   int degree = 2, modes = 0;
+  double response_tolerance = 0;
   HeatLinearSolver solver = HeatLinearSolver::direct;
   double window_tolerance = 0, longest_window = 0;
   std::vector<double> field_times;       ///< [s]

@@ -3,6 +3,8 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -494,6 +496,36 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
 }
 
 // --------------------------------------------------------------------------------------------------------------------- energy
+
+std::string HeatOperator::part_of(unsigned int dof) const {
+  if (dof >= n_field_) return "node \"" + problem_.nodes[dof - n_field_].name + "\"";
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (bodies_[b].weights(dof) != 0.) return "body \"" + problem_.bodies[b].name + "\"";
+  return "a body";
+}
+
+std::string HeatOperator::strongest_cooling(unsigned int dof, double t) const {
+  static constexpr const char* sides[] = {"left", "right", "inner", "outer", "raceway", "strip"};
+  double strongest = 0.;
+  bool is_near = false;
+  std::string words = "Check the initial temperature and the sources.";
+  const auto look_at = [&](double power, bool is_here, const std::string& what, const char* advice) {
+    if (!(power < 0.) || (is_near && !is_here) || (is_near == is_here && power >= strongest)) return;
+    strongest = power;
+    is_near = is_here;
+    words = fmt::format("{} takes {:.4g} W out; {}", what, -power, advice);
+  };
+  for (const auto& load : loads_) {
+    const HeatBoundary& b = load.flux->boundary;
+    look_at(load.held * load.area, load.unit(dof) != 0.,
+            "The flux on boundary " + problem_.bodies[b.body].name + "." + sides[static_cast<std::size_t>(b.side)],
+            "no boundary can give off so much for so long: check its negative values.");
+  }
+  for (const auto& port : ports_)
+    look_at(watts(port, t), port.weights(dof) != 0., "Port " + port.name,
+            "no surface can give off so much for so long: check its negative heat.");
+  return words;
+}
 
 double HeatOperator::input_power(double t) const {
   double power = 0.;

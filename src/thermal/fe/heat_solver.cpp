@@ -31,6 +31,7 @@ constexpr double b_embedded[6] = {4586570599. / 29645900160., 0.,
 
 constexpr double safety = 0.9, largest_growth = 4., worth_a_factorisation = 1.7;
 constexpr int most_iterations = 12, most_window_iterations = 25;
+constexpr std::size_t most_window_factors = 16;  // kept at a time: some MB each
 constexpr double roundoff = 1e-11;  // [K] of an error estimate
 
 }  // namespace
@@ -200,7 +201,17 @@ double HeatSolver::estimate_error(double step) {
   return residual_.linfty_norm();
 }
 
+void HeatSolver::require_above_zero(const Vector& T, double time) const {
+  const auto coldest = std::min_element(T.begin(), T.end());
+  if (*coldest > 0.) return;
+  const auto where = static_cast<unsigned int>(coldest - T.begin());
+  throw SolverError(fmt::format(
+      "{} is cooled below 0 K at t = {:.6g} s: its temperature would be {:.4g} K. {}", operator_.part_of(where), time,
+      *coldest, operator_.strongest_cooling(where, time)));
+}
+
 void HeatSolver::accept(double step) {
+  require_above_zero(stage_[n_stages - 1], time_ + step);
   for (std::size_t i = 0; i < n_stages; ++i) {
     if (b[i] == 0.) continue;
     input_ += step * b[i] * operator_.input_power(time_ + c[i] * step);
@@ -274,6 +285,7 @@ bool HeatSolver::step_window(double step) {
   known_.add(step * (1. - g), flow_[1]);
   second = first;
   if (!solve_window_stage(step, time_ + step, second, flow_[2])) return false;
+  require_above_zero(second, time_ + step);
   const double weights[2] = {1. - g, g};
   for (std::size_t i = 0; i < 2; ++i) {
     input_ += step * weights[i] * operator_.input_power(time_);
@@ -297,7 +309,10 @@ bool HeatSolver::solve_window_stage(double step, double t, Vector& T, Vector& fl
     found->second->set_matrix(matrix_);
     ++statistics_.factorisations;
   };
-  if (found == window_inverse_.end()) factorise_at(T);
+  if (found == window_inverse_.end()) {
+    if (window_inverse_.size() >= most_window_factors) window_inverse_.clear();
+    factorise_at(T);
+  }
   double last = 0.;
   bool is_fresh = false;
   for (int k = 0; k < most_window_iterations; ++k) {

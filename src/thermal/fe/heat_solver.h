@@ -64,6 +64,8 @@ class HeatSolver final : public HeatConductionSolver {
   [[nodiscard]] bool solve_stage(std::size_t i, double step);
   [[nodiscard]] double estimate_error(double step);  ///< [K], largest of all nodes
   void accept(double step);
+  /// @throws SolverError if a temperature is not above 0 K, with what cools there
+  void require_above_zero(const Vector& T, double time) const;
   void jump_to_held_temperatures();
   void book(double joules_through_boundary);
   /// Heat that held boundaries took up or gave off while the field went from `before` to `after`.

@@ -1,11 +1,17 @@
 #include "thermal/fe/reduction.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include "base/errors.h"
 #include "thermal/fe/linear_solver.h"
+#include "thermal/fe/modal_responses.h"
 
 namespace rotordrop {
 namespace {
@@ -17,6 +23,7 @@ using Vector = HeatOperator::Vector;
 using Matrix = HeatOperator::Matrix;
 
 constexpr int shifts_per_decade = 2;
+constexpr std::size_t check_every = 4;  // shifts
 constexpr double dependent = 1e-7;  // what is left of a vector that the others span
 
 VectorXd times(const Matrix& A, const VectorXd& v) {
@@ -74,19 +81,13 @@ std::vector<VectorXd> uniform_fields(const HeatOperator& problem) {
   return fields;
 }
 
-/// A port's answer to a watt of its own, exp(st) with real s: what the mesh says.
-struct Response {
-  double s;
-  std::size_t port;
-  double value;
-  Vector field;
-};
-constexpr double shift_of_residue = 1e3;  // [1/s]: modes left out are far faster
-
 struct Space {
   MatrixXd modes;  ///< orthonormal by capacity [n][n_modes]
   VectorXd rate;
-  std::vector<Response> responses;
+  // Of modes that are few: what they leave of each port's answer, and the errors.
+  VectorXd at_once;
+  MatrixXd residues;  ///< [n][n_ports]
+  ResponseErrors errors;
 };
 
 MatrixXd dense(const Matrix& A) {
@@ -99,68 +100,113 @@ MatrixXd dense(const Matrix& A) {
 Space all_modes(const HeatOperator& problem) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(symmetric(dense(problem.conductance())),
                                                                  symmetric(dense(problem.capacity())));
-  return {eigen.eigenvectors(), eigen.eigenvalues(), {}};
+  return {eigen.eigenvectors(), eigen.eigenvalues(), {}, {}, {}};
 }
 
-Space krylov_modes(const HeatOperator& problem, const ReductionSettings& settings) {
-  const std::size_t n_ports = problem.problem().ports.size();
-  Space space;
+/// Loads of all ports, and weights of the means of bodies and nodes, as columns.
+struct Loads {
+  MatrixXd ports, means;
+};
+Loads loads_of(const HeatOperator& problem) {
+  const auto& p = problem.problem();
+  const auto n_bodies = static_cast<Index>(p.bodies.size());
+  Loads loads{MatrixXd(problem.size(), static_cast<Index>(p.ports.size())),
+              MatrixXd::Zero(problem.size(), n_bodies + static_cast<Index>(p.nodes.size()))};
+  for (std::size_t k = 0; k < p.ports.size(); ++k)
+    loads.ports.col(static_cast<Index>(k)) = dense(problem.port_weights(k));
+  for (std::size_t b = 0; b < p.bodies.size(); ++b)
+    loads.means.col(static_cast<Index>(b)) = dense(problem.body_weights(b));
+  for (std::size_t k = 0; k < p.nodes.size(); ++k)
+    loads.means(problem.index_of_node(k), n_bodies + static_cast<Index>(k)) = 1.;
+  return loads;
+}
+
+/// Solutions of (K + s C) v = load.
+class Answers {
+ public:
+  explicit Answers(const HeatOperator& problem)
+      : problem_(problem),
+        shifted_(problem.pattern()),
+        solver_(make_linear_solver(problem.problem().numerics.solver, true)) {}
+  void set_shift(double s) {
+    shifted_.copy_from(problem_.conductance());
+    shifted_.add(s, problem_.capacity());
+    solver_->set_matrix(shifted_);
+  }
+  [[nodiscard]] VectorXd to(const VectorXd& load) const {
+    Vector v(static_cast<unsigned int>(load.size()));
+    std::copy(load.begin(), load.end(), v.begin());
+    solver_->solve(v);
+    return dense(v);
+  }
+
+ private:
+  const HeatOperator& problem_;
+  Matrix shifted_;
+  std::unique_ptr<LinearSolver> solver_;
+};
+
+/// Largest error of the answers within the space of all shifts, at shifts between those that made it: what the space itself leaves out.
+double error_of_space(const ModalHeat& wide, const Loads& loads, const std::vector<double>& shifts,
+                      const std::vector<double>& port_times, Answers& answers) {
+  double worst = 0.;
+  for (std::size_t k = 0; k + 1 < shifts.size(); k += check_every) {
+    const double s = std::sqrt(shifts[k] * shifts[k + 1]);
+    answers.set_shift(s);
+    for (Index p = 0; p < loads.ports.cols(); ++p) {
+      if (s * port_times[static_cast<std::size_t>(p)] > 1.) continue;
+      const VectorXd exact = answers.to(loads.ports.col(p)), b = wide.in.col(p);
+      const VectorXd z = b.array() / (wide.rate.array() + s);
+      worst = std::max(worst, std::fabs(b.dot(z) / loads.ports.col(p).dot(exact) - 1.));
+      const VectorXd means = loads.means.transpose() * exact, found = wide.out.transpose() * z;
+      const double least = mean_floor * means.cwiseAbs().maxCoeff();
+      worst = std::max(worst, ((found - means).array().abs() / (means.array().abs() + least)).maxCoeff());
+    }
+  }
+  return worst;
+}
+
+Space few_modes(const HeatOperator& problem, const ReductionSettings& settings) {
+  const Loads loads = loads_of(problem);
   Basis basis(problem.capacity());
   const auto uniform = uniform_fields(problem);
   for (const auto& v : uniform) basis.add(v);
-  const double slowest = 1. / settings.longest_time, fastest = 3. / settings.shortest_time;
+  const double slowest = 0.1 / settings.longest_time, fastest = 3. / settings.shortest_time;
   const int n_shifts = 1 + static_cast<int>(std::ceil(shifts_per_decade * std::log10(fastest / slowest)));
-  Matrix shifted(problem.pattern());
-  const auto solver = make_linear_solver(problem.problem().numerics.solver, true);
+  std::vector<double> shifts;
+  Answers answers(problem);
   for (int k = 0; k < n_shifts; ++k) {
-    const double s = slowest * std::pow(fastest / slowest, static_cast<double>(k) / std::max(1, n_shifts - 1));
-    shifted.copy_from(problem.conductance());
-    shifted.add(s, problem.capacity());
-    solver->set_matrix(shifted);
-    for (std::size_t p = 0; p < n_ports; ++p) {
-      Vector v = problem.port_weights(p);
-      solver->solve(v);
-      space.responses.push_back({s, p, v * problem.port_weights(p), v});
-      basis.add(dense(v));
-    }
+    shifts.push_back(slowest * std::pow(fastest / slowest, static_cast<double>(k) / std::max(1, n_shifts - 1)));
+    answers.set_shift(shifts.back());
+    for (const auto* loaded : {&loads.ports, &loads.means})
+      for (Index i = 0; i < loaded->cols(); ++i) basis.add(answers.to(loaded->col(i)));
   }
   const MatrixXd V = basis.matrix();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> all(symmetric(V.transpose() * times(problem.conductance(), V)));
   const MatrixXd modes = V * all.eigenvectors();
-  const VectorXd rate = all.eigenvalues().cwiseMax(0.);
+  const ModalHeat wide{all.eigenvalues().cwiseMax(0.), modes.transpose() * loads.ports,
+                       modes.transpose() * loads.means, VectorXd::Zero(loads.ports.cols())};
+  PortTimes from;
+  for (const auto& port : problem.problem().ports) from.push_back(std::max(settings.shortest_time, port.steady_for));
+  const double space_error = error_of_space(wide, loads, shifts, from, answers);
 
-  // Gramian of the modes over about the longest time, every port by its importance.
-  MatrixXd gramian = MatrixXd::Zero(rate.size(), rate.size());
-  for (std::size_t p = 0; p < n_ports; ++p) {
-    const VectorXd b = modes.transpose() * dense(problem.port_weights(p));
-    MatrixXd own(rate.size(), rate.size());
-    for (Index i = 0; i < rate.size(); ++i)
-      for (Index j = 0; j < rate.size(); ++j) own(i, j) = b(i) * b(j) / (rate(i) + rate(j) + 2. * slowest);
-    const double importance = problem.problem().ports[p].importance;
-    gramian += importance * importance / own.trace() * own;
-  }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> balanced(gramian);
+  MatrixXd fields(problem.size(), static_cast<Index>(uniform.size()));
+  for (std::size_t i = 0; i < uniform.size(); ++i) fields.col(static_cast<Index>(i)) = uniform[i];
+  const ModalResponses responses(wide, settings, from);
+  ReductionSettings chosen = settings;  // the space's own error adds to that of few modes in it
+  chosen.response_tolerance = std::max(settings.response_tolerance - space_error, 0.1 * settings.response_tolerance);
+  FewModes few = choose_modes(responses, times(problem.capacity(), modes).transpose() * fields, chosen);
+  few.errors.ports.array() += space_error;
+  few.errors.means.array() += space_error;
+  few.errors.largest += space_error;
 
-  // The uniform fields first, then the strongest directions, all in coordinates of the modes.
-  const MatrixXd C_modes = times(problem.capacity(), modes);
-  MatrixXd chosen(rate.size(), 0);
-  const auto choose = [&](VectorXd v) {
-    const double before = v.norm();
-    for (int pass = 0; pass < 2; ++pass) v -= chosen * (chosen.transpose() * v);
-    if (v.norm() <= dependent * before) return;
-    chosen.conservativeResize(Eigen::NoChange, chosen.cols() + 1);
-    chosen.rightCols(1) = v.normalized();
-  };
-  for (const auto& v : uniform) choose(C_modes.transpose() * v);
-  const auto most = static_cast<Index>(settings.modes);
-  for (Index i = rate.size(); i-- > 0 && chosen.cols() < most;) choose(balanced.eigenvectors().col(i));
-
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> few(symmetric(chosen.transpose() * rate.asDiagonal() * chosen));
-  Index n = few.eigenvalues().size();
-  while (n > static_cast<Index>(uniform.size()) && few.eigenvalues()(n - 1) > settings.fastest) --n;
-  space.modes = modes * (chosen * few.eigenvectors().leftCols(n));
-  space.rate = few.eigenvalues().head(n);
-  return space;
+  // What the modes leave of a port's response where it is nearly static.
+  MatrixXd residues(wide.rate.size(), loads.ports.cols());
+  for (Index p = 0; p < residues.cols(); ++p)
+    residues.col(p) =
+        VectorXd(wide.in.col(p).array() / (wide.rate.array() + shift_of_residue)) -
+        few.modes * VectorXd(few.heat.in.col(p).array() / (few.heat.rate.array() + shift_of_residue));
+  return {modes * few.modes, few.heat.rate, few.heat.at_once, modes * residues, few.errors};
 }
 
 std::vector<double> weighted(const MatrixXd& modes, const Vector& weights) {
@@ -168,12 +214,14 @@ std::vector<double> weighted(const MatrixXd& modes, const Vector& weights) {
   return {sum.begin(), sum.end()};
 }
 
-/// Rise of a port per watt into it, in the reduced problem.
-double reduced_response(const ReducedHeat& d, std::size_t port, double s) {
-  const auto& shape = d.ports[port].shape;
-  double sum = d.ports[port].at_once;
-  for (std::size_t i = 0; i < d.n_modes(); ++i) sum += shape[i] * shape[i] / (d.capacity * (d.rate[i] + s));
-  return sum;
+/// The response that is furthest off, in words.
+std::string worst_response(const HeatOperator& problem, const ResponseErrors& e) {
+  const auto& p = problem.problem();
+  const std::string& port = problem.port_name(e.port);
+  if (!e.is_mean) return fmt::format("the {}'s own rise under heat at {:.2g} s", port, e.time);
+  const std::string& mean =
+      e.mean < p.bodies.size() ? p.bodies[e.mean].name : p.nodes[e.mean - p.bodies.size()].name;
+  return fmt::format("the mean of {} under heat into {} at {:.2g} s", mean, port, e.time);
 }
 
 }  // namespace
@@ -188,7 +236,7 @@ Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& sett
     if (!body.conductivity.is_constant() || !body.heat_capacity.is_constant())
       throw SolverError("the heat conduction of body \"" + body.name +
                         "\" cannot be reduced: its properties depend on temperature.");
-  Space space = settings.modes == 0 ? all_modes(problem) : krylov_modes(problem, settings);
+  Space space = settings.modes == 0 ? all_modes(problem) : few_modes(problem, settings);
 
   Reduction r;
   auto& d = r.data;
@@ -222,26 +270,23 @@ Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& sett
     std::copy(space.modes.col(i).begin(), space.modes.col(i).end(), field.begin());
     r.fields.push_back(std::move(field));
   }
-  // What the modes leave of a port's response where it is nearly static.
-  for (std::size_t k = 0; k < p.ports.size() && !space.responses.empty(); ++k) {
-    const Response* nearest = nullptr;
-    const auto distance = [](const Response& x) { return std::fabs(std::log(x.s / shift_of_residue)); };
-    for (const auto& response : space.responses)
-      if (response.port == k && (!nearest || distance(response) < distance(*nearest))) nearest = &response;
-    Vector residue = nearest->field;
-    for (std::size_t i = 0; i < d.n_modes(); ++i)
-      residue.add(-d.ports[k].shape[i] / (d.capacity * (d.rate[i] + nearest->s)), r.fields[i]);
+  if (space.residues.cols() == 0) return r;
+  for (std::size_t k = 0; k < p.ports.size(); ++k) {
+    const auto column = static_cast<Index>(k);
+    Vector residue(problem.size());
+    std::copy(space.residues.col(column).begin(), space.residues.col(column).end(), residue.begin());
     auto& port = d.ports[k];
-    port.at_once = residue * problem.port_weights(k);
+    port.at_once = space.at_once(column);
+    port.response_error = space.errors.ports(column);
     for (unsigned int i = 0; i < problem.size(); ++i)
       if (problem.port_weights(k)(i) != 0.) port.points_at_once.push_back(residue(i));
     r.residues.push_back(std::move(residue));
   }
-  for (const auto& response : space.responses) {
-    if (response.s > 1. / settings.shortest_time) continue;
-    double& error = d.ports[response.port].response_error;
-    error = std::max(error, std::fabs(reduced_response(d, response.port, response.s) / response.value - 1.));
-  }
+  Index mean = 0;
+  for (auto* outputs : {&d.bodies, &d.nodes})
+    for (auto& output : *outputs) output.response_error = space.errors.means(mean++);
+  d.response_error = space.errors.largest;
+  d.worst_response = worst_response(problem, space.errors);
   return r;
 }
 

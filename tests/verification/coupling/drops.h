@@ -43,6 +43,7 @@ inline std::vector<std::string> small_mesh(std::vector<std::string> overrides) {
 struct Finished {
   DropResult result;
   std::vector<std::vector<double>> growth;  ///< of each bearing [n_times * 5]
+  std::vector<double> bore_times, bore;     ///< [s] and mean temperature [K] of TB1's bore, as recorded
 };
 
 inline Finished run(const std::vector<std::string>& overrides, const std::string& name) {
@@ -51,10 +52,15 @@ inline Finished run(const std::vector<std::string>& overrides, const std::string
   options.directory = std::filesystem::path(::testing::TempDir()) / ("rotordrop-" + name + std::to_string(getpid()));
   options.force = true;
   options.elements = &drop->elements;
-  Finished finished{run_drop(drop->settings, *drop->machine, options), {}};
+  Finished finished{run_drop(drop->settings, *drop->machine, options), {}, {}, {}};
   for (const char* bearing : {"TB1", "TB2"})
     finished.growth.push_back(
         read_series(options.directory / "results.h5", std::string("/bearings/") + bearing + "/expansion").values);
+  const auto results = options.directory / "results.h5";
+  const bool is_windowed = drop->elements.coupling == FeCoupling::windowed;
+  finished.bore_times = read_series(results, is_windowed ? "/windows/time" : "/time").values;
+  const auto surface = read_series(results, is_windowed ? "/windows/TB1/bore" : "/fe/TB1/bore").values;
+  for (std::size_t i = 0; i < surface.size(); i += 3) finished.bore.push_back(surface[i]);
   std::filesystem::remove_all(options.directory);
   return finished;
 }
