@@ -1,19 +1,22 @@
 #!/usr/bin/env python3
 """Thermal preload of the reference case's angular-contact pair (TB2), written again from the equations, for tests to compare with.
 
-    /usr/bin/python3 validation/preload_loop.py
+    /usr/bin/python3 validation/preload_loop.py            # a minute
 
-Shares no code with the program. The pair is symmetric and unloaded, so its inner ring stays in the middle: rows in closed form instead of an
-equilibrium. Growth moves the two contact points of a ball and the centres of the grooves, as vectors in the plane of the axis. The circuit keeps
-its contacts without mass as algebraic unknowns (the program eliminates them). Needs numpy and scipy.
+Shares no code with the program; of its data it reads the rotor's dimensions. The pair is symmetric and unloaded, so its inner ring stays in the
+middle: rows in closed form instead of an equilibrium. Growth moves the two contact points of a ball and the centres of the grooves, as vectors in
+the plane of the axis. The circuit keeps its contacts without mass as algebraic unknowns (the program eliminates them). Balls conduct as they roll,
+heat spreads from their strips, and the shaft is a fin of two-ports; each of the three may be the published circuit's. Needs numpy and scipy.
 """
 
+import json
+import pathlib
 from dataclasses import dataclass
-from math import cos, log, pi, radians, sin, tan
+from math import cos, cosh, hypot, log, pi, radians, sin, sinh, sqrt, tan
 
 import numpy as np
 from scipy.integrate import quad, solve_ivp
-from scipy.optimize import brentq, fsolve
+from scipy.optimize import brentq, fsolve, minimize_scalar
 from scipy.special import ellipk, gamma
 
 E, NU, RHO, CONDUCTIVITY, HEAT, ALPHA = 2.0e11, 0.30, 7800.0, 70.0, 510.0, 11.8e-6
@@ -111,192 +114,271 @@ def disc(diameter):
 CAPACITY = [RHO * HEAT * disc(D_S) * WIDTH, RING_MASS * HEAT, 2 * Z * pi / 6 * D**3 * RHO * HEAT,
             RHO * HEAT * (disc(OUTSIDE) - disc(OUTER)) * WIDTH, RHO * HEAT * (disc(HOUSING) - disc(OUTSIDE)) * LENGTH]
 
-
-def flows(s, i, ci, b, co, o, h, heat, cooling=1.0):
-    """Heat into each node, the two contacts included."""
-    lost = 23 * max(h, 0) ** 0.25 * pi * HOUSING * LENGTH * h * cooling
-    return [(i - s) / R23 - cooling * s / R1, (s - i) / R23 + (ci - i) / R4, (i - ci) / R4 + (b - ci) / R5 + INNER_SHARE * heat,
-            (ci - b) / R5 + (co - b) / R5 - cooling * b / R6, (b - co) / R5 + (o - co) / R7 + (1 - INNER_SHARE) * heat, (co - o) / R7 + (h - o) / R8,
-            (o - h) / R8 - lost]
-
-
-def contacts(i, b, o, heat):
-    """Rises of the contacts, which hold no heat."""
-    return ((i / R4 + b / R5 + INNER_SHARE * heat) / (1 / R4 + 1 / R5), (o / R7 + b / R5 + (1 - INNER_SHARE) * heat) / (1 / R7 + 1 / R5))
-
-
-def growth_of(T, contact=None):
-    """From shaft, ring, ball, outer ring, housing; a contact counts with what its neighbours give it, without its own heat."""
-    s, i, b, o, h = T
-    ci = contacts(i, b, o, 0)[0] if contact is None else contact
-    mean = lambda r_in, r_out, T_in, T_out: (T_in * (2 * r_in + r_out) + T_out * (2 * r_out + r_in)) / (3 * (r_in + r_out))
-    inner, outer = mean(BORE / 2, INNER / 2, i, ci), mean(OUTER / 2, HOUSING / 2, o, h)
-    growth = even(inner, outer, b)
-    growth.outer_strain = ALPHA * o  # the housing does not hold the ring along the axis
-    return growth
-
-
-def rates(T, heat, cooling=1.0):
-    s, i, b, o, h = T
-    ci, co = contacts(i, b, o, heat)
-    q = flows(s, i, ci, b, co, o, h, heat, cooling)
-    return np.array([q[0], q[1], q[3], q[5], q[6]]) / CAPACITY
-
-
-def steady(heat, cooling=1.0):
-    return fsolve(lambda T: rates(T, heat, cooling), np.full(5, 0.4 * heat), xtol=1e-13)
-
-
-def made(T, omega, offset):
-    return friction_heat(row(offset, growth_of(T) + speed_growth(omega))[0], omega)
-
-
-# The same pair with contacts that conduct as they roll, and with spreading from the strips (thermal.contact_conduction = "rolling", thermal.spreading = "strip").
-STRIP = HALF_WIDTH
+# Spreading from strips on the raceways.
 R_INNER, R_OUTER = D_M / 2 - D / 2 * cos(PHI), D_M / 2 + D / 2 * cos(PHI)
+SIDE = D / 2 * sin(PHI)  # rows of an X pair lean outwards: strips of the inner race towards the middle, of the outer one away from it
 
 
 def spreading(thickness, middles, behind=None):
     """Strip over surface of a slab as wide as the pair, per length and conductivity 1; cosine series. behind: resistance times conductivity, thickness."""
     l = np.arange(1, 40001) * pi / WIDTH
-    c = np.mean([np.cos(l * x) for x in middles], axis=0) * np.sin(l * STRIP) / (l * STRIP)
+    c = np.mean([np.cos(l * x) for x in middles], axis=0) * np.sin(l * HALF_WIDTH) / (l * HALF_WIDTH)
     far = 1 / (l * behind[0] + 1 / np.tanh(l * behind[1])) if behind else 0.0
     near = np.tanh(l * thickness)
     return float(np.sum(2 / (WIDTH * l) * c**2 * (1 + far * near) / (far + near)))
 
 
-SIDE = D / 2 * sin(PHI)  # rows of an X pair lean outwards: strips of the inner race towards the middle, of the outer one away from it
 # Of the wall under the groove instead of the ring's up to its shoulder.
 R4_WALL = log(R_INNER / ((R_INNER + BORE / 2) / 2)) / (2 * pi * CONDUCTIVITY * WIDTH)
 R7_WALL = log((R_OUTER + OUTSIDE / 2) / 2 / R_OUTER) / (2 * pi * CONDUCTIVITY * WIDTH)
-R4_STRIP = R4_WALL + spreading(R_INNER - BORE / 2, [WIDTH / 4 + SIDE, 3 * WIDTH / 4 - SIDE]) / (2 * pi * R_INNER * CONDUCTIVITY)
-R7_STRIP = R7_WALL + spreading(OUTSIDE / 2 - R_OUTER, [WIDTH / 4 - SIDE, 3 * WIDTH / 4 + SIDE],
-                          (FIT * pi * OUTSIDE * WIDTH * CONDUCTIVITY, (HOUSING - OUTSIDE) / 2)) / (2 * pi * R_OUTER * CONDUCTIVITY)
+R4_SPREADING = spreading(R_INNER - BORE / 2, [WIDTH / 4 + SIDE, 3 * WIDTH / 4 - SIDE]) / (2 * pi * R_INNER * CONDUCTIVITY)
+R7_SPREADING = spreading(OUTSIDE / 2 - R_OUTER, [WIDTH / 4 - SIDE, 3 * WIDTH / 4 + SIDE],
+                         (FIT * pi * OUTSIDE * WIDTH * CONDUCTIVITY, (HOUSING - OUTSIDE) / 2)) / (2 * pi * R_OUTER * CONDUCTIVITY)
+
+# The shaft beside its lump.
+NODE, OTHER_NODE = 28, 2
+ROTOR = json.loads((pathlib.Path(__file__).resolve().parents[1] / "params/neisi2019-rotor.json").read_text())
+STATION = {node["id"]: node["x"] for node in ROTOR["nodes"]}
 
 
-def rolling_contact(axis, k, Q, speed):
-    """A ball and a race of one material in series: static and rolling conductance of an ellipse, mixed by squares."""
+def fin_side(sign):
+    """Two-ports [T; flow] -> [T; flow] of the pieces of one side, from the bearing outwards, with their volumes. No heat leaves the far end."""
+    face = STATION[NODE] + sign * WIDTH / 2
+    end = max(STATION.values()) if sign > 0 else (STATION[NODE] + STATION[OTHER_NODE]) / 2
+    left, length, at, pieces = abs(end - face), 0.15 * D_S, face, []
+    assert left < 4 / sqrt(4 * H_SHAFT / (CONDUCTIVITY * D_S))  # else it would be cut there
+    while left > 1e-9:
+        length = left if left < 1.5 * length else length
+        low, high = sorted((at, at + sign * length))
+        overlap = [(max(0.0, min(high, STATION[e["n2"]]) - max(low, STATION[e["n1"]])) / length, e["od"]) for e in ROTOR["elements"]]
+        section, perimeter = sum(part * disc(d) for part, d in overlap), sum(part * pi * d for part, d in overlap)
+        s, ml = sqrt(H_SHAFT * perimeter * CONDUCTIVITY * section), length * sqrt(H_SHAFT * perimeter / (CONDUCTIVITY * section))
+        pieces.append((np.array([[cosh(ml), sinh(ml) / s], [s * sinh(ml), cosh(ml)]]), section * length))
+        at, left, length = at + sign * length, left - length, 2.2 * length
+    return pieces
+
+
+# Heat that enters the lump evenly along its length leaves at both faces.
+TO_FACE = WIDTH / 2 / (3 * CONDUCTIVITY * disc(D_S))
+
+
+def fin_chain(sign):
+    """Each two-port as a T: arms to its neighbours, a shunt to ambient at the middle, where its capacity is. (capacity, to the node before, to ambient)."""
+    nodes, arm = [], TO_FACE
+    for port, volume in fin_side(sign):
+        own = (port[0, 0] - 1) / port[1, 0]
+        nodes.append((RHO * HEAT * volume, arm + own, 1 / port[1, 0]))
+        arm = own
+    return nodes
+
+
+def fin_conductance(sign):
+    """From the lump into one side in steady heat, by multiplying two-ports."""
+    whole = np.linalg.multi_dot([port for port, _ in fin_side(sign)] + [np.eye(2)])
+    return 1 / (TO_FACE + whole[0, 0] / whole[1, 0])
+
+
+def rolling_contact(axis, k, Q, speed, oil):
+    """A ball and a race of one material in series: static and rolling conductance of an ellipse, mixed by squares; a film of oil behind them."""
     a = axis * Q ** (1 / 3)
     at_rest = 2 * pi * CONDUCTIVITY * a / ellipk(1 - 1 / k**2)
     effusivity = (CONDUCTIVITY * RHO * HEAT) ** 0.5
     rolling = 2 * (2 * a / k * speed) ** 0.5 * effusivity * a * gamma(1.25) / gamma(1.75)
-    return 0.5 * hypot(at_rest, rolling)
+    return 1 / (2 / hypot(at_rest, rolling) + oil / (OIL_CONDUCTIVITY * pi * a * a / k))
 
 
-def rolling_balls(Q, omega):
-    """Star of both contacts and the way into the ball as a triangle, all balls alike: inner race to ball, outer race to ball, race to race."""
-    if Q <= 0:
-        return 0.0, 0.0, 0.0
-    turn = D * cos(PHI) / D_M
-    speed = omega * D_M / 4 * (1 - turn**2)
-    G_i, G_o = (rolling_contact(axis, k, Q, speed) for _, axis, k in (INNER_RACE, OUTER_RACE))
-    G_b = 2 * pi**2 * CONDUCTIVITY * D / 2 / (log(D / 2 / HALF_WIDTH) + 0.43)
-    per = 2 * Z / (G_i + G_o + G_b)
-    return per * G_i * G_b, per * G_o * G_b, per * G_i * G_o
+OIL_CONDUCTIVITY, LIMIT = 0.14, 150 + 273.15 - AMBIENT
 
 
-def rolling_state(T, omega, offset):
-    """Axial force and ball load; the inner ring grows with its own temperature."""
-    return row(offset, growth_of(T, contact=T[1]) + speed_growth(omega))
+@dataclass
+class Pair:
+    """The pair at a speed [rad/s] and its circuit. Temperatures: shaft, inner ring, balls, outer ring, housing, then the fin from the bearing to the left, to the right."""
 
+    omega: float
+    preload: float = 290.0
+    cooling: float = 1.0
+    rolls: bool = True
+    strips: bool = True
+    fin: bool = True
+    oil: float = 0.0
 
-def rolling_rates(T, heat, omega, offset):
-    s, i, b, o, h = T
-    G_ib, G_ob, G_io = rolling_balls(rolling_state(T, omega, offset)[1], omega)
-    ci, co = np.linalg.solve([[1 / R4_STRIP + G_ib + G_io, -G_io], [-G_io, 1 / R7_STRIP + G_ob + G_io]],
-                             [i / R4_STRIP + G_ib * b + INNER_SHARE * heat, o / R7_STRIP + G_ob * b + (1 - INNER_SHARE) * heat])
-    lost = 23 * max(h, 0) ** 0.25 * pi * HOUSING * LENGTH * h
-    into = [(i - s) / R23 - s / R1, (s - i) / R23 + (ci - i) / R4_STRIP, G_ib * (ci - b) + G_ob * (co - b) - b / R6, (co - o) / R7_STRIP + (h - o) / R8,
-            (o - h) / R8 - lost]
-    return np.array(into) / CAPACITY
+    def __post_init__(self):
+        self.offset = offset_of(self.preload)
+        self.speed_growth = speed_growth(self.omega)
+        self.R4, self.R7 = (R4_WALL + R4_SPREADING, R7_WALL + R7_SPREADING) if self.strips else (R4, R7)
+        self.on_strips = R4_WALL / (R4_WALL + R4_SPREADING) if self.strips else 1.0
+        sides = [fin_chain(-1), fin_chain(1)] if self.fin else []
+        self.capacity = np.array(CAPACITY + [capacity for side in sides for capacity, _, _ in side])
+        self.links, n = [], 5  # (node, node before, resistance, to ambient)
+        for side in sides:
+            for k, (_, before, shunt) in enumerate(side):
+                self.links.append((n, n - 1 if k else 0, before, shunt))
+                n += 1
 
+    def growth(self, T):
+        s, i, b, o, h = T[:5]
+        # A contact counts with what its neighbours give it, without its own heat; contacts that roll do not count.
+        strip = i if self.rolls else (i / self.R4 + b / R5) / (1 / self.R4 + 1 / R5)
+        raceway = i + self.on_strips * (strip - i)
+        mean = lambda r_in, r_out, T_in, T_out: (T_in * (2 * r_in + r_out) + T_out * (2 * r_out + r_in)) / (3 * (r_in + r_out))
+        growth = even(mean(BORE / 2, INNER / 2, i, raceway), mean(OUTER / 2, HOUSING / 2, o, h), b)
+        growth.outer_strain = ALPHA * o  # the housing does not hold the ring along the axis
+        return growth + self.speed_growth
 
-def rolling_points(rpm, brackets):
-    """Operating points of the pair whose contacts roll."""
-    omega, offset = rpm * pi / 30, offset_of(290)
-    made_by = lambda T: friction_heat(rolling_state(T, omega, offset)[0], omega)
-    steady_at = lambda Q: fsolve(lambda T: rolling_rates(T, Q, omega, offset), np.full(5, 0.4 * Q), xtol=1e-13)
-    balance = lambda Q: made_by(steady_at(Q)) - Q
-    for low, high in brackets:
-        Q = brentq(balance, low, high, xtol=1e-12, rtol=1e-14)
-        T = steady_at(Q)
-        axial, load = rolling_state(T, omega, offset)
-        gain = (balance(Q * 1.0001) - balance(Q * 0.9999)) / (2e-4 * Q) + 1
-        J = np.empty((5, 5))
-        for k in range(5):
-            step = np.zeros(5)
+    def state(self, T):
+        """Preload, load of a ball."""
+        return row(self.offset, self.growth(T))
+
+    def made(self, T):
+        return friction_heat(self.state(T)[0], self.omega)
+
+    def balls(self, T):
+        """Star of both contacts and the way into the ball as a triangle, all balls alike: inner race to ball, outer race to ball, race to race [W/K]."""
+        if not self.rolls:
+            return 1 / R5, 1 / R5, 0.0
+        Q = self.state(T)[1]
+        if Q <= 0:
+            return 0.0, 0.0, 0.0
+        turn = D * cos(PHI) / D_M
+        speed = self.omega * D_M / 4 * (1 - turn**2)
+        G_i, G_o = (rolling_contact(axis, k, Q, speed, self.oil) for _, axis, k in (INNER_RACE, OUTER_RACE))
+        G_b = 2 * pi**2 * CONDUCTIVITY * D / 2 / (log(D / 2 / HALF_WIDTH) + 0.43)
+        per = 2 * Z / (G_i + G_o + G_b)
+        return per * G_i * G_b, per * G_o * G_b, per * G_i * G_o
+
+    def contacts(self, T, heat, balls=None):
+        """Rises of the two contacts, which hold no heat."""
+        s, i, b, o, h = T[:5]
+        G_ib, G_ob, G_io = balls or self.balls(T)
+        return np.linalg.solve([[1 / self.R4 + G_ib + G_io, -G_io], [-G_io, 1 / self.R7 + G_ob + G_io]],
+                               [i / self.R4 + G_ib * b + INNER_SHARE * heat, o / self.R7 + G_ob * b + (1 - INNER_SHARE) * heat])
+
+    def flows(self, T, heat):
+        """Heat into each node [W]."""
+        s, i, b, o, h = T[:5]
+        balls = self.balls(T)
+        ci, co = self.contacts(T, heat, balls)
+        q = np.zeros(len(T))
+        q[:5] = [(i - s) / R23 - self.cooling * s / R1, (s - i) / R23 + (ci - i) / self.R4, balls[0] * (ci - b) + balls[1] * (co - b) - self.cooling * b / R6,
+                 (co - o) / self.R7 + (h - o) / R8, (o - h) / R8 - self.cooling * 23 * max(h, 0) ** 0.25 * pi * HOUSING * LENGTH * h]
+        for node, before, resistance, to_ambient in self.links:
+            flow = (T[before] - T[node]) / resistance
+            q[before] -= flow
+            q[node] += flow - self.cooling * T[node] / to_ambient
+        return q
+
+    def rates(self, T, heat):
+        return self.flows(T, heat) / self.capacity
+
+    def steady(self, heat, guess=None):
+        start = np.full(len(self.capacity), 0.3 * heat) if guess is None else guess
+        T, _, done, message = fsolve(lambda T: self.flows(T, heat), start, xtol=1e-13, full_output=True)
+        assert done == 1 or np.abs(self.flows(T, heat)).max() < 1e-9 * (1 + heat), message
+        return T
+
+    def excess(self, heat, guess=None):
+        """Heat that is made over the heat that is given away in a steady state."""
+        return self.made(self.steady(heat, guess)) - heat
+
+    def all_points(self):
+        """Temperatures of all operating points; of circuits with fixed contacts, which have one steady state for a heat."""
+        heats = np.geomspace(1, 400, 60)
+        excess = [self.excess(Q) for Q in heats]
+        return [self.steady(brentq(self.excess, heats[k], heats[k + 1], xtol=1e-12, rtol=1e-14)) for k in range(len(heats) - 1) if excess[k] * excess[k + 1] < 0]
+
+    def settled(self, guess=None):
+        """Temperatures of the operating point that is reached from cold: in time, then exactly. With a guess the point near it."""
+        if guess is None:
+            way = solve_ivp(lambda t, T: self.rates(T, self.made(T)), (0, 1e5), np.zeros(len(self.capacity)), method="Radau", rtol=1e-6, atol=1e-6)
+            guess = way.y[:, -1]
+        T, _, done, message = fsolve(lambda T: self.flows(T, self.made(T)), guess, xtol=1e-13, full_output=True)
+        assert done == 1 or np.abs(self.flows(T, self.made(T))).max() < 1e-9 * self.made(T), message
+        return T
+
+    def hottest(self, T):
+        return max(*T, *self.contacts(T, self.made(T)))
+
+    def loop(self, T):
+        """Gain of the loop and its largest eigenvalue, by differences."""
+        heat, n = self.made(T), len(self.capacity)
+        gain = (self.excess(heat * 1.0001, T) - self.excess(heat * 0.9999, T)) / (2e-4 * heat) + 1
+        J = np.empty((n, n))
+        for k in range(n):
+            step = np.zeros(n)
             step[k] = 1e-4
-            J[:, k] = (rolling_rates(T + step, made_by(T + step), omega, offset) - rolling_rates(T - step, made_by(T - step), omega, offset)) / 2e-4
-        G = rolling_balls(load, omega)
-        print(f"rolling, {rpm} rpm: heat {Q:.8f} W, preload {axial:.6f} N, ball load {load:.7f} N, gain {gain:.6f}, eigenvalue {max(np.linalg.eigvals(J).real):.7e} 1/s, "
-              f"conductances {G[0]:.7f} {G[1]:.7f} {G[2]:.7f} W/K, rises s i b o h {np.array2string(T, precision=7)}")
+            J[:, k] = (self.rates(T + step, self.made(T + step)) - self.rates(T - step, self.made(T - step))) / 2e-4
+        return gain, max(np.linalg.eigvals(J).real)
+
+    def runaway(self):
+        """From cold to 150 degC anywhere or 4.2 GPa: what, when, preload then."""
+        hot = lambda t, T: LIMIT - self.hottest(T)
+        pressed = lambda t, T: 4.2e9 - pressure(self.state(T)[1])
+        hot.terminal = pressed.terminal = True
+        way = solve_ivp(lambda t, T: self.rates(T, self.made(T)), (0, 1e6), np.zeros(len(self.capacity)), method="Radau", rtol=1e-9, atol=1e-9, events=(hot, pressed))
+        return "temperature" if len(way.t_events[0]) else "pressure", way.t[-1], self.state(way.y[:, -1])[0]
 
 
-def largest_shortfall(omega, preload=290.0, cooling=1.0):
+def largest_shortfall(pair):
     """The most by which heat can leave faster than it is made; an operating point exists if it is positive."""
-    offset = offset_of(preload)
-    grid = np.linspace(1, 400, 800)
-    values = [Q - made(steady(Q, cooling), omega, offset) for Q in grid]
+    grid = np.geomspace(1, 400, 40)
+    values = [-pair.excess(Q) for Q in grid]
     best = int(np.argmax(values))
-    low, high = grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]
-    for _ in range(60):  # golden section
-        a, b = high - 0.618034 * (high - low), low + 0.618034 * (high - low)
-        if a - made(steady(a, cooling), omega, offset) > b - made(steady(b, cooling), omega, offset):
-            high = b
-        else:
-            low = a
-    Q = (low + high) / 2
-    return Q - made(steady(Q, cooling), omega, offset)
+    found = minimize_scalar(pair.excess, bounds=(grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]), method="bounded", options={"xatol": 1e-6})
+    return -found.fun
 
 
-ROLLING = ((2000, ((1, 60),)), (3000, ((1, 100),)))  # rpm, brackets of heat [W]
+def limit_reached(pair_with, low, high):
+    """Where between two values the operating point's hottest place reaches the limit; the loop leaves it stable until then."""
+    last = [pair_with(low).settled()]
+
+    def over(value):
+        pair = pair_with(value)
+        T = pair.settled(last[0])
+        return pair.hottest(T) - LIMIT
+
+    for value in np.geomspace(low, high, 12)[1:]:  # step by step, so that the guess stays near
+        T = pair_with(value).settled(last[0])
+        if pair_with(value).hottest(T) > LIMIT:
+            break
+        low, last[0] = value, T
+    found = brentq(over, low, value, xtol=1e-7 * low)
+    gain, eigenvalue = pair_with(found).loop(pair_with(found).settled(last[0]))
+    assert eigenvalue < 0 and gain < 1
+    return found
+
+
+CIRCUITS = {"physical": {}, "rolling and strips, no fin": {"fin": False}, "oil film 0.1 um": {"oil": 0.1e-6}, "published": {"rolls": False, "strips": False, "fin": False}}
+SPEEDS = {"physical": (3000, 15200), "rolling and strips, no fin": (2000, 3000), "oil film 0.1 um": (3000,), "published": (3000,)}  # rpm
 
 
 def main():
-    offset = offset_of(290)
+    offset, rpm = offset_of(290), pi / 30
     print(f"K_b = {K:.6e} N/m^1.5, preload under 1.4 and 5 um: {row(offset, Growth(1.4e-6))[0]:.6f} {row(offset, Growth(5e-6))[0]:.6f} N")
     for name, growth in (("even, -50 K", even(-50, -50, -50)), ("even, +50 K", even(50, 50, 50)), ("even, +150 K", even(150, 150, 150)),
                          ("inner ring 5 K warmer", even(5)), ("even, +15 K, Si3N4 balls", even(15, 15, 15, ball_alpha=3.2e-6)),
                          ("even, +25 K, Si3N4 balls", even(25, 25, 25, ball_alpha=3.2e-6))):
         print(f"{name}: X {row(offset, growth)[0]:.6f} N, O {row(offset, growth, -1)[0]:.6f} N")
-    omega = 3000 * pi / 30
-    balance = lambda Q: made(steady(Q), omega, offset) - Q
-    heats = np.linspace(1, 400, 134)
-    short = [balance(Q) for Q in heats]
-    for low, high in [(heats[k], heats[k + 1]) for k in range(len(heats) - 1) if short[k] * short[k + 1] < 0]:
-        Q = brentq(balance, low, high, xtol=1e-12, rtol=1e-14)
-        T = steady(Q)
-        axial, load = row(offset, growth_of(T) + speed_growth(omega))
-        gain = (balance(Q * 1.0001) - balance(Q * 0.9999)) / (2e-4 * Q) + 1
-        J = np.empty((5, 5))
-        for k in range(5):
-            step = np.zeros(5)
-            step[k] = 1e-4
-            J[:, k] = (rates(T + step, made(T + step, omega, offset)) - rates(T - step, made(T - step, omega, offset))) / 2e-4
-        print(f"3000 rpm: heat {Q:.8f} W, preload {axial:.6f} N, ball load {load:.7f} N, pressure {pressure(load):.6e} Pa, gain {gain:.6f}, "
-              f"eigenvalue {max(np.linalg.eigvals(J).real):.7e} 1/s, rises s i b o h {np.array2string(T, precision=7)}")
-    for rpm, brackets in ROLLING:
-        rolling_points(rpm, brackets)
-    critical = brentq(lambda rpm: largest_shortfall(rpm * pi / 30), 2500, 6000, xtol=1e-4)
-    print(f"critical speed {critical:.3f} rpm")
-    print(f"critical preload at 3000 rpm {brentq(lambda P: largest_shortfall(omega, P), 290, 1500, xtol=1e-4):.4f} N")
-    print(f"critical cooling at 3000 rpm {brentq(lambda f: largest_shortfall(omega, 290, f), 0.1, 1, xtol=1e-7):.6f}")
-    for rpm in (6000, 15200):
-        omega = rpm * pi / 30
-
-        def hot(t, T):
-            heat = made(T, omega, offset)
-            i, b, o = T[1], T[2], T[3]
-            return 150 + 273.15 - AMBIENT - max(max(T), *contacts(i, b, o, heat))
-
-        def pressed(t, T):
-            return 4.2e9 - pressure(row(offset, growth_of(T) + speed_growth(omega))[1])
-
-        hot.terminal = pressed.terminal = True
-        way = solve_ivp(lambda t, T: rates(T, made(T, omega, offset)), (0, 1e6), np.zeros(5), method="Radau", rtol=1e-9, atol=1e-9, events=(hot, pressed))
-        T = way.y[:, -1]
-        print(f"{rpm} rpm: {'temperature' if len(way.t_events[0]) else 'pressure'} after {way.t[-1]:.6f} s, preload "
-              f"{row(offset, growth_of(T) + speed_growth(omega))[0]:.5f} N")
+    for sign, side in ((-1, "left"), (1, "right")):
+        print(f"fin to the {side}: {len(fin_side(sign))} nodes, {fin_conductance(sign):.9f} W/K in steady heat")
+    for circuit, options in CIRCUITS.items():
+        for speed in SPEEDS[circuit]:
+            pair = Pair(speed * rpm, **options)
+            for T in pair.all_points() if circuit == "published" else [pair.settled()]:
+                axial, load = pair.state(T)
+                gain, eigenvalue = pair.loop(T)
+                print(f"{circuit}, {speed} rpm: heat {pair.made(T):.8f} W, preload {axial:.6f} N, ball load {load:.7f} N, pressure {pressure(load):.6e} Pa, gain {gain:.6f}, "
+                      f"eigenvalue {eigenvalue:.7e} 1/s, balls {' '.join(f'{G:.7f}' for G in pair.balls(T))} W/K, rises s i b o h {np.array2string(T[:5], precision=7)}"
+                      + (f", fin {np.array2string(T[5:], precision=7)}" if pair.fin else ""), flush=True)
+    published = CIRCUITS["published"]
+    print(f"published: critical speed {brentq(lambda n: largest_shortfall(Pair(n * rpm, **published)), 2500, 6000, xtol=1e-3):.3f} rpm")
+    print(f"published: critical preload at 3000 rpm {brentq(lambda P: largest_shortfall(Pair(3000 * rpm, P, **published)), 290, 1500, xtol=1e-4):.4f} N")
+    print(f"published: critical cooling at 3000 rpm {brentq(lambda f: largest_shortfall(Pair(3000 * rpm, 290, f, **published)), 0.02, 1, xtol=1e-7):.6f}", flush=True)
+    print(f"physical: the limit at {limit_reached(lambda n: Pair(n * rpm), 15200, 30000):.3f} rpm")
+    print(f"physical: the limit at 15200 rpm with {limit_reached(lambda P: Pair(15200 * rpm, P), 290, 6000):.4f} N mounted")
+    print(f"physical: the limit at 15200 rpm with {1 / limit_reached(lambda f: Pair(15200 * rpm, 290, 1 / f), 1, 20):.6f} of the cooling", flush=True)
+    for circuit, speed in (("physical", 24000), ("published", 6000), ("published", 15200)):
+        what, time, preload = Pair(speed * rpm, **CIRCUITS[circuit]).runaway()
+        print(f"{circuit}, {speed} rpm: {what} after {time:.6f} s, preload {preload:.5f} N", flush=True)
 
 
 if __name__ == "__main__":

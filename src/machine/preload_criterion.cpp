@@ -44,15 +44,18 @@ struct Sample {
   [[nodiscard]] double excess() const { return made - heat; }
 };
 
-/// T(Q), Phi(Q), warm from the sample before.
+/// T(Q), Phi(Q), from the sample before. Rolling balls may have several steady states under one heat, with and without load: under a heat no less than the sample
+/// before both ways end in the same one, otherwise the way is from cold, as the bearing's own.
 class Samples {
  public:
   Samples(const PreloadLoop& loop, const PreloadLimits& limits) : loop_(loop), limits_(limits), start_(loop.cold()) {}
   Sample operator()(double heat) {
     Sample s;
     s.heat = heat;
+    if (loop_.bearing().balls_roll() && heat < start_heat_) start_ = loop_.cold();
     s.T = heat > 0. ? loop_.steady(heat, start_) : loop_.cold();
     start_ = s.T;
+    start_heat_ = heat;
     const auto state = loop_.state(s.T);
     s.made = state.heat;
     s.met = limit_met(loop_, limits_, s.T, state);
@@ -63,6 +66,7 @@ class Samples {
   const PreloadLoop& loop_;
   const PreloadLimits& limits_;
   std::vector<double> start_;
+  double start_heat_ = 0;
 };
 
 /// Largest heat within the limits [W].
@@ -84,14 +88,15 @@ double largest_heat(Samples& sample, double first, LimitMet& met) {
   return inside;
 }
 
-/// Phi(Q) - Q changes its sign between a and b.
-Sample crossing(Samples& sample, Sample a, Sample b) {
+/// Phi(Q) - Q changes its sign between a and b. Nothing where it jumps: balls of a steady state may lose their load, and with it their heat conduction, all at once.
+std::optional<Sample> crossing(Samples& sample, Sample a, Sample b) {
   while (b.heat - a.heat > 1e-12 * b.heat) {
     const double middle = 0.5 * (a.heat + b.heat);
     if (middle <= a.heat || middle >= b.heat) break;
     Sample m = sample(middle);
     ((m.excess() > 0.) == (a.excess() > 0.) ? a : b) = std::move(m);
   }
+  if (std::fabs(b.excess()) > 1e-5 * b.heat) return {};
   return b;
 }
 
@@ -215,7 +220,7 @@ OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimi
     if (line.front().excess() == 0.) found.points.push_back(point_of(loop, line.front()));  // it makes no heat at all
     for (std::size_t i = 1; i < line.size(); ++i)
       if (line[i - 1].excess() != 0. && (line[i].excess() > 0.) != (line[i - 1].excess() > 0.))
-        found.points.push_back(point_of(loop, crossing(sample, line[i - 1], line[i])));
+        if (const auto at = crossing(sample, line[i - 1], line[i])) found.points.push_back(point_of(loop, *at));
   }
   for (const auto& s : line) {
     found.heat.push_back(s.heat);

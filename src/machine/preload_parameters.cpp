@@ -100,6 +100,12 @@ Section<PreloadParameters> preload_section() {
             {.fallback = false,
              .help = "Whether histories put the recorded force of balls on ring on the inner ring, or leave it "
                      "unloaded."});
+  s.boolean(
+      "critical_values", &P::critical_values,
+      {.fallback = true,
+       .help =
+           "Whether the critical speed, preload and cooling, and the operating points over speed, are looked for. They "
+           "take most of the computing time."});
   s.quantity("end_time", &P::end_time,
              {.unit = "s",
               .range = positive(),

@@ -37,6 +37,7 @@ struct PreloadParameters {
   double interference = 0;                              ///< of outer ring and housing, more than as mounted [m]
   GrowthBySpeed growth_by_speed = GrowthBySpeed::none;  ///< in maps, histories and running alike
   bool history_under_load = false;                      ///< histories with the recorded force
+  bool critical_values = true;                          ///< found, and operating points over speed
   double end_time = 0;                                  ///< [s]
   double settled_rate = 0;                              ///< [K/s]
   double temperature_limit = 0;                         ///< [K]

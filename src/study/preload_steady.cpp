@@ -193,7 +193,7 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
 
   Json critical = Json::object();
   std::optional<CriticalFactor> critical_speed;
-  if (speed > 0.) {
+  if (speed > 0. && p.preload.critical_values) {
     critical_speed = find_critical_factor([&](double f) { return with({.speed = f}); }, 2., limits);
     critical["speed"] = critical_json(critical_speed, speed);
     critical["preload"] =
@@ -219,7 +219,7 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
   search.axis = points.heat;
   for (const double made : points.made) search.rows.push_back({made});
   tables.push_back(std::move(search));
-  if (speed > 0.) tables.push_back(points_over_speed(c, bearing, with, critical_speed));
+  if (speed > 0. && p.preload.critical_values) tables.push_back(points_over_speed(c, bearing, with, critical_speed));
   return j;
 }
 

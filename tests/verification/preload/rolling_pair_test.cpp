@@ -1,7 +1,8 @@
-// Thermal preload of the reference case's pair TB2 whose balls conduct as they roll, with heat that spreads from their strips.
+// Thermal preload of the reference case's pair TB2 whose balls conduct as they roll, with heat that spreads from their strips and a shaft that is a fin (params/neisi2019-preload.toml).
 //
-// PEER. validation/preload_loop.py, "rolling": the contacts' conductances, their star of inner race, outer race and ball and the spreading from strips written again, the
-// contacts' temperatures by a linear solution at every evaluation, differences of everything for gain and eigenvalue. It shares no code with the program.
+// PEER. validation/preload_loop.py, "physical": the contacts' conductances, their star of inner race, outer race and ball, the spreading from strips and the fin's two-ports written again,
+// the contacts' temperatures by a linear solution at every evaluation, operating points by scipy's Radau and fsolve, differences of everything for gain and eigenvalue. It shares no
+// code with the program.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,39 +17,73 @@ namespace {
 constexpr double ambient = 293.15;
 
 Case rolling(const std::string& speed, std::vector<std::string> more = {}) {
-  more.insert(more.end(), {"preload.speed=" + speed, "thermal.contact_conduction=rolling", "thermal.spreading=strip"});
-  return read_case(std::string(ROTORDROP_SOURCE_DIR) + "/params/neisi2019.toml", more);
+  more.push_back("preload.speed=" + speed);
+  return read_case(std::string(ROTORDROP_SOURCE_DIR) + "/params/neisi2019-preload.toml", more);
 }
 
-std::unique_ptr<PreloadLoop> loop_of(const Case& c) {
-  return build_preload_loop(c.parameters, c.tree, "TB2", rest_finder("TB2"), {});
+std::unique_ptr<PreloadLoop> loop_of(const Case& c, const PreloadVariation& v = {}) {
+  return build_preload_loop(c.parameters, c.tree, "TB2", rest_finder("TB2"), v);
 }
 
 TEST(RollingPair, OperatingPointsAreThoseOfThePeer) {
   struct Line {
     const char* speed;
+    std::vector<std::string> more;
     double heat, preload, gain, eigenvalue;
     std::array<double, 3> conductance;
     std::array<double, 5> rise;
+    std::vector<double> fin;
   };
-  for (const Line& peer : {Line{"2000 rpm",
-                                10.57463552,
-                                375.452132,
-                                0.194497,
-                                -1.0072568e-03,
-                                {6.8663809, 7.1373351, 0.5437807},
-                                {6.3824966, 6.4716471, 6.18706, 6.307965, 6.2554914}},
-                           Line{"3000 rpm",
-                                21.56982023,
-                                478.435625,
-                                0.332723,
-                                -9.1791122e-04,
-                                {8.9851183, 9.3417237, 0.9782715},
-                                {12.1669285, 12.3368758, 11.9005807, 11.9525814, 11.8361348}}}) {
-    const Case c = rolling(peer.speed);
+  for (const Line& peer :
+       {Line{"3000 rpm",
+             {},
+             9.66463288,
+             237.402510,
+             -0.179994,
+             -3.8267855e-04,
+             {6.6939254, 6.9589541, 0.5148697},
+             {1.8400867, 2.0929709, 2.5389121, 2.9696123, 2.9491135},
+             {1.6626804, 1.4167631, 1.0490362, 0.6093871, 0.3327588, 1.7918932, 1.7166503, 1.6181282}},
+        Line{"15200 rpm",
+             {},
+             189.35254836,
+             848.053199,
+             -0.548782,
+             -3.7259830e-04,
+             {19.8980904, 20.6940292, 6.4809663},
+             {33.3400555, 37.9219993, 42.266928, 43.0775744, 42.5019677},
+             {30.1256772, 25.6699645, 19.0072161, 11.041328, 6.0291706, 32.4668496, 31.1035431, 29.3184468}},
+        Line{"2000 rpm",
+             {"thermal.shaft=lump"},
+             6.52251934,
+             312.152347,
+             0.031555,
+             -1.1358349e-03,
+             {6.3441250, 6.5942370, 0.4587673},
+             {4.0967179, 4.1539408, 3.9683268, 4.0792299, 4.0487672},
+             {}},
+        Line{"3000 rpm",
+             {"thermal.shaft=lump"},
+             11.95508319,
+             344.833098,
+             0.058371,
+             -1.1844997e-03,
+             {7.8500138, 8.1612389, 0.7270592},
+             {7.1169987, 7.2164087, 6.9421789, 7.0392061, 6.979039},
+             {}},
+        Line{"3000 rpm",
+             {"thermal.oil_film=0.1 um"},
+             7.96984758,
+             146.088861,
+             -0.478995,
+             -3.7536225e-04,
+             {1.8215848, 1.9742667, 0.0358440},
+             {1.3354405, 1.5189709, 2.1878437, 3.3472445, 3.3234432},
+             {1.2066882, 1.028214, 0.7613367, 0.4422619, 0.2414993, 1.3004642, 1.2458567, 1.1743545}}}) {
+    const Case c = rolling(peer.speed, peer.more);
     const auto loop = loop_of(c);
     const auto found = find_operating_points(*loop, preload_limits(c.parameters.preload));
-    ASSERT_FALSE(found.points.empty());
+    ASSERT_EQ(found.points.size(), 1u) << "up to the limits";
     const auto& p = found.points[0];
     printf("heat %.8f W, preload %.6f N, gain %.6f, eigenvalue %.7e 1/s\n", p.heat, p.state.preload, p.response.gain,
            p.response.eigenvalue.real());
@@ -61,14 +96,59 @@ TEST(RollingPair, OperatingPointsAreThoseOfThePeer) {
     EXPECT_NEAR(p.state.balls.outer_to_ball, peer.conductance[1], 1e-6 * peer.conductance[1]) << "W/K";
     EXPECT_NEAR(p.state.balls.inner_to_outer, peer.conductance[2], 1e-6 * peer.conductance[2]) << "W/K";
     const auto T = loop->node_temperatures(p.T, p.heat);
-    const std::array<std::string, 5> nodes = {"TB2/shaft", "TB2/inner_ring", "TB2/ball", "TB2/outer_ring",
-                                              "TB2/housing"};
-    for (std::size_t n = 0; n < T.size(); ++n) {
-      const auto node = std::find(nodes.begin(), nodes.end(), loop->nodes()[n].name);
-      if (node == nodes.end()) continue;  // contacts
-      EXPECT_NEAR(T[n] - ambient, peer.rise[static_cast<std::size_t>(node - nodes.begin())], 1e-5) << *node;
-    }
+    std::vector<std::pair<std::string, double>> rises = {{"TB2/shaft", peer.rise[0]},
+                                                         {"TB2/inner_ring", peer.rise[1]},
+                                                         {"TB2/ball", peer.rise[2]},
+                                                         {"TB2/outer_ring", peer.rise[3]},
+                                                         {"TB2/housing", peer.rise[4]}};
+    for (std::size_t n = 0; n < peer.fin.size(); ++n)
+      rises.emplace_back(n < 5 ? "TB2/shaft_left_" + std::to_string(n + 1) : "TB2/shaft_right_" + std::to_string(n - 4),
+                         peer.fin[n]);
+    std::size_t n_found = 0;
+    for (std::size_t n = 0; n < T.size(); ++n)
+      for (const auto& [node, rise] : rises)
+        if (loop->nodes()[n].name == node) {
+          EXPECT_NEAR(T[n] - ambient, rise, 1e-5) << node;
+          ++n_found;
+        }
+    EXPECT_EQ(n_found, rises.size());
   }
+}
+
+TEST(RollingPair, TheLimitEndsOperatingPointsWhereThePeerFindsIt) {
+  // The loop gain stays negative: the outer race's 150 degC are what ends operating points.
+  const Case c = rolling("15200 rpm");
+  const auto limits = preload_limits(c.parameters.preload);
+  const auto speed = find_critical_factor([&](double f) { return loop_of(c, {.speed = f}); }, 2., limits);
+  const auto preload = find_critical_factor([&](double f) { return loop_of(c, {.preload = f}); }, 2., limits);
+  const auto cooling = find_critical_factor([&](double f) { return loop_of(c, {.cooling = f}); }, 0.5, limits);
+  ASSERT_TRUE(speed && preload && cooling);
+  // The search ends within 1e-4.
+  EXPECT_NEAR(speed->factor * 15200., 22231.938, 1.1e-4 * 22232.) << "rpm";
+  EXPECT_NEAR(preload->factor * 290., 2829.7675, 1.1e-4 * 2830.) << "N";
+  EXPECT_NEAR(cooling->factor, 0.131393, 1.1e-4 * 0.1314);
+  for (const auto& critical : {speed, preload, cooling}) {
+    EXPECT_EQ(critical->by, CriticalFactor::By::limit);
+    EXPECT_LT(critical->gain, 0.);
+  }
+}
+
+TEST(RollingPair, RunsAwayWhenThePeerDoes) {
+  const Case c = rolling("24000 rpm", {"preload.tolerance=1e-10"});
+  const auto loop = loop_of(c);
+  const auto course = follow_preload(*loop, c.parameters.preload, "/");
+  EXPECT_EQ(course.limit, LimitMet::temperature);
+  EXPECT_NEAR(course.time, 7.167943, 1e-6 * 7.2) << "s";
+  EXPECT_NEAR(loop->state({course.y.data(), loop->size()}).preload, 17237.20027, 1e-6 * 17237.) << "N";
+}
+
+TEST(RollingPair, AStateWithoutLoadIsNoOperatingPoint) {
+  // An oil film at full speed: heat beyond some watts leaves the balls unloaded, and then they conduct nothing. What the steady state makes of heat jumps there, and
+  // an operating point is only where both are equal.
+  const Case c = rolling("15200 rpm", {"thermal.oil_film=0.1 um"});
+  const auto loop = loop_of(c);
+  for (const auto& p : find_operating_points(*loop, preload_limits(c.parameters.preload)).points)
+    EXPECT_NEAR(p.state.heat, p.heat, 1e-5 * p.heat) << "W";
 }
 
 TEST(RollingPair, TheGainIsThatOfAssumedAndPredictedHeat) {
