@@ -40,16 +40,15 @@ class Preload(ProgramTest):
 
     def test_the_documented_case_settles(self):
         done = self.succeed("preload", "neisi2019-preload.toml", "-o", "out")
-        self.assertIn("TB1 at 2500 rpm: stable", done.stdout)
-        self.assertIn("TB2 at 2500 rpm: stable. It settles in", done.stdout)
+        self.assertIn("TB1 at 15200 rpm: stable", done.stdout)
+        self.assertIn("TB2 at 15200 rpm: stable. It settles in", done.stdout)
         self.assertEqual({p.name for p in (self.folder / "out").iterdir()}, {"preload.h5", "preload.json", "parameters.toml"})
         running = json.loads((self.folder / "out/preload.json").read_text())["bearings"]["TB2"]["running"]
         self.assertEqual(running["verdict"], "stable")
-        stable, unstable = running["operating_points"]
-        self.assertLess(stable["loop_gain"], 1)
+        stable = running["operating_points"][0]
+        self.assertLess(stable["loop_gain"], 0, "the shaft takes more heat than the housing: warmer, it presses less")
         self.assertLess(stable["eigenvalue"][0], 0)
-        self.assertGreater(unstable["loop_gain"], 1)
-        self.assertGreater(unstable["eigenvalue"][0], 0)
+        self.assertAlmostEqual(stable["preload"], 848.053199, delta=1e-3)  # validation/preload_loop.py
         self.assertAlmostEqual(running["end"]["state"]["preload"], stable["preload"], delta=1)
         self.assertGreater(running["critical"]["speed"]["value"], running["speed"])
         file = self.file()
@@ -58,10 +57,33 @@ class Preload(ProgramTest):
             self.assertIn("units", file[dataset].attrs, dataset)
         ledger = [file[f"/TB2/running/heat_{name}"][-1] for name in ("made", "lost", "stored")]
         self.assertAlmostEqual(ledger[0], ledger[1] + ledger[2], delta=1e-8 * ledger[0])
-        # The points over speed end where the two meet.
-        preload = file["/TB2/operating_points/preload"]
-        self.assertLess(preload[-1, 1] / preload[-1, 0], 1.05)
+        # The points over speed end at the limit of 150 degC.
         self.assertAlmostEqual(file["/TB2/operating_points/speed"][-1], running["critical"]["speed"]["value"], places=6)
+        self.assertAlmostEqual(file["/TB2/operating_points/highest_temperature"][-1, 0], 423.15, delta=0.1)
+
+    def test_of_the_published_circuit_two_points_meet_at_the_critical_speed(self):
+        published = ["--set", "thermal.contact_conduction=fixed", "--set", "thermal.spreading=none", "--set", "thermal.shaft=lump", "--set", "preload.speed=3000 rpm"]
+        running = self.preload("neisi2019-preload.toml", *NO_MAPS, *published)["running"]
+        stable, unstable = running["operating_points"]
+        self.assertLess(stable["loop_gain"], 1)
+        self.assertGreater(unstable["loop_gain"], 1)
+        self.assertGreater(unstable["eigenvalue"][0], 0)
+        self.assertAlmostEqual(running["critical"]["speed"]["value"] / RPM, 5546.859, delta=0.7)  # validation/preload_loop.py, and the end of the search
+        preload = self.file()["/TB2/operating_points/preload"]
+        self.assertLess(preload[-1, 1] / preload[-1, 0], 1.05)
+
+    def test_critical_values_may_be_left_out(self):
+        running = self.preload("neisi2019-preload.toml", *NO_MAPS, "--set", "preload.critical_values=false")["running"]
+        self.assertEqual((running["verdict"], running["critical"]), ("stable", {}))
+        self.assertNotIn("/TB2/operating_points", self.file())
+
+    def test_a_pair_whose_balls_lose_their_load_is_told_and_has_no_false_points(self):
+        oil = ["--set", "thermal.oil_film=0.1 um", "--set", "preload.critical_values=false"]
+        running = self.preload("neisi2019-preload.toml", *NO_MAPS, *oil)["running"]
+        self.assertAlmostEqual(running["end"]["state"]["preload"], 0, delta=1)
+        for point in running["operating_points"]:
+            heat = self.file()["/TB2/balance/heat"][:]
+            self.assertLess(point["heat"], heat[-1])
 
     def test_the_documented_runaway_is_found_by_transient_and_criterion(self):
         running = self.preload("neisi2019-preload-runaway.toml", *NO_MAPS)["running"]
@@ -73,12 +95,13 @@ class Preload(ProgramTest):
         made, heat = (self.file()[f"/TB2/balance/{name}"][:] for name in ("made", "heat"))
         self.assertTrue((made > heat).all())
         text = self.succeed("preload", "neisi2019-preload-runaway.toml", "--bearing", "TB2", "-o", "again", *NO_MAPS).stdout
-        self.assertRegex(text, r"TB2 at 6000 rpm: runs away: 150 degC after 48\.1 min")
+        self.assertRegex(text, r"TB2 at 24000 rpm: runs away: 150 degC after 7\.17 s")
 
     def test_at_the_critical_speed_transient_and_criterion_part_together(self):
-        critical = self.preload("neisi2019-preload.toml", *NO_MAPS)["running"]["critical"]["speed"]["value"]
+        published = ["--set", "thermal.contact_conduction=fixed", "--set", "thermal.spreading=none", "--set", "thermal.shaft=lump", "--set", "preload.speed=3000 rpm"]
+        critical = self.preload("neisi2019-preload.toml", *NO_MAPS, *published)["running"]["critical"]["speed"]["value"]
         for factor, verdict in ((0.995, "stable"), (1.005, "runs-away")):
-            running = self.preload("neisi2019-preload.toml", *NO_MAPS, "--set", f"preload.speed={factor * critical}")["running"]
+            running = self.preload("neisi2019-preload.toml", *NO_MAPS, *published, "--set", f"preload.speed={factor * critical}", "--set", "preload.critical_values=false")["running"]
             self.assertEqual(running["verdict"], verdict)
 
     def test_a_spring_takes_the_loop_away(self):
@@ -149,8 +172,9 @@ class Preload(ProgramTest):
 
     @unittest.skipUnless(HAS_ROOM, "built without finite elements")
     def test_finite_elements_may_take_the_circuits_place(self):
-        fe = ["--set", "preload.model=fe"]
-        circuit = self.preload("neisi2019-preload.toml", *NO_MAPS)["running"]["operating_points"][0]
+        lump = ["--set", "thermal.shaft=lump", "--set", "preload.speed=6000 rpm"]
+        fe = [*lump, "--set", "preload.model=fe"]
+        circuit = self.preload("neisi2019-preload.toml", *NO_MAPS, *lump, "--set", "preload.critical_values=false")["running"]["operating_points"][0]
         few = self.preload("neisi2019-preload.toml", *NO_MAPS, *fe)["running"]
         many = self.preload("neisi2019-preload.toml", *NO_MAPS, *fe, "--set", "thermal.fe.response_tolerance=1e-3")["running"]
         self.assertEqual(few["verdict"], "stable")
