@@ -43,8 +43,16 @@ def time_of(seconds):
 def way(bearing, temperatures, load):
     time = bearing.get("running/time")
     shown, unit = time_of(time)
-    for k, (name, node) in enumerate(sorted(bearing.file[f"running/temperature/{bearing.name}"].items())):
+    nodes = sorted(bearing.file[f"running/temperature/{bearing.name}"].items())
+    fins = [node for name, node in nodes if name.startswith(("shaft_left", "shaft_right"))]
+    for k, (name, node) in enumerate((name, node) for name, node in nodes if not name.startswith(("shaft_left", "shaft_right"))):
         temperatures.plot(shown, node[:] - CELSIUS, color=COLOURS[k % len(COLOURS)], label=name.replace("_", " "))
+    for k, node in enumerate(fins):
+        temperatures.plot(shown, node[:] - CELSIUS, color="#AAAAAA", linewidth=0.7, zorder=0, label=None if k else "shaft beside it")
+    if time[-1] > 1000:  # seconds and hours in one picture
+        for panel in (temperatures, load):
+            panel.set_xscale("log")
+            panel.set_xlim(shown[-1] * 1e-4, shown[-1])
     temperatures.set_ylabel("temperature [degC]")
     temperatures.set_xlabel(f"time [{unit}]")
     legend(temperatures, loc="best", fontsize=7)
@@ -62,7 +70,7 @@ def balance(bearing, panel):
     """Heat that friction makes over the heat in balance; operating points on the diagonal."""
     heat, made = bearing.get("balance/heat"), bearing.get("balance/made")
     points = bearing.running["operating_points"]
-    top = 1.6 * max([p["heat"] for p in points] or [heat[len(heat) // 3]])
+    top = 1.6 * max(p["heat"] for p in points) if points else max(heat[-1], np.nanmax(made))
     panel.plot(heat, made, color=COLOURS[2], label="made by friction in that state")
     panel.plot([0, top], [0, top], color="#888888", linewidth=0.8, label="given away")
     for p in points:

@@ -348,7 +348,7 @@ def limit_reached(pair_with, low, high):
 
 
 CIRCUITS = {"physical": {}, "rolling and strips, no fin": {"fin": False}, "oil film 0.1 um": {"oil": 0.1e-6}, "published": {"rolls": False, "strips": False, "fin": False}}
-SPEEDS = {"physical": (3000, 15200), "rolling and strips, no fin": (2000, 3000), "oil film 0.1 um": (3000,), "published": (3000,)}  # rpm
+SPEEDS = {"physical": (3000, 15200), "rolling and strips, no fin": (2000, 3000), "oil film 0.1 um": (3000,), "published": (3000, 4000)}  # rpm
 
 
 def main():
@@ -372,7 +372,7 @@ def main():
     published = CIRCUITS["published"]
     print(f"published: critical speed {brentq(lambda n: largest_shortfall(Pair(n * rpm, **published)), 2500, 6000, xtol=1e-3):.3f} rpm")
     print(f"published: critical preload at 3000 rpm {brentq(lambda P: largest_shortfall(Pair(3000 * rpm, P, **published)), 290, 1500, xtol=1e-4):.4f} N")
-    print(f"published: critical cooling at 3000 rpm {brentq(lambda f: largest_shortfall(Pair(3000 * rpm, 290, f, **published)), 0.02, 1, xtol=1e-7):.6f}", flush=True)
+    print(f"published: the limit at 3000 rpm with {1 / limit_reached(lambda f: Pair(3000 * rpm, 290, 1 / f, **published), 1, 30):.6f} of the cooling", flush=True)
     print(f"physical: the limit at {limit_reached(lambda n: Pair(n * rpm), 15200, 30000):.3f} rpm")
     print(f"physical: the limit at 15200 rpm with {limit_reached(lambda P: Pair(15200 * rpm, P), 290, 6000):.4f} N mounted")
     print(f"physical: the limit at 15200 rpm with {1 / limit_reached(lambda f: Pair(15200 * rpm, 290, 1 / f), 1, 20):.6f} of the cooling", flush=True)

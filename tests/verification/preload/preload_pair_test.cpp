@@ -41,22 +41,23 @@ TEST(PreloadOfThePair, OperatingPointsAreThoseOfThePeer) {
     double heat, preload, ball_load, pressure, gain, eigenvalue;
     std::array<double, 5> rise;
   };
-  const std::array<Line, 2> peer = {{{12.39837741,
-                                      364.291446,
-                                      36.6236516,
-                                      6.990470e+08,
-                                      0.139717,
-                                      -1.0514941e-03,
-                                      {7.8084214, 7.9174892, 6.7655362, 7.4013344, 7.3372823}},
-                                     {258.48683414,
-                                      5843.901915,
-                                      599.9715302,
-                                      1.775399e+09,
-                                      2.003741,
-                                      1.2970847e-03,
-                                      {132.3386716, 134.1871741, 105.7799926, 105.1264973, 103.3780603}}}};
-  const auto loop = loop_of(at_3000_rpm());
-  const auto found = find_operating_points(*loop, preload_limits(at_3000_rpm().parameters.preload));
+  const std::array<Line, 2> peer = {{{21.29831254,
+                                      459.795309,
+                                      46.2662084,
+                                      7.556844e+08,
+                                      0.273174,
+                                      -9.2162332e-04,
+                                      {12.9413162, 13.1220801, 11.0751373, 11.9516604, 11.835225}},
+                                     {183.98701494,
+                                      3560.985317,
+                                      363.1802855,
+                                      1.501850e+09,
+                                      1.827824,
+                                      1.0655827e-03,
+                                      {96.4313991, 97.77835, 77.8807375, 78.4362095, 77.2220077}}}};
+  const Case c = reference({"preload.speed=4000 rpm"});
+  const auto loop = loop_of(c);
+  const auto found = find_operating_points(*loop, preload_limits(c.parameters.preload));
   ASSERT_EQ(found.points.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& p = found.points[k];
@@ -88,8 +89,9 @@ TEST(PreloadOfThePair, CriticalSpeedPreloadAndCoolingAreThoseOfThePeer) {
   // The search ends within 1e-4.
   EXPECT_NEAR(speed->factor * 3000., 5546.859, 1.1e-4 * 5547.) << "rpm";
   EXPECT_NEAR(preload->factor * 290., 1128.8838, 1.1e-4 * 1129.) << "N";
-  EXPECT_NEAR(cooling->factor, 0.032510, 1.1e-4 * 0.0325);
-  for (const auto& critical : {speed, preload, cooling}) {
+  EXPECT_NEAR(cooling->factor, 0.062334, 1.1e-4 * 0.0623);
+  EXPECT_EQ(cooling->by, CriticalFactor::By::limit) << "150 degC come first";
+  for (const auto& critical : {speed, preload}) {
     EXPECT_EQ(critical->by, CriticalFactor::By::loop);
     EXPECT_GT(critical->gain, 0.95) << "it tends to one";
     EXPECT_LT(critical->gain, 1.);
