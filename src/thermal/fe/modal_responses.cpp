@@ -7,6 +7,9 @@
 namespace rotordrop {
 namespace {
 
+/// Of a joule's largest mean rise; less than that is left of it later.
+constexpr double gone = 1e-4;
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -75,8 +78,7 @@ bool add_worst(const ModalResponses& responses, const ResponseErrors& errors, Co
       const double s = factor / errors.time;
       const VectorXd v = answer(heat, load, s);
       const Eigen::ArrayXd scale = (heat.rate.array() + s).sqrt();
-      const double left =
-          (columns.beside(v).array() * scale).matrix().norm() / (v.array() * scale).matrix().norm();
+      const double left = (columns.beside(v).array() * scale).matrix().norm() / (v.array() * scale).matrix().norm();
       if (left <= worst) continue;
       worst = left;
       candidate = v;
@@ -93,8 +95,7 @@ ModalHeat ModalHeat::projected(const MatrixXd& columns, MatrixXd& modes) const {
   const MatrixXd K = columns.transpose() * rate.asDiagonal() * columns;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> own(0.5 * (K + K.transpose()));
   modes = columns * own.eigenvectors();
-  return {own.eigenvalues().cwiseMax(0.), modes.transpose() * in, modes.transpose() * out,
-          VectorXd::Zero(in.cols())};
+  return {own.eigenvalues().cwiseMax(0.), modes.transpose() * in, modes.transpose() * out, VectorXd::Zero(in.cols())};
 }
 
 ModalHeat ModalHeat::truncated(Index n, const ModalHeat& reference, double s) const {
@@ -153,7 +154,10 @@ ResponseErrors ModalResponses::errors_of(const ModalHeat& few) const {
       if (t < std::max(from_[p], means_from_)) continue;
       for (const auto& [mine, theirs] : {std::pair{&own.step, &tables_.step}, std::pair{&own.joule, &tables_.joule}}) {
         const VectorXd exact = (*theirs)[i].col(column), error = (*mine)[i].col(column) - exact;
-        const double least = mean_floor * exact.cwiseAbs().maxCoeff();
+        // A joule that has long left for the surroundings has no error: exponentials of many time constants.
+        const double first = (*theirs)[0].col(column).cwiseAbs().maxCoeff();
+        const double largest = exact.cwiseAbs().maxCoeff();
+        const double least = mean_floor * (theirs == &tables_.joule ? std::max(largest, gone * first) : largest);
         for (Index k = 0; k < exact.size(); ++k)
           note(std::fabs(error(k)) / (std::fabs(exact(k)) + least), p, static_cast<std::size_t>(k), true, times_[i]);
       }
@@ -175,8 +179,9 @@ FewModes choose_modes(const ModalResponses& responses, const MatrixXd& uniform, 
       if (columns.add(directions.col(next++))) return true;
     return false;
   };
-  const auto first = n_uniform + static_cast<Index>(std::lround(
-                                     first_modes_per_decade * std::log10(settings.longest_time / settings.shortest_time)));
+  const auto first =
+      n_uniform + static_cast<Index>(
+                      std::lround(first_modes_per_decade * std::log10(settings.longest_time / settings.shortest_time)));
   while (columns.size() < std::min(first, most) && add_strongest()) {
   }
   FewModes best;
