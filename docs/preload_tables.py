@@ -52,10 +52,20 @@ SPREAD = {
     "O": ("O instead of X", ("bearings.TB2.arrangement=O",)),
 }
 MODELS = {
-    "lump-6000": ("circuit", (*LUMP, *at(6000))),
-    "lump-6000-fe": ("finite elements, volume means", (*LUMP, *at(6000), *FE)),
-    "lump-6000-elastic": ("finite elements, elasticity", (*LUMP, *at(6000), *FE, "thermal.expansion=elastic")),
-    "lump-6000-growth": ('circuit, the paper\'s growth (`"paper"`)', (*LUMP, *at(6000), "thermal.expansion=paper")),
+    "base": ("15 200 rpm, circuit", ()),
+    "fe": ("15 200 rpm, finite elements, volume means", FE),
+    "elastic": ("15 200 rpm, finite elements, elasticity", (*FE, "thermal.expansion=elastic")),
+    "paper": ('15 200 rpm, circuit, the paper\'s growth (`"paper"`)', ("thermal.expansion=paper",)),
+    "elastic-19000": ("19 000 rpm, finite elements, elasticity", (*FE, "thermal.expansion=elastic", *at(19000))),
+    "elastic-17000": ("17 000 rpm, finite elements, elasticity", (*FE, "thermal.expansion=elastic", *at(17000))),
+    "inertial-19000": ("19 000 rpm, circuit, balls with inertia", ("bearings.TB2.ball_model=inertial", *at(19000))),
+    "inertial-17000": ("17 000 rpm, circuit, balls with inertia", ("bearings.TB2.ball_model=inertial", *at(17000))),
+    "elastic-inertial": ("15 200 rpm, finite elements, elasticity, balls with inertia", (*FE, "thermal.expansion=elastic", "bearings.TB2.ball_model=inertial")),
+    "inertial-12000": ("12 000 rpm, circuit, balls with inertia", ("bearings.TB2.ball_model=inertial", *at(12000))),
+    "lump-6000": ("6000 rpm, shaft a lump, circuit", (*LUMP, *at(6000))),
+    "lump-6000-fe": ("the same, finite elements, volume means", (*LUMP, *at(6000), *FE)),
+    "lump-6000-elastic": ("the same, finite elements, elasticity", (*LUMP, *at(6000), *FE, "thermal.expansion=elastic")),
+    "lump-6000-growth": ('the same, circuit, the paper\'s growth', (*LUMP, *at(6000), "thermal.expansion=paper")),
 }
 INSULATED = {
     "lump-6000": ("6000 rpm", (*LUMP, *at(6000))),
@@ -112,7 +122,7 @@ def line(words, r):
 
 
 HEAD = "| {} | outcome | preload cold [N] | largest [N] | at the end [N] | heat at the end [W] | hottest [degC] | loop gain |\n" + "|---" * 8 + "|\n"
-FIRST = {"speeds": "speed", "spread": "changed at 15 200 rpm", "models": "shaft a lump, 6000 rpm", "insulated": "shaft a lump"}
+FIRST = {"speeds": "speed", "spread": "changed at 15 200 rpm", "models": "model", "insulated": "shaft a lump"}
 
 
 def table(kind, results):
