@@ -47,7 +47,9 @@ struct FoundCheckpoint {
 };
 
 /// The newest checkpoint in a directory that can be read; unreadable ones are skipped and named. No directory: nothing found.
-[[nodiscard]] FoundCheckpoint newest_valid_checkpoint(const std::filesystem::path& directory);
+/// @param older_than  a checkpoint of the directory: only those that were written before it
+[[nodiscard]] FoundCheckpoint newest_valid_checkpoint(const std::filesystem::path& directory,
+                                                      const std::filesystem::path& older_than = {});
 
 /// Replaces a file's content (text or any bytes) in one step: whoever opens `path` sees the old or the new content, never a part,
 /// even if the program is killed or the disk is full. @throws SolverError
