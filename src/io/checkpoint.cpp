@@ -87,6 +87,11 @@ void write_text_atomically(const fs::path& path, std::string_view text) {
   sync_directory(path.has_parent_path() ? path.parent_path() : fs::path("."));
 }
 
+bool is_on_disk(const fs::path& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  return file.get() >= 0 && (::fsync(file.get()) == 0 || errno == EINVAL);
+}
+
 namespace {
 
 constexpr std::string_view check_sum_mark = "\nrotordrop check sum ";

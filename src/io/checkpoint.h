@@ -55,4 +55,7 @@ struct FoundCheckpoint {
 /// even if the program is killed or the disk is full. @throws SolverError
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// Has the system bring a closed file to the disk; false if it could not, such as when the disk is full.
+[[nodiscard]] bool is_on_disk(const std::filesystem::path& path);
+
 }  // namespace rotordrop

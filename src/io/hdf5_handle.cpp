@@ -189,6 +189,13 @@ std::vector<std::string> dataset_paths(hid_t file) {
   return paths;
 }
 
+std::string name_of(hid_t file) {
+  std::string name(4096, '\0');
+  const ssize_t size = H5Fget_name(file, name.data(), name.size());
+  name.resize(static_cast<std::size_t>(std::clamp<ssize_t>(size, 0, static_cast<ssize_t>(name.size()) - 1)));
+  return name;
+}
+
 std::vector<hsize_t> extents(hid_t dataset, std::string_view what) {
   const Handle space(H5Dget_space(dataset), H5Sclose, what);
   const int rank = H5Sget_simple_extent_ndims(space.id());

@@ -409,11 +409,19 @@ namespace {
   throw DamagedFile({path.string()}, what);
 }
 
+/// Whether there is an object by this path, in this file: links to elsewhere are not followed. @throws DamagedFile
 bool has_object(hid_t file, const std::string& path) {
-  // H5Lexists wants every group on the way to exist.
-  for (std::size_t end = path.find('/', 1); end != std::string::npos; end = path.find('/', end + 1))
-    if (H5Lexists(file, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
-  return path == "/" || H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
+  if (path == "/") return true;
+  // Every group on the way must exist before its content may be asked for.
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    const std::string part = path.substr(0, end);
+    const htri_t exists = H5Lexists(file, part.c_str(), H5P_DEFAULT);
+    H5L_info_t link{};
+    if (exists < 0 || (exists > 0 && H5Lget_info(file, part.c_str(), &link, H5P_DEFAULT) < 0))
+      throw DamagedFile({hdf5::name_of(file)}, "this file is damaged (" + hdf5::last_error() + ").");
+    if (exists == 0 || link.type != H5L_TYPE_HARD) return false;
+    if (end == std::string::npos) return true;
+  }
 }
 
 /// One dataset of numbers in an open file.
@@ -509,6 +517,7 @@ std::size_t copy_group(hid_t file, const fs::path& path, double time, std::size_
                        std::vector<std::string>& missing, std::optional<std::size_t> n_expected) {
   const SeriesGroup& group = recorder.groups()[index];
   if (!has_object(file, group.time_path)) {
+    if (n_expected.value_or(0) > 0) throw_damaged(path, group.time_path + " is missing.");
     missing.push_back(group.time_path);
     return 0;
   }
@@ -615,7 +624,11 @@ std::string read_attribute(const fs::path& path, const std::string& object, cons
 
 std::vector<std::string> list_datasets(const fs::path& path) {
   const Handle file = hdf5::open_for_reading(path);
-  return hdf5::dataset_paths(file.id());
+  try {
+    return hdf5::dataset_paths(file.id());
+  } catch (const SolverError& error) {
+    throw_damaged(path, std::string("this file is damaged (") + error.what() + ").");
+  }
 }
 
 }  // namespace rotordrop

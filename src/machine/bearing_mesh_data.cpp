@@ -50,7 +50,20 @@ SectionPlan section_plan(const MachineParameters& p, const Node& case_node, cons
   }
   faults.throw_if_any();
   const auto& fe = p.thermal.fe;
-  return plan_bearing_section(data, {fe.surface_cell, fe.largest_cell, fe.refinement});
+  SectionPlan plan = plan_bearing_section(data, {fe.surface_cell, fe.largest_cell, fe.refinement});
+  // A cell costs some 2 kB of mesh, matrices and factors: this many are 2 GB, and hours.
+  constexpr double most_cells = 1e6;
+  double n_cells = 0.;
+  for (const auto& block : plan.blocks)
+    n_cells += static_cast<double>(plan.curves.at(block.curves[0]).cells) * plan.curves.at(block.curves[1]).cells;
+  if (n_cells > most_cells)
+    throw InputError(table ? table->where() : SourcePosition{},
+                     fmt::format("the mesh of bearings.{} would have {:.3g} cells, some {:.3g} GB; at most {:.0f} are "
+                                 "made.",
+                                 name, n_cells, n_cells * 2e-6, most_cells),
+                     "Check its dimensions (housing_length, width, diameters), or make thermal.fe.largest_cell larger "
+                     "or thermal.fe.refinement smaller.");
+  return plan;
 }
 
 SectionMesh own_section_of_bearing(const MeshFileContent& content, const MachineParameters& p, const std::string& name,

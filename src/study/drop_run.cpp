@@ -18,6 +18,7 @@
 #include "io/checkpoint.h"
 #include "io/hdf5_version.h"
 #include "io/recorder.h"
+#include "io/sha256.h"
 #include "study/drop_fields.h"
 #include "study/results_folder.h"
 #include "study/summary.h"
@@ -44,6 +45,16 @@ std::string digest_of(const std::string& text) {
       hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   }
   return fmt::format("{:016x}", hash);
+}
+
+/// Of the files that the parameters only name, and on which the results depend: a mesh, the growth of an earlier run.
+std::string digests_of_files(const Case& c) {
+  std::string digests;
+  const auto& thermal = c.parameters.thermal;
+  if (thermal.fe.mesh && thermal.has_fe)
+    for (const auto& name : touchdown_names(c.parameters))
+      digests += "\n" + sha256_of_file(own_mesh_file(*thermal.fe.mesh, name));
+  return digests;
 }
 
 std::vector<SeriesGroup> series_groups(const Machine& machine, const WindowedSections* windows) {
@@ -121,7 +132,8 @@ class DropRun {
         machine_(machine),
         options_(options),
         scalars_(machine),
-        digest_(digest_of(drop_case.resolved)),
+        text_digest_(digest_of(drop_case.resolved)),
+        digest_(digest_of(drop_case.resolved + digests_of_files(drop_case))),
         end_time_(drop_case.parameters.run.end_time) {
     const std::size_t n = machine.layout().size();
     state_.resize(n);
@@ -190,9 +202,12 @@ class DropRun {
       result.windows = windows_->report();
       result.windows_energy = windows_->energy();
     }
-    write_text_atomically(
-        options_.directory / "summary.json",
-        summarise(case_, machine_, scalars_, result, options_.elements, recorder_->path()).dump(2) + "\n");
+    auto summary = summarise(case_, machine_, scalars_, result, options_.elements, recorder_->path());
+    summary["input_warnings"] = nlohmann::ordered_json::array();
+    for (const auto& warning : case_.warnings)
+      summary["input_warnings"].push_back(
+          {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
+    write_text_atomically(options_.directory / "summary.json", summary.dump(2) + "\n");
     if (result.completed) folder.remove_checkpoints();
     return result;
   }
@@ -458,7 +473,7 @@ class DropRun {
       // Killed before its first checkpoint: it starts anew, but only as what it was.
       std::ifstream earlier(options_.directory / "parameters.toml");
       const std::string text{std::istreambuf_iterator<char>(earlier), {}};
-      if (!text.empty() && digest_of(text) != digest_)
+      if (!text.empty() && digest_of(text) != text_digest_)
         throw InputError({where, 0, 0}, "the directory holds the run of another case",
                          "Choose another with -o DIR, or replace the results with --force.");
       if (options_.tell) options_.tell("there is no checkpoint yet: the run starts anew");
@@ -533,7 +548,7 @@ class DropRun {
   const Machine& machine_;
   const RunOptions& options_;
   DropScalars scalars_;
-  std::string digest_;
+  std::string text_digest_, digest_;  ///< of the parameters; of these and of the files that they name
   std::vector<std::string> entry_names_;
   std::unique_ptr<Integrator> integrator_;
   std::optional<Recorder> recorder_;
