@@ -227,6 +227,7 @@ class BearingHeatRun {
     const bool is_complete = advance_all();
     const double end = cpu_seconds();
     if (recorder_) recorder_->close();
+    if (folder_) folder_->require_there();
     Json j = summary();
     j["cpu_time"] = end - start;
     j["end_time"] = time_;

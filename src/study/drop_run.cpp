@@ -167,9 +167,9 @@ class DropRun {
   }
 
   DropResult run() {
-    const ResultsFolder folder(options_.directory, options_.resume  ? ResultsFolder::Existing::resume
-                                                   : options_.force ? ResultsFolder::Existing::replace
-                                                                    : ResultsFolder::Existing::refuse);
+    folder_.emplace(options_.directory, options_.resume  ? ResultsFolder::Existing::resume
+                                        : options_.force ? ResultsFolder::Existing::replace
+                                                         : ResultsFolder::Existing::refuse);
     machine_.initial_state(state_);
     if (options_.resume)
       resume();
@@ -188,6 +188,7 @@ class DropRun {
       record_window(end_time_);
     }
     recorder_->close();
+    folder_->require_there();
 
     DropResult result;
     result.completed = !interrupted_;
@@ -208,7 +209,7 @@ class DropRun {
       summary["input_warnings"].push_back(
           {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
     write_text_atomically(options_.directory / "summary.json", summary.dump(2) + "\n");
-    if (result.completed) folder.remove_checkpoints();
+    if (result.completed) folder_->remove_checkpoints();
     return result;
   }
 
@@ -414,6 +415,7 @@ class DropRun {
   }
 
   fs::path save(const fs::path& directory) {
+    folder_->require_there();
     recorded_ = recorder_->sync();  // on the disk before the checkpoint that relies on it
     return write_checkpoint(directory, checkpoint());
   }
@@ -551,6 +553,7 @@ class DropRun {
   std::string text_digest_, digest_;  ///< of the parameters; of these and of the files that they name
   std::vector<std::string> entry_names_;
   std::unique_ptr<Integrator> integrator_;
+  std::optional<ResultsFolder> folder_;
   std::optional<Recorder> recorder_;
   RecordedRows recorded_;  ///< of the last checkpoint
   std::optional<WindowedSections> windows_;

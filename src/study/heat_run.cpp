@@ -156,6 +156,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   }
   const double end = cpu_seconds();
   if (recorder) recorder->close();
+  if (folder) folder->require_there();
 
   j["probes"] = Json::object();
   for (std::size_t i = 0; i < study.probes.size(); ++i)

@@ -9,6 +9,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/errors.h"
@@ -109,6 +110,14 @@ ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_
 }
 
 ResultsFolder::~ResultsFolder() { ::close(lock_); }
+
+void ResultsFolder::require_there() const {
+  struct stat mine {}, there {};
+  if (::fstat(lock_, &mine) != 0 || ::stat(directory_.c_str(), &there) != 0 || mine.st_ino != there.st_ino ||
+      mine.st_dev != there.st_dev)
+    throw SolverError("the directory " + directory_.string() +
+                      " was removed or replaced while results were written into it; they are lost.");
+}
 
 void ResultsFolder::remove_checkpoints() const { remove_files(directory_ / "checkpoints", checkpoint_names()); }
 

@@ -26,6 +26,8 @@ class ResultsFolder {
   ResultsFolder& operator=(const ResultsFolder&) = delete;
   ~ResultsFolder();
 
+  /// @throws SolverError if the directory was removed or replaced meanwhile: what is written now would lie elsewhere
+  void require_there() const;
   /// Those from which an interrupted run is resumed.
   void remove_checkpoints() const;
 
