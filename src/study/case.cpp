@@ -70,12 +70,15 @@ fs::path resolve_path(const Node& text) {
   return fs::path(where.file).parent_path() / given;
 }
 
-/// Stands for a geometry that cannot be read, so that the faults of everything else are found, too.
+/// Stands for a geometry that cannot be read, so that the faults of everything else are found, too: it has every node that a case may name.
 Node any_geometry() {
-  const auto node = [](int id, double x) { return Node::table({{"id", id}, {"x", x}}); };
+  constexpr int n_nodes = 1000;
+  Node::Array nodes, elements;
+  for (int id = 1; id <= n_nodes; ++id) nodes.push_back(Node::table({{"id", id}, {"x", 0.01 * id}}));
+  for (int id = 1; id < n_nodes; ++id) elements.push_back(Node::table({{"n1", id}, {"n2", id + 1}, {"od", 0.1}}));
   return Node::table({{"material", Node::table({{"E", 2e11}, {"nu", 0.3}, {"rho", 7800.}})},
-                      {"nodes", Node::array({node(1, 0.), node(2, 1.)})},
-                      {"elements", Node::array({Node::table({{"n1", 1}, {"n2", 2}, {"od", 0.1}})})}});
+                      {"nodes", Node::array(std::move(nodes))},
+                      {"elements", Node::array(std::move(elements))}});
 }
 
 void load_rotor_geometry(Node& tree, Faults& faults) {

@@ -2,6 +2,7 @@
 
 import json
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -103,14 +104,14 @@ class FullDisks(ProgramTest):
                         ("statics", "reference.toml", "--json"), ("run", "reference.toml", *SHORT)):
             done = self.to_full(*command)
             self.assertEqual(done.returncode, 1, (command, done.stderr))
-            self.assertRegex(done.stderr, "No space left on device")
+            self.assertRegex(done.stderr, "standard output cannot be written|No space left on device")
             self.assertNotIn("fault of the program", done.stderr)
 
     def test_a_limit_of_file_size_is_a_failure_that_keeps_what_was_written(self):
-        command = ["bash", "-c", 'ulimit -f 1200; exec "$@"', "-", PROGRAM, "run", "reference.toml", "-o", "out", *settings(run__end_time="300 ms", output__interval="2 us")]
+        command = ["bash", "-c", 'ulimit -f 6000; exec "$@"', "-", PROGRAM, "run", "reference.toml", "-o", "out", *settings(run__end_time="300 ms", output__interval="2 us")]
         done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertRegex(done.stderr, "results.h5 could not be written .File too large")
+        self.assertRegex(done.stderr, "results.h5 could not be written .*File too large")
         with h5py.File(self.folder / "out/results.h5", "r") as file:
             self.assertGreater(len(file["time"]), 10)
 
@@ -268,7 +269,7 @@ class HostileInputs(ProgramTest):
         self.refuse("check", "drop.toml", says="nested more than 100 deep")
         self.refuse("check", "reference.toml", "--set", ".".join(["a"] * 20000) + "=1", says="nested more than 100 deep")
         self.write("rotor.json", "[" * 1_000_000 + "]" * 1_000_000)
-        self.case('base = "reference.toml"\n[rotor]\ngeometry = "rotor.json"\n')
+        self.write("drop.toml", 'base = "reference.toml"\n[rotor]\ngeometry = "rotor.json"\n')
         self.refuse("check", "drop.toml", says="nested more than 100 deep")
 
     def test_dots_in_texts_and_comments_are_not_nesting(self):
@@ -294,14 +295,14 @@ class HostileInputs(ProgramTest):
         self.refuse("run", "reference.toml", *settings(run__end_time="1e6", output__interval="1e-7"), says="rows of results")
 
     def test_a_mesh_of_too_many_cells_is_refused(self):
-        for key, value in (("housing_length", "25 m"), ("width", "2e7")):
+        for key, value in (("housing_length", "250 m"), ("width", "2e7")):
             done = self.call("mesh", "reference.toml", "-o", "m.msh", *settings(**{f"bearings__TB1__{key}": value}), timeout=30)
             self.assertEqual(done.returncode, 2, (key, done.stderr))
             self.assertNotIn("fault of the program", done.stderr)
 
     def test_a_section_that_no_mesh_can_show_is_refused(self):
         source = __file__.rpartition("/tests/")[0]
-        text = open(f"{source}/params/heat/ring-in-housing.toml").read().replace('r = ["40 mm", "60 mm"]', 'r = ["40 mm", 1e9]')
+        text = pathlib.Path(f"{source}/params/heat/ring-in-housing.toml").read_text().replace('r = ["40 mm", "60 mm"]', 'r = ["40 mm", 1e9]')
         self.assertIn("1e9", text)
         self.write("heat.toml", text)
         self.refuse("check", "heat.toml", says="no mesh can show both")
@@ -317,7 +318,7 @@ class HostileInputs(ProgramTest):
 
     def test_marks_of_the_report_in_a_case_are_text(self):
         shutil.copy(self.folder / "reference.toml", self.folder / "@DATA@.toml")
-        self.write("@DATA@.toml", 'base = "reference.toml"\n[run]\n# @JS@ @DATA@\nend_time = "1 ms"\n')
+        self.write("@DATA@.toml", 'base = "reference.toml"\n[run]\nend_time = "1 ms"  # @JS@ @DATA@\n')
         self.succeed("run", "@DATA@.toml", "-o", "out")
         self.succeed("report", "out")
         page = (self.folder / "out/report.html").read_text()
@@ -341,7 +342,7 @@ class HostileInputs(ProgramTest):
         self.succeed("report", "y" * 255, "-o", "z" * 250 + ".html")
 
     def test_a_missing_geometry_does_not_hide_other_faults(self):
-        self.case('base = "reference.toml"\n[rotor]\ngeometry = "none.json"\n[contact]\nair_gpa = 1\n')
+        self.write("drop.toml", 'base = "reference.toml"\n[rotor]\ngeometry = "none.json"\n[contact]\nair_gpa = 1\n')
         done = self.call("check", "drop.toml")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, "there is no such file")
@@ -350,7 +351,7 @@ class HostileInputs(ProgramTest):
 
 class Slips(ProgramTest):
     def warnings(self, text, *options):
-        self.case('base = "reference.toml"\n' + text)
+        self.write("drop.toml", 'base = "reference.toml"\n' + text)
         done = self.succeed("check", "drop.toml", *options)
         return done.stderr
 
@@ -363,8 +364,8 @@ class Slips(ProgramTest):
         said = self.warnings("[run]\ninitial_speed = 9000\n")
         self.assertRegex(said, r"warning: drop.toml:3:17: run.initial_speed = 9000 is unusual")
         self.assertRegex(said, "9000 rad/s is 85944 rpm")
-        # 9000 rad/s on a journal of 50 mm radius
-        self.assertRegex(said, r"surface runs at \d{3} m/s in bearings.TB1")
+        said = self.warnings("[run]\ninitial_speed = 15200\n")
+        self.assertRegex(said, r"surface runs at [56]\d\d m/s in bearings.TB1 \(145149 rpm")
 
     def test_what_does_not_fit(self):
         for text, says in (("[rotor]\nunbalance = [{ node = 3, me = 1e300 }]\n", "unbalance#1.me = 1e.300 kg m is unusual"),
@@ -386,7 +387,7 @@ class Slips(ProgramTest):
         self.assertRegex(self.warnings('[rotor]\ngeometry = "disc.json"\n'), "Ip = .* more than 2 Id")
 
     def test_strict_makes_faults_of_warnings_and_the_summary_keeps_them(self):
-        self.case('base = "reference.toml"\n[contact]\nair_gap = "1.2 mm"\n')
+        self.write("drop.toml", 'base = "reference.toml"\n[contact]\nair_gap = "1.2 mm"\n')
         done = self.call("run", "drop.toml", "-o", "out", *SHORT, "--strict")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, "error: drop.toml:3:11: contact.air_gap = 1.2 mm is unusual")
