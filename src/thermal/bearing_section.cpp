@@ -146,7 +146,7 @@ Division graded(double length, double first, double growth, double largest) {
   if (length <= first) return {1, 1.};
   // Fewer cells than this are too large, whatever their ratio.
   const double least = length / std::max(first, largest);
-  if (least > 1e5) return {static_cast<int>(std::min(least, 1e9)), 1.};  // no mesh that anyone makes, but a number
+  if (least > 1e4) return {static_cast<int>(std::min(least, 1e9)), 1.};  // section_plan refuses it
   for (int n = std::max(2, static_cast<int>(least));; ++n) {
     const double q = ratio_for(length, first, n);
     if (q <= 1.) {  // `first` is close to `largest`
