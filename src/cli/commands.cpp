@@ -89,7 +89,8 @@ void tell_warnings(const Case& c, bool strict) {
       faults.add(warning.where, warning.message, warning.advice + "\nWithout --strict this is a warning.");
     faults.throw_if_any();
   }
-  for (const auto& warning : c.warnings) fmt::print(stderr, "warning{}\n", rendered(warning).substr(std::string_view("error").size()));
+  for (const auto& warning : c.warnings)
+    fmt::print(stderr, "warning{}\n", rendered(warning).substr(std::string_view("error").size()));
 }
 
 double parse_time(const char* option, const std::string& text) {
@@ -210,8 +211,9 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
              report.body.Ip, report.body.Id, report.body.centre_of_gravity);
-  fmt::print("{}: no faults{}. Not checked: whether the step suits the stiffest contact.\n", file.string(),
-             c.warnings.empty() ? "" : fmt::format(", {} warning{}", c.warnings.size(), c.warnings.size() > 1 ? "s" : ""));
+  fmt::print(
+      "{}: no faults{}. Not checked: whether the step suits the stiffest contact.\n", file.string(),
+      c.warnings.empty() ? "" : fmt::format(", {} warning{}", c.warnings.size(), c.warnings.size() > 1 ? "s" : ""));
   return 0;
 }
 

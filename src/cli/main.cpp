@@ -240,9 +240,10 @@ int run_guarded(int argc, char** argv) {
                error.code().message());
     return exit_code_of(error.code());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr,
-               "error: there is not enough memory for this.\n       Choose a coarser mesh or fewer rows of results, or a "
-               "machine with more memory.\n");
+    fmt::print(
+        stderr,
+        "error: there is not enough memory for this.\n       Choose a coarser mesh or fewer rows of results, or a "
+        "machine with more memory.\n");
     return run_failed;
   } catch (const std::system_error& error) {
     fmt::print(stderr, "error: {}.\n", error.what());

@@ -86,7 +86,8 @@ class TreeBuilder {
   bool number_float(double value, const std::string&) { return add(Node(value, scanner_.next())); }
   bool string(std::string& value) {
     const SourcePosition where = scanner_.next();
-    if (value.find('\0') != std::string::npos) faults_.add(where, "this text holds a NUL character.", "Take out \\u0000.");
+    if (value.find('\0') != std::string::npos)
+      faults_.add(where, "this text holds a NUL character.", "Take out \\u0000.");
     return add(Node(value, where));
   }
   bool binary(nlohmann::json::binary_t&) { return false; }  // does not occur in text

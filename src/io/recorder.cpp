@@ -508,7 +508,8 @@ std::size_t n_rising(const std::vector<double>& times, double time, const fs::pa
   std::size_t n = 0;
   while (n < times.size() && times[n] > last && times[n] <= time) last = times[n++];
   if (n < times.size() && !(times[n] > last))
-    throw_damaged(path, name + " does not rise after row " + std::to_string(n) + " (t = " + std::to_string(last) + " s).");
+    throw_damaged(path,
+                  name + " does not rise after row " + std::to_string(n) + " (t = " + std::to_string(last) + " s).");
   return n;
 }
 

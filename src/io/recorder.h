@@ -54,8 +54,8 @@ struct RecorderOptions {
 
 /// How far a recording has come, for a checkpoint: a resumed run finds out whether the file still holds these rows.
 struct RecordedRows {
-  std::vector<std::size_t> n_rows;         ///< of each group
-  std::vector<std::uint64_t> check_sums;   ///< of all values of these rows
+  std::vector<std::size_t> n_rows;        ///< of each group
+  std::vector<std::uint64_t> check_sums;  ///< of all values of these rows
   bool operator==(const RecordedRows&) const = default;
 
   /// As numbers that a double holds exactly, and back; of another size: no rows, which no file has to fit.

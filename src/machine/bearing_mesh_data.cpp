@@ -59,12 +59,13 @@ SectionPlan section_plan(const MachineParameters& p, const Node& case_node, cons
     n_cells += static_cast<double>(plan.curves.at(block.curves[0]).cells) * plan.curves.at(block.curves[1]).cells;
   for (const auto& curve : plan.curves) longest = std::max(longest, static_cast<double>(curve.cells));
   if (n_cells > most_cells || longest > most_in_a_line)
-    throw InputError(table ? table->where() : SourcePosition{},
-                     fmt::format("the mesh of bearings.{} would have {:.3g} cells (some {:.3g} GB), {:.3g} of them in a line; "
-                                 "at most {:.0f} are made, {:.0f} in a line.",
-                                 name, n_cells, n_cells * 2e-6, longest, most_cells, most_in_a_line),
-                     "Check its dimensions (housing_length, width, diameters), or make thermal.fe.largest_cell larger "
-                     "or thermal.fe.refinement smaller.");
+    throw InputError(
+        table ? table->where() : SourcePosition{},
+        fmt::format("the mesh of bearings.{} would have {:.3g} cells (some {:.3g} GB), {:.3g} of them in a line; "
+                    "at most {:.0f} are made, {:.0f} in a line.",
+                    name, n_cells, n_cells * 2e-6, longest, most_cells, most_in_a_line),
+        "Check its dimensions (housing_length, width, diameters), or make thermal.fe.largest_cell larger "
+        "or thermal.fe.refinement smaller.");
   return plan;
 }
 

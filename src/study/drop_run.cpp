@@ -445,9 +445,8 @@ class DropRun {
     RecorderOptions recorder_options;
     recorder_options.overwrite = options_.force;
     if (time_ > 0.) {
-      auto resumed =
-          resume_recording(file, time_, record_header(case_), series_groups(machine_, windows()), recorder_options,
-                           recorded_);
+      auto resumed = resume_recording(file, time_, record_header(case_), series_groups(machine_, windows()),
+                                      recorder_options, recorded_);
       recorder_.emplace(std::move(resumed.recorder));
     } else {
       recorder_options.overwrite |= options_.resume;
@@ -557,9 +556,8 @@ class DropRun {
   void take(const Checkpoint& c) {
     const auto& s = c.extras.at("statistics");
     if (s.size() != 6 || c.extras.at("impulse").size() != impulse_.size() || c.state.size() != state_.size() ||
-        !(c.time >= 0. && c.time <= end_time_) || !std::all_of(c.state.begin(), c.state.end(), [](double y) {
-          return std::isfinite(y);
-        }))
+        !(c.time >= 0. && c.time <= end_time_) ||
+        !std::all_of(c.state.begin(), c.state.end(), [](double y) { return std::isfinite(y); }))
       throw std::invalid_argument("a checkpoint of another kind");
     time_ = c.time;
     state_ = c.state;
@@ -569,12 +567,15 @@ class DropRun {
     detail_rows_.unpack(c.extras.at("detail rows"));
     window_rows_.unpack(c.extras.at("window rows"));
     condition_.unpack(c.extras.at("condition"));
-    if (const auto recent_values = c.extras.find("recent impulses"); recent_values != c.extras.end())
+    if (const auto recent_values = c.extras.find("recent impulses"); recent_values != c.extras.end()) {
+      if (recent_values->second.size() % (1 + scalars_.size()) != 0)
+        throw std::invalid_argument("impulses are missing");
       for (auto at = recent_values->second.begin(); at != recent_values->second.end();) {
         RecentImpulse recent{*at++, {}};
         for (std::size_t i = 0; i < scalars_.size(); ++i) recent.impulse.push_back(*at++);
         recent_impulses_.push_back(std::move(recent));
       }
+    }
     if (windows_) windows_->unpack(c.extras.at("windows"));
     recorded_ = c.extras.contains("recorded") ? RecordedRows::unpacked(c.extras.at("recorded")) : RecordedRows{};
     earlier_ = {static_cast<long>(s[0]), static_cast<long>(s[1]), static_cast<long>(s[2])};

@@ -117,7 +117,8 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   const FieldTimes field_times(study.field_times, study.field_interval);
   std::optional<ResultsFolder> folder;
   if (is_first_rank()) {
-    folder.emplace(options.directory, options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+    folder.emplace(options.directory,
+                   options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
     recorder.emplace(make_recorder(heat_case, options));
     write_text_atomically(options.directory / "parameters.toml", heat_case.resolved);
     if (!field_times.empty()) fields.emplace(options.directory / "fields", "temperature");

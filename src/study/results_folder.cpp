@@ -112,7 +112,8 @@ ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_
 ResultsFolder::~ResultsFolder() { ::close(lock_); }
 
 void ResultsFolder::require_there() const {
-  struct stat mine {}, there {};
+  struct stat mine {
+  }, there{};
   if (::fstat(lock_, &mine) != 0 || ::stat(directory_.c_str(), &there) != 0 || mine.st_ino != there.st_ino ||
       mine.st_dev != there.st_dev)
     throw SolverError("the directory " + directory_.string() +

@@ -226,10 +226,11 @@ std::string reduction_text(const Json& j) {
 std::string window_excess_text(const Json& windows) {
   const long beyond = windows["beyond_tolerance"].get<long>();
   if (beyond == 0) return {};
-  return fmt::format("\n{} of {} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most at {:.4g} ms; "
-                     "a shorter thermal.fe.longest_window leaves less",
-                     beyond, windows["count"].get<long>(), windows["tolerance"].get<double>() * 1e9,
-                     windows["largest_growth_error_time"].get<double>() * 1e3);
+  return fmt::format(
+      "\n{} of {} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most at {:.4g} ms; "
+      "a shorter thermal.fe.longest_window leaves less",
+      beyond, windows["count"].get<long>(), windows["tolerance"].get<double>() * 1e9,
+      windows["largest_growth_error_time"].get<double>() * 1e3);
 }
 
 }  // namespace

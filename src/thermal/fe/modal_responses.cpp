@@ -75,8 +75,7 @@ bool add_worst(const ModalResponses& responses, const ResponseErrors& errors, Co
       const double s = factor / errors.time;
       const VectorXd v = answer(heat, load, s);
       const Eigen::ArrayXd scale = (heat.rate.array() + s).sqrt();
-      const double left =
-          (columns.beside(v).array() * scale).matrix().norm() / (v.array() * scale).matrix().norm();
+      const double left = (columns.beside(v).array() * scale).matrix().norm() / (v.array() * scale).matrix().norm();
       if (left <= worst) continue;
       worst = left;
       candidate = v;
@@ -93,8 +92,7 @@ ModalHeat ModalHeat::projected(const MatrixXd& columns, MatrixXd& modes) const {
   const MatrixXd K = columns.transpose() * rate.asDiagonal() * columns;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> own(0.5 * (K + K.transpose()));
   modes = columns * own.eigenvectors();
-  return {own.eigenvalues().cwiseMax(0.), modes.transpose() * in, modes.transpose() * out,
-          VectorXd::Zero(in.cols())};
+  return {own.eigenvalues().cwiseMax(0.), modes.transpose() * in, modes.transpose() * out, VectorXd::Zero(in.cols())};
 }
 
 ModalHeat ModalHeat::truncated(Index n, const ModalHeat& reference, double s) const {
@@ -175,8 +173,9 @@ FewModes choose_modes(const ModalResponses& responses, const MatrixXd& uniform, 
       if (columns.add(directions.col(next++))) return true;
     return false;
   };
-  const auto first = n_uniform + static_cast<Index>(std::lround(
-                                     first_modes_per_decade * std::log10(settings.longest_time / settings.shortest_time)));
+  const auto first =
+      n_uniform + static_cast<Index>(
+                      std::lround(first_modes_per_decade * std::log10(settings.longest_time / settings.shortest_time)));
   while (columns.size() < std::min(first, most) && add_strongest()) {
   }
   FewModes best;

@@ -349,7 +349,8 @@ TEST_F(RecorderTest, PlainH5pyReadsALiveFile) {
   Recorder recorder(path, header, machine());
   append_rows(recorder, 0, 50);
   recorder.flush();
-  const std::string script = "import h5py; f = h5py.File('" + path.string() + "', 'r'); assert f['/time'].shape == (50,)";
+  const std::string script =
+      "import h5py; f = h5py.File('" + path.string() + "', 'r'); assert f['/time'].shape == (50,)";
   EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
 }
 
