@@ -5,7 +5,7 @@
 
 namespace rotordrop {
 
-enum class IntegrationMethod { runge_kutta_4, dormand_prince, fehlberg_8, adams };
+enum class IntegrationMethod { tsitouras, bogacki_shampine, runge_kutta_4, dormand_prince, fehlberg_8, adams };
 
 /// [integration].
 struct IntegrationParameters {
