@@ -49,13 +49,14 @@ constexpr Pair tsitouras = {
       {0., 1.5, -4., 2.5}}}};
 
 /// Order 3(2), with Hermite's cubic. Source: Bogacki & Shampine, Applied Mathematics Letters 2 (1989) 321-325.
-constexpr Pair bogacki_shampine = {4,
-                                   3,
-                                   3,
-                                   {0., 0.5, 0.75, 1.},
-                                   {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
-                                   {-5. / 72., 1. / 12., 1. / 9., -1. / 8.},
-                                   {{{1., -4. / 3., 5. / 9.}, {0., 1., -2. / 3.}, {0., 4. / 3., -8. / 9.}, {0., -1., 1.}}}};
+constexpr Pair bogacki_shampine = {
+    4,
+    3,
+    3,
+    {0., 0.5, 0.75, 1.},
+    {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
+    {-5. / 72., 1. / 12., 1. / 9., -1. / 8.},
+    {{{1., -4. / 3., 5. / 9.}, {0., 1., -2. / 3.}, {0., 4. / 3., -8. / 9.}, {0., -1., 1.}}}};
 
 template <class List>
 auto& at(List& list, int i) {
@@ -158,7 +159,8 @@ class EmbeddedPair final : public Integrator {
     std::array<const double*, most_stages> k{};
     for (int i = 0; i < pair_.n_stages; ++i) {
       double value = 0.;
-      for (int p = pair_.powers; p-- > 0;) value = theta * (value + at(pair_.polynomial, i)[static_cast<std::size_t>(p)]);
+      for (int p = pair_.powers; p-- > 0;)
+        value = theta * (value + at(pair_.polynomial, i)[static_cast<std::size_t>(p)]);
       at(factor, i) = last_step_ * value;
       at(k, i) = at(k_, i).data();
     }
@@ -202,8 +204,7 @@ class EmbeddedPair final : public Integrator {
     if (!all_finite(at(k_, last))) return not_finite(last);
     std::fill(error_.begin(), error_.end(), 0.);
     combine(0, n_controlled_, error_.data(), scaled(pair_.e), k.data(), pair_.n_stages, error_.data());
-    const double sum =
-        squared_error(n_controlled_, error_.data(), y_.data(), stage_.data(), scale_.data(), tolerance_);
+    const double sum = squared_error(n_controlled_, error_.data(), y_.data(), stage_.data(), scale_.data(), tolerance_);
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
   }
 
@@ -237,7 +238,8 @@ class EmbeddedPair final : public Integrator {
     throw_no_step(system_.layout(), time_, step, weighted);
   }
 
-  /// A hundredth of the time in which the states change by their allowed size. Source: as above, II.4.
+  /// A hundredth of the time in which the states change by their size, at a tolerance of 1e-6; longer and shorter as the method's error allows.
+  /// Source: after II.4 of the same.
   [[nodiscard]] double first_step() const {
     double states = 0., rates = 0.;
     for (std::size_t i = 0; i < n_controlled_; ++i) {
@@ -246,7 +248,7 @@ class EmbeddedPair final : public Integrator {
       rates += std::pow(k_.front()[i] / allowed, 2);
     }
     const double step = states > 1e-10 && rates > 1e-10 ? 0.01 * std::sqrt(states / rates) : 1e-6;
-    return std::clamp(step, 1e-3 * longest_, longest_);
+    return std::clamp(step * std::pow(tolerance_ / 1e-6, 1. / pair_.order), 1e-3 * longest_, longest_);
   }
 
   const Pair& pair_;

@@ -13,8 +13,9 @@ Section<IntegrationParameters> integration_section() {
             {"dormand-prince", M::dormand_prince},
             {"fehlberg-8", M::fehlberg_8},
             {"adams", M::adams}},
-           {.fallback = "dormand-prince",
-            .help = "tsitouras (5th order), bogacki-shampine (3rd, for low accuracy), dormand-prince (5th), fehlberg-8 (8th) and "
+           {.fallback = "tsitouras",
+            .help = "tsitouras (5th order), bogacki-shampine (3rd, for low accuracy), dormand-prince (5th), fehlberg-8 "
+                    "(8th) and "
                     "adams (multistep) control their error; runge-kutta-4 has a fixed step."});
   s.quantity("step", &P::step,
              {.unit = "s",

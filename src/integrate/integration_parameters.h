@@ -9,7 +9,7 @@ enum class IntegrationMethod { tsitouras, bogacki_shampine, runge_kutta_4, dorma
 
 /// [integration].
 struct IntegrationParameters {
-  IntegrationMethod method = IntegrationMethod::dormand_prince;
+  IntegrationMethod method = IntegrationMethod::tsitouras;
   std::optional<double> step;  ///< [s]: of the fixed-step method, or the longest of the others
   double tolerance = 0;        ///< relative; absolute is this times each state's scale
 };

@@ -204,6 +204,11 @@ struct OwnPair {
   IntegrationMethod method;
   double order, interpolant_order;
 };
+/// Tsitouras' coefficients of the leading error are so small that the next order still shows at these steps.
+void expect_order(double found, double order) {
+  EXPECT_GT(found, order - 0.1);
+  EXPECT_LT(found, order + 0.8);
+}
 class EmbeddedPairs : public testing::TestWithParam<OwnPair> {};
 
 TEST_P(EmbeddedPairs, ConvergeWithTheirOrder) {
@@ -211,7 +216,7 @@ TEST_P(EmbeddedPairs, ConvergeWithTheirOrder) {
   const double coarse = error_at_end(system, {GetParam().method, 0.02, 1e6}, 1.),
                fine = error_at_end(system, {GetParam().method, 0.01, 1e6}, 1.);
   std::printf("order %.3f (%.3e, %.3e)\n", std::log2(coarse / fine), coarse, fine);
-  EXPECT_NEAR(std::log2(coarse / fine), GetParam().order, 0.2);
+  expect_order(std::log2(coarse / fine), GetParam().order);
 }
 
 TEST_P(EmbeddedPairs, InterpolateWithTheirOrder) {
@@ -232,7 +237,7 @@ TEST_P(EmbeddedPairs, InterpolateWithTheirOrder) {
   };
   const double order = std::log2(error_in_a_step(0.05) / error_in_a_step(0.025));
   std::printf("order of one step %.3f\n", order);
-  EXPECT_NEAR(order, GetParam().interpolant_order + 1., 0.3);
+  expect_order(order, GetParam().interpolant_order + 1.);
 }
 
 TEST_P(EmbeddedPairs, EvaluateEndsOfStepsAsTheyAreAsked) {
@@ -289,7 +294,7 @@ TEST(EmbeddedPair, IntegratesQuadraturesWithItsOwnOrder) {
     while (integrator->time() < 2.) integrator->advance();
     return std::fabs(integrator->state()[2] - (1. + 0.25 * std::sin(4.)));
   };
-  EXPECT_NEAR(std::log2(error(0.1) / error(0.05)), 5., 0.5);
+  expect_order(std::log2(error(0.1) / error(0.05)), 5.);
 }
 
 TEST(WorstComponents, AreNamedWithTheirSharesOfTheSquaredNorm) {
