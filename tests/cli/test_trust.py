@@ -144,7 +144,7 @@ class DamagedResults(ProgramTest):
         return self.call("run", "reference.toml", "-o", "out", *LONG, "--resume", timeout=60)
 
     def test_plain_readers_open_results_of_a_live_a_killed_and_a_finished_run(self):
-        process = start("run", "reference.toml", "-o", "out", *LONG, cwd=self.folder)
+        process = start("run", "reference.toml", "-o", "out", *LONG, *settings(run__end_time="2 s"), cwd=self.folder)
         while not (self.folder / "out/results.h5").exists():
             self.assertIsNone(process.poll())
             time.sleep(0.01)
