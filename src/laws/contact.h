@@ -31,11 +31,15 @@ struct CoulombFriction {
   double stribeck_speed = 1;        ///< v_s [m/s], > 0
   bool has_stribeck = false;
 
-  /// Coefficient over slip speed [s/m]: times a slip speed, or a vector of it, the signed coefficient.
-  [[nodiscard]] double per_speed(double slip_speed_squared) const {
+  /// Coefficient without the passage through zero.
+  [[nodiscard]] double largest(double slip_speed_squared) const {
     double m = mu;
     if (has_stribeck) m += (static_mu - mu) * std::exp(-slip_speed_squared / (stribeck_speed * stribeck_speed));
-    return m / std::sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
+    return m;
+  }
+  /// Coefficient over slip speed [s/m]: times a slip speed, or a vector of it, the signed coefficient.
+  [[nodiscard]] double per_speed(double slip_speed_squared) const {
+    return largest(slip_speed_squared) / std::sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
   }
   /// Signed coefficient at a slip speed [m/s].
   [[nodiscard]] double coefficient(double slip_speed) const { return per_speed(slip_speed * slip_speed) * slip_speed; }

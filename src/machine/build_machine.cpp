@@ -374,7 +374,12 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
   const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
-  return touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
+  return touchdown_data(name, b, p.contact,
+                        {{ring.E, ring.nu},
+                         {ball.E, ball.nu},
+                         p.run.gravity,
+                         ball.rho,
+                         p.rotor.axial_motion == AxialFreedom::free});
 }
 
 GrowthDriver driver_of(const ThermalParameters& t) { return t.growth ? chosen_driver(t) : GrowthDriver::none; }

@@ -20,6 +20,8 @@ struct RunningState {
   double radial_clearance =
       0;  ///< how far the ring, else in its mounted place, may move until a ball is touched; negative: they are pressed [m]
   bool is_floating = false;  ///< no ball touches
+  double centrifugal_over_load = 0;   ///< largest of the rows (bearing_statics.h)
+  bool neglects_centrifugal = false;  ///< the balls have no inertia, though it matters
 };
 
 /// What heat is made of; physics of the bearing behind one function, so that loops can be tried on laws with known answers.

@@ -292,6 +292,10 @@ Section<RotorParameters> rotor_section() {
                  .range = at_least(0),
                  .fallback = "4500 Hz",
                  .help = "Of model = \"modal\". More modes soften the first impact and shorten the time step."})
+      .boolean("residual_flexibility", &RotorParameters::residual_flexibility,
+               {.fallback = false,
+                .help = "Of model = \"modal\": one more mode per bearing station and plane, above the cut-off, that keeps "
+                        "the static flexibility of the modes left out."})
       .quantity("modal_damping", &RotorParameters::modal_damping,
                 {.range = between(0, 0.2),
                  .fallback = "0.005",
@@ -357,6 +361,7 @@ RotorSettings rotor_settings(const RotorParameters& parameters, const std::array
   RotorSettings settings;
   settings.representation = parameters.model;
   settings.cut_off_frequency = parameters.cut_off_frequency;
+  settings.residual_flexibility = parameters.residual_flexibility;
   settings.modal_damping = parameters.modal_damping;
   settings.mass_proportional_alpha = parameters.mass_proportional_alpha;
   settings.gravity_y = gravity[1];

@@ -61,6 +61,24 @@ class Thrust(ProgramTest):
             reaches = numpy.interp(0.3e-3, fall, time)
             self.assertAlmostEqual(time[numpy.argmax(force > 0)], reaches, delta=20e-6, msg="s: two records")
 
+    def resting(self, law, end):
+        """The rotor lies at rest in both bores, without spin, and 20 N along the axis rise from 20 to 30 ms; its way along the axis from there."""
+        summary = self.run_case("neisi2019-thrust.toml", run__end_time=end, run__initial_speed="0 rpm", rotor__initial_offset='["-249.9 um", 0]', output__interval="1 ms",
+                                rotor__axial_force='[["20 ms", "0 N"], ["30 ms", "20 N"]]', contact__friction_law=law)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            time, x = file["time"][:], file["bearings/TB2/axial_position"][:, 0]
+        return summary, numpy.abs(x[time > 0.02] - x[time <= 0.02][-1]).max()
+
+    def test_a_resting_rotor_stays_under_a_force_that_friction_holds(self):
+        summary, way = self.resting("sticking", "1.03 s")
+        self.assertLess(way, 1e-6, "m in one second")
+        # 2 bores of 1e8 N/m; the force rises slowly against their swing of 0.2 kHz.
+        self.assertAlmostEqual(way, 20 / 2e8, delta=0.3 * 20 / 2e8, msg="m")
+        self.assertLess(abs(summary["energy"]["residual"]), 1e-5, "J")
+        # The regularised law creeps at 0.05 m/s * 20 N / sqrt(107^2 - 20^2) N.
+        _, creep = self.resting("regularised", "0.08 s")
+        self.assertGreater(creep, 100e-6, "m in 50 ms")
+
     def test_energy_closes_with_axial_motion(self):
         energy = self.run_case("neisi2019-thrust.toml", run__end_time="0.1 s", run__gravity="[3, -9, 1]")["energy"]
         self.assertGreater(energy["dissipated"], 400)

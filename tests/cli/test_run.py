@@ -99,7 +99,7 @@ class Results(ProgramTest):
         # Little friction at the races: what drives the ring at 0.1 presses balls that have 0.004 to follow. 0.2 tan(12.5 deg)/0.03 = 1.48.
         slippery = self.case("bearings.TB1.race_friction_coefficient = 0.004\nbearings.TB2.race_friction_coefficient = 0.03\n", "slippery.toml")
         screen = self.succeed("run", slippery, "-o", "slippery").stdout
-        self.assertRegex(screen, r"TB1: .*\n.*\n     balls may skid: in [0-9.]+ ms, with [0-9]+ % of the ring's changes of speed, friction at the races cannot keep them rolling\nTB2")
+        self.assertRegex(screen, r"TB1: .*\n.*\n     balls of row 1 may skid: in [0-9.]+ ms, with [0-9]+ % of the ring's changes of speed, friction at the races cannot keep them rolling\nTB2")
         found = re.search(r"balls may pivot: their gyroscopic moments ask for up to ([0-9.]+) times the friction at the outer race, beyond it for [0-9.]+ ms\n", screen)
         self.assertAlmostEqual(float(found[1]), 1.48, delta=0.1)
         self.assertGreater(self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change_beyond"], 0.5 * self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change"])

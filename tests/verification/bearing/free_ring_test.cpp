@@ -109,7 +109,10 @@ TEST(FreeRing, FindsEveryWattOfItsPowerBalance) {
   auto heavy = pair;
   heavy.name = "X pair, balls with inertia";
   for (auto& row : heavy.rows) row.has_inertia = true;
-  for (const auto& data : {deep, pair, heavy}) {
+  auto shared = heavy;
+  shared.name = "X pair, gyroscopic moments shared by the races";
+  for (auto& row : shared.rows) row.inner_gyroscopic_share = 0.5;
+  for (const auto& data : {deep, pair, heavy, shared}) {
     const TB bearing(data);
     double largest_axial = 0., largest_moment = 0.;
     for (int i = 0; i < 60; ++i) {

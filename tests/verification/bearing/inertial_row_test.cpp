@@ -24,7 +24,11 @@ Sample sample(std::mt19937& random, double reach, double tilt, double speed) {
   s.rows = kind == 0   ? std::vector{deep_groove_row()}
            : kind == 1 ? angular_contact_pair(290. + 200. * one(random))
                        : pair(row(23, 8.731e-3, 85e-3, 15 * deg, steel), 500., Pair::O);
-  for (auto& g : s.rows) g.has_inertia = true;
+  const double inner_share = random() % 2 == 0 ? 0.5 : 0.;
+  for (auto& g : s.rows) {
+    g.has_inertia = true;
+    g.inner_gyroscopic_share = inner_share;
+  }
   auto& in = s.in;
   in.displacement = {reach * one(random), reach * one(random), reach * one(random), tilt * one(random),
                      tilt * one(random)};
@@ -96,7 +100,7 @@ TEST(InertialRow, NewtonStepsArriveInTheStatesOfADrop) {
     for (const auto& g : s.rows) {
       const double A = 0.04 * g.ball_diameter, F_per_speed2 = 0.5 * g.ball_mass * g.pitch_diameter;
       const InertialRow row{std::pow(g.inner.stiffness, -2. / 3.), std::pow(g.outer.stiffness, -2. / 3.), 0.5 * A,
-                            0.5 * A, g.ball_diameter / g.pitch_diameter};
+                            0.5 * A, g.ball_diameter / g.pitch_diameter, g.inner_gyroscopic_share};
       const double B_x = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset),
                    B_r = A * std::cos(g.contact_angle) - g.radial_clearance;
       InertialBalls w;

@@ -95,7 +95,10 @@ std::vector<TouchdownBearingData> lively_bearings() {
   d.name = "deep groove, balls with inertia";
   for (auto* data : {&c, &d})
     for (auto& r : data->rows) r.has_inertia = true;
-  return {a, b, touchdown("plain X pair", angular_contact_pair(900.)), c, d};
+  auto e = c;
+  e.name = "X pair, gyroscopic moments shared by the races";
+  for (auto& r : e.rows) r.inner_gyroscopic_share = 0.5;
+  return {a, b, touchdown("plain X pair", angular_contact_pair(900.)), c, d, e};
 }
 
 double energy_rate(const TB& bearing, const Instant& s, const std::vector<double>& rates) {
