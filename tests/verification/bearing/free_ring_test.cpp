@@ -37,8 +37,11 @@ TouchdownBearingData free_ring(TouchdownBearingData d) {
   return d;
 }
 
+/// The bristles of sticking friction follow the ring; bearings without them leave their rates at zero.
+constexpr std::size_t n_with_bristles = TB::n_state_free + 6;
+
 struct Evaluation {
-  std::vector<double> rates = std::vector<double>(TB::n_state_free), ledger = std::vector<double>(TB::n_ledger);
+  std::vector<double> rates = std::vector<double>(n_with_bristles), ledger = std::vector<double>(TB::n_ledger);
   SupportOutput out;
 };
 
@@ -56,7 +59,7 @@ std::vector<double> at_rest(const TB& bearing) {
 
 struct Instant {
   SupportInput in;
-  std::vector<double> y = std::vector<double>(TB::n_state_free);
+  std::vector<double> y = std::vector<double>(n_with_bristles);
 };
 
 /// The ring within 2 um in its balls, the journal 275 um aside and tilted, against one shoulder or between both.
@@ -78,6 +81,7 @@ Instant random_instant(std::mt19937& random, int kind) {
   j.theta_y = 5e-5 * one(random);
   j.theta_z = 5e-5 * one(random);
   for (auto* v : {&j.velocity_x, &j.velocity_y, &j.velocity_z}) *v = 0.3 * one(random);
+  for (std::size_t i = TB::n_state_free; i < n_with_bristles; ++i) y[i] = 2 * um * one(random);
   for (auto* v : {&j.tilt_rate_y, &j.tilt_rate_z}) *v = 3 * one(random);
   s.in.rotor_spin = {3., 1500 * one(random)};
   return s;
@@ -112,7 +116,10 @@ TEST(FreeRing, FindsEveryWattOfItsPowerBalance) {
   auto shared = heavy;
   shared.name = "X pair, gyroscopic moments shared by the races";
   for (auto& row : shared.rows) row.inner_gyroscopic_share = 0.5;
-  for (const auto& data : {deep, pair, heavy, shared}) {
+  auto sticking = pair;
+  sticking.name = "X pair with sticking friction";
+  sticking.sticking = StickingFriction{1e8, 2e-3};
+  for (const auto& data : {deep, pair, heavy, shared, sticking}) {
     const TB bearing(data);
     double largest_axial = 0., largest_moment = 0.;
     for (int i = 0; i < 60; ++i) {
