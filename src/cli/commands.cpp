@@ -117,6 +117,7 @@ void compare_after_run(const Case& drop_case, const RunCommand& command, const s
 ComparisonOptions comparison_options(const CompareCommand& command) {
   ComparisonOptions options;
   if (!command.tolerance.empty()) options.temperature = parse_temperature_tolerance(command.tolerance);
+  if (!command.floor.empty()) options.floor = parse_floor(command.floor);
   if (!command.growth_tolerance.empty()) options.growth = parse_length(command.growth_tolerance, "--growth-tolerance");
   if (!command.times.empty()) options.instants = parse_instants(command.times);
   if (!command.band_length.empty()) options.band_length = parse_length(command.band_length, "--band-length");

@@ -36,7 +36,7 @@ int calibrate_command(const CalibrateCommand& command);
 
 struct CompareCommand {
   std::filesystem::path directory, against, output;
-  std::string tolerance, growth_tolerance, times, band_length;  ///< as given; empty: default
+  std::string tolerance, floor, growth_tolerance, times, band_length;  ///< as given; empty: default
   bool force = false, quiet = false;
 };
 int compare_command(const CompareCommand& command);

@@ -95,7 +95,9 @@ int run_program(int argc, char** argv) {
   compare_app->add_option("directory", compare.directory, "Directory of a run's results")->required();
   compare_app->add_option("--against", compare.against, "Directory of another run");
   compare_app->add_option("--tolerance", compare.tolerance,
-                          "Of temperatures: \"0.5 K\", or part of the bearing's largest rise; default \"5 %\"");
+                          "Tolerance of temperatures: \"0.5 K\", or a part of the rise at the time; default \"5 %\"");
+  compare_app->add_option("--floor", compare.floor,
+                          "Smallest tolerance of temperatures if it is a part of the rise; default \"10 mK\"");
   compare_app->add_option("--growth-tolerance", compare.growth_tolerance,
                           "Of thermal growth and clearances; default \"0.1 um\"");
   compare_app->add_option("--times", compare.times,

@@ -31,15 +31,34 @@ struct Names {
   const char *first, *second;
 };
 
-Json difference_json(const TimeSeries& first, const TimeSeries& second, double tolerance, const Names& names,
+/// Times up to which the worst difference is reported [s]: the same in every run that lasts so long.
+constexpr double time_scales[] = {1e-3, 3e-3, 10e-3, 30e-3, 0.1, 0.3, 1., 3., 10., 30., 100., 300., 1000.};
+
+Json by_time_json(const Difference& d) {
+  Json j = Json::array();
+  const auto add = [&](double until) {
+    const auto worst = d.worst_until(until);
+    j.push_back({{"until", until}, {"difference", worst.difference}, {"time", worst.time}, {"usage", worst.usage}});
+  };
+  const double begin = d.series.times.front(), end = d.series.times.back();
+  for (const double until : time_scales)
+    if (until >= begin && until <= end) add(until);
+  if (j.empty() || j.back()["until"].get<double>() < end) add(end);
+  return j;
+}
+
+Json difference_json(const TimeSeries& first, const TimeSeries& second, const Tolerance& tolerance, const Names& names,
                      const std::vector<Instant>& instants) {
   const Difference d = difference_of(first, second, tolerance);
-  Json j = {{"tolerance", tolerance},
+  Json j = {{"tolerance", tolerance.floor},
+            {"tolerance_part", tolerance.part},
             {"largest_difference", d.largest},
             {"largest_difference_time", d.largest_time},
             {"beyond_from", json_number(d.beyond)},
             {"within_from", json_number(d.within)},
             {"time_beyond", d.time_beyond},
+            {"end", d.series.times.back()},
+            {"by_time", by_time_json(d)},
             {"at", Json::array()}};
   for (const auto& [name, t] : instants)
     j["at"].push_back({{"instant", name},
@@ -65,7 +84,7 @@ double largest_rise(const Side& side, const std::string& bearing) {
   return rise;
 }
 
-Json temperatures_json(const Side& a, const Side& b, const std::string& bearing, double tolerance, const Names& names,
+Json temperatures_json(const Side& a, const Side& b, const std::string& bearing, const Tolerance& tolerance, const Names& names,
                        const std::vector<Instant>& instants) {
   Json j = Json::object();
   for (const char* node : nodes)
@@ -74,7 +93,7 @@ Json temperatures_json(const Side& a, const Side& b, const std::string& bearing,
   return j;
 }
 
-Json surfaces_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std::string& bearing, double tolerance,
+Json surfaces_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std::string& bearing, const Tolerance& tolerance,
                    const std::vector<Instant>& instants) {
   Json j = Json::object();
   const char* columns[] = {"mean", "lowest", "highest"};
@@ -88,7 +107,7 @@ Json surfaces_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std
   return j;
 }
 
-Json growth_json(const Side& a, const Side& b, const std::string& bearing, double tolerance, const Names& names,
+Json growth_json(const Side& a, const Side& b, const std::string& bearing, const Tolerance& tolerance, const Names& names,
                  const std::vector<Instant>& instants) {
   Json j = Json::object();
   for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)
@@ -112,13 +131,45 @@ TimeSeries of_growth(const Side& side, const std::string& bearing, double consta
 
 /// Air gap, and play of the balls in the middle of the load: what each model's growth would leave of them.
 Json clearances_json(const Side& a, const Side& b, const std::string& bearing, const TouchdownParameters& p,
-                     double tolerance, const Names& names, const std::vector<Instant>& instants) {
+                     const Tolerance& tolerance, const Names& names, const std::vector<Instant>& instants) {
   const double gap = air_gap(p, a.drop.parameters().contact), lean = std::cos(p.contact_angle);
   const std::array<double, 5> in_gap = {-1., 1., 0., 0., 0.}, in_play = {0., 0., -lean, lean, -2.};
   return {{"air_gap", difference_json(of_growth(a, bearing, gap, in_gap), of_growth(b, bearing, gap, in_gap), tolerance,
                                       names, instants)},
           {"ball_play_change", difference_json(of_growth(a, bearing, 0., in_play), of_growth(b, bearing, 0., in_play),
                                                tolerance, names, instants)}};
+}
+
+/// Why the circuit's temperatures leave the tolerance when they do: what of the finite elements the circuit has no word for, at that time.
+Json reasons_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std::string& bearing,
+                  const Json& temperatures, const std::vector<LumpedBody>& bodies, const Impact& impact) {
+  const auto node = [&](Kind kind, const char* name, double t) {
+    const auto& drop = kind == Kind::fe ? fe : lumped;
+    return drop.series(drop.node_path(kind, bearing, name)).at(t);
+  };
+  const auto surface = [&](const char* name, double t) { return fe.series(fe.surface_path(bearing, name)).at(t); };
+  Json j = Json::object();
+  for (const auto& [name, d] : temperatures.items()) {
+    if (d["beyond_from"].is_null()) continue;
+    const double t = d["beyond_from"].get<double>();
+    Json& reason = j[name];
+    for (const auto& body : bodies)
+      if (body.name == name) {
+        reason["biot"] = body.biot;
+        if (t > impact.start) reason["fourier"] = body.fourier(t - impact.start);
+      }
+    if (name == "shaft" || name == "inner_ring")
+      reason["bore_over_ring"] = surface("bore", t) - node(Kind::fe, "inner_ring", t);
+    if (name == "ball" || name == "inner_ring")
+      reason["inner_contact_over_ring"] = {
+          {"lumped", node(Kind::lumped, "inner_contact", t) - node(Kind::lumped, "inner_ring", t)},
+          {"fe", surface("inner_raceway", t) - node(Kind::fe, "inner_ring", t)}};
+    if (name == "ball" || name == "outer_ring")
+      reason["outer_contact_over_ring"] = {
+          {"lumped", node(Kind::lumped, "outer_contact", t) - node(Kind::lumped, "outer_ring", t)},
+          {"fe", surface("outer_raceway", t) - node(Kind::fe, "outer_ring", t)}};
+  }
+  return j;
 }
 
 Json lumping_json(const std::vector<LumpedBody>& bodies, const Impact& impact, const std::vector<Instant>& instants) {
@@ -175,7 +226,10 @@ Models models_of(const RecordedDrop& drop, const RecordedDrop* against) {
   return m;
 }
 
-double tolerance_of(const TemperatureTolerance& t, double rise) { return t.is_part ? t.value * rise : t.value; }
+Tolerance temperature_tolerance(const ComparisonOptions& options, double ambient) {
+  const auto& t = options.temperature;
+  return t.is_part ? Tolerance{options.floor, t.value, ambient} : Tolerance{t.value, 0., ambient};
+}
 
 Json compare_bearing(const std::string& name, const TouchdownParameters& p, const RecordedDrop& drop,
                      const RecordedDrop* against, const Models& models, const ComparisonOptions& options,
@@ -191,15 +245,16 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
   if (models.lumped && models.fe) {
     const Side lumped{*models.lumped, Kind::lumped}, fe{*models.fe, Kind::fe};
     const Names names{"lumped", "fe"};
-    const double rise = std::max(largest_rise(lumped, name), largest_rise(fe, name)),
-                 tolerance = tolerance_of(options.temperature, rise);
-    j["largest_rise"] = rise;
+    const Tolerance tolerance = temperature_tolerance(options, drop.parameters().run.ambient);
+    const Tolerance growth{options.growth};
+    j["largest_rise"] = std::max(largest_rise(lumped, name), largest_rise(fe, name));
     j["lumps_in_both"] = Json::array({"ball"});
     if (!models.fe->parameters().thermal.fe.shaft) j["lumps_in_both"].push_back("shaft");
     j["temperatures"] = temperatures_json(lumped, fe, name, tolerance, names, instants);
     j["surfaces"] = surfaces_json(*models.lumped, *models.fe, name, tolerance, instants);
-    j["growth"] = growth_json(lumped, fe, name, options.growth, names, instants);
-    j["clearances"] = clearances_json(lumped, fe, name, p, options.growth, names, instants);
+    j["growth"] = growth_json(lumped, fe, name, growth, names, instants);
+    j["reasons"] = reasons_json(*models.lumped, *models.fe, name, j["temperatures"], lumped_bodies(drop.parameters(), name, p), impact);
+    j["clearances"] = clearances_json(lumped, fe, name, p, growth, names, instants);
   }
 
   BoreReport bore = report_bore(name, p, drop, models.lumped, models.fe, options.band_length, impact, instants);
@@ -221,14 +276,14 @@ Json compare_runs(const std::string& name, const RecordedDrop& drop, const Recor
   j["forces"] = {{"this", forces_json(drop, name, first_impact(drop, name))},
                  {"against", forces_json(against, name, first_impact(against, name))}};
   const std::string gap = "/bearings/" + name + "/clearance", expansion = "/bearings/" + name + "/expansion";
-  j["air_gap"] = difference_json(drop.series(gap), against.series(gap), options.growth, names, instants);
+  j["air_gap"] = difference_json(drop.series(gap), against.series(gap), {options.growth}, names, instants);
   for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)
     j["expansion"][growth_surface_keys[c]] =
-        difference_json(drop.series(expansion, c), against.series(expansion, c), options.growth, names, instants);
+        difference_json(drop.series(expansion, c), against.series(expansion, c), {options.growth}, names, instants);
   for (const Kind kind : {Kind::lumped, Kind::fe}) {
     if (!drop.has(kind) || !against.has(kind)) continue;
     const Side a{drop, kind}, b{against, kind};
-    const double tolerance = tolerance_of(options.temperature, std::max(largest_rise(a, name), largest_rise(b, name)));
+    const Tolerance tolerance = temperature_tolerance(options, drop.parameters().run.ambient);
     j["temperatures"][kind == Kind::lumped ? "lumped" : "fe"] =
         temperatures_json(a, b, name, tolerance, names, instants);
   }
@@ -265,7 +320,8 @@ Comparison compare_models(const RecordedDrop& drop, const RecordedDrop* against,
   j["lumped_from"] = models.lumped ? Json(models.lumped->directory().string()) : Json(nullptr);
   j["fe_from"] = models.fe ? Json(models.fe->directory().string()) : Json(nullptr);
   j["tolerances"] = {{"temperature", options.temperature.value},
-                     {"temperature_unit", options.temperature.is_part ? "part of the largest rise" : "K"},
+                     {"temperature_unit", options.temperature.is_part ? "part of the rise at the time" : "K"},
+                     {"temperature_floor", options.temperature.is_part ? Json(options.floor) : Json(nullptr)},
                      {"growth", options.growth}};
   j["bearings"] = Json::object();
   for (const auto& [name, parameters] : drop.bearings()) {

@@ -30,10 +30,14 @@ TemperatureTolerance parse_temperature_tolerance(const std::string& text) {
     if (!value || !(*value > 0.) || !std::isfinite(*value) ||
         text.find_first_not_of(' ', percent + 1) != std::string::npos)
       throw InputError({"--tolerance", 0, 0}, fmt::format("\"{}\" is no percentage above zero", text),
-                       "Write \"5 %\" of the largest rise, or \"0.5 K\".");
+                       "Write \"5 %\" of the rise at the time, or \"0.5 K\".");
     return {*value / 100., true};
   }
   return {positive_si(text, "K", QuantityKind::temperature_difference, "--tolerance", "a tolerance"), false};
+}
+
+double parse_floor(const std::string& text) {
+  return positive_si(text, "K", QuantityKind::temperature_difference, "--floor", "a tolerance");
 }
 
 double parse_length(const std::string& text, const std::string& option) {

@@ -5,7 +5,7 @@
 
 namespace rotordrop {
 
-/// Of temperatures: kelvin, or a part of a bearing's largest rise.
+/// Tolerance of temperatures: kelvin, or a part of the rise at the time.
 struct TemperatureTolerance {
   double value = 0.05;
   bool is_part = true;
@@ -16,9 +16,12 @@ TemperatureTolerance parse_temperature_tolerance(const std::string& text);
 std::vector<double> parse_instants(const std::string& text);
 /// A length above zero, such as "0.1 um". @param option  how messages call it. @throws InputError
 double parse_length(const std::string& text, const std::string& option);
+/// A temperature difference above zero, such as "10 mK". @throws InputError
+double parse_floor(const std::string& text);
 
 struct ComparisonOptions {
   TemperatureTolerance temperature;
+  double floor = 0.01;                    ///< smallest tolerance of temperatures that is a part of the rise [K]
   double growth = 0.1e-6;                 ///< tolerance of growths and clearances [m]
   std::vector<double> instants = {0.01};  ///< reported beside the first impact's peak and the end [s]
   std::optional<double>

@@ -37,17 +37,25 @@ std::string words(std::string key) {
   return key == "ball" ? "balls" : key;
 }
 
-/// "within 0.13 K throughout", "off by up to -0.19 K (300 ms) and beyond 0.13 K from 187 ms to the end".
+/// "5 % of the rise at the time (at least 0.01 K)", "0.1 um".
+std::string tolerance_text(const Json& d, const Scale& scale) {
+  const std::string floor = in(scale, d["tolerance"].get<double>());
+  const double part = d["tolerance_part"].get<double>();
+  return part > 0. ? fmt::format("{:.3g} % of the rise at the time (at least {})", 100. * part, floor) : floor;
+}
+
+/// "within the tolerance to the end at 300 ms (at most -0.19 K at 12 ms)", "within it until 187 ms; up to -0.19 K (300 ms)".
 std::string agreement(const Json& d, const Scale& scale) {
-  const std::string tolerance = in(scale, d["tolerance"].get<double>()),
-                    largest = fmt::format("{} at {}", signed_in(scale, d["largest_difference"].get<double>()),
+  const std::string largest = fmt::format("{} at {}", signed_in(scale, d["largest_difference"].get<double>()),
                                           ms(d["largest_difference_time"].get<double>()));
-  if (d["beyond_from"].is_null()) return fmt::format("within {} throughout (at most {})", tolerance, largest);
+  if (d["beyond_from"].is_null())
+    return fmt::format("within the tolerance to the end of the run at {} (difference at most {})", ms(d["end"].get<double>()),
+                       largest);
   const std::string from = ms(d["beyond_from"].get<double>());
   if (d["within_from"].is_null())
-    return fmt::format("off by up to {}; first by more than {} at {}, and so at the end", largest, tolerance, from);
-  return fmt::format("off by up to {}; within {} until {} and from {} on", largest, tolerance, from,
-                     ms(d["within_from"].get<double>()));
+    return fmt::format("within the tolerance until {}; difference up to {}", from, largest);
+  return fmt::format("within the tolerance until {} and again from {}; difference up to {}", from,
+                     ms(d["within_from"].get<double>()), largest);
 }
 
 /// Names of what stays within the tolerance, and sentences for what does not.
@@ -60,29 +68,60 @@ void add_agreements(const Json& group, const Scale& scale, const std::string& wh
       text.push_back(fmt::format("{} {}: {}.", what, words(key), agreement(d, scale)));
   }
   if (!within.empty())
-    text.push_back(fmt::format("{} {}: within {} throughout.", what, fmt::join(within, ", "),
-                               in(scale, group.front()["tolerance"].get<double>())));
+    text.push_back(fmt::format("{} {}: within {} to the end of the run at {}.", what, fmt::join(within, ", "),
+                               tolerance_text(group.front(), scale), ms(group.front()["end"].get<double>())));
 }
 
-/// "until 182 ms", "throughout", from the earliest time at which one of a group is beyond its tolerance.
+/// "until 182 ms (shaft)", "to the end of the run (300 ms)", from the earliest time at which one of a group is beyond its tolerance.
 std::string trusted(const Json& group) {
   double first = std::numeric_limits<double>::infinity();
+  std::string which;
   for (const auto& [key, d] : group.items())
-    if (!d["beyond_from"].is_null()) first = std::min(first, d["beyond_from"].get<double>());
-  return std::isinf(first) ? "throughout" : "until " + ms(first);
+    if (!d["beyond_from"].is_null() && d["beyond_from"].get<double>() < first) {
+      first = d["beyond_from"].get<double>();
+      which = words(key);
+    }
+  if (std::isinf(first)) return fmt::format("to the end of the run ({})", ms(group.front()["end"].get<double>()));
+  return fmt::format("until {} ({})", ms(first), which);
 }
 
 void add_summary(const Json& b, std::vector<std::string>& text) {
-  std::vector<std::string> surfaces;
+  text.push_back(fmt::format("In short: the circuit's mean temperatures stay within {} {}; its growth within {} {}, its clearances {}.",
+                             tolerance_text(b["temperatures"].front(), kelvin), trusted(b["temperatures"]),
+                             tolerance_text(b["growth"].front(), micrometres), trusted(b["growth"]),
+                             trusted(b["clearances"])));
+  std::vector<std::string> each, surfaces;
+  for (const auto& [name, d] : b["temperatures"].items())
+    if (!d["beyond_from"].is_null()) each.push_back(fmt::format("{} {}", words(name), ms(d["beyond_from"].get<double>())));
   for (const auto& [name, s] : b["surfaces"].items())
     if (const Json& from = s["mean"]["beyond_from"]; !from.is_null())
-      surfaces.push_back(fmt::format("{} (from {} on)", words(name), ms(from.get<double>())));
-  text.push_back(fmt::format(
-      "In short: within {} and {} the circuit stands for mean temperatures {}, for growth {}, for clearances {}{}.",
-      in(kelvin, b["temperatures"].front()["tolerance"].get<double>()),
-      in(micrometres, b["growth"].front()["tolerance"].get<double>()), trusted(b["temperatures"]), trusted(b["growth"]),
-      trusted(b["clearances"]),
-      surfaces.empty() ? "" : fmt::format("; not for surfaces: {}", fmt::join(surfaces, ", "))));
+      surfaces.push_back(fmt::format("{} {}", words(name), ms(from.get<double>())));
+  if (each.empty() && surfaces.empty()) return;
+  const auto list = [](const std::vector<std::string>& parts) {
+    return parts.empty() ? std::string("none") : fmt::format("{}", fmt::join(parts, ", "));
+  };
+  text.push_back(fmt::format("Beyond the tolerance from: means: {}; surfaces (which the circuit has no nodes for): {}.", list(each),
+                             list(surfaces)));
+}
+
+/// What the finite elements know and the circuit does not, when a mean temperature leaves its tolerance.
+void add_reasons(const Json& b, std::vector<std::string>& text) {
+  for (const auto& [name, r] : b["reasons"].items()) {
+    std::vector<std::string> reasons;
+    if (r.contains("bore_over_ring"))
+      reasons.push_back(fmt::format("no node for the bore, which is {} above its ring's mean", in(kelvin, r["bore_over_ring"].get<double>())));
+    for (const char* side : {"inner", "outer"})
+      if (const std::string key = std::string(side) + "_contact_over_ring"; r.contains(key))
+        reasons.push_back(fmt::format("spreading: {} raceway {} above its ring's mean, the circuit's contact {}", side,
+                                      in(kelvin, r[key]["fe"].get<double>()), in(kelvin, r[key]["lumped"].get<double>())));
+    if (r.contains("fourier") && r["fourier"].get<double>() < 0.3)
+      reasons.push_back(fmt::format("temperatures inside the body not equalised yet (Fourier number {:.2g})", r["fourier"].get<double>()));
+    if (r.contains("biot") && r["biot"].get<double>() > largest_lumped_biot)
+      reasons.push_back(fmt::format("heat leaves as easily as it spreads (Biot number {:.2g})", r["biot"].get<double>()));
+    if (!reasons.empty())
+      text.push_back(fmt::format("When {} {} the tolerance ({}): {}.", words(name), name == "ball" ? "leave" : "leaves",
+                                 ms(b["temperatures"][name]["beyond_from"].get<double>()), fmt::join(reasons, "; ")));
+  }
 }
 
 void add_local(const Json& b, std::vector<std::string>& text) {
@@ -112,6 +151,7 @@ void add_models(const Json& b, std::vector<std::string>& text) {
                                fmt::join(lumps, ", ")));
   }
   add_agreements(b["temperatures"], kelvin, "Mean temperature of", text);
+  add_reasons(b, text);
   add_agreements(b["growth"], micrometres, "Growth of", text);
   text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));
   text.push_back(fmt::format("Bore's surface, its mean around the circumference, over the circuit's inner ring: {}.",

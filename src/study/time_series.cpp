@@ -7,19 +7,23 @@
 namespace rotordrop {
 namespace {
 
-/// Parts of a straight line from a to b on which its magnitude exceeds the tolerance, as fractions of its length.
+/// Parts of a straight line from a to b on which its magnitude exceeds a tolerance that goes from p to q, as fractions of its length.
 struct Part {
   double from, to;
 };
-std::vector<Part> parts_beyond(double a, double b, double tolerance) {
+std::vector<Part> parts_beyond(double a, double b, double p, double q) {
   std::vector<double> cuts = {0.};
-  for (const double level : {-tolerance, tolerance})
-    if ((a - level) * (b - level) < 0.) cuts.push_back((level - a) / (b - a));
+  for (const double sign : {-1., 1.}) {
+    const double before = a - sign * p, after = b - sign * q;
+    if (before * after < 0.) cuts.push_back(before / (before - after));
+  }
   cuts.push_back(1.);
   std::sort(cuts.begin(), cuts.end());
   std::vector<Part> parts;
-  for (std::size_t i = 1; i < cuts.size(); ++i)
-    if (std::fabs(a + 0.5 * (cuts[i - 1] + cuts[i]) * (b - a)) > tolerance) parts.push_back({cuts[i - 1], cuts[i]});
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double middle = 0.5 * (cuts[i - 1] + cuts[i]);
+    if (std::fabs(a + middle * (b - a)) > p + middle * (q - p)) parts.push_back({cuts[i - 1], cuts[i]});
+  }
   return parts;
 }
 
@@ -56,27 +60,40 @@ double TimeSeries::at(double time) const {
   return part == 0. ? values[i - 1] : values[i - 1] + part * (values[i] - values[i - 1]);
 }
 
-Difference difference_of(const TimeSeries& first, const TimeSeries& second, double tolerance) {
+double Tolerance::at(double first, double second) const {
+  return std::max(floor, part * std::max(std::fabs(first - zero), std::fabs(second - zero)));
+}
+
+Difference difference_of(const TimeSeries& first, const TimeSeries& second, const Tolerance& tolerance) {
   Difference d;
   d.series = subtract(first, second);
-  d.tolerance = tolerance;
   const auto& [t, v] = d.series;
+  for (const double time : t) d.allowed.push_back(tolerance.at(first.at(time), second.at(time)));
   for (std::size_t i = 0; i < v.size(); ++i)
     if (i == 0 || std::fabs(v[i]) > std::fabs(d.largest)) {
       d.largest = v[i];
       d.largest_time = t[i];
     }
   d.within = t.front();
-  if (std::fabs(v.front()) > tolerance) d.beyond = t.front();
+  if (std::fabs(v.front()) > d.allowed.front()) d.beyond = t.front();
   for (std::size_t i = 1; i < v.size(); ++i)
-    for (const auto& [from, to] : parts_beyond(v[i - 1], v[i], tolerance)) {
+    for (const auto& [from, to] : parts_beyond(v[i - 1], v[i], d.allowed[i - 1], d.allowed[i])) {
       const double step = t[i] - t[i - 1];
       if (!d.beyond) d.beyond = t[i - 1] + from * step;
       d.within = t[i - 1] + to * step;
       d.time_beyond += (to - from) * step;
     }
-  if (std::fabs(v.back()) > tolerance) d.within.reset();
+  if (std::fabs(v.back()) > d.allowed.back()) d.within.reset();
   return d;
+}
+
+Difference::Worst Difference::worst_until(double time) const {
+  Worst worst;
+  for (std::size_t i = 0; i < series.times.size() && series.times[i] <= time; ++i) {
+    const double size = std::fabs(series.values[i]), usage = size > 0. ? size / allowed[i] : 0.;
+    if (i == 0 || usage > worst.usage) worst = {series.values[i], series.times[i], usage};
+  }
+  return worst;
 }
 
 Extreme largest_of(const TimeSeries& s) {

@@ -33,7 +33,7 @@ TEST(TimeSeries, IsLinearBetweenSamplesAndConstantOutside) {
 // second - first = 3 - t: it exceeds 1 until t = 2 exactly, between samples, and falls below -1 at t = 4.
 TEST(Difference, CrossesTheToleranceWhereTheLinesDo) {
   const auto first = sampled(3.5, 5, [](double t) { return t; }), second = sampled(3.5, 5, [](double) { return 3.; });
-  const Difference d = difference_of(first, second, 1.);
+  const Difference d = difference_of(first, second, {1.});
   EXPECT_DOUBLE_EQ(d.largest, 3.);
   EXPECT_DOUBLE_EQ(d.largest_time, 0.);
   ASSERT_TRUE(d.beyond && d.within);
@@ -44,15 +44,15 @@ TEST(Difference, CrossesTheToleranceWhereTheLinesDo) {
 
 TEST(Difference, HasTheSignOfSecondMinusFirst) {
   const TimeSeries cold{{0., 1., 2.}, {1., 1., 1.}}, warm{{0., 1., 2.}, {1., 5., 2.}};
-  EXPECT_EQ(difference_of(cold, warm, 0.5).largest, 4.);
-  EXPECT_EQ(difference_of(warm, cold, 0.5).largest, -4.);
-  EXPECT_EQ(difference_of(warm, cold, 0.5).largest_time, 1.);
+  EXPECT_EQ(difference_of(cold, warm, {0.5}).largest, 4.);
+  EXPECT_EQ(difference_of(warm, cold, {0.5}).largest, -4.);
+  EXPECT_EQ(difference_of(warm, cold, {0.5}).largest_time, 1.);
 }
 
 // 2 - t on 0..4 with tolerance 1: beyond before 1 and after 3; the end is beyond.
 TEST(Difference, ThatEndsBeyondIsNeverWithinForGood) {
   const auto zero = sampled(4., 7, [](double) { return 0.; }), line = sampled(4., 7, [](double t) { return 2. - t; });
-  const Difference d = difference_of(zero, line, 1.);
+  const Difference d = difference_of(zero, line, {1.});
   EXPECT_FALSE(d.within);
   EXPECT_NEAR(d.time_beyond, 2., 1e-14);
   EXPECT_FALSE(d.is_always_within());
@@ -61,7 +61,7 @@ TEST(Difference, ThatEndsBeyondIsNeverWithinForGood) {
 // A step from -2 to +2 between two samples is within the tolerance of 1 only in the middle half.
 TEST(Difference, SeesBothCrossingsBetweenTwoSamples) {
   const TimeSeries zero{{0., 1., 2.}, {0., 0., 0.}}, step{{0., 1., 2.}, {-2., 2., 0.}};
-  const Difference d = difference_of(zero, step, 1.);
+  const Difference d = difference_of(zero, step, {1.});
   EXPECT_NEAR(d.time_beyond, 0.25 + 0.25 + 0.5, 1e-14);
   ASSERT_TRUE(d.within);
   EXPECT_NEAR(*d.within, 1.5, 1e-14);
@@ -69,7 +69,7 @@ TEST(Difference, SeesBothCrossingsBetweenTwoSamples) {
 
 TEST(Difference, WithinThroughoutIsWithinFromTheBeginning) {
   const TimeSeries a{{2., 3.}, {0., 0.}}, b{{2., 3.}, {0.5, -0.5}};
-  const Difference d = difference_of(a, b, 0.6);
+  const Difference d = difference_of(a, b, {0.6});
   EXPECT_TRUE(d.is_always_within());
   ASSERT_TRUE(d.within);
   EXPECT_EQ(*d.within, 2.);
@@ -80,7 +80,7 @@ TEST(Difference, WithinThroughoutIsWithinFromTheBeginning) {
 TEST(Difference, IsTakenAtTheTimesOfTheCoarserSeries) {
   const auto fine = sampled(1., 100, [](double t) { return t * t; }),
              coarse = sampled(1., 4, [](double t) { return t * t; });
-  for (const auto& d : {difference_of(fine, coarse, 1.), difference_of(coarse, fine, 1.)}) {
+  for (const auto& d : {difference_of(fine, coarse, {1.}), difference_of(coarse, fine, {1.})}) {
     EXPECT_THAT(d.series.times, testing::ElementsAre(0., 0.25, 0.5, 0.75, 1.));
     EXPECT_NEAR(d.largest, 0., 1e-15);
   }
@@ -88,8 +88,25 @@ TEST(Difference, IsTakenAtTheTimesOfTheCoarserSeries) {
 
 TEST(Difference, CoversTheCommonTimeOnly) {
   const TimeSeries a{{0., 1., 2.}, {0., 0., 0.}}, b{{1., 2., 3.}, {1., 1., 9.}}, later{{5., 6.}, {0., 0.}};
-  EXPECT_EQ(difference_of(a, b, 0.1).largest, 1.);
-  EXPECT_THROW((void)difference_of(a, later, 0.1), std::invalid_argument);
+  EXPECT_EQ(difference_of(a, b, {0.1}).largest, 1.);
+  EXPECT_THROW((void)difference_of(a, later, {0.1}), std::invalid_argument);
+}
+
+// Rises t and 1.1 t: the difference 0.1 t is beyond 5 % of the larger rise at once, and beyond the floor of 0.2 from t = 2 on.
+TEST(Difference, IsJudgedByTheRiseAtTheTimeAndAFloor) {
+  const auto rise = [](double factor, double end) {
+    return TimeSeries{{0., end / 4., end / 2., end}, {300., 300. + factor * end / 4., 300. + factor * end / 2., 300. + factor * end}};
+  };
+  for (const double end : {4., 40.}) {  // the same verdict of the beginning, however long the run
+    const Difference d = difference_of(rise(1., end), rise(1.1, end), {.floor = 0.2, .part = 0.05, .zero = 300.});
+    ASSERT_TRUE(d.beyond);
+    // With samples 10 apart the tolerance is taken as a straight line from 0.2 to 0.55: 0.1 t = 0.2 + 0.035 t.
+    EXPECT_NEAR(*d.beyond, end == 4. ? 2. : 0.2 / 0.065, 1e-9);
+    EXPECT_NEAR(d.worst_until(end).usage, 0.1 / 0.055, 1e-9);
+    EXPECT_NEAR(d.worst_until(0.25 * end).difference, 0.025 * end, 1e-9);
+    EXPECT_EQ(d.worst_until(0.).usage, 0.);
+  }
+  EXPECT_FALSE(difference_of(rise(1., 40.), rise(1.1, 40.), {.floor = 0.2, .part = 0.1, .zero = 300.}).beyond);
 }
 
 TEST(TimeSeries, FindsItsFirstCrossingOfZeroEachWay) {
