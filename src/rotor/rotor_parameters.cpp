@@ -294,8 +294,10 @@ Section<RotorParameters> rotor_section() {
                  .help = "Of model = \"modal\". More modes soften the first impact and shorten the time step."})
       .boolean("residual_flexibility", &RotorParameters::residual_flexibility,
                {.fallback = false,
+                .source = "off: the modes it adds take the settling reference drop from 112 000 to 146 000 right-hand sides",
                 .help = "Of model = \"modal\": one more mode per bearing station and plane, above the cut-off, that keeps "
-                        "the static flexibility of the modes left out."})
+                        "the static flexibility of the modes left out: peak forces within 0.15 % of those of \"full\" instead "
+                        "of 0.5 to 0.9 %."})
       .quantity("modal_damping", &RotorParameters::modal_damping,
                 {.range = between(0, 0.2),
                  .fallback = "0.005",

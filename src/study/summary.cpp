@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "bearing/bearing_statics.h"
 #include "machine/rotor_report.h"
+#include "machine/statics.h"
 #include "study/drop_fields.h"
 #include "study/elastic_state.h"
 #include "study/fe_summary.h"
