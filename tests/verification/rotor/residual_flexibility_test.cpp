@@ -64,7 +64,8 @@ TEST(ResidualFlexibility, IsMadeOfModesWithTheirTrueMass) {
   for (const double cut_off : {1000., 2000., 4500., 10000.}) {
     const auto bare = free_free_modes(geometry, cut_off), with = free_free_modes(geometry, cut_off, stations);
     ASSERT_EQ(with.n_modes(), bare.n_modes() + 2);
-    EXPECT_EQ(with.shape.leftCols(bare.n_modes()), bare.shape) << "those that were kept before";
+    EXPECT_LT((with.shape.leftCols(bare.n_modes()) - bare.shape).norm(), 1e-12 * bare.shape.norm())
+        << "those that were kept before, but for roundoff";
     const double m = bare.body.mass;
     const Eigen::MatrixXd M = with.shape.transpose() * fe.mass * with.shape / m;
     const Eigen::MatrixXd K = with.shape.transpose() * fe.stiffness * with.shape / m;
