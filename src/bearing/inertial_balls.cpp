@@ -119,9 +119,11 @@ struct Balance {
   /// Turn and growth of the outer length that cancel the forces.
   [[nodiscard]] ROTORDROP_INLINE double turn() const { return (force_t * R_n_x - force_n * R_t_x) * inverse_det; }
   [[nodiscard]] ROTORDROP_INLINE double growth() const { return (force_n * R_t_a - force_t * R_n_a) * inverse_det; }
-  /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more.
+  /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more; or if the ball got past the inner groove's centre, where
+  /// forces balance, too, under loads of no meaning.
   [[nodiscard]] ROTORDROP_INLINE double is_left(double enough) const {
-    return std::abs(force_n) + std::abs(force_t) <= enough * (Q_o + F) ? 0. : 1.;
+    const double past = Q_i > 0. ? larger(-c, 0.) : 0.;
+    return std::abs(force_n) + std::abs(force_t) <= enough * (Q_o + F) && past == 0. ? 0. : 1.;
   }
 };
 

@@ -69,7 +69,7 @@ Instant random_instant(std::mt19937& random, bool in_contact) {
   s.in.journal.velocity_y = 0.5 * one(random);
   s.in.journal.velocity_z = 0.5 * one(random);
   s.in.rotor_spin = {3., 1500 * one(random)};
-  y[TB::n_state] = 2 * um * one(random);
+  y[TB::n_state] = 2 * um * std::sin(1e6 * y[TB::ring_y]);
   s.in.growth = {1 * um * one(random), 1 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random),
                  0.2 * um * one(random)};
   s.growth_rate = {3e-3 * one(random), 3e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random)};
