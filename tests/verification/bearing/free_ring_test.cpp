@@ -119,7 +119,13 @@ TEST(FreeRing, FindsEveryWattOfItsPowerBalance) {
   auto sticking = pair;
   sticking.name = "X pair with sticking friction";
   sticking.sticking = StickingFriction{1e8, 2e-3};
+  // The last two at the instants of their likes, at which no ball or shoulder is about to touch.
+  std::mt19937 of_pair, of_heavy;
   for (const auto& data : {deep, pair, heavy, shared, sticking}) {
+    if (data.name == pair.name) of_pair = random;
+    if (data.name == heavy.name) of_heavy = random;
+    if (data.name == shared.name) random = of_heavy;
+    if (data.name == sticking.name) random = of_pair;
     const TB bearing(data);
     double largest_axial = 0., largest_moment = 0.;
     for (int i = 0; i < 60; ++i) {
