@@ -216,8 +216,8 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   }
 
   out.heat.rub = t.rub_heat;
-  out.heat.inner = inner_heat_share_ * M * ring_speed;
-  out.heat.outer = (1. - inner_heat_share_) * M * ring_speed;
+  out.heat.inner = inner_heat_share_ * M * ring_speed * data_.heat_over_work;
+  out.heat.outer = (1. - inner_heat_share_) * M * ring_speed * data_.heat_over_work;
   out.heat.is_in_contact = t.is_touching;
   // The rubbing spot lies on the line of centres and turns with it.
   const double spot_speed = data_.bore_radius * t.middle.centres_turning;
@@ -227,7 +227,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   const double support_loss = damper_y * y[support_vy] + damper_z * y[support_vz];
   const double inertia_work = balls.inertia_power + balls.inertia_per_speed * dydt[ring_spin];
   const double wave_work = balls.waviness_power + t.wave_power;
-  out.other_dissipation = t.damping + balls.damping_power + support_loss;
+  out.other_dissipation = t.damping + balls.damping_power + support_loss - (data_.heat_over_work - 1.) * M * ring_speed;
   out.energy_gradient = {t.elastic, -t.elastic, balls.elastic_radial, -balls.elastic_radial, 2. * balls.elastic_normal};
   // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
   const double centrifugal_work = (out.energy_gradient.bore * data_.centrifugal_bore_growth +

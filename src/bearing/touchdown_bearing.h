@@ -81,6 +81,7 @@ struct TouchdownBearingData {
   double spin_axis_factor = 0;           ///< a / F^(1/3) of the inner contact [m/N^(1/3)]
   double spin_elliptic_integral = 1;     ///< E of the inner contact
   bool add_spin_heat = false;            ///< spin moments add torque and heat to M
+  double heat_over_work = 1;             ///< above 1: heat that no work pays for, taken off other_dissipation
 
   double support_mass = 0;                                  ///< [kg]
   double support_stiffness_y = 0, support_stiffness_z = 0;  ///< [N/m]

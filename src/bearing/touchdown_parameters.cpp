@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "laws/ball_kinematics.h"
+
 namespace rotordrop {
 namespace {
 
@@ -249,10 +251,13 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
                     "cot phi - 0.1 F_r) with it."});
   s.choice(
       "internal_heat", &P::internal_heat,
-      {{"energy-consistent", InternalHeat::energy_consistent}, {"with-spin", InternalHeat::with_spin}},
+      {{"energy-consistent", InternalHeat::energy_consistent},
+       {"with-spin", InternalHeat::with_spin},
+       {"ball-speed", InternalHeat::ball_speed}},
       {.fallback = "energy-consistent",
-       .help =
-           "Heat of the bearing's friction torque alone, or with the balls' spin moments as an additional torque."});
+       .help = "Heat of the bearing's friction torque alone, or with the balls' spin moments as an additional torque, "
+               "or friction torque times ball speed: more heat than the work done, as eq. 24 of the reference paper "
+               "has it, for comparison only."});
   s.quantity(
       "race_friction_coefficient", &P::race_friction_coefficient,
       {.range = at_least(0),
@@ -593,6 +598,10 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.spin_axis_factor = semi_major_axis_factor(inner, modulus, b.elliptic_integrals);
   d.spin_elliptic_integral = contact_ellipse(inner, b.elliptic_integrals).E;
   d.add_spin_heat = b.internal_heat == InternalHeat::with_spin;
+  if (b.internal_heat == InternalHeat::ball_speed) {
+    const auto& g = d.rows.front();
+    d.heat_over_work = ball_spin_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
+  }
   d.support_mass = b.support.mass;
   d.support_stiffness_y = b.support.K_y;
   d.support_stiffness_z = b.support.K_z;

@@ -57,8 +57,8 @@ struct ShoulderParameters {
 
 enum class RowArrangement { face_to_face, back_to_back, tandem };
 
-/// Heat inside the bearing: of the friction torque alone, or with the balls' spin moments as an additional torque.
-enum class InternalHeat { energy_consistent, with_spin };
+/// Heat inside the bearing: of the friction torque alone, with the balls' spin moments as an additional torque, or torque times ball speed (eq. 24).
+enum class InternalHeat { energy_consistent, with_spin, ball_speed };
 
 /// What the fit of the outer ring in its housing passes on: pressure alone, or every traction.
 enum class HousingFit { frictionless, bonded };

@@ -65,7 +65,7 @@ RunningState TouchdownRunning::in(const BearingState& state) const {
   const auto ring = report_ring(system.ring(), system.place(x), 1e-6 * system.force_scale());
   const auto friction = steady_friction(data_, ring, state.speed);
   RunningState s;
-  s.heat = friction.total() * std::fabs(state.speed);
+  s.heat = friction.total() * std::fabs(state.speed) * data_.heat_over_work;
   s.load_torque = friction.load;
   s.drag_torque = friction.drag;
   s.spin_torque = friction.spin;

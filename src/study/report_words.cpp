@@ -88,6 +88,8 @@ Json report_assumptions(const RecordedDrop& drop) {
                                b.load_law == FrictionLoadLaw::radial ? "radial" : "equivalent (preload included)",
                                b.internal_heat == InternalHeat::energy_consistent
                                    ? "friction torque times ring speed (energy-consistent)"
+                               : b.internal_heat == InternalHeat::ball_speed
+                                   ? "friction torque times ball speed, more than the work done (for comparison)"
                                    : "not only friction torque times ring speed"));
   if (p.thermal.heat_share == HeatShare::constant)
     list.push_back(fmt::format("A constant share of {:.3g} of the rub heat enters the inner ring, the rest the rotor.",

@@ -98,7 +98,8 @@ Json spin_up_balance(const Machine& machine, std::size_t support, std::span<cons
   const auto& d = bearing->data();
   const double balance = d.rotor_radius / d.bore_radius * machine.ledger(support, "spin-up drive", y) -
                          0.5 * d.ring_spin_inertia * ring_speed * ring_speed -
-                         machine.ledger(support, "inner heat", y) - machine.ledger(support, "outer heat", y) +
+                         (machine.ledger(support, "inner heat", y) + machine.ledger(support, "outer heat", y)) /
+                             d.heat_over_work +
                          machine.ledger(support, "spin-up centres", y);
   return {{"slip_energy", balance}, {"residual", machine.ledger(support, "rub heat", y) - balance}};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -88,6 +89,9 @@ void look_at_turns(const ContactOrbit& o, const Sums& s, std::size_t from, std::
 
 std::optional<WhirlStretch> stretch_of(const ContactOrbit& o, const Sums& s, std::size_t from, std::size_t to,
                                        WhirlDirection direction) {
+  // The window sees a contact half its length ahead and behind: a whirl begins and ends in contact, never in the flight before or after.
+  while (from < to && !(o.penetration[from] > 0.)) ++from;
+  while (to > from && !(o.penetration[to] > 0.)) --to;
   const double angle = s.angle[to] - s.angle[from];
   const bool is_that_way = (angle * o.spin_speed[from] > 0.) == (direction == WhirlDirection::forward);
   if (!is_that_way || std::fabs(angle) < turn) return std::nullopt;
@@ -189,6 +193,11 @@ double full_rub_friction() {
   return high;
 }
 
+double friction_that_sustains_whirl(std::complex<double> receptance) {
+  if (!(receptance.real() < 0.)) return std::numeric_limits<double>::infinity();
+  return std::fabs(receptance.imag() / receptance.real());
+}
+
 ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing) {
   const std::string prefix = "/bearings/" + bearing + "/";
   const auto times = read_series(results, "/time").values, spin = read_series(results, "/rotor/spin_speed").values,
@@ -235,7 +244,7 @@ Json whirl_summary(const std::filesystem::path& results, const std::string& bear
 std::string whirl_text(const std::string& bearing, const Json& w) {
   if (w["largest_backward_speed"].is_null()) return "";
   const bool is_full = w["full_rub"] == "yes";
-  return fmt::format("{}: sustained backward whirl, up to {:.4g} Hz, in {:.3g} % of the contact time{}\n", bearing,
+  return fmt::format("{}: sustained backward whirl, up to {:.4g} Hz, during {:.3g} % of the contact time{}\n", bearing,
                      w["largest_backward_speed"].get<double>() / turn, 100. * w["backward_whirl_share"].get<double>(),
                      is_full ? "; full rub" : "; contact lost in every turn");
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <complex>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -30,7 +31,7 @@ struct WhirlOptions {
 enum class WhirlDirection { none, forward, backward };
 std::string to_string(WhirlDirection direction);
 
-/// A stretch of motion around the bearing's centre in one direction over a full turn at least.
+/// A stretch of motion around the bearing's centre in one direction over a full turn at least; it begins and ends in contact.
 struct WhirlStretch {
   WhirlDirection direction = WhirlDirection::none;
   double start = 0, end = 0;  ///< [s]
@@ -55,7 +56,7 @@ struct ContactWhirl {
   [[nodiscard]] bool has_full_backward_rub() const;
 };
 
-/// Backward is against the rotor's spin. A rotor that swings or rests in the bore whirls not at all: a stretch turns by 2 pi or more.
+/// Backward is against the rotor's spin. A rotor that swings or rests in the bore does not whirl: a stretch turns by 2 pi or more.
 /// @throws std::invalid_argument if the lengths differ
 ContactWhirl find_whirl(const ContactOrbit& orbit, const WhirlOptions& options = {});
 
@@ -67,10 +68,26 @@ ContactWhirl find_whirl(const ContactOrbit& orbit, const WhirlOptions& options =
 ///   u = A cos a + B sin a + (u_0 - A) exp(2 mu a),  B = 6 mu / (1 + 4 mu^2),  A = (2 - 4 mu^2) / (1 + 4 mu^2).
 /// N = m g (u + cos a) has dN/da = 2 mu N - 3 m g sin a, so that it can only touch zero at the top, where u = 1:
 ///   u_0 = A + (1 + A) exp(-2 pi mu).   For mu = 0 that is 5, the loop the loop.
-/// Valid: rigid bore, rotor free but for gravity, rub still sliding. Beyond it Black's condition limits the whirl by compliance and damping.
+/// Valid: rigid bore, rotor free but for gravity, rub still sliding. Faster whirl is limited by compliance and damping (below).
 double full_rub_speed(double friction_coefficient, double air_gap, double gravity);
 /// Smallest friction coefficient with which a full backward rub arises from rest at the bottom; independent of mass, gap and gravity.
 double full_rub_friction();
+
+/// Smallest ratio of friction to normal force with which contact all around the bore persists at a whirl speed W; infinity if no friction does.
+///
+/// @param receptance  D(W) = rotor's displacement over the force on it + stator's over the force on it, at the contact, for forces that turn with W
+///                    [m/N], complex: displacement y + i z = D (force y + i z), so that damping gives Im D the sign of -W
+///
+/// Spin positive, so that backward whirl has W < 0 and damping gives Im D > 0. With the contact at the angle W t the force on the rotor is
+/// -N (1 + i m) exp(i W t): N > 0, and m the ratio of friction to normal force, against the surface's sliding. The rotor's centre is c exp(i W t) from
+/// the stator's, so c = -D N (1 + i m), or
+///   N = -c / ((1 + m^2) Re D),   m = -Im D / Re D.
+/// N > 0 needs Re D < 0. Contact that rolls (-W c = spin speed * radius) needs m <= mu, contact that slides has m = mu: |Im D| <= -mu Re D.
+/// Where less than mu would do, sliding speeds the whirl up; where more is needed, it slows down. A free rotor on a rigid stator, D = -1/(m_r W^2),
+/// needs none at any speed.
+/// Source: equilibrium of interacting receptances after Black (1968), J. Mech. Eng. Sci. 10, 1-12; signs derived here.
+/// Valid: circular orbit, isotropic rotor and stator, gravity and unbalance small beside the contact force.
+double friction_that_sustains_whirl(std::complex<double> receptance);
 
 /// Whirl in every touchdown bearing of a run's results.h5, by name; NaN rows and live files are cut.
 ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing);

@@ -373,7 +373,8 @@ class OtherRuns(ProgramTest):
         whirl = self.summary()["bearings"]["TB1"]["whirl"]
         self.assertEqual((whirl["direction"], whirl["full_rub"]), ("backward", "yes"))
         self.assertGreater(whirl["largest_backward_speed"], whirl["full_rub_condition"]["speed_at_bottom"])
-        self.assertRegex(screen, r"TB1: sustained backward whirl, up to [0-9.]+ Hz, in [0-9.]+ % of the contact time; full rub")
+        self.assertRegex(screen, r"TB1: sustained backward whirl, up to [0-9.]+ Hz, during [0-9.]+ % of the contact time; full rub")
+        self.assertGreaterEqual(whirl["start"], self.summary()["bearings"]["TB1"]["first_contact_time"])
         # The angle of the recorded orbit says the same.
         with h5py.File(self.folder / "out/results.h5") as results:
             y, z = results["/bearings/TB1/orbit"][:].T

@@ -379,6 +379,7 @@ VARIANTS = {
     "exact_elliptic_integrals": '[bearings]\nelliptic_integrals = "exact"\n',
     "equivalent_load": '[bearings]\nload_law = "equivalent"\n',
     "internal_heat_with_spin": '[bearings]\ninternal_heat = "with-spin"\nrace_friction_coefficient = 0.08\n',
+    "internal_heat_of_ball_speed": '[bearings]\ninternal_heat = "ball-speed"\n',
     "plane_strain_growth": "[thermal]\nplane_strain_growth = true\n",
     "no_growth": "[thermal]\ngrowth = false\n",
     "static_friction": '[contact]\nstatic_friction_coefficient = 0.2\nstribeck_speed = "20 m/s"\n',

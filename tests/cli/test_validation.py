@@ -69,7 +69,7 @@ class EndToEnd(unittest.TestCase):
         text = (ROOT / "validation/cases.toml").read_text()
         head = text.split("[variant.")[0]
         kept = text[text.index("[variant.preload-high]"):text.index("[variant.inertia-low]")]
-        others = text[text.index("[other."):]
+        others = text[text.index("[variant.letter-"):]
         needed = '[variant.damping-table]\nunknown = "damping"\nsays = "no damping"\nset = { "rotor.mass_proportional_alpha" = 0 }\n[variant.conductivity]\nunknown = "conductivity of steel"\nsays = "44"\nset = { "materials.steel.k" = 44 }\n'
         (cls.folder / "cases.toml").write_text(head.replace('base = "params/neisi2019-settling.toml"', f'base = "{cls.folder}/short.toml"') + kept + needed + others)
         for name in ("neisi2019.toml", "neisi2019-settling.toml", "neisi2019-rotor.json"):

@@ -27,6 +27,12 @@ def force_row(plan, measures, name):
             "frequency": order * hardest["ring_speed"] / (2 * math.pi) if order else None}
 
 
+def rub_row(plan, measures, name):
+    """Rub heat rates of a case [W]: in the first impact, and while the rotor swings."""
+    n = measures[name]["bearings"]["TB2"]
+    return {"case": plan.conditions[name]["says"], "peak": n["peak_friction_heat_rate"], "highest": n["rub_rate_swinging"]["highest"], "mean": n["rub_rate_swinging"]["mean"], "late": n["rub_rate_swinging_end"]["highest"]}
+
+
 def chapter(plan, measures, folders):
     parameters = formulas.parameters_of(folders["ideal"] / "run")
     pair = formulas.Bearing(parameters, "TB2")
@@ -42,6 +48,8 @@ def chapter(plan, measures, folders):
     balls = pair.rows * pair.Z * pair.ball_mass * formulas.number(pair.ball["c"])
     highest_ball = max(m["bearings"]["TB2"]["temperature_rise_end"]["ball"] for m in measures.values())
     internal = n["inner_heat"] + n["outer_heat"]
+    printed = measures["ideal+letter-ball-speed"]["bearings"]["TB2"]
+    internal_as_printed = printed["inner_heat"] + printed["outer_heat"]
     wettest = plan.conditions["order2-4um"]["says"]
     return {
         "spin_up": rows,
@@ -49,7 +57,10 @@ def chapter(plan, measures, folders):
         "ring": {"capacity": capacity, "paper_rise": PAPER_RISE, "heat_for_paper_rise": needed, "share": share, "heat_available": available, "all_heat": wavy["rub_heat"] + wavy["internal_heat"],
                  "rise_if_all_rub_heat_stayed": wavy["rub_heat"] / capacity, "largest_change_by_waves": max(abs(row["rise"] - ideal["rise"]) for row in rows), "case": wettest},
         "ball": {"capacity": balls, "paper_rise": PAPER_BALL, "heat_for_paper_rise": PAPER_BALL * balls, "internal_heat": internal, "rise_if_all_internal_heat_stayed": internal / balls, "rise": n["temperature_rise_end"]["ball"],
+                 "internal_heat_as_printed": internal_as_printed, "rise_if_all_heat_as_printed_stayed": internal_as_printed / balls,
                  "highest_in_any_run": highest_ball},
+        "third_after": measures["order3-1um"]["bearings"]["TB2"]["contact_force_swinging_end"],
+        "rub_rates": [rub_row(plan, measures, name) for name in TABLE4],
         "forces": [force_row(plan, measures, name) for name in TABLE4],
         "sideways": {name: {"mean": measures["ideal"]["bearings"][name]["z_end"]["mean"], "lag": measures["ideal"]["bearings"][name]["spin_lag_end"]} for name in ("TB1", "TB2")},
     }

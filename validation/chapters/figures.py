@@ -1,4 +1,4 @@
-"""The paper's figures 9 to 19 from our runs: same panels, axes and units; curves are ours."""
+"""The paper's figures 9 to 19 from our runs: same panels, axes and units. Curves are this program's; marks are what the paper says, from paper-figures.toml."""
 
 import base64
 import io
@@ -24,6 +24,7 @@ class Series:
 
     def __init__(self, folders):
         self.folders = folders
+        self.claims = {}  # of the paper, by id
 
     def get(self, condition, *names):
         with h5py.File(self.folders[condition] / "run" / "results.h5", "r") as file:
@@ -46,6 +47,22 @@ def legend_above(axes, columns=6):
     axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncol=columns, borderaxespad=0.2, handlelength=1.6, columnspacing=1.0)
 
 
+def mark(axis, series, claim, x=None, scale=1.0, offset=0.0, text="", side=1, y=None):
+    """The paper's number as a diamond with the claim's band as a bar; a bound as a triangle. `x`: where the paper does not say where it stands. `y`: of a number that is a time."""
+    c = series.claims[claim]
+    x = c.at if c.at is not None else x
+    value, style = scale * (c.paper + offset), dict(color=BLACK, marker="D", markersize=4, linestyle="", zorder=5, clip_on=False)
+    if c.bound:
+        axis.plot([x], [value], **{**style, "marker": "^" if c.bound == "above" else "v", "markersize": 7})
+    elif y is not None:
+        x, value = c.paper, y
+        axis.errorbar([x], [value], xerr=[x * c.width], capsize=3, elinewidth=0.9, **style)
+    else:
+        axis.errorbar([x], [value], yerr=[scale * abs(c.paper) * c.width], capsize=3, elinewidth=0.9, **style)
+    if text:
+        axis.annotate(text, (x, value), xytext=(7 * side, -11 if y is not None else 4), textcoords="offset points", ha="left" if side > 0 else "right", color="#555555", fontsize=7.5)
+
+
 def figure_9(series):
     figure, axes = panels(1, 3, height=2.9)
     circle = np.linspace(0, 2 * np.pi, 200)
@@ -54,6 +71,7 @@ def figure_9(series):
         axis.plot(GAP * np.cos(circle), GAP * np.sin(circle), color="#888888", linestyle=(0, (5, 3)))
         axis.plot(1e6 * orbit[:, 1], 1e6 * orbit[:, 0], color=BLUE, linewidth=0.7)
         axis.set(title=f"{letter}) friction {mu:.2f}", xlabel="z [µm]", aspect="equal", xlim=(-310, 310), ylim=(-310, 310), xticks=(-250, 0, 250), yticks=(-250, -150, 0, 250))
+    mark(axes[0][0], series, "9.apex", x=0.0, text="paper")
     axes[0][0].set_ylabel("y [µm]")
     return figure
 
@@ -73,6 +91,8 @@ def figure_10(series):
         axis.axhline(-GAP, color="#888888", linestyle=(0, (5, 3)), linewidth=0.9)
         axis.set(title=f"{letter}) {label}-direction", ylabel=f"{label} [µm]", ylim=(-330, 60) if row == 0 else (-270, 270))
     axes[1][0].axhline(GAP, color="#888888", linestyle=(0, (5, 3)), linewidth=0.9)
+    axes[1][0].plot([series.claims["10.zero"].at], [0], color=BLACK, marker="D", markersize=4, clip_on=False, zorder=5)
+    axes[1][0].annotate("paper", (0.3, 0), xytext=(-7, 4), textcoords="offset points", ha="right", color="#555555", fontsize=7.5)
     axes[1][0].set_xlabel("time [s]")
     legend_above(axes[0][0])
     return figure
@@ -83,8 +103,7 @@ def figure_11(series):
     both_bearings(axis, series, "ring_speed", 1)
     time, speed = series.get("ideal", "/time", "/rotor/spin_speed")
     axis.plot(time, speed, color=BLACK, label="rotor")
-    axis.axvline(0.2, color="#888888", linestyle=":")
-    axis.annotate("paper: TB1 at rotor speed", (0.2, 0.03), xycoords=("data", "axes fraction"), xytext=(-4, 0), textcoords="offset points", ha="right", color="#555555")
+    mark(axis, series, "11.catch-up", y=float(speed[0]), text="paper: TB1 at rotor speed", side=-1)
     axis.set(xlabel="time [s]", ylabel="angular velocity [rad/s]", ylim=(0, 1700))
     legend_above(axis)
     return figure
@@ -101,12 +120,14 @@ def waves(axis, series, name, scale=1.0, conditions=ONE_MICROMETRE, bearing="TB2
 
 def figure_12(series):
     figure, axes = panels(3, 1, height=2.1)
-    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0.025, 0.1), (0.16, 0.24)), ("a) 0 to 0.3 s", "b) 0.025 to 0.1 s", "0.16 to 0.24 s (not in the paper); dotted: the paper's 150 to 1000 N of the third order")):
+    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0.025, 0.1), (0.16, 0.24)), ("a) 0 to 0.3 s", "b) 0.025 to 0.1 s", "0.16 to 0.24 s (not in the paper, which gives no time for its 150 and 1000 N)")):
         waves(axis, series, "contact_force")
         axis.set(title=title, ylabel="contact force [N]", xlim=limits)
     axes[0][0].set_ylim(0, 5600)
-    for level in (150, 1000):
-        axes[2][0].axhline(level, color=GREEN, linestyle=":")
+    mark(axes[0][0], series, "12.first-peak", x=0.009, text="paper: exceeds 5000 N")
+    mark(axes[0][0], series, "12.settled", text="paper")
+    for claim in ("12.order3-low", "12.order3-high"):
+        mark(axes[2][0], series, claim, text="paper, 3rd")
     axes[2][0].set_ylim(0, 1600)
     axes[1][0].set_ylim(0, 3000)
     axes[2][0].set_xlabel("time [s]")
@@ -116,7 +137,7 @@ def figure_12(series):
 
 def figure_13(series):
     figure, axes = panels(2, 1, height=2.1)
-    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0.16, 0.24)), ("0 to 0.3 s", "0.16 to 0.24 s, the same in detail")):
+    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0.16, 0.24)), ("0 to 0.3 s", "0.16 to 0.24 s, detail")):
         waves(axis, series, "bearing_force", of=lambda v: np.hypot(*v.T))
         axis.set(title=title, ylabel="bearing force [N]", xlim=limits)
     axes[0][0].set_ylim(0, 5600)
@@ -132,7 +153,7 @@ def figure_14(series):
     for values, label, colour, dashes in ((load, "load-dependent", BLUE, "-"), (drag, "velocity-dependent", RED, "--"), (load + drag, "global", BLACK, ":")):
         axis.plot(time, values, label=label, color=colour, linestyle=dashes)
     axis.set(title="a) ideal surface", ylabel="torque [N m]")
-    axis.axhline(0.14, color="#888888", linestyle=":", linewidth=0.9)
+    mark(axis, series, "14.load", text="paper, load-dependent")
     legend_above(axis)
     for condition in ONE_MICROMETRE:
         load, drag = series.get(condition, "/bearings/TB2/load_torque", "/bearings/TB2/drag_torque")
@@ -154,10 +175,10 @@ def figure_15(series):
 
 def figure_16(series):
     figure, axes = panels(2, 1, height=2.2, sharex=True)
-    for axis, race, letter, level in zip(axes[:, 0], ("inner", "outer"), "ab", (50, 60)):
+    for axis, race, letter in zip(axes[:, 0], ("inner", "outer"), "ab"):
         waves(axis, series, f"{race}_heat_rate")
-        axis.axhline(level, color="#888888", linestyle=":")
-        axis.set(title=f"{letter}) {race} ring (dotted: the paper's {level} W)", ylabel="heat [W]")
+        mark(axis, series, f"16.{race}", text="paper, ideal")
+        axis.set(title=f"{letter}) {race} ring", ylabel="heat rate [W]")
     axes[1][0].set_xlabel("time [s]")
     legend_above(axes[0][0], 4)
     return figure
@@ -165,17 +186,18 @@ def figure_16(series):
 
 def figure_17(series):
     figure, axes = panels(2, 1, height=2.1)
-    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0, 0.03)), ("0 to 0.3 s", "first contacts (dotted: the paper's 2.8e4 W)")):
+    for axis, limits, title in zip(axes[:, 0], ((0, 0.3), (0, 0.03)), ("0 to 0.3 s", "first contacts")):
         waves(axis, series, "rub_heat_rate", 1e-3)
-        axis.set(ylabel="friction heat [kW]", xlim=limits, title=title)
-        axis.axhline(28, color="#888888", linestyle=":")
+        axis.set(ylabel="rub heat rate [kW]", xlim=limits, title=title)
+        mark(axis, series, "17.peak", scale=1e-3, text="paper, ideal")
     axes[1][0].set_xlabel("time [s]")
     legend_above(axes[0][0], 4)
     return figure
 
 
 NODES = {"inner_contact": ("T_ci", ORANGE, "-"), "inner_ring": ("T_i", RED, "-"), "outer_contact": ("T_co", SKY, "-"), "shaft": ("T_s", BLACK, "--"), "outer_ring": ("T_o", BLUE, "--"), "ball": ("T_b", GREEN, "-"), "housing": ("T_h", PURPLE, ":")}
-PAPER_18 = {"inner_ring": 296.2, "ball": 294.5, "outer_ring": 293.2}
+HOUSING_18 = 293.0  # K; the claims are rises above the housing, which stays there
+PAPER_18 = {"inner_ring": "18.inner-ring", "ball": "18.ball", "outer_ring": "18.outer-ring"}
 
 
 def figure_18(series):
@@ -186,8 +208,9 @@ def figure_18(series):
             values, = series.get("ideal", f"/thermal/{bearing}/{node}")
             axis.plot(time, values, color=colour, linestyle=dashes, label=label)
             if node in PAPER_18:
-                axis.plot([0.3], [PAPER_18[node]], marker="<", color=colour, clip_on=False, linestyle="")
-        axis.set(title=f"{bearing} (triangles: the paper at 0.3 s)", xlabel="time [s]", xlim=(0, 0.3))
+                claim = series.claims[PAPER_18[node]]
+                axis.errorbar([claim.at], [HOUSING_18 + claim.paper], yerr=[claim.paper * claim.width], marker="D", markersize=4, capsize=3, elinewidth=0.9, color=colour, clip_on=False, linestyle="")
+        axis.set(title=f"{bearing} (diamonds: the paper at 0.3 s)", xlabel="time [s]", xlim=(0, 0.3))
     axes[0][0].set_ylabel("temperature [K]")
     axes[0][0].legend(loc="upper left")
     return figure
@@ -197,11 +220,10 @@ def figure_19(series):
     figure, axes = panels(1, 2, height=3.2, sharey=True)
     for axis, node, title in zip(axes[0], ("inner_ring", "inner_contact"), ("a) inner ring", "b) contact of ball and inner ring")):
         waves(axis, series, f"/thermal/TB2/{node}", conditions=list(TABLE4), rise=True)
-        axis.set(title=title, xlabel="time [s]", ylim=(0, 8.6))
-    for level, label in ((8.0, "paper, 2nd, 4 µm"), (3.5, "paper, ideal")):
-        axes[0][0].plot([0.285, 0.3], [level, level], color=BLACK, linestyle=":")
-        axes[0][0].annotate(label, (0.283, level), ha="right", va="center", color="#555555")
-    axes[0][0].set_ylabel("rise [K]")
+        axis.set(title=title, xlabel="time [s]", ylim=(0, 9.4))
+    for claim, offset, label in (("19.four-um", 0.0, "paper, 2nd, 4 µm"), ("19.ideal", 0.0, "paper, ideal"), ("19.one-um", series.claims["19.ideal"].paper, "paper, 1 µm")):
+        mark(axes[0][0], series, claim, offset=offset, text=label, side=-1)
+    axes[0][0].set_ylabel("temperature rise [K]")
     axes[0][1].legend(loc="upper left")
     return figure
 
@@ -212,16 +234,17 @@ FIGURES = {
     "11": (figure_11, "Angular velocity of the rotor and of the inner rings"),
     "12": (figure_12, "Contact force between rotor and inner ring, TB2"),
     "13": (figure_13, "Magnitude of the bearing force, TB2"),
-    "14": (figure_14, "Friction torque in the bearing, TB2; dotted: the paper's 0.14 N m"),
+    "14": (figure_14, "Friction torque in the bearing, TB2"),
     "15": (figure_15, "Spin torque of the most loaded ball on the inner race, ideal surface"),
-    "16": (figure_16, "Internal heat of the bearing, TB2"),
-    "17": (figure_17, "Friction heat between rotor and ring, TB2"),
+    "16": (figure_16, "Bearing friction heat rate, TB2"),
+    "17": (figure_17, "Rub heat rate between rotor and ring, TB2"),
     "18": (figure_18, "Temperatures of the nodes of the circuit, ideal surface"),
-    "19": (figure_19, "Rise of inner ring and inner contact, table 4, TB2"),
+    "19": (figure_19, "Temperature rise of inner ring and inner contact, table 4, TB2"),
 }
 
 
-def draw(series, wanted=None):
-    """{figure: (caption, picture)}."""
+def draw(series, claims, wanted=None):
+    """{figure: (caption, picture)}; `claims` of the paper by id, for the marks."""
+    series.claims = claims
     with plt.rc_context(STYLE):
         return {name: (caption, picture(function(series))) for name, (function, caption) in FIGURES.items() if wanted is None or name in wanted}

@@ -7,7 +7,7 @@ import numpy as np
 
 LATE = 50e-3  # s; "the end" of a run are its last 50 ms, as in summary.json
 #: when the rotor swings in the ring without leaving it, as a part of the run it begins at. The paper does not say from when on it looked, and waves pass their resonances in this time.
-SPANS = {"swinging": 1 / 2, "swinging_long": 1 / 3, "swinging_short": 2 / 3}
+SPANS = {"swinging": 1 / 2, "swinging_long": 1 / 3, "swinging_short": 2 / 3, "swinging_end": 5 / 6}
 SHORTEST_FLIGHT = 1e-3  # s; shorter gaps between contacts are chatter, not bounces
 
 
@@ -58,6 +58,7 @@ def of_bearing(file, group, time, nodes):
         "in_contact_end": float(late_contact.sum() / late.sum()),
         "bearing_force_end": spread(resultant[late]),
         **{f"{name}_force_{span}": spread(values[time >= begin * time[-1]]) for name, values in (("contact", force), ("bearing", resultant)) for span, begin in SPANS.items()},
+        **{f"rub_rate_{span}": spread(rub[time >= begin * time[-1]]) for span, begin in SPANS.items()},
         "hardest_swing": {"time": float(time[hardest]), "ring_speed": float(group["ring_speed"][hardest])},
         # The two forces side by side: what the ring between them takes.
         "bearing_over_contact_swing": float(np.ptp(resultant[swinging]) / np.ptp(force[swinging])) if np.ptp(force[swinging]) > 0 else None,

@@ -158,7 +158,7 @@ def draw(folder):
     pictures = {}
     with plt.rc_context(figures.STYLE), h5py.File(folder / "run/results.h5", "r") as file:
         time = file["/time"][:]
-        for key, caption in (("temperatures", "Temperatures over ambient: circuit's node, finite elements' mean over the same body, and the bore's mean around the circumference"), ("growth", "Growth by both models")):
+        for key, caption in (("temperatures", "Temperature rises above ambient: circuit's node, finite elements' mean over the same body, and the circumferential mean of the bore"), ("growth", "Growth by both models")):
             figure, axes = figures.panels(1, 2, height=3.0, sharey=True)
             for axis, bearing in zip(axes[0], ("TB1", "TB2")):
                 if key == "temperatures":

@@ -52,6 +52,16 @@ TEST(TouchdownData, BallStiffnessOfTheReferenceBearings) {
       << "N/m^1.5";
 }
 
+TEST(TouchdownData, HeatOfBallSpeedIsTheSpinOfARollingBallOverTheRings) {
+  auto p = tb2();
+  EXPECT_EQ(touchdown_data("TB2", p, contact, around).heat_over_work, 1.);
+  p.internal_heat = InternalHeat::ball_speed;
+  const double gamma = 9.525 * std::cos(25 * deg) / 85.;
+  const auto d = touchdown_data("TB2", p, contact, around);
+  EXPECT_NEAR(d.heat_over_work, 85. / 9.525 * (1. - gamma * gamma) / 2., 1e-12) << "4.41592";
+  EXPECT_FALSE(d.add_spin_heat);
+}
+
 TEST(TouchdownData, RowsOfAPairStandSymmetricallyHalfABallSpacingApart) {
   const auto d = touchdown_data("TB2", tb2(), contact, around);
   ASSERT_EQ(d.rows.size(), 2u);

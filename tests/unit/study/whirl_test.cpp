@@ -2,12 +2,17 @@
 //
 // A point on a circle of radius r with speed W sweeps W r^2 dt twice over, whatever r: the speed is W at each sample and a turn takes 2 pi / W.
 // A rotor that bounces along the chords of a regular polygon and touches at its corners only has no arc of contact; its angle still goes around.
+// Friction that sustains a whirl, by the equations of a mass m on a rigid circle of radius c with a spring k and a damper b to the centre, spin
+// against the whirl: inward m c W^2 = N + k c, along the path m c W' = mu N - b c W. So W' > 0 where b W < mu (m W^2 - k): with w^2 = k/m and
+// zeta = b/(2 m w) beyond W = w (zeta/mu + sqrt((zeta/mu)^2 + 1)).
 // Loop the loop: without friction u = c a'^2 / g = u_0 - 2 (1 - cos a), and u + cos a > 0 at the top asks for u_0 > 5.
 #include "study/whirl.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -123,6 +128,21 @@ TEST(Whirl, LongFlightsBreakIt) {
   EXPECT_TRUE(path.whirl().stretches.empty());
 }
 
+TEST(Whirl, BeginsAndEndsInContactThoughTheWindowSeesItFromTheFlight) {
+  // Goes around at the bore's radius all the time, and touches it from 20 to 80 ms only.
+  Path path;
+  for (int k = 0; k <= 2000; ++k) {
+    const double t = k * 50e-6, a = -2. * pi * 100. * t;
+    path.add(t, 250e-6 * std::cos(a), 250e-6 * std::sin(a), k >= 400 && k <= 1600);
+  }
+  const ContactWhirl w = path.whirl();
+  ASSERT_EQ(w.stretches.size(), 1u);
+  EXPECT_NEAR(w.longest()->start, 20e-3, 1e-12) << "s, first contact; the window of 5 ms sees it from 17.5 ms on";
+  EXPECT_NEAR(w.longest()->end, 80e-3, 1e-12) << "s, last contact";
+  EXPECT_NEAR(w.longest()->turns, 6., 1e-9);
+  EXPECT_NEAR(w.longest()->frequency(), 100., 1e-6) << "Hz";
+}
+
 TEST(Whirl, SwingingAtTheBottomIsNone) {
   // 31.5 Hz, 40 degrees each way.
   Path path;
@@ -200,6 +220,70 @@ TEST(FullRub, IsThatOfTheMotionItself) {
   }
   EXPECT_TRUE(goes_around(full_rub_friction() * 1.001, 0.));
   EXPECT_FALSE(goes_around(full_rub_friction() * 0.999, 0.));
+}
+
+using Complex = std::complex<double>;
+constexpr double no_friction_does = std::numeric_limits<double>::infinity();
+
+/// Mass, spring and damper to ground: displacement over a force that turns with W.
+Complex receptance(double mass, double stiffness, double damping, double W) {
+  return 1. / Complex(stiffness - mass * W * W, damping * W);
+}
+
+TEST(SustainedWhirl, OfAFreeRotorOnARigidStatorNeedsNoFriction) {
+  for (const double W : {-3000., -300., -10.}) EXPECT_EQ(friction_that_sustains_whirl(-1. / (55. * W * W)), 0.) << W;
+}
+
+TEST(SustainedWhirl, OfAJeffcottRotorBeginsAtItsClosedForm) {
+  const double m = 55., k = 5e7, w = std::sqrt(k / m), mu = 0.1;
+  for (const double zeta : {0.005, 0.05, 0.2}) {
+    const double b = 2. * zeta * m * w;
+    const double begin = w * (zeta / mu + std::sqrt(std::pow(zeta / mu, 2) + 1.));
+    EXPECT_NEAR(friction_that_sustains_whirl(receptance(m, k, b, -begin)), mu, 1e-12) << zeta;
+    EXPECT_LT(friction_that_sustains_whirl(receptance(m, k, b, -1.001 * begin)), mu) << zeta;
+    EXPECT_GT(friction_that_sustains_whirl(receptance(m, k, b, -0.999 * begin)), mu) << zeta;
+    // Below its natural frequency the rotor's spring takes it off the bore: no friction holds it there.
+    EXPECT_EQ(friction_that_sustains_whirl(receptance(m, k, b, -0.99 * w)), no_friction_does) << zeta;
+  }
+}
+
+TEST(SustainedWhirl, EndsAtTheNaturalFrequencyOfRotorAndStatorTogether) {
+  // A stator without mass on a spring: above sqrt((k + k_s)/m) both would part. With damping it ends a little before.
+  const double m = 55., k = 5e7, k_s = 2e8, end = std::sqrt((k + k_s) / m);
+  const auto both = [&](double W, double b) { return receptance(m, k, b, W) + 1. / k_s; };
+  EXPECT_EQ(friction_that_sustains_whirl(both(-0.9999 * end, 0.)), 0.);
+  EXPECT_EQ(friction_that_sustains_whirl(both(-1.0001 * end, 0.)), no_friction_does);
+  // Damped: with x = m W^2 - k and y = b W the condition is |y| + mu (x^2 + y^2)/k_s <= mu x.
+  const double b = 2e3, mu = 0.1;
+  const auto margin = [&](double W) {
+    const double x = m * W * W - k, y = b * W;
+    return mu * x - std::fabs(y) - mu * (x * x + y * y) / k_s;
+  };
+  for (double W = -1.2 * end; W < -100.; W += 13.7)
+    EXPECT_EQ(friction_that_sustains_whirl(both(W, b)) <= mu, margin(W) >= 0.) << W;
+}
+
+/// Whirl speed after 0.2 s of the mass on its rigid circle (top of this file), by Runge-Kutta of order 4; 0 if it leaves the bore.
+double whirl_after(double W, double mu, double m, double k, double b) {
+  const auto rate = [&](double v) { return mu * (v * v - k / m) - b / m * v; };
+  const double h = 1e-5;
+  for (int i = 0; i < 20000 && std::fabs(W) < 1e5; ++i) {
+    if (m * W * W <= k) return 0.;
+    const double k_1 = rate(W), k_2 = rate(W + h / 2. * k_1), k_3 = rate(W + h / 2. * k_2), k_4 = rate(W + h * k_3);
+    W += h / 6. * (k_1 + 2. * k_2 + 2. * k_3 + k_4);
+  }
+  return W;
+}
+
+TEST(SustainedWhirl, GrowsWhereLessFrictionWouldDoAndDecaysWhereMoreIsNeeded) {
+  const double m = 55., k = 5e7, w = std::sqrt(k / m), mu = 0.1;
+  for (const double zeta : {0.005, 0.05, 0.2}) {
+    const double b = 2. * zeta * m * w;
+    for (double W = 1.02 * w; W < 6. * w; W *= 1.1) {
+      const bool is_sustained = friction_that_sustains_whirl(receptance(m, k, b, -W)) < mu;
+      EXPECT_EQ(whirl_after(W, mu, m, k, b) > W, is_sustained) << W / w << " at zeta " << zeta;
+    }
+  }
 }
 
 }  // namespace

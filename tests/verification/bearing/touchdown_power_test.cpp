@@ -328,6 +328,23 @@ TEST(TouchdownBearing, InternalHeatIsFrictionTorqueTimesRingSpeed) {
   EXPECT_NEAR(p.out.heat.inner + p.out.heat.outer, M_pair * 1591.7, 1e-6 * M_pair * 1591.7) << "W";
 }
 
+TEST(TouchdownBearing, HeatAboveTheWorkIsTakenOffTheOtherDissipation) {
+  // As eq. 24 is printed: omega_b/omega_i = (d_m/d)(1 - gamma^2)/2 = 85/9.525 (1 - (9.525 cos 25 deg/85)^2)/2 = 4.415920 times the work.
+  const auto d = touchdown("TB2", angular_contact_pair(290.));
+  auto printed = d;
+  printed.heat_over_work = 4.415920;
+  const TB bearing(d), as_printed(printed);
+  std::vector<double> y(TB::n_state);
+  bearing.initial_state(y);
+  y[TB::ring_spin] = 1591.7;
+  const auto e = evaluate(bearing, {}, y), p = evaluate(as_printed, {}, y);
+  const double work = e.out.heat.inner + e.out.heat.outer, heat = p.out.heat.inner + p.out.heat.outer;
+  EXPECT_NEAR(heat, 4.415920 * work, 1e-12 * heat) << "W";
+  EXPECT_NEAR(p.out.heat.inner / heat, e.out.heat.inner / work, 1e-12);
+  EXPECT_NEAR(p.out.other_dissipation + heat, e.out.other_dissipation + work, 1e-12 * heat) << "W, all that is lost";
+  EXPECT_EQ(p.rates[TB::ring_spin], e.rates[TB::ring_spin]) << "the motion is the same";
+}
+
 TEST(TouchdownBearing, SpinMomentsAddTheirPowerIfAsked) {
   // All 2 x 23 balls alike under 290 N: Q = 290/(23 sin phi); power = 46 M_s omega_i sin phi under outer-race control (nominal angle).
   auto d = touchdown("TB2", angular_contact_pair(290.));
