@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -132,13 +133,31 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
+// Raceways' edges as sum_tractions() needs them.
+struct Edge {
+  double axis_per_root, radius, sine, cosine;
+  Edge(const RaceContact& race, double stiffness)
+      : axis_per_root(race.axis_factor * std::cbrt(stiffness)),
+        radius(race.has_edge() ? race.groove_radius : 1e3),
+        sine(race.has_edge() ? race.edge_sine : 1.),
+        cosine(race.has_edge() ? race.edge_cosine : -1.) {}
+  [[nodiscard]] __attribute__((always_inline)) double truncation(double root, double sin_phi, double cos_phi) const {
+    const double a = axis_per_root * root;
+    return std::min(std::max((a - radius * (sine * cos_phi - cosine * sin_phi)) / (2. * a + 1e-30), 0.), 1.);
+  }
+};
+struct Edges {
+  Edge inner, outer;
+};
+
 // Not for every evaluation: what skidding needs. An idle ball adds F_c to the outer loads.
 ROTORDROP_WIDE_VECTORS
-void sum_tractions(const KernelInput& in, double F_c, RowTractions& out) {
-  double inner = 0, outer = 0, gyroscopic = 0, largest = 0;
+void sum_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+  double inner = 0, outer = 0, gyroscopic = 0, largest = 0, truncation = 0;
+  constexpr double nothing = 1e-100;  // [N]
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e, v = in.v;
-#pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : largest)
+#pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : largest, truncation)
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
@@ -156,9 +175,15 @@ void sum_tractions(const KernelInput& in, double F_c, RowTractions& out) {
     inner += F;
     outer += o.load;
     gyroscopic += T_g;
-    largest = std::max(largest, T_g * o.per_load);
+    const double inner_demand = inner_share * T_g / (F + nothing), outer_demand = (1. - inner_share) * T_g * o.per_load;
+    largest = std::max(largest, std::max(inner_demand, outer_demand));
+    // Without damping, Q^(1/3) = K^(1/3) delta^(1/2).
+    const double root = std::sqrt(delta), sine = std::fabs(sin_phi), touching = delta > 0. ? 1. : 0.;
+    truncation = std::max(truncation, touching * edges.inner.truncation(root, sine, cos_phi));
+    truncation = std::max(truncation, touching * edges.outer.truncation(root, sine, cos_phi));
   }
-  out = {inner, outer, gyroscopic, largest};
+  out = {inner, outer, (1. - inner_share) * gyroscopic, largest, inner_share * gyroscopic};
+  out.truncation = truncation;
 }
 
 }  // namespace
@@ -167,6 +192,17 @@ double RaceContact::largest_pressure(double load) const {
   if (load <= 0.) return 0.;
   const double major = axis_factor * std::cbrt(load);
   return 1.5 * load * ellipticity / (std::numbers::pi * major * major);
+}
+
+double RaceContact::edge_distance(double sine, double cosine) const {
+  if (!has_edge()) return std::numeric_limits<double>::infinity();
+  return groove_radius * (edge_sine * cosine - edge_cosine * std::fabs(sine));
+}
+
+double RaceContact::truncation(double load, double sine, double cosine) const {
+  if (!(load > 0.) || !has_edge()) return 0.;
+  const double a = axis_factor * std::cbrt(load);
+  return std::clamp((a - edge_distance(sine, cosine)) / (2. * a), 0., 1.);
 }
 
 RowStrains row_strains(const BallRowGeometry& g) {
@@ -187,9 +223,9 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   constants_.axial = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
   constants_.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
   stiffness_root_ = std::cbrt(g.stiffness);
-  inertial_ = {std::pow(g.inner.stiffness, -2. / 3.), std::pow(g.outer.stiffness, -2. / 3.),
+  inertial_ = {std::pow(g.inner.stiffness, -2. / 3.),        std::pow(g.outer.stiffness, -2. / 3.),
                (g.inner_conformity - 0.5) * g.ball_diameter, (g.outer_conformity - 0.5) * g.ball_diameter,
-               g.ball_diameter / g.pitch_diameter};
+               g.ball_diameter / g.pitch_diameter,           g.inner_gyroscopic_share};
   if (g.has_inertia)
     starts_ = std::make_shared<InertialStarts>(inertial_, constants_.axial, constants_.radial,
                                                0.5 * g.ball_mass * g.pitch_diameter);
@@ -297,7 +333,9 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
   if (!tractions) return;
   const double F_c = centrifugal_force(in);
-  sum_tractions(balls, F_c, *tractions);
+  const Edges edges{{geometry_.inner, geometry_.stiffness}, {geometry_.outer, geometry_.stiffness}};
+  sum_tractions(balls, F_c, geometry_.inner_gyroscopic_share, edges, *tractions);
+  tractions->centrifugal = F_c;
   tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
 }
 
