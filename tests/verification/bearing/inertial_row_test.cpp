@@ -6,6 +6,7 @@
 #include <random>
 
 #include "bearing/ring_statics.h"
+#include "laws/skidding.h"
 #include "test_bearings.h"
 
 namespace rotordrop {
@@ -184,7 +185,7 @@ TEST(InertialRow, BallsOutOfTheInnerRacesReachAskNoGyroscopicTractionOfIt) {
       const BallRow r(g, {});
       std::vector<double> load(static_cast<std::size_t>(g.n_balls));
       r.ball_loads(s.in, load);
-      n_free += std::ranges::count(load, 0.);
+      n_free += static_cast<int>(std::ranges::count(load, 0.));
       BallRowOutput out;
       RowTractions tractions;
       r.evaluate(s.in, out, &tractions);
