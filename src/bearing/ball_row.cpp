@@ -133,17 +133,14 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
-// Raceways' edges as sum_tractions() needs them.
+// Raceways' edges as sum_tractions() needs them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.
 struct Edge {
-  double axis_per_root, radius, sine, cosine;
-  Edge(const RaceContact& race, double stiffness)
-      : axis_per_root(race.axis_factor * std::cbrt(stiffness)),
-        radius(race.has_edge() ? race.groove_radius : 1e3),
-        sine(race.has_edge() ? race.edge_sine : 1.),
-        cosine(race.has_edge() ? race.edge_cosine : -1.) {}
-  [[nodiscard]] __attribute__((always_inline)) double truncation(double root, double sin_phi, double cos_phi) const {
-    const double a = axis_per_root * root;
-    return std::min(std::max((a - radius * (sine * cos_phi - cosine * sin_phi)) / (2. * a + 1e-30), 0.), 1.);
+  double sine, cosine;  // times r / (2 factor K^(1/3))
+  Edge(const RaceContact& race, double stiffness_root) : sine(1e30), cosine(-1e30) {
+    if (!race.has_edge()) return;
+    const double per_axis = 0.5 * race.groove_radius / (race.axis_factor * stiffness_root);
+    sine = per_axis * race.edge_sine;
+    cosine = per_axis * race.edge_cosine;
   }
 };
 struct Edges {
@@ -155,6 +152,7 @@ ROTORDROP_WIDE_VECTORS
 void sum_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
   double inner = 0, outer = 0, gyroscopic = 0, largest = 0, truncation = 0;
   constexpr double nothing = 1e-100;  // [N]
+  const Edge inner_edge = edges.inner, outer_edge = edges.outer;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e, v = in.v;
 #pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : largest, truncation)
@@ -178,12 +176,15 @@ void sum_tractions(const KernelInput& in, double F_c, double inner_share, const 
     const double inner_demand = inner_share * T_g / (F + nothing), outer_demand = (1. - inner_share) * T_g * o.per_load;
     largest = std::max(largest, std::max(inner_demand, outer_demand));
     // Without damping, Q^(1/3) = K^(1/3) delta^(1/2).
-    const double root = std::sqrt(delta), sine = std::fabs(sin_phi), touching = delta > 0. ? 1. : 0.;
-    truncation = std::max(truncation, touching * edges.inner.truncation(root, sine, cos_phi));
-    truncation = std::max(truncation, touching * edges.outer.truncation(root, sine, cos_phi));
+    const double sine = std::fabs(sin_phi), per_root = 1. / (std::sqrt(delta) + 1e-30);
+    const double inner_margin = (inner_edge.sine * cos_phi - inner_edge.cosine * sine) * per_root;
+    const double outer_margin = (outer_edge.sine * cos_phi - outer_edge.cosine * sine) * per_root;
+    const double margin = inner_margin < outer_margin ? inner_margin : outer_margin;
+    const double beyond = delta > 0. ? 0.5 - margin : 0.;
+    truncation = truncation > beyond ? truncation : beyond;
   }
   out = {inner, outer, (1. - inner_share) * gyroscopic, largest, inner_share * gyroscopic};
-  out.truncation = truncation;
+  out.truncation = std::min(truncation, 1.);
 }
 
 }  // namespace
@@ -333,7 +334,7 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
   if (!tractions) return;
   const double F_c = centrifugal_force(in);
-  const Edges edges{{geometry_.inner, geometry_.stiffness}, {geometry_.outer, geometry_.stiffness}};
+  const Edges edges{{geometry_.inner, stiffness_root_}, {geometry_.outer, stiffness_root_}};
   sum_tractions(balls, F_c, geometry_.inner_gyroscopic_share, edges, *tractions);
   tractions->centrifugal = F_c;
   tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
