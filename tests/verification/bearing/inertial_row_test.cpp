@@ -190,7 +190,8 @@ TEST(InertialRow, BallsOutOfTheInnerRacesReachAskNoGyroscopicTractionOfIt) {
       RowTractions tractions;
       r.evaluate(s.in, out, &tractions);
       EXPECT_LT(tractions.largest_gyroscopic_over_load, 0.2);
-      EXPECT_LE(tractions.inner_gyroscopic, 0.2 * tractions.inner_load * (1. + 1e-3));
+      EXPECT_LE(tractions.inner_gyroscopic, 0.2 * tractions.inner_load * (1. + 1e-3) + 1e-4)
+          << "N; roundoff of unloaded balls";
     }
   }
   EXPECT_GT(n_free, 300);
