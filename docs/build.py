@@ -32,7 +32,7 @@ PAGES = [
                ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("params/bearings/README.md", "bearings"), ("examples/README.md", "examples"), ("docs/extending.md", "extending")]),
     ("Results", [("docs/results.md", "results"), ("docs/report.md", "report"), ("docs/compare.md", "compare"), ("docs/fields.md", "fields")]),
     ("Methods", [("docs/model.md", "model"), ("docs/statics.md", "statics"), ("docs/preload.md", "preload"), ("docs/coast-down.md", "coast-down"), ("docs/finite-elements.md", "finite-elements"), ("docs/growth.md", "growth"), ("docs/heat.md", "heat"), ("docs/mesh.md", "mesh")]),
-    ("Trust", [("docs/verification.md", "verification"), ("docs/validation.md", "validation"), ("docs/convergence.md", "convergence"), ("CHANGELOG.md", "changelog")]),
+    ("Trust", [("docs/reliability.md", "reliability"), ("docs/verification.md", "verification"), ("docs/validation.md", "validation"), ("docs/convergence.md", "convergence"), ("CHANGELOG.md", "changelog")]),
 ]
 
 

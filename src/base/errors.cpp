@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -34,19 +35,21 @@ std::string indented(const std::string& text, const std::string& indent) {
 
 /// Files in the order in which they were first named, each by line and column.
 std::vector<Fault> sorted(std::vector<Fault> faults) {
-  std::vector<std::string> files;
-  for (const Fault& fault : faults)
-    if (std::find(files.begin(), files.end(), fault.where.file) == files.end()) files.push_back(fault.where.file);
+  std::map<std::string, std::size_t> files;
+  for (const Fault& fault : faults) files.emplace(fault.where.file, files.size());
   const auto place = [&](const Fault& fault) {
-    return std::tuple(std::find(files.begin(), files.end(), fault.where.file), fault.where.line, fault.where.column);
+    return std::tuple(files.at(fault.where.file), fault.where.line, fault.where.column);
   };
   std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
   return faults;
 }
 
 std::string rendered_all(const std::vector<Fault>& faults) {
+  constexpr std::size_t at_most = 100;  // nobody reads more before mending these
   std::string result;
-  for (const Fault& fault : faults) result += (result.empty() ? "" : "\n\n") + rendered(fault);
+  for (std::size_t i = 0; i < std::min(at_most, faults.size()); ++i)
+    result += (result.empty() ? "" : "\n\n") + rendered(faults[i]);
+  if (faults.size() > at_most) result += fmt::format("\n\nerror: and {} more faults", faults.size() - at_most);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -132,13 +133,29 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
+// Raceways' edges as sum_tractions() needs them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.
+struct Edge {
+  double sine, cosine;  // times r / (2 factor K^(1/3))
+  Edge(const RaceContact& race, double stiffness_root) : sine(1e30), cosine(-1e30) {
+    if (!race.has_edge()) return;
+    const double per_axis = 0.5 * race.groove_radius / (race.axis_factor * stiffness_root);
+    sine = per_axis * race.edge_sine;
+    cosine = per_axis * race.edge_cosine;
+  }
+};
+struct Edges {
+  Edge inner, outer;
+};
+
 // Not for every evaluation: what skidding needs. An idle ball adds F_c to the outer loads.
 ROTORDROP_WIDE_VECTORS
-void sum_tractions(const KernelInput& in, double F_c, RowTractions& out) {
-  double inner = 0, outer = 0, gyroscopic = 0, largest = 0;
+void sum_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+  double inner = 0, outer = 0, gyroscopic = 0, largest = 0, truncation = 0;
+  constexpr double nothing = 1e-100;  // [N]
+  const Edge inner_edge = edges.inner, outer_edge = edges.outer;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e, v = in.v;
-#pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : largest)
+#pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : largest, truncation)
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
@@ -156,9 +173,18 @@ void sum_tractions(const KernelInput& in, double F_c, RowTractions& out) {
     inner += F;
     outer += o.load;
     gyroscopic += T_g;
-    largest = std::max(largest, T_g * o.per_load);
+    const double inner_demand = inner_share * T_g / (F + nothing), outer_demand = (1. - inner_share) * T_g * o.per_load;
+    largest = std::max(largest, std::max(inner_demand, outer_demand));
+    // Without damping, Q^(1/3) = K^(1/3) delta^(1/2).
+    const double sine = std::fabs(sin_phi), per_root = 1. / (std::sqrt(delta) + 1e-30);
+    const double inner_margin = (inner_edge.sine * cos_phi - inner_edge.cosine * sine) * per_root;
+    const double outer_margin = (outer_edge.sine * cos_phi - outer_edge.cosine * sine) * per_root;
+    const double margin = inner_margin < outer_margin ? inner_margin : outer_margin;
+    const double beyond = delta > 0. ? 0.5 - margin : 0.;
+    truncation = truncation > beyond ? truncation : beyond;
   }
-  out = {inner, outer, gyroscopic, largest};
+  out = {inner, outer, (1. - inner_share) * gyroscopic, largest, inner_share * gyroscopic};
+  out.truncation = std::min(truncation, 1.);
 }
 
 }  // namespace
@@ -167,6 +193,17 @@ double RaceContact::largest_pressure(double load) const {
   if (load <= 0.) return 0.;
   const double major = axis_factor * std::cbrt(load);
   return 1.5 * load * ellipticity / (std::numbers::pi * major * major);
+}
+
+double RaceContact::edge_distance(double sine, double cosine) const {
+  if (!has_edge()) return std::numeric_limits<double>::infinity();
+  return groove_radius * (edge_sine * cosine - edge_cosine * std::fabs(sine));
+}
+
+double RaceContact::truncation(double load, double sine, double cosine) const {
+  if (!(load > 0.) || !has_edge()) return 0.;
+  const double a = axis_factor * std::cbrt(load);
+  return std::clamp((a - edge_distance(sine, cosine)) / (2. * a), 0., 1.);
 }
 
 RowStrains row_strains(const BallRowGeometry& g) {
@@ -187,9 +224,9 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   constants_.axial = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
   constants_.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
   stiffness_root_ = std::cbrt(g.stiffness);
-  inertial_ = {std::pow(g.inner.stiffness, -2. / 3.), std::pow(g.outer.stiffness, -2. / 3.),
+  inertial_ = {std::pow(g.inner.stiffness, -2. / 3.),        std::pow(g.outer.stiffness, -2. / 3.),
                (g.inner_conformity - 0.5) * g.ball_diameter, (g.outer_conformity - 0.5) * g.ball_diameter,
-               g.ball_diameter / g.pitch_diameter};
+               g.ball_diameter / g.pitch_diameter,           g.inner_gyroscopic_share};
   if (g.has_inertia)
     starts_ = std::make_shared<InertialStarts>(inertial_, constants_.axial, constants_.radial,
                                                0.5 * g.ball_mass * g.pitch_diameter);
@@ -297,7 +334,9 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
   if (!tractions) return;
   const double F_c = centrifugal_force(in);
-  sum_tractions(balls, F_c, *tractions);
+  const Edges edges{{geometry_.inner, stiffness_root_}, {geometry_.outer, stiffness_root_}};
+  sum_tractions(balls, F_c, geometry_.inner_gyroscopic_share, edges, *tractions);
+  tractions->centrifugal = F_c;
   tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
 }
 

@@ -21,6 +21,15 @@ struct RaceContact {
   double stiffness = 0;    ///< K of Q = K delta^1.5 [N/m^1.5]
   double axis_factor = 0;  ///< semi-major axis of the contact ellipse over Q^(1/3) [m/N^(1/3)]
   double ellipticity = 1;  ///< semi-major over semi-minor axis
+  // Edge of the raceway on either side, where the groove's circle reaches the shoulder.
+  double groove_radius = 0;               ///< [m]; 0: no edge
+  double edge_sine = 0, edge_cosine = 1;  ///< of its angle about the groove's centre, from the radial direction
+  [[nodiscard]] bool has_edge() const { return groove_radius > 0.; }
+  /// Distance of the edge from the centre of a contact, in the contact's tangent plane [m]; infinite without an edge.
+  [[nodiscard]] double edge_distance(double sine, double cosine) const;
+  /// Part of the contact ellipse's length that lies beyond the edge, 0 to 1. The ellipse is that of an endless groove.
+  /// @param load [N]; @param sine, cosine  of the contact angle
+  [[nodiscard]] double truncation(double load, double sine, double cosine) const;
   /// Largest pressure in the contact ellipse under a load [N], 3 Q / (2 pi a b) [Pa]; 0 without load.
   [[nodiscard]] double largest_pressure(double load) const;
 };
@@ -44,6 +53,8 @@ struct BallRowGeometry {
   double ball_mass = 0;         ///< [kg]; for the balls' inertia
   bool conducts = false;        ///< a row of balls with inertia sums the cube roots of its loads too
   bool has_inertia = false;     ///< each ball in balance with its centrifugal force and gyroscopic moment
+  double inner_gyroscopic_share =
+      0;  ///< part of the gyroscopic traction at the inner race; the rest is at the outer one
 };
 
 /// How a row's grooves move and widen with the axial strain of a ring, the growth of its width over its width. With s the row's direction and

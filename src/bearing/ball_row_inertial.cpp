@@ -34,9 +34,9 @@ void place_grooves(const Place& p, double cage_speed, InertialBalls& w) {
 }
 
 /// @param hardness  K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is hardness * u
-ROTORDROP_WIDE_VECTORS
-void sum_forces(const Place& p, const InertialBalls& w, double damping, double hardness, double cage_speed,
-                BallRowOutput& out) {
+template <bool is_split>
+[[gnu::always_inline]] inline void sum_all(const Place& p, const InertialBalls& w, double damping, double hardness,
+                                           double cage_speed, BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
   double elastic_axial = 0, elastic_outer = 0, largest = 0, largest_outer = 0;
   const RingDisplacement e = p.e, v = p.v;
@@ -53,18 +53,26 @@ void sum_forces(const Place& p, const InertialBalls& w, double damping, double h
     const double rate = w.i_r[j] * r_rate + w.i_x[j] * x_rate;
     const double elastic = is_ball * u * u * u, Q_o = is_ball * w.Q_o[j];
     const double F = std::max(elastic + is_ball * damping * hardness * u * rate, 0.);
-    const double F_radial = F * w.i_r[j], F_axial = F * w.i_x[j];
+    double F_radial = F * w.i_r[j], F_axial = F * w.i_x[j];
+    double pull_radial = elastic * w.i_r[j], pull_axial = elastic * w.i_x[j];
+    if constexpr (is_split) {
+      const double T = is_ball * w.T_i[j], T_radial = -T * w.i_x[j], T_axial = T * w.i_r[j];
+      F_radial += T_radial;
+      F_axial += T_axial;
+      pull_radial += T_radial;
+      pull_axial += T_axial;
+    }
     fy -= F_radial * c;
     fz -= F_radial * s;
     fx -= F_axial;
     my += F_radial * xr * s - F_axial * arm * s;
     mz += F_axial * arm * c - F_radial * xr * c;
     dissipated += (F - elastic) * rate;
-    elastic_radial += elastic * w.i_r[j];
-    elastic_axial += elastic * w.i_x[j];
+    elastic_radial += pull_radial;
+    elastic_axial += pull_axial;
     elastic_normal += 0.5 * (elastic + Q_o);
     elastic_outer += Q_o;
-    cage += elastic * (w.i_r[j] * r_turn + w.i_x[j] * x_turn);
+    cage += pull_radial * r_turn + pull_axial * x_turn;
     largest = std::max(largest, F);
     largest_outer = std::max(largest_outer, Q_o);
   }
@@ -81,6 +89,15 @@ void sum_forces(const Place& p, const InertialBalls& w, double damping, double h
   out.cage_power = cage * cage_speed;
   out.largest_load = largest;
   out.largest_outer_load = largest_outer;
+}
+
+ROTORDROP_WIDE_VECTORS
+void sum_forces(const Place& p, const InertialBalls& w, bool is_split, double damping, double hardness,
+                double cage_speed, BallRowOutput& out) {
+  if (is_split)
+    sum_all<true>(p, w, damping, hardness, cage_speed, out);
+  else
+    sum_all<false>(p, w, damping, hardness, cage_speed, out);
 }
 
 /// Q^(1/3) without a branch, for vectors: Halley's iteration from Q^(1/4), to 1e-7 for loads from 0.1 N to 1 MN, 6 % at 1e-5 N.
@@ -159,7 +176,8 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   const BallWork work = balance(in, F_0, w);
   sum_forces({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0., constants_.arm, geometry_.position,
               in.displacement, in.rate},
-             w, 1.5 * geometry_.damping_beta, 1. / (inertial_.c_i + inertial_.c_o), in.cage_speed, out);
+             w, geometry_.inner_gyroscopic_share != 0., 1.5 * geometry_.damping_beta,
+             1. / (inertial_.c_i + inertial_.c_o), in.cage_speed, out);
   out.waviness_power = 0.;
   if (!waves_.empty())
     for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
@@ -179,12 +197,20 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   if (!tractions) return;
   *tractions = {};
   const double F_c = centrifugal_force(in);
+  tractions->centrifugal = F_c;
   for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j) {
     const double T_g = gyroscopic_traction(F_c, w.o_x[j]);
-    tractions->inner_load += w.u_i[j] * w.u_i[j] * w.u_i[j];
+    const double Q_i = w.u_i[j] * w.u_i[j] * w.u_i[j], share = geometry_.inner_gyroscopic_share;
+    tractions->truncation = std::max({tractions->truncation, geometry_.inner.truncation(Q_i, w.i_x[j], w.i_r[j]),
+                                      geometry_.outer.truncation(w.Q_o[j], w.o_x[j], w.o_r[j])});
+    tractions->inner_load += Q_i;
     tractions->outer_load += w.Q_o[j];
-    tractions->gyroscopic += T_g;
-    tractions->largest_gyroscopic_over_load = std::max(tractions->largest_gyroscopic_over_load, T_g / w.Q_o[j]);
+    tractions->inner_gyroscopic += share * T_g;
+    tractions->gyroscopic += (1. - share) * T_g;
+    // A ball that the inner race does not reach lies in the bottom of the outer groove, where T_g is roundoff.
+    const double inner_demand = Q_i > least_share_of_load * w.Q_o[j] ? share * T_g / Q_i : 0.;
+    tractions->largest_gyroscopic_over_load =
+        std::max({tractions->largest_gyroscopic_over_load, inner_demand, (1. - share) * T_g / w.Q_o[j]});
   }
 }
 

@@ -3,10 +3,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "bearing/touchdown_parameters.h"
+#include "laws/ball_kinematics.h"
 
 namespace rotordrop {
 namespace {
@@ -18,26 +20,42 @@ EllipseReport ellipse(const RaceContact& race, double load, double sine, double 
   e.semi_major = race.axis_factor * std::cbrt(load);
   e.semi_minor = e.semi_major / race.ellipticity;
   e.pressure = race.largest_pressure(load);
+  e.edge_margin = race.edge_distance(sine, cosine) - e.semi_major;
+  e.truncation = race.truncation(load, sine, cosine);
   return e;
 }
 
 RowReport report_row(const BallRowGeometry& g, const std::vector<BallInPlace>& balls, double negligible) {
   RowReport row;
+  row.edge_margin = std::numeric_limits<double>::infinity();
   for (const auto& [azimuth, b] : balls) {
     BallReport ball{azimuth,
                     ellipse(g.inner, b.load_i, b.sin_i, b.cos_i),
                     ellipse(g.outer, b.load_o, b.sin_o, b.cos_o),
                     b.centrifugal_force,
                     b.gyroscopic_moment,
+                    b.inner_traction,
                     b.residual};
-    row.axial_force -= b.load_i * b.sin_i;
+    row.axial_force -= b.pull_x();
     row.largest_load = std::max({row.largest_load, b.load_i, b.load_o});
     row.largest_pressure = std::max({row.largest_pressure, ball.inner.pressure, ball.outer.pressure});
     row.n_loaded += b.load_i > negligible;
+    row.truncation = std::max({row.truncation, ball.inner.truncation, ball.outer.truncation});
+    for (const auto* e : {&ball.inner, &ball.outer})
+      if (e->load > negligible) row.edge_margin = std::min(row.edge_margin, e->edge_margin);
     row.balls.push_back(ball);
   }
   row.static_safety = std::pow(static_pressure_limit / row.largest_pressure, 3);
   return row;
+}
+
+/// Both contacts in line, for balls without inertia.
+void add_centrifugal(RowReport& row, const BallRowGeometry& g, const RingSurroundings& around) {
+  const double orbit = cage_speed_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle) * around.speed;
+  const double force = 0.5 * g.ball_mass * g.pitch_diameter * orbit * orbit;
+  if (force == 0. || row.largest_load == 0.) return;
+  row.centrifugal_over_load = force / row.largest_load;
+  row.neglects_centrifugal = !around.has_inertia && row.centrifugal_over_load > relevant_centrifugal_share;
 }
 
 /// Axial force of the most pressed row in the mounted place, or of the spring [N].
@@ -108,6 +126,7 @@ RingReport report_ring(const RingStatics& ring, const RingVector& q, double negl
   int n_loaded = 0;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     report.rows.push_back(report_row(ring.rows()[i], balls[i], negligible));
+    add_centrifugal(report.rows.back(), ring.rows()[i], ring.surroundings());
     const double axial = report.rows.back().axial_force;
     (axial > 0. ? positive : negative) += std::fabs(axial);
     leans_both_ways[ring.rows()[i].direction > 0.] = true;

@@ -36,16 +36,22 @@ class BearingEquilibrium final : public EquilibriumSystem {
   double force_scale_ = 1, share_ = 1;
 };
 
+/// Balls without inertia are misleading where centrifugal forces exceed this part of the contact loads.
+inline constexpr double relevant_centrifugal_share = 0.1;
+
 /// A contact ellipse.
 struct EllipseReport {
   double load = 0, angle = 0;             ///< [N], [rad], signed as the row leans
   double semi_major = 0, semi_minor = 0;  ///< [m]
-  double pressure = 0;                    ///< largest, 3 Q / (2 pi a b) [Pa]
+  double pressure = 0;                    ///< largest, 3 Q / (2 pi a b) [Pa]; void if the ellipse is truncated
+  double edge_margin = 0;  ///< from the ellipse's end to the raceway's edge, along it [m]; infinite without an edge
+  double truncation = 0;   ///< part of the ellipse's length beyond the edge
 };
 struct BallReport {
   double azimuth = 0;  ///< [rad]
   EllipseReport inner, outer;
   double centrifugal_force = 0, gyroscopic_moment = 0;  ///< [N], [N m]
+  double inner_traction = 0;                            ///< gyroscopic friction of the inner race on the ball [N]
   double residual = 0;                                  ///< left-over force on the ball [N]
 };
 struct RowReport {
@@ -55,7 +61,12 @@ struct RowReport {
   double largest_pressure = 0;  ///< on either race [Pa]
   /// s0 = (4.2 GPa / largest pressure)^3: by so much may the load of the most loaded ball grow; infinite without load
   double static_safety = 0;
-  int n_loaded = 0;  ///< balls that touch the inner race
+  int n_loaded = 0;                  ///< balls that touch the inner race
+  double truncation = 0;             ///< largest of the balls'; above 0 pressure and safety are void
+  double edge_margin = 0;            ///< least of the loaded contacts' [m]; infinite without any
+  double centrifugal_over_load = 0;  ///< centrifugal force of a ball over the largest load of the row; 0 at rest
+  bool neglects_centrifugal =
+      false;  ///< the balls have no inertia, though that is more than relevant_centrifugal_share
 };
 
 /// A ring in its place.

@@ -24,13 +24,15 @@ ROTORDROP_INLINE std::size_t whole_vectors(std::size_t n) { return n & ~std::siz
 
 struct Row {
   double K_i, K_o, l_i, l_o, g, F_0;
+  double k;  // 0.4 sigma
   Row(const InertialRow& r, double force)
       : K_i(1. / (r.c_i * std::sqrt(r.c_i))),
         K_o(1. / (r.c_o * std::sqrt(r.c_o))),
         l_i(r.l_i),
         l_o(r.l_o),
         g(r.g),
-        F_0(force) {}
+        F_0(force),
+        k(0.4 * r.inner_gyroscopic_share) {}
 };
 
 /// The ball's centre: deflection of the outer contact, outer normal.
@@ -54,8 +56,10 @@ ROTORDROP_INLINE Normal turned(double angle, double x, double r) {
 
 /// What acts on a ball along (n) and across (t) the outer normal, and how that changes as the outer normal turns (a) and the outer length
 /// grows (x).
+/// @tparam is_split  part of the gyroscopic traction acts at the inner race
+template <bool is_split>
 struct Balance {
-  double L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, F, F_by_i, inverse_L_i;
+  double L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, F, F_by_i, F_by_o, inverse_L_i;
   double h_n, h_t, force_n, force_t;
   double angle_a, angle_x, stretch_a, stretch_x;  // of the inner contact
   double R_n_a, R_t_a, R_n_x, R_t_x, inverse_det;
@@ -75,7 +79,7 @@ struct Balance {
     const double inverse_above = both * below, inverse_below = both * above, ratio = above * inverse_below;
     F = row.F_0 * ratio * ratio;
     F_by_i = 2. * F * (row.g * i_x * inverse_above + s * inverse_below);
-    const double F_by_o = -2. * F * s * inverse_below;
+    F_by_o = -2. * F * s * inverse_below;
 
     const double reached = larger(delta_i, 0.), root_i = std::sqrt(reached), root_o = std::sqrt(p.delta_o);
     S_i = 1.5 * row.K_i * root_i;
@@ -84,6 +88,10 @@ struct Balance {
     Q_o = row.K_o * root_o * p.delta_o;
     h_n = p.r;
     h_t = -1.4 * p.x;
+    if constexpr (is_split) {
+      h_n -= row.k * p.x * s;
+      h_t += row.k * p.x * (1. + c);
+    }
     force_n = Q_i * c - Q_o + F * h_n;
     force_t = Q_i * s + F * h_t;
 
@@ -98,14 +106,24 @@ struct Balance {
     R_t_a = S_i * stretch_a * s + Q_i * c * angle_a - Q_o + F_a * h_t + F * (turn_x * p.r - turn_r * p.x);
     R_n_x = S_i * stretch_x * c - Q_i * s * angle_x - S_o + F_x * h_n;
     R_t_x = S_i * stretch_x * s + Q_i * c * angle_x + F_x * h_t;
+    if constexpr (is_split) {
+      // From F (-0.4 x t) at the outer race to F (-(0.4 - k) x t + k x t_i), t_i = (i_r, -i_x) across the inner normal.
+      const double T = F * row.k * p.x;
+      R_n_a += F * row.k * (-p.x - p.r * s) - T * angle_a * c;
+      R_t_a += F * row.k * (p.r + p.r * c) - T * angle_a * s;
+      R_n_x -= T * angle_x * c;
+      R_t_x -= T * angle_x * s;
+    }
     inverse_det = 1. / (R_n_a * R_t_x - R_t_a * R_n_x);
   }
   /// Turn and growth of the outer length that cancel the forces.
   [[nodiscard]] ROTORDROP_INLINE double turn() const { return (force_t * R_n_x - force_n * R_t_x) * inverse_det; }
   [[nodiscard]] ROTORDROP_INLINE double growth() const { return (force_n * R_t_a - force_t * R_n_a) * inverse_det; }
-  /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more.
+  /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more; or if the ball got past the inner groove's centre, where
+  /// forces balance, too, under loads of no meaning.
   [[nodiscard]] ROTORDROP_INLINE double is_left(double enough) const {
-    return std::abs(force_n) + std::abs(force_t) <= enough * (Q_o + F) ? 0. : 1.;
+    const double past = Q_i > 0. ? larger(-c, 0.) : 0.;
+    return std::abs(force_n) + std::abs(force_t) <= enough * (Q_o + F) && past == 0. ? 0. : 1.;
   }
 };
 
@@ -153,15 +171,13 @@ void look_up(const float* delta_o, const float* o_x, double first, double per_st
   }
 }
 
-/// One step of Newton's method. @return balls that had more than `enough` left over before the step
-ROTORDROP_WIDE_VECTORS
-double step(const Row& constants, double enough, InertialBalls& w) {
-  const Row row = constants;
+template <bool is_split>
+ROTORDROP_INLINE double step_all(const Row row, double enough, InertialBalls& w) {
   double n_left = 0.;
 #pragma omp simd reduction(+ : n_left)
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
     const Place p{w.delta_o[j], w.o_x[j], w.o_r[j]};
-    const Balance b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
+    const Balance<is_split> b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
     n_left += b.is_left(enough);
     const auto next = turned(limited(b.turn(), -0.5, 0.5), p.x, p.r);
     w.delta_o[j] = larger(p.delta_o + b.growth(), 0.1 * p.delta_o);
@@ -171,14 +187,14 @@ double step(const Row& constants, double enough, InertialBalls& w) {
   return n_left;
 }
 
-/// The last step: what comes out of the balance, and the work. @return balls that had more than `enough` left over before it
-ROTORDROP_WIDE_VECTORS
-double finish(const Row& constants, double u_per_root_i, double enough, InertialBalls& w, BallWork& sums) {
-  const Row row = constants;
+template <bool is_split>
+ROTORDROP_INLINE double finish_all(const Row row, double u_per_root_i, double enough, InertialBalls& w,
+                                   BallWork& sums) {
   double n_left = 0., power = 0., per_radial = 0., per_axial = 0., per_ball_growth = 0., per_outer = 0., per_force = 0.;
 #pragma omp simd reduction(+ : n_left, power, per_radial, per_axial, per_ball_growth, per_outer, per_force)
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
-    const Balance b(row, {w.delta_o[j], w.o_x[j], w.o_r[j]}, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
+    const Place p{w.delta_o[j], w.o_x[j], w.o_r[j]};
+    const Balance<is_split> b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
     n_left += b.is_left(enough);
     const double a = b.turn(), x = b.growth();
     w.u_i[j] = u_per_root_i * std::sqrt(larger(b.delta_i + b.stretch_a * a + b.stretch_x * x, 0.));
@@ -187,15 +203,26 @@ double finish(const Row& constants, double u_per_root_i, double enough, Inertial
     w.i_x[j] = i.x;
     w.i_r[j] = i.r;
 
-    // The forces of inertia work on the ball's motion. What a force along n or t would make of it, by the transposed matrix; then what moves the
+    // The forces of inertia and the gyroscopic tractions work on the ball's motion, the inner one on what the ring moves past it. What a force along n or t would make of it, by the transposed matrix; then what moves the
     // groove along and across the inner normal makes such forces.
     const double f_n = b.F * b.h_n, f_t = b.F * b.h_t;
     const double by_n = (f_n * b.R_t_a - f_t * b.L_o * b.R_t_x) * b.inverse_det;
     const double by_t = (f_t * b.L_o * b.R_n_x - f_n * b.R_n_a) * b.inverse_det;
     const double gap_n = b.S_i * (b.c * by_n + b.s * by_t);
-    const double gap_t =
-        b.inverse_L_i * ((b.F_by_i * b.h_n - b.Q_i * b.s) * by_n + (b.F_by_i * b.h_t + b.Q_i * b.c) * by_t);
+    double T = 0., push_n = b.F_by_i * b.h_n - b.Q_i * b.s, push_t = b.F_by_i * b.h_t + b.Q_i * b.c;
+    if constexpr (is_split) {
+      T = b.F * row.k * p.x;
+      push_n -= T * b.c;
+      push_t -= T * b.s;
+      w.T_i[j] = T + row.k * ((b.F_by_i * (b.angle_a * a + b.angle_x * x) + b.F_by_o * a) * p.x + b.F * a * p.r);
+    }
+    const double gap_t = b.inverse_L_i * (push_n * by_n + push_t * by_t);
     const double B_x = w.B_x_rate[j], B_r = w.B_r_rate[j], outer = w.added_o_rate[j], is_ball = w.is_ball[j];
+    if constexpr (is_split) {
+      power -= is_ball * T * (B_x * b.i_r - B_r * b.i_x);
+      per_radial += is_ball * T * b.i_x;
+      per_axial -= is_ball * T * b.i_r;
+    }
     power += is_ball * (gap_n * (B_x * b.i_x + B_r * b.i_r + outer * b.c + w.added_i_rate[j]) +
                         gap_t * (B_x * b.i_r - B_r * b.i_x - outer * b.s) - f_n * outer);
     per_radial += is_ball * (gap_n * b.i_r - gap_t * b.i_x);
@@ -208,6 +235,19 @@ double finish(const Row& constants, double u_per_root_i, double enough, Inertial
   return n_left;
 }
 
+/// One step of Newton's method. @return balls that had more than `enough` left over before the step
+ROTORDROP_WIDE_VECTORS
+double step(const Row& row, double enough, InertialBalls& w) {
+  return row.k != 0. ? step_all<true>(row, enough, w) : step_all<false>(row, enough, w);
+}
+
+/// The last step: what comes out of the balance, and the work. @return balls that had more than `enough` left over before it
+ROTORDROP_WIDE_VECTORS
+double finish(const Row& row, double u_per_root_i, double enough, InertialBalls& w, BallWork& sums) {
+  return row.k != 0. ? finish_all<true>(row, u_per_root_i, enough, w, sums)
+                     : finish_all<false>(row, u_per_root_i, enough, w, sums);
+}
+
 BallContacts contacts(const InertialRow& row, double added_i, double added_o, double force_per_speed2) {
   return {1. / (row.c_i * std::sqrt(row.c_i)),
           1. / (row.c_o * std::sqrt(row.c_o)),
@@ -215,7 +255,8 @@ BallContacts contacts(const InertialRow& row, double added_i, double added_o, do
           row.l_o - added_o,
           2. * force_per_speed2,
           row.g,
-          1.};
+          1.,
+          row.inner_gyroscopic_share};
 }
 
 /// The careful law for one ball; where contacts carry next to nothing, the vectors' start is too far off now and then.

@@ -13,9 +13,10 @@ namespace rotordrop {
 
 /// Constants of a row.
 struct InertialRow {
-  double c_i = 0, c_o = 0;  ///< K^(-2/3) of each contact [m/N^(2/3)]
-  double l_i = 0, l_o = 0;  ///< groove radius less ball radius [m]
-  double g = 0;             ///< ball over pitch diameter
+  double c_i = 0, c_o = 0;            ///< K^(-2/3) of each contact [m/N^(2/3)]
+  double l_i = 0, l_o = 0;            ///< groove radius less ball radius [m]
+  double g = 0;                       ///< ball over pitch diameter
+  double inner_gyroscopic_share = 0;  ///< sigma of laws/ball_balance.h
 };
 
 /// Arrays of a row; those of the input are filled by the caller, up to n, a multiple of 8.
@@ -27,8 +28,9 @@ struct InertialBalls {
   std::size_t n;
   // In: groove centres' distance B; what adds to the deflection of each contact; their rates; 0 for balls that fill up the row, else 1.
   alignas(64) Array B_x, B_r, added_i, added_o, B_x_rate, B_r_rate, added_i_rate, added_o_rate, is_ball;
-  // Out: cubic root of the inner load, 0 for a ball that the inner race does not reach; inner normal; outer load.
-  alignas(64) Array u_i, i_x, i_r, Q_o;
+  // Out: cubic root of the inner load, 0 for a ball that the inner race does not reach; inner normal; outer load; with a share of the gyroscopic
+  // traction at the inner race, that traction on the ball along (i_r, -i_x), else unwritten.
+  alignas(64) Array u_i, i_x, i_r, Q_o, T_i;
   // The ball's place.
   alignas(64) Array delta_o, o_x, o_r;
   int steps;              ///< of Newton's method, the last one included

@@ -21,7 +21,7 @@ RingStatics::RingStatics(std::vector<BallRowGeometry> rows, const RingSurroundin
     contacts_.push_back({g.inner.stiffness, g.outer.stiffness,
                          (g.inner_conformity - 0.5) * g.ball_diameter + surroundings_.inner_strain * inner.groove,
                          (g.outer_conformity - 0.5) * g.ball_diameter + surroundings_.outer_strain * outer.groove,
-                         g.ball_mass, g.ball_diameter / g.pitch_diameter, g.pitch_diameter});
+                         g.ball_mass, g.ball_diameter / g.pitch_diameter, g.pitch_diameter, g.inner_gyroscopic_share});
   }
 }
 
@@ -58,7 +58,7 @@ RingReaction RingStatics::reaction(const RingVector& q, double share) const {
     for (int ball = 0; ball < rows_[row].n_balls; ++ball) {
       const Plane p = plane(row, ball, q);
       const BallBalance b = balance(row, p, share);
-      const Eigen::Vector2d pull(b.load_i * b.sin_i, b.load_i * b.cos_i);
+      const Eigen::Vector2d pull(b.pull_x(), b.pull_r());
       Eigen::Matrix2d K;
       K << b.stiffness[0], b.stiffness[1], b.stiffness[2], b.stiffness[3];
       sum.force -= p.by_place.transpose() * pull;

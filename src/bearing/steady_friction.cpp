@@ -12,7 +12,8 @@ namespace {
 double radial_force(const RowReport& row) {
   double y = 0., z = 0.;
   for (const auto& ball : row.balls) {
-    const double outwards = ball.inner.load * std::cos(ball.inner.angle);
+    const double outwards =
+        ball.inner.load * std::cos(ball.inner.angle) - ball.inner_traction * std::sin(ball.inner.angle);
     y += outwards * std::cos(ball.azimuth);
     z += outwards * std::sin(ball.azimuth);
   }

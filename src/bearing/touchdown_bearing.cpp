@@ -1,5 +1,7 @@
 #include "bearing/touchdown_bearing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,6 +57,11 @@ std::vector<StateEntry> TouchdownBearing::state_entries() const {
                                    {"inner ring tilt z", "rad", 1e-4},
                                    {"inner ring tilt rate y", "rad/s", 1.},
                                    {"inner ring tilt rate z", "rad/s", 1.}});
+  // A bristle of sticking friction gives way after about a micrometre.
+  const std::size_t directions = data_.free_ring ? 2 : 1;
+  for (std::size_t k = 0; k < n_bristles(); ++k)
+    entries.push_back(
+        {fmt::format("bristle {} {}", k / directions + 1, k % directions == 0 ? "around" : "along"), "m", 1e-6});
   return entries;
 }
 
@@ -189,7 +196,7 @@ BallConduction TouchdownBearing::conduction(const BallForces& forces, double rin
 void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> y, std::span<double> dydt,
                                 std::span<double> ledger, SupportOutput& out) const {
   const Expansion grown = growth(in, y);
-  const Touch t = touch(in, grown, y);
+  const Touch t = touch(in, grown, y, dydt.subspan(bristles_at(), n_bristles()));
   const BallRowInput rows_in = row_input(grown, y);
   const BallForces balls = ball_forces(rows_in, !out.observed.empty());
   out.force_on_rotor = t.on_rotor;
@@ -321,6 +328,9 @@ std::vector<Observable> TouchdownBearing::observables() const {
       growth_observable("expansion", "thermal and centrifugal growth"),
       {"row_axial_force", "N", "axial force of each row of balls on the inner ring", rows_.size(), row_names},
       {"preload", "N", "what opposed rows hold against each other: the smaller of their axial forces", 1, {}},
+      {"centrifugal_force", "N", "centrifugal force of one ball at the cage's speed", 1, {}},
+      {"ellipse_truncation", "1", "largest part of a contact ellipse's length beyond the edge of its raceway",
+       rows_.size(), row_names},
       {"skid_demand", "1", "traction that rolling and gyroscopic moments ask of the row, over what friction gives",
        rows_.size(), row_names},
       {"gyroscopic_demand", "1",
@@ -380,6 +390,8 @@ void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, 
     (axial > 0. ? towards_plus : towards_minus) += std::fabs(axial);
   }
   put({rows_.size() > 1 ? std::min(towards_plus, towards_minus) : 0.});
+  put({balls.tractions[0].centrifugal});
+  for (std::size_t i = 0; i < rows_.size(); ++i) put({balls.tractions[i].truncation});
   const double mu = data_.race_friction_coefficient;
   const double acceleration = 0.5 * data_.rows.front().pitch_diameter * cage_ratio_ * std::fabs(ring_acceleration);
   for (std::size_t i = 0; i < rows_.size(); ++i) {

@@ -9,6 +9,7 @@
 #include "laws/bearing_friction.h"
 #include "laws/contact.h"
 #include "laws/rolling_conduction.h"
+#include "laws/sticking.h"
 #include "model/support.h"
 
 namespace rotordrop {
@@ -23,6 +24,12 @@ enum class FrictionLoadLaw {
 enum class BallModel {
   quasi_static,  ///< springs without mass, both contacts in line
   inertial       ///< with centrifugal force and gyroscopic moment, each in its own balance (laws/ball_balance.h)
+};
+
+/// Where friction balances the balls' gyroscopic moments.
+enum class GyroscopicSplit {
+  outer,  ///< at the outer race (outer-race control)
+  equal   ///< half at each race
 };
 
 /// A wave on the bore: sin(order * (contact angle - ring angle) + phase).
@@ -64,6 +71,7 @@ struct TouchdownBearingData {
   double air_gap = 0;            ///< c_r, radial [m]
   HuntCrossley contact;
   CoulombFriction friction;
+  std::optional<StickingFriction> sticking;  ///< none: regularised friction
 
   double f1_z = 0, f1_y = 0;  ///< f1 = z (P/C0)^y
   double static_rating = 0;   ///< C0 of all rows together [N]
@@ -117,6 +125,9 @@ class TouchdownBearing final : public Support {
     tilt_rate_z,
     n_state_free
   };
+  /// Where the bristles of sticking friction begin: of every slice along the bore around it and, of a free ring, along it [m].
+  [[nodiscard]] std::size_t bristles_at() const { return data_.free_ring ? n_state_free : n_state; }
+  [[nodiscard]] std::size_t n_bristles() const;
   /// Offsets in its own ledgers.
   enum Ledger : std::size_t {
     contact_impulse,
@@ -154,7 +165,12 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] Bodies bodies(const Motion& journal, std::span<const double> y, double x) const;
   [[nodiscard]] Contact contact(const SupportInput& input, const Expansion& growth, std::span<const double> y,
                                 const Bodies& at) const;
-  [[nodiscard]] Touch touch(const SupportInput& input, const Expansion& growth, std::span<const double> y) const;
+  /// @param bristle_rates  [n_bristles()]
+  [[nodiscard]] Touch touch(const SupportInput& input, const Expansion& growth, std::span<const double> y,
+                            std::span<double> bristle_rates) const;
+  [[nodiscard]] StickingFriction::Vector bristle(std::span<const double> y, std::size_t slice) const;
+  void stick(const SupportInput& input, std::span<const double> y, std::size_t slice, Contact& contact,
+             std::span<double> bristle_rates) const;
   [[nodiscard]] double contact_energy(const SupportInput& input, const Expansion& growth,
                                       std::span<const double> y) const;
   void touch_shoulders(const SupportInput& input, std::span<const double> y, Touch& sum) const;

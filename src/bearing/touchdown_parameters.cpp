@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -144,6 +145,12 @@ void add_row_keys(Section<TouchdownParameters>& s) {
            {.fallback = "quasi-static",
             .help = "Balls without mass, or each in balance with its centrifugal force and gyroscopic moment (Jones, "
                     "outer-race control), which needs the stiffness of both races apart."});
+  s.choice(
+      "gyroscopic_split", &P::gyroscopic_split, {{"outer", GyroscopicSplit::outer}, {"equal", GyroscopicSplit::equal}},
+      {.fallback = "outer",
+       .source = "Jones 1960, outer-race control; Harris' lambda_o = 2 or lambda_i = lambda_o = 1",
+       .help = "Race whose friction balances the gyroscopic moments of inertial balls: the outer one, or half each. "
+               "Equal shares lower the preload at speed."});
   s.quantity("ball_damping_beta", &P::ball_damping_beta,
              {.unit = "s",
               .range = between(0, 1e-3),
@@ -180,12 +187,12 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
   s.quantity("inner_shoulder_diameter", &P::inner_shoulder_diameter,
              {.unit = "m",
               .range = positive(),
-              .help = "Shoulder beside the inner ring's groove in the meshed section; the second of "
+              .help = "Shoulder beside the inner ring's groove, where the raceway ends; the second of "
                       "inner_ring_diameters if not given."});
   s.quantity("outer_shoulder_diameter", &P::outer_shoulder_diameter,
              {.unit = "m",
               .range = positive(),
-              .help = "Shoulder beside the outer ring's groove in the meshed section; the first of "
+              .help = "Shoulder beside the outer ring's groove, where the raceway ends; the first of "
                       "outer_ring_diameters if not given."});
   s.quantities("housing_diameters", &P::housing_diameters,
                {.unit = "m", .range = positive(), .help = "Housing: bore and outside diameter."});
@@ -434,6 +441,28 @@ Section<ContactParameters> contact_section() {
               .fallback = "50 um",
               .source = "estimate: a fifth of the reference case's air gap",
               .help = "Wear depth of bore or rotor up to which drops are counted."});
+  s.choice(
+      "friction_law", &P::friction_law,
+      {{"automatic", FrictionLaw::automatic},
+       {"regularised", FrictionLaw::regularised},
+       {"sticking", FrictionLaw::sticking}},
+      {.fallback = "automatic",
+       .help = "Friction of rotor and bore near rest. regularised: it goes through zero with the slip speed, and a "
+               "resting rotor creeps. sticking: elastic-plastic, a resting rotor stays. automatic: sticking with "
+               "rotor.axial_motion = \"free\", else regularised. Shoulders always rub by the regularised law."});
+  s.quantity("tangential_stiffness", &P::tangential_stiffness,
+             {.unit = "N/m",
+              .range = positive(),
+              .fallback = "1e8 N/m",
+              .source = "estimate: about a third of the normal stiffness under a resting rotor (Mindlin: 0.8 of it)",
+              .help = "Of rotor and bore before they slip, for friction_law = \"sticking\"; of the whole bore."});
+  s.quantity("contact_length", &P::contact_length,
+             {.unit = "m",
+              .range = positive(),
+              .fallback = "2 mm",
+              .source = "estimate: Hertz' line contact of rotor and bore under some hundred newtons",
+              .help = "Length over which surfaces that turn together pass through their contact; the bristles of "
+                      "friction_law = \"sticking\" are renewed after it."});
   s.check([](const P& p, const Node& table, Faults& faults) {
     if (p.bore_radius && p.air_gap >= *p.bore_radius)
       faults.add(position_of_value(table, "air_gap"),
@@ -569,16 +598,24 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   row.contact_angle = b.contact_angle;
   row.radial_clearance = b.radial_clearance;
   row.damping_beta = b.ball_damping_beta;
-  const auto race = [&](const ContactGeometry& geometry) {
-    return RaceContact{hertz_stiffness(geometry, modulus, b.elliptic_integrals),
-                       semi_major_axis_factor(geometry, modulus, b.elliptic_integrals),
-                       contact_ellipse(geometry, b.elliptic_integrals).k};
+  // The groove's circle has its centre at d_m/2 +- (f - 1/2) d cos phi_0 from the axis and reaches the shoulder's radius at the edge's angle.
+  const auto race = [&](const ContactGeometry& geometry, double side, double conformity, double shoulder_diameter) {
+    RaceContact made{hertz_stiffness(geometry, modulus, b.elliptic_integrals),
+                     semi_major_axis_factor(geometry, modulus, b.elliptic_integrals),
+                     contact_ellipse(geometry, b.elliptic_integrals).k};
+    made.groove_radius = conformity * b.ball_diameter;
+    const double centre =
+        0.5 * b.pitch_diameter - side * (conformity - 0.5) * b.ball_diameter * std::cos(b.contact_angle);
+    made.edge_cosine = std::clamp(side * (0.5 * shoulder_diameter - centre) / made.groove_radius, -1., 1.);
+    made.edge_sine = std::sqrt(1. - made.edge_cosine * made.edge_cosine);
+    return made;
   };
-  row.inner = race(inner);
-  row.outer = race(outer);
+  row.inner = race(inner, -1., b.conformity[0], b.inner_shoulder_diameter.value_or(b.inner_ring_diameters[1]));
+  row.outer = race(outer, 1., b.conformity[1], b.outer_shoulder_diameter.value_or(b.outer_ring_diameters[0]));
   row.stiffness = stiffness_in_series(row.inner.stiffness, row.outer.stiffness);
   row.ball_mass = around.ball_density * std::numbers::pi / 6. * std::pow(b.ball_diameter, 3);
   row.has_inertia = b.ball_model == BallModel::inertial;
+  row.inner_gyroscopic_share = b.gyroscopic_split == GyroscopicSplit::equal ? 0.5 : 0.;
   row.preload_offset = b.preload > 0. ? BallRow::offset_for_axial_load(row, b.preload) : 0.;
 
   TouchdownBearingData d;
@@ -610,6 +647,9 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   if (contact.friction_over_speed) d.friction.over_speed = *contact.friction_over_speed;
   if (contact.friction_over_temperature) d.friction.over_temperature = *contact.friction_over_temperature;
   d.friction.has_tables = contact.friction_over_speed || contact.friction_over_temperature;
+  const auto standard = around.has_axial_motion ? FrictionLaw::sticking : FrictionLaw::regularised;
+  if ((contact.friction_law == FrictionLaw::automatic ? standard : contact.friction_law) == FrictionLaw::sticking)
+    d.sticking = StickingFriction{contact.tangential_stiffness, contact.contact_length};
   d.f1_z = b.f1_z;
   d.f1_y = b.f1_y;
   d.static_rating = b.C0;

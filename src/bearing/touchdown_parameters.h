@@ -11,6 +11,13 @@
 
 namespace rotordrop {
 
+/// Friction of rotor and bore near rest.
+enum class FrictionLaw {
+  automatic,    ///< sticking for a rotor that is free along its axis, else regularised
+  regularised,  ///< through zero with the slip speed: a resting rotor creeps under a force
+  sticking      ///< elastic-plastic (laws/sticking.h): it stays
+};
+
 /// [contact]: rotor surface against inner-ring bore, for all touchdown bearings.
 struct ContactParameters {
   double friction_coefficient = 0, air_gap = 0, exponent = 0, lambda = 0, regularisation_speed = 0;
@@ -19,6 +26,8 @@ struct ContactParameters {
   double stribeck_speed = 0;
   std::optional<std::vector<std::array<double, 2>>> friction_over_speed, friction_over_temperature;
   double wear_coefficient_bore = 0, wear_coefficient_rotor = 0, wear_depth_limit = 0;
+  FrictionLaw friction_law = FrictionLaw::automatic;
+  double tangential_stiffness = 0, contact_length = 0;
 };
 Section<ContactParameters> contact_section();
 
@@ -79,6 +88,7 @@ struct TouchdownParameters {
   std::optional<double> ring_diametral_inertia;
   ShoulderParameters shoulders;
   BallModel ball_model = BallModel::quasi_static;
+  GyroscopicSplit gyroscopic_split = GyroscopicSplit::outer;
   InternalHeat internal_heat = InternalHeat::energy_consistent;
   FrictionLoadLaw load_law = FrictionLoadLaw::radial;
   EllipticIntegrals elliptic_integrals = EllipticIntegrals::brewe_hamrock;
@@ -101,6 +111,7 @@ struct TouchdownSurroundings {
   ElasticMaterial ring, ball;
   std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
   double ball_density = 0;          ///< [kg/m^3]
+  bool has_axial_motion = false;    ///< the rotor is free along its axis
 };
 
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.

@@ -94,6 +94,7 @@ TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, cons
     c.elastic = data_.contact.K * std::pow(c.penetration, data_.contact.n);
     c.normal = data_.contact.total(c.elastic, c.rate);
     c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
+    if (data_.sticking) return c;
     const double slip_squared = c.slip_speed * c.slip_speed + c.slip_x * c.slip_x;
     const double per_slip = data_.friction.per_speed(slip_squared, in.ring_temperature) * c.normal;
     c.friction = per_slip * c.slip_speed;
@@ -102,15 +103,46 @@ TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, cons
   return c;
 }
 
+std::size_t TouchdownBearing::n_bristles() const {
+  if (!data_.sticking) return 0;
+  return data_.free_ring ? 2 * slices.size() : 1;
+}
+
+StickingFriction::Vector TouchdownBearing::bristle(std::span<const double> y, std::size_t slice) const {
+  const std::size_t at = bristles_at();
+  if (!data_.free_ring) return {y[at], 0.};
+  return {y[at + 2 * slice], y[at + 2 * slice + 1]};
+}
+
+// Without contact the bristle straightens.
+void TouchdownBearing::stick(const SupportInput& in, std::span<const double> y, std::size_t slice, Contact& c,
+                             std::span<double> bristle_rates) const {
+  const double squared = c.slip_speed * c.slip_speed + c.slip_x * c.slip_x;
+  const double through = data_.bore_radius * std::fabs(y[ring_spin] - c.centres_turning);
+  const auto r = data_.sticking->evaluate(bristle(y, slice), {c.slip_speed, c.slip_x},
+                                          data_.friction.largest(squared, in.ring_temperature) * c.normal, through);
+  c.friction = r.force.t;
+  c.friction_x = r.force.x;
+  c.stored_rate = r.stored_rate;
+  if (data_.free_ring) {
+    bristle_rates[2 * slice] = r.bristle_rate.t;
+    bristle_rates[2 * slice + 1] = r.bristle_rate.x;
+  } else {
+    bristle_rates[0] = r.bristle_rate.t;
+  }
+}
+
 TouchdownBearing::Touch TouchdownBearing::touch(const SupportInput& in, const Expansion& growth,
-                                                std::span<const double> y) const {
+                                                std::span<const double> y, std::span<double> bristle_rates) const {
   const double r_r = data_.rotor_radius, r_b = data_.bore_radius;
   Touch t;
   double deepest = -std::numeric_limits<double>::infinity();
   const Bore bore = bore_of(data_);
-  for (const Slice& slice : bore.slices) {
+  for (std::size_t k = 0; k < bore.slices.size(); ++k) {
+    const Slice& slice = bore.slices[k];
     const double x = slice.place * bore.width;
-    const Contact c = contact(in, growth, y, bodies(in.journal, y, x));
+    Contact c = contact(in, growth, y, bodies(in.journal, y, x));
+    if (data_.sticking) stick(in, y, k, c, bristle_rates);
     if (slice.place == 0.) t.middle = c;
     // Unlike std::max, a penetration that is not a number goes on.
     if (!(c.penetration <= deepest)) deepest = c.penetration;
@@ -123,7 +155,7 @@ TouchdownBearing::Touch TouchdownBearing::touch(const SupportInput& in, const Ex
     t.elastic += slice.share * c.elastic;
     t.normal += normal;
     t.friction += friction;
-    t.rub_heat += friction * c.slip_speed + f_x * c.slip_x;
+    t.rub_heat += friction * c.slip_speed + f_x * c.slip_x - slice.share * c.stored_rate;
     t.damping += slice.share * (c.normal - c.elastic) * c.rate;
     t.wave_power += slice.share * c.elastic * c.wave_rate;
     t.centres_power += friction * c.tangential_speed + f_x * c.slip_x;
@@ -175,6 +207,9 @@ double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion&
   double U = 0.;
   for (const Slice& slice : bore.slices)
     U += slice.share * data_.contact.energy(contact(in, growth, y, bodies(j, y, slice.place * bore.width)).penetration);
+  if (data_.sticking)
+    for (std::size_t k = 0; k < bore.slices.size(); ++k)
+      U += bore.slices[k].share * data_.sticking->energy(bristle(y, k));
   if (!data_.free_ring) return U;
   const double r = data_.free_ring->shoulder_radius;
   for (const Shoulder& shoulder : data_.free_ring->shoulders)

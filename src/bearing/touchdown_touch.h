@@ -24,6 +24,7 @@ struct TouchdownBearing::Contact {
   double friction_x = 0;           // on the ring, along +x [N]
   double wave_rate = 0;            // of the bore's waves at the contact [m/s]
   double centres_turning = 0;      // angular speed of the line of centres [rad/s]
+  double stored_rate = 0;          // of the bristle's energy, all slip's work but heat [W]
 };
 
 struct TouchdownBearing::Touch {

@@ -21,7 +21,6 @@
 #include "study/bearing_mesh.h"
 #include "study/calibration.h"
 #include "study/case.h"
-#include "study/case_warnings.h"
 #include "study/comparison.h"
 #include "study/drop_run.h"
 #include "study/fe_module.h"
@@ -82,8 +81,16 @@ std::string header(const Case& c) {
       bearings, driver_in_words(p.thermal));
 }
 
-void print_warnings(const Case& c) {
-  for (const auto& text : case_warnings(c)) fmt::print(stderr, "warning: {}\n", text);
+/// What is unusual in a case; faults if `strict`.
+void tell_warnings(const Case& c, bool strict) {
+  if (strict) {
+    Faults faults;
+    for (const auto& warning : c.warnings)
+      faults.add(warning.where, warning.message, warning.advice + "\nWithout --strict this is a warning.");
+    faults.throw_if_any();
+  }
+  for (const auto& warning : c.warnings)
+    fmt::print(stderr, "warning{}\n", rendered(warning).substr(std::string_view("error").size()));
 }
 
 double parse_time(const char* option, const std::string& text) {
@@ -152,6 +159,7 @@ std::string version_text() {
 
 int run_command(const RunCommand& command) {
   const Case drop_case = read_case(command.file, command.overrides);
+  tell_warnings(drop_case, command.strict);
   RunOptions options;
   options.directory = command.directory.empty() ? std::filesystem::path("out") / drop_case.name : command.directory;
   options.force = command.force;
@@ -166,7 +174,6 @@ int run_command(const RunCommand& command) {
   options.elements = &elements;
   if (!command.quiet) fmt::print("{}", header(drop_case));
   std::fflush(stdout);
-  print_warnings(drop_case);
   catch_signals();
   DropResult result;
   try {
@@ -194,18 +201,19 @@ int run_command(const RunCommand& command) {
   return 128 + static_cast<int>(caught_signal);
 }
 
-int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict) {
   if (is_heat_case(file)) return check_heat_case(file, overrides);
   const Case c = read_case(file, overrides);
+  tell_warnings(c, strict);
   FiniteElements elements = finite_elements_of(c);
   build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
   fmt::print("{}", header(c));
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
              report.body.Ip, report.body.Id, report.body.centre_of_gravity);
-  std::fflush(stdout);
-  print_warnings(c);
-  fmt::print("{}: no faults. Not checked: whether the step suits the stiffest contact.\n", file.string());
+  fmt::print(
+      "{}: no faults{}. Not checked: whether the step suits the stiffest contact.\n", file.string(),
+      c.warnings.empty() ? "" : fmt::format(", {} warning{}", c.warnings.size(), c.warnings.size() > 1 ? "s" : ""));
   return 0;
 }
 

@@ -9,10 +9,11 @@ namespace rotordrop {
 struct RunCommand {
   std::filesystem::path file, directory;
   std::vector<std::string> overrides;
-  bool force = false, resume = false, quiet = false;
+  bool force = false, resume = false, quiet = false, strict = false;
 };
 int run_command(const RunCommand& command);
-int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+/// @param strict  whether warnings about the case are faults
+int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict);
 /// @param heat  of a case of heat alone
 int defaults_command(bool heat);
 int schema_command(bool heat);

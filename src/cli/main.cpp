@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "base/errors.h"
@@ -43,7 +48,16 @@ void add_force(CLI::App& command, bool& force, const std::string& what) {
   command.add_flag("--force", force, "Replace " + what);
 }
 
+void add_strict(CLI::App& command, bool& strict) {
+  command.add_flag("--strict", strict, "Treat warnings about the case as faults");
+}
+
 void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("--quiet", quiet, "Only messages about trouble"); }
+
+/// An empty name is most often a shell's variable that was never set.
+CLI::Validator not_empty() {
+  return CLI::Validator([](std::string& word) { return word.empty() ? "the name is empty" : ""; }, "");
+}
 
 int run_program(int argc, char** argv) {
   using namespace rotordrop;
@@ -59,12 +73,15 @@ int run_program(int argc, char** argv) {
   add_overrides(*run_app, run.overrides, "contact.friction_coefficient=0.05");
   add_force(*run_app, run.force, "results that are in the directory");
   run_app->add_flag("--resume", run.resume, "Go on with an interrupted run");
+  add_strict(*run_app, run.strict);
   add_quiet(*run_app, run.quiet);
 
   std::string check_file;
   std::vector<std::string> check_overrides;
   auto* check = app.add_subcommand("check", "Read and check a case, of a drop or of heat alone, without running it.");
   add_case(*check, check_file);
+  bool check_strict = false;
+  add_strict(*check, check_strict);
   add_overrides(*check, check_overrides);
 
   ModesCommand modes;
@@ -168,6 +185,10 @@ int run_program(int argc, char** argv) {
   auto* fresh = app.add_subcommand("new", "Start a case in a new folder.");
   fresh->add_option("directory", new_directory, "Folder")->required();
 
+  for (auto* command : app.get_subcommands([](CLI::App*) { return true; }))
+    for (auto* option : command->get_options())
+      for (const auto* name : {"output", "shapes", "results", "against", "case", "directory"})
+        if (option->get_single_name() == name) option->check(not_empty());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -176,7 +197,7 @@ int run_program(int argc, char** argv) {
     return code == 0 ? done : bad_input;
   }
   if (*run_app) return run_command(run);
-  if (*check) return check_command(check_file, check_overrides);
+  if (*check) return check_command(check_file, check_overrides, check_strict);
   if (*heat_app) return heat_command(heat);
   if (*compare_app) return compare_command(compare);
   if (*report_app) return report_command(report);
@@ -193,7 +214,19 @@ int run_program(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+namespace {
+
+/// What names and permissions make impossible is for the user to change; the rest is the machine's.
+int exit_code_of(const std::error_code& error) {
+  for (const auto by_name :
+       {std::errc::filename_too_long, std::errc::too_many_symbolic_link_levels, std::errc::permission_denied,
+        std::errc::operation_not_permitted, std::errc::read_only_file_system, std::errc::not_a_directory,
+        std::errc::is_a_directory, std::errc::file_exists})
+    if (error == by_name) return bad_input;
+  return run_failed;
+}
+
+int run_guarded(int argc, char** argv) {
   try {
     return run_program(argc, argv);
   } catch (const rotordrop::InputError& error) {
@@ -202,6 +235,19 @@ int main(int argc, char** argv) {
   } catch (const rotordrop::SolverError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return run_failed;
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "error: {}: {}.\n       Check the name and the permissions.\n", error.path1().string(),
+               error.code().message());
+    return exit_code_of(error.code());
+  } catch (const std::bad_alloc&) {
+    fmt::print(
+        stderr,
+        "error: there is not enough memory for this.\n       Choose a coarser mesh or fewer rows of results, or a "
+        "machine with more memory.\n");
+    return run_failed;
+  } catch (const std::system_error& error) {
+    fmt::print(stderr, "error: {}.\n", error.what());
+    return run_failed;
   } catch (const std::exception& error) {
     fmt::print(stderr,
                "error: {}\n       This is a fault of the program, not of the input; please report it with the "
@@ -209,4 +255,19 @@ int main(int argc, char** argv) {
                error.what());
     return run_failed;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a failed write, which is reported
+  const int code = run_guarded(argc, argv);
+  // Only closing tells whether all of it was written.
+  errno = 0;
+  if (std::ferror(stdout) != 0 || std::fclose(stdout) != 0) {
+    fmt::print(stderr, "error: standard output cannot be written: {}.\n",
+               errno != 0 ? std::generic_category().message(errno) : "an earlier write failed");
+    return code == done ? run_failed : code;
+  }
+  return code;
 }

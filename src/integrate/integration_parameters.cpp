@@ -7,13 +7,16 @@ Section<IntegrationParameters> integration_section() {
   using M = IntegrationMethod;
   Section<P> s("integration", "Time integration.");
   s.choice("method", &P::method,
-           {{"runge-kutta-4", M::runge_kutta_4},
+           {{"tsitouras", M::tsitouras},
+            {"bogacki-shampine", M::bogacki_shampine},
+            {"runge-kutta-4", M::runge_kutta_4},
             {"dormand-prince", M::dormand_prince},
             {"fehlberg-8", M::fehlberg_8},
             {"adams", M::adams}},
-           {.fallback = "dormand-prince",
-            .help = "dormand-prince (5th order), fehlberg-8 (8th) and adams (multistep) control their error; "
-                    "runge-kutta-4 has a fixed step."});
+           {.fallback = "tsitouras",
+            .help = "tsitouras (5th order), bogacki-shampine (3rd, for low accuracy), dormand-prince (5th), fehlberg-8 "
+                    "(8th) and "
+                    "adams (multistep) control their error; runge-kutta-4 has a fixed step."});
   s.quantity("step", &P::step,
              {.unit = "s",
               .range = between(1e-9, 1e-3),

@@ -5,11 +5,11 @@
 
 namespace rotordrop {
 
-enum class IntegrationMethod { runge_kutta_4, dormand_prince, fehlberg_8, adams };
+enum class IntegrationMethod { tsitouras, bogacki_shampine, runge_kutta_4, dormand_prince, fehlberg_8, adams };
 
 /// [integration].
 struct IntegrationParameters {
-  IntegrationMethod method = IntegrationMethod::dormand_prince;
+  IntegrationMethod method = IntegrationMethod::tsitouras;
   std::optional<double> step;  ///< [s]: of the fixed-step method, or the longest of the others
   double tolerance = 0;        ///< relative; absolute is this times each state's scale
 };

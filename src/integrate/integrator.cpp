@@ -12,6 +12,8 @@ namespace rotordrop {
 std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters,
                                             double start_time, std::span<const double> state, double end_time) {
   if (parameters.method == IntegrationMethod::adams) return make_adams(system, parameters, start_time, state, end_time);
+  if (parameters.method == IntegrationMethod::tsitouras || parameters.method == IntegrationMethod::bogacki_shampine)
+    return make_embedded_pair(system, parameters, start_time, state, end_time);
   return make_runge_kutta(system, parameters, start_time, state, end_time);
 }
 

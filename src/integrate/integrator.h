@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -33,6 +34,11 @@ class Integrator {
   virtual void offer_rates(std::span<const double> rates) = 0;
   /// Whether it makes use of them: then looking at the rates after every step costs nothing.
   [[nodiscard]] virtual bool uses_offered_rates() const = 0;
+  /// Evaluation of a system at the end of a step, with whatever else the caller wants to know of it; the rates are the system's.
+  using EndEvaluation = std::function<void(double t, std::span<const double> y, std::span<double> dydt)>;
+  /// Has the method evaluate ends of steps so, those that it rejects among them: then looking at every accepted step costs nothing.
+  /// @returns whether it can; else nothing changes
+  virtual bool evaluate_ends_with(EndEvaluation) { return false; }
   /// State at a time within the last step.
   virtual void interpolate(double t, std::span<double> y) const = 0;
   [[nodiscard]] virtual IntegrationStatistics statistics() const = 0;

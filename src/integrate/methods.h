@@ -9,6 +9,8 @@ inline constexpr double shortest_step = 1e-7;
 
 std::unique_ptr<Integrator> make_runge_kutta(const OdeSystem& system, const IntegrationParameters& parameters,
                                              double start_time, std::span<const double> state, double end_time);
+std::unique_ptr<Integrator> make_embedded_pair(const OdeSystem& system, const IntegrationParameters& parameters,
+                                               double start_time, std::span<const double> state, double end_time);
 std::unique_ptr<Integrator> make_adams(const OdeSystem& system, const IntegrationParameters& parameters,
                                        double start_time, std::span<const double> state, double end_time);
 

@@ -1,27 +1,12 @@
 #include "integrate/sundials_problem.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "base/errors.h"
-#include "integrate/integrator.h"
+#include "integrate/failures.h"
 #include "integrate/vector_operations.h"
 
 namespace rotordrop {
-namespace {
-
-// x * 0 is 0 for finite x and NaN otherwise.
-bool all_finite(std::span<const double> values) {
-  double sum = 0.;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < values.size(); ++i) sum += values[i] * 0.;
-  return sum == 0.;
-}
-
-}  // namespace
-
 SundialsProblem::SundialsProblem(const OdeSystem& system, std::span<const double> state, double tolerance)
     : system_(system), n_(system.layout().size()) {
   if (SUNContext_Create(nullptr, &context_) != 0) throw SolverError("SUNDIALS could not be started");
@@ -80,23 +65,8 @@ void SundialsProblem::take_message(int code, const char*, const char*, char* mes
   if (code < 0) static_cast<SundialsProblem*>(self)->message_ = message;
 }
 
-std::string SundialsProblem::not_finite(std::span<const double> values) const {
-  std::string list;
-  int count = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i])) continue;
-    if (++count <= 3) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", system_.layout().describe(i));
-  }
-  if (count > 3) list += fmt::format(" and {} more", count - 3);
-  return list;
-}
-
 void SundialsProblem::check_finite(double t) const {
-  if (all_finite(values())) return;
-  throw SolverError(
-      fmt::format("the state is no longer finite at t = {:.6g} ms: {}.\n       Often the step is too long for the "
-                  "stiffest contact.",
-                  t * 1e3, not_finite(values())));
+  if (!all_finite(values())) throw_state_not_finite(system_.layout(), values(), t);
 }
 
 std::vector<double> SundialsProblem::weighted_error(void* memory, GetVector errors, GetVector weights) const {
@@ -116,17 +86,8 @@ void SundialsProblem::take_interpolated(int code, std::span<double> y) const {
 
 void SundialsProblem::fail(int, double t, double step, std::span<const double> weighted_error) const {
   if (exception_) std::rethrow_exception(exception_);
-  if (!bad_rates_.empty())
-    throw SolverError(fmt::format(
-        "the rate of {} is not a finite number at t = {:.6g} ms (step {:.3g} s).\n"
-        "       Often the step is too long for the stiffest contact, or a parameter is far out of its usual range.",
-        not_finite(bad_rates_), t * 1e3, step));
-  std::string text =
-      fmt::format("the integrator could not take a step at t = {:.6g} ms (step {:.3g} s).", t * 1e3, step);
-  if (!weighted_error.empty())
-    text += "\n       Largest error: " + worst_components(system_.layout(), weighted_error) + ".";
-  if (!message_.empty()) text += "\n       " + message_;
-  throw SolverError(text);
+  if (!bad_rates_.empty()) throw_rates_not_finite(system_.layout(), bad_rates_, t, step);
+  throw_no_step(system_.layout(), t, step, weighted_error, message_);
 }
 
 }  // namespace rotordrop

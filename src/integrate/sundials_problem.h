@@ -48,8 +48,6 @@ class SundialsProblem {
   void check_finite(double t) const;
 
  private:
-  [[nodiscard]] std::string not_finite(std::span<const double> values) const;
-
   const OdeSystem& system_;
   std::size_t n_;
   SUNContext context_ = nullptr;

@@ -37,25 +37,33 @@ class FileDescriptor {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
   [[nodiscard]] int get() const { return descriptor_; }
+  [[nodiscard]] int release() { return std::exchange(descriptor_, -1); }
 
  private:
   int descriptor_;
 };
 
 [[noreturn]] void throw_not_written(const fs::path& path, int error) {
+  // What the name or the place forbids is for the user to change; everything else is the machine's.
+  constexpr std::array by_name{ENAMETOOLONG, ELOOP, EACCES, EPERM, EROFS, ENOTDIR, EISDIR, EINVAL};
+  if (std::find(by_name.begin(), by_name.end(), error) != by_name.end())
+    throw InputError({path.string()}, "the file cannot be written: " + std::generic_category().message(error) + ".",
+                     "Choose another place with -o, or change the permissions.");
   throw SolverError("cannot write " + path.string() + ": " + std::generic_category().message(error) + ".");
 }
 
-void write_all(const fs::path& path, std::string_view bytes) {
-  const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (file.get() < 0) throw_not_written(path, errno);
+/// @param name  of the file for messages
+void write_all(const fs::path& path, const fs::path& name, std::string_view bytes) {
+  FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.get() < 0) throw_not_written(name, errno);
   while (!bytes.empty()) {
     const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) throw_not_written(path, written < 0 ? errno : ENOSPC);
+    if (written <= 0) throw_not_written(name, written < 0 ? errno : ENOSPC);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (::fsync(file.get()) != 0) throw_not_written(path, errno);
+  if (::fsync(file.get()) != 0 && errno != EINVAL) throw_not_written(name, errno);
+  if (::close(file.release()) != 0) throw_not_written(name, errno);  // network file systems report a full disk here
 }
 
 void sync_directory(const fs::path& directory) {
@@ -67,16 +75,21 @@ void sync_directory(const fs::path& directory) {
 }  // namespace
 
 void write_text_atomically(const fs::path& path, std::string_view text) {
-  const fs::path beside =
-      path.string() + ".writing";  // a fixed name: what a killed writer left is overwritten by the next
+  // A fixed name: what a killed writer left is overwritten by the next. Short enough for any name that the file itself may have.
+  const fs::path beside = path.parent_path() / (path.filename().string().substr(0, 200) + ".writing");
   try {
-    write_all(beside, text);
+    write_all(beside, path, text);
     if (std::rename(beside.c_str(), path.c_str()) != 0) throw_not_written(path, errno);
   } catch (...) {
     ::unlink(beside.c_str());
     throw;
   }
   sync_directory(path.has_parent_path() ? path.parent_path() : fs::path("."));
+}
+
+bool is_on_disk(const fs::path& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  return file.get() >= 0 && (::fsync(file.get()) == 0 || errno == EINVAL);
 }
 
 namespace {
@@ -118,11 +131,15 @@ std::string file_image(const Checkpoint& checkpoint) {
   return image;
 }
 
-std::vector<double> numbers(hid_t file, const std::string& path) {
+/// @param at_most  how many there can be
+std::vector<double> numbers(hid_t file, const std::string& path, hsize_t at_most) {
   const Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, path);
   std::vector<double> values;
   hsize_t size = 1;
-  for (const hsize_t extent : hdf5::extents(dataset.id(), path)) size *= extent;
+  for (const hsize_t extent : hdf5::extents(dataset.id(), path)) {
+    if (extent > at_most || size * extent > at_most) throw SolverError(path + " is larger than the file");
+    size *= extent;
+  }
   values.resize(size);
   if (size > 0)
     hdf5::require(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path);
@@ -133,18 +150,20 @@ Checkpoint from_image(std::string& image) {
   const Handle access = in_memory();
   hdf5::require(H5Pset_file_image(access.id(), image.data(), image.size()), "file image");
   const Handle file(H5Fopen("checkpoint", H5F_ACC_RDONLY, access.id()), H5Fclose, "open");
+  const hsize_t at_most = image.size() / sizeof(double);
   Checkpoint checkpoint;
-  checkpoint.time = numbers(file.id(), "/time").at(0);
-  checkpoint.state = numbers(file.id(), "/state");
+  checkpoint.time = numbers(file.id(), "/time", at_most).at(0);
+  checkpoint.state = numbers(file.id(), "/state", at_most);
   {
     const Handle names(H5Dopen2(file.id(), "/entry_names", H5P_DEFAULT), H5Dclose, "/entry_names");
     checkpoint.entry_names = hdf5::read_texts(names.id(), "/entry_names");
     const Handle digest(H5Aopen(file.id(), "parameter_digest", H5P_DEFAULT), H5Aclose, "parameter_digest");
     checkpoint.parameter_digest = hdf5::read_attribute_texts(digest.id(), "parameter_digest").at(0);
   }
+  if (checkpoint.state.size() != checkpoint.entry_names.size()) throw SolverError("names and values differ in number");
   const std::string folder = "/extras/";
   for (const auto& path : hdf5::dataset_paths(file.id()))
-    if (path.starts_with(folder)) checkpoint.extras[path.substr(folder.size())] = numbers(file.id(), path);
+    if (path.starts_with(folder)) checkpoint.extras[path.substr(folder.size())] = numbers(file.id(), path, at_most);
   return checkpoint;
 }
 
@@ -269,9 +288,11 @@ void require_same_case(const fs::path& path, const Checkpoint& checkpoint, const
   faults.throw_if_any();
 }
 
-FoundCheckpoint newest_valid_checkpoint(const fs::path& directory) {
+FoundCheckpoint newest_valid_checkpoint(const fs::path& directory, const fs::path& older_than) {
   FoundCheckpoint found;
+  const auto limit = number_of(older_than);
   for (const auto& [number, path] : checkpoints_in(directory)) {
+    if (limit && number >= *limit) continue;
     try {
       found.checkpoint = read_checkpoint(path);
       found.path = path;

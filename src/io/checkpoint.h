@@ -47,10 +47,15 @@ struct FoundCheckpoint {
 };
 
 /// The newest checkpoint in a directory that can be read; unreadable ones are skipped and named. No directory: nothing found.
-[[nodiscard]] FoundCheckpoint newest_valid_checkpoint(const std::filesystem::path& directory);
+/// @param older_than  a checkpoint of the directory: only those that were written before it
+[[nodiscard]] FoundCheckpoint newest_valid_checkpoint(const std::filesystem::path& directory,
+                                                      const std::filesystem::path& older_than = {});
 
 /// Replaces a file's content (text or any bytes) in one step: whoever opens `path` sees the old or the new content, never a part,
-/// even if the program is killed or the disk is full. @throws SolverError
+/// even if the program is killed or the disk is full. @throws InputError if its name or place forbids it, SolverError else
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// Has the system bring a closed file to the disk; false if it could not, such as when the disk is full.
+[[nodiscard]] bool is_on_disk(const std::filesystem::path& path);
 
 }  // namespace rotordrop

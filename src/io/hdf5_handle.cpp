@@ -64,7 +64,11 @@ Handle open_for_reading(const std::filesystem::path& path) {
   if (!std::filesystem::exists(status)) throw InputError({path.string()}, "there is no such file.");
   if (std::filesystem::is_directory(status))
     throw InputError({path.string()}, "this is a directory, not an HDF5 file.");
-  hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT);
+  // Of a file that is being written, a part may have to be read again: within 2^20 ns = 1 ms, for the pauses double. Without a limit
+  // HDF5 tries 100 times, which on a damaged file takes for ever.
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");
+  require(H5Pset_metadata_read_attempts(access.id(), 20), "limit attempts to read");
+  hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.id());
   // Files in HDF5's older format (from other programs) cannot be opened that way.
   if (id < 0) id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) throw InputError({path.string()}, "this cannot be read as an HDF5 file (" + last_error() + ").");
@@ -183,6 +187,13 @@ std::vector<std::string> dataset_paths(hid_t file) {
           "cannot list the datasets");
   std::sort(paths.begin(), paths.end());
   return paths;
+}
+
+std::string name_of(hid_t file) {
+  std::string name(4096, '\0');
+  const ssize_t size = H5Fget_name(file, name.data(), name.size());
+  name.resize(static_cast<std::size_t>(std::clamp<ssize_t>(size, 0, static_cast<ssize_t>(name.size()) - 1)));
+  return name;
 }
 
 std::vector<hsize_t> extents(hid_t dataset, std::string_view what) {

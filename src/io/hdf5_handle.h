@@ -69,6 +69,9 @@ void write_numbers(hid_t file, const std::string& path, const std::vector<double
 /// Absolute paths of all datasets, in alphabetical order.
 [[nodiscard]] std::vector<std::string> dataset_paths(hid_t file);
 
+/// Name of an open file.
+[[nodiscard]] std::string name_of(hid_t file);
+
 /// Extents of a dataset.
 [[nodiscard]] std::vector<hsize_t> extents(hid_t dataset, std::string_view what);
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-#include <iterator>
 #include <optional>
+
+#include "io/input_file.h"
 
 namespace rotordrop {
 
@@ -84,7 +84,12 @@ class TreeBuilder {
     return add(Node(static_cast<std::int64_t>(value), where));
   }
   bool number_float(double value, const std::string&) { return add(Node(value, scanner_.next())); }
-  bool string(std::string& value) { return add(Node(value, scanner_.next())); }
+  bool string(std::string& value) {
+    const SourcePosition where = scanner_.next();
+    if (value.find('\0') != std::string::npos)
+      faults_.add(where, "this text holds a NUL character.", "Take out \\u0000.");
+    return add(Node(value, where));
+  }
   bool binary(nlohmann::json::binary_t&) { return false; }  // does not occur in text
   bool start_object(std::size_t) { return open(Node::table(scanner_.next())); }
   bool start_array(std::size_t) { return open(Node::array({}, scanner_.next())); }
@@ -92,6 +97,8 @@ class TreeBuilder {
   bool end_array() { return close(); }
   bool key(std::string& name) {
     const SourcePosition where = scanner_.next();
+    require_printable_key(name, where);
+    require_table_size(open_.back().node.entries().size(), open_.back().node.where());
     if (open_.back().node.has(name)) faults_.add(where, fmt::format("key \"{}\" occurs twice in this object.", name));
     open_.back().key = name;
     open_.back().where_key = where;
@@ -117,6 +124,11 @@ class TreeBuilder {
   };
 
   bool open(Node node) {
+    if (open_.size() > deepest_input) {
+      faults_.add(node.where(), fmt::format("objects or arrays are nested more than {} deep here.", deepest_input),
+                  "No rotor needs that; check the file.");
+      return false;
+    }
     open_.push_back({std::move(node), "", {}});
     return true;
   }
@@ -160,14 +172,6 @@ Node parse_json(std::string_view text, const std::string& file) {
   return builder.result();
 }
 
-Node read_json(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::error_code ignored;
-  if (!file || std::filesystem::is_directory(path, ignored))
-    throw InputError({path.string()}, fmt::format("file \"{}\" cannot be read.", path.string()),
-                     "Check its name and permissions.");
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  return parse_json(text, path.string());
-}
+Node read_json(const std::filesystem::path& path) { return parse_json(read_input_file(path), path.string()); }
 
 }  // namespace rotordrop

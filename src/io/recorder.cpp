@@ -1,10 +1,12 @@
 #include "io/recorder.h"
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <system_error>
@@ -12,6 +14,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "io/hdf5_driver.h"
 #include "io/hdf5_handle.h"
 
 namespace rotordrop {
@@ -39,6 +42,7 @@ struct Group {
   std::size_t row_size = 0;
   std::size_t n_written = 0;
   double last_time = -std::numeric_limits<double>::infinity();
+  std::uint64_t check_sum = 0;  ///< of all rows so far, times included
 
   [[nodiscard]] std::size_t n_buffered() const { return time.buffered.size(); }
 };
@@ -78,6 +82,12 @@ Column make_column(hid_t file, const Channel& channel, const std::string& time_p
   if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);
   if (!channel.columns.empty()) hdf5::write_attribute(column.dataset.id(), "columns", channel.columns);
   return column;
+}
+
+/// Mixes a value's bits into a check sum: one multiplication for each, for every row of a run passes here.
+std::uint64_t mixed(std::uint64_t sum, double value) {
+  sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
+  return sum ^ (sum >> 32);
 }
 
 /// Writes the buffered rows behind the first `from`.
@@ -184,10 +194,7 @@ void Recorder::Implementation::create(const RecordHeader& header) {
   // Made under another name first: nobody ever opens a file whose datasets are still being made, and an older one stays until
   // the new one is sound.
   const fs::path beside = path.string() + "." + std::to_string(::getpid()) + ".new";
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");
-  hdf5::require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "set file format");
-  hdf5::require(H5Pset_file_locking(access.id(), true, true),
-                "set file locking");  // true: go on where locks do not exist
+  const Handle access = hdf5::access_for_writing();
   Removal removal(beside);
   try {
     file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
@@ -310,6 +317,8 @@ void Recorder::append(std::size_t group_index, double time, std::span<const doub
     throw std::invalid_argument("Recorder: times of " + group.time.path + " must not decrease");
   group.last_time = time;
   group.time.buffered.push_back(time);
+  group.check_sum = mixed(group.check_sum, time);
+  for (const double value : row) group.check_sum = mixed(group.check_sum, value);
   auto next = row.begin();
   for (auto& column : group.columns) {
     const auto end = next + static_cast<std::ptrdiff_t>(column.size);
@@ -327,7 +336,53 @@ void Recorder::flush() {
   implementation_->flush();
 }
 
+RecordedRows Recorder::sync() {
+  flush();
+  RecordedRows rows;
+  for (const Group& group : implementation_->groups) {
+    rows.n_rows.push_back(group.n_written);
+    rows.check_sums.push_back(group.check_sum);
+  }
+  try {
+    hdf5::require(H5Fflush(implementation_->file.id(), H5F_SCOPE_GLOBAL), "flush");
+    hdf5::sync(implementation_->file.id(), "sync");
+  } catch (const SolverError& error) {
+    implementation_->failure =
+        "the result file " + implementation_->path.string() + " could not be written (" + error.what() + ").";
+    implementation_->abandon();
+    throw SolverError(implementation_->failure);
+  }
+  return rows;
+}
+
 void Recorder::close() { implementation_->close(); }
+
+namespace {
+constexpr double half = 4294967296.;  // 2^32: a double holds half a check sum exactly
+}  // namespace
+
+std::vector<double> RecordedRows::packed() const {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < n_rows.size(); ++i) {
+    numbers.push_back(static_cast<double>(n_rows[i]));
+    numbers.push_back(static_cast<double>(check_sums.at(i) >> 32));
+    numbers.push_back(static_cast<double>(check_sums.at(i) & 0xffffffffU));
+  }
+  return numbers;
+}
+
+RecordedRows RecordedRows::unpacked(const std::vector<double>& numbers) {
+  RecordedRows rows;
+  if (numbers.size() % 3 != 0) return rows;
+  for (const double number : numbers)
+    if (!(number >= 0. && number < half * half)) return rows;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) {
+    rows.n_rows.push_back(static_cast<std::size_t>(numbers[i]));
+    rows.check_sums.push_back(static_cast<std::uint64_t>(numbers[i + 1]) << 32 |
+                              static_cast<std::uint64_t>(numbers[i + 2]));
+  }
+  return rows;
+}
 
 void Recorder::move_to(const fs::path& path) {
   give_name(implementation_->path, path, true);
@@ -350,11 +405,23 @@ namespace {
   throw InputError({path.string()}, what);
 }
 
+[[noreturn]] void throw_damaged(const fs::path& path, const std::string& what) {
+  throw DamagedFile({path.string()}, what);
+}
+
+/// Whether there is an object by this path, in this file: links to elsewhere are not followed. @throws DamagedFile
 bool has_object(hid_t file, const std::string& path) {
-  // H5Lexists wants every group on the way to exist.
-  for (std::size_t end = path.find('/', 1); end != std::string::npos; end = path.find('/', end + 1))
-    if (H5Lexists(file, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
-  return path == "/" || H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
+  if (path == "/") return true;
+  // Every group on the way must exist before its content may be asked for.
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    const std::string part = path.substr(0, end);
+    const htri_t exists = H5Lexists(file, part.c_str(), H5P_DEFAULT);
+    H5L_info_t link{};
+    if (exists < 0 || (exists > 0 && H5Lget_info(file, part.c_str(), &link, H5P_DEFAULT) < 0))
+      throw DamagedFile({hdf5::name_of(file)}, "this file is damaged (" + hdf5::last_error() + ").");
+    if (exists == 0 || link.type != H5L_TYPE_HARD) return false;
+    if (end == std::string::npos) return true;
+  }
 }
 
 /// One dataset of numbers in an open file.
@@ -396,7 +463,7 @@ class SeriesReader {
                   name_);
     const Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, name_);
     if (H5Dread(dataset_.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()) < 0)
-      throw_unreadable(file_path_, "the values of " + name_ + " cannot be read (" + hdf5::last_error() + ").");
+      throw_damaged(file_path_, "the values of " + name_ + " cannot be read (" + hdf5::last_error() + ").");
     return values;
   }
 
@@ -435,24 +502,43 @@ Source source_of(const Channel& channel, hid_t file, const fs::path& path) {
   return source;
 }
 
+/// How many of the times rise and are not behind `time`. @throws DamagedFile if they end with one that does not rise
+std::size_t n_rising(const std::vector<double>& times, double time, const fs::path& path, const std::string& name) {
+  double last = -std::numeric_limits<double>::infinity();
+  std::size_t n = 0;
+  while (n < times.size() && times[n] > last && times[n] <= time) last = times[n++];
+  if (n < times.size() && !(times[n] > last))
+    throw_damaged(path,
+                  name + " does not rise after row " + std::to_string(n) + " (t = " + std::to_string(last) + " s).");
+  return n;
+}
+
+/// Copies the rows of a group until `time`, or as many as `n_expected` if that is given.
 std::size_t copy_group(hid_t file, const fs::path& path, double time, std::size_t index, Recorder& recorder,
-                       std::vector<std::string>& missing) {
+                       std::vector<std::string>& missing, std::optional<std::size_t> n_expected) {
   const SeriesGroup& group = recorder.groups()[index];
   if (!has_object(file, group.time_path)) {
+    if (n_expected.value_or(0) > 0) throw_damaged(path, group.time_path + " is missing.");
     missing.push_back(group.time_path);
     return 0;
   }
   const SeriesReader time_reader(file, path, group.time_path);
-  const std::vector<double> times = time_reader.rows(0, time_reader.n_rows());
-  auto n_rows = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
+  std::size_t n_there = time_reader.n_rows();
   std::vector<Source> sources;
   for (const auto& channel : group.channels) {
     sources.push_back(source_of(channel, file, path));
     if (sources.back().reader)
-      n_rows = std::min(n_rows, sources.back().reader->n_rows());
+      n_there = std::min(n_there, sources.back().reader->n_rows());
     else
       missing.push_back(channel.path);
   }
+  if (n_expected && n_there < *n_expected)
+    throw_damaged(path, group.time_path + " and its series have " + std::to_string(n_there) + " rows; " +
+                            std::to_string(*n_expected) + " were written.");
+  const std::vector<double> times = time_reader.rows(0, n_expected.value_or(n_there));
+  const std::size_t n_rows = n_rising(times, time, path, group.time_path);
+  if (n_expected && n_rows < *n_expected)
+    throw_damaged(path, group.time_path + " has rows that were written later than the checkpoint.");
 
   constexpr std::size_t block = 4096;  // rows held at once
   const std::size_t row_size = recorder.row_size(index);
@@ -477,22 +563,31 @@ std::size_t copy_group(hid_t file, const fs::path& path, double time, std::size_
 
 }  // namespace
 
-CopiedRows copy_rows_until(const fs::path& old_path, double time, Recorder& recorder) {
+CopiedRows copy_rows_until(const fs::path& old_path, double time, Recorder& recorder, const RecordedRows& expected) {
   const Handle file = hdf5::open_for_reading(old_path);
   CopiedRows copied;
-  for (std::size_t group = 0; group < recorder.groups().size(); ++group)
-    copied.n_rows.push_back(copy_group(file.id(), old_path, time, group, recorder, copied.missing));
-  recorder.flush();
+  const std::size_t n_groups = recorder.groups().size();
+  const bool is_expected = expected.n_rows.size() == n_groups;
+  for (std::size_t group = 0; group < n_groups; ++group)
+    copied.n_rows.push_back(copy_group(file.id(), old_path, time, group, recorder, copied.missing,
+                                       is_expected ? std::optional(expected.n_rows[group]) : std::nullopt));
+  // Of channels that the old file does not have, NaN was copied: such rows are known to be others.
+  const RecordedRows now = recorder.sync();
+  for (std::size_t group = 0; is_expected && copied.missing.empty() && group < n_groups; ++group)
+    if (now.check_sums[group] != expected.check_sums[group])
+      throw_damaged(old_path, "the rows of " + recorder.groups()[group].time_path +
+                                  " are not those that were written: their check sum differs.");
   return copied;
 }
 
 ResumedRecorder resume_recording(const fs::path& path, double time, const RecordHeader& header,
-                                 std::vector<SeriesGroup> groups, RecorderOptions options) {
+                                 std::vector<SeriesGroup> groups, RecorderOptions options,
+                                 const RecordedRows& expected) {
   const fs::path beside = path.string() + ".resuming";
   options.overwrite = true;  // of what an earlier attempt to resume may have left
   Removal removal(beside);
   Recorder recorder(beside, header, std::move(groups), options);
-  CopiedRows copied = copy_rows_until(path, time, recorder);
+  CopiedRows copied = copy_rows_until(path, time, recorder, expected);
   recorder.move_to(path);
   removal.cancel();
   return {std::move(recorder), std::move(copied)};
@@ -530,7 +625,11 @@ std::string read_attribute(const fs::path& path, const std::string& object, cons
 
 std::vector<std::string> list_datasets(const fs::path& path) {
   const Handle file = hdf5::open_for_reading(path);
-  return hdf5::dataset_paths(file.id());
+  try {
+    return hdf5::dataset_paths(file.id());
+  } catch (const SolverError& error) {
+    throw_damaged(path, std::string("this file is damaged (") + error.what() + ").");
+  }
 }
 
 }  // namespace rotordrop

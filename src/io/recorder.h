@@ -2,6 +2,7 @@
 // Result files: time series in HDF5, readable while the run goes on.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -9,7 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "base/errors.h"
+
 namespace rotordrop {
+
+/// A file that holds less than it should, or something else: cut off, overwritten, not synchronised before a power cut.
+class DamagedFile : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// One recorded quantity: a dataset [time] or [time, size].
 struct Channel {
@@ -43,8 +52,19 @@ struct RecorderOptions {
       1024;  ///< chunk length of the datasets: larger is faster, but each dataset takes one chunk at least
 };
 
+/// How far a recording has come, for a checkpoint: a resumed run finds out whether the file still holds these rows.
+struct RecordedRows {
+  std::vector<std::size_t> n_rows;        ///< of each group
+  std::vector<std::uint64_t> check_sums;  ///< of all values of these rows
+  bool operator==(const RecordedRows&) const = default;
+
+  /// As numbers that a double holds exactly, and back; of another size: no rows, which no file has to fit.
+  [[nodiscard]] std::vector<double> packed() const;
+  static RecordedRows unpacked(const std::vector<double>& numbers);
+};
+
 /// Writes one result file. Everything in it is made by the constructor; after that rows are added and readers may open it at any
-/// time (h5py: `h5py.File(path, "r", swmr=True)`, the only way while the run goes on or after it was killed).
+/// time, also after the writer was killed (h5py: `h5py.File(path, "r")`; with `swmr=True` a reader can follow what is added).
 ///
 /// A row is on file in all channels before its time is: a reader that takes as many rows as there are times never sees half a row.
 /// The file appears under its name complete with all datasets, or not at all. Not compressed: that would cost five times as much as
@@ -67,6 +87,8 @@ class Recorder {
   void append(std::size_t group, double time, std::span<const double> row);
   /// Writes what is buffered and makes it visible to readers. Call it before a checkpoint is written.
   void flush();
+  /// Flushes, and has the system bring all of it to the disk: after a power cut the rows so far are there.
+  RecordedRows sync();
   /// Flushes and closes; later calls of append and flush throw std::logic_error. Closing twice is harmless.
   void close();
   /// Gives the file another name, replacing what is there; goes on writing.
@@ -90,8 +112,10 @@ struct CopiedRows {
 };
 
 /// Copies all rows with time <= `time` [s] of the recorder's channels from an older file, finished, being written or left by a
-/// killed run. @throws InputError if the old file cannot be read, or holds a channel with another unit or size
-CopiedRows copy_rows_until(const std::filesystem::path& old_path, double time, Recorder& recorder);
+/// killed run. @throws InputError if the old file cannot be read, or holds a channel with another unit or size; DamagedFile if its
+/// times do not rise, or if it lacks a row of `expected` or holds another
+CopiedRows copy_rows_until(const std::filesystem::path& old_path, double time, Recorder& recorder,
+                           const RecordedRows& expected = {});
 
 /// A recorder that continues the file of an interrupted run: a new file beside it receives the rows up to `time` [s] and then takes
 /// its name. Until then the old file is untouched, and it stays so if anything fails.
@@ -101,7 +125,7 @@ struct ResumedRecorder {
 };
 [[nodiscard]] ResumedRecorder resume_recording(const std::filesystem::path& path, double time,
                                                const RecordHeader& header, std::vector<SeriesGroup> groups,
-                                               RecorderOptions options = {});
+                                               RecorderOptions options = {}, const RecordedRows& expected = {});
 
 /// Numbers of one dataset, row after row.
 struct Series {

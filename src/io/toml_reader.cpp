@@ -4,11 +4,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <tuple>
+
+#include "io/input_file.h"
 
 namespace rotordrop {
 
@@ -33,6 +33,7 @@ Node converted_table(const toml::table& from, const PositionsOf& position) {
     const toml::node* value;
   };
   std::vector<Item> items;
+  require_table_size(from.size(), position(from.source()));
   for (const auto& [key, value] : from) items.push_back({&key, &value});
   // toml++ sorts keys by name; we keep the order of the file.
   std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
@@ -42,8 +43,11 @@ Node converted_table(const toml::table& from, const PositionsOf& position) {
     return place(a) < place(b);
   });
   Node table = Node::table(position(from.source()));
-  for (const Item& item : items)
-    table.set(std::string(item.key->str()), converted(*item.value, position), position(item.key->source()));
+  for (const Item& item : items) {
+    const SourcePosition where = position(item.key->source());
+    require_printable_key(item.key->str(), where);
+    table.set(std::string(item.key->str()), converted(*item.value, position), where);
+  }
   return table;
 }
 
@@ -55,7 +59,11 @@ Node converted(const toml::node& from, const PositionsOf& position) {
     for (const toml::node& item : *array) items.push_back(converted(item, position));
     return Node::array(std::move(items), where);
   }
-  if (const auto* text = from.as_string()) return Node(text->get(), where);
+  if (const auto* text = from.as_string()) {
+    if (text->get().find('\0') != std::string::npos)
+      throw InputError(where, "this text holds a NUL character.", "Take out \\u0000.");
+    return Node(text->get(), where);
+  }
   if (const auto* integer = from.as_integer()) return Node(integer->get(), where);
   if (const auto* real = from.as_floating_point()) return Node(real->get(), where);
   if (const auto* boolean = from.as_boolean()) return Node(boolean->get(), where);
@@ -73,16 +81,8 @@ std::string syntax_message(const toml::parse_error& error) {
 }
 
 Node parsed_toml(std::string_view text, const PositionsOf& position) {
+  require_shallow_toml(text, position.file);
   return converted_table(toml::parse(text, position.file), position);
-}
-
-std::string content_of(const std::filesystem::path& path, const SourcePosition& named_at) {
-  std::ifstream file(path, std::ios::binary);
-  std::error_code ignored;
-  if (!file || std::filesystem::is_directory(path, ignored))
-    throw InputError(named_at.is_known() ? named_at : SourcePosition{path.string()},
-                     fmt::format("file \"{}\" cannot be read.", path.string()), "Check its name and permissions.");
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 /// @param named_at   the `base` key that names the file; unknown for the first file
@@ -90,7 +90,7 @@ std::string content_of(const std::filesystem::path& path, const SourcePosition& 
 Node read_with_bases(const std::filesystem::path& path, const SourcePosition& named_at,
                      std::vector<std::filesystem::path> including,
                      const std::function<void(Node&, const std::filesystem::path&)>& complete) {
-  Node tree = parse_toml(content_of(path, named_at), path.string());
+  Node tree = parse_toml(read_input_file(path, named_at), path.string());
   if (complete) complete(tree, path);
   const Node* base = tree.find("base");
   if (!base) return tree;
@@ -118,6 +118,7 @@ Node read_with_bases(const std::filesystem::path& path, const SourcePosition& na
 /// The keys of "a.b.'c d'"; nothing if it is no key of TOML.
 std::optional<std::vector<std::string>> keys_of_path(const std::string& path) {
   if (path.find('\n') != std::string::npos) return {};
+  require_shallow_toml(path, "--set");
   try {
     const toml::table parsed = toml::parse(path + " = 0");
     std::vector<std::string> keys;

@@ -36,7 +36,7 @@ struct Place {
 /// delta_o and by the outer contact angle.
 struct Balance {
   double R_n, R_t, R_n_d, R_t_d, R_n_a, R_t_a;
-  double Q_i, Q_o, S_i, L_o, L_i, i_x, i_r, c, s, F, F_by_i, F_by_o;
+  double Q_i, Q_o, S_i, L_o, L_i, i_x, i_r, c, s, F, F_by_i, F_by_o, H_n, H_t;
 };
 
 Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, double growth, double F_0) {
@@ -59,18 +59,22 @@ Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, d
   e.F = F_0 * (above / below) * (above / below);
   e.F_by_i = 2. * e.F * (g * e.i_x / above + e.s / below);
   e.F_by_o = -2. * e.F * e.s / below;
-  // F_c e_r + T = F (n_r n - 1.4 n_x t): the centrifugal force has (n_r, -n_x), the friction at the outer race (0, -0.4 n_x).
-  const double along = p.n_r, across = -1.4 * p.n_x;
-  e.R_n = e.Q_i * e.c - e.Q_o + e.F * along;
-  e.R_t = e.Q_i * e.s + e.F * across;
+  // F_c e_r + T_o + T_i = F (H_n n + H_t t): the centrifugal force has (n_r, -n_x), friction at the outer race (0, -0.4 (1 - sigma) n_x), at the
+  // inner one 0.4 sigma n_x (-s, c).
+  const double k = 0.4 * b.inner_gyroscopic_share;
+  e.H_n = p.n_r - k * p.n_x * e.s;
+  e.H_t = -(1.4 - k) * p.n_x + k * p.n_x * e.c;
+  e.R_n = e.Q_i * e.c - e.Q_o + e.F * e.H_n;
+  e.R_t = e.Q_i * e.s + e.F * e.H_t;
   // By delta_o the centre moves along n, by the angle along L_o t; phi_i changes by -t_i . motion / L_i.
   const double angle_d = e.s / e.L_i, angle_a = -e.c * e.L_o / e.L_i;
   const double Q_d = -e.S_i * e.c, Q_a = -e.S_i * e.s * e.L_o;
   const double F_d = e.F_by_i * angle_d, F_a = e.F_by_i * angle_a + e.F_by_o;
-  e.R_n_d = Q_d * e.c - e.Q_i * e.s * angle_d - S_o + F_d * along;
-  e.R_t_d = Q_d * e.s + e.Q_i * e.c * angle_d + F_d * across;
-  e.R_n_a = Q_a * e.c - e.Q_i * e.s * (angle_a - 1.) + F_a * along - e.F * p.n_x;
-  e.R_t_a = Q_a * e.s + e.Q_i * e.c * (angle_a - 1.) + F_a * across - 1.4 * e.F * p.n_r;
+  const double T_c = k * p.n_x * e.c * e.F, T_s = k * p.n_x * e.s * e.F;
+  e.R_n_d = Q_d * e.c - (e.Q_i * e.s + T_c) * angle_d - S_o + F_d * e.H_n;
+  e.R_t_d = Q_d * e.s + (e.Q_i * e.c - T_s) * angle_d + F_d * e.H_t;
+  e.R_n_a = Q_a * e.c - (e.Q_i * e.s + T_c) * (angle_a - 1.) + F_a * e.H_n - e.F * (p.n_x + k * p.n_r * e.s);
+  e.R_t_a = Q_a * e.s + (e.Q_i * e.c - T_s) * (angle_a - 1.) + F_a * e.H_t - e.F * p.n_r * (1.4 - k - k * e.c);
   return e;
 }
 
@@ -125,26 +129,31 @@ BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double g
   result.orbit_speed = speed * (1. - b.diameter_ratio * e.i_r) / (1. + e.c);
   result.centrifugal_force = e.F;
   result.gyroscopic_moment = 0.2 * e.F * p.n_x * b.diameter_ratio * b.pitch_diameter;  // T d / 2
+  const double k = 0.4 * b.inner_gyroscopic_share;
+  result.inner_traction = k * e.F * p.n_x;
   const double delta_i = std::max(e.L_i - b.l_i + growth, 0.);
   result.energy = 0.4 * (e.Q_i * delta_i + e.Q_o * p.delta_o);
   result.residual = left;
   result.iterations = iterations;
 
-  // The inner pull G = Q_i n_i depends on B - P and, through the balance, P on B:  R_P P' + R_B B' = 0.
+  // The inner pull G = Q_i n_i + T_i t_i depends on B - P and, through the balance, P on B:  R_P P' + R_B B' = 0.
   const double det = e.R_n_d * e.R_t_a - e.R_n_a * e.R_t_d;
   for (int axis = 0; axis < 2; ++axis) {
     const double b_x = axis == 0 ? 1. : 0., b_r = 1. - b_x;
     const double by_B_stretch = b_x * e.i_x + b_r * e.i_r;
     const double by_B_angle = (b_x * e.i_r - b_r * e.i_x) / e.L_i;
     const double Q = e.S_i * by_B_stretch, F = e.F_by_i * by_B_angle;
-    const double R_n = Q * e.c - e.Q_i * e.s * by_B_angle + F * p.n_r;
-    const double R_t = Q * e.s + e.Q_i * e.c * by_B_angle - 1.4 * F * p.n_x;
+    const double T = result.inner_traction;
+    const double R_n = Q * e.c - (e.Q_i * e.s + T * e.c) * by_B_angle + F * e.H_n;
+    const double R_t = Q * e.s + (e.Q_i * e.c - T * e.s) * by_B_angle + F * e.H_t;
     const double along = -(R_n * e.R_t_a - e.R_n_a * R_t) / det;
     const double turn = -(e.R_n_d * R_t - R_n * e.R_t_d) / det;
     const double v_x = b_x - along * p.n_x - turn * e.L_o * p.n_r, v_r = b_r - along * p.n_r + turn * e.L_o * p.n_x;
     const double stretch = v_x * e.i_x + v_r * e.i_r, swing = (v_x * e.i_r - v_r * e.i_x) / e.L_i;
-    result.stiffness[axis] = e.S_i * stretch * e.i_x + e.Q_i * swing * e.i_r;
-    result.stiffness[2 + axis] = e.S_i * stretch * e.i_r - e.Q_i * swing * e.i_x;
+    const double T_more = k * ((e.F_by_i * swing + e.F_by_o * turn) * p.n_x + e.F * turn * p.n_r);
+    const double outwards = e.S_i * stretch - T * swing, across = e.Q_i * swing + T_more;
+    result.stiffness[axis] = outwards * e.i_x + across * e.i_r;
+    result.stiffness[2 + axis] = outwards * e.i_r - across * e.i_x;
   }
   return result;
 }

@@ -46,13 +46,18 @@ struct CoulombFriction {
   std::vector<std::array<double, 2>> over_speed = {};        ///< mu over slip speed [m/s]; instead of mu and static_mu
   std::vector<std::array<double, 2>> over_temperature = {};  ///< factor on mu over the ring's temperature [K]
 
-  /// Coefficient over slip speed [s/m]: times a slip speed, or a vector of it, the signed coefficient.
+  /// Coefficient without the passage through zero.
   /// @param temperature  of the ring [K]; needed for a table over it only
-  [[nodiscard]] double per_speed(double slip_speed_squared, double temperature = 0.) const {
+  [[nodiscard]] double largest(double slip_speed_squared, double temperature = 0.) const {
     double m = mu;
     if (has_stribeck) m += (static_mu - mu) * std::exp(-slip_speed_squared / (stribeck_speed * stribeck_speed));
     if (has_tables) m = from_tables(m, slip_speed_squared, temperature);
-    return m / std::sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
+    return m;
+  }
+  /// Coefficient over slip speed [s/m]: times a slip speed, or a vector of it, the signed coefficient.
+  [[nodiscard]] double per_speed(double slip_speed_squared, double temperature = 0.) const {
+    return largest(slip_speed_squared, temperature) /
+           std::sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
   }
   /// Signed coefficient at a slip speed [m/s].
   [[nodiscard]] double coefficient(double slip_speed) const { return per_speed(slip_speed * slip_speed) * slip_speed; }

@@ -12,7 +12,7 @@ double traction_demand(double traction, double mu, double load) {
 
 double rolling_demand(const RowTractions& row, int n_balls, double ball_mass, double acceleration, double mu) {
   const auto one = rolling_tractions(ball_mass, acceleration);
-  return std::max(traction_demand(n_balls * one.inner, mu, row.inner_load),
+  return std::max(traction_demand(std::hypot(n_balls * one.inner, row.inner_gyroscopic), mu, row.inner_load),
                   traction_demand(std::hypot(n_balls * one.outer, row.gyroscopic), mu, row.outer_load));
 }
 

@@ -44,18 +44,24 @@ struct OuterContact {
 }
 
 /// Friction across the rolling direction that keeps the axis of a ball turning with its orbit [N]:
-///   T_g = 2 M_g / d = 0.4 F_c sin phi_o, all of it at the outer race (outer-race control; laws/ball_balance.h).
-/// In line contacts with outer_contact() it is at most 0.2 tan(phi_i / 2) of the outer load, reached where Q_i = F_c.
+///   T_g = 2 M_g / d = 0.4 F_c sin phi_o, of both races together (laws/ball_balance.h).
+/// In line contacts with outer_contact() it is at most 0.2 tan(phi_i / 2) of the outer load, reached where Q_i = F_c; and 0.4 sin phi_i of the inner load.
 /// @param centrifugal_force F_c [N]; @param outer_sine sin phi_o
 [[gnu::always_inline]] inline double gyroscopic_traction(double centrifugal_force, double outer_sine) {
   return 0.4 * centrifugal_force * std::fabs(outer_sine);
 }
 
-/// Loads of a row's contacts and the gyroscopic tractions at them.
+/// Balls whose inner load is less than this part of the outer one ask no gyroscopic traction of the inner race: theirs falls with that load.
+inline constexpr double least_share_of_load = 1e-3;
+
+/// Loads of a row's contacts, the gyroscopic tractions at them, and where they reach: what is observed, not needed for the motion.
 struct RowTractions {
   double inner_load = 0, outer_load = 0;    ///< sums over the balls [N]
-  double gyroscopic = 0;                    ///< sum of T_g [N]
-  double largest_gyroscopic_over_load = 0;  ///< largest T_g / Q_o of a ball
+  double gyroscopic = 0;                    ///< sum of T_g's part at the outer race [N]
+  double largest_gyroscopic_over_load = 0;  ///< largest part of T_g over the load of its contact
+  double inner_gyroscopic = 0;              ///< sum of T_g's part at the inner race [N]
+  double centrifugal = 0;                   ///< F_c of a ball at the cage's speed [N]
+  double truncation = 0;                    ///< largest part of a contact ellipse's length beyond its raceway's edge
 };
 
 /// What is reported where friction gives nothing, or less than a hundredth of what is asked.
@@ -66,8 +72,8 @@ inline constexpr double largest_traction_demand = 100.;
 double traction_demand(double traction, double friction_coefficient, double load);
 
 /// Demand of a row's rolling: the larger of
-///   inner race  Z T_i / (mu sum Q_i)
-///   outer race  sqrt((Z T_o)^2 + (sum T_g)^2) / (mu sum Q_o)
+///   inner race  sqrt((Z T_i)^2 + (sum T_g,i)^2) / (mu sum Q_i)
+///   outer race  sqrt((Z T_o)^2 + (sum T_g,o)^2) / (mu sum Q_o)
 /// Above 1 the row's balls together cannot be kept rolling. Below 1 they can if the cage shares forces out.
 /// @param n_balls Z; @param acceleration r_m |omega_c'| [m/s^2]
 double rolling_demand(const RowTractions& row, int n_balls, double ball_mass, double acceleration,

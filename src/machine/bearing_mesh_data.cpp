@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "thermal/bearing_section.h"
@@ -50,7 +51,22 @@ SectionPlan section_plan(const MachineParameters& p, const Node& case_node, cons
   }
   faults.throw_if_any();
   const auto& fe = p.thermal.fe;
-  return plan_bearing_section(data, {fe.surface_cell, fe.largest_cell, fe.refinement});
+  SectionPlan plan = plan_bearing_section(data, {fe.surface_cell, fe.largest_cell, fe.refinement});
+  // A cell costs some 2 kB of mesh, matrices and factors: this many are 2 GB, and hours.
+  constexpr double most_cells = 1e6, most_in_a_line = 1e4;
+  double n_cells = 0., longest = 0.;
+  for (const auto& block : plan.blocks)
+    n_cells += static_cast<double>(plan.curves.at(block.curves[0]).cells) * plan.curves.at(block.curves[1]).cells;
+  for (const auto& curve : plan.curves) longest = std::max(longest, static_cast<double>(curve.cells));
+  if (n_cells > most_cells || longest > most_in_a_line)
+    throw InputError(
+        table ? table->where() : SourcePosition{},
+        fmt::format("the mesh of bearings.{} would have {:.3g} cells (some {:.3g} GB), {:.3g} of them in a line; "
+                    "at most {:.0f} are made, {:.0f} in a line.",
+                    name, n_cells, n_cells * 2e-6, longest, most_cells, most_in_a_line),
+        "Check its dimensions (housing_length, width, diameters), or make thermal.fe.largest_cell larger "
+        "or thermal.fe.refinement smaller.");
+  return plan;
 }
 
 SectionMesh own_section_of_bearing(const MeshFileContent& content, const MachineParameters& p, const std::string& name,

@@ -95,10 +95,11 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
 void check_reduction(const FiniteElements::Section& section, const FeParameters& fe) {
   const ReducedHeat& heat = section.reduced;
   if (heat.response_error <= fe.response_tolerance) return;
-  throw InputError({}, fmt::format("the section of {} on {} modes answers heat with an error of {:.2g} % ({}), and "
-                                   "thermal.fe.response_tolerance = {:.4g} allows {:.2g} %.",
-                                   section.name, heat.n_modes(), 100. * heat.response_error, heat.worst_response,
-                                   fe.response_tolerance, 100. * fe.response_tolerance),
+  throw InputError({},
+                   fmt::format("the section of {} on {} modes answers heat with an error of {:.2g} % ({}), and "
+                               "thermal.fe.response_tolerance = {:.4g} allows {:.2g} %.",
+                               section.name, heat.n_modes(), 100. * heat.response_error, heat.worst_response,
+                               fe.response_tolerance, 100. * fe.response_tolerance),
                    fmt::format("thermal.fe.modes = {} is the most that the case allows: raise it (200 if not given), "
                                "allow a larger error, or set thermal.fe.coupling = \"windowed\".",
                                fe.modes));
@@ -441,7 +442,9 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
   const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
-  auto data = touchdown_data(name, b, p.contact, {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho});
+  auto data = touchdown_data(
+      name, b, p.contact,
+      {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho, p.rotor.axial_motion == AxialFreedom::free});
   if (p.thermal.contact_conduction == BallConductionModel::rolling)
     data.conduction = row_conduction(p, b, data.rows.front());
   return data;

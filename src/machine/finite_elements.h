@@ -96,10 +96,10 @@ class WindowedSections {
   double tolerance_, shortest_, longest_;
   double length_;  ///< of the window under way [s]: the longest, halved a few times
   double time_ = 0, last_error_ = 0, last_length_ = 0, film_loss_ = 0;
-  bool is_cut_ = false;                                         ///< the window under way ends before its time
-  std::vector<double> rise_per_joule_;                          ///< of a bore in a half space, times root of time [K s^0.5/J]
-  std::vector<double> largest_rise_;                            ///< mean of each bore at windows' ends, so far [K]
-  std::vector<PlaceEnergy> energy_;                             ///< at time_
+  bool is_cut_ = false;                 ///< the window under way ends before its time
+  std::vector<double> rise_per_joule_;  ///< of a bore in a half space, times root of time [K s^0.5/J]
+  std::vector<double> largest_rise_;    ///< mean of each bore at windows' ends, so far [K]
+  std::vector<PlaceEnergy> energy_;     ///< at time_
   std::vector<std::array<double, n_bearing_ports>> port_heat_;  ///< [W]
   std::vector<Expansion> growth_;                               ///< at time_
   std::vector<Expansion> before_, conducted_;                   ///< conduction's part a window ago, and at time_

@@ -96,6 +96,8 @@ RunningState TouchdownRunning::in(const BearingState& state) const {
   for (const auto& row : ring.rows) {
     s.largest_ball_load = std::max(s.largest_ball_load, row.largest_load);
     s.largest_pressure = std::max(s.largest_pressure, row.largest_pressure);
+    s.centrifugal_over_load = std::max(s.centrifugal_over_load, row.centrifugal_over_load);
+    s.neglects_centrifugal = s.neglects_centrifugal || row.neglects_centrifugal;
   }
   s.static_safety = std::pow(static_pressure_limit / s.largest_pressure, 3);
   s.axial_stiffness = ring.stiffness[0][0];

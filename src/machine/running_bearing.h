@@ -19,8 +19,10 @@ struct RunningState {
   double radial_stiffness_y = 0, radial_stiffness_z = 0;
   double radial_clearance =
       0;  ///< how far the ring, else in its mounted place, may move until a ball is touched; negative: they are pressed [m]
-  bool is_floating = false;  ///< no ball touches
-  BallConduction balls;      ///< what they conduct as they roll; zeros if thermal models have fixed resistances
+  bool is_floating = false;          ///< no ball touches
+  BallConduction balls;              ///< what they conduct as they roll; zeros if thermal models have fixed resistances
+  double centrifugal_over_load = 0;  ///< largest of the rows (bearing_statics.h)
+  bool neglects_centrifugal = false;  ///< the balls have no inertia, though it matters
 };
 
 /// What heat is made of; physics of the bearing behind one function, so that loops can be tried on laws with known answers.

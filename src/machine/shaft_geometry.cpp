@@ -60,8 +60,7 @@ std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParam
     }
     if (std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.section <= 0.; })) continue;
     const double rho_c = circuit.ring.density * circuit.ring.heat_capacity;
-    for (auto& node : fin_nodes(side, pieces, before, circuit.h_shaft, k, rho_c))
-      fins.push_back(std::move(node));
+    for (auto& node : fin_nodes(side, pieces, before, circuit.h_shaft, k, rho_c)) fins.push_back(std::move(node));
   }
   return fins;
 }

@@ -140,7 +140,8 @@ std::string_view to_string(Whirl whirl) {
 }
 
 ModalAnalysis::ModalAnalysis(const RotorGeometry& geometry, const ModalAnalysisOptions& options)
-    : basis_(std::make_unique<const ModalBasis>(free_free_modes(geometry, options.cut_off_frequency))),
+    : basis_(std::make_unique<const ModalBasis>(
+          free_free_modes(geometry, options.cut_off_frequency, options.attachment_nodes))),
       options_(options) {}
 ModalAnalysis::~ModalAnalysis() = default;
 ModalAnalysis::ModalAnalysis(ModalAnalysis&&) noexcept = default;

@@ -58,6 +58,7 @@ struct ModalAnalysisOptions {
   double mass_proportional_alpha = 0;  ///< [1/s] on every mode
   /// [Hz]; infinity: the full finite-element model
   double cut_off_frequency = std::numeric_limits<double>::infinity();
+  std::vector<int> attachment_nodes = {};  ///< with a cut-off: nodes whose static flexibility is kept (modal_basis.h)
 };
 
 /// Linear analysis in the basis of free-free modes; exact for the finite-element model unless a cut-off is set.

@@ -1,6 +1,7 @@
 #include "rotor/modal_basis.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,7 +11,30 @@
 
 namespace rotordrop {
 
-ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequency) {
+namespace {
+
+/// Combinations of modes that reproduce their joint static flexibility at some nodes.
+struct Residual {
+  Eigen::VectorXd omega;     // [rad/s]
+  Eigen::MatrixXd in_modes;  // [n_modes x n_residual], orthonormal
+};
+
+/// @param omega  of the modes beyond the cut-off; @param at_nodes  [n_modes x n_nodes] their deflections there
+Residual residual_modes(const Eigen::VectorXd& omega, const Eigen::MatrixXd& at_nodes) {
+  // Amplitudes under unit forces; nodes that are next to each other may add nothing new.
+  const Eigen::VectorXd stiffness = omega.cwiseAbs2();
+  const Eigen::MatrixXd amplitudes = stiffness.cwiseInverse().asDiagonal() * at_nodes;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(amplitudes);
+  qr.setThreshold(1e-8);
+  const Eigen::MatrixXd all = qr.householderQ() * Eigen::MatrixXd::Identity(omega.size(), qr.rank());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(all.transpose() * stiffness.asDiagonal() * all);
+  return {solver.eigenvalues().cwiseSqrt(), all * solver.eigenvectors()};
+}
+
+}  // namespace
+
+ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequency,
+                           const std::vector<int>& attachment_nodes) {
   const RotorMatrices fe = assemble(geometry);
   const Eigen::Index n_dofs = fe.mass.rows();
   ModalBasis basis;
@@ -37,6 +61,18 @@ ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequen
     const double omega_max = 2 * std::numbers::pi * cut_off_frequency;
     n_flexible = std::count_if(omega.begin(), omega.end(), [&](double w) { return w <= omega_max; });
     flexible = solver.eigenvectors().middleCols(2, n_flexible);
+    if (const Eigen::Index n_beyond = omega.size() - n_flexible; n_beyond > 0 && !attachment_nodes.empty()) {
+      const Eigen::MatrixXd beyond = solver.eigenvectors().rightCols(n_beyond);
+      Eigen::MatrixXd at_nodes(n_beyond, static_cast<Eigen::Index>(attachment_nodes.size()));
+      for (Eigen::Index k = 0; k < at_nodes.cols(); ++k)
+        at_nodes.col(k) = beyond.row(2 * attachment_nodes[static_cast<std::size_t>(k)] - 2).transpose();
+      const Residual residual = residual_modes(omega.tail(n_beyond), at_nodes);
+      const Eigen::Index n_residual = residual.omega.size();
+      flexible.conservativeResize(Eigen::NoChange, n_flexible + n_residual);
+      flexible.rightCols(n_residual) = beyond * residual.in_modes;
+      omega.segment(n_flexible, n_residual) = residual.omega;
+      n_flexible += n_residual;
+    }
     // Orthogonal to the analytic rigid modes to the last digit: no roundoff stiffness or gravity leaks between them.
     for (int pass = 0; pass < 2; ++pass) flexible -= rigid * (rigid.transpose() * fe.mass * flexible) / m;
     for (Eigen::Index k = 0; k < n_flexible; ++k) {

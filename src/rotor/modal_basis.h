@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <vector>
 
 #include "rotor/geometry.h"
 
@@ -23,6 +24,11 @@ struct ModalBasis {
 };
 
 /// @param cut_off_frequency  highest flexible mode kept [Hz]; 0 keeps the rigid modes alone, infinity keeps all
-[[nodiscard]] ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequency);
+/// @param attachment_nodes   nodes (from 1) whose static flexibility under transverse forces the basis keeps: what the modes beyond the cut-off
+///   give there, R f = sum phi_k phi_k^T f / (m omega_k^2), one shape a node, orthogonal to the kept modes by mass and stiffness, and
+///   combined among themselves into modes with their true mass (Rubin 1975; Craig & Kurdila, Fundamentals of Structural Dynamics, 17.4). Their frequencies
+///   lie above the cut-off. They follow the kept modes by frequency and have mass, so displacements depend on the state alone.
+[[nodiscard]] ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequency,
+                                         const std::vector<int>& attachment_nodes = {});
 
 }  // namespace rotordrop

@@ -86,7 +86,9 @@ ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& setti
       drive_torque_(settings.drive_torque),
       windage_(settings.windage),
       axial_(settings.axial) {
-  const ModalBasis basis = free_free_modes(geometry, highest_frequency(settings));
+  const bool has_residual = settings.residual_flexibility && settings.representation == RotorRepresentation::modal;
+  const ModalBasis basis =
+      free_free_modes(geometry, highest_frequency(settings), has_residual ? station_nodes : std::vector<int>{});
   const auto n = static_cast<std::size_t>(basis.n_modes());
   n_modes_ = n;
   body_ = basis.body;

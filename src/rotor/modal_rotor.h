@@ -38,7 +38,9 @@ struct AxialMotion {
 /// What a rotor model needs besides its geometry.
 struct RotorSettings {
   RotorRepresentation representation = RotorRepresentation::modal;
-  double cut_off_frequency = 4500;     ///< [Hz], of the modal representation
+  double cut_off_frequency = 4500;  ///< [Hz], of the modal representation
+  bool residual_flexibility =
+      false;  ///< of the modal representation: the static flexibility of the stations kept exactly (modal_basis.h)
   double modal_damping = 0.005;        ///< ratio of every flexible mode
   double mass_proportional_alpha = 0;  ///< [1/s], on every mode, the rigid ones too: force = -alpha M x'
   double gravity_y = 0;                ///< acceleration along +y [m/s^2]; -9.81 on Earth

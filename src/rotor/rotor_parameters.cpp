@@ -292,6 +292,14 @@ Section<RotorParameters> rotor_section() {
                  .range = at_least(0),
                  .fallback = "4500 Hz",
                  .help = "Of model = \"modal\". More modes soften the first impact and shorten the time step."})
+      .boolean(
+          "residual_flexibility", &RotorParameters::residual_flexibility,
+          {.fallback = false,
+           .source = "off: the modes it adds take the settling reference drop from 112 000 to 146 000 right-hand sides",
+           .help =
+               "Of model = \"modal\": one more mode per bearing station and plane, above the cut-off, that keeps "
+               "the static flexibility of the modes left out: peak forces within 0.15 % of those of \"full\" instead "
+               "of 0.5 to 0.9 %."})
       .quantity("modal_damping", &RotorParameters::modal_damping,
                 {.range = between(0, 0.2),
                  .fallback = "0.005",
@@ -359,6 +367,7 @@ RotorSettings rotor_settings(const RotorParameters& parameters, const std::array
   RotorSettings settings;
   settings.representation = parameters.model;
   settings.cut_off_frequency = parameters.cut_off_frequency;
+  settings.residual_flexibility = parameters.residual_flexibility;
   settings.modal_damping = parameters.modal_damping;
   settings.mass_proportional_alpha = parameters.mass_proportional_alpha;
   settings.gravity_y = gravity[1];

@@ -31,6 +31,7 @@ struct RotorParameters {
   double modal_damping = 0;
   double mass_proportional_alpha = 0;  ///< [1/s]
   double cut_off_frequency = 0;        ///< [Hz]
+  bool residual_flexibility = false;
   std::vector<Unbalance> unbalance;
   TimeTable torque;  ///< [N m]
   std::optional<WindageParameters> windage;

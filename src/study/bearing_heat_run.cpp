@@ -17,6 +17,7 @@
 #include "study/bearing_mesh.h"
 #include "study/fe_module.h"
 #include "study/recorded_heat.h"
+#include "study/results_folder.h"
 
 namespace rotordrop {
 namespace {
@@ -214,7 +215,8 @@ class BearingHeatRun {
 
   Json run() {
     if (is_first_rank()) {
-      prepare_heat_directory(options_);
+      folder_.emplace(options_.directory,
+                      options_.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
       recorder_.emplace(make_recorder(case_, options_));
       write_text_atomically(options_.directory / "parameters.toml", case_.drop.resolved);
       if (!field_times_.empty()) fields_.emplace(options_.directory / "fields", case_.bearing);
@@ -225,6 +227,7 @@ class BearingHeatRun {
     const bool is_complete = advance_all();
     const double end = cpu_seconds();
     if (recorder_) recorder_->close();
+    if (folder_) folder_->require_there();
     Json j = summary();
     j["cpu_time"] = end - start;
     j["end_time"] = time_;
@@ -325,6 +328,7 @@ class BearingHeatRun {
   BearingHeatCase& case_;
   const HeatRunOptions& options_;
   FieldTimes field_times_;
+  std::optional<ResultsFolder> folder_;
   std::optional<Recorder> recorder_;
   std::optional<FieldSeries> fields_;
   double time_ = 0;

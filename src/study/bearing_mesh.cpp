@@ -4,8 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string_view>
 
 #include "base/errors.h"
+#include "io/checkpoint.h"
 #include "machine/bearing_mesh_data.h"
 #include "model/section_quality.h"
 #include "study/fe_module.h"
@@ -71,8 +74,15 @@ void write_mesh(const SectionMesh& mesh, const fs::path& file, MeshFileFormat fo
   // Gmsh tells the format by the ending. Complete or not at all: beside it first, then renamed.
   const fs::path beside = folder / ("." + file.stem().string() + ".part.msh");
   section_mesher().write(mesh, beside.string(), format);
-  if (!fs::is_regular_file(beside))
-    throw InputError({file.string(), 0, 0}, "the file cannot be written", "Is there room, and may you write there?");
+  // Gmsh does not say whether all of it was written.
+  std::ifstream written(beside, std::ios::binary | std::ios::ate);
+  constexpr std::string_view end = "$EndElements\n";
+  std::string last(end.size(), '\0');
+  written.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  if (!written.read(last.data(), static_cast<std::streamsize>(last.size())) || last != end || !is_on_disk(beside)) {
+    fs::remove(beside, error);
+    throw SolverError("cannot write " + file.string() + ": Check free disk space and write permission.");
+  }
   fs::rename(beside, file);
 }
 

@@ -11,6 +11,7 @@
 #include "io/source_comments.h"
 #include "io/toml_reader.h"
 #include "machine/build_machine.h"
+#include "study/plausibility.h"
 #include "study/program_files.h"
 
 namespace rotordrop {
@@ -84,18 +85,39 @@ fs::path resolve_path(const Node& text) {
   return fs::path(where.file).parent_path() / given;
 }
 
-void load_rotor_geometry(Node& tree) {
+/// Stands for a geometry that cannot be read, so that the faults of everything else are found, too: it has every node that a case may name.
+Node any_geometry() {
+  constexpr int n_nodes = 1000;
+  Node::Array nodes, elements;
+  for (int id = 1; id <= n_nodes; ++id) nodes.push_back(Node::table({{"id", id}, {"x", 0.01 * id}}));
+  for (int id = 1; id < n_nodes; ++id) elements.push_back(Node::table({{"n1", id}, {"n2", id + 1}, {"od", 0.1}}));
+  return Node::table({{"material", Node::table({{"E", 2e11}, {"nu", 0.3}, {"rho", 7800.}})},
+                      {"nodes", Node::array(std::move(nodes))},
+                      {"elements", Node::array(std::move(elements))}});
+}
+
+void load_rotor_geometry(Node& tree, Faults& faults) {
   Node* rotor = tree.find("rotor");
   if (!rotor || !rotor->is_table()) return;
   const Node* geometry = rotor->find("geometry");
   if (!geometry || !geometry->is_text()) return;
   const fs::path path = resolve_path(*geometry);
-  if (!fs::is_regular_file(path))
-    throw InputError(geometry->where(),
-                     fmt::format("rotor.geometry = \"{}\": there is no such file.", geometry->text()),
-                     fmt::format("Looked for {}.", path.string()));
   const SourcePosition key = position_of(*rotor, "geometry");
-  rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    faults.add(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file.", geometry->text()),
+               fmt::format("Looked for {}{}.", path.string(),
+                           status.type() == fs::file_type::none ? " (" + error.message() + ")" : ""));
+    rotor->set("geometry", any_geometry(), key);
+    return;
+  }
+  try {
+    rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
+  } catch (const InputError& fault) {
+    for (const auto& one : fault.faults()) faults.add(one.where, one.message, one.advice);
+    rotor->set("geometry", any_geometry(), key);
+  }
 }
 
 /// A file is beside the one that names it, wherever the case is read from later.
@@ -121,7 +143,8 @@ void load_catalogue(Node& bearing, const std::string& name, const fs::path& case
   std::vector<std::string> known;
   for (const auto& folder : catalogue_folders(case_file)) {
     const fs::path file = folder / (entry->text() + ".toml");
-    if (fs::is_regular_file(file)) {
+    std::error_code unreadable;
+    if (fs::is_regular_file(file, unreadable)) {
       bearing = merged(read_toml(file), bearing);
       return;
     }
@@ -160,6 +183,9 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   Case result;
   result.file = file;
   result.name = file.stem().string();
+  if (std::any_of(result.name.begin(), result.name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+    throw InputError({file.string(), 0, 0}, "the name of this file holds a control character, such as a line break.",
+                     "The case is called as the file: use letters, digits, - and _.");
   result.tree = read_toml(file, load_catalogue_bearings);
   Node over = Node::table(result.tree.where());
   for (const auto& assignment : overrides) {
@@ -168,7 +194,8 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   }
   load_catalogue_bearings(over, file);
   result.tree = merged(result.tree, over);
-  load_rotor_geometry(result.tree);
+  Faults faults;
+  load_rotor_geometry(result.tree, faults);
   complete_paths(result.tree);
   // Built-in materials lie under those that the case gives.
   const Node* materials = result.tree.find("materials");
@@ -177,13 +204,14 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   else if (materials->is_table())
     result.tree.set("materials", merged(default_materials(), *materials), position_of(result.tree, "materials"));
 
-  Faults faults;
   const auto section = case_section();
   result.parameters = section.read(result.tree, faults);
   // What follows looks at several sections together, and so needs each of them sound.
   faults.throw_if_any();
   check_machine(result.parameters, result.tree, faults);
+  check_output(result.parameters, result.tree, faults);
   faults.throw_if_any();
+  result.warnings = look_for_slips(result.parameters, result.tree);
   SourceComments comments;
   result.resolved = write_resolved({section.erased()}, result.tree,
                                    [&comments](const SourcePosition& where) { return comments.at(where); });

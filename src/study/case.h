@@ -34,7 +34,8 @@ struct Case {
   std::string name;  ///< the file's name without its ending
   Node tree;         ///< with its bases, bearings' catalogue data, rotor geometry and overrides merged in
   CaseParameters parameters;
-  std::string resolved;  ///< complete TOML that reads back to the same values
+  std::string resolved;         ///< complete TOML that reads back to the same values
+  std::vector<Fault> warnings;  ///< what is allowed but unusual, most often a slip
 };
 
 /// Reads and checks a case. @throws InputError with all faults

@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <chrono>
@@ -23,8 +19,9 @@
 #include "io/checkpoint.h"
 #include "io/hdf5_version.h"
 #include "io/recorder.h"
+#include "io/sha256.h"
 #include "study/drop_fields.h"
-#include "study/result_files.h"
+#include "study/results_folder.h"
 #include "study/row_schedule.h"
 #include "study/run_end.h"
 #include "study/summary.h"
@@ -53,43 +50,14 @@ std::string digest_of(const std::string& text) {
   return fmt::format("{:016x}", hash);
 }
 
-void prepare_directory(const RunOptions& options) {
-  const fs::path& directory = options.directory;
-  std::error_code error;
-  if (holds_results(directory) && !options.force && !options.resume)
-    throw InputError(
-        {directory.string(), 0, 0}, "the directory holds results already",
-        "Choose another with -o DIR, replace them with --force, or go on with --resume if the run was interrupted.");
-  fs::create_directories(directory, error);
-  if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
-}
-
-/// Keeps two runs out of one directory; ends with the program, however that ends.
-class DirectoryLock {
- public:
-  explicit DirectoryLock(const fs::path& directory)
-      : file_(open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0) return;
-    close(file_);
-    throw InputError({directory.string(), 0, 0}, "another run is writing into the directory",
-                     "Choose another with -o DIR, or wait for its end.");
-  }
-  DirectoryLock(const DirectoryLock&) = delete;
-  DirectoryLock& operator=(const DirectoryLock&) = delete;
-  ~DirectoryLock() {
-    if (file_ >= 0) close(file_);
-  }
-
- private:
-  int file_;
-};
-
-void remove_older_results(const fs::path& directory) {
-  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "report.html"})
-    fs::remove(directory / name);
-  fs::remove_all(directory / "checkpoints");
-  fs::remove_all(directory / "failed");
-  fs::remove_all(directory / "fields");
+/// Of the files that the parameters only name, and on which the results depend: a mesh, the growth of an earlier run.
+std::string digests_of_files(const Case& c) {
+  std::string digests;
+  const auto& thermal = c.parameters.thermal;
+  if (thermal.fe.mesh && thermal.has_fe)
+    for (const auto& name : touchdown_names(c.parameters))
+      digests += "\n" + sha256_of_file(own_mesh_file(*thermal.fe.mesh, name));
+  return digests;
 }
 
 std::vector<SeriesGroup> series_groups(const Machine& machine, const WindowedSections* windows) {
@@ -167,7 +135,8 @@ class DropRun {
         machine_(machine),
         options_(options),
         scalars_(machine),
-        digest_(digest_of(drop_case.resolved)),
+        text_digest_(digest_of(drop_case.resolved)),
+        digest_(digest_of(drop_case.resolved + digests_of_files(drop_case))),
         condition_(machine, drop_case.parameters.run.until),
         end_time_(drop_case.parameters.run.latest_end()),
         rows_(schedule(drop_case.parameters.output.interval)),
@@ -206,12 +175,14 @@ class DropRun {
   }
 
   DropResult run() {
-    prepare_directory(options_);
-    const DirectoryLock lock(options_.directory);
-    if (!options_.resume) remove_older_results(options_.directory);
+    folder_.emplace(options_.directory, options_.resume  ? ResultsFolder::Existing::resume
+                                        : options_.force ? ResultsFolder::Existing::replace
+                                                         : ResultsFolder::Existing::refuse);
     machine_.initial_state(state_);
-    if (options_.resume) read_newest_checkpoint();
-    open_recorder();
+    if (options_.resume)
+      resume();
+    else
+      open_recorder();
     if (options_.elements)
       fields_.emplace(options_.directory, *options_.elements, case_.parameters.thermal.fe, machine_, time_);
     write_text_atomically(options_.directory / "parameters.toml", case_.resolved);
@@ -225,6 +196,7 @@ class DropRun {
       record_window(time_, true);
     }
     recorder_->close();
+    folder_->require_there();
 
     DropResult result;
     result.completed = !interrupted_;
@@ -244,10 +216,13 @@ class DropRun {
       result.windows = windows_->report();
       result.windows_energy = windows_->energy();
     }
-    write_text_atomically(
-        options_.directory / "summary.json",
-        summarise(case_, machine_, scalars_, result, options_.elements, recorder_->path()).dump(2) + "\n");
-    if (result.completed) fs::remove_all(options_.directory / "checkpoints");
+    auto summary = summarise(case_, machine_, scalars_, result, options_.elements, recorder_->path());
+    summary["input_warnings"] = nlohmann::ordered_json::array();
+    for (const auto& warning : case_.warnings)
+      summary["input_warnings"].push_back(
+          {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
+    write_text_atomically(options_.directory / "summary.json", summary.dump(2) + "\n");
+    if (result.completed) folder_->remove_checkpoints();
     return result;
   }
 
@@ -470,8 +445,8 @@ class DropRun {
     RecorderOptions recorder_options;
     recorder_options.overwrite = options_.force;
     if (time_ > 0.) {
-      auto resumed =
-          resume_recording(file, time_, record_header(case_), series_groups(machine_, windows()), recorder_options);
+      auto resumed = resume_recording(file, time_, record_header(case_), series_groups(machine_, windows()),
+                                      recorder_options, recorded_);
       recorder_.emplace(std::move(resumed.recorder));
     } else {
       recorder_options.overwrite |= options_.resume;
@@ -490,7 +465,8 @@ class DropRun {
   }
 
   fs::path save(const fs::path& directory) {
-    recorder_->flush();
+    folder_->require_there();
+    recorded_ = recorder_->sync();  // on the disk before the checkpoint that relies on it
     return write_checkpoint(directory, checkpoint());
   }
 
@@ -511,6 +487,7 @@ class DropRun {
       values.push_back(recent.time);
       values.insert(values.end(), recent.impulse.begin(), recent.impulse.end());
     }
+    c.extras["recorded"] = recorded_.packed();
     if (windows_) c.extras["windows"] = windows_->packed();
     const auto s = statistics();
     c.extras["statistics"] = {static_cast<double>(s.steps),
@@ -522,8 +499,30 @@ class DropRun {
     return c;
   }
 
-  void read_newest_checkpoint() {
-    const auto found = newest_valid_checkpoint(options_.directory / "checkpoints");
+  /// From the newest checkpoint whose rows are all on file: after a power cut that may be an earlier one.
+  void resume() {
+    for (fs::path newer; newer = read_newest_checkpoint(newer), true;) {
+      try {
+        open_recorder();
+        return;
+      } catch (const DamagedFile& error) {
+        const auto& fault = error.faults().front();
+        const std::string earlier = newest_valid_checkpoint(options_.directory / "checkpoints", newer).path.string();
+        if (earlier.empty())
+          throw InputError(fault.where, "the results are damaged: " + fault.message,
+                           "No checkpoint can be resumed with them. What can be read of them stays as it is; choose "
+                           "another directory with -o DIR, or start anew with --force.");
+        if (options_.tell)
+          options_.tell(fmt::format("the results are damaged: {} The run resumes from an earlier checkpoint, {}",
+                                    fault.message, earlier));
+      }
+    }
+  }
+
+  /// @param newer  a checkpoint that is of no use; empty at first
+  /// @return the checkpoint; empty if the run starts anew
+  fs::path read_newest_checkpoint(const fs::path& newer) {
+    const auto found = newest_valid_checkpoint(options_.directory / "checkpoints", newer);
     if (!found.checkpoint) {
       const std::string where = options_.directory.string();
       if (!found.skipped.empty())
@@ -535,16 +534,31 @@ class DropRun {
       // Killed before its first checkpoint: it starts anew, but only as what it was.
       std::ifstream earlier(options_.directory / "parameters.toml");
       const std::string text{std::istreambuf_iterator<char>(earlier), {}};
-      if (!text.empty() && digest_of(text) != digest_)
+      if (!text.empty() && digest_of(text) != text_digest_)
         throw InputError({where, 0, 0}, "the directory holds the run of another case",
                          "Choose another with -o DIR, or replace the results with --force.");
       if (options_.tell) options_.tell("there is no checkpoint yet: the run starts anew");
-      return;
+      return {};
     }
     if (options_.tell)
       for (const auto& file : found.skipped) options_.tell("a newer checkpoint cannot be read: " + file);
-    const Checkpoint& c = *found.checkpoint;
-    require_same_case(found.path, c, digest_, entry_names_);
+    require_same_case(found.path, *found.checkpoint, digest_, entry_names_);
+    try {
+      take(*found.checkpoint);
+    } catch (const std::logic_error&) {  // something is missing, or of another size
+      throw InputError({found.path.string()}, "this checkpoint does not hold what this version of the program needs.",
+                       "Start anew with --force, or resume with the version that wrote it.");
+    }
+    return found.path;
+  }
+
+  /// @throws std::logic_error if something is missing or does not fit
+  void take(const Checkpoint& c) {
+    const auto& s = c.extras.at("statistics");
+    if (s.size() != 6 || c.extras.at("impulse").size() != impulse_.size() || c.state.size() != state_.size() ||
+        !(c.time >= 0. && c.time <= end_time_) ||
+        !std::all_of(c.state.begin(), c.state.end(), [](double y) { return std::isfinite(y); }))
+      throw std::invalid_argument("a checkpoint of another kind");
     time_ = c.time;
     state_ = c.state;
     scalars_.unpack(c.extras.at("scalars"));
@@ -553,14 +567,17 @@ class DropRun {
     detail_rows_.unpack(c.extras.at("detail rows"));
     window_rows_.unpack(c.extras.at("window rows"));
     condition_.unpack(c.extras.at("condition"));
-    if (const auto recent_values = c.extras.find("recent impulses"); recent_values != c.extras.end())
+    if (const auto recent_values = c.extras.find("recent impulses"); recent_values != c.extras.end()) {
+      if (recent_values->second.size() % (1 + scalars_.size()) != 0)
+        throw std::invalid_argument("impulses are missing");
       for (auto at = recent_values->second.begin(); at != recent_values->second.end();) {
         RecentImpulse recent{*at++, {}};
         for (std::size_t i = 0; i < scalars_.size(); ++i) recent.impulse.push_back(*at++);
         recent_impulses_.push_back(std::move(recent));
       }
+    }
     if (windows_) windows_->unpack(c.extras.at("windows"));
-    const auto& s = c.extras.at("statistics");
+    recorded_ = c.extras.contains("recorded") ? RecordedRows::unpacked(c.extras.at("recorded")) : RecordedRows{};
     earlier_ = {static_cast<long>(s[0]), static_cast<long>(s[1]), static_cast<long>(s[2])};
     earlier_wall_ = s[3];
     earlier_cpu_ = s[4];
@@ -571,7 +588,7 @@ class DropRun {
     std::string text = error.what();
     try {
       try {
-        recorder_->flush();
+        recorded_ = recorder_->sync();
       } catch (const SolverError&) {  // the recorder is what failed: the state may still find room
       }
       const fs::path file = write_checkpoint(options_.directory / "failed", checkpoint());
@@ -604,10 +621,12 @@ class DropRun {
   const Machine& machine_;
   const RunOptions& options_;
   DropScalars scalars_;
-  std::string digest_;
+  std::string text_digest_, digest_;  ///< of the parameters; of these and of the files that they name
   std::vector<std::string> entry_names_;
   std::unique_ptr<Integrator> integrator_;
+  std::optional<ResultsFolder> folder_;
   std::optional<Recorder> recorder_;
+  RecordedRows recorded_;  ///< of the last checkpoint
   std::optional<WindowedSections> windows_;
   std::optional<DropFields> fields_;
   std::vector<PlaceEnergy> energies_;

@@ -80,6 +80,30 @@ void FollowedDemand::follow(double t, double demand, double speed) {
   last_speed_ = speed;
 }
 
+void FollowedTruncation::follow(double t, double truncation) {
+  if (truncation > largest) {
+    largest = truncation;
+    largest_time = t;
+  }
+  if (std::isfinite(last_time_) && truncation > 0. && last_ > 0.) time_truncated += t - last_time_;
+  last_time_ = t;
+  last_ = truncation;
+}
+
+void FollowedLoad::follow(double t, double force, double load) {
+  largest = std::max(largest, force);
+  if (std::isfinite(last_time_)) {
+    const double half = 0.5 * (t - last_time_);
+    product_ += half * (force * load + last_force_ * last_load_);
+    load_squared_ += half * (load * load + last_load_ * last_load_);
+    time_ += 2. * half;
+    if (load > 0. && last_load_ > 0.) time_loaded_ += 2. * half;
+  }
+  last_time_ = t;
+  last_force_ = force;
+  last_load_ = load;
+}
+
 DropScalars::DropScalars(const Machine& machine) {
   std::map<std::string, std::pair<std::size_t, std::size_t>> where;  // name -> first column, size
   std::size_t at = 0;
@@ -114,6 +138,8 @@ DropScalars::DropScalars(const Machine& machine) {
                         column("preload"),
                         column("skid_demand"),
                         column("gyroscopic_demand"),
+                        column("centrifugal_force"),
+                        column("ellipse_truncation"),
                         column_of_free("axial_force"),
                         column_of_free("axial_position")});
   }
@@ -155,6 +181,8 @@ void DropScalars::follow(double t, std::span<const double> step) {
     for (std::size_t row = 0; row < c.n_rows; ++row) {
       const double of_row = step[c.contact_pressure + row];
       s.row_pressure[row].follow(t, of_row);
+      s.row_truncation[row].follow(t, step[c.ellipse_truncation + row]);
+      s.row_centrifugal[row].follow(t, step[c.centrifugal_force], step[c.ball_force + row]);
       pressure = std::max(pressure, of_row);
     }
     s.contact_pressure.follow(t, pressure);
@@ -167,6 +195,8 @@ void DropScalars::follow(double t, std::span<const double> step) {
       gyroscopic = std::max(gyroscopic, step[c.gyroscopic_demand + row]);
     }
     s.skid.follow(t, skid, step[c.ring_speed]);
+    for (std::size_t row = 0; row < c.n_rows; ++row)
+      s.row_skid[row].follow(t, step[c.skid_demand + row], step[c.ring_speed]);
     s.gyroscopic.follow(t, gyroscopic, step[c.ring_speed]);
     if (c.axial_force) s.axial_force.follow(t, step[*c.axial_force]);
     if (c.axial_position) s.axial_position.follow(t, step[*c.axial_position]);
@@ -176,6 +206,22 @@ void DropScalars::follow(double t, std::span<const double> step) {
     s.penetration = penetration;
     s.spin_lag = lag;
   }
+}
+
+SkidVerdict skid_verdict(const BearingScalars& s, std::size_t n_rows) {
+  SkidVerdict verdict;
+  bool all_loaded = true;
+  for (std::size_t row = 0; row < n_rows; ++row) {
+    if (s.row_centrifugal[row].loaded_share() < relevant_loaded_share) {
+      all_loaded = false;
+      continue;
+    }
+    if (verdict.row && s.row_skid[row].speed_change_beyond <= verdict.demand.speed_change_beyond) continue;
+    verdict.row = row;
+    verdict.demand = s.row_skid[row];
+  }
+  if (all_loaded) verdict.demand = s.skid;
+  return verdict;
 }
 
 double DropScalars::largest_contact_force() const {

@@ -47,6 +47,31 @@ struct FollowedDemand {
   double last_time_ = std::numeric_limits<double>::quiet_NaN(), last_ = 0, last_speed_ = 0, stretch_ = 0;
 };
 
+/// Part of a row's contact ellipses beyond the raceway's edge.
+struct FollowedTruncation {
+  double largest = 0;                                              ///< of the ellipse's length
+  double largest_time = std::numeric_limits<double>::quiet_NaN();  ///< [s]
+  double time_truncated = 0;                                       ///< [s]
+  void follow(double t, double truncation);
+
+ private:
+  double last_time_ = std::numeric_limits<double>::quiet_NaN(), last_ = 0;
+};
+
+/// Centrifugal force of a ball over the load of the row's most loaded one, in the mean over time, weighted by the square of the load: moments without
+/// load, when centrifugal forces always exceed it, do not count.
+struct FollowedLoad {
+  double largest = 0;  ///< centrifugal force [N]
+  void follow(double t, double force, double load);
+  [[nodiscard]] double over_load() const { return load_squared_ > 0. ? product_ / load_squared_ : 0.; }
+  /// Part of the time in which the row carries a load.
+  [[nodiscard]] double loaded_share() const { return time_ > 0. ? time_loaded_ / time_ : 0.; }
+
+ private:
+  double last_time_ = std::numeric_limits<double>::quiet_NaN(), last_force_ = 0, last_load_ = 0, product_ = 0,
+         load_squared_ = 0, time_ = 0, time_loaded_ = 0;
+};
+
 /// Scalars of one touchdown bearing, followed from step to step. NaN where something has not happened.
 struct BearingScalars {
   static constexpr double never = std::numeric_limits<double>::quiet_NaN();
@@ -62,15 +87,28 @@ struct BearingScalars {
   FollowedPeak ball_force;                        ///< of the most loaded ball [N]
   FollowedPeak contact_pressure;                  ///< of balls and races [Pa]
   std::array<FollowedPeak, TouchdownBearing::max_rows> row_pressure;  ///< the same of each row [Pa]
-  FollowedRange clearance;                                            ///< radial air gap [m]
-  std::array<FollowedRange, growth_surfaces.size()> growth;           ///< of growth_surfaces [m]
-  FollowedRange preload;                                              ///< of opposed rows [N]
-  FollowedDemand skid, gyroscopic;                                    ///< of the row that asks for most
+  std::array<FollowedTruncation, TouchdownBearing::max_rows> row_truncation;
+  std::array<FollowedLoad, TouchdownBearing::max_rows> row_centrifugal;
+  FollowedRange clearance;                                   ///< radial air gap [m]
+  std::array<FollowedRange, growth_surfaces.size()> growth;  ///< of growth_surfaces [m]
+  FollowedRange preload;                                     ///< of opposed rows [N]
+  FollowedDemand skid, gyroscopic;                           ///< of the row that asks for most
+  std::array<FollowedDemand, TouchdownBearing::max_rows> row_skid;
   FollowedRange axial_force, axial_position;  ///< of rotor on ring [N], of the rotor [m]; of a free ring
   double ring_speed_end = never;              ///< [rad/s]
   // The last step, for crossings.
   double time = never, penetration = never, spin_lag = never;
 };
+
+/// Rows that carry a load in less than this part of the time cannot be kept rolling, and need not: they are no reason to warn.
+inline constexpr double relevant_loaded_share = 0.1;
+
+/// What a warning of skidding is about.
+struct SkidVerdict {
+  FollowedDemand demand;           ///< of the rows that carry loads together; of the worst one if others carry none
+  std::optional<std::size_t> row;  ///< the one with most of it, from 0; none if no row carries a load
+};
+[[nodiscard]] SkidVerdict skid_verdict(const BearingScalars& bearing, std::size_t n_rows);
 
 /// Follows every touchdown bearing of a machine through its step observables.
 class DropScalars {
@@ -94,7 +132,7 @@ class DropScalars {
   struct Columns {
     std::size_t support, orbit, penetration, contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque,
         inner_heat_rate, outer_heat_rate, ring_speed, ball_force, contact_pressure, n_rows, clearance, growth, preload,
-        skid_demand, gyroscopic_demand;
+        skid_demand, gyroscopic_demand, centrifugal_force, ellipse_truncation;
     std::optional<std::size_t> axial_force, axial_position;
   };
   std::vector<Columns> columns_;

@@ -18,7 +18,7 @@
 #include "machine/machine_parameters.h"
 #include "study/fe_module.h"
 #include "study/recorded_heat.h"
-#include "study/result_files.h"
+#include "study/results_folder.h"
 
 namespace rotordrop {
 namespace {
@@ -76,18 +76,6 @@ void complete_recorded_paths(Node& tree) {
 
 }  // namespace
 
-void prepare_heat_directory(const HeatRunOptions& options) {
-  const fs::path& directory = options.directory;
-  if (!options.force && holds_results(directory))
-    throw InputError({directory.string(), 0, 0}, "the directory holds results already",
-                     "Choose another with -o DIR, or replace them with --force.");
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
-  fs::remove(directory / "summary.json");
-  if (options.force) fs::remove_all(directory / "fields");
-}
-
 bool is_first_rank() { return number_in("OMPI_COMM_WORLD_RANK", number_in("PMI_RANK", 0)) == 0; }
 
 std::vector<ErasedSection> heat_sections() { return {heat_section(default_materials()).erased()}; }
@@ -127,8 +115,10 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   std::optional<Recorder> recorder;
   std::optional<FieldSeries> fields;
   const FieldTimes field_times(study.field_times, study.field_interval);
+  std::optional<ResultsFolder> folder;
   if (is_first_rank()) {
-    prepare_heat_directory(options);
+    folder.emplace(options.directory,
+                   options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
     recorder.emplace(make_recorder(heat_case, options));
     write_text_atomically(options.directory / "parameters.toml", heat_case.resolved);
     if (!field_times.empty()) fields.emplace(options.directory / "fields", "temperature");
@@ -167,6 +157,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   }
   const double end = cpu_seconds();
   if (recorder) recorder->close();
+  if (folder) folder->require_there();
 
   j["probes"] = Json::object();
   for (std::size_t i = 0; i < study.probes.size(); ++i)

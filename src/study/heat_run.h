@@ -30,9 +30,6 @@ struct HeatRunOptions {
   bool force = false;                                ///< replace results that are there
   const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the next output time
 };
-/// Makes the directory. @throws InputError if it holds results that are not to be replaced
-void prepare_heat_directory(const HeatRunOptions& options);
-
 /// Computes a case into a directory: results.h5, summary.json, parameters.toml, fields. Under mpirun every rank computes, and only the first
 /// one writes. @return the summary
 nlohmann::ordered_json run_heat(const HeatCase& heat_case, const HeatRunOptions& options);

@@ -125,10 +125,11 @@ class InStateVector final : public HeatedBearing {
     const auto T = temperatures();
     for (std::size_t i = 0; i < T.size(); ++i)
       if (!(T[i] > 0.))
-        throw SolverError(fmt::format("{} of {} is cooled below 0 K before t = {:.6g} s: its temperature would be "
-                                      "{:.4g} K. No boundary can give off so much heat: check the negative values of "
-                                      "[[heat.source]].",
-                                      names_[i], settings_.bearing, time_, T[i]));
+        throw SolverError(
+            fmt::format("{} of {} is cooled below 0 K before t = {:.6g} s: its temperature would be "
+                        "{:.4g} K. No boundary can give off so much heat: check the negative values of "
+                        "[[heat.source]].",
+                        names_[i], settings_.bearing, time_, T[i]));
   }
   [[nodiscard]] std::span<const double> temperature_state() const { return std::span(state_).first(state_.size() - 1); }
 

@@ -101,6 +101,16 @@ void write_mode_shapes(const ModesReport& report, std::size_t n_modes, const std
                       "1",
                       "number of the mode"});
   }
+  // Earlier shapes may be replaced; what is something else by that name is not.
+  std::error_code ignored;
+  bool is_ours = !std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
+  try {
+    is_ours = is_ours || read_attribute(file, "/", "content") == "mode shapes";
+  } catch (const InputError&) {
+  }
+  if (!is_ours)
+    throw InputError({file.string(), 0, 0}, "the file exists already, and it does not hold mode shapes.",
+                     "Choose another with --shapes FILE.");
   RecorderOptions options;
   options.overwrite = true;
   options.rows_per_chunk = 16;  // a few modes, not thousands of instants

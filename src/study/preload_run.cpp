@@ -11,6 +11,7 @@
 #include "study/preload_history.h"
 #include "study/preload_maps.h"
 #include "study/preload_steady.h"
+#include "study/results_folder.h"
 
 namespace rotordrop {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-void prepare_directory(const PreloadOptions& options) {
+void check_directory(const PreloadOptions& options) {
   const fs::path& directory = options.directory;
   for (const char* name : {"preload.h5", "preload.json"})
     if (!options.force && fs::exists(directory / name))
@@ -30,9 +31,6 @@ void prepare_directory(const PreloadOptions& options) {
       throw InputError({directory.string(), 0, 0},
                        fmt::format("the directory holds results of another kind ({})", name),
                        "Choose another with -o DIR.");
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw InputError({directory.string(), 0, 0}, "the directory cannot be made: " + error.message());
 }
 
 }  // namespace
@@ -43,7 +41,9 @@ Json run_preload(const Case& c, const PreloadOptions& options) {
     throw InputError(position_of(c.tree, "bearings"), "the case has no touchdown bearing whose preload could be told.");
   std::optional<RecordedDrop> drop;
   if (!options.results.empty()) drop.emplace(options.results);
-  prepare_directory(options);
+  check_directory(options);
+  const ResultsFolder folder(options.directory,
+                             options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
 
   Json report = {{"program", std::string("rotordrop ") + version()},
                  {"git_revision", git_revision()},

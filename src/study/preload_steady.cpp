@@ -33,6 +33,8 @@ Json state_json(const RunningState& s) {
           {"load_torque", s.load_torque},
           {"drag_torque", s.drag_torque},
           {"spin_torque", s.spin_torque},
+          {"centrifugal_over_load", s.centrifugal_over_load},
+          {"neglects_centrifugal", s.neglects_centrifugal},
           {"floating", s.is_floating}};
 }
 

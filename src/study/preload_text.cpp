@@ -94,6 +94,11 @@ std::string running_text(const std::string& name, const Json& r) {
                   : "  No stable operating point within the limits.\n";
   }
   text += fmt::format("  cold: {}\n", state_text(r["cold"]));
+  if (r["cold"]["neglects_centrifugal"].get<bool>())
+    text += fmt::format(
+        "  warning: centrifugal forces are {:.2g} times the ball loads when cold, and ball_model = \"quasi-static\" "
+        "leaves them out\n",
+        number(r["cold"], "centrifugal_over_load"));
   for (const auto& point : r["operating_points"]) text += point_text(point);
   text += critical_text(r["critical"]);
   if (!r["load_law_sees_preload"].get<bool>())

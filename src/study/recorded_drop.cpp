@@ -104,6 +104,10 @@ TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) 
   result.times.assign(times.values.begin(), times.values.begin() + static_cast<std::ptrdiff_t>(n));
   result.values.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
+    if (!(i == 0 ? std::isfinite(result.times[0]) : result.times[i] > result.times[i - 1]))
+      throw InputError({file_.string(), 0, 0},
+                       fmt::format("this file is damaged: {} does not rise after its row {}", t.time_path, i),
+                       "A run that was interrupted can be resumed from a checkpoint; otherwise run the case again.");
     const double value = t.values[i * t.n_columns + column];
     if (!std::isfinite(value))
       throw InputError({file_.string(), 0, 0},

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 #include "base/errors.h"
 #include "study/report_template.h"
@@ -14,10 +16,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string replaced(std::string text, std::string_view mark, std::string_view with) {
-  const auto at = text.find(mark);
-  if (at == std::string::npos) throw std::logic_error(fmt::format("the report's template lacks {}", mark));
-  return text.replace(at, mark.size(), with);
+/// The template with its marks replaced, each once; what is put in is not searched again, for a case may be called "@DATA@".
+std::string filled(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> parts) {
+  std::string result;
+  for (const auto& [mark, text] : parts) {
+    const auto at = page.find(mark);
+    if (at == std::string_view::npos) throw std::logic_error(fmt::format("the report's template lacks {}", mark));
+    result.append(page.substr(0, at)).append(text);
+    page.remove_prefix(at + mark.size());
+  }
+  return result.append(page);
 }
 
 std::string escaped(std::string_view text) {
@@ -79,10 +87,8 @@ Json report_data(const RecordedDrop& drop) {
 }
 
 std::string report_page(const Json& data) {
-  std::string page = replaced(report_html, "@TITLE@", escaped(data["title"].get<std::string>()));
-  page = replaced(std::move(page), "@CSS@", report_css);
-  page = replaced(std::move(page), "@DATA@", embedded(data));
-  return replaced(std::move(page), "@JS@", report_js);
+  const std::string title = escaped(data["title"].get<std::string>()), numbers = embedded(data);
+  return filled(report_html, {{"@TITLE@", title}, {"@CSS@", report_css}, {"@DATA@", numbers}, {"@JS@", report_js}});
 }
 
 }  // namespace rotordrop

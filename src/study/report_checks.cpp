@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bearing/touchdown_parameters.h"
+#include "machine/statics.h"
 #include "study/drop_scalars.h"
 #include "study/report.h"
 
@@ -113,7 +114,10 @@ void check_skidding(Checks& checks, const Json& summary, const std::string& name
       name + ": skidding", is_rolling,
       fmt::format("{}: for {:.4g} ms, {:.4g} ms at one stretch, friction at the races cannot keep all rows rolling; "
                   "{:.3g} % of the ring's changes of speed fall into it{}",
-                  is_rolling ? "the balls can be taken as rolling" : "balls may skid",
+                  is_rolling ? "the balls can be taken as rolling"
+                  : std::isfinite(at(summary, key + "/skid/row"))
+                      ? fmt::format("balls of row {:.0f} may skid", at(summary, key + "/skid/row"))
+                      : "balls may skid",
                   1e3 * at(summary, key + "/skid/time_beyond"), 1e3 * at(summary, key + "/skid/longest_beyond"),
                   all > 0. ? 100. * beyond / all : 0., is_rolling ? "" : ", while the program takes them as rolling"));
   const double pivoting = at(summary, key + "/gyroscopic/largest_demand");
@@ -122,6 +126,33 @@ void check_skidding(Checks& checks, const Json& summary, const std::string& name
                fmt::format("their gyroscopic moments ask for up to {:.3g} times the friction at the outer race, beyond "
                            "it for {:.4g} ms",
                            pivoting, 1e3 * at(summary, key + "/gyroscopic/time_beyond")));
+}
+
+/// Where contact ellipses leave the raceway, and what balls without inertia leave out.
+void check_balls(Checks& checks, const Json& summary, const std::string& name) {
+  const Json::json_pointer path("/bearings/" + name + "/rows");
+  if (!summary.contains(path)) return;
+  double truncation = 0., centrifugal = 0.;
+  std::size_t worst = 0, number = 0;
+  for (const auto& row : summary.at(path)) {
+    ++number;
+    if (!row.contains("truncation")) return;
+    if (row["truncation"].get<double>() > truncation) {
+      truncation = row["truncation"].get<double>();
+      worst = number;
+    }
+    centrifugal = std::max(centrifugal, row["centrifugal_over_load"].get<double>());
+  }
+  checks.add(name + ": contact ellipses on the raceway", worst == 0,
+             worst == 0
+                 ? "none reaches over the raceway's edge"
+                 : fmt::format("those of row {} reach over the raceway's edge by up to {:.0f} % of their length: "
+                               "pressure and static safety are void there",
+                               worst, 100. * truncation));
+  if (summary.at(Json::json_pointer("/bearings/" + name)).value("ball_model", "") == "quasi-static" && centrifugal > 0.)
+    checks.add(name + ": centrifugal forces of the balls", centrifugal <= relevant_centrifugal_share,
+               fmt::format("{:.2g} times the ball loads in the mean; ball_model = \"quasi-static\" leaves them out",
+                           centrifugal));
 }
 
 /// The rubbed surfaces, by the replay of the moving band in summary.json.
@@ -213,6 +244,7 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
     check_clearance(checks, drop, name);
     check_load(checks, drop, name, b, drop.pressure_paths(name));
     if (!summary.is_null()) {
+      check_balls(checks, summary, name);
       check_skidding(checks, summary, name);
       check_whirl(checks, summary, name);
     }

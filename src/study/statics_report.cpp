@@ -39,7 +39,9 @@ Json ellipse_json(const EllipseReport& e) {
           {"angle", e.angle},
           {"semi_major_axis", e.semi_major},
           {"semi_minor_axis", e.semi_minor},
-          {"pressure", e.pressure}};
+          {"pressure", e.pressure},
+          {"edge_margin", json_number(e.edge_margin)},
+          {"truncation", e.truncation}};
 }
 
 Json ring_json(const RingReport& r) {
@@ -58,7 +60,12 @@ Json ring_json(const RingReport& r) {
                 {"loaded_balls", row.n_loaded},
                 {"largest_ball_load", row.largest_load},
                 {"largest_pressure", row.largest_pressure},
-                {"static_safety", json_number(row.static_safety)}};
+                {"static_safety", json_number(row.static_safety)},
+                {"truncation", row.truncation},
+                {"edge_margin", json_number(row.edge_margin)},
+                {"pressure_is_void", row.truncation > 0.},
+                {"centrifugal_over_load", row.centrifugal_over_load},
+                {"neglects_centrifugal", row.neglects_centrifugal}};
     one["balls"] = Json::array();
     for (const auto& b : row.balls)
       one["balls"].push_back({{"azimuth", b.azimuth},
@@ -66,6 +73,7 @@ Json ring_json(const RingReport& r) {
                               {"outer", ellipse_json(b.outer)},
                               {"centrifugal_force", b.centrifugal_force},
                               {"gyroscopic_moment", b.gyroscopic_moment},
+                              {"inner_traction", b.inner_traction},
                               {"residual", b.residual}});
     j["rows"].push_back(std::move(one));
   }
@@ -141,15 +149,33 @@ std::string ring_text(const Json& r) {
     });
     const auto& ellipse =
         (*worst)["inner"]["pressure"] > (*worst)["outer"]["pressure"] ? (*worst)["inner"] : (*worst)["outer"];
-    text +=
-        fmt::format("  {:>4} {:>5}/{:<2} {:>10.2f} {:>12.2f} {:>9.3f} {:>9.3f} {:>12} {:>10.3f} {:>8}\n", i,
-                    row["loaded_balls"].get<int>(), balls.size(), row["axial_force"].get<double>(),
-                    row["largest_ball_load"].get<double>(), (*worst)["inner"]["angle"].get<double>() * degrees,
-                    (*worst)["outer"]["angle"].get<double>() * degrees,
-                    fmt::format("{:.3f}x{:.3f}", 2e3 * ellipse["semi_major_axis"].get<double>(),
-                                2e3 * ellipse["semi_minor_axis"].get<double>()),
-                    row["largest_pressure"].get<double>() * 1e-9,
-                    row["static_safety"].is_null() ? "-" : fmt::format("{:.3g}", row["static_safety"].get<double>()));
+    text += fmt::format("  {:>4} {:>5}/{:<2} {:>10.2f} {:>12.2f} {:>9.3f} {:>9.3f} {:>12} {:>10.3f} {:>8}\n", i,
+                        row["loaded_balls"].get<int>(), balls.size(), row["axial_force"].get<double>(),
+                        row["largest_ball_load"].get<double>(), (*worst)["inner"]["angle"].get<double>() * degrees,
+                        (*worst)["outer"]["angle"].get<double>() * degrees,
+                        fmt::format("{:.3f}x{:.3f}", 2e3 * ellipse["semi_major_axis"].get<double>(),
+                                    2e3 * ellipse["semi_minor_axis"].get<double>()),
+                        row["largest_pressure"].get<double>() * 1e-9,
+                        row["pressure_is_void"].get<bool>() ? "void"
+                        : row["static_safety"].is_null()    ? "-"
+                                                         : fmt::format("{:.3g}", row["static_safety"].get<double>()));
+  }
+  i = 0;
+  for (const auto& row : r["rows"]) {
+    ++i;
+    if (row["pressure_is_void"].get<bool>())
+      text += fmt::format(
+          "  warning: contact ellipses of row {} reach over the raceway's edge, by up to {:.0f} % of their length: "
+          "pressure and s0 are void\n",
+          i, 100. * row["truncation"].get<double>());
+    else if (!row["edge_margin"].is_null())
+      text += fmt::format("  row {}: {:.3f} mm of raceway left beside the contact ellipse\n", i,
+                          1e3 * row["edge_margin"].get<double>());
+    if (row["neglects_centrifugal"].get<bool>())
+      text += fmt::format(
+          "  warning: centrifugal forces are {:.2g} times the ball loads of row {}, and ball_model = \"quasi-static\" "
+          "leaves them out\n",
+          row["centrifugal_over_load"].get<double>(), i);
   }
   const auto& K = r["stiffness"];
   text += fmt::format(

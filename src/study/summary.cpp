@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "machine/rotor_report.h"
+#include "machine/statics.h"
 #include "study/drop_fields.h"
 #include "study/elastic_state.h"
 #include "study/fe_summary.h"
@@ -75,11 +76,21 @@ Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::si
   for (std::size_t row = 0; row < scalars.n_rows(i); ++row)
     j["rows"].push_back({{"largest_contact_pressure", s.row_pressure[row].value},
                          {"largest_contact_pressure_time", json_number(s.row_pressure[row].time)},
-                         {"static_safety", safety(s.row_pressure[row].value)}});
+                         {"static_safety", safety(s.row_pressure[row].value)},
+                         {"truncation", s.row_truncation[row].largest},
+                         {"truncation_time", json_number(s.row_truncation[row].largest_time)},
+                         {"time_truncated", s.row_truncation[row].time_truncated},
+                         {"loaded_share", s.row_centrifugal[row].loaded_share()},
+                         {"centrifugal_over_load", s.row_centrifugal[row].over_load()}});
+  j["centrifugal_force"] = s.row_centrifugal[0].largest;
+  const auto* touchdown = dynamic_cast<const TouchdownBearing*>(&machine.support(support));
+  j["ball_model"] = touchdown && touchdown->data().ball_model == BallModel::inertial ? "inertial" : "quasi-static";
   if (scalars.n_rows(i) > 1) j["preload"] = range(s.preload);
-  j["skid"] = demand(s.skid);
-  j["skid"]["speed_change"] = s.skid.speed_change;
-  j["skid"]["speed_change_beyond"] = s.skid.speed_change_beyond;
+  const SkidVerdict skid = skid_verdict(s, scalars.n_rows(i));
+  j["skid"] = demand(skid.demand);
+  j["skid"]["speed_change"] = skid.demand.speed_change;
+  j["skid"]["speed_change_beyond"] = skid.demand.speed_change_beyond;
+  j["skid"]["row"] = skid.row ? Json(*skid.row + 1) : Json(nullptr);
   j["gyroscopic"] = demand(s.gyroscopic);
   j["clearance"] = range(s.clearance);
   for (std::size_t k = 0; k < growth_surfaces.size(); ++k) j["growth"][growth_surface_keys[k]] = range(s.growth[k]);
@@ -109,14 +120,41 @@ std::string skid_text(const std::string& name, const Json& b) {
   std::string text;
   if (beyond > relevant_speed_share * all)
     text += fmt::format(
-        "{}balls may skid: in {:.4g} ms, with {:.0f} % of the ring's changes of speed, friction at the races cannot "
-        "keep them rolling\n",
-        indent, number("skid", "time_beyond") * 1e3, 100. * beyond / all);
+        "{}balls of row {} may skid: in {:.4g} ms, with {:.0f} % of the ring's changes of speed, friction at the races "
+        "cannot keep them rolling\n",
+        indent, b["skid"]["row"].is_null() ? 1 : b["skid"]["row"].get<int>(), number("skid", "time_beyond") * 1e3,
+        100. * beyond / all);
   if (const double largest = number("gyroscopic", "largest_demand"); largest > 1.)
     text += fmt::format(
         "{}balls may pivot: their gyroscopic moments ask for up to {:.3g} times the friction at the outer race, "
         "beyond it for {:.4g} ms\n",
         indent, largest, number("gyroscopic", "time_beyond") * 1e3);
+  return text;
+}
+
+/// Lines on what the balls' model leaves out and where pressures are void, if anywhere.
+std::string ball_text(const std::string& name, const Json& b) {
+  const std::string indent(name.size() + 2, ' ');
+  std::string text;
+  if (b["ball_model"] == "quasi-static") {
+    double largest = 0.;
+    for (const auto& row : b["rows"]) largest = std::max(largest, row["centrifugal_over_load"].get<double>());
+    if (largest > relevant_centrifugal_share)
+      text += fmt::format(
+          "{}warning: centrifugal forces of the balls (up to {:.3g} N) are {:.2g} times their loads, and ball_model = "
+          "\"quasi-static\" leaves them out\n",
+          indent, b["centrifugal_force"].get<double>(), largest);
+  }
+  std::size_t number = 0;
+  for (const auto& row : b["rows"]) {
+    ++number;
+    if (const double truncation = row["truncation"].get<double>(); truncation > 0.)
+      text += fmt::format(
+          "{}warning: the contact ellipses of row {} reach over the raceway's edge for {:.3g} ms, by up to {:.0f} % of "
+          "their length at {:.4g} ms: pressure and static safety are void there\n",
+          indent, number, row["time_truncated"].get<double>() * 1e3, 100. * truncation,
+          row["truncation_time"].get<double>() * 1e3);
+  }
   return text;
 }
 
@@ -226,10 +264,11 @@ std::string reduction_text(const Json& j) {
 std::string window_excess_text(const Json& windows) {
   const long beyond = windows["beyond_tolerance"].get<long>();
   if (beyond == 0) return {};
-  return fmt::format("\n{} of {} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most at {:.4g} ms; "
-                     "a shorter thermal.fe.longest_window leaves less",
-                     beyond, windows["count"].get<long>(), windows["tolerance"].get<double>() * 1e9,
-                     windows["largest_growth_error_time"].get<double>() * 1e3);
+  return fmt::format(
+      "\n{} of {} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most at {:.4g} ms; "
+      "a shorter thermal.fe.longest_window leaves less",
+      beyond, windows["count"].get<long>(), windows["tolerance"].get<double>() * 1e9,
+      windows["largest_growth_error_time"].get<double>() * 1e3);
 }
 
 }  // namespace
@@ -263,7 +302,7 @@ std::string summary_text(const Json& j) {
         text += fmt::format(
             "{:{}}balls press on the races with {:.2f} GPa, beyond the static limit of {:.1f} GPa (ISO 76)\n", "",
             name.size() + 2, p * 1e-9, static_pressure_limit * 1e-9);
-      text += skid_text(name, b);
+      text += ball_text(name, b) + skid_text(name, b);
       if (b.contains("axial"))
         text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", name.size() + 2,
                             b["axial"]["force"]["smallest"].get<double>() * 1e-3,

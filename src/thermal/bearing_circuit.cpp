@@ -28,10 +28,10 @@ CircuitResistances circuit_resistances(const BearingCircuitData& b) {
     R.R4 = std::log(s.inner_radius / (s.inner_radius - 0.5 * s.inner_thickness)) / (2. * pi * k * W);
     R.R7 = std::log((s.outer_radius + 0.5 * s.outer_thickness) / s.outer_radius) / (2. * pi * k * W);
     R.R4_spreading = strip_spreading(W, s.inner_thickness, s.inner, s.half_width, k) / (2. * pi * s.inner_radius);
-    R.R7_spreading = strip_spreading(W, s.outer_thickness, s.outer, s.half_width, k,
-                                      {b.fit_resistance * pi * b.outer_outside * W,
-                                       0.5 * (b.housing_outside - b.outer_outside)}) /
-                      (2. * pi * s.outer_radius);
+    R.R7_spreading =
+        strip_spreading(W, s.outer_thickness, s.outer, s.half_width, k,
+                        {b.fit_resistance * pi * b.outer_outside * W, 0.5 * (b.housing_outside - b.outer_outside)}) /
+        (2. * pi * s.outer_radius);
   }
   R.R8_ring = std::log(b.outer_outside / d_om) / (2. * pi * k * W);
   R.R8_fit = b.fit_resistance;

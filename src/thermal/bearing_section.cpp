@@ -144,7 +144,10 @@ double ratio_for(double length, double first, int n) {
 /// Cells from `first` on, growing by no more than `growth` to no more than `largest`.
 Division graded(double length, double first, double growth, double largest) {
   if (length <= first) return {1, 1.};
-  for (int n = 2;; ++n) {
+  // Fewer cells than this are too large, whatever their ratio.
+  const double least = length / std::max(first, largest);
+  if (least > 1e4) return {static_cast<int>(std::min(least, 1e9)), 1.};  // section_plan refuses it
+  for (int n = std::max(2, static_cast<int>(least));; ++n) {
     const double q = ratio_for(length, first, n);
     if (q <= 1.) {  // `first` is close to `largest`
       const int even = std::max(1, static_cast<int>(std::ceil(length / std::max(first, largest) - 1e-9)));

@@ -59,12 +59,13 @@ Section<FeParameters> fe_section() {
              .fallback = 200,
              .help = "The most modes of each bearing's section that a reduced coupling may keep. It keeps as few as "
                      "response_tolerance allows; a case that allows too few is refused."});
-  s.quantity("response_tolerance", &P::response_tolerance,
-             {.range = between(1e-4, 10),
-              .fallback = "0.005",
-              .source = "a tenth of what rotordrop compare calls a difference",
-              .help = "Largest relative error of a reduced coupling's responses to heat, of every port and of every mean "
-                      "of a body, from 0.1 ms to 1000 s or to the run's end. Decides how many modes are kept."});
+  s.quantity(
+      "response_tolerance", &P::response_tolerance,
+      {.range = between(1e-4, 10),
+       .fallback = "0.005",
+       .source = "a tenth of what rotordrop compare calls a difference",
+       .help = "Largest relative error of a reduced coupling's responses to heat, of every port and of every mean "
+               "of a body, from 0.1 ms to 1000 s or to the run's end. Decides how many modes are kept."});
   s.choice("solver", &P::solver, linear_solvers(), {.fallback = "direct", .help = linear_solver_help});
   s.quantity("window_tolerance", &P::window_tolerance,
              {.unit = "m",

@@ -1,7 +1,10 @@
 #include "thermal/heat_parameters.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "thermal/fe_parameters.h"
@@ -565,9 +568,33 @@ Section<HeatParameters> heat_section(const Node& default_materials) {
   return s;
 }
 
+namespace {
+
+/// A grid common to all bodies cannot show one that is far thinner than the whole.
+void check_proportions(const HeatConductionProblem& problem, const Node& tree, Faults& faults) {
+  constexpr double thinnest = 1e-6;  // of the whole; lines closer than 1e-9 of it are one
+  for (const auto side : {&HeatBody::x, &HeatBody::r}) {
+    double low = std::numeric_limits<double>::infinity(), high = -low, least = low;
+    for (const auto& body : problem.bodies) {
+      low = std::min(low, (body.*side)[0]);
+      high = std::max(high, (body.*side)[1]);
+      least = std::min(least, (body.*side)[1] - (body.*side)[0]);
+    }
+    if (least < thinnest * (high - low))
+      faults.add(position_of(tree, "section"),
+                 fmt::format("the section is {:.4g} m {}, but a body of it only {:.4g} m: no mesh can show both.",
+                             high - low, side == &HeatBody::x ? "long" : "high", least),
+                 "Check the units: a bare number is in metres.");
+  }
+}
+
+}  // namespace
+
 HeatStudy make_heat_study(const HeatParameters& parameters, const Node& tree, const ReadRecordedHeat& read_recorded,
                           Faults& faults) {
-  return StudyMaker(parameters, tree, read_recorded, faults).make();
+  HeatStudy study = StudyMaker(parameters, tree, read_recorded, faults).make();
+  check_proportions(study.problem, tree, faults);
+  return study;
 }
 
 }  // namespace rotordrop

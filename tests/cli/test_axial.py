@@ -5,6 +5,7 @@ the axis before the rotor touches a bore, and afterwards only the axial part of 
 AT REST the shoulder carries the thrust, and the row that leans against it thrust and what is left of the preload.
 """
 
+import json
 import math
 import pathlib
 import shutil
@@ -60,6 +61,30 @@ class Thrust(ProgramTest):
             numpy.testing.assert_allclose(x[free], fall[free], rtol=0, atol=2e-9, err_msg="m; the mass is given to 1e-5")
             reaches = numpy.interp(0.3e-3, fall, time)
             self.assertAlmostEqual(time[numpy.argmax(force > 0)], reaches, delta=20e-6, msg="s: two records")
+
+    def resting(self, law, end):
+        """The rotor lies at rest in both bores, without spin, and 20 N along the axis rise from 0.2 to 0.21 s; its way along the axis from there."""
+        summary = self.run_case("neisi2019-thrust.toml", output=law, run__end_time=end, run__initial_speed="0 rpm", rotor__initial_offset='["-249.9 um", 0]', output__interval="1 ms",
+                                rotor__axial_force='[["0.2 s", "0 N"], ["0.21 s", "20 N"]]', contact__friction_law=law)
+        with h5py.File(self.folder / law / "results.h5") as file:
+            time, x = file["time"][:], file["bearings/TB2/axial_position"][:, 0]
+        way = x[time > 0.2] - x[(time > 0.19) & (time <= 0.2)].mean()
+        return summary, numpy.abs(way).max(), way[-20:].mean(), way[time[time > 0.2] < 0.5][-20:].mean()
+
+    def test_a_resting_rotor_stays_under_a_force_that_friction_holds(self):
+        summary, way, end, before = self.resting("sticking", "1.21 s")
+        self.assertLess(way, 1e-6, "m in one second")
+        # Each bore's bristles, 1e8 N/m, in series with its ring in its balls, as statics has it: 0.30 um together.
+        # The end slices of the tilted journal carry less than their share and slip first, so that fewer bristles hold.
+        supports = json.loads(self.succeed("statics", "neisi2019-thrust.toml", "--json").stdout)["shaft"]["supports"].values()
+        stiffness = sum(1 / (1e-8 + 1 / s["inner_ring"]["stiffness"][0][0]) for s in supports)
+        self.assertGreater(end, 0.9 * 20 / stiffness, "m")
+        self.assertLess(end, 2 * 20 / stiffness, "m")
+        self.assertAlmostEqual(end, before, delta=2e-8, msg="m: no drift from 0.5 to 1.21 s")
+        self.assertLess(abs(summary["energy"]["residual"]), 1e-5, "J")
+        # The regularised law creeps towards 0.05 m/s * 20 N / (1076^2 * 0.1^2 - 20^2)^0.5 N = 9.5 mm/s within m * 0.05 m/s / 107 N = 51 ms.
+        creep = self.resting("regularised", "0.24 s")[1]
+        self.assertGreater(creep, 50e-6, "m in 40 ms")
 
     def test_energy_closes_with_axial_motion(self):
         energy = self.run_case("neisi2019-thrust.toml", run__end_time="0.1 s", run__gravity="[3, -9, 1]")["energy"]

@@ -227,7 +227,6 @@ class CoastDown(ProgramTest):
         self.addCleanup(process.kill)
         while not (self.folder / "out/results.h5").exists():
             time.sleep(0.01)
-        time.sleep(0.15)
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, "interrupted before its end")

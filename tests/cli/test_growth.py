@@ -126,7 +126,8 @@ class ElasticGrowth(ProgramTest):
                 (row,) = state["raceway_growth"][race]  # of a plain section: one side
                 # What the modes leave out of a surface layer, and fits that the modes take as closed.
                 self.assertAlmostEqual(row["radial"] * scale, felt[surface], delta=2e-9, msg=f"m, {bearing} {race}")
-                self.assertLess(abs(row["axial"]), 1e-12, "m: even along the axis")
+                # Even along the axis; the modes of a mesh that is symmetric but for roundoff are symmetric to some 1e-6.
+                self.assertLess(abs(row["axial"]), 1e-5 * abs(row["radial"]) + 1e-12, "m")
 
     def test_windows_and_modes_agree_while_the_fits_stay_closed(self):
         fits = 'bearings.TB1.housing_fit = "10 um"\nbearings.TB2.housing_fit = "10 um"\n'
@@ -138,8 +139,10 @@ class ElasticGrowth(ProgramTest):
         for bearing in ("TB1", "TB2"):
             by_windows = windows[f"windows/{bearing}/growth"][:]
             by_modes = np.array([np.interp(time, modes["time"][:], column) for column in modes[f"growth/fe/{bearing}"][:].T]).T
-            # 24 modes leave about a nanometre of the inner raceway's growth; the bore's mean is among them.
-            np.testing.assert_allclose(by_modes, by_windows, rtol=0, atol=2e-9)
+            # The modes leave about a nanometre of the strips' displacements; the bore's mean is among them. A width is the slope of the strips' axial displacements
+            # times the width of the rings, 32 mm over 6 mm from the pair's middle.
+            np.testing.assert_allclose(by_modes[:, :INNER_WIDTH], by_windows[:, :INNER_WIDTH], rtol=0, atol=2e-9)
+            np.testing.assert_allclose(by_modes[:, INNER_WIDTH:], by_windows[:, INNER_WIDTH:], rtol=0, atol=32 / 6 * 2e-9)
             np.testing.assert_allclose(by_modes[:, BORE], by_windows[:, BORE], rtol=0, atol=3e-10)
             self.assertGreater(by_windows[-1, BORE], 2e-7)
             for file, path in ((modes, "fe"), (windows, "windows")):

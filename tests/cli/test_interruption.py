@@ -166,7 +166,7 @@ class Interruption(ProgramTest):
 
     def test_no_row_of_the_step_before_the_interruption_is_lost(self):
         # Some ten rows in each step: whenever the signal comes, rows of its step are still to be written.
-        dense = settings(integration__method="dormand-prince", integration__step="50 us", output__interval="1 us", run__end_time="150 ms")
+        dense = settings(integration__method="dormand-prince", integration__step="50 us", output__interval="1 us", output__longest_interval="1 us", run__end_time="150 ms")
         self.stop(self.begin(*dense, until=self.is_under_way), signal.SIGINT)
         times = series_of(self.folder / "out/results.h5")["time"]
         interrupted_at = self.summary()["run"]["end_time"]

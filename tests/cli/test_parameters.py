@@ -34,7 +34,7 @@ class Defaults(ProgramTest):
     def test_defaults_are_a_toml_file_with_every_section(self):
         self.assertEqual(set(self.tree), {"run", "rotor", "contact", "thermal", "statics", "preload", "integration", "output"})
         self.assertEqual(self.tree["contact"]["air_gap"], "250 um")
-        self.assertEqual(self.tree["integration"]["method"], "dormand-prince")
+        self.assertEqual(self.tree["integration"]["method"], "tsitouras")
 
     def test_every_key_is_explained_with_unit_or_kind(self):
         lines = self.text.splitlines()

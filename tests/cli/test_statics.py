@@ -1,6 +1,7 @@
 """`rotordrop statics`: rest of the reference rotor, bearings by themselves, faulty requests."""
 
 import json
+import math
 import sys
 import unittest
 
@@ -67,6 +68,55 @@ class Statics(ProgramTest):
         self.assertLess(ball["outer"]["angle"], ball["inner"]["angle"])
         self.assertGreater(ball["centrifugal_force"], 50)
         self.assertAlmostEqual(still["preload"], 290, delta=1e-3)
+
+    def test_the_split_of_the_gyroscopic_moment_changes_the_preload_at_speed(self):
+        # validation/ball_balance.py, which shares nothing with the program: 1513.8921 and 1292.9842 N.
+        exact = ("--set", "bearings.TB2.ball_model=inertial", "--set", "statics.speed=15200 rpm", "--set", "bearings.TB2.elliptic_integrals=exact")
+        self.assertAlmostEqual(self.bearing(*exact)["preload"], 1513.8921, delta=1e-3)
+        equal = self.bearing(*exact, "--set", "bearings.TB2.gyroscopic_split=equal")
+        self.assertAlmostEqual(equal["preload"], 1292.9842, delta=1e-3)
+        ball = equal["rows"][1]["balls"][0]
+        self.assertAlmostEqual(abs(ball["inner_traction"]) / (abs(ball["gyroscopic_moment"]) / 9.525e-3), 1, places=9)
+        # Of the ring's axial load friction at the inner race carries 96 N, the normal loads 1197 N.
+        normal = sum(b["inner"]["load"] * abs(math.sin(b["inner"]["angle"])) for b in equal["rows"][1]["balls"])
+        self.assertAlmostEqual(normal, 1197.0832, delta=1e-3)
+
+    def test_contact_ellipses_beyond_the_raceway_are_flagged(self):
+        # The groove of 0.52 d about a centre at d_m/2 + 0.02 d cos 25 deg reaches the shoulder of 78 mm at 42.14 deg.
+        d, phi = 9.525e-3, math.radians(25)
+        radius, centre = 0.52 * d, 42.5e-3 + 0.02 * d * math.cos(phi)
+        edge = math.acos((centre - 39e-3) / radius)
+        self.assertAlmostEqual(math.degrees(edge), 42.14, delta=0.005)
+        thrust = self.bearing("--set", 'statics.force=["14500 N", 0, 0]')
+        loaded = max(thrust["rows"], key=lambda row: row["largest_ball_load"])
+        inner = loaded["balls"][0]["inner"]
+        margin = radius * math.sin(edge - abs(inner["angle"])) - inner["semi_major_axis"]
+        self.assertLess(margin, 0, "m: the ellipse reaches over the edge")
+        self.assertAlmostEqual(inner["edge_margin"], margin, delta=1e-12)
+        self.assertAlmostEqual(inner["truncation"], -margin / (2 * inner["semi_major_axis"]), delta=1e-9)
+        self.assertGreaterEqual(loaded["truncation"], inner["truncation"])
+        self.assertTrue(loaded["pressure_is_void"])
+        text = self.succeed("statics", "reference.toml", "--bearing", "TB2", "--set", 'statics.force=["14500 N", 0, 0]').stdout
+        self.assertRegex(text, r"warning: contact ellipses of row [12] reach over the raceway's edge, by up to [0-9]+ % of their length: pressure and s0 are void")
+        for row in self.bearing()["rows"]:
+            self.assertEqual(row["truncation"], 0)
+            self.assertFalse(row["pressure_is_void"])
+            self.assertGreater(row["edge_margin"], 0.5e-3)
+
+    def test_centrifugal_forces_that_the_model_leaves_out_are_said(self):
+        fast = ("--set", "statics.speed=15200 rpm")
+        d, d_m = 9.525e-3, 85e-3
+        mass = 7800 * math.pi / 6 * d**3
+        orbit = 15200 * math.pi / 30 * (1 - d / d_m * math.cos(math.radians(25))) / 2
+        force = mass * d_m / 2 * orbit**2
+        row = self.bearing(*fast)["rows"][0]
+        self.assertAlmostEqual(row["centrifugal_over_load"], force / row["largest_ball_load"], delta=1e-9)
+        self.assertTrue(row["neglects_centrifugal"])
+        self.assertIn("warning: centrifugal forces are", self.succeed("statics", "reference.toml", "--bearing", "TB2", *fast).stdout)
+        for quiet in (("--set", "statics.speed=1000 rpm"), (*fast, "--set", "bearings.TB2.ball_model=inertial"), (*fast, "--set", 'statics.force=["30 kN", 0, 0]')):
+            with self.subTest(options=quiet):
+                self.assertFalse(all(row["neglects_centrifugal"] for row in self.bearing(*quiet)["rows"]))
+        self.assertFalse(any(row["neglects_centrifugal"] for row in self.bearing("--set", "statics.speed=1000 rpm")["rows"]))
 
     def test_a_ring_without_load_in_its_clearance_floats(self):
         loose = self.rest("--bearing", "TB1")["bearings"]["TB1"]

@@ -55,7 +55,14 @@ void CholeskySolver::set_matrix(const Matrix& matrix) {
           fmt::format("the matrix of the finite elements could not be analysed (CHOLMOD status {})", f.common.status));
   }
   f.rows.take_values(matrix);
-  if (!cholmod_l_factorize(&f.matrix, f.factor, &f.common) || f.common.status != CHOLMOD_OK)
+  const bool is_done = cholmod_l_factorize(&f.matrix, f.factor, &f.common);
+  if (f.common.status == CHOLMOD_OUT_OF_MEMORY)
+    throw SolverError(
+        fmt::format("there is not enough memory to factorise the matrix of the finite elements: {} unknowns, {:.3g} GB "
+                    "of factors.\n"
+                    "       Make the mesh coarser, or choose the solver \"multigrid\".",
+                    f.matrix.nrow, f.common.lnz * 8e-9));
+  if (!is_done || f.common.status != CHOLMOD_OK)
     throw SolverError(
         fmt::format("the matrix of the finite elements could not be factorised (CHOLMOD status {})", f.common.status));
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/errors.h"
+
 namespace rotordrop {
 namespace {
 
@@ -23,6 +25,10 @@ void divide(double a, double b, const auto& size, std::vector<double>& lines) {
   const double h = (b - a) / n_samples;
   for (int i = 0; i < n_samples; ++i)
     sum[static_cast<std::size_t>(i) + 1] = sum[static_cast<std::size_t>(i)] + h / size(a + (i + 0.5) * h);
+  if (!(sum.back() < 1e5))
+    throw SolverError(
+        "the section needs more than 100000 lines of cells between two edges: check its dimensions, "
+        "fe.cells and fe.grading");
   const int n = std::max(1, static_cast<int>(std::ceil(sum.back() - 1e-6)));
   for (int k = 1; k < n; ++k) {
     const double wanted = sum.back() * k / n;

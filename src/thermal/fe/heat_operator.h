@@ -60,7 +60,7 @@ class HeatOperator {
 
   /// Held fluxes times their areas, the areas taken from the bodies' dimensions [W]; functions of place and time by quadrature.
   [[nodiscard]] double input_power(double t) const;
-  [[nodiscard]] double lost_power(const Vector& T) const;                        ///< [W]
+  [[nodiscard]] double lost_power(const Vector& T) const;  ///< [W]
   /// In words: the body or node that an unknown belongs to, and the flux or port that cools it, or else the one that cools most.
   [[nodiscard]] std::string part_of(unsigned int dof) const;
   [[nodiscard]] std::string strongest_cooling(unsigned int dof, double t) const;

@@ -32,7 +32,7 @@ constexpr double b_embedded[6] = {4586570599. / 29645900160., 0.,
 constexpr double safety = 0.9, largest_growth = 4., worth_a_factorisation = 1.7;
 constexpr int most_iterations = 12, most_window_iterations = 25;
 constexpr std::size_t most_window_factors = 16;  // kept at a time: some MB each
-constexpr double roundoff = 1e-11;  // [K] of an error estimate
+constexpr double roundoff = 1e-11;               // [K] of an error estimate
 
 }  // namespace
 
@@ -205,9 +205,8 @@ void HeatSolver::require_above_zero(const Vector& T, double time) const {
   const auto coldest = std::min_element(T.begin(), T.end());
   if (*coldest > 0.) return;
   const auto where = static_cast<unsigned int>(coldest - T.begin());
-  throw SolverError(fmt::format(
-      "{} is cooled below 0 K at t = {:.6g} s: its temperature would be {:.4g} K. {}", operator_.part_of(where), time,
-      *coldest, operator_.strongest_cooling(where, time)));
+  throw SolverError(fmt::format("{} is cooled below 0 K at t = {:.6g} s: its temperature would be {:.4g} K. {}",
+                                operator_.part_of(where), time, *coldest, operator_.strongest_cooling(where, time)));
 }
 
 void HeatSolver::accept(double step) {

@@ -24,7 +24,7 @@ using Matrix = HeatOperator::Matrix;
 
 constexpr int shifts_per_decade = 2;
 constexpr std::size_t check_every = 4;  // shifts
-constexpr double dependent = 1e-7;  // what is left of a vector that the others span
+constexpr double dependent = 1e-7;      // what is left of a vector that the others span
 
 VectorXd times(const Matrix& A, const VectorXd& v) {
   Vector in(v.begin(), v.end()), out(in.size());
@@ -184,8 +184,8 @@ Space few_modes(const HeatOperator& problem, const ReductionSettings& settings) 
   const MatrixXd V = basis.matrix();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> all(symmetric(V.transpose() * times(problem.conductance(), V)));
   const MatrixXd modes = V * all.eigenvectors();
-  const ModalHeat wide{all.eigenvalues().cwiseMax(0.), modes.transpose() * loads.ports,
-                       modes.transpose() * loads.means, VectorXd::Zero(loads.ports.cols())};
+  const ModalHeat wide{all.eigenvalues().cwiseMax(0.), modes.transpose() * loads.ports, modes.transpose() * loads.means,
+                       VectorXd::Zero(loads.ports.cols())};
   PortTimes from;
   for (const auto& port : problem.problem().ports) from.push_back(std::max(settings.shortest_time, port.steady_for));
   const double space_error = error_of_space(wide, loads, shifts, from, answers);
@@ -203,9 +203,8 @@ Space few_modes(const HeatOperator& problem, const ReductionSettings& settings) 
   // What the modes leave of a port's response where it is nearly static.
   MatrixXd residues(wide.rate.size(), loads.ports.cols());
   for (Index p = 0; p < residues.cols(); ++p)
-    residues.col(p) =
-        VectorXd(wide.in.col(p).array() / (wide.rate.array() + shift_of_residue)) -
-        few.modes * VectorXd(few.heat.in.col(p).array() / (few.heat.rate.array() + shift_of_residue));
+    residues.col(p) = VectorXd(wide.in.col(p).array() / (wide.rate.array() + shift_of_residue)) -
+                      few.modes * VectorXd(few.heat.in.col(p).array() / (few.heat.rate.array() + shift_of_residue));
   return {modes * few.modes, few.heat.rate, few.heat.at_once, modes * residues, few.errors};
 }
 
@@ -219,8 +218,7 @@ std::string worst_response(const HeatOperator& problem, const ResponseErrors& e)
   const auto& p = problem.problem();
   const std::string& port = problem.port_name(e.port);
   if (!e.is_mean) return fmt::format("the {}'s own rise under heat at {:.2g} s", port, e.time);
-  const std::string& mean =
-      e.mean < p.bodies.size() ? p.bodies[e.mean].name : p.nodes[e.mean - p.bodies.size()].name;
+  const std::string& mean = e.mean < p.bodies.size() ? p.bodies[e.mean].name : p.nodes[e.mean - p.bodies.size()].name;
   return fmt::format("the mean of {} under heat into {} at {:.2g} s", mean, port, e.time);
 }
 

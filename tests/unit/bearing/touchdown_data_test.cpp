@@ -33,7 +33,9 @@ const ContactParameters contact = {.friction_coefficient = 0.1,
                                    .regularisation_speed = 0.05,
                                    .bore_radius = {},
                                    .static_friction_coefficient = {},
-                                   .stribeck_speed = 0.5};
+                                   .stribeck_speed = 0.5,
+                                   .friction_over_speed = {},
+                                   .friction_over_temperature = {}};
 const TouchdownSurroundings around = {steel, steel, -9.81, 0.};
 
 TEST(TouchdownData, BallStiffnessOfTheReferenceBearings) {

@@ -275,7 +275,7 @@ TEST_F(CheckpointTest, WhoeverReadsDuringAWriteSeesTheOldOrTheNewContent) {
 TEST_F(CheckpointTest, WriteTextAtomicallySaysWhyItCannot) {
   const auto message = message_of([&] { write_text_atomically(directory / "missing" / "summary.json", "x"); });
   EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
-  EXPECT_THROW(write_text_atomically(directory, "x"), SolverError) << "a directory is in the way";
+  EXPECT_THROW(write_text_atomically(directory, "x"), InputError) << "a directory is in the way";
   EXPECT_TRUE(files().empty());
 }
 

@@ -344,6 +344,64 @@ TEST_F(RecorderTest, FillsAChannelThatTheOldFileLacksWithNanAndSaysSo) {
   expect_rows(path, 30);
 }
 
+TEST_F(RecorderTest, PlainH5pyReadsALiveFile) {
+  if (std::system("/usr/bin/python3 -c 'import h5py' 2>/dev/null") != 0) GTEST_SKIP() << "no h5py";
+  Recorder recorder(path, header, machine());
+  append_rows(recorder, 0, 50);
+  recorder.flush();
+  const std::string script =
+      "import h5py; f = h5py.File('" + path.string() + "', 'r'); assert f['/time'].shape == (50,)";
+  EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
+}
+
+TEST_F(RecorderTest, ANewFileIsAsLongAsItsContentWhenItIsClosed) {
+  Recorder recorder(path, header, machine());
+  append_rows(recorder, 0, 50);
+  recorder.flush();
+  EXPECT_GE(fs::file_size(path), 4U << 20) << "ahead of what is in use, for readers";
+  recorder.close();
+  EXPECT_LT(fs::file_size(path), 1U << 20);
+}
+
+TEST_F(RecorderTest, ResumesOnlyFromTheRowsThatWereWritten) {
+  Recorder recorder(path, header, machine());
+  append_rows(recorder, 0, 30);
+  const RecordedRows rows = recorder.sync();
+  EXPECT_EQ(rows.n_rows, (std::vector<std::size_t>{30, 3}));
+  EXPECT_EQ(RecordedRows::unpacked(rows.packed()), rows);
+  append_rows(recorder, 30, 40);
+  recorder.close();
+  const auto resume = [&](const RecordedRows& expected) {
+    resume_recording(path, time_of(29), header, machine(), {}, expected).recorder.close();
+  };
+  for (const std::size_t group : {0U, 1U}) {
+    RecordedRows other = rows;
+    other.check_sums[group] ^= 1;
+    EXPECT_THROW(resume(other), DamagedFile);
+    other = rows;
+    other.n_rows[group] += 100;
+    EXPECT_THROW(resume(other), DamagedFile);
+  }
+  expect_rows(path, 40);
+  resume(rows);
+  expect_rows(path, 30);
+}
+
+TEST_F(RecorderTest, TimesThatDoNotRiseAreDamage) {
+  Recorder recorder(path, header, machine());
+  append_rows(recorder, 0, 10);
+  recorder.append(0, time_of(9), std::vector<double>{1., 2., 3.});  // again
+  recorder.close();
+  const auto message = message_of([&] { (void)resume_recording(path, 1, header, machine()); });
+  EXPECT_NE(message.find("/time does not rise after row 10"), std::string::npos) << message;
+}
+
+TEST(RecordedRows, OfNumbersThatCannotBeAreNone) {
+  EXPECT_TRUE(RecordedRows::unpacked({1., 2.}).n_rows.empty());
+  EXPECT_TRUE(RecordedRows::unpacked({-1., 2., 3.}).n_rows.empty());
+  EXPECT_TRUE(RecordedRows::unpacked({std::nan(""), 2., 3.}).n_rows.empty());
+}
+
 TEST_F(RecorderTest, CopiesMoreRowsThanFitInOneBlock) {
   Recorder recorder(path, header, machine());
   append_rows(recorder, 0, 10000);

@@ -149,6 +149,8 @@ TEST(CoulombFriction, FollowsItsTablesOverSpeedAndTemperature) {
   law.over_temperature = {{300., 1.}, {400., 0.5}};
   EXPECT_NEAR(law.per_speed(36., 350.) * 6., 0.15 * 0.75, 1e-14);
   EXPECT_NEAR(law.per_speed(36., 200.) * 6., 0.15, 1e-14);
+  EXPECT_NEAR(law.largest(36., 350.), 0.15 * 0.75, 1e-15);
+  EXPECT_EQ(law.largest(0., 400.), 0.1) << "at rest too: what a sticking contact holds";
   law.over_speed.clear();
   EXPECT_NEAR(law.per_speed(36., 500.) * 6., 0.3 * 0.5, 1e-14) << "a factor on friction_coefficient";
 }

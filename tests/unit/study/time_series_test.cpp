@@ -95,7 +95,8 @@ TEST(Difference, CoversTheCommonTimeOnly) {
 // Rises t and 1.1 t: the difference 0.1 t is beyond 5 % of the larger rise at once, and beyond the floor of 0.2 from t = 2 on.
 TEST(Difference, IsJudgedByTheRiseAtTheTimeAndAFloor) {
   const auto rise = [](double factor, double end) {
-    return TimeSeries{{0., end / 4., end / 2., end}, {300., 300. + factor * end / 4., 300. + factor * end / 2., 300. + factor * end}};
+    return TimeSeries{{0., end / 4., end / 2., end},
+                      {300., 300. + factor * end / 4., 300. + factor * end / 2., 300. + factor * end}};
   };
   for (const double end : {4., 40.}) {  // the same verdict of the beginning, however long the run
     const Difference d = difference_of(rise(1., end), rise(1.1, end), {.floor = 0.2, .part = 0.05, .zero = 300.});

@@ -36,6 +36,7 @@ BearingCircuitData bearing(bool rolls) {
   b.h_shaft = b.h_ball = 50.;
   b.fit_resistance = 0.005;
   b.contact_half_width = 0.4e-3;
+  b.races = {39e-3, 48.6e-3, 20e-3};
   b.strips = BearingCircuitData::Strips{{10e-3}, {10e-3}, 4e-3, 4e-3, 39e-3, 51e-3, 0.4e-3};
   b.balls_roll = rolls;
   return b;

@@ -2,9 +2,11 @@
 // checks), sums against the row's definition; loads, closure, limits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "bearing/ring_statics.h"
+#include "laws/skidding.h"
 #include "test_bearings.h"
 
 namespace rotordrop {
@@ -24,7 +26,11 @@ Sample sample(std::mt19937& random, double reach, double tilt, double speed) {
   s.rows = kind == 0   ? std::vector{deep_groove_row()}
            : kind == 1 ? angular_contact_pair(290. + 200. * one(random))
                        : pair(row(23, 8.731e-3, 85e-3, 15 * deg, steel), 500., Pair::O);
-  for (auto& g : s.rows) g.has_inertia = true;
+  const double inner_share = random() % 2 == 0 ? 0.5 : 0.;
+  for (auto& g : s.rows) {
+    g.has_inertia = true;
+    g.inner_gyroscopic_share = inner_share;
+  }
   auto& in = s.in;
   in.displacement = {reach * one(random), reach * one(random), reach * one(random), tilt * one(random),
                      tilt * one(random)};
@@ -97,8 +103,12 @@ TEST(InertialRow, NewtonStepsArriveInTheStatesOfADrop) {
     const auto s = sample(random, 10 * um, 1e-4, 1600.);
     for (const auto& g : s.rows) {
       const double A = 0.04 * g.ball_diameter, F_per_speed2 = 0.5 * g.ball_mass * g.pitch_diameter;
-      const InertialRow row{std::pow(g.inner.stiffness, -2. / 3.), std::pow(g.outer.stiffness, -2. / 3.), 0.5 * A,
-                            0.5 * A, g.ball_diameter / g.pitch_diameter};
+      const InertialRow row{std::pow(g.inner.stiffness, -2. / 3.),
+                            std::pow(g.outer.stiffness, -2. / 3.),
+                            0.5 * A,
+                            0.5 * A,
+                            g.ball_diameter / g.pitch_diameter,
+                            g.inner_gyroscopic_share};
       const double B_x = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset),
                    B_r = A * std::cos(g.contact_angle) - g.radial_clearance;
       InertialBalls w;
@@ -160,6 +170,31 @@ TEST(InertialRow, StandingRingsHaveBallsWithoutInertia) {
       EXPECT_NEAR(slow.elastic_outer_surplus, 0., 1e-8 * scale) << "N";
     }
   }
+}
+
+TEST(InertialRow, BallsOutOfTheInnerRacesReachAskNoGyroscopicTractionOfIt) {
+  // T_g over a contact's load is below 0.2 tan(phi_i / 2) at the outer race; of a moment that both races share, half of 0.4 F_c sin phi_o goes with the
+  // inner load: in the balance across the outer normal, Q_i sin(phi_i - phi_o) = F_c sin phi_o (1.4 - 0.2 (1 + cos(phi_i - phi_o))), so T_i <= 0.2 Q_i.
+  std::mt19937 random(41);
+  int n_free = 0;
+  for (int i = 0; i < 200; ++i) {
+    auto s = sample(random, 50 * um, 50 * um / 42.5e-3, 1600.);
+    s.in.cage_speed = 0.45 * s.in.ring_speed;
+    for (auto& g : s.rows) {
+      g.inner_gyroscopic_share = 0.5;
+      const BallRow r(g, {});
+      std::vector<double> load(static_cast<std::size_t>(g.n_balls));
+      r.ball_loads(s.in, load);
+      n_free += static_cast<int>(std::ranges::count(load, 0.));
+      BallRowOutput out;
+      RowTractions tractions;
+      r.evaluate(s.in, out, &tractions);
+      EXPECT_LT(tractions.largest_gyroscopic_over_load, 0.2);
+      EXPECT_LE(tractions.inner_gyroscopic, 0.2 * tractions.inner_load * (1. + 1e-3) + 1e-4)
+          << "N; roundoff of unloaded balls";
+    }
+  }
+  EXPECT_GT(n_free, 300);
 }
 
 TEST(InertialRow, AnswersDependOnTheStateAlone) {

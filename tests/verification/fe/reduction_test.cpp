@@ -16,7 +16,8 @@ namespace {
 HeatConductionProblem two_rings() {
   HeatConductionProblem p;
   const PropertyTable k(46.), c(460.);
-  p.bodies = {{"inside", {0., 20e-3}, {35e-3, 40e-3}, 7800., k, c}, {"outside", {0., 20e-3}, {50e-3, 60e-3}, 7800., k, c}};
+  p.bodies = {{"inside", {0., 20e-3}, {35e-3, 40e-3}, 7800., k, c},
+              {"outside", {0., 20e-3}, {50e-3, 60e-3}, 7800., k, c}};
   p.nodes = {{"between", 25.}};
   p.ports = {{"bore", {{0, HeatSide::inner}}},
              {"race", {{0, HeatSide::outer}}},
@@ -70,8 +71,8 @@ double true_error(const ReducedHeat& few, const ReducedHeat& all, const Reductio
         double warmest = 0.;
         for (const auto& mean : *exact) warmest = std::max(warmest, std::fabs(mean[p]));
         for (std::size_t k = 0; k < exact->size(); ++k)
-          largest = std::max(largest, std::fabs((*mine)[k][p] - (*exact)[k][p]) /
-                                          (std::fabs((*exact)[k][p]) + 1e-3 * warmest));
+          largest = std::max(largest,
+                             std::fabs((*mine)[k][p] - (*exact)[k][p]) / (std::fabs((*exact)[k][p]) + 1e-3 * warmest));
       }
     }
   }

@@ -109,7 +109,8 @@ TEST_P(ErrorControlled, StepsNoLongerThanTheBound) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, ErrorControlled,
-                         testing::Values(IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8,
+                         testing::Values(IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine,
+                                         IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8,
                                          IntegrationMethod::adams));
 
 class AnyMethod : public testing::TestWithParam<IntegrationMethod> {};
@@ -193,8 +194,108 @@ TEST_P(AnyMethod, ExceptionsComeOutOfTheIntegratorAsTheyWentIn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, AnyMethod,
-                         testing::Values(IntegrationMethod::runge_kutta_4, IntegrationMethod::dormand_prince,
+                         testing::Values(IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine,
+                                         IntegrationMethod::runge_kutta_4, IntegrationMethod::dormand_prince,
                                          IntegrationMethod::fehlberg_8, IntegrationMethod::adams));
+
+// With any error allowed every step but the first few is the longest one: a fixed step, whose halving shows the order. The interpolant's error in one step
+// of length h is of order h^(p + 1), p its own order: 4 of Tsitouras', 3 of Hermite's cubic.
+struct OwnPair {
+  IntegrationMethod method;
+  double order, interpolant_order;
+};
+/// Tsitouras' coefficients of the leading error are so small that the next order still shows at these steps.
+void expect_order(double found, double order) {
+  EXPECT_GT(found, order - 0.1);
+  EXPECT_LT(found, order + 0.8);
+}
+class EmbeddedPairs : public testing::TestWithParam<OwnPair> {};
+
+TEST_P(EmbeddedPairs, ConvergeWithTheirOrder) {
+  const KnownSolution system;
+  const double coarse = error_at_end(system, {GetParam().method, 0.02, 1e6}, 1.),
+               fine = error_at_end(system, {GetParam().method, 0.01, 1e6}, 1.);
+  std::printf("order %.3f (%.3e, %.3e)\n", std::log2(coarse / fine), coarse, fine);
+  expect_order(std::log2(coarse / fine), GetParam().order);
+}
+
+TEST_P(EmbeddedPairs, InterpolateWithTheirOrder) {
+  const KnownSolution system;
+  const auto error_in_a_step = [&](double h) {
+    std::vector<double> y(4), exact(4), between(4);
+    KnownSolution::exact(0.3, y);
+    auto integrator = make_integrator(system, {GetParam().method, h, 1e6}, 0.3, y, 0.3 + h);
+    integrator->advance();
+    EXPECT_EQ(integrator->time(), 0.3 + h);
+    double largest = 0.;
+    for (const double theta : {0.2, 0.5, 0.9}) {
+      integrator->interpolate(0.3 + theta * h, between);
+      KnownSolution::exact(0.3 + theta * h, exact);
+      for (std::size_t i = 0; i < 4; ++i) largest = std::max(largest, std::fabs(between[i] - exact[i]));
+    }
+    return largest;
+  };
+  const double order = std::log2(error_in_a_step(0.05) / error_in_a_step(0.025));
+  std::printf("order of one step %.3f\n", order);
+  expect_order(order, GetParam().interpolant_order + 1.);
+}
+
+TEST_P(EmbeddedPairs, EvaluateEndsOfStepsAsTheyAreAsked) {
+  const KnownSolution system;
+  std::vector<double> y(4);
+  system.initial_state(y);
+  auto plain = make_integrator(system, {GetParam().method, 1e-2, 1e-8}, 0., y, 0.5);
+  auto observed = make_integrator(system, {GetParam().method, 1e-2, 1e-8}, 0., y, 0.5);
+  double last_time = 0.;
+  std::vector<double> last_state;
+  ASSERT_TRUE(observed->evaluate_ends_with([&](double t, std::span<const double> at, std::span<double> rates) {
+    last_time = t;
+    last_state.assign(at.begin(), at.end());
+    system.rhs(t, at, rates);
+  }));
+  while (plain->time() < 0.5) plain->advance();
+  while (observed->time() < 0.5) {
+    observed->advance();
+    ASSERT_EQ(last_time, observed->time());
+    ASSERT_TRUE(std::equal(last_state.begin(), last_state.end(), observed->state().begin()));
+  }
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(plain->state()[i], observed->state()[i]);
+  EXPECT_EQ(plain->statistics().rhs_evaluations, observed->statistics().rhs_evaluations);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EmbeddedPairs,
+                         testing::Values(OwnPair{IntegrationMethod::tsitouras, 5., 4.},
+                                         OwnPair{IntegrationMethod::bogacki_shampine, 3., 3.}));
+
+/// y' = cos t is a quadrature after an oscillator that it does not act on.
+class WithQuadrature final : public OdeSystem {
+ public:
+  WithQuadrature() { layout_.add_block("part", {{"cosine", "m", 1.}, {"sine", "m/s", 1.}, {"work", "J", 1.}}); }
+  [[nodiscard]] const StateLayout& layout() const override { return layout_; }
+  void initial_state(std::span<double> y) const override { y[0] = 1., y[1] = y[2] = 0.; }
+  void rhs(double, std::span<const double> y, std::span<double> dydt) const override {
+    dydt[0] = y[1];
+    dydt[1] = -y[0];
+    dydt[2] = y[0] * y[0];
+  }
+  [[nodiscard]] std::size_t first_quadrature() const override { return 2; }
+
+ private:
+  StateLayout layout_;
+};
+
+// integral of cos^2 from 0 to t is t/2 + sin(2 t)/4.
+TEST(EmbeddedPair, IntegratesQuadraturesWithItsOwnOrder) {
+  const WithQuadrature system;
+  const auto error = [&](double h) {
+    std::vector<double> y(3);
+    system.initial_state(y);
+    auto integrator = make_integrator(system, {IntegrationMethod::tsitouras, h, 1e6}, 0., y, 2.);
+    while (integrator->time() < 2.) integrator->advance();
+    return std::fabs(integrator->state()[2] - (1. + 0.25 * std::sin(4.)));
+  };
+  expect_order(std::log2(error(0.1) / error(0.05)), 5.);
+}
 
 TEST(WorstComponents, AreNamedWithTheirSharesOfTheSquaredNorm) {
   StateLayout layout;

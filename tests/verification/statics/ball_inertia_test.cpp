@@ -76,6 +76,88 @@ TEST(BallInertia, JonesBalanceIsThatOfRollingAndMomentumAlone) {
   }
 }
 
+TEST(BallInertia, HalfTheGyroscopicMomentAtEachRaceIsThatOfMomentumAndFrictionAlone) {
+  // The same peer, share 0.5 at the inner race: there friction also pushes the ring along the axis.
+  struct Line {
+    double rpm, Q_i, Q_o, phi_i, phi_o, omega_m, F_c, M_g, x;
+  };
+  const std::array<Line, 4> peer = {
+      {{1., 1677.9514034, 1677.9514077, 41.529904192, 41.529904061, 0.045403532, 0.0000058, 0.00000002, 36.786792},
+       {5000., 1606.3173467, 1714.7855573, 43.162906564, 39.820316348, 228.103667280, 146.2037661, 0.41626241,
+        35.840720},
+       {10000., 1433.9990279, 1885.6236530, 48.041053742, 34.032173977, 468.436361971, 616.5882207, 1.53422012,
+        24.455143},
+       {15000., 1269.0675031, 2510.3556811, 54.899404624, 23.325184461, 761.624129221, 1629.9542474, 2.86935517,
+        -22.454403}}};
+  auto g = harris_218();
+  g.inner_gyroscopic_share = 0.5;
+  for (const auto& p : peer) {
+    RingSurroundings around;
+    around.has_inertia = true;
+    around.speed = p.rpm * pi / 30.;
+    BearingEquilibrium system(RingStatics({g}, around), {.x = 17800.});
+    std::vector<double> x(system.size());
+    const auto result = find_equilibrium(system, x);
+    ASSERT_TRUE(result.found) << result.residual;
+    const auto report = report_ring(system.ring(), system.place(x));
+    const auto& ball = report.rows[0].balls[3];
+    const auto balance = system.ring().balls(system.place(x))[0][3].balance;
+    // The peer's digits; its fsolve ends at 1e-9 of the loads.
+    EXPECT_NEAR(ball.inner.load, p.Q_i, 4e-6) << "N";
+    EXPECT_NEAR(ball.outer.load, p.Q_o, 4e-6) << "N";
+    EXPECT_NEAR(ball.inner.angle / deg, p.phi_i, 2e-8) << "deg";
+    EXPECT_NEAR(ball.outer.angle / deg, p.phi_o, 2e-8) << "deg";
+    EXPECT_NEAR(balance.orbit_speed, p.omega_m, 1e-7) << "rad/s";
+    EXPECT_NEAR(ball.gyroscopic_moment, p.M_g, 1e-8) << "N m";
+    EXPECT_NEAR(ball.inner_traction, p.M_g / g.ball_diameter, 1e-6) << "N, M_g / d";
+    EXPECT_NEAR(report.place[0] * 1e6, p.x, 2e-5) << "um";
+    EXPECT_NEAR(report.rows[0].axial_force, -17800., 1e-5) << "N, friction included";
+  }
+}
+
+TEST(BallInertia, StiffnessIsTheDerivativeOfThePullForEveryShare) {
+  const auto g = row(23, 9.525e-3, 85e-3, 25 * deg, steel);
+  const double l = 0.02 * g.ball_diameter, A = 2. * l;
+  for (const double share : {0., 0.3, 0.5, 1.}) {
+    const BallContacts c{g.inner.stiffness,
+                         g.outer.stiffness,
+                         l,
+                         l,
+                         g.ball_mass,
+                         g.ball_diameter / g.pitch_diameter,
+                         g.pitch_diameter,
+                         share};
+    for (const double x : {2 * um, 10 * um}) {
+      const double B_x = A * std::sin(25 * deg) + x, B_r = A * std::cos(25 * deg);
+      const auto at = [&](double dx, double dr) { return ball_balance(c, B_x + dx, B_r + dr, 0., 1592.); };
+      const auto b = at(0., 0.);
+      EXPECT_LT(b.residual, 1e-11 * b.load_o);
+      const double pairs[4] = {derivative([&](double h) { return at(h, 0.).pull_x(); }, 1e-9),
+                               derivative([&](double h) { return at(0., h).pull_x(); }, 1e-9),
+                               derivative([&](double h) { return at(h, 0.).pull_r(); }, 1e-9),
+                               derivative([&](double h) { return at(0., h).pull_r(); }, 1e-9)};
+      for (int k = 0; k < 4; ++k)
+        EXPECT_NEAR(b.stiffness[k], pairs[k], 1e-5 * b.stiffness[3]) << "N/m, share " << share;
+    }
+  }
+}
+
+TEST(BallInertia, PreloadAtSpeedOfThePairOf71914) {
+  // validation/ball_balance.py: 1513.8921 N if the outer race balances all of the gyroscopic moment, 1292.9842 N if each takes half; races at their
+  // mounted distance, 290 N cold, 15200 rpm.
+  for (const auto& [share, preload] : {std::pair{0., 1513.8920662858595}, std::pair{0.5, 1292.9842482363088}}) {
+    auto one = row(23, 9.525e-3, 85e-3, 25 * deg, steel, EllipticIntegrals::exact);
+    one.inner_gyroscopic_share = share;
+    RingSurroundings around;
+    around.has_inertia = true;
+    around.speed = 15200 * pi / 30.;
+    const auto report = report_ring(RingStatics(pair(one, 290.), around), RingVector::Zero());
+    printf("share %.1f at the inner race: %.4f N\n", share, report.preload);
+    // The peer's offset by brentq, to 1e-12 um.
+    EXPECT_NEAR(report.preload, preload, 1e-4) << "N";
+  }
+}
+
 TEST(BallInertia, KinematicsAreThoseOfOuterRaceControl) {
   const auto g = harris_218();
   const BallContacts c{g.inner.stiffness,        g.outer.stiffness, 0.0232 * g.ball_diameter,
