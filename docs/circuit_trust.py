@@ -4,7 +4,7 @@
 
 Step heat of 100 W into each port of TB1 and TB2 of the reference case, cold at the start, from 1 ms to 1000 s: the circuit as published, with
 spreading, with spreading and fin, and the last one calibrated, each against finite elements with the shaft as a fin; and the settling drop. Writes
-FOLDER/circuit-trust.svg and .json, and prints the table in Markdown.
+FOLDER/circuit-trust.png and .json, and prints the table in Markdown.
 """
 
 import json
@@ -150,7 +150,7 @@ def figure(report, file):
     handles, labels = axes[0][0].get_legend_handles_labels()
     plots.legend(handles, labels, loc="lower center", ncol=len(VARIANTS), fontsize=8, frameon=False)
     plots.tight_layout(rect=(0, 0.07, 1, 1))
-    plots.savefig(file)
+    plots.savefig(file, dpi=80)
 
 
 def main():
@@ -164,7 +164,7 @@ def main():
     print((folder / "calibration.txt").read_text())
     report = steps(program, folder)
     print(table(report))
-    figure(report, folder / "circuit-trust.svg")
+    figure(report, folder / "circuit-trust.png")
     falls = drop(program, folder)
     (folder / "circuit-trust.json").write_text(json.dumps({"/".join(k): {"errors": {n: list(e) for n, e in v["errors"].items()}, "approach": list(v["approach"])} for k, v in report.items()}))
     for name, bearings in falls.items():
