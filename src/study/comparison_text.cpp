@@ -49,8 +49,8 @@ std::string agreement(const Json& d, const Scale& scale) {
   const std::string largest = fmt::format("{} at {}", signed_in(scale, d["largest_difference"].get<double>()),
                                           ms(d["largest_difference_time"].get<double>()));
   if (d["beyond_from"].is_null())
-    return fmt::format("within the tolerance to the end of the run at {} (difference at most {})", ms(d["end"].get<double>()),
-                       largest);
+    return fmt::format("within the tolerance to the end of the run at {} (difference at most {})",
+                       ms(d["end"].get<double>()), largest);
   const std::string from = ms(d["beyond_from"].get<double>());
   if (d["within_from"].is_null())
     return fmt::format("within the tolerance until {}; difference up to {}", from, largest);
@@ -87,7 +87,8 @@ std::string trusted(const Json& group) {
 
 /// What stands for the finite elements' growth.
 const char* growth_words(const Json& b) {
-  return b["growth_by"] == "elasticity" ? "judged by elasticity" : "judged by the formula on the finite elements' means";
+  return b["growth_by"] == "elasticity" ? "judged by elasticity"
+                                        : "judged by the formula on the finite elements' means";
 }
 
 /// "290 and 301 N at 10 ms": preload of opposed rows under each model's growth.
@@ -104,14 +105,18 @@ std::string effect_words(const Json& effect) {
 }
 
 void add_summary(const Json& b, std::vector<std::string>& text) {
-  text.push_back(fmt::format("In short: the circuit's mean temperatures stay within {} {}; its growth, {}, within {} {}, its "
-                             "clearances {}, the approach of its races to the balls {}.",
-                             tolerance_text(b["temperatures"].front(), kelvin), trusted(b["temperatures"]),
-                             growth_words(b), tolerance_text(b["growth"].front(), micrometres), trusted(b["growth"]),
-                             trusted(b["clearances"]), trusted(Json{{"balls", b["ball_approach"]}})));
+  Json approach = Json::object();
+  approach["balls"] = b["ball_approach"];
+  text.push_back(
+      fmt::format("In short: the circuit's mean temperatures stay within {} {}; its growth, {}, within {} {}, its "
+                  "clearances {}, the approach of its races to the balls {}.",
+                  tolerance_text(b["temperatures"].front(), kelvin), trusted(b["temperatures"]), growth_words(b),
+                  tolerance_text(b["growth"].front(), micrometres), trusted(b["growth"]), trusted(b["clearances"]),
+                  trusted(approach)));
   std::vector<std::string> each, surfaces;
   for (const auto& [name, d] : b["temperatures"].items())
-    if (!d["beyond_from"].is_null()) each.push_back(fmt::format("{} {}", words(name), ms(d["beyond_from"].get<double>())));
+    if (!d["beyond_from"].is_null())
+      each.push_back(fmt::format("{} {}", words(name), ms(d["beyond_from"].get<double>())));
   for (const auto& [name, s] : b["surfaces"].items())
     if (const Json& from = s["mean"]["beyond_from"]; !from.is_null())
       surfaces.push_back(fmt::format("{} {}", words(name), ms(from.get<double>())));
@@ -119,8 +124,8 @@ void add_summary(const Json& b, std::vector<std::string>& text) {
   const auto list = [](const std::vector<std::string>& parts) {
     return parts.empty() ? std::string("none") : fmt::format("{}", fmt::join(parts, ", "));
   };
-  text.push_back(fmt::format("Beyond the tolerance from: means: {}; surfaces (which the circuit has no nodes for): {}.", list(each),
-                             list(surfaces)));
+  text.push_back(fmt::format("Beyond the tolerance from: means: {}; surfaces (which the circuit has no nodes for): {}.",
+                             list(each), list(surfaces)));
 }
 
 /// What the finite elements know and the circuit does not, when a mean temperature leaves its tolerance.
@@ -128,15 +133,19 @@ void add_reasons(const Json& b, std::vector<std::string>& text) {
   for (const auto& [name, r] : b["reasons"].items()) {
     std::vector<std::string> reasons;
     if (r.contains("bore_over_ring"))
-      reasons.push_back(fmt::format("no node for the bore, which is {} above its ring's mean", in(kelvin, r["bore_over_ring"].get<double>())));
+      reasons.push_back(fmt::format("no node for the bore, which is {} above its ring's mean",
+                                    in(kelvin, r["bore_over_ring"].get<double>())));
     for (const char* side : {"inner", "outer"})
       if (const std::string key = std::string(side) + "_contact_over_ring"; r.contains(key))
         reasons.push_back(fmt::format("spreading: {} raceway {} above its ring's mean, the circuit's contact {}", side,
-                                      in(kelvin, r[key]["fe"].get<double>()), in(kelvin, r[key]["lumped"].get<double>())));
+                                      in(kelvin, r[key]["fe"].get<double>()),
+                                      in(kelvin, r[key]["lumped"].get<double>())));
     if (r.contains("fourier") && r["fourier"].get<double>() < 0.3)
-      reasons.push_back(fmt::format("temperatures inside the body not equalised yet (Fourier number {:.2g})", r["fourier"].get<double>()));
+      reasons.push_back(fmt::format("temperatures inside the body not equalised yet (Fourier number {:.2g})",
+                                    r["fourier"].get<double>()));
     if (r.contains("biot") && r["biot"].get<double>() > largest_lumped_biot)
-      reasons.push_back(fmt::format("heat leaves as easily as it spreads (Biot number {:.2g})", r["biot"].get<double>()));
+      reasons.push_back(
+          fmt::format("heat leaves as easily as it spreads (Biot number {:.2g})", r["biot"].get<double>()));
     if (!reasons.empty())
       text.push_back(fmt::format("When {} {} the tolerance ({}): {}.", words(name), name == "ball" ? "leave" : "leaves",
                                  ms(b["temperatures"][name]["beyond_from"].get<double>()), fmt::join(reasons, "; ")));
@@ -178,7 +187,8 @@ void add_models(const Json& b, std::vector<std::string>& text) {
       text.push_back(fmt::format("The same of row {} by itself: {}.", row["row"].get<int>(),
                                  agreement(row["ball_approach"], micrometres)));
   if (const std::string effect = effect_words(b["effect"]); !effect.empty())
-    text.push_back(fmt::format("Preload of the ring without load under the growth of circuit and finite elements: {}.", effect));
+    text.push_back(
+        fmt::format("Preload of the ring without load under the growth of circuit and finite elements: {}.", effect));
   text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));
   text.push_back(fmt::format("Bore's surface, its mean around the circumference, over the circuit's inner ring: {}.",
                              agreement(b["surfaces"]["bore"]["mean"], kelvin)));

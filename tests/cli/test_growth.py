@@ -58,7 +58,7 @@ class GrowthBySpeed(ProgramTest):
         E, nu, rho, a, b = 2.0e11, 0.30, 7800.0, 35e-3, 39e-3
         for bearing in ("TB1", "TB2"):
             speed, by_speed = file[f"bearings/{bearing}/ring_speed"][:], file[f"bearings/{bearing}/expansion"][:] - file[f"growth/lumped/{bearing}"][:]
-            self.assertGreater(speed[-1], 400.0)
+            self.assertGreater(speed[-1], 350.0)
             r, factor = INNER_CONTACT[bearing], rho * speed**2 / (8 * E)
             np.testing.assert_allclose(by_speed[:, BORE], 2 * factor * a * ((3 + nu) * b**2 + (1 - nu) * a**2), rtol=0, atol=1e-15)
             race = factor * r * ((3 + nu) * ((1 - nu) * (a**2 + b**2) + (1 + nu) * a**2 * b**2 / r**2) - (1 - nu**2) * r**2)
