@@ -10,6 +10,7 @@
 
 #include "bearing/linear_support.h"
 #include "machine/shaft_geometry.h"
+#include "machine/speed_growth.h"
 #include "machine/statics.h"
 #include "thermal/reduced_sections.h"
 
@@ -87,8 +88,14 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
       bearing_elastic_problem(section.problem, section.solver->section_mesh(),
                               {material.E, material.nu, material.rho, material.alpha, b.housing_fit, kind});
   section.elastic_solver = elements.make_elastic_solver(problem);
-  section.elastic.emplace(*section.elastic_solver, problem, section.problem, section.formula, race_surfaces(p, b),
+  section.elastic.emplace(*section.elastic_solver, problem, section.problem, section.formula,
+                          contact_point_surfaces(b.ball_diameter, b.pitch_diameter, b.contact_angle, b.width),
                           section.solver->field().size());
+  const double to_side = 0.5 * b.ball_diameter * std::sin(b.contact_angle);
+  std::vector<ElasticGrowth::RowStrips> strips;
+  for (const auto& row : row_places(b))
+    strips.push_back({row.position - row.direction * to_side, row.position + row.direction * to_side});
+  section.row_growth = section.elastic->row_weights(strips);
 }
 
 /// Refuses modes that answer heat less exactly than is asked for.
@@ -106,7 +113,9 @@ void check_reduction(const FiniteElements::Section& section, const FeParameters&
 }
 
 /// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
-void make_sections(const MachineParameters& p, FiniteElements& elements, ReductionSettings reduction = {}) {
+/// @param judges_growth  by elasticity, where formulas are fed back, if the section's elasticity is linear: its fit no clearance
+void make_sections(const MachineParameters& p, FiniteElements& elements, ReductionSettings reduction = {},
+                   bool judges_growth = false) {
   const auto& fe = p.thermal.fe;
   elements.coupling = fe.coupling;
   for (const auto& entry : p.bearings) {
@@ -126,8 +135,10 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
     section.solver = elements.make_solver(section.problem);
     section.formula = section_growth(circuit);
     section.adiabatic = adiabatic_section(section);
-    if (p.thermal.expansion == GrowthSource::elastic) {
+    section.grows_elastically = p.thermal.expansion == GrowthSource::elastic;
+    if (section.grows_elastically || (judges_growth && elements.make_elastic_solver && b->housing_fit >= 0.))
       add_elastic_growth(p, *b, elements, section);
+    if (section.grows_elastically) {
       if (fe.coupling == FeCoupling::windowed) section.adiabatic.growth = immediate_elastic_growth(section);
     }
     if (fe.coupling != FeCoupling::windowed) {
@@ -159,6 +170,9 @@ ReducedSection::Elastic reduced_elastic(const FiniteElements::Section& section) 
   elastic.mean_pressure = functional(fit.mean);
   for (const auto& node : fit.node) elastic.node_pressure.push_back(functional(node));
   elastic.node_share = fit.share;
+  for (const auto& row : section.row_growth)
+    for (const auto* weights : {&row.radial, &row.axial}) elastic.rows.push_back(section.solver->project(*weights));
+  elastic.drives = section.grows_elastically;
   return elastic;
 }
 
@@ -221,7 +235,8 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
     const auto* b = p.bearings[i].touchdown();
     if (!b) continue;
     const auto& [y, z] = ring_centres[ring++].second;
-    const double distance = std::hypot(motions[i].y - y, motions[i].z - z), gap = air_gap(*b, p.contact);
+    const double speed = p.run.initial_speed, distance = std::hypot(motions[i].y - y, motions[i].z - z),
+                 gap = air_gap(*b, p.contact) - parts.rotor_growth_by_speed[ring - 1] * speed * speed;
     if (distance > gap)
       faults.add(
           position_of(case_node, "rotor"),
@@ -512,9 +527,11 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
   const auto network = network_data(p, case_node, faults);
   faults.throw_if_any();
 
-  if (p.thermal.has_fe) make_sections(p, *finite_elements);
-  const bool grows_by_spinning =
-      p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic && driver_of(p.thermal) == GrowthDriver::fe;
+  if (p.thermal.has_fe) make_sections(p, *finite_elements, {}, true);
+  const GrowthDriver driver = driver_of(p.thermal);
+  // What an earlier run recorded holds it if that run had it.
+  const bool grows_by_speed = p.thermal.growth_by_speed != GrowthBySpeed::none && driver != GrowthDriver::recorded;
+  const bool is_elastic = p.thermal.expansion == GrowthSource::elastic && driver == GrowthDriver::fe;
   Machine::Parts parts;
   std::vector<int> nodes;
   std::vector<RingCentre> ring_centres;
@@ -523,7 +540,10 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
     nodes.push_back(entry.node());
     if (const auto* b = entry.touchdown()) {
       auto data = touchdown_data_of(p, entry.name, *b);
-      if (grows_by_spinning) data.centrifugal_growth = finite_elements->sections[n_places].elastic->per_speed_squared();
+      if (grows_by_speed)
+        data.centrifugal_growth = is_elastic ? finite_elements->sections[n_places].elastic->per_speed_squared()
+                                             : ring_growth_by_speed(p, *b);
+      parts.rotor_growth_by_speed.push_back(grows_by_speed ? rotor_growth_by_speed(p, *b) : 0.);
       auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
       std::vector<double> state(bearing->state_entries().size());
       bearing->initial_state(state);

@@ -73,7 +73,7 @@ GrowthPerRise immediate_elastic_growth(FiniteElements::Section& s) {
 }
 
 Expansion growth_of(FiniteElements::Section& s) {
-  if (s.elastic) return s.elastic->solved(s.solver->field());
+  if (s.grows_elastically) return s.elastic->solved(s.solver->field());
   const auto& p = s.problem;
   const double zero = p.initial_temperature;
   const std::size_t shaft = body_index(p.bodies, "shaft");
@@ -238,8 +238,11 @@ std::vector<Observable> WindowedSections::observables() const {
                         {"mean", "lowest", "highest"}});
     }
     list.push_back(growth_observable(path + "growth", "thermal growth"));
-    if (section.elastic)
+    if (section.grows_elastically)
       for (auto& o : housing_fit_observables(path)) list.push_back(std::move(o));
+    else if (section.elastic)
+      list.push_back(growth_observable(path + "elastic_growth", judged_growth_name));
+    if (!section.row_growth.empty()) list.push_back(row_growth_observable(path, section.row_growth.size()));
   }
   return list;
 }
@@ -260,9 +263,20 @@ void WindowedSections::observe(std::span<double> out) const {
       for (const double value : {range.mean, range.lowest, range.highest}) out[at++] = value;
     }
     for (const auto surface : growth_surfaces) out[at++] = growth_[k].*surface;
-    if (!section.elastic) continue;
-    const FitState fit = section.elastic->fit_state();
-    for (const double value : {fit.mean_pressure, fit.lowest_pressure, fit.open_fraction}) out[at++] = value;
+    if (section.grows_elastically) {
+      const FitState fit = section.elastic->fit_state();
+      for (const double value : {fit.mean_pressure, fit.lowest_pressure, fit.open_fraction}) out[at++] = value;
+    } else if (section.elastic) {
+      for (const double value : growth_values(section.elastic->linear(section.solver->field()))) out[at++] = value;
+    }
+    for (const auto& row : section.row_growth)
+      for (const auto* weights : {&row.radial, &row.axial}) {
+        const auto field = section.solver->field();
+        double sum = 0.;
+        for (std::size_t i = 0; i < field.size(); ++i)
+          sum += (*weights)[i] * (field[i] - section.problem.initial_temperature);
+        out[at++] = sum;
+      }
   }
 }
 

@@ -37,8 +37,10 @@ struct FiniteElements {
     GrowthPerRise formula;                          ///< per rise of the bodies' means
     AdiabaticSection adiabatic;                     ///< what heat causes at once
     ReducedHeat reduced;                            ///< if it is
-    std::unique_ptr<ElasticSolver> elastic_solver;  ///< with thermal.expansion = "elastic"
+    std::unique_ptr<ElasticSolver> elastic_solver;  ///< where growth is judged, or comes, by elasticity
     std::optional<ElasticGrowth> elastic;
+    bool grows_elastically = false;                         ///< or else elasticity only judges the formula
+    std::vector<ElasticGrowth::RowWeights> row_growth;      ///< with elasticity, if the section has strips of every row
   };
   std::vector<Section> sections;  ///< of each thermal place
   FeCoupling coupling = FeCoupling::reduced;

@@ -73,6 +73,9 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   const std::size_t n_places = ledger_of_place_.size();
   if (parts_.rub_share.size() != n_places)
     throw std::invalid_argument("a machine needs one share of the rub heat per thermal place");
+  if (parts_.rotor_growth_by_speed.empty()) parts_.rotor_growth_by_speed.assign(n_places, 0.);
+  if (parts_.rotor_growth_by_speed.size() != n_places)
+    throw std::invalid_argument("a machine needs the rotor's growth by speed at every thermal place, or at none");
   motions_.resize(n);
   inputs_.resize(n);
   outputs_.resize(n);
@@ -172,6 +175,7 @@ void Machine::prepare_inputs(double t, std::span<const double> y) const {
     inputs_[i].rotor_spin = spin;
     if (const auto place = parts_.thermal_place[i]) {
       inputs_[i].growth = growth_[*place];
+      inputs_[i].growth.shaft += parts_.rotor_growth_by_speed[*place] * spin.speed * spin.speed;
       if (const auto& followed = parts_.friction_temperatures)
         inputs_[i].ring_temperature = thermal_part(followed->model, y)[followed->states[*place]];
     }
@@ -221,8 +225,11 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
     ledger[inner_heat] = out.heat.inner;
     ledger[outer_heat] = out.heat.outer;
     ledger[other_dissipation] = out.other_dissipation;
-    ledger[prescribed_work] = out.prescribed_work;
     const auto place = parts_.thermal_place[i];
+    // The rotor's speed makes it grow against its contacts; the spin's balance does not feel that.
+    const double by_speed = place ? parts_.rotor_growth_by_speed[*place] : 0.;
+    ledger[prescribed_work] = out.prescribed_work + out.energy_gradient.shaft * by_speed * 2. *
+                                                        inputs_[i].rotor_spin.speed * power.spin_acceleration;
     ledger[rub_heat_into_ring] = place ? heats_[*place].rub_into_ring : 0.;
     ledger[growth_work] = place ? out.energy_gradient.dot(growth_rate_[*place]) : 0.;
   }

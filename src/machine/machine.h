@@ -59,6 +59,8 @@ class Machine final : public OdeSystem {
     std::shared_ptr<const GrowthHistory> prescribed_growth;  ///< fed back instead, if there is no driver
     /// Its growth is added to the prescribed one: what heat does at once, before any of it is conducted on. Reported nowhere.
     std::unique_ptr<ThermalModel> immediate_growth;
+    /// Growth of the rotor's surface at each thermal place per square of the rotor's speed [m s^2]; empty: it does not grow by its speed.
+    std::vector<double> rotor_growth_by_speed;
     std::vector<double> initial_rotor_state;
   };
   explicit Machine(Parts parts);

@@ -91,11 +91,13 @@ Section<PreloadParameters> preload_section() {
               .fallback = "0 um",
               .help = "Interference of outer ring and housing by radius, over the mounted one."});
   s.choice("growth_by_speed", &P::growth_by_speed,
-           {{"none", GrowthBySpeed::none}, {"thin-disc", GrowthBySpeed::thin_disc}},
-           {.fallback = "thin-disc",
+           {{"as-drop", PreloadGrowthBySpeed::as_drop},
+            {"none", PreloadGrowthBySpeed::none},
+            {"thin-disc", PreloadGrowthBySpeed::thin_disc}},
+           {.fallback = "as-drop",
             .source = "Timoshenko & Goodier, rotating disk with a hole, plane stress",
-            .help = "Growth of bore and inner raceway by the ring's speed. Not added to what a drop recorded with "
-                    "thermal.expansion = \"elastic\", which has it."});
+            .help = "Growth of bore and inner raceway by the ring's speed: as thermal.growth_by_speed says, none, or "
+                    "the closed form whatever it says. Not added to the growth of a drop that recorded it."});
   s.boolean("history_under_load", &P::history_under_load,
             {.fallback = false,
              .help = "Whether histories put the recorded force of balls on ring on the inner ring, or leave it "

@@ -7,8 +7,9 @@
 
 namespace rotordrop {
 
-/// Whether inner rings grow by their speed.
-enum class GrowthBySpeed {
+/// Whether inner rings grow by their speed in `rotordrop preload`.
+enum class PreloadGrowthBySpeed {
+  as_drop,  ///< thermal.growth_by_speed
   none,
   thin_disc  ///< closed form of a spinning ring of rectangular section (laws/ring_growth.h)
 };
@@ -35,7 +36,7 @@ struct PreloadParameters {
   std::array<double, 2> moment{};                       ///< about y, z [N m]
   double inner_growth = 0, outer_growth = 0;            ///< of the raceways besides heat and speed [m]
   double interference = 0;                              ///< of outer ring and housing, more than as mounted [m]
-  GrowthBySpeed growth_by_speed = GrowthBySpeed::none;  ///< in maps, histories and running alike
+  PreloadGrowthBySpeed growth_by_speed = PreloadGrowthBySpeed::as_drop;  ///< in maps, histories and running alike
   bool history_under_load = false;                      ///< histories with the recorded force
   bool critical_values = true;                          ///< found, and operating points over speed
   double end_time = 0;                                  ///< [s]

@@ -8,6 +8,7 @@
 #include "laws/ball_kinematics.h"
 #include "laws/ring_growth.h"
 #include "machine/build_machine.h"
+#include "machine/speed_growth.h"
 
 namespace rotordrop {
 namespace {
@@ -50,19 +51,18 @@ double housing_closure(const TouchdownParameters& b) {
   return bore_closure(0.5 * b.outer_ring_diameters[0], 0.5 * b.outer_ring_diameters[1], 0.5 * b.housing_diameters[1]);
 }
 
+bool preload_grows_by_speed(const MachineParameters& p) {
+  if (p.preload.growth_by_speed == PreloadGrowthBySpeed::as_drop)
+    return p.thermal.growth_by_speed != GrowthBySpeed::none;
+  return p.preload.growth_by_speed == PreloadGrowthBySpeed::thin_disc;
+}
+
 Expansion cold_growth(const MachineParameters& p, const TouchdownParameters& b, double speed) {
   const auto& s = p.preload;
   Expansion g;
   g.inner_race = s.inner_growth;
   g.outer_race = s.outer_growth - s.interference * housing_closure(b);
-  if (s.growth_by_speed == GrowthBySpeed::thin_disc) {
-    const auto& m = material_of(p, b.ring);
-    const double inside = 0.5 * b.inner_ring_diameters[0], outside = 0.5 * b.inner_ring_diameters[1];
-    g.bore += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, inside) * speed * speed;
-    const RaceSurfaces races = race_surfaces(p, b);
-    g.inner_race += spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, races.inner) * speed * speed;
-    g.inner_width += spinning_ring_strain(m.E, m.nu, m.rho, inside, outside) * races.width * speed * speed;
-  }
+  if (preload_grows_by_speed(p)) g = combined(1., g, speed * speed, ring_growth_by_speed(p, b));
   return g;
 }
 

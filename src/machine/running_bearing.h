@@ -46,6 +46,9 @@ using FindRest = std::function<void(EquilibriumSystem& system, std::span<double>
 /// Growth of a bearing's surfaces that heat has no part in: [preload]'s, of fits and speed.
 Expansion cold_growth(const MachineParameters& parameters, const TouchdownParameters& bearing, double speed);
 
+/// Whether [preload] takes growth by speed.
+bool preload_grows_by_speed(const MachineParameters& parameters);
+
 /// By how much the outer raceway closes per interference of outer ring and housing (laws/ring_growth.h).
 double housing_closure(const TouchdownParameters& bearing);
 

@@ -13,6 +13,7 @@ struct RotorPower {
   double unbalance_work = 0;  ///< done on the rotor by the unbalance forces (which have no reaction torque on the spin)
   double drive_work = 0;      ///< done on the rotor by the motor or brake torque
   double windage = 0;         ///< dissipated by the gas around the rotor
+  double spin_acceleration = 0;  ///< no power: rate of the spin speed [rad/s^2]
 };
 
 /// A rotor. Mass is inverted inside; stations were fixed when it was built. Keeps no copy of the state.

@@ -314,7 +314,7 @@ RotorPower ModalRotor::rates_of(double t, const double* __restrict y, const Forc
       dydt[2 * n + i] = a_y[i];
       dydt[3 * n + i] = a_z[i];
     }
-  return {body_.mass * damping, body_.mass * unbalance_work, drive * omega, windage * omega};
+  return {body_.mass * damping, body_.mass * unbalance_work, drive * omega, windage * omega, omega_rate};
 }
 
 double ModalRotor::energy(std::span<const double> y) const {

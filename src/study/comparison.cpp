@@ -7,8 +7,11 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "machine/build_preload.h"
+#include "machine/speed_growth.h"
 #include "machine/thermal_report.h"
 #include "study/json_number.h"
+#include "study/preload_tables.h"
 
 namespace rotordrop {
 namespace {
@@ -102,13 +105,24 @@ Json surfaces_json(const RecordedDrop& lumped, const RecordedDrop& fe, const std
   return j;
 }
 
+/// Whether the growth that stands for this side is by elasticity: the finite elements' if the drop recorded it, fed back or not.
+bool is_elastic(const Side& side, const std::string& bearing) {
+  return side.kind == Kind::fe && (side.drop.has(side.drop.node_path(Kind::fe, bearing, "elastic_growth")) ||
+                                   side.drop.parameters().thermal.expansion == GrowthSource::elastic);
+}
+
+TimeSeries growth_series(const Side& side, const std::string& bearing, std::size_t surface) {
+  const std::string judged = side.drop.node_path(side.kind, bearing, "elastic_growth");
+  const bool has_judged = side.kind == Kind::fe && side.drop.has(judged);
+  return side.drop.series(has_judged ? judged : side.drop.growth_path(side.kind, bearing), surface);
+}
+
 Json growth_json(const Side& a, const Side& b, const std::string& bearing, const Tolerance& tolerance,
                  const Names& names, const std::vector<Instant>& instants) {
   Json j = Json::object();
   for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)
     j[growth_surface_keys[c]] =
-        difference_json(a.drop.series(a.drop.growth_path(a.kind, bearing), c),
-                        b.drop.series(b.drop.growth_path(b.kind, bearing), c), tolerance, names, instants);
+        difference_json(growth_series(a, bearing, c), growth_series(b, bearing, c), tolerance, names, instants);
   return j;
 }
 
@@ -117,11 +131,98 @@ TimeSeries of_growth(const Side& side, const std::string& bearing, double consta
                      const std::array<double, growth_surfaces.size()>& factors) {
   TimeSeries sum;
   for (std::size_t c = 0; c < factors.size(); ++c) {
-    const TimeSeries u = side.drop.series(side.drop.growth_path(side.kind, bearing), c);
+    const TimeSeries u = growth_series(side, bearing, c);
     if (sum.empty()) sum = {u.times, std::vector<double>(u.times.size(), constant)};
     for (std::size_t i = 0; i < u.values.size(); ++i) sum.values[i] += factors[c] * u.values[i];
   }
   return sum;
+}
+
+using Factors = std::array<double, growth_surfaces.size()>;
+
+/// How far a row's inner contact points move more than its outer ones, per growth of each surface.
+struct RowFactors {
+  Factors radial{}, axial{};
+  Factors approach{};  ///< of the races along the contact's nominal normal, with both ends of the ball
+};
+std::vector<RowFactors> row_factors(const TouchdownParameters& p) {
+  const double lean = std::cos(p.contact_angle), side = std::sin(p.contact_angle), half = 0.5 * p.ball_diameter * side;
+  std::vector<RowFactors> rows;
+  for (const auto& row : row_places(p)) {
+    // The normal from the inner point to the outer one has the parts s sin phi and cos phi.
+    const double s = row.direction, inner = (row.position - s * half) / p.width,
+                 outer = (row.position + s * half) / p.width;
+    rows.push_back({{0., 0., 1., -1., 0., 0., 0.},
+                    {0., 0., 0., 0., 0., inner, -outer},
+                    {0., 0., lean, -lean, 2., s * side * inner, -s * side * outer}});
+  }
+  return rows;
+}
+
+/// Approach of the races to the balls in the mean over the rows.
+Json ball_approach_json(const Side& a, const Side& b, const std::string& bearing, const TouchdownParameters& p,
+                        const Tolerance& tolerance, const Names& names, const std::vector<Instant>& instants) {
+  Factors mean{};
+  const auto rows = row_factors(p);
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < mean.size(); ++c) mean.at(c) += row.approach.at(c) / static_cast<double>(rows.size());
+  return difference_json(of_growth(a, bearing, 0., mean), of_growth(b, bearing, 0., mean), tolerance, names, instants);
+}
+
+/// Each row by itself, where elasticity knows it: the circuit has one growth for all.
+Json row_growth_json(const Side& lumped, const Side& fe, const std::string& bearing, const TouchdownParameters& p,
+                     const Tolerance& tolerance, const std::vector<Instant>& instants) {
+  const std::string path = fe.drop.node_path(Kind::fe, bearing, "row_growth");
+  Json j = Json::array();
+  if (!fe.drop.has(path)) return j;
+  const Names names{"lumped", "fe"};
+  const auto rows = row_factors(p);
+  const auto places = row_places(p);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const TimeSeries radial = fe.drop.series(path, 2 * row), axial = fe.drop.series(path, 2 * row + 1),
+                     ball = growth_series(fe, bearing, 4);
+    TimeSeries approach = radial;
+    const double lean = std::cos(p.contact_angle), side = places[row].direction * std::sin(p.contact_angle);
+    for (std::size_t i = 0; i < approach.values.size(); ++i)
+      approach.values[i] = lean * radial.values[i] + side * axial.values[i] + 2. * ball.values.at(i);
+    const auto difference = [&](const Factors& factors, const TimeSeries& found) {
+      return difference_json(of_growth(lumped, bearing, 0., factors), found, tolerance, names, instants);
+    };
+    j.push_back({{"row", row + 1},
+                 {"radial", difference(rows[row].radial, radial)},
+                 {"axial", difference(rows[row].axial, axial)},
+                 {"ball_approach", difference(rows[row].approach, approach)}});
+  }
+  return j;
+}
+
+/// Contact loads of opposed rows at rest under each model's growth, the ring without load, turning as it then does.
+Json effect_json(const Side& a, const Side& b, const std::string& bearing, const TouchdownParameters& p,
+                 const Names& names, const std::vector<Instant>& instants) {
+  Json j = Json::array();
+  if (p.rows < 2 || p.arrangement == RowArrangement::tandem) return j;
+  const auto& parameters = a.drop.parameters();
+  const auto running = build_running_bearing(parameters, bearing, 0., rest_finder(bearing));
+  const TimeSeries speed = a.drop.series("/bearings/" + bearing + "/ring_speed");
+  const bool grows = parameters.thermal.growth_by_speed != GrowthBySpeed::none;
+  const Expansion by_speed = grows ? ring_growth_by_speed(parameters, p) : Expansion{};
+  for (const auto& [name, t] : instants) {
+    const double w = speed.at(t);
+    Json entry = {{"instant", name}, {"time", t}, {"ring_speed", w}};
+    for (const auto& [side, key] : {std::pair{&a, names.first}, std::pair{&b, names.second}}) {
+      Expansion growth;
+      for (std::size_t c = 0; c < growth_surfaces.size(); ++c)
+        growth.*growth_surfaces[c] = growth_series(*side, bearing, c).at(t);
+      try {
+        const RunningState state = running->in({combined(1., growth, w * w, by_speed), w, {}});
+        entry[key] = {{"preload", state.preload}, {"largest_ball_load", state.largest_ball_load}};
+      } catch (const SolverError&) {
+        entry[key] = {{"preload", nullptr}, {"largest_ball_load", nullptr}};  // no rest found
+      }
+    }
+    j.push_back(std::move(entry));
+  }
+  return j;
 }
 
 /// Air gap, and play of the balls in the middle of the load: what each model's growth would leave of them.
@@ -255,10 +356,14 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
     if (!models.fe->parameters().thermal.fe.shaft) j["lumps_in_both"].push_back("shaft");
     j["temperatures"] = temperatures_json(lumped, fe, name, tolerance, names, instants);
     j["surfaces"] = surfaces_json(*models.lumped, *models.fe, name, tolerance, instants);
+    j["growth_by"] = is_elastic(fe, name) ? "elasticity" : "formula";
     j["growth"] = growth_json(lumped, fe, name, growth, names, instants);
     j["reasons"] = reasons_json(*models.lumped, *models.fe, name, j["temperatures"],
                                 lumped_bodies(drop.parameters(), name, p), impact);
     j["clearances"] = clearances_json(lumped, fe, name, p, growth, names, instants);
+    j["ball_approach"] = ball_approach_json(lumped, fe, name, p, growth, names, instants);
+    j["row_growth"] = row_growth_json(lumped, fe, name, p, growth, instants);
+    j["effect"] = effect_json(lumped, fe, name, p, names, instants);
   }
 
   BoreReport bore = report_bore(name, p, drop, models.lumped, models.fe, options.band_length, impact, instants);

@@ -85,11 +85,34 @@ std::string trusted(const Json& group) {
   return fmt::format("until {} ({})", ms(first), which);
 }
 
+/// What stands for the finite elements' growth.
+const char* growth_words(const Json& b) {
+  return b["growth_by"] == "elasticity" ? "judged by elasticity"
+                                        : "judged by the formula on the finite elements' means";
+}
+
+/// "290 and 301 N at 10 ms": preload of opposed rows under each model's growth.
+std::string effect_words(const Json& effect) {
+  std::vector<std::string> at;
+  for (const auto& e : effect) {
+    const Json &lumped = e["lumped"], &fe = e["fe"];
+    if (lumped["preload"].is_null() || fe["preload"].is_null()) continue;
+    at.push_back(fmt::format("{:.4g} and {:.4g} N at {} (largest ball load {:.3g} and {:.3g} N)",
+                             lumped["preload"].get<double>(), fe["preload"].get<double>(), ms(e["time"].get<double>()),
+                             lumped["largest_ball_load"].get<double>(), fe["largest_ball_load"].get<double>()));
+  }
+  return fmt::format("{}", fmt::join(at, "; "));
+}
+
 void add_summary(const Json& b, std::vector<std::string>& text) {
-  text.push_back(fmt::format(
-      "In short: the circuit's mean temperatures stay within {} {}; its growth within {} {}, its clearances {}.",
-      tolerance_text(b["temperatures"].front(), kelvin), trusted(b["temperatures"]),
-      tolerance_text(b["growth"].front(), micrometres), trusted(b["growth"]), trusted(b["clearances"])));
+  Json approach = Json::object();
+  approach["balls"] = b["ball_approach"];
+  text.push_back(
+      fmt::format("In short: the circuit's mean temperatures stay within {} {}; its growth, {}, within {} {}, its "
+                  "clearances {}, the approach of its races to the balls {}.",
+                  tolerance_text(b["temperatures"].front(), kelvin), trusted(b["temperatures"]), growth_words(b),
+                  tolerance_text(b["growth"].front(), micrometres), trusted(b["growth"]), trusted(b["clearances"]),
+                  trusted(approach)));
   std::vector<std::string> each, surfaces;
   for (const auto& [name, d] : b["temperatures"].items())
     if (!d["beyond_from"].is_null())
@@ -157,7 +180,15 @@ void add_models(const Json& b, std::vector<std::string>& text) {
   }
   add_agreements(b["temperatures"], kelvin, "Mean temperature of", text);
   add_reasons(b, text);
-  add_agreements(b["growth"], micrometres, "Growth of", text);
+  add_agreements(b["growth"], micrometres, std::string("Growth (") + growth_words(b) + ") of", text);
+  text.push_back(fmt::format("Approach of the races to the balls: {}.", agreement(b["ball_approach"], micrometres)));
+  for (const auto& row : b["row_growth"])
+    if (b["row_growth"].size() > 1)
+      text.push_back(fmt::format("The same of row {} by itself: {}.", row["row"].get<int>(),
+                                 agreement(row["ball_approach"], micrometres)));
+  if (const std::string effect = effect_words(b["effect"]); !effect.empty())
+    text.push_back(
+        fmt::format("Preload of the ring without load under the growth of circuit and finite elements: {}.", effect));
   text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));
   text.push_back(fmt::format("Bore's surface, its mean around the circumference, over the circuit's inner ring: {}.",
                              agreement(b["surfaces"]["bore"]["mean"], kelvin)));
@@ -223,6 +254,7 @@ std::string model_tables(const Json& b) {
   text += table_head("FE - circuit [um]", b["growth"]["bore"]);
   for (const auto& [surface, d] : b["growth"].items()) text += table_row("growth " + words(surface), d, micrometres);
   for (const auto& [name, d] : b["clearances"].items()) text += table_row(words(name), d, micrometres);
+  text += table_row("ball approach", b["ball_approach"], micrometres);
   return text;
 }
 

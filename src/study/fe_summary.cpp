@@ -67,7 +67,7 @@ Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std
     if (!path.starts_with(prefix)) continue;
     const std::string name = path.substr(prefix.size());
     const Series series = read_series(results, path);
-    if (series.values.empty() || name == "growth") continue;
+    if (series.values.empty() || name.ends_with("growth")) continue;
     if (name.starts_with("housing_fit")) {
       add_fit_scalars(name, series.values, j["housing_fit"]);
       continue;

@@ -47,16 +47,16 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
     for (int row = 0; row < touchdown_of(drop.parameters(), bearing).rows; ++row)
       axial.push_back(drop.series(from + "row_axial_force", static_cast<std::size_t>(row)));
 
-  // What elasticity recorded holds the growth by speed already.
+  // A drop that grew by its speeds recorded that too.
   const auto& thermal = drop.parameters().thermal;
-  if (drop.driver() == "recorded" && p.preload.growth_by_speed != GrowthBySpeed::none)
+  if (drop.driver() == "recorded" && preload_grows_by_speed(p))
     throw InputError(
         position_of(c.tree, "preload"),
         "the drop took growth that an earlier run recorded, and does not say whether growth by speed is in it.",
         "Give that earlier run with --results, or set preload.growth_by_speed = \"none\".");
-  const bool has_growth_by_speed = thermal.expansion == GrowthSource::elastic && drop.driver() == "fe";
+  const bool has_growth_by_speed = thermal.growth_by_speed != GrowthBySpeed::none && drop.driver() != "recorded";
   MachineParameters cold_parameters = p;
-  if (has_growth_by_speed) cold_parameters.preload.growth_by_speed = GrowthBySpeed::none;
+  if (has_growth_by_speed) cold_parameters.preload.growth_by_speed = PreloadGrowthBySpeed::none;
 
   const auto running = build_running_bearing(p, bearing, 0., rest_finder(bearing));
   const std::string to = fmt::format("/{}/history/", bearing);
@@ -92,9 +92,9 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
             {"instants", table.axis.size()},
             {"of_recorded", n},
             {"under_load", under_load},
-            {"growth_by_speed", has_growth_by_speed                                     ? "recorded"
-                                : p.preload.growth_by_speed == GrowthBySpeed::thin_disc ? "thin-disc"
-                                                                                        : "none"},
+            {"growth_by_speed", has_growth_by_speed         ? "recorded"
+                                : preload_grows_by_speed(p) ? "thin-disc"
+                                                            : "none"},
             {"preload", course(table, 0)},
             {"largest_ball_load", course(table, 1)},
             {"largest_pressure", course(table, 2)},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 namespace rotordrop {
 namespace {
@@ -34,6 +35,14 @@ std::vector<Observable> housing_fit_observables(const std::string& path) {
           {path + "housing_fit_open", "1", "part of that fit's area that is open, or would have to pull", 1, {}}};
 }
 
+Observable row_growth_observable(const std::string& path, std::size_t n_rows) {
+  Observable o{path + "row_growth", "m",
+               "what each row's inner contact points move more than the outer ones by heat, by elasticity", 2 * n_rows, {}};
+  for (std::size_t row = 1; row <= n_rows; ++row)
+    for (const char* way : {"radial", "axial"}) o.columns.push_back("row " + std::to_string(row) + " " + way);
+  return o;
+}
+
 ElasticProblem bearing_elastic_problem(const HeatConductionProblem& heat, const SectionMesh& mesh,
                                        const BearingElasticData& d) {
   ElasticProblem p;
@@ -59,7 +68,7 @@ ElasticProblem bearing_elastic_problem(const HeatConductionProblem& heat, const 
 
 ElasticGrowth::ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& problem, const HeatConductionProblem& heat,
                              const GrowthPerRise& formula, const RaceSurfaces& races, std::size_t n_unknowns)
-    : elastic_(elastic), zero_(heat.initial_temperature) {
+    : elastic_(elastic), zero_(heat.initial_temperature), width_(races.width) {
   for (auto& weights : weights_) weights.assign(n_unknowns, 0.);
   std::vector<ElasticInfluence> influences;
   std::vector<double> position;  // of each output's mean along its direction; of axial ones but for a common shift
@@ -98,6 +107,16 @@ ElasticGrowth::ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& probl
       for (std::size_t i = 0; i < g.weights.size(); ++i) weights_[s][i] += factor * g.weights[i];
     }
   }
+  const auto keep = [&](std::size_t race, std::size_t width, Strips& strips) {
+    for (const auto& [k, factor] : sums_[race].terms) {
+      strips.radial.push_back(influences[k].weights);
+      for (double& w : strips.radial.back()) w *= factor * static_cast<double>(sums_[race].terms.size());
+    }
+    for (const auto& term : sums_[width].terms) strips.axial.push_back(influences[term.output].weights);
+    strips.width = weights_[width];
+  };
+  keep(2, 5, strips_[0]);
+  keep(3, 6, strips_[1]);
   // Nodes of the heat problem stand after the mesh's unknowns.
   const auto lump = [&](std::size_t surface, std::size_t node, double growth) {
     weights_[surface].at(elastic.n_nodes() + node) = growth;
@@ -116,6 +135,35 @@ Expansion ElasticGrowth::linear(std::span<const double> T) const {
   Expansion growth;
   for (std::size_t s = 0; s < growth_surfaces.size(); ++s) growth.*growth_surfaces[s] = weighted(weights_[s], T, zero_);
   return growth;
+}
+
+std::vector<ElasticGrowth::RowWeights> ElasticGrowth::row_weights(std::span<const RowStrips> places) const {
+  const std::size_t n = places.size();
+  for (const auto& ring : strips_)
+    if (ring.radial.size() != n || (n > 1 && ring.axial.size() != n)) return {};
+  std::vector<RowWeights> rows(n);
+  for (std::size_t ring = 0; ring < strips_.size(); ++ring) {
+    const Strips& strips = strips_.at(ring);
+    const double sign = ring == 0 ? 1. : -1.;
+    const auto position = [&](std::size_t row) { return ring == 0 ? places[row].inner : places[row].outer; };
+    double middle = 0.;
+    for (std::size_t row = 0; row < n; ++row) middle += position(row) / static_cast<double>(n);
+    for (std::size_t row = 0; row < n; ++row) {
+      auto& [radial, axial] = rows[row];
+      radial.resize(strips.width.size());
+      axial.resize(strips.width.size());
+      const auto add = [sign](std::vector<double>& to, double factor, const std::vector<double>& weights) {
+        for (std::size_t i = 0; i < weights.size(); ++i) to[i] += sign * factor * weights[i];
+      };
+      add(radial, 1., strips.radial[row]);
+      // The strips' mean stands where the width's growth has it.
+      add(axial, (n > 1 ? middle : position(row)) / width_, strips.width);
+      if (n < 2) continue;
+      add(axial, 1., strips.axial[row]);
+      for (const auto& other : strips.axial) add(axial, -1. / static_cast<double>(n), other);
+    }
+  }
+  return rows;
 }
 
 Expansion ElasticGrowth::solved(std::span<const double> T) {

@@ -22,6 +22,11 @@ inline constexpr double no_pressure = 1e3;
 /// What models report of the fit: mean pressure and lowest one of a node, and the part of the area that pulls (where the fit is taken as closed) or is open.
 std::vector<Observable> housing_fit_observables(const std::string& path);
 
+/// Long name of growth by elasticity where the formula is fed back.
+inline constexpr const char* judged_growth_name = "thermal growth by elasticity of the section; fed back is the formula's";
+/// What every row of balls feels of the growth by elasticity.
+Observable row_growth_observable(const std::string& path, std::size_t n_rows);
+
 /// The section of bearing_heat_problem() as elastic bodies: outer ring in its housing, inner ring (turning) and shaft free.
 /// @param mesh  that of the heat solver
 ElasticProblem bearing_elastic_problem(const HeatConductionProblem& heat, const SectionMesh& mesh,
@@ -42,6 +47,19 @@ class ElasticGrowth {
   /// Weights of each surface [growth_surfaces.size()][n_unknowns], while the fits stay closed.
   [[nodiscard]] const std::array<std::vector<double>, growth_surfaces.size()>& weights() const { return weights_; }
   [[nodiscard]] Expansion linear(std::span<const double> temperatures) const;
+
+  /// Where the strips of a row lie along the axis, from the bearing's middle [m].
+  struct RowStrips {
+    double inner = 0, outer = 0;
+  };
+  /// What the inner contact point of a row moves more than its outer one, as weights [n_unknowns].
+  struct RowWeights {
+    std::vector<double> radial, axial;
+  };
+  /// Each row by itself, while the fits stay closed; none if the section has not one strip for each row on each ring. Axial displacements count
+  /// from where a ring's middle is.
+  /// @param rows  in the order of the strips
+  [[nodiscard]] std::vector<RowWeights> row_weights(std::span<const RowStrips> rows) const;
   /// With fits as they must be: solves.
   [[nodiscard]] Expansion solved(std::span<const double> temperatures);
   /// Growth of the inner ring's surfaces per speed squared [m s^2]; the others' is zero.
@@ -71,6 +89,13 @@ class ElasticGrowth {
   double zero_;
   std::array<Sum, growth_surfaces.size()> sums_;
   std::array<std::vector<double>, growth_surfaces.size()> weights_;
+  struct Strips {
+    std::vector<std::vector<double>> radial;  ///< each at the contact points' radius
+    std::vector<std::vector<double>> axial;   ///< fewer than two: the ring's end faces
+    std::vector<double> width;                ///< of the ring's width
+  };
+  std::array<Strips, 2> strips_;  ///< inner and outer
+  double width_;
   Expansion per_speed_squared_;
   FitNodes housing_fit_;
 };

@@ -177,8 +177,9 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
       p.balls = heat.ports.at(ball_port).shape;
       p.ball_input = input(ball_port);
     }
-    p.growth = section.elastic ? section.elastic->growth : growth_of_means(heat, section.growth);
-    p.has_widths = section.elastic || section.growth.inner_width != 0. || section.growth.outer_width != 0.;
+    const bool is_elastic = section.elastic && section.elastic->drives;
+    p.growth = is_elastic ? section.elastic->growth : growth_of_means(heat, section.growth);
+    p.has_widths = is_elastic || section.growth.inner_width != 0. || section.growth.outer_width != 0.;
     p.stored.assign(p.n, 0.);
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& output : *list)
@@ -278,8 +279,13 @@ std::vector<Observable> ReducedSections::observables() const {
       list.push_back({section.name + "/" + name, "K",
                       "temperature of a surface, over its circumference the mean: " + name, 3, surface_columns});
     }
-    if (section.elastic)
+    if (!section.elastic) continue;
+    if (section.elastic->drives)
       for (auto& o : housing_fit_observables(section.name + "/")) list.push_back(std::move(o));
+    else
+      list.push_back(growth_observable(section.name + "/elastic_growth", judged_growth_name));
+    if (const std::size_t n = section.elastic->rows.size() / 2; n > 0)
+      list.push_back(row_growth_observable(section.name + "/", n));
   }
   return list;
 }
@@ -303,7 +309,10 @@ void ReducedSections::observe(std::span<const double> state, std::span<const Hea
       out[at++] = ambient_ + range.lowest;
       out[at++] = ambient_ + range.highest;
     }
-    if (const auto& elastic = sections_[k].elastic) {
+    const auto& elastic = sections_[k].elastic;
+    if (elastic && !elastic->drives)
+      for (const auto& shape : elastic->growth) out[at++] = sum(shape, y, ambient_);
+    if (elastic && elastic->drives) {
       const auto value = [&](const ReducedSection::Functional& f) { return f.at_rest + sum(f.shape, y, ambient_); };
       double lowest = std::numeric_limits<double>::infinity(), pulling = 0.;
       for (std::size_t i = 0; i < elastic->node_pressure.size(); ++i) {
@@ -315,6 +324,8 @@ void ReducedSections::observe(std::span<const double> state, std::span<const Hea
       out[at++] = lowest;
       out[at++] = pulling;
     }
+    if (elastic)
+      for (const auto& shape : elastic->rows) out[at++] = sum(shape, y, ambient_);
   }
 }
 

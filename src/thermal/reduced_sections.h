@@ -24,12 +24,14 @@ struct ReducedSection {
     double at_rest = 0;
     std::vector<double> shape;  ///< [n_modes]
   };
-  /// By elasticity instead of `growth`, projected on the modes.
+  /// By elasticity, projected on the modes.
   struct Elastic {
     std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< shapes of growth_surfaces
     Functional mean_pressure;                                        ///< of the fit in the housing [Pa]
     std::vector<Functional> node_pressure;                           ///< of its nodes
     std::vector<double> node_share;                                  ///< of its area
+    std::vector<std::vector<double>> rows;                           ///< shapes: radial and axial of each row, if known
+    bool drives = true;                                              ///< instead of `growth`; else it only judges that
   };
   std::optional<Elastic> elastic;
 };

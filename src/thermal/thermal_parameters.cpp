@@ -196,6 +196,15 @@ Section<ThermalParameters> thermal_section() {
                "it; uniform heating of a bearing of one material then changes its preload. \"elastic\": of the "
                "finite elements' section, with the fit in the housing and the inner ring's centrifugal growth; the "
                "circuit keeps the formulas (docs/growth.md)."});
+  s.choice("growth_by_speed", &P::growth_by_speed,
+           {{"closed-form", GrowthBySpeed::closed_form}, {"none", GrowthBySpeed::none}},
+           {.fallback = "closed-form",
+            .source = "Timoshenko & Goodier, rotating disk with a hole, plane stress",
+            .help = "Growth of the inner rings and of the rotor's surface by their speeds, in drops and in `rotordrop "
+                    "preload`. \"closed-form\": spinning rings of rectangular section, a solid or hollow shaft; in a "
+                    "drop that elasticity drives (expansion = \"elastic\") the rings' is that of their section. "
+                    "Works whatever drives the growth by heat; with driver = \"recorded\" nothing is added to what "
+                    "the earlier run recorded."});
   s.table("fe", &P::fe, fe_section(), {.help = "Finite elements of every touchdown bearing."});
   s.list("node", &P::nodes, node_section(), {.help = "Further nodes."});
   s.list("resistor", &P::resistors, resistor_section(), {.help = "Further resistors."});

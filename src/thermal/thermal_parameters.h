@@ -26,6 +26,12 @@ enum class GrowthSource {
   elastic   ///< elasticity on the finite elements' mesh
 };
 
+/// Whether rings and rotor grow by their speed.
+enum class GrowthBySpeed {
+  none,
+  closed_form  ///< thin discs; rings by elasticity where thermal.expansion = "elastic" drives
+};
+
 /// How balls conduct at their contacts: as the circuit's R5 says, or by their loads and speed.
 enum class BallConductionModel { fixed, rolling };
 /// Where on a ball its contacts run: always the same circle, or all over its surface.
@@ -75,6 +81,7 @@ struct ThermalParameters {
   double gas_conductivity = 0;
   bool plane_strain_growth = false;
   GrowthSource expansion = GrowthSource::formula;
+  GrowthBySpeed growth_by_speed = GrowthBySpeed::closed_form;
   FeParameters fe;
   std::vector<ExtraNode> nodes;
   std::vector<ExtraResistor> resistors;

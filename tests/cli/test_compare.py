@@ -199,7 +199,7 @@ class LumpedAndFiniteElements(ProgramTest):
                 pairs.append((b["surfaces"]["bore"][kind], results[f"/thermal/{name}/inner_ring"][:], results[f"/fe/{name}/bore"][:, column], (0.01, 0.05)))
                 pairs.append((b["surfaces"]["inner_raceway"][kind], results[f"/thermal/{name}/inner_contact"][:], results[f"/fe/{name}/inner_raceway"][:, column], (0.01, 0.05)))
             for column, surface in enumerate(GROWTH):
-                pairs.append((b["growth"][surface], results[f"/growth/lumped/{name}"][:, column], results[f"/growth/fe/{name}"][:, column], (1e-7, 0)))
+                pairs.append((b["growth"][surface], results[f"/growth/lumped/{name}"][:, column], results[f"/fe/{name}/elastic_growth"][:, column], (1e-7, 0)))
             for found, lumped, fe, (floor, part) in pairs:
                 difference = fe - lumped
                 allowed = numpy.maximum(floor, part * numpy.maximum(abs(lumped - 293.15), abs(fe - 293.15)))
@@ -223,14 +223,40 @@ class LumpedAndFiniteElements(ProgramTest):
 
     def test_air_gap_and_ball_play_follow_from_growth(self):
         for name, b, results, _ in self.bearings():
-            growth = {model: results[f"/growth/{model}/{name}"][:] for model in ("lumped", "fe")}
+            growth = {"lumped": results[f"/growth/lumped/{name}"][:], "fe": results[f"/fe/{name}/elastic_growth"][:]}
+            self.assertEqual(b["growth_by"], "elasticity")
             last = b["clearances"]["air_gap"]["at"][-1]
             # The circuit drives: its air gap is the one that the drop felt.
             self.assertAlmostEqual(last["lumped"], results[f"/bearings/{name}/clearance"][-1], delta=1e-13)
-            self.assertAlmostEqual(last["difference"], numpy.dot(growth["fe"][-1] - growth["lumped"][-1], [-1, 1, 0, 0, 0]), delta=1e-15)
+            self.assertAlmostEqual(last["difference"], numpy.dot(growth["fe"][-1] - growth["lumped"][-1], [-1, 1, 0, 0, 0, 0, 0]), delta=1e-15)
             lean = {"TB1": 1, "TB2": math.cos(math.radians(25))}[name]
-            play = numpy.dot(growth["fe"][-1], [0, 0, -lean, lean, -2])
-            self.assertAlmostEqual(b["clearances"]["ball_play_change"]["at"][-1]["fe"], play, delta=1e-15)
+            # Contact points lie at x_row -+ s (d/2) sin phi, s = +1 in the row at +x of an X pair, and move by x/W of their ring's widths; the
+            # rows' mean of s x_row is 8 mm for TB2.
+            side, half, apart, width = {"TB1": (0, 0, 0, 20e-3), "TB2": (math.sin(math.radians(25)), 4.7625e-3 * math.sin(math.radians(25)), 8e-3, 32e-3)}[name]
+            approach = [0, 0, lean, -lean, 2, side * (apart - half) / width, -side * (apart + half) / width]
+            for model in ("lumped", "fe"):
+                self.assertAlmostEqual(b["ball_approach"]["at"][-1][model], numpy.dot(growth[model][-1], approach), delta=1e-15)
+            self.assertAlmostEqual(b["clearances"]["ball_play_change"]["at"][-1]["fe"], -numpy.dot(growth["fe"][-1], approach), delta=1e-15)
+
+    def test_no_verdict_on_growth_goes_beyond_what_elasticity_allows(self):
+        """With growth by formula, which the finite elements' means feed too, the verdict is that of elasticity."""
+        for name, b, results, _ in self.bearings():
+            off = numpy.abs(results[f"/growth/lumped/{name}"][:] - results[f"/fe/{name}/elastic_growth"][:]) > 1e-7
+            ends = [surface for column, surface in enumerate(GROWTH) if not off[:, column].any()]
+            self.assertEqual([surface for surface in GROWTH if b["growth"][surface]["beyond_from"] is None], ends)
+            short = next(line for line in self.report["in_short"] if line.startswith(name + ": In short"))
+            growth = short.split("its growth, judged by elasticity")[1].split("its clearances")[0]
+            self.assertEqual("to the end of the run" in growth, not off.any(), short)
+            verdict = " ".join(line for line in self.report["verdict"] if line.startswith(name + ": Growth"))
+            self.assertIn("judged by elasticity", verdict)
+
+    def test_preload_at_rest_is_told_for_both_models(self):
+        for name, b, results, _ in self.bearings():
+            self.assertEqual(len(b["effect"]), {"TB1": 0, "TB2": 3}[name])
+            for entry in b["effect"]:
+                for model in ("lumped", "fe"):
+                    self.assertTrue(200 < entry[model]["preload"] < 800, entry)
+                    self.assertGreater(entry[model]["largest_ball_load"], 25)
 
     def test_the_first_impact_is_the_recorded_one(self):
         for name, b, results, _ in self.bearings():

@@ -3,6 +3,7 @@
 ROTORDROP_PROGRAM is the program under test. What needs the finite-element room is skipped where its module is not beside the program.
 """
 
+import json
 import pathlib
 import sys
 import unittest
@@ -11,10 +12,10 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, ProgramTest, content_of, settings  # noqa: E402
+from program import PARAMS, PROGRAM, ProgramTest, content_of, settings  # noqa: E402
 
 HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
-ELASTIC = 'thermal.models = ["lumped", "fe"]\nthermal.driver = "fe"\nthermal.expansion = "elastic"\n'
+ELASTIC = 'thermal.models = ["lumped", "fe"]\nthermal.driver = "fe"\nthermal.expansion = "elastic"\nthermal.growth_by_speed = "closed-form"\n'
 AMBIENT = 293.15
 SHAFT, BORE, INNER, OUTER, BALL, INNER_WIDTH, OUTER_WIDTH = range(7)  # columns of a growth
 # Where balls touch, d_m / 2 -+ d / 2 cos phi [m], and the sides of plain sections, the shoulders; widths.
@@ -34,6 +35,56 @@ def find(tree, key):
     return None
 
 
+def rotor_growth(speed):
+    """Solid shaft of the reference rotor's steel, 34.75 mm under both bearings: rho w^2 b^3 (1 - nu)/(4 E), mean over any length."""
+    rotor = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
+    material = rotor["materials"]["steel"] if "steel" in rotor.get("materials", {}) else rotor["material"]
+    E, nu, rho = material["E"], material["nu"], material["rho"]
+    return rho * speed**2 * 34.75e-3**3 * (1 - nu) / (4 * E)
+
+
+class GrowthBySpeed(ProgramTest):
+    """Without finite elements: closed forms, their energy and the preload."""
+
+    def run_case(self, output="out", **keys):
+        words = {"thermal__growth_by_speed": "closed-form", "thermal__expansion": "formula", "rotor__mass_proportional_alpha": "30 1/s", "run__end_time": "80 ms", **keys}
+        self.succeed("run", self.case(""), "-o", output, "--quiet", *settings(**words))
+        file = h5py.File(self.folder / output / "results.h5")
+        self.addCleanup(file.close)
+        return self.summary(output), file
+
+    def test_rings_and_rotor_grow_as_thin_discs(self):
+        _, file = self.run_case()
+        E, nu, rho, a, b = 2.0e11, 0.30, 7800.0, 35e-3, 39e-3
+        for bearing in ("TB1", "TB2"):
+            speed, by_speed = file[f"bearings/{bearing}/ring_speed"][:], file[f"bearings/{bearing}/expansion"][:] - file[f"growth/lumped/{bearing}"][:]
+            self.assertGreater(speed[-1], 350.0)
+            r, factor = INNER_CONTACT[bearing], rho * speed**2 / (8 * E)
+            np.testing.assert_allclose(by_speed[:, BORE], 2 * factor * a * ((3 + nu) * b**2 + (1 - nu) * a**2), rtol=0, atol=1e-15)
+            race = factor * r * ((3 + nu) * ((1 - nu) * (a**2 + b**2) + (1 + nu) * a**2 * b**2 / r**2) - (1 - nu**2) * r**2)
+            np.testing.assert_allclose(by_speed[:, INNER], race, rtol=0, atol=1e-15)
+            np.testing.assert_allclose(by_speed[:, INNER_WIDTH], -4 * nu * factor * WIDTH[bearing] * (a**2 + b**2), rtol=0, atol=1e-15)
+            np.testing.assert_allclose(by_speed[:, SHAFT], rotor_growth(file["rotor/spin_speed"][:]), rtol=0, atol=1e-15)
+
+    def test_a_braked_rotor_that_shrinks_keeps_the_energy(self):
+        """At 3 kN m the rotor loses its speed in 0.2 s, and 0.7 um of radius, under some kN: of the order of a mJ."""
+        summary, file = self.run_case(rotor__torque="-3000 N m", run__end_time="150 ms")
+        self.assertLess(file["rotor/spin_speed"][-1], 600.0)
+        self.assertLess(abs(summary["energy"]["residual"]), 3e-5)
+
+    def test_preload_at_the_end_is_that_of_the_bearing_by_itself(self):
+        """For the same growth and speed, under the force of the balls: by the history of the drop, and by the growth given to a drop without heat."""
+        _, file = self.run_case(run__end_time="0.15 s")
+        keys = settings(thermal__growth_by_speed="closed-form", thermal__expansion="formula", preload__history_under_load="true")
+        axes = [word for axis in ("growth", "interference", "inner_rise", "outer_rise") for word in ("--set", f"preload.map.{axis}=[]")]
+        done = self.succeed("preload", "reference.toml", "--bearing", "TB2", "-o", "alone", "--results", "out", *keys, *axes)
+        history = json.loads((self.folder / "alone/preload.json").read_text())["bearings"]["TB2"]["history"]
+        self.assertEqual(history["growth_by_speed"], "recorded", done.stdout)
+        self.assertGreater(file["bearings/TB2/ring_speed"][-1], 700.0)
+        recorded = file["bearings/TB2/preload"][-1]
+        self.assertAlmostEqual(history["preload"]["end"] / recorded, 1, delta=1e-3)
+
+
 class FaultyCases(ProgramTest):
     def fault(self, text):
         case = self.case(text)
@@ -44,7 +95,7 @@ class FaultyCases(ProgramTest):
         return " ".join(done.stderr.split())
 
     def test_elastic_growth_without_finite_elements_is_refused(self):
-        self.assertIn('thermal.expansion = "elastic" needs the finite elements, which do not run', self.fault('thermal.expansion = "elastic"\n'))
+        self.assertIn('thermal.expansion = "elastic" needs the finite elements, which do not run', self.fault('thermal.expansion = "elastic"\nthermal.growth_by_speed = "closed-form"\n'))
 
     def test_a_clearance_needs_windows(self):
         message = self.fault(ELASTIC + 'bearings.TB2.housing_fit = "-5 um"\n')
@@ -93,8 +144,10 @@ class ElasticGrowth(ProgramTest):
             np.testing.assert_allclose(by_speed[:, INNER_WIDTH], narrower, rtol=0, atol=1e-6 * bore.max())
             np.testing.assert_allclose(by_speed[:, BORE], bore, rtol=0, atol=1e-6 * bore.max())
             np.testing.assert_allclose(by_speed[:, INNER], race, rtol=0, atol=1e-6 * race.max())
-            for surface in (SHAFT, OUTER, BALL, OUTER_WIDTH):
+            for surface in (OUTER, BALL, OUTER_WIDTH):
                 np.testing.assert_array_equal(by_speed[:, surface], 0.0)
+            rotor = rotor_growth(file["rotor/spin_speed"][:])
+            np.testing.assert_allclose(by_speed[:, SHAFT], rotor, rtol=0, atol=1e-12)
         # What the ring's growth by its speed does to the contacts is booked, or this balance would miss it.
         self.assertLess(abs(summary["energy"]["residual"]), 1e-5)
 

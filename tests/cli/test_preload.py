@@ -165,7 +165,7 @@ class Preload(ProgramTest):
             self.assertAlmostEqual(quasi_static[peak] / recorded[peak], 1, delta=0.01)
 
     def test_growth_by_speed_is_that_of_a_thin_disc(self):
-        self.preload("neisi2019.toml", "--set", "preload.map.growth=[0, 1e-6]", "--set", "preload.map.speed=[0, 1500]")
+        self.preload("neisi2019.toml", "--set", "preload.map.growth=[0, 1e-6]", "--set", "preload.map.speed=[0, 1500]", "--set", "preload.growth_by_speed=thin-disc")
         growth = 7800 * 1500**2 * 39e-3 / (4 * 2e11) * (3.3 * 35e-3**2 + 0.7 * 39e-3**2)
         rest = self.statics("--set", f"statics.inner_growth={growth}")
         self.assertAlmostEqual(self.file()["/TB2/maps/growth/preload"][0, 1], rest["preload"], delta=1e-6)
