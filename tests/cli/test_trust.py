@@ -108,7 +108,7 @@ class FullDisks(ProgramTest):
             self.assertNotIn("fault of the program", done.stderr)
 
     def test_a_limit_of_file_size_is_a_failure_that_keeps_what_was_written(self):
-        command = ["bash", "-c", 'ulimit -f 6000; exec "$@"', "-", PROGRAM, "run", "reference.toml", "-o", "out", *settings(run__end_time="300 ms", output__interval="2 us")]
+        command = ["bash", "-c", 'ulimit -f 16000; exec "$@"', "-", PROGRAM, "run", "reference.toml", "-o", "out", *settings(run__end_time="300 ms", output__interval="2 us")]
         done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertRegex(done.stderr, "results.h5 could not be written .*File too large")
