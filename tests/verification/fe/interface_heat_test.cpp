@@ -30,6 +30,7 @@ TEST(HeatInAnInterface, DividesBetweenHalfSpacesByTheirEffusivities) {
   p.fluxes = {
       {.boundary = {0, HeatSide::right}, .times = {0.}, .values = {q}, .second = HeatBoundary{1, HeatSide::left}}};
   p.numerics.cells = 16;
+  p.numerics.growth = 1.25;
   p.numerics.tolerance = 1e-7;
   const auto solver = make_solver(p);
   solver->advance_to(t);
@@ -40,7 +41,7 @@ TEST(HeatInAnInterface, DividesBetweenHalfSpacesByTheirEffusivities) {
   EXPECT_NEAR(into_steel, q * area * t * e_1 / (e_1 + e_2), 1e-5 * q * area * t);
   const HeatEnergy e = solver->energy();
   EXPECT_NEAR(e.input, q * area * t, 1e-12 * e.input);
-  EXPECT_LT(std::fabs(e.residual()), 1e-10 * e.input);
+  EXPECT_LT(std::fabs(e.residual()), 1e-9 * e.input);  // roundoff of an interface 1e6 times stiffer than the cells
 }
 
 struct Cylinders {
