@@ -66,21 +66,27 @@ class PropertyTable {
 /// A ring: rectangular, unless the problem has a mesh.
 struct HeatBody {
   std::string name;
-  std::array<double, 2> x{}, r{};  ///< extent [m], rising; r >= 0; of a rectangle
-  double density = 0;              ///< [kg/m3]
-  PropertyTable conductivity;      ///< [W/(m K)]
-  PropertyTable heat_capacity;     ///< [J/(kg K)]
+  std::array<double, 2> x{}, r{};      ///< extent [m], rising; r >= 0; of a rectangle
+  double density = 0;                  ///< [kg/m3]
+  PropertyTable conductivity;          ///< [W/(m K)]
+  PropertyTable heat_capacity;         ///< [J/(kg K)]
+  std::optional<double> held_at = {};  ///< temperature at which all of it is held from the start on [K]
 };
 
 /// A function of place and time, f(x, r, t): tests with manufactured solutions use these.
 using HeatFunction = std::function<double(double x, double r, double t)>;
 
-/// Heat into a boundary [W/m2], on the part of it that no interface covers. Several on one boundary add up.
+/// Heat into a boundary [W/m2], on the part of it that no interface covers; or into an interface, where its two boundaries lie on each other.
+/// Several on one boundary add up.
 struct HeatFlux {
   HeatBoundary boundary;
   std::vector<double> times,
       values;  ///< values[i] holds from times[i] to times[i + 1]; nothing before the first, the last one for ever
-  HeatFunction function = {};  ///< added to that
+  HeatFunction function = {};               ///< added to that
+  std::optional<HeatBoundary> second = {};  ///< of an interface between `boundary` and this one
+  /// Of an interface: where in its resistance the heat arises, as the part of it that lies on the second's side. While both sides have one temperature,
+  /// this part of the heat enters `boundary`.
+  double resistance_beyond = 0.5;
 };
 
 /// A boundary that is held at a temperature [K] from the start on, on the part of it that no interface covers. Where two of them meet the first counts.
@@ -128,9 +134,11 @@ enum class HeatLinearSolver { direct, multigrid };
 
 /// Mesh and accuracy in time.
 struct HeatNumerics {
-  int degree = 2;           ///< of the elements
-  int cells = 8;            ///< across the smallest body, per direction, where nothing grades them
-  double grading = 30;      ///< cells at boundaries with flux are this many times thinner
+  int degree = 2;       ///< of the elements
+  int cells = 8;        ///< across the smallest body, per direction, where nothing grades them
+  double grading = 30;  ///< cells at boundaries with flux are this many times thinner
+  double end_grading =
+      1;  ///< cells at ends of interfaces inside a side are this many times thinner, in both directions; rectangles
   double growth = 1.5;      ///< largest ratio of neighbouring cells
   double tolerance = 1e-6;  ///< error of one step over the largest change of temperature
   double fixed_step = 0;    ///< [s]; if positive, steps of this length without error control

@@ -21,6 +21,7 @@
 #include "io/recorder.h"
 #include "io/sha256.h"
 #include "study/drop_fields.h"
+#include "study/kelvin_check.h"
 #include "study/results_folder.h"
 #include "study/row_schedule.h"
 #include "study/run_end.h"
@@ -162,6 +163,7 @@ class DropRun {
       fits_.emplace(windows_->observables(), 0, true);
     else
       fits_.emplace(machine.state_observables(), n_step_, false);
+    kelvin_.emplace(machine.state_observables(), n_step_);
     averaging_start_ = std::max(end_time_ - averaging_time, 0.);
     impulse_.assign(scalars_.size(), 0.);
     for (const auto& entry : machine.layout().entries()) entry_names_.push_back(entry.name);
@@ -429,6 +431,7 @@ class DropRun {
     std::copy(step_.begin(), step_.end(), row_.begin());
     machine_.observe_state(t, y, std::span(row_).subspan(n_step_));
     if (!windows_) fits_->look(t, row_, options_.tell);
+    kelvin_->require_above_zero(t, row_);
     recorder_->append(0, t, row_);
     rows_.written(t);
     if (t == 0. && n_detail_ > 0) record_details(t, y);
@@ -634,6 +637,7 @@ class DropRun {
   std::vector<double> window_rates_;
   std::vector<double> window_row_;
   std::optional<FitWatch> fits_;
+  std::optional<KelvinCheck> kelvin_;
 
   struct RecentImpulse {
     double time;                  // [s]

@@ -17,6 +17,7 @@
 #include "io/toml_reader.h"
 #include "machine/machine_parameters.h"
 #include "study/fe_module.h"
+#include "study/heat_displacements.h"
 #include "study/recorded_heat.h"
 #include "study/results_folder.h"
 
@@ -40,6 +41,7 @@ Recorder make_recorder(const HeatCase& heat_case, const HeatRunOptions& options)
                                probe.boundary ? "mean temperature of a boundary" : "temperature at a point",
                                1,
                                {}});
+  if (heat_case.study.elastic) append_displacement_channels(*heat_case.study.elastic, series.channels);
   const RecordHeader header{{{"program", std::string("rotordrop ") + version()},
                              {"git_revision", git_revision()},
                              {"hdf5_version", hdf5_version()},
@@ -112,6 +114,8 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   // The module first: where it is missing, nothing is written.
   const double start_0 = cpu_seconds();
   const auto solver = make_heat_solver(study.problem);
+  std::optional<HeatDisplacements> displacements;
+  if (study.elastic) displacements.emplace(*study.elastic, *solver);
   std::optional<Recorder> recorder;
   std::optional<FieldSeries> fields;
   const FieldTimes field_times(study.field_times, study.field_interval);
@@ -150,9 +154,10 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
       break;
     }
     solver->advance_to(t);
-    const auto values = probe_values(*solver, study.probes);
+    auto values = probe_values(*solver, study.probes);
     times.push_back(t);
     for (std::size_t i = 0; i < values.size(); ++i) series[i].push_back(values[i]);
+    if (displacements) displacements->observe(*solver, values);
     if (recorder) recorder->append(0, t, values);
   }
   const double end = cpu_seconds();
@@ -162,6 +167,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   j["probes"] = Json::object();
   for (std::size_t i = 0; i < study.probes.size(); ++i)
     j["probes"][study.probes[i].name] = {{"time", times}, {"temperature", series[i]}};
+  if (displacements) displacements->report(times, j);
   const HeatEnergy e = solver->energy();
   j["energy"] = {{"input", e.input}, {"stored", e.stored}, {"lost", e.lost}, {"residual", e.residual()}};
   const HeatStatistics s = solver->statistics();
@@ -200,6 +206,18 @@ std::string heat_summary_text(const Json& j) {
     if (!probe["time"].empty())
       text += fmt::format("{}: {:.4f} K at {:.6g} s\n", name, probe["temperature"].back().get<double>(),
                           probe["time"].back().get<double>());
+  if (j.contains("displacements"))
+    for (const auto& [name, place] : j["displacements"].items())
+      if (!place["time"].empty())
+        text += fmt::format("{}: moved {:.4g} um along the axis, {:.4g} um by radius at {:.6g} s\n", name,
+                            place["axial"].back().get<double>() * 1e6, place["radial"].back().get<double>() * 1e6,
+                            place["time"].back().get<double>());
+  if (j.contains("fits"))
+    for (const auto& [name, fit] : j["fits"].items())
+      if (!fit["time"].empty())
+        text += fmt::format("{}: mean pressure {:.4g} MPa, {:.3g} % open at {:.6g} s\n", name,
+                            fit["mean_pressure"].back().get<double>() * 1e-6,
+                            fit["open_fraction"].back().get<double>() * 100., fit["time"].back().get<double>());
   const auto& e = j["energy"];
   text +=
       fmt::format("Energy: {:.6g} J in, {:.6g} J stored, {:.6g} J lost, residual {:.1e} J\n", e["input"].get<double>(),

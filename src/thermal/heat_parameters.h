@@ -8,6 +8,8 @@
 
 #include "base/parameters.h"
 #include "model/heat_conduction.h"
+#include "model/thermo_elasticity.h"
+#include "thermal/heat_growth_parameters.h"
 #include "thermal/heat_history.h"
 
 /// The keys of a case of heat conduction alone (`rotordrop heat`), and the problem that they state.
@@ -24,12 +26,13 @@ struct HeatMaterialParameters {
   double rho = 0;
   std::optional<double> k, c;
   std::optional<std::vector<std::array<double, 2>>> k_table, c_table;  ///< pairs of temperature [K] and value
-  std::optional<double> E, nu, alpha;                                  ///< not used
+  std::optional<double> E, nu, alpha;                                  ///< for displacements
 };
 
 struct HeatRectangleParameters {
   std::string name, material;
   std::array<double, 2> x{}, r{};
+  std::optional<double> temperature;  ///< [K]
 };
 struct HeatSectionParameters {
   std::vector<HeatRectangleParameters> rectangles;
@@ -45,7 +48,9 @@ PulseTrain pulse_train(const HeatPulseParameters& pulse);
 
 /// One of three: times and values, pulse, recorded.
 struct HeatFluxParameters {
-  std::string boundary;
+  std::optional<std::string> boundary;
+  std::vector<std::string> between;         ///< instead of that, the two of an interface
+  std::optional<double> resistance_beyond;  ///< of an interface
   std::vector<double> times, values;
   std::optional<HeatPulseParameters> pulse;
   std::optional<std::string> recorded, bearing, heat;  ///< a results.h5, and which heat in it
@@ -71,7 +76,7 @@ struct HeatProbeParameters {
 };
 struct HeatNumericsParameters {
   int degree = 2, cells = 8;
-  double grading = 0, growth = 0, time_tolerance = 0;
+  double grading = 0, end_grading = 0, growth = 0, time_tolerance = 0;
   HeatLinearSolver solver = HeatLinearSolver::direct;
 };
 
@@ -87,6 +92,10 @@ struct HeatParameters {
   std::vector<double> output_times, field_times;
   std::optional<double> field_interval;
   HeatNumericsParameters fe;
+  HeatElasticParameters elastic;
+  std::vector<HeatFitParameters> fits;
+  std::vector<HeatHoldParameters> holds;
+  std::vector<DisplacementParameters> displacements;
 };
 Section<HeatParameters> heat_section(const Node& default_materials);
 
@@ -98,6 +107,12 @@ struct HeatProbe {
   double x = 0, r = 0;
 };
 
+/// Displacements under the temperatures of a study.
+struct HeatElasticStudy {
+  ElasticProblem problem;                ///< without its mesh, which is that of conduction
+  std::vector<HeatProbe> displacements;  ///< mean over a boundary, or at a point
+};
+
 /// A problem with what is wanted of it.
 struct HeatStudy {
   HeatConductionProblem problem;
@@ -105,6 +120,7 @@ struct HeatStudy {
   std::vector<double> output_times;  ///< rising; [run] end_time is the last of them
   std::vector<double> field_times;   ///< rising
   double field_interval = 0;         ///< [s]; 0: none
+  std::optional<HeatElasticStudy> elastic;
 };
 
 /// Which heat of an earlier drop.

@@ -39,6 +39,36 @@ void divide(double a, double b, const auto& size, std::vector<double>& lines) {
   lines.push_back(b);
 }
 
+struct Demands {
+  std::vector<GridDemand> x, r;
+};
+
+// Where an interface ends inside a side, the flux has a corner's singularity: of r^(-1/3) between bodies without contact resistance, logarithmic with
+// some. Cells get thinner towards that point from all directions.
+void add_ends_of_interfaces(const HeatConductionProblem& problem, Demands& demands) {
+  const auto& n = problem.numerics;
+  if (n.end_grading <= 1.) return;
+  for (const auto& interface : problem.interfaces) {
+    const auto &one = problem.bodies.at(interface.first.body), &two = problem.bodies.at(interface.second.body);
+    const bool is_face = interface.first.side == HeatSide::left || interface.first.side == HeatSide::right;
+    const auto &along_1 = is_face ? one.r : one.x, &along_2 = is_face ? two.r : two.x;
+    const double at = interface.first.side == HeatSide::left    ? one.x[0]
+                      : interface.first.side == HeatSide::right ? one.x[1]
+                      : interface.first.side == HeatSide::inner ? one.r[0]
+                                                                : one.r[1];
+    // The smaller of the two bodies rules, by its smaller side.
+    double size = std::numeric_limits<double>::infinity();
+    for (const auto* body : {&one, &two}) size = std::min({size, body->x[1] - body->x[0], body->r[1] - body->r[0]});
+    const double thin = size / n.cells / n.end_grading, same = 1e-6 * size;
+    for (const std::size_t end : {0, 1}) {
+      if (std::fabs(along_1[end] - along_2[end]) <= same) continue;
+      const double where = end == 0 ? std::max(along_1[0], along_2[0]) : std::min(along_1[1], along_2[1]);
+      (is_face ? demands.r : demands.x).push_back({where, where, thin});
+      (is_face ? demands.x : demands.r).push_back({at, at, thin});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<double> grid_lines(std::vector<double> ends, const std::vector<GridDemand>& demands, double growth) {
@@ -58,7 +88,8 @@ std::vector<double> grid_lines(std::vector<double> ends, const std::vector<GridD
 Grid make_grid(const HeatConductionProblem& problem) {
   const auto& n = problem.numerics;
   std::vector<double> x, r;
-  std::vector<GridDemand> demands_x, demands_r;
+  Demands demands;
+  auto &demands_x = demands.x, &demands_r = demands.r;
   for (const auto& body : problem.bodies) {
     x.insert(x.end(), body.x.begin(), body.x.end());
     r.insert(r.end(), body.r.begin(), body.r.end());
@@ -66,7 +97,10 @@ Grid make_grid(const HeatConductionProblem& problem) {
     demands_r.push_back({body.r[0], body.r[1], (body.r[1] - body.r[0]) / n.cells});
   }
   std::vector<HeatBoundary> heated;
-  for (const auto& flux : problem.fluxes) heated.push_back(flux.boundary);
+  for (const auto& flux : problem.fluxes) {
+    heated.push_back(flux.boundary);
+    if (flux.second) heated.push_back(*flux.second);
+  }
   for (const auto& fixed : problem.fixed) heated.push_back(fixed.boundary);
   for (const auto& port : problem.ports) heated.insert(heated.end(), port.boundaries.begin(), port.boundaries.end());
   for (const auto& boundary : heated) {
@@ -91,6 +125,7 @@ Grid make_grid(const HeatConductionProblem& problem) {
         break;  // rectangles have none
     }
   }
+  add_ends_of_interfaces(problem, demands);
   return {grid_lines(x, demands_x, n.growth), grid_lines(r, demands_r, n.growth)};
 }
 

@@ -20,7 +20,8 @@ std::vector<double> grid_lines(std::vector<double> ends, const std::vector<GridD
 struct Grid {
   std::vector<double> x, r;
 };
-/// Every body wants numerics.cells across itself; a boundary with flux wants them numerics.grading times thinner.
+/// Every body wants numerics.cells across itself; a boundary with flux wants them numerics.grading times thinner, the end of an interface inside a
+/// side numerics.end_grading times.
 Grid make_grid(const HeatConductionProblem& problem);
 
 }  // namespace rotordrop

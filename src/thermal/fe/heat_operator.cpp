@@ -118,6 +118,20 @@ void HeatOperator::make_ports() {
 void HeatOperator::find_held_unknowns() {
   std::vector<bool> is_taken(size());
   Indices dofs(fe_.dofs_per_cell);
+  for (std::size_t b = 0; b < problem_.bodies.size(); ++b) {
+    if (!problem_.bodies[b].held_at) continue;
+    Held held{{}, *problem_.bodies[b].held_at};
+    for (const auto& cell : cells_) {
+      if (cell->material_id() != b) continue;
+      cell->get_dof_indices(dofs);
+      for (const auto i : dofs) {
+        if (is_taken[i]) continue;
+        is_taken[i] = true;
+        held.dofs.push_back(static_cast<unsigned int>(i));
+      }
+    }
+    held_.push_back(std::move(held));
+  }
   for (const auto& fixed : problem_.fixed) {
     Held held{{}, fixed.temperature};
     for (const auto& face : free_faces_of(fixed.boundary)) {
@@ -318,12 +332,25 @@ void HeatOperator::assemble_boundaries() {
         }
       conductance_.add(dofs, film);
     }
-  for (const auto& flux : problem_.fluxes) {
-    FluxLoad load{&flux, free_faces_of(flux.boundary), {}, 0., 0.};
-    load.unit = integral_over(load.faces);
-    for (const auto& face : load.faces) load.area += mesh_.area(face);
-    loads_.push_back(std::move(load));
+  for (const auto& flux : problem_.fluxes) loads_.push_back(flux_load(flux));
+}
+
+// Heat q that arises within the resistance R of an interface, R s of which lie on its second side: with the temperature T_0 of that place,
+//   q_1 = (T_0 - T_1)/(R (1 - s)),  q_2 = (T_0 - T_2)/(R s),  q_1 + q_2 = q   give   q_1 = s q + (T_2 - T_1)/R,  q_2 = (1 - s) q + (T_1 - T_2)/R.
+HeatOperator::FluxLoad HeatOperator::flux_load(const HeatFlux& flux) const {
+  FluxLoad load{&flux, {}, {}, 0., 0.};
+  if (flux.second) {
+    for (const auto& [first, second] : mesh_.pairs_of(flux.boundary, *flux.second)) {
+      load.faces.push_back(first);
+      load.second_faces.push_back(second);
+    }
+  } else {
+    load.faces = free_faces_of(flux.boundary);
   }
+  load.unit.reinit(size());
+  on_sides(load, [&](const std::vector<Face>& faces, double part) { load.unit.add(part, integral_over(faces)); });
+  for (const auto& face : load.faces) load.area += mesh_.area(face);
+  return load;
 }
 
 void HeatOperator::assemble_nodes_and_links() {
@@ -440,15 +467,17 @@ void HeatOperator::add_functions(double t, Vector& out) const {
   for (const auto& load : loads_) {
     if (!load.flux->function) continue;
     dealii::FEFaceValues<2> fe(mapping_, fe_, face_quadrature_, face_flags);
-    for (const auto& face : load.faces) {
-      fe.reinit(face.cell, face.number);
-      face.cell->get_dof_indices(dofs);
-      for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
-        const auto& p = fe.quadrature_point(q);
-        const double heat = load.flux->function(p[0], p[1], t) * weight(fe, q);
-        for (unsigned int i = 0; i < dofs.size(); ++i) out(dofs[i]) += heat * fe.shape_value(i, q);
+    on_sides(load, [&](const std::vector<Face>& faces, double part) {
+      for (const auto& face : faces) {
+        fe.reinit(face.cell, face.number);
+        face.cell->get_dof_indices(dofs);
+        for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
+          const auto& p = fe.quadrature_point(q);
+          const double heat = part * load.flux->function(p[0], p[1], t) * weight(fe, q);
+          for (unsigned int i = 0; i < dofs.size(); ++i) out(dofs[i]) += heat * fe.shape_value(i, q);
+        }
       }
-    }
+    });
   }
 }
 
@@ -516,9 +545,12 @@ std::string HeatOperator::strongest_cooling(unsigned int dof, double t) const {
     words = fmt::format("{} takes {:.4g} W out; {}", what, -power, advice);
   };
   for (const auto& load : loads_) {
-    const HeatBoundary& b = load.flux->boundary;
+    const auto name = [&](const HeatBoundary& b) {
+      return problem_.bodies[b.body].name + "." + sides[static_cast<std::size_t>(b.side)];
+    };
     look_at(load.held * load.area, load.unit(dof) != 0.,
-            "The flux on boundary " + problem_.bodies[b.body].name + "." + sides[static_cast<std::size_t>(b.side)],
+            load.flux->second ? "The flux between " + name(load.flux->boundary) + " and " + name(*load.flux->second)
+                              : "The flux on boundary " + name(load.flux->boundary),
             "no boundary can give off so much for so long: check its negative values.");
   }
   for (const auto& port : ports_)
@@ -651,7 +683,14 @@ double HeatOperator::expected_rise(double duration) const {
     return 2. * std::fabs(flux) * std::sqrt(t / (pi * k * rho_c));
   };
   double rise = 0.;
-  for (const auto& load : loads_) rise = std::max(rise, half_space(load.flux->boundary, load.held));
+  for (const auto& load : loads_) {
+    double here = half_space(load.flux->boundary, load.held);
+    if (load.flux->second && here > 0.) {
+      const double beyond = half_space(*load.flux->second, load.held);
+      here *= beyond / (here + beyond);  // without contact resistance
+    }
+    rise = std::max(rise, here);
+  }
   for (std::size_t p = 0; p < ports_.size(); ++p) {
     const auto& port = problem_.ports[p];
     const double largest = std::max(std::fabs(ports_[p].held), std::fabs(ports_[p].held + ports_[p].rate * duration));

@@ -38,7 +38,7 @@ class HeatOperator {
   [[nodiscard]] bool is_symmetric() const;
   void initial_temperature(Vector& T) const;
 
-  /// A boundary that is held at a temperature. An unknown that two of them share belongs to the first.
+  /// A body or boundary that is held at a temperature. An unknown that two of them share belongs to the first.
   struct Held {
     std::vector<unsigned int> dofs;
     double temperature = 0;  ///< [K]
@@ -117,10 +117,21 @@ class HeatOperator {
   struct FluxLoad {
     const HeatFlux* flux = nullptr;
     std::vector<Face> faces;
-    Vector unit;      ///< integral v
-    double area = 0;  ///< [m2]
-    double held = 0;  ///< [W/m2]
+    Vector unit;                          ///< integral v
+    double area = 0;                      ///< [m2]
+    double held = 0;                      ///< [W/m2]
+    std::vector<Face> second_faces = {};  ///< of an interface: its other side
+    [[nodiscard]] double part(bool is_second) const {
+      if (!flux->second) return 1.;
+      return is_second ? 1. - flux->resistance_beyond : flux->resistance_beyond;
+    }
   };
+  [[nodiscard]] FluxLoad flux_load(const HeatFlux& flux) const;
+  /// f(faces, their part of the heat) for each side of a flux.
+  static void on_sides(const FluxLoad& load, const auto& f) {
+    f(load.faces, load.part(false));
+    if (load.flux->second) f(load.second_faces, load.part(true));
+  }
   struct Port {
     std::string name;
     Vector weights;   ///< integral v / area; sums to 1

@@ -1,0 +1,27 @@
+#include "study/kelvin_check.h"
+
+#include <fmt/format.h>
+
+#include "base/errors.h"
+
+namespace rotordrop {
+
+KelvinCheck::KelvinCheck(const std::vector<Observable>& observables, std::size_t first) {
+  for (const auto& o : observables) {
+    const bool is_temperature = o.unit == "K" && (o.name.starts_with("/fe/") || o.name.starts_with("/thermal/"));
+    for (std::size_t i = 0; is_temperature && i < o.size; ++i)
+      places_.push_back({first + i, o.columns.empty() ? o.name : o.name + " (" + o.columns[i] + ")"});
+    first += o.size;
+  }
+}
+
+void KelvinCheck::require_above_zero(double time, std::span<const double> row) const {
+  for (const auto& place : places_)
+    if (!(row[place.at] > 0.))
+      throw SolverError(
+          fmt::format("{} is cooled below 0 K at t = {:.6g} s: it would be {:.4g} K. Nothing can give off "
+                      "so much heat: check run.ambient, and the heat and resistances of that bearing.",
+                      place.name, time, row[place.at]));
+}
+
+}  // namespace rotordrop
