@@ -22,6 +22,7 @@ constexpr double rpm = std::numbers::pi / 30., ambient = 293.15;
 Case reference(std::vector<std::string> overrides = {}) {
   overrides.insert(overrides.begin(), {"thermal.expansion=formula", "thermal.contact_conduction=fixed",
                                        "thermal.spreading=none", "thermal.shaft=lump"});
+  overrides.insert(overrides.begin(), "thermal.growth_by_speed=closed-form");
   return read_case(std::string(ROTORDROP_SOURCE_DIR) + "/params/neisi2019.toml", overrides);
 }
 
