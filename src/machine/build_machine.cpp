@@ -541,8 +541,8 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
     if (const auto* b = entry.touchdown()) {
       auto data = touchdown_data_of(p, entry.name, *b);
       if (grows_by_speed)
-        data.centrifugal_growth = is_elastic ? finite_elements->sections[n_places].elastic->per_speed_squared()
-                                             : ring_growth_by_speed(p, *b);
+        data.centrifugal_growth =
+            is_elastic ? finite_elements->sections[n_places].elastic->per_speed_squared() : ring_growth_by_speed(p, *b);
       parts.rotor_growth_by_speed.push_back(grows_by_speed ? rotor_growth_by_speed(p, *b) : 0.);
       auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
       std::vector<double> state(bearing->state_entries().size());

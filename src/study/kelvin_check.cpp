@@ -18,10 +18,11 @@ KelvinCheck::KelvinCheck(const std::vector<Observable>& observables, std::size_t
 void KelvinCheck::require_above_zero(double time, std::span<const double> row) const {
   for (const auto& place : places_)
     if (!(row[place.at] > 0.))
-      throw SolverError(
-          fmt::format("{} is cooled below 0 K at t = {:.6g} s: it would be {:.4g} K. Nothing can give off "
-                      "so much heat: check run.ambient, and the heat and resistances of that bearing.",
-                      place.name, time, row[place.at]));
+      throw SolverError(fmt::format(
+          "{} is cooled below 0 K at t = {:.6g} s: it would be {:.4g} K. Nothing can give off "
+          "so much heat.\n       Often the step is too long for the stiffest contact; else check run.ambient, "
+          "and the heat and resistances of that bearing.",
+          place.name, time, row[place.at]));
 }
 
 }  // namespace rotordrop

@@ -36,8 +36,11 @@ std::vector<Observable> housing_fit_observables(const std::string& path) {
 }
 
 Observable row_growth_observable(const std::string& path, std::size_t n_rows) {
-  Observable o{path + "row_growth", "m",
-               "what each row's inner contact points move more than the outer ones by heat, by elasticity", 2 * n_rows, {}};
+  Observable o{path + "row_growth",
+               "m",
+               "what each row's inner contact points move more than the outer ones by heat, by elasticity",
+               2 * n_rows,
+               {}};
   for (std::size_t row = 1; row <= n_rows; ++row)
     for (const char* way : {"radial", "axial"}) o.columns.push_back("row " + std::to_string(row) + " " + way);
   return o;

@@ -183,7 +183,9 @@ class Displacements(ProgramTest):
 
     def test_a_cold_ring_comes_loose_in_a_warm_housing(self):
         summary = self.heat(RINGS.replace("343.15 K", "293.15 K").replace("303.15 K", "343.15 K"))
-        self.assertEqual(summary["fits"]["seat"], {"time": [1], "mean_pressure": [0], "open_fraction": [1]})
+        seat = summary["fits"]["seat"]
+        self.assertEqual((seat["time"], seat["mean_pressure"]), ([1], [0]))
+        self.assertAlmostEqual(seat["open_fraction"][0], 1, delta=1e-12)
         self.assertAlmostEqual(summary["displacements"]["bore"]["radial"][-1], 0, delta=1e-14)
         self.assertAlmostEqual(summary["displacements"]["rim"]["radial"][-1], 23e-6 * 60e-3 * 50, delta=1e-12)
 

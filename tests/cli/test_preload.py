@@ -62,7 +62,7 @@ class Preload(ProgramTest):
         self.assertAlmostEqual(file["/TB2/operating_points/highest_temperature"][-1, 0], 423.15, delta=0.1)
 
     def test_of_the_published_circuit_two_points_meet_at_the_critical_speed(self):
-        published = ["--set", "thermal.contact_conduction=fixed", "--set", "thermal.spreading=none", "--set", "thermal.shaft=lump", "--set", "preload.speed=3000 rpm"]
+        published = ["--set", "thermal.contact_conduction=fixed", "--set", "thermal.spreading=none", "--set", "thermal.shaft=lump", "--set", "preload.speed=4000 rpm"]
         running = self.preload("neisi2019-preload.toml", *NO_MAPS, *published)["running"]
         stable, unstable = running["operating_points"]
         self.assertLess(stable["loop_gain"], 1)
