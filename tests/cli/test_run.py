@@ -234,7 +234,7 @@ class Results(ProgramTest):
         self.assertEqual(first, again)
 
     def test_results_can_be_read_while_the_run_goes_on(self):
-        process = start("run", "reference.toml", "-o", "out", *settings(run__end_time="0.1 s", integration__method="runge-kutta-4", integration__step="0.25 us"),
+        process = start("run", "reference.toml", "-o", "out", *settings(run__end_time="2 s", integration__method="runge-kutta-4", integration__step="0.25 us"),
                         cwd=self.folder)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
