@@ -53,7 +53,7 @@ void look_at_values(const CaseParameters& p, const Node& tree, std::vector<Fault
   look(run, "run", "initial_speed", speed, between(-6500, 6500), "rad/s",
        fmt::format("A bare number is in rad/s: {:.6g} rad/s is {:.0f} rpm. If rpm is meant, write \"{:.6g} rpm\".",
                    speed, speed * 30. / std::numbers::pi, speed));
-  look(run, "run", "end_time", p.run.end_time, between(1e-5, 600), "s", "A bare number is in seconds.");
+  look(run, "run", "end_time", p.run.end_time, between(1e-5, 1e4), "s", "A bare number is in seconds.");
   look(run, "run", "ambient", p.run.ambient, between(200, 500), "K",
        "A bare number is in kelvin: if degrees Celsius are meant, write \"20 degC\".");
   look(contact, "contact", "air_gap", p.contact.air_gap, gaps, "m", gap_slip);
