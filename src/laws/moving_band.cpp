@@ -7,8 +7,10 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "laws/arc_cells.h"
+#include "laws/root_kernel.h"
 
 namespace rotordrop {
 namespace {
@@ -139,17 +141,9 @@ std::size_t SweptArcHistory::cells_for(double radius, double half_width) {
 SweptArcHistory::SweptArcHistory(const BoreSurface& surface, const Options& options, double start_time)
     : surface_(surface), slot_of_cell_(options.n_cells, untouched) {
   state_.time = start_time;
-  // 1/sqrt(s) = pi^(-1/2) sum H e^(z/2) exp(-s e^z) over z = z_0 + j H; error 2 sqrt(2) exp(-pi^2/H) of it. Terms that have died at the shortest
-  // interval are left out; those that do not change within the duration are one constant.
-  constexpr double H = 1.1;
-  const double lowest = std::log(4e-3 / options.duration), highest = std::log(10. / options.shortest_interval);
-  const auto weight = [](double z) { return H / std::sqrt(pi) * std::exp(0.5 * z); };
-  rate_.push_back(0.);
-  weight_.push_back(weight(lowest - H) / (1. - std::exp(-0.5 * H)));
-  for (double z = lowest; z < highest + H; z += H) {
-    rate_.push_back(std::exp(z));
-    weight_.push_back(weight(z));
-  }
+  RootKernel kernel(options.duration, options.shortest_interval);
+  rate_ = std::move(kernel.rate);
+  weight_ = std::move(kernel.weight);
   decay_.resize(rate_.size());
   gain_.resize(rate_.size());
   memory_.resize(rate_.size());

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "laws/arc_cells.h"
+#include "laws/root_kernel.h"
 
 namespace rotordrop {
 namespace {
@@ -24,16 +26,9 @@ TrackMemory::TrackMemory(const RubbedBody& body, std::size_t n_cells, double axi
       fresh_(n_cells, 0.),
       interval_(shortest_interval),
       is_kept_(n_kept, 0) {
-  // 1/sqrt(s) = pi^(-1/2) sum H e^(z/2) exp(-s e^z) over z = z_0 + j H, as in SweptArcHistory.
-  constexpr double H = 1.1;
-  const double lowest = std::log(4e-3 / duration), highest = std::log(10. / shortest_interval);
-  const auto weight = [](double z) { return H / std::sqrt(pi) * std::exp(0.5 * z); };
-  rate_.push_back(0.);
-  weight_.push_back(weight(lowest - H) / (1. - std::exp(-0.5 * H)));
-  for (double z = lowest; z < highest + H; z += H) {
-    rate_.push_back(std::exp(z));
-    weight_.push_back(weight(z));
-  }
+  RootKernel kernel(duration, shortest_interval);
+  rate_ = std::move(kernel.rate);
+  weight_ = std::move(kernel.weight);
   memory_.assign(n_cells * rate_.size(), 0.);
   gain_.resize(rate_.size());
   decay_.resize(rate_.size());

@@ -53,10 +53,9 @@ Section<HeatHoldParameters> heat_hold_section() {
   return s;
 }
 
-Section<DisplacementParameters> displacement_section() {
-  using P = DisplacementParameters;
-  Section<P> s("displacement",
-               "An axial and radial displacement that is reported: at a point (x, r), or the mean of a boundary.");
+Section<HeatPlaceParameters> heat_place_section(const std::string& name, const std::string& sentence) {
+  using P = HeatPlaceParameters;
+  Section<P> s(name, sentence);
   s.text("name", &P::name, {.help = "Its name in the results."});
   s.quantity("x", &P::x, {.unit = "m", .help = "Of the point."});
   s.quantity("r", &P::r, {.unit = "m", .help = "Of the point."});
@@ -71,6 +70,12 @@ Section<DisplacementParameters> displacement_section() {
       faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a slash in it.");
   });
   return s;
+}
+
+Section<DisplacementParameters> displacement_section() {
+  return heat_place_section(
+      "displacement",
+      "An axial and radial displacement that is reported: at a point (x, r), or the mean of a boundary.");
 }
 
 }  // namespace rotordrop

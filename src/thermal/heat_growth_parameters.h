@@ -25,16 +25,19 @@ struct HeatHoldParameters {
   std::string boundary;
   HoldDirection direction = HoldDirection::both;
 };
-/// Of a point, or the mean of a boundary.
-struct DisplacementParameters {
+/// Where a quantity is reported: at a point, or as the mean of a boundary.
+struct HeatPlaceParameters {
   std::string name;
   std::optional<double> x, r;
   std::optional<std::string> body, boundary;
 };
+using DisplacementParameters = HeatPlaceParameters;
 Section<HeatElasticParameters> heat_elastic_section();
 Section<HeatFitParameters> heat_fit_section();
 Section<HeatHoldParameters> heat_hold_section();
 Section<DisplacementParameters> displacement_section();
+/// @param name, sentence  name and description of its table in parameter files
+Section<HeatPlaceParameters> heat_place_section(const std::string& name, const std::string& sentence);
 
 /// Reads `between`: two names of boundaries.
 /// @param table  name of the table in messages

@@ -239,22 +239,7 @@ Section<HeatInterfaceParameters> interface_section() {
 }
 
 Section<HeatProbeParameters> probe_section() {
-  using P = HeatProbeParameters;
-  Section<P> s("probe", "A temperature that is reported: at a point (x, r), or the mean of a boundary.");
-  s.text("name", &P::name, {.help = "Its name in the results."});
-  s.quantity("x", &P::x, {.unit = "m", .help = "Of the point."});
-  s.quantity("r", &P::r, {.unit = "m", .help = "Of the point."});
-  s.text("body", &P::body,
-         {.help = "Which body is meant where two meet; the first one that holds the point if left out."});
-  s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right: the mean over its area."});
-  s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
-    const bool point = p.x && p.r;
-    if (point == p.boundary.has_value() || p.x.has_value() != p.r.has_value())
-      faults.add(position_of(table, "name"), path + " (\"" + p.name + "\") needs either x and r, or boundary.");
-    if (p.name.empty() || p.name.find('/') != std::string::npos)
-      faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a slash in it.");
-  });
-  return s;
+  return heat_place_section("probe", "A temperature that is reported: at a point (x, r), or the mean of a boundary.");
 }
 
 Section<HeatNumericsParameters> numerics_section() {

@@ -69,11 +69,7 @@ struct HeatInterfaceParameters {
   std::vector<std::string> between;
   double resistance = 0;
 };
-struct HeatProbeParameters {
-  std::string name;
-  std::optional<double> x, r;
-  std::optional<std::string> body, boundary;
-};
+using HeatProbeParameters = HeatPlaceParameters;
 struct HeatNumericsParameters {
   int degree = 2, cells = 8;
   double grading = 0, end_grading = 0, growth = 0, time_tolerance = 0;
