@@ -455,8 +455,6 @@ class DropRun {
       recorder_options.overwrite |= options_.resume;
       recorder_.emplace(file, record_header(case_), series_groups(machine_, windows()), recorder_options);
     }
-    if (time_ > 0.)
-      for (auto* rows : {&rows_, &detail_rows_}) rows->pass(time_);
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const {
@@ -498,7 +496,8 @@ class DropRun {
                               static_cast<double>(s.rejected_steps),
                               earlier_wall_ + seconds_since(wall_start_),
                               earlier_cpu_ + cpu_seconds() - cpu_start_,
-                              is_averaging_ ? 1. : 0.};
+                              is_averaging_ ? 1. : 0.,
+                              observed_time_};
     return c;
   }
 
@@ -558,7 +557,7 @@ class DropRun {
   /// @throws std::logic_error if something is missing or does not fit
   void take(const Checkpoint& c) {
     const auto& s = c.extras.at("statistics");
-    if (s.size() != 6 || c.extras.at("impulse").size() != impulse_.size() || c.state.size() != state_.size() ||
+    if (s.size() != 7 || c.extras.at("impulse").size() != impulse_.size() || c.state.size() != state_.size() ||
         !(c.time >= 0. && c.time <= end_time_) ||
         !std::all_of(c.state.begin(), c.state.end(), [](double y) { return std::isfinite(y); }))
       throw std::invalid_argument("a checkpoint of another kind");
@@ -585,6 +584,7 @@ class DropRun {
     earlier_wall_ = s[3];
     earlier_cpu_ = s[4];
     is_averaging_ = s[5] != 0.;
+    observed_time_ = s[6];
   }
 
   [[noreturn]] void fail(const SolverError& error) {

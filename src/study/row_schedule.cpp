@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace rotordrop {
 
@@ -68,16 +69,23 @@ void RowSchedule::pass(double t) {
 }
 
 std::vector<double> RowSchedule::packed() const {
-  std::vector<double> values = {last_row_, has_rows_ ? 1. : 0., is_changed_ ? 1. : 0.};
+  std::vector<double> values = {
+      static_cast<double>(next_), last_row_, followed_, has_rows_ ? 1. : 0., is_changed_ ? 1. : 0.,
+      is_first_change_ ? 1. : 0.};
   for (const auto* list : {&latest_, &reference_, &largest_}) values.insert(values.end(), list->begin(), list->end());
   return values;
 }
 
 void RowSchedule::unpack(std::span<const double> values) {
-  last_row_ = values[0];
-  has_rows_ = values[1] != 0.;
-  is_changed_ = values[2] != 0.;
-  auto from = values.begin() + 3;
+  if (values.size() != 6 + 3 * watched_.size() || !(values[0] >= 0.))
+    throw std::invalid_argument("a schedule of rows of another kind");
+  next_ = static_cast<std::size_t>(values[0]);
+  last_row_ = values[1];
+  followed_ = values[2];
+  has_rows_ = values[3] != 0.;
+  is_changed_ = values[4] != 0.;
+  is_first_change_ = values[5] != 0.;
+  auto from = values.begin() + 6;
   for (auto* list : {&latest_, &reference_, &largest_}) {
     std::copy_n(from, list->size(), list->begin());
     from += static_cast<std::ptrdiff_t>(list->size());

@@ -32,8 +32,9 @@ class RowSchedule {
   void written(double t);
   /// Multiples up to t, that one included, are passed.
   void pass(double t);
-  /// For checkpoints.
+  /// For checkpoints: all that decides about later rows.
   [[nodiscard]] std::vector<double> packed() const;
+  /// @throws std::invalid_argument if the values are not those of such a schedule
   void unpack(std::span<const double> values);
 
  private:

@@ -95,11 +95,38 @@ TEST(RowSchedule, GoesOnAfterAResumeAsIfNothingHadBeen) {
     RowSchedule first(1e-3, 8e-3, 0.02, {0}), second(1e-3, 8e-3, 0.02, {0});
     auto times = rows_of(first, wave, 0.4e-3, stop);
     second.unpack(first.packed());
-    second.pass(stop);
     const auto rest = rows_of(second, wave, 0.4e-3, 0.2, stop);
     times.insert(times.end(), rest.begin(), rest.end());
     EXPECT_EQ(times, expected) << stop;
   }
+}
+
+TEST(RowSchedule, OfRowsThatComeLateGoesOnAfterAResumeAtAnyStep) {
+  // As of windows: what ends between two steps is written after the second, and not every step is observed.
+  const auto rows_with = [](bool is_resumed_at_every_step) {
+    RowSchedule rows(50e-6, 20e-3, 0.02, {0});
+    std::vector<double> times;
+    double end = 31e-6;
+    for (int k = 0; k < 4000; ++k) {
+      const double t = 7e-6 * k;
+      if (k % 3 == 0) rows.follow(t, std::vector<double>{t < 5e-3 ? 0. : std::sin(4e3 * t)});
+      for (; end <= t; end += 31e-6)
+        if (rows.due() <= end) {
+          times.push_back(end);
+          rows.written(end);
+        }
+      if (is_resumed_at_every_step) {
+        RowSchedule other(50e-6, 20e-3, 0.02, {0});
+        other.unpack(rows.packed());
+        rows = other;
+      }
+    }
+    return times;
+  };
+  EXPECT_GT(rows_with(false).size(), 50u);
+  EXPECT_EQ(rows_with(true), rows_with(false));
+  RowSchedule rows(50e-6, 20e-3, 0.02, {0});
+  EXPECT_THROW(rows.unpack(std::vector<double>{1., 2.}), std::invalid_argument);
 }
 
 TEST(WatchedColumns, AreForcesOrbitsAndRingSpeeds) {
