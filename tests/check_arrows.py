@@ -10,7 +10,7 @@ The rules:
 - study and cli see machine, integrate, io and the contracts, and of the parts only headers named *_parameters.h: what can be
   asked of a part goes through machine.
 - A room may lie in another's folder: thermal/fe. Nobody else includes its headers; it is loaded at run time.
-- A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5, toml++ and zlib: only io. deal.II, UMFPACK,
+- A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5 and toml++: only io; zlib: io and cache. deal.II, UMFPACK,
   CHOLMOD, PETSc, MPI and gmsh: only thermal/fe.
 - What a room's CMakeLists.txt names under DEPENDS must be in ROOMS too.
 
@@ -36,7 +36,8 @@ ROOMS = {
     "machine": {"base", "model", "laws", "rotor", "bearing", "thermal"},
     "integrate": {"base", "model"},
     "io": {"base", "model"},
-    "study": {"base", "model", "machine", "integrate", "io"} | PARAMETERS_OF_PARTS,
+    "cache": {"base", "model", "io"},
+    "study": {"base", "model", "machine", "integrate", "io", "cache"} | PARAMETERS_OF_PARTS,
     "cli": {"base", "model", "machine", "integrate", "io", "study"} | PARAMETERS_OF_PARTS,
 }
 
@@ -44,7 +45,7 @@ ROOMS = {
 LIBRARIES = [
     ("SUNDIALS", r"(arkode|cvodes?|idas?|kinsol|nvector|sundials|sunlinsol|sunmatrix|sunnonlinsol|sunmemory|sunadaptcontroller)/", {"integrate"}),
     ("HDF5", r"(hdf5(_hl)?\.h|H5)", {"io"}),
-    ("zlib", r"zlib", {"io"}),
+    ("zlib", r"zlib", {"io", "cache"}),
     ("toml++", r"(toml\+\+/|toml\.hpp)", {"io"}),
     ("nlohmann-json", r"nlohmann/", {"io", "study", "cli"}),
     ("UDUNITS", r"udunits", {"base"}),

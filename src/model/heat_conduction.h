@@ -40,6 +40,7 @@ class PropertyTable {
     const auto& [low, high] = interval(T);
     return (high[1] - low[1]) / (high[0] - low[0]);
   }
+  [[nodiscard]] const std::vector<std::array<double, 2>>& points() const { return points_; }
   /// Integral of the value from temperature a to b [value K], exact.
   [[nodiscard]] double integral(double a, double b) const {
     if (b < a) return -integral(b, a);

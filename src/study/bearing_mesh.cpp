@@ -90,8 +90,7 @@ void write_mesh(const SectionMesh& mesh, const fs::path& file, MeshFileFormat fo
 
 SectionMesh bearing_mesh(const Case& c, const std::string& bearing) {
   if (c.parameters.thermal.fe.mesh) return read_own_mesh(c, bearing);
-  const auto plan = section_plan(c.parameters, c.tree, bearing);
-  return section_mesher().mesh(plan);
+  return section_mesh_of(section_plan(c.parameters, c.tree, bearing));
 }
 
 std::string write_bearing_meshes(const Case& c, const MeshOptions& options) {

@@ -1,11 +1,17 @@
 #include "study/fe_module.h"
 
 #include <dlfcn.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <string>
 
 #include "base/errors.h"
+#include "base/version.h"
+#include "cache/kept_elastic_solver.h"
+#include "cache/kept_heat_solver.h"
+#include "cache/kept_mesh.h"
+#include "cache/kept_values.h"
 #include "study/bearing_mesh.h"
 #include "study/program_files.h"
 
@@ -36,6 +42,16 @@ Function* load(const Module& module, const char* function) {
   return found;
 }
 
+/// Tells one build of a module from another, without loading it.
+std::string version_of(const std::string& module) {
+  std::error_code error;
+  const fs::path file = module_file(module);
+  const auto size = fs::file_size(file, error);
+  if (module.empty() || error) return {};
+  return fmt::format("{} {} {} {}", version(), module, size,
+                     fs::last_write_time(file, error).time_since_epoch().count());
+}
+
 }  // namespace
 
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem) {
@@ -52,10 +68,20 @@ std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem
 
 FiniteElements finite_elements_of(const Case& drop_case) {
   FiniteElements elements;
-  elements.make_solver = make_heat_solver;
-  elements.make_elastic_solver = make_elastic_solver;
+  const fs::path cache = cache_folder();
+  elements.make_solver = [cache](const HeatConductionProblem& problem) {
+    return kept_heat_solver(cache, version_of(ROTORDROP_FE_MODULE), problem, make_heat_solver);
+  };
+  elements.make_elastic_solver = [cache](const ElasticProblem& problem) {
+    return kept_elastic_solver(cache, version_of(ROTORDROP_FE_MODULE), problem, make_elastic_solver);
+  };
   elements.make_mesh = [&drop_case](const std::string& bearing) { return bearing_mesh(drop_case, bearing); };
   return elements;
+}
+
+SectionMesh section_mesh_of(const SectionPlan& plan) {
+  return kept_mesh(cache_folder(), version_of(ROTORDROP_MESH_MODULE), plan,
+                   [](const SectionPlan& p) { return section_mesher().mesh(p); });
 }
 
 SectionMesher& section_mesher() {

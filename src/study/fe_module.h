@@ -9,7 +9,8 @@
 
 namespace rotordrop {
 
-/// The rooms' doors for a case that has finite elements, which must outlive them.
+/// The rooms' doors for a case that has finite elements, which must outlive them. What was computed before comes from the cache; the module is
+/// loaded when something new is asked.
 FiniteElements finite_elements_of(const Case& drop_case);
 
 /// Loads the finite-element room, a module beside the program, and makes its solver. The module stays loaded.
@@ -18,6 +19,9 @@ std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProbl
 
 /// Its other door: elasticity. @throws InputError likewise
 std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem);
+
+/// The mesh of a plan, from the cache or from the mesh room. @throws InputError if it is needed and the program was built without it
+SectionMesh section_mesh_of(const SectionPlan& plan);
 
 /// Loads the mesh room, another module beside the program. It keeps its one generator, and stays loaded.
 /// @throws InputError if the program was built without it

@@ -1,7 +1,9 @@
 """Finite elements in a drop: couplings, drivers, results; and recorded growth."""
 
+import os
 import pathlib
 import signal
+import subprocess
 import sys
 import time
 import unittest
@@ -149,6 +151,31 @@ class InADrop(ProgramTest):
                 self.assertTrue((lowest <= mean + 1e-9).all() and (mean <= highest + 1e-9).all(), surface)
             bore, ring = file["fe/TB1/bore"][:, 0], file["fe/TB1/inner_ring"][()]
             self.assertGreater(bore.max() - 293.15, 10 * (ring[bore.argmax()] - 293.15), "a layer that an impact heats")
+
+    def test_kept_sections_give_the_same_drop_to_the_last_bit(self):
+        def scalars(name, cache):
+            environment = dict(os.environ, ROTORDROP_CACHE=str(cache))
+            subprocess.run([PROGRAM, "run", "settling.toml", "-o", name, "--quiet", *settings(thermal__models='["lumped", "fe"]', run__end_time="9 ms", thermal__fe__field_interval="5 ms")], cwd=self.folder, env=environment, check=True)
+            summary = self.summary(name)
+            for key in ("wall_time", "cpu_time"):
+                del summary["run"][key]
+            return summary
+
+        fresh = scalars("fresh", "off")
+        self.assertEqual(scalars("first", self.folder / "cache"), fresh)
+        kept = {file: file.stat().st_size for file in (self.folder / "cache").iterdir()}
+        self.assertGreater(len(kept), 2)
+        self.assertEqual(scalars("second", self.folder / "cache"), fresh)
+        self.assertEqual({file: file.stat().st_size for file in (self.folder / "cache").iterdir()}, kept, "the second run finds everything there")
+        fields = list((self.folder / "fresh/fields").glob("**/*.vtu"))
+        self.assertGreater(len(fields), 1)
+        for field in fields:
+            self.assertEqual(field.read_bytes(), (self.folder / "second" / field.relative_to(self.folder / "fresh")).read_bytes())
+        for file in kept:
+            file.write_bytes(file.read_bytes()[:-9])
+        self.assertEqual(scalars("third", self.folder / "cache"), fresh)
+        (self.folder / "no-folder").write_text("a file")
+        self.assertEqual(scalars("fourth", self.folder / "no-folder"), fresh)
 
     def test_own_rectangles_and_finer_meshes_may_be_chosen(self):
         plain = self.drop("plain", until="12 ms", thermal__fe__section="plain")["bearings"]["TB1"]["fe"]

@@ -1,0 +1,351 @@
+// Solvers with a memory: the same answers, and the real solver only when something new is asked.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+#include "cache/kept_elastic_solver.h"
+#include "cache/kept_heat_solver.h"
+#include "cache/kept_mesh.h"
+#include "cache/kept_values.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder : public ::testing::Test {
+ protected:
+  Folder() : folder_(fs::path(testing::TempDir()) / ("rotordrop_cache_" + std::to_string(::getpid()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~Folder() override { fs::remove_all(folder_); }
+  [[nodiscard]] std::vector<fs::path> files() const {
+    std::vector<fs::path> list;
+    for (const auto& entry : fs::directory_iterator(folder_)) list.push_back(entry.path());
+    return list;
+  }
+  fs::path folder_;
+};
+
+/// Answers with numbers that name the question; counts how often it is made and reduces.
+struct Calls {
+  int made = 0, reduced = 0, lifted = 0;
+};
+class FakeHeat final : public HeatConductionSolver {
+ public:
+  FakeHeat(const HeatConductionProblem& problem, Calls& calls) : calls_(calls), field_(7, problem.initial_temperature) {
+    ++calls_.made;
+  }
+  [[nodiscard]] double time() const override { return time_; }
+  void advance_to(double time) override { time_ = time; }
+  [[nodiscard]] double temperature(std::size_t, double x, double) const override { return x; }
+  [[nodiscard]] double mean_temperature(const HeatBoundary&) const override { return 1.; }
+  [[nodiscard]] SurfaceRange surface(const std::vector<HeatBoundary>&) const override { return {}; }
+  [[nodiscard]] double body_mean(std::size_t) const override { return field_[0]; }
+  [[nodiscard]] double body_capacity(std::size_t body) const override { return 100. + static_cast<double>(body); }
+  [[nodiscard]] double port_temperature(std::size_t) const override { return 2.; }
+  [[nodiscard]] double port_area(std::size_t port) const override { return 0.1 + static_cast<double>(port); }
+  [[nodiscard]] HeatEnergy energy() const override { return {}; }
+  [[nodiscard]] HeatStatistics statistics() const override {
+    HeatStatistics s;
+    s.unknowns = 5;
+    s.cells = 3;
+    return s;
+  }
+  void set_port_heat(std::span<const double>, std::span<const double>) override {}
+  void advance_window(double) override { field_[0] += 1.; }
+  [[nodiscard]] std::vector<double> field() const override { return field_; }
+  void set_field(std::span<const double> T, double, double, double) override { field_.assign(T.begin(), T.end()); }
+  ReducedHeat reduce(const ReductionSettings& settings) override {
+    ++calls_.reduced;
+    scale_ = settings.longest_time;
+    ReducedHeat heat;
+    heat.rate = {1., 1. / 3., scale_};
+    heat.capacity = 7.;
+    heat.ports.push_back({"bore", {1., 2., 3.}, 4., 5., {6.}, 7., {8.}, 9.});
+    heat.worst_response = "bore";
+    return heat;
+  }
+  void lift(std::span<const double>, std::span<const double>, double) override {
+    if (scale_ == 0.) throw std::logic_error("lifted without a reduction");
+    ++calls_.lifted;
+  }
+  [[nodiscard]] std::vector<double> project(std::span<const double> weights) const override {
+    if (scale_ == 0.) throw std::logic_error("projected without a reduction");
+    return {scale_ * std::accumulate(weights.begin(), weights.end(), 0.)};
+  }
+  [[nodiscard]] const SectionMesh& section_mesh() const override { return mesh_; }
+  void write_vtu(const std::string&) const override {}
+  [[nodiscard]] bool on_any_rank(bool own) const override { return own; }
+  [[nodiscard]] double difference(const std::function<double(std::size_t, double, double)>&) const override {
+    return 0.;
+  }
+
+ private:
+  Calls& calls_;
+  std::vector<double> field_;
+  SectionMesh mesh_{{{0., 1.}, {1., 1.}}, {{{0, 1, 1, 0}, 0}}, {}, {{1., 2., 3.}}, {"ring"}};
+  double time_ = 0., scale_ = 0.;
+};
+
+HeatConductionProblem problem() {
+  HeatConductionProblem p;
+  p.bodies.push_back({"ring", {0., 0.01}, {0.02, 0.03}, 7800., PropertyTable(46.), PropertyTable(460.), {}});
+  p.ports.push_back({"bore", {{0, HeatSide::inner}}, {}, 0.});
+  return p;
+}
+
+using KeptHeat = Folder;
+
+TEST_F(KeptHeat, TheSecondTimeNothingIsComputedAndEveryBitIsTheSame) {
+  std::vector<std::string> answers;
+  Calls calls;
+  for (int round = 0; round < 3; ++round) {
+    const auto solver = kept_heat_solver(folder_, "room 1", problem(), [&](const HeatConductionProblem& p) {
+      return std::make_unique<FakeHeat>(p, calls);
+    });
+    plain::Writer seen;
+    seen.add(solver->body_capacity(0));
+    seen.add(solver->port_area(0));
+    seen.add(solver->statistics().unknowns);
+    seen.add(solver->statistics().cells);
+    seen.add(solver->field());
+    seen.add(solver->section_mesh());
+    seen.add(solver->reduce({}));
+    seen.add(solver->project(std::vector<double>{0.1, 0.2}));
+    answers.push_back(seen.bytes());
+    EXPECT_EQ(calls.made, 1) << round;
+    EXPECT_EQ(calls.reduced, 1) << round;
+    EXPECT_EQ(answers.back(), answers.front());
+  }
+}
+
+TEST_F(KeptHeat, AnythingElseMakesTheRealSolverWithItsReduction) {
+  Calls calls;
+  const auto make = [&](const HeatConductionProblem& p) { return std::make_unique<FakeHeat>(p, calls); };
+  static_cast<void>(kept_heat_solver(folder_, "room", problem(), make)->reduce({}));
+  ASSERT_EQ(calls.made, 1);
+  const auto solver = kept_heat_solver(folder_, "room", problem(), make);
+  static_cast<void>(solver->reduce({}));
+  EXPECT_EQ(calls.reduced, 1);
+  solver->lift({}, {}, 0.);  // throws unless the real one has reduced
+  EXPECT_EQ(calls.made, 2);
+  EXPECT_EQ(calls.reduced, 2);
+  solver->advance_window(1.);
+  EXPECT_EQ(solver->field()[0], problem().initial_temperature + 1.) << "the field of a solver that advanced is its own";
+  // Weights that were not projected before.
+  const auto other = kept_heat_solver(folder_, "room", problem(), make);
+  static_cast<void>(other->reduce({}));
+  EXPECT_EQ(other->project(std::vector<double>{1., 2.})[0], 3. * ReductionSettings{}.longest_time);
+}
+
+TEST_F(KeptHeat, AnyChangeOfTheProblemTheSettingsOrTheRoomIsAnotherContent) {
+  Calls calls;
+  const auto made_by = [&](const std::string& module, const HeatConductionProblem& p, const ReductionSettings& s) {
+    calls = {};
+    static_cast<void>(kept_heat_solver(folder_, module, p, [&](const HeatConductionProblem& q) {
+                        return std::make_unique<FakeHeat>(q, calls);
+                      })->reduce(s));
+    return calls.made;
+  };
+  ASSERT_EQ(made_by("room", problem(), {}), 1);
+  ASSERT_EQ(made_by("room", problem(), {}), 0);
+  EXPECT_EQ(made_by("another room", problem(), {}), 1);
+  ReductionSettings settings;
+  settings.response_tolerance *= 1. + 1e-15;
+  EXPECT_EQ(made_by("room", problem(), settings), 1);
+  auto changed = problem();
+  changed.bodies[0].conductivity = PropertyTable(46. * (1. + 1e-15));
+  EXPECT_EQ(made_by("room", changed, {}), 1);
+  changed = problem();
+  changed.ports[0].boundaries[0].row = 1;
+  EXPECT_EQ(made_by("room", changed, {}), 1);
+  changed = problem();
+  changed.mesh.vertices = {{1., 2.}};
+  EXPECT_EQ(made_by("room", changed, {}), 1);
+  changed = problem();
+  changed.bodies[0].held_at = 300.;
+  EXPECT_EQ(made_by("room", changed, {}), 1);
+  // A function has no content that could be compared: never kept.
+  changed = problem();
+  changed.volume_source = [](std::size_t, double, double, double) { return 1.; };
+  EXPECT_EQ(made_by("room", changed, {}), 1);
+  EXPECT_EQ(made_by("room", changed, {}), 1);
+}
+
+TEST_F(KeptHeat, ADamagedFileIsComputedAnew) {
+  Calls calls;
+  const auto reduce = [&] {
+    calls = {};
+    return plain::bytes_of(kept_heat_solver(folder_, "room", problem(), [&](const HeatConductionProblem& p) {
+                             return std::make_unique<FakeHeat>(p, calls);
+                           })->reduce({}));
+  };
+  const auto good = reduce();
+  ASSERT_EQ(files().size(), 1u);
+  const fs::path file = files().front();
+  const auto size = fs::file_size(file);
+  for (const std::uintmax_t at : {std::uintmax_t{0}, std::uintmax_t{20}, size / 2, size - 1}) {
+    {
+      std::fstream out(file, std::ios::in | std::ios::out | std::ios::binary);
+      out.seekg(static_cast<std::streamoff>(at));
+      const char old = static_cast<char>(out.get());
+      out.seekp(static_cast<std::streamoff>(at));
+      out.put(static_cast<char>(old ^ 0x10));
+    }
+    EXPECT_EQ(reduce(), good) << at;
+    EXPECT_EQ(calls.made, 1) << at;
+    EXPECT_EQ(reduce(), good) << "mended";
+    EXPECT_EQ(calls.made, 0) << at;
+  }
+  fs::resize_file(file, size / 3);
+  EXPECT_EQ(reduce(), good);
+  EXPECT_EQ(calls.made, 1);
+}
+
+TEST_F(KeptHeat, WithoutAFolderTheSolverIsTheRealOne) {
+  Calls calls;
+  const auto solver = kept_heat_solver(
+      {}, "room", problem(), [&](const HeatConductionProblem& p) { return std::make_unique<FakeHeat>(p, calls); });
+  EXPECT_EQ(calls.made, 1);
+  EXPECT_NE(dynamic_cast<FakeHeat*>(solver.get()), nullptr);
+  EXPECT_TRUE(files().empty());
+}
+
+class FakeElastic final : public ElasticSolver {
+ public:
+  explicit FakeElastic(int& made) { ++made; }
+  [[nodiscard]] std::size_t n_nodes() const override { return 4; }
+  [[nodiscard]] std::vector<double> interpolate(
+      const std::function<double(std::size_t, double, double)>&) const override {
+    return {};
+  }
+  void solve(std::span<const double>, double speed) override { speed_ = speed; }
+  [[nodiscard]] bool fits_changed() const override { return false; }
+  [[nodiscard]] AxialRadial displacement(std::size_t, double, double) const override { return {}; }
+  [[nodiscard]] AxialRadial mean_displacement(const std::vector<HeatBoundary>&) const override { return {}; }
+  [[nodiscard]] double output(std::size_t) const override { return speed_; }
+  [[nodiscard]] FitState fit(std::size_t) const override { return {}; }
+  [[nodiscard]] Stress stress(std::size_t, double, double) const override { return {}; }
+  [[nodiscard]] SurfaceRange hoop_stress(const HeatBoundary&) const override { return {}; }
+  [[nodiscard]] ElasticInfluence influence(std::size_t k) const override { return {speed_, 1., {1. + double(k)}}; }
+  [[nodiscard]] ElasticInfluence pressure_influence(std::size_t) const override { return {speed_, 2., {3.}}; }
+  [[nodiscard]] std::vector<ElasticInfluence> node_pressure_influences(std::size_t) const override {
+    return {{speed_, 4., {5.}}, {speed_, 6., {7.}}};
+  }
+  [[nodiscard]] std::vector<double> node_shares(std::size_t) const override { return {0.25 + speed_, 0.75}; }
+  [[nodiscard]] double difference(const ElasticFunction&) const override { return 0.; }
+
+ private:
+  double speed_ = 0.;
+};
+
+using KeptElastic = Folder;
+
+TEST_F(KeptElastic, InfluencesComeFromTheCacheUntilASolveHasMovedTheFits) {
+  ElasticProblem problem;
+  problem.fits.push_back({"seat", {0, HeatSide::outer}, {1, HeatSide::inner}, 1e-6, FitKind::frictionless});
+  int made = 0;
+  std::vector<std::string> answers;
+  for (int round = 0; round < 2; ++round) {
+    const auto solver = kept_elastic_solver(folder_, "room", problem,
+                                            [&](const ElasticProblem&) { return std::make_unique<FakeElastic>(made); });
+    plain::Writer seen;
+    seen.add(solver->n_nodes());
+    for (std::size_t k = 0; k < 2; ++k) seen.add(solver->influence(k));
+    seen.add(solver->pressure_influence(0));
+    seen.add(solver->node_pressure_influences(0));
+    seen.add(solver->node_shares(0));
+    answers.push_back(seen.bytes());
+    EXPECT_EQ(made, 1) << round;
+    if (round == 0) continue;
+    solver->solve({}, 9.);
+    EXPECT_EQ(made, 2);
+    EXPECT_EQ(solver->influence(0).at_rest, 9.);
+    EXPECT_EQ(solver->pressure_influence(0).at_rest, 9.);
+    EXPECT_EQ(solver->node_pressure_influences(0)[0].at_rest, 9.);
+    EXPECT_EQ(solver->node_shares(0)[0], 9.25);
+  }
+  EXPECT_EQ(answers[0], answers[1]);
+  problem.fits[0].interference = 2e-6;
+  const auto other = kept_elastic_solver(folder_, "room", problem,
+                                         [&](const ElasticProblem&) { return std::make_unique<FakeElastic>(made); });
+  static_cast<void>(other->influence(0));
+  EXPECT_EQ(made, 3) << "another fit is another content";
+}
+
+using KeptMesh = Folder;
+
+TEST_F(KeptMesh, IsThatOfItsPlan) {
+  SectionPlan plan;
+  plan.points = {{0., 1.}, {1., 1.}};
+  plan.curves.push_back({0, 1, 4, 1.5, -1, HeatBoundary{0, HeatSide::strip, 1}});
+  int made = 0;
+  const auto mesh = [&](const SectionPlan& p) {
+    return kept_mesh(folder_, "mesher", p, [&](const SectionPlan& q) {
+      ++made;
+      SectionMesh m;
+      for (const auto& point : q.points) m.vertices.push_back({point.x, point.r});
+      m.cells.resize(static_cast<std::size_t>(q.curves[0].cells));
+      m.edges.push_back({{0, 1}, *q.curves[0].boundary, 2});
+      m.bodies = {"ring"};
+      return m;
+    });
+  };
+  EXPECT_EQ(plain::bytes_of(mesh(plan)), plain::bytes_of(mesh(plan)));
+  EXPECT_EQ(made, 1);
+  plan.curves[0].ratio = 1.6;
+  EXPECT_EQ(mesh(plan).edges.at(0).boundary, (HeatBoundary{0, HeatSide::strip, 1}));
+  EXPECT_EQ(made, 2);
+}
+
+using Cache = Folder;
+
+TEST_F(Cache, LosesTheLongestUnusedFilesFirst) {
+  const auto now = fs::file_time_type::clock::now();
+  for (int k = 0; k < 5; ++k) {
+    const fs::path file = folder_ / (std::to_string(k) + ".kept");
+    std::ofstream(file) << std::string(1000, 'x');
+    fs::last_write_time(file, now - std::chrono::hours(10 - k));
+  }
+  std::ofstream(folder_ / "of the user") << std::string(5000, 'x');
+  shrink_cache(folder_, 2500);
+  EXPECT_FALSE(fs::exists(folder_ / "2.kept"));
+  EXPECT_TRUE(fs::exists(folder_ / "3.kept"));
+  EXPECT_TRUE(fs::exists(folder_ / "4.kept"));
+  EXPECT_TRUE(fs::exists(folder_ / "of the user"));
+  // What is read counts as used.
+  {
+    KeptValues(folder_, "a").get<double>("x", [] { return 1.; });
+  }
+  {
+    KeptValues(folder_, "b").get<double>("x", [] { return 2.; });
+  }
+  fs::last_write_time(folder_ / "a.kept", now - std::chrono::hours(2));
+  fs::last_write_time(folder_ / "b.kept", now - std::chrono::hours(1));
+  EXPECT_EQ(KeptValues(folder_, "a").get<double>("x", [] { return 3.; }), 1.);
+  shrink_cache(folder_, fs::file_size(folder_ / "a.kept"));
+  EXPECT_TRUE(fs::exists(folder_ / "a.kept"));
+  EXPECT_FALSE(fs::exists(folder_ / "b.kept"));
+}
+
+TEST_F(Cache, IsWhereTheUserSays) {
+  ::setenv("ROTORDROP_CACHE", (folder_ / "own").c_str(), 1);
+  EXPECT_EQ(cache_folder(), folder_ / "own");
+  EXPECT_TRUE(fs::is_directory(folder_ / "own"));
+  ::setenv("ROTORDROP_CACHE", "off", 1);
+  EXPECT_EQ(cache_folder(), fs::path());
+  std::ofstream(folder_ / "a file") << "x";
+  ::setenv("ROTORDROP_CACHE", (folder_ / "a file" / "below").c_str(), 1);
+  EXPECT_EQ(cache_folder(), fs::path());
+  ::unsetenv("ROTORDROP_CACHE");
+  ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
+  EXPECT_EQ(cache_folder(), folder_ / "rotordrop");
+}
+
+}  // namespace
+}  // namespace rotordrop
