@@ -91,6 +91,11 @@ class Results:
     def thermal_models(self):
         return self._names("/thermal")
 
+    @property
+    def meshed(self):
+        """Bearings whose section the finite elements follow."""
+        return self._names("/fe") or [name for name in self._names("/windows") if isinstance(self.file[f"/windows/{name}"], h5py.Group)]
+
     def attribute(self, name, default=""):
         value = self.file.attrs.get(name, default)
         return value.decode() if isinstance(value, bytes) else str(value)
@@ -282,16 +287,32 @@ def rub_heat_panel(case, axes, bearings):
     return drawn
 
 
-def temperature_panel(case, axes, model, nodes):
+# What the finite elements have for a node of the circuit: a body's mean, or the mean over a surface.
+MESHED_NODES = {"inner_contact": "inner_raceway", "outer_contact": "outer_raceway"}
+
+
+def meshed(case, bearing, node):
+    """Times [s] and temperature [K] of a node by the finite elements; None if they did not run."""
+    for group in ("fe", "windows"):
+        series = case.results.get(f"/{group}/{bearing}/{MESHED_NODES.get(node, node)}", quiet=True)
+        if series is not None:
+            times, values = series
+            return times, values if values.ndim == 1 else values[:, 0]
+    return None
+
+
+def temperature_panel(case, axes, bearing, nodes):
+    """Nodes of the circuit, and dashed what the finite elements have for them."""
     drawn = False
     for node in nodes:
         label, colour = NODES[node]
-        series = case.results.get(f"/thermal/{model}/{node}")
-        if series is None:
-            continue
-        times, values = series
-        axes.plot(case.scaled(times), values - values[0], color=colour, label=label)
-        drawn = True
+        for series, style in ((case.results.get(f"/thermal/{bearing}/{node}", quiet=bearing in case.results.meshed), "-"), (meshed(case, bearing, node), "--")):
+            if series is None:
+                continue
+            times, values = series
+            axes.plot(case.scaled(times), values - values[0], style, color=colour, label=label)
+            label = None
+            drawn = True
     case.time_axis(axes)
     stand_on_zero(axes)
     if not drawn:
@@ -436,7 +457,7 @@ def heat_rates(case):
 
 
 def temperatures(case):
-    models = case.results.thermal_models
+    models = sorted({*case.results.thermal_models, *case.results.meshed})
     if not models:
         return None
     figure, axes = plt.subplots(len(models), 2, figsize=(9.0, 2.7 * len(models) + 0.4), sharex=True, squeeze=False)
@@ -449,6 +470,8 @@ def temperatures(case):
         row[0].set_ylabel("temperature rise [K]")
     for panel in axes[:-1].flat:
         panel.set_xlabel("")
+    if case.results.meshed and case.results.thermal_models:
+        figure.suptitle("mean temperatures: circuit (lines) and finite elements (dashed)", fontsize=9, color="#555555")
     return finished(figure, drawn)
 
 

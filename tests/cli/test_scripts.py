@@ -5,6 +5,7 @@ ROTORDROP_PROGRAM is the program under test.
 
 import importlib.util
 import json
+import json
 import os
 import pathlib
 import re
@@ -76,6 +77,25 @@ class Plots(WithAResult):
         (result / "summary.json").unlink()
         self.assertNotIn("not in the file", plot(result))
         self.assertTrue((result / "figures/overview.png").is_file())
+
+    @unittest.skipUnless((PROGRAM.parent / "rotordrop_fe.so").exists(), "built without finite elements")
+    def test_the_finite_elements_are_drawn_beside_the_circuit(self):
+        script = load_script(ROOT / "examples/plot_drop.py")
+        result = self.folder / "both"
+        for models in (["lumped", "fe"], ["fe"]):
+            call(PROGRAM, "run", ROOT / "params/neisi2019-settling.toml", "-o", result, "--force", "--quiet", "--set", 'run.end_time="9 ms"', "--set", f"thermal.models={json.dumps(models)}")
+            case = script.Case(script.Results(result / "results.h5"), {})
+            figure = script.temperatures(case)
+            for panel in figure.axes:
+                lines = {style: [line for line in panel.lines if line.get_linestyle() == style] for style in ("-", "--")}
+                # Three nodes on the left, four on the right.
+                n = 3 if panel is figure.axes[0] or panel is figure.axes[2] else 4
+                self.assertEqual(len(lines["-"]), n if "lumped" in models else 0)
+                self.assertEqual(len(lines["--"]), n)
+                self.assertEqual(len(panel.get_legend().get_texts()), n)
+                for line in panel.lines:
+                    self.assertEqual(line.get_ydata()[0], 0)
+            self.assertEqual(case.results.missing, [])
 
     def test_a_folder_without_results_is_named(self):
         done = subprocess.run([sys.executable, ROOT / "examples/plot_drop.py", self.folder], capture_output=True, text=True)
