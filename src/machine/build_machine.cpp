@@ -156,7 +156,6 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
     }
     elements.sections.push_back(std::move(section));
   }
-  if (fe.coupling == FeCoupling::windowed) elements.growth = std::make_shared<GrowthHistory>(elements.sections.size());
 }
 
 ReducedSection::Elastic reduced_elastic(const FiniteElements::Section& section) {
@@ -209,7 +208,7 @@ void add_thermal_models(const MachineParameters& p, const ThermalNetworkData& ne
   if (p.thermal.has_fe) {
     if (elements->coupling == FeCoupling::windowed) {
       if (driver == GrowthDriver::fe) {
-        parts.prescribed_growth = elements->growth;
+        parts.takes_growth = true;
         std::vector<AdiabaticSection> sections;
         for (const auto& section : elements->sections) sections.push_back(section.adiabatic);
         parts.immediate_growth = std::make_unique<AdiabaticRises>(std::move(sections), p.run.ambient);

@@ -104,8 +104,14 @@ WindowedSections::WindowedSections(FiniteElements& elements, double tolerance, d
       port_heat_(elements.sections.size()),
       growth_(elements.sections.size()),
       before_(elements.sections.size()),
-      conducted_(elements.sections.size()) {
-  for (const auto& section : elements.sections) rise_per_joule_.push_back(rise_per_joule(section));
+      conducted_(elements.sections.size()),
+      in_force_(elements.sections.size()) {
+  for (const auto& section : elements.sections) {
+    rise_per_joule_.push_back(rise_per_joule(section));
+    // Where an earlier drop may have left it.
+    const std::vector<double> start(section.solver->field().size(), section.problem.initial_temperature);
+    section.solver->set_field(start, 0., 0., 0.);
+  }
   largest_rise_.resize(elements.sections.size());
   report_.shortest = longest;
   report_.tolerance = tolerance;
@@ -174,7 +180,7 @@ void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy, 
   step(length_, energy, balls);
   const std::size_t n = growth_.size();
   std::vector<Expansion> in_force(n), expected(n);
-  elements_.growth->at(time_, in_force);
+  in_force_.at(time_, in_force);
   last_error_ = 0.;
   for (std::size_t k = 0; k < n; ++k)
     last_error_ = std::max(last_error_, largest(combined(1., in_force[k], -1., conducted_[k])));
@@ -193,12 +199,12 @@ void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy, 
   is_cut_ = false;
 
   // From what is in force now, straight to where conduction leads in another window.
-  elements_.growth->cut(now);
-  elements_.growth->at(now, in_force);
+  in_force_.cut(now);
+  in_force_.at(now, in_force);
   const double ahead = std::max(length_, now - time_ + 0.25 * length_), share = ahead / last_length_;
   for (std::size_t k = 0; k < n; ++k) expected[k] = combined(1. + share, conducted_[k], -share, before_[k]);
-  elements_.growth->append(now, in_force);
-  elements_.growth->append(time_ + ahead, expected);
+  in_force_.append(now, in_force);
+  in_force_.append(time_ + ahead, expected);
 }
 
 void WindowedSections::finish(double end, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
@@ -307,7 +313,7 @@ std::vector<double> WindowedSections::packed() const {
     const auto field = solver.field();
     values.insert(values.end(), field.begin(), field.end());
   }
-  const auto in_force = elements_.growth->packed_tail();
+  const auto in_force = in_force_.packed_tail();
   values.insert(values.end(), in_force.begin(), in_force.end());
   return values;
 }
@@ -334,7 +340,7 @@ void WindowedSections::unpack(std::span<const double> values) {
     solver.set_field(values.subspan(at, n), time_, input, lost);
     at += n;
   }
-  elements_.growth->unpack_tail(values.subspan(at, elements_.growth->packed_size()));
+  in_force_.unpack_tail(values.subspan(at, in_force_.packed_size()));
 }
 
 }  // namespace rotordrop

@@ -39,15 +39,14 @@ struct FiniteElements {
     ReducedHeat reduced;                            ///< if it is
     std::unique_ptr<ElasticSolver> elastic_solver;  ///< where growth is judged, or comes, by elasticity
     std::optional<ElasticGrowth> elastic;
-    bool grows_elastically = false;                         ///< or else elasticity only judges the formula
-    std::vector<ElasticGrowth::RowWeights> row_growth;      ///< with elasticity, if the section has strips of every row
+    bool grows_elastically = false;                     ///< or else elasticity only judges the formula
+    std::vector<ElasticGrowth::RowWeights> row_growth;  ///< with elasticity, if the section has strips of every row
   };
   std::vector<Section> sections;  ///< of each thermal place
   FeCoupling coupling = FeCoupling::reduced;
-  std::shared_ptr<GrowthHistory> growth;  ///< of a windowed coupling: what conduction adds to the immediate growth
 };
 
-/// Sections that advance beside the drop. The growth of a section is what its heat causes at once (AdiabaticRises, in the state vector)
+/// Sections that advance beside one drop, whose solvers they take to the start. The growth of a section is what its heat causes at once (AdiabaticRises, in the state vector)
 /// and what conduction adds. Each window takes the energy that its ports received in it, and hands on how conduction's part changes: linear in
 /// time, from what is in force to what the next window is expected to end with. Windows become shorter where that was wrong by more
 /// than the tolerance, and while a rub heats a bore fast.
@@ -67,6 +66,8 @@ class WindowedSections {
   /// @param energy  at next_end() [n_places]
   /// @param balls   what balls conduct as they roll at next_end(); held over the window, as are the temperatures between which they conduct [n_places]
   void advance(double now, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
+  /// What conduction adds to the immediate growth, as it is in force.
+  [[nodiscard]] const GrowthHistory& growth_in_force() const { return in_force_; }
   /// Advances to the drop's end.
   void finish(double end, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
 
@@ -105,6 +106,7 @@ class WindowedSections {
   std::vector<std::array<double, n_bearing_ports>> port_heat_;  ///< [W]
   std::vector<Expansion> growth_;                               ///< at time_
   std::vector<Expansion> before_, conducted_;                   ///< conduction's part a window ago, and at time_
+  GrowthHistory in_force_;
   Report report_;
 };
 

@@ -76,15 +76,9 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   if (parts_.rotor_growth_by_speed.empty()) parts_.rotor_growth_by_speed.assign(n_places, 0.);
   if (parts_.rotor_growth_by_speed.size() != n_places)
     throw std::invalid_argument("a machine needs the rotor's growth by speed at every thermal place, or at none");
-  motions_.resize(n);
-  inputs_.resize(n);
-  outputs_.resize(n);
-  forces_.resize(n);
-  growth_.resize(n_places);
-  growth_rate_.resize(n_places);
-  immediate_growth_.resize(n_places);
-  heats_.resize(n_places);
   list_observables();
+  n_step_ = observed_size(step_observables_);
+  n_detail_ = observed_size(detail_observables_);
 
   std::vector<double> y(layout_.size());
   initial_state(y);
@@ -158,46 +152,73 @@ void Machine::initial_state(std::span<double> y) const {
   if (parts_.immediate_growth) parts_.immediate_growth->initial_state(y.subspan(immediate_.state, immediate_.n_state));
 }
 
-void Machine::prepare_inputs(double t, std::span<const double> y) const {
-  parts_.rotor->motions(rotor_part(y), motions_);
+void Machine::fit(Evaluation& e) const {
+  if (e.inputs.size() != places_.size() || e.heats.size() != n_thermal_places()) {
+    for (auto* list : {&e.growth, &e.growth_rate, &e.immediate_growth}) list->assign(n_thermal_places(), {});
+    e.motions.resize(places_.size());
+    e.inputs.assign(places_.size(), {});
+    e.outputs.assign(places_.size(), {});
+    e.forces.resize(places_.size());
+    e.heats.assign(n_thermal_places(), {});
+  }
+}
+
+void Machine::prepare_inputs(double t, std::span<const double> y, Evaluation& e) const {
+  parts_.rotor->motions(rotor_part(y), e.motions);
   const Spin spin = parts_.rotor->spin(rotor_part(y));
   if (parts_.driver)
-    parts_.thermal[*parts_.driver].model->growth(driver_part(y), growth_);
-  else if (parts_.prescribed_growth)
-    parts_.prescribed_growth->at(t, growth_);
+    parts_.thermal[*parts_.driver].model->growth(driver_part(y), e.growth);
+  else if (const GrowthHistory* given = given_growth(e))
+    given->at(t, e.growth);
+  else
+    std::fill(e.growth.begin(), e.growth.end(), Expansion{});
   if (parts_.immediate_growth) {
-    parts_.immediate_growth->growth(y.subspan(immediate_.state, immediate_.n_state), immediate_growth_);
-    add(growth_, immediate_growth_);
+    parts_.immediate_growth->growth(y.subspan(immediate_.state, immediate_.n_state), e.immediate_growth);
+    add(e.growth, e.immediate_growth);
   }
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    inputs_[i].time = t;
-    inputs_[i].journal = motions_[i];
-    inputs_[i].rotor_spin = spin;
+    auto& input = e.inputs[i];
+    input.time = t;
+    input.journal = e.motions[i];
+    input.rotor_spin = spin;
     if (const auto place = parts_.thermal_place[i]) {
-      inputs_[i].growth = growth_[*place];
-      inputs_[i].growth.shaft += parts_.rotor_growth_by_speed[*place] * spin.speed * spin.speed;
+      input.growth = e.growth[*place];
+      input.growth.shaft += parts_.rotor_growth_by_speed[*place] * spin.speed * spin.speed;
       if (const auto& followed = parts_.friction_temperatures)
-        inputs_[i].ring_temperature = thermal_part(followed->model, y)[followed->states[*place]];
+        input.ring_temperature = thermal_part(followed->model, y)[followed->states[*place]];
     }
   }
 }
 
-void Machine::evaluate(double t, std::span<const double> y, std::span<double> dydt, std::span<double> step,
-                       std::span<double> details) const {
-  prepare_inputs(t, y);
+void Machine::evaluate(double t, std::span<const double> y, Evaluation& found) const {
+  found.rates.resize(layout_.size());
+  evaluate(t, y, found.rates, found);
+}
+
+void Machine::rhs(double t, std::span<const double> y, std::span<double> rates) const {
+  Evaluation found;
+  evaluate(t, y, rates, found);
+}
+
+void Machine::evaluate(double t, std::span<const double> y, std::span<double> dydt, Evaluation& e) const {
+  fit(e);
+  e.time = t;
+  e.step.resize(e.wants_step ? n_step_ : 0);
+  e.details.resize(e.wants_details ? n_detail_ : 0);
+  prepare_inputs(t, y, e);
   std::size_t step_at = 0, detail_at = 0;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Place& p = places_[i];
-    auto& out = outputs_[i];
-    out.observed = step.empty() ? std::span<double>{} : step.subspan(step_at, p.n_step);
-    out.observed_details = details.empty() ? std::span<double>{} : details.subspan(detail_at, p.n_detail);
+    auto& out = e.outputs[i];
+    out.observed = e.wants_step ? std::span(e.step).subspan(step_at, p.n_step) : std::span<double>{};
+    out.observed_details = e.wants_details ? std::span(e.details).subspan(detail_at, p.n_detail) : std::span<double>{};
     step_at += p.n_step;
     detail_at += p.n_detail;
-    parts_.supports[i]->evaluate(inputs_[i], y.subspan(p.state, p.n_state), dydt.subspan(p.state, p.n_state),
+    parts_.supports[i]->evaluate(e.inputs[i], y.subspan(p.state, p.n_state), dydt.subspan(p.state, p.n_state),
                                  dydt.subspan(p.ledger + n_support_ledger, p.n_own), out);
-    forces_[i] = out.force_on_rotor;
+    e.forces[i] = out.force_on_rotor;
     if (const auto place = parts_.thermal_place[i]) {
-      auto& heat = heats_[*place];
+      auto& heat = e.heats[*place];
       heat = out.heat;
       heat.rub_into_ring =
           heat.rub * parts_.rub_share[*place].to_ring(heat.rotor_surface_speed, heat.ring_surface_speed);
@@ -206,20 +227,25 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
   const auto machine_ledger = dydt.subspan(machine_ledger_, n_machine_ledger_);
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
     const auto rates = dydt.subspan(thermal_[k].state, thermal_[k].n_state);
-    machine_ledger[heat_lost + k] = parts_.thermal[k].model->rates(thermal_part(k, y), heats_, rates);
-    if (parts_.driver == k) parts_.thermal[k].model->growth_rates(rates, growth_rate_);
+    machine_ledger[heat_lost + k] = parts_.thermal[k].model->rates(thermal_part(k, y), e.heats, rates);
+    if (parts_.driver == k) parts_.thermal[k].model->growth_rates(rates, e.growth_rate);
   }
-  if (!parts_.driver && parts_.prescribed_growth) parts_.prescribed_growth->rate(t, growth_rate_);
+  if (!parts_.driver) {
+    if (const GrowthHistory* given = given_growth(e))
+      given->rate(t, e.growth_rate);
+    else
+      std::fill(e.growth_rate.begin(), e.growth_rate.end(), Expansion{});
+  }
   if (parts_.immediate_growth) {
     const auto rates = dydt.subspan(immediate_.state, immediate_.n_state);
-    parts_.immediate_growth->rates(y.subspan(immediate_.state, immediate_.n_state), heats_, rates);
-    parts_.immediate_growth->growth_rates(rates, immediate_growth_);
-    add(growth_rate_, immediate_growth_);
+    parts_.immediate_growth->rates(y.subspan(immediate_.state, immediate_.n_state), e.heats, rates);
+    parts_.immediate_growth->growth_rates(rates, e.immediate_growth);
+    add(e.growth_rate, e.immediate_growth);
   }
-  const RotorPower power = parts_.rotor->rates(t, rotor_part(y), forces_, dydt.subspan(0, n_rotor_));
+  const RotorPower power = parts_.rotor->rates(t, rotor_part(y), e.forces, dydt.subspan(0, n_rotor_));
 
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    const auto& out = outputs_[i];
+    const auto& out = e.outputs[i];
     const auto ledger = dydt.subspan(places_[i].ledger, n_support_ledger);
     ledger[rub_heat] = out.heat.rub;
     ledger[inner_heat] = out.heat.inner;
@@ -229,9 +255,9 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
     // The rotor's speed makes it grow against its contacts; the spin's balance does not feel that.
     const double by_speed = place ? parts_.rotor_growth_by_speed[*place] : 0.;
     ledger[prescribed_work] = out.prescribed_work + out.energy_gradient.shaft * by_speed * 2. *
-                                                        inputs_[i].rotor_spin.speed * power.spin_acceleration;
-    ledger[rub_heat_into_ring] = place ? heats_[*place].rub_into_ring : 0.;
-    ledger[growth_work] = place ? out.energy_gradient.dot(growth_rate_[*place]) : 0.;
+                                                        e.inputs[i].rotor_spin.speed * power.spin_acceleration;
+    ledger[rub_heat_into_ring] = place ? e.heats[*place].rub_into_ring : 0.;
+    ledger[growth_work] = place ? out.energy_gradient.dot(e.growth_rate[*place]) : 0.;
   }
   machine_ledger[rotor_damping] = power.damping;
   machine_ledger[unbalance_work] = power.unbalance_work;
@@ -239,17 +265,32 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
   if (parts_.rotor->has_windage()) machine_ledger[heat_lost + thermal_.size()] = power.windage;
 }
 
-double Machine::mechanical_energy(double t, std::span<const double> y) const {
-  prepare_inputs(t, y);
+double Machine::mechanical_energy(std::span<const double> y, std::span<const SupportInput> inputs) const {
   double U = parts_.rotor->energy(rotor_part(y));
   for (std::size_t i = 0; i < places_.size(); ++i)
-    U += parts_.supports[i]->energy(inputs_[i], y.subspan(places_[i].state, places_[i].n_state));
+    U += parts_.supports[i]->energy(inputs[i], y.subspan(places_[i].state, places_[i].n_state));
   return U;
 }
 
-EnergyBalance Machine::energy_balance(double t, std::span<const double> y) const {
+double Machine::mechanical_energy(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const {
+  return mechanical_energy(y, inputs_at(t, y, growth_in_force).inputs);
+}
+
+Evaluation Machine::inputs_at(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const {
+  Evaluation e;
+  e.growth_in_force = growth_in_force;
+  fit(e);
+  prepare_inputs(t, y, e);
+  return e;
+}
+
+EnergyBalance Machine::energy_balance(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const {
+  return energy_balance(y, inputs_at(t, y, growth_in_force).inputs);
+}
+
+EnergyBalance Machine::energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const {
   EnergyBalance b;
-  b.mechanical = mechanical_energy(t, y);
+  b.mechanical = mechanical_energy(y, inputs);
   for (const auto& place : places_) {
     const auto ledger = y.subspan(place.ledger, n_support_ledger);
     b.heat_deposited += ledger[rub_heat] + ledger[inner_heat] + ledger[outer_heat];
@@ -271,23 +312,23 @@ EnergyBalance Machine::energy_balance(double t, std::span<const double> y) const
   return b;
 }
 
-void Machine::observe_state(double t, std::span<const double> y, std::span<double> out) const {
+void Machine::observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const {
   const Spin spin = parts_.rotor->spin(rotor_part(y));
   out[0] = spin.speed;
   out[1] = spin.angle;
   std::size_t at = 2;
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
-    parts_.thermal[k].model->observe(thermal_part(k, y), heats_, out.subspan(at, thermal_[k].n_observed));
+    parts_.thermal[k].model->observe(thermal_part(k, y), found.heats, out.subspan(at, thermal_[k].n_observed));
     at += thermal_[k].n_observed;
   }
-  std::vector<Expansion> growth(heats_.size());
+  std::vector<Expansion> growth(found.heats.size());
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
     parts_.thermal[k].model->growth(thermal_part(k, y), growth);
     for (const auto& place : parts_.thermal_place)
       if (place)
         for (const double value : growth_values(growth[*place])) out[at++] = value;
   }
-  const EnergyBalance b = energy_balance(t, y);
+  const EnergyBalance b = energy_balance(y, found.inputs);
   for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work,
                              b.drive_work, b.residual, b.heat_deposited})
     out[at++] = value;

@@ -7,6 +7,7 @@
 #include "laws/heat_flow.h"
 #include "machine/growth_history.h"
 #include "machine/place_energy.h"
+#include "model/evaluation.h"
 #include "model/ode_system.h"
 #include "model/rotor_model.h"
 #include "model/support.h"
@@ -34,9 +35,9 @@ struct EnergyBalance {
 
 /// Rotor, supports and thermal models wired to one state vector with its energy ledgers:
 ///   y = [ rotor | each support | temperatures of each thermal model | ledgers ].
-/// One pass computes all rates: motion and growth from states, then forces and heats, then rates. Holds scratch space: one
-/// thread at a time.
-class Machine final : public OdeSystem {
+/// One pass computes all rates: motion and growth from states, then forces and heats, then rates. Nothing in it changes once it is built: several
+/// threads can evaluate one machine, each with an Evaluation of its own.
+class Machine final {
  public:
   struct Parts {
     std::unique_ptr<RotorModel> rotor;
@@ -57,6 +58,8 @@ class Machine final : public OdeSystem {
     };
     std::optional<RingTemperatures> friction_temperatures;
     std::shared_ptr<const GrowthHistory> prescribed_growth;  ///< fed back instead, if there is no driver
+    bool takes_growth =
+        false;  ///< growth that the caller hands over with Evaluation::growth_in_force is fed back instead
     /// Its growth is added to the prescribed one: what heat does at once, before any of it is conducted on. Reported nowhere.
     std::unique_ptr<ThermalModel> immediate_growth;
     /// Growth of the rotor's surface at each thermal place per square of the rotor's speed [m s^2]; empty: it does not grow by its speed.
@@ -65,10 +68,11 @@ class Machine final : public OdeSystem {
   };
   explicit Machine(Parts parts);
 
-  [[nodiscard]] const StateLayout& layout() const override { return layout_; }
-  void initial_state(std::span<double> y) const override;
-  void rhs(double t, std::span<const double> y, std::span<double> dydt) const override { evaluate(t, y, dydt, {}, {}); }
-  [[nodiscard]] std::size_t first_quadrature() const override { return first_ledger_; }
+  [[nodiscard]] const StateLayout& layout() const { return layout_; }
+  /// @param y [layout().size()]
+  void initial_state(std::span<double> y) const;
+  /// Entries [from, size) are quadratures, the ledgers.
+  [[nodiscard]] std::size_t first_quadrature() const { return first_ledger_; }
 
   [[nodiscard]] std::size_t n_supports() const { return parts_.supports.size(); }
   [[nodiscard]] const Support& support(std::size_t i) const { return *parts_.supports[i]; }
@@ -81,28 +85,31 @@ class Machine final : public OdeSystem {
   [[nodiscard]] const std::vector<Observable>& detail_observables() const { return detail_observables_; }
   /// Rotor, temperatures, energies: "/rotor/spin_speed", "/thermal/TB1/ball", "/energy/dissipated".
   [[nodiscard]] const std::vector<Observable>& state_observables() const { return state_observables_; }
-  /// Rates, and on the way what the supports report; empty spans are not written.
-  /// @param step    [sum of sizes of step_observables()]
-  /// @param details [sum of sizes of detail_observables()]
-  void evaluate(double t, std::span<const double> y, std::span<double> dydt, std::span<double> step,
-                std::span<double> details) const;
-  /// @param out [sum of sizes of state_observables()]. Call after evaluate() at the same t, y: uses its heat rates.
-  void observe_state(double t, std::span<const double> y, std::span<double> out) const;
+  /// Rates, and on the way what is asked for.
+  void evaluate(double t, std::span<const double> y, Evaluation& found) const;
+  /// The same with the rates elsewhere. @param rates [layout().size()]
+  void evaluate(double t, std::span<const double> y, std::span<double> rates, Evaluation& found) const;
+  /// Rates by themselves, for a few calls: integrators have a MachineSystem.
+  void rhs(double t, std::span<const double> y, std::span<double> rates) const;
+  /// @param found  by an evaluation of the same y
+  /// @param out    [sum of sizes of state_observables()]
+  void observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const;
 
-  [[nodiscard]] EnergyBalance energy_balance(double t, std::span<const double> y) const;
-  [[nodiscard]] std::size_t n_thermal_places() const { return heats_.size(); }
+  /// @param growth_in_force  as of Evaluation
+  [[nodiscard]] EnergyBalance energy_balance(double t, std::span<const double> y,
+                                             const GrowthHistory* growth_in_force = nullptr) const;
+  [[nodiscard]] std::size_t n_thermal_places() const { return ledger_of_place_.size(); }
   [[nodiscard]] std::size_t n_thermal_models() const { return parts_.thermal.size(); }
   [[nodiscard]] const std::string& thermal_name(std::size_t i) const { return parts_.thermal[i].name; }
   /// Heat that a thermal place has been given since the start.
   [[nodiscard]] PlaceEnergy heat_given(std::size_t place, std::span<const double> y) const;
-  /// Heat into a thermal place [W], as the last evaluate() found it.
-  [[nodiscard]] const HeatInput& heat_input(std::size_t place) const { return heats_[place]; }
   /// States of a thermal model [n_states of it].
   [[nodiscard]] std::span<const double> thermal_state(std::size_t model, std::span<const double> y) const {
     return thermal_part(model, y);
   }
   [[nodiscard]] double initial_mechanical_energy() const { return initial_mechanical_; }
-  [[nodiscard]] double mechanical_energy(double t, std::span<const double> y) const;
+  [[nodiscard]] double mechanical_energy(double t, std::span<const double> y,
+                                         const GrowthHistory* growth_in_force = nullptr) const;
   /// Value of a ledger of a support, by its name, e.g. "rub heat" or "contact impulse". @throws std::out_of_range
   [[nodiscard]] double ledger(std::size_t support, const std::string& name, std::span<const double> y) const;
 
@@ -139,7 +146,14 @@ class Machine final : public OdeSystem {
   [[nodiscard]] std::span<const double> driver_part(std::span<const double> y) const {
     return thermal_part(*parts_.driver, y);
   }
-  void prepare_inputs(double t, std::span<const double> y) const;
+  void fit(Evaluation& found) const;
+  void prepare_inputs(double t, std::span<const double> y, Evaluation& found) const;
+  [[nodiscard]] const GrowthHistory* given_growth(const Evaluation& e) const {
+    return parts_.takes_growth ? e.growth_in_force : parts_.prescribed_growth.get();
+  }
+  [[nodiscard]] Evaluation inputs_at(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const;
+  [[nodiscard]] double mechanical_energy(std::span<const double> y, std::span<const SupportInput> inputs) const;
+  [[nodiscard]] EnergyBalance energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const;
   void list_observables();
 
   Parts parts_;
@@ -150,15 +164,27 @@ class Machine final : public OdeSystem {
   std::vector<Place> places_;
   std::vector<std::size_t> ledger_of_place_;  ///< of each thermal place: where the ledgers of its support begin
   std::vector<Observable> step_observables_, detail_observables_, state_observables_;
+  std::size_t n_step_ = 0, n_detail_ = 0;  ///< sizes of the first two
   double initial_mechanical_ = 0;
+};
 
-  // Scratch of one evaluation.
-  mutable std::vector<Motion> motions_;
-  mutable std::vector<Expansion> growth_, growth_rate_, immediate_growth_;  // per thermal place
-  mutable std::vector<SupportInput> inputs_;
-  mutable std::vector<SupportOutput> outputs_;
-  mutable std::vector<Force> forces_;
-  mutable std::vector<HeatInput> heats_;  // per thermal place
+/// A machine as one integrator sees it, with the space that its evaluations need: one thread at a time.
+class MachineSystem final : public OdeSystem {
+ public:
+  /// @param growth_in_force  of a machine that takes it from outside
+  explicit MachineSystem(const Machine& machine, const GrowthHistory* growth_in_force = nullptr) : machine_(machine) {
+    found_.growth_in_force = growth_in_force;
+  }
+  [[nodiscard]] const StateLayout& layout() const override { return machine_.layout(); }
+  void initial_state(std::span<double> y) const override { machine_.initial_state(y); }
+  void rhs(double t, std::span<const double> y, std::span<double> dydt) const override {
+    machine_.evaluate(t, y, dydt, found_);
+  }
+  [[nodiscard]] std::size_t first_quadrature() const override { return machine_.first_quadrature(); }
+
+ private:
+  const Machine& machine_;
+  mutable Evaluation found_;
 };
 
 }  // namespace rotordrop

@@ -7,20 +7,21 @@ namespace rotordrop {
 
 static constexpr double rounding = 1e-9;
 
-void lift_sections(FiniteElements& elements, const Machine& machine, double t, std::span<const double> y) {
+void lift_sections(FiniteElements& elements, const Machine& machine, std::span<const double> y,
+                   const Evaluation& found) {
   std::size_t model = 0;
   while (machine.thermal_name(model) != "fe") ++model;
   const auto states = machine.thermal_state(model, y);
   std::size_t first = 0;
   for (std::size_t k = 0; k < elements.sections.size(); ++k) {
     auto& section = elements.sections[k];
-    const HeatInput& heat = machine.heat_input(k);
+    const HeatInput& heat = found.heats[k];
     std::array<double, n_bearing_ports> watts{};
     watts[bore_port] = heat.rub_into_ring;
     watts[shaft_port] = heat.rub - heat.rub_into_ring;
     watts[inner_raceway_port] = heat.inner;
     watts[outer_raceway_port] = heat.outer;
-    section.solver->lift(states.subspan(first, section.reduced.n_modes()), watts, t);
+    section.solver->lift(states.subspan(first, section.reduced.n_modes()), watts, found.time);
     first += section.reduced.n_modes();
   }
 }
@@ -44,9 +45,9 @@ void DropFields::write(std::size_t section, double t) {
   series_[section].add(t, [&](const std::string& file) { elements_.sections[section].solver->write_vtu(file); });
 }
 
-void DropFields::write_reduced(double t, std::span<const double> y) {
-  lift_sections(elements_, machine_, t, y);
-  write_windowed(t);
+void DropFields::write_reduced(std::span<const double> y, const Evaluation& found) {
+  lift_sections(elements_, machine_, y, found);
+  write_windowed(found.time);
 }
 
 void DropFields::write_windowed(double t) {

@@ -11,9 +11,10 @@
 
 namespace rotordrop {
 
-/// Puts the temperatures of sections that are in the state vector into their solvers' fields. Call after the machine's evaluate() at the
-/// same state.
-void lift_sections(FiniteElements& elements, const Machine& machine, double t, std::span<const double> y);
+/// Puts the temperatures of sections that are in the state vector into their solvers' fields.
+/// @param found  by an evaluation of y
+void lift_sections(FiniteElements& elements, const Machine& machine, std::span<const double> y,
+                   const Evaluation& found);
 
 /// Temperature fields of a drop's sections: DIRECTORY/fields/BEARING.pvd.
 class DropFields {
@@ -26,8 +27,8 @@ class DropFields {
   [[nodiscard]] double next() const { return next_; }
   /// Whether it is wanted at t [s] or before.
   [[nodiscard]] bool is_due(double t) const;
-  /// Of sections in the state vector. Call after the machine's evaluate() at the same state.
-  void write_reduced(double t, std::span<const double> y);
+  /// Of sections in the state vector. @param found  by an evaluation of y
+  void write_reduced(std::span<const double> y, const Evaluation& found);
   /// Of sections that run in windows: as their solvers stand.
   void write_windowed(double t);
 

@@ -145,19 +145,19 @@ class DropRun {
         window_rows_(schedule(drop_case.parameters.output.interval)) {
     const std::size_t n = machine.layout().size();
     state_.resize(n);
-    rates_.resize(n);
     at_record_.resize(n);
     n_step_ = observed_size(machine.step_observables());
     n_detail_ = observed_size(machine.detail_observables());
-    step_.resize(n_step_);
+    found_.wants_step = true;
+    detailed_.wants_details = true;
     row_.resize(n_step_ + observed_size(machine.state_observables()));
-    details_.resize(n_detail_);
     if (options.elements && options.elements->coupling == FeCoupling::windowed && !options.elements->sections.empty()) {
       const auto& fe = drop_case.parameters.thermal.fe;
       windows_.emplace(*options.elements, fe.window_tolerance, fe.longest_window);
       energies_.resize(machine.n_thermal_places());
       balls_.resize(machine.n_thermal_places());
       window_row_.resize(observed_size(windows_->observables()));
+      found_.growth_in_force = detailed_.growth_in_force = &windows_->growth_in_force();
     }
     if (windows_)
       fits_.emplace(windows_->observables(), 0, true);
@@ -217,6 +217,7 @@ class DropRun {
     if (windows_) {
       result.windows = windows_->report();
       result.windows_energy = windows_->energy();
+      result.growth_in_force = windows_->growth_in_force();
     }
     auto summary = summarise(case_, machine_, scalars_, result, options_.elements, recorder_->path());
     summary["input_warnings"] = nlohmann::ordered_json::array();
@@ -240,7 +241,8 @@ class DropRun {
   [[nodiscard]] bool is_at_end() const { return time_ >= end_time_ || condition_.is_reached(); }
 
   void integrate() {
-    integrator_ = make_integrator(machine_, case_.parameters.integration, time_, state_, end_time_);
+    system_.emplace(machine_, found_.growth_in_force);
+    integrator_ = make_integrator(*system_, case_.parameters.integration, time_, state_, end_time_);
     if (time_ == 0.) {
       evaluate_step(0., state_);
       try {
@@ -312,9 +314,8 @@ class DropRun {
   /// What the balls of the thermal places conduct in a state, if they do as they roll.
   std::span<const BallConduction> balls(double t, std::span<const double> y) {
     if (case_.parameters.thermal.contact_conduction != BallConductionModel::rolling) return balls_;
-    window_rates_.resize(y.size());
-    machine_.rhs(t, y, window_rates_);
-    for (std::size_t place = 0; place < balls_.size(); ++place) balls_[place] = machine_.heat_input(place).balls;
+    machine_.evaluate(t, y, detailed_);
+    for (std::size_t place = 0; place < balls_.size(); ++place) balls_[place] = detailed_.heats[place].balls;
     return balls_;
   }
 
@@ -350,8 +351,8 @@ class DropRun {
         integrator_->interpolate(t, at_record_);
       else
         at_record_ = state_;
-      machine_.evaluate(t, at_record_, rates_, step_, {});
-      fields_->write_reduced(t, at_record_);
+      machine_.evaluate(t, at_record_, found_);
+      fields_->write_reduced(at_record_, found_);
     }
   }
 
@@ -363,19 +364,19 @@ class DropRun {
 
   /// Rates and step observables at an accepted state; the scalars follow.
   void evaluate_step(double t, std::span<const double> y) {
-    machine_.evaluate(t, y, rates_, step_, {});
-    integrator_->offer_rates(rates_);
+    machine_.evaluate(t, y, found_);
+    integrator_->offer_rates(found_.rates);
     observed_time_ = t;
-    scalars_.follow(t, step_);
-    for (auto* rows : {&rows_, &detail_rows_, &window_rows_}) rows->follow(t, step_);
-    condition_.follow(t, step_, machine_.spin(y).speed);
+    scalars_.follow(t, found_.step);
+    for (auto* rows : {&rows_, &detail_rows_, &window_rows_}) rows->follow(t, found_.step);
+    condition_.follow(t, found_.step, machine_.spin(y).speed);
   }
 
   /// A row at the beginning of the step that brought a change after a long interval without any.
   void record_before_change(double before, std::span<const double> y) {
-    machine_.evaluate(before, state_, rates_, step_, {});
+    machine_.evaluate(before, state_, found_);
     record(before, state_);
-    machine_.evaluate(time_, y, rates_, step_, {});
+    machine_.evaluate(time_, y, found_);
   }
 
   /// Impulses of a sliding mean before an end that is not known yet.
@@ -401,7 +402,7 @@ class DropRun {
     while (rows_.due() < time_ && !is_now(rows_.due())) {
       const double t = rows_.due();
       integrator_->interpolate(t, at_record_);
-      machine_.evaluate(t, at_record_, rates_, step_, {});
+      machine_.evaluate(t, at_record_, found_);
       record(t, at_record_);
     }
     if (n_detail_ > 0)
@@ -428,8 +429,8 @@ class DropRun {
 
   /// Writes a row; rates and step observables must be those at t, y.
   void record(double t, std::span<const double> y) {
-    std::copy(step_.begin(), step_.end(), row_.begin());
-    machine_.observe_state(t, y, std::span(row_).subspan(n_step_));
+    std::copy(found_.step.begin(), found_.step.end(), row_.begin());
+    machine_.observe_state(y, found_, std::span(row_).subspan(n_step_));
     if (!windows_) fits_->look(t, row_, options_.tell);
     kelvin_->require_above_zero(t, row_);
     recorder_->append(0, t, row_);
@@ -438,8 +439,8 @@ class DropRun {
   }
 
   void record_details(double t, std::span<const double> y) {
-    machine_.evaluate(t, y, rates_, {}, details_);
-    recorder_->append(1, t, details_);
+    machine_.evaluate(t, y, detailed_);
+    recorder_->append(1, t, detailed_.details);
     detail_rows_.written(t);
   }
 
@@ -613,7 +614,8 @@ class DropRun {
     p.rotor_speed = machine_.spin(state_).speed;
     p.largest_contact_force = scalars_.largest_contact_force();
     p.inner_ring_temperature = std::numeric_limits<double>::quiet_NaN();
-    machine_.observe_state(time_, state_, std::span(row_).subspan(n_step_));
+    machine_.evaluate(time_, state_, found_);
+    machine_.observe_state(state_, found_, std::span(row_).subspan(n_step_));
     for (const std::size_t at : inner_rings_) p.inner_ring_temperature = std::fmax(p.inner_ring_temperature, row_[at]);
     options_.report(p);
   }
@@ -626,6 +628,7 @@ class DropRun {
   DropScalars scalars_;
   std::string text_digest_, digest_;  ///< of the parameters; of these and of the files that they name
   std::vector<std::string> entry_names_;
+  std::optional<MachineSystem> system_;
   std::unique_ptr<Integrator> integrator_;
   std::optional<ResultsFolder> folder_;
   std::optional<Recorder> recorder_;
@@ -634,7 +637,6 @@ class DropRun {
   std::optional<DropFields> fields_;
   std::vector<PlaceEnergy> energies_;
   std::vector<BallConduction> balls_;  ///< of the thermal places
-  std::vector<double> window_rates_;
   std::vector<double> window_row_;
   std::optional<FitWatch> fits_;
   std::optional<KelvinCheck> kelvin_;
@@ -647,7 +649,8 @@ class DropRun {
   std::deque<RecentImpulse> recent_impulses_;
   double time_ = 0, start_time_ = 0, observed_time_ = 0, end_time_;
   RowSchedule rows_, detail_rows_, window_rows_;
-  std::vector<double> state_, rates_, at_record_, step_, row_, details_;
+  Evaluation found_, detailed_;
+  std::vector<double> state_, at_record_, row_;
   std::size_t n_step_ = 0, n_detail_ = 0;
   std::vector<std::size_t> inner_rings_;
   double averaging_start_ = 0;

@@ -46,6 +46,7 @@ struct DropResult {
   double averaging_start = 0;                       ///< [s]
   std::optional<WindowedSections::Report> windows;  ///< of a windowed coupling
   HeatEnergy windows_energy;
+  std::optional<GrowthHistory> growth_in_force;  ///< of a machine that takes it from windows
 };
 
 /// Length of the means that summaries call "_end" [s].

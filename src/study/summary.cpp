@@ -177,12 +177,13 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
                 {"centre_of_gravity", rotor.body.centre_of_gravity},
                 {"free_free_frequencies", rotor.free_free_frequencies}};
   std::vector<double> observed(observed_size(machine.state_observables()));
-  std::vector<double> rates(y.size());
-  machine.evaluate(result.end_time, y, rates, {}, {});
-  machine.observe_state(result.end_time, y, observed);
+  Evaluation found;
+  found.growth_in_force = result.growth_in_force ? &*result.growth_in_force : nullptr;
+  machine.evaluate(result.end_time, y, found);
+  machine.observe_state(y, found, observed);
 
   const bool is_elastic = elements && drop_case.parameters.thermal.expansion == GrowthSource::elastic;
-  if (is_elastic && elements->coupling != FeCoupling::windowed) lift_sections(*elements, machine, result.end_time, y);
+  if (is_elastic && elements->coupling != FeCoupling::windowed) lift_sections(*elements, machine, y, found);
   j["bearings"] = Json::object();
   std::optional<RecordedDrop> recorded;
   for (std::size_t i = 0; i < scalars.size(); ++i) {
@@ -215,7 +216,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     j["bearings"][name] = std::move(bearing);
   }
   j["rotor_speed_end"] = machine.spin(y).speed;
-  const EnergyBalance e = machine.energy_balance(result.end_time, y);
+  const EnergyBalance e = machine.energy_balance(result.end_time, y, found.growth_in_force);
   j["energy"] = {{"mechanical_initial", machine.initial_mechanical_energy()},
                  {"mechanical_final", e.mechanical},
                  {"dissipated", e.dissipated},

@@ -192,7 +192,7 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
       for (std::size_t k = 0; k < n_points; ++k)
         for (std::size_t i = 0; i < p.n; ++i) surface.by_mode[i * n_points + k] = output.points[k * p.n + i];
       p.surfaces.push_back(std::move(surface));
-      rises_.resize(std::max(rises_.size(), n_points));
+      most_points_ = std::max(most_points_, n_points);
     }
     places_.push_back(std::move(p));
   }
@@ -292,6 +292,7 @@ std::vector<Observable> ReducedSections::observables() const {
 
 void ReducedSections::observe(std::span<const double> state, std::span<const HeatInput> heats,
                               std::span<double> out) const {
+  std::vector<double> rises(most_points_);
   std::size_t at = 0;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const ReducedHeat& heat = sections_[k].heat;
@@ -304,7 +305,7 @@ void ReducedSections::observe(std::span<const double> state, std::span<const Hea
       const auto& port = heat.ports[surface_ports[i]];
       const auto& surface = places_[k].surfaces[i];
       const Range range = extremes(y, ambient_, places_[k].n, surface.by_mode.data(), surface.at_once.data(), watts[i],
-                                   rises_.data(), surface.at_once.size());
+                                   rises.data(), surface.at_once.size());
       out[at++] = ambient_ + sum(port.shape, y, ambient_) + port.at_once * watts[i];
       out[at++] = ambient_ + range.lowest;
       out[at++] = ambient_ + range.highest;

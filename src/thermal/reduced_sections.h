@@ -75,7 +75,7 @@ class ReducedSections final : public ThermalModel {
   std::vector<ReducedSection> sections_;
   std::vector<Place> places_;
   double ambient_;
-  mutable std::vector<double> rises_;  ///< scratch of observe()
+  std::size_t most_points_ = 0;  ///< of a surface
 };
 
 }  // namespace rotordrop

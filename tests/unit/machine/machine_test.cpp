@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <thread>
 
 #include "../../verification/machine/test_machines.h"
 
@@ -175,14 +176,63 @@ TEST(Machine, WritesAllThatItAnnounces) {
   const auto sized = [&](const std::vector<Observable>& list) {
     return std::vector<double>(observed_size(list), untouched);
   };
-  auto step = sized(machine->step_observables()), details = sized(machine->detail_observables()),
-       state = sized(machine->state_observables());
-  EXPECT_EQ(details.size(), 14u + 2 * 23) << "every ball";
-  machine->evaluate(0., y, dydt, step, details);
-  machine->observe_state(0., y, state);
-  for (const auto* values : {&step, &details, &state})
+  Evaluation found;
+  found.wants_step = found.wants_details = true;
+  found.step = sized(machine->step_observables());
+  found.details = sized(machine->detail_observables());
+  auto state = sized(machine->state_observables());
+  const std::size_t n_step = found.step.size(), n_details = found.details.size();
+  EXPECT_EQ(n_details, 14u + 2 * 23) << "every ball";
+  machine->evaluate(0., y, dydt, found);
+  machine->observe_state(y, found, state);
+  EXPECT_EQ(found.step.size(), n_step);
+  EXPECT_EQ(found.details.size(), n_details);
+  for (const auto* values : {&found.step, &found.details, &state})
     for (const double v : *values) EXPECT_NE(v, untouched);
   EXPECT_EQ(rates(*machine, y), dydt) << "watching changes nothing";
+}
+
+TEST(Machine, IsEvaluatedByTwoThreadsAtOnceToTheLastBit) {
+  // Each thread has states and an Evaluation of its own; what one finds alone it must find beside the other.
+  const auto machine = reference_machine();
+  constexpr std::size_t n_states = 64, n_rounds = 60;
+  struct Found {
+    std::vector<double> rates, step, details, state;
+    bool operator==(const Found&) const = default;
+  };
+  const auto look_at = [&](const std::vector<double>& y, Evaluation& e) {
+    machine->evaluate(0.01, y, e);
+    Found found{e.rates, e.step, e.details, std::vector<double>(observed_size(machine->state_observables()))};
+    machine->observe_state(y, e, found.state);
+    return found;
+  };
+  const auto watching = [] {
+    Evaluation e;
+    e.wants_step = e.wants_details = true;
+    return e;
+  };
+  std::mt19937 random(11);
+  std::vector<std::vector<double>> states[2];
+  std::vector<Found> alone[2];
+  for (std::size_t thread : {0u, 1u}) {
+    Evaluation e = watching();
+    for (std::size_t i = 0; i < n_states; ++i) {
+      states[thread].push_back(random_state(*machine, random, thread == 0));
+      alone[thread].push_back(look_at(states[thread].back(), e));
+    }
+  }
+  std::size_t n_different[2] = {};
+  const auto work = [&](std::size_t thread) {
+    Evaluation e = watching();
+    for (std::size_t round = 0; round < n_rounds; ++round)
+      for (std::size_t i = 0; i < n_states; ++i)
+        if (look_at(states[thread][i], e) != alone[thread][i]) ++n_different[thread];
+  };
+  std::thread first(work, 0), second(work, 1);
+  first.join();
+  second.join();
+  EXPECT_EQ(n_different[0], 0u);
+  EXPECT_EQ(n_different[1], 0u);
 }
 
 TEST(Machine, RefusesPartsThatDoNotFitTogether) {

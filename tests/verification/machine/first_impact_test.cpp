@@ -30,23 +30,26 @@ class Drop {
 
   void to(double end_time) {
     const auto& system = *machine;
-    std::vector<double> y(system.layout().size()), dydt(y.size()), step(observed_size(system.step_observables()));
+    std::vector<double> y(system.layout().size());
+    Evaluation found;
+    found.wants_step = true;
     system.initial_state(y);
     IntegrationParameters parameters = machine.settings.parameters.integration;
     parameters.method = IntegrationMethod::runge_kutta_4;
     parameters.step = 5e-6;
-    const auto integrator = make_integrator(system, parameters, 0., y, end_time);
+    const MachineSystem equations(system);
+    const auto integrator = make_integrator(equations, parameters, 0., y, end_time);
     const auto observed = [&](const std::string& name, std::size_t column = 0) {
       std::size_t at = 0;
       for (const auto& o : system.step_observables()) {
-        if (o.name == name) return step[at + column];
+        if (o.name == name) return found.step[at + column];
         at += o.size;
       }
       throw std::out_of_range(name);
     };
     while (integrator->time() < end_time) {
       integrator->advance();
-      system.evaluate(integrator->time(), integrator->state(), dydt, step, {});
+      system.evaluate(integrator->time(), integrator->state(), found);
       Sample s{};
       s.time = integrator->time();
       s.rotor_speed = system.spin(integrator->state()).speed;
