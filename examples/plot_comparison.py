@@ -66,12 +66,12 @@ def comparison_temperatures(case):
         ambient = case.ambient(bearing)
         bore, node, mean = case.fe(bearing, "bore"), case.lumped(bearing, "inner_ring"), case.fe(bearing, "inner_ring")
         if bore is not None:
-            row[0].plot(case.scaled(bore[0]), bore[1][:, 0] - ambient, color=MEAN_COLOUR, alpha=0.55, linewidth=0.9, label="bore, mean around (FE)")
+            row[0].plot(case.scaled(bore[0]), bore[1][:, 0] - ambient, color=MEAN_COLOUR, alpha=0.55, linewidth=0.9, label="bore, circumferential mean (FE)")
             row[0].fill_between(case.scaled(bore[0]), bore[1][:, 1] - ambient, bore[1][:, 2] - ambient, color=MEAN_COLOUR, alpha=0.25, linewidth=0,
-                                label="its range along the axis")
+                                label="its range across the width")
         race = case.fe(bearing, "inner_raceway")
         if race is not None:
-            row[0].plot(case.scaled(race[0]), race[1][:, 0] - ambient, color="#009E73", linewidth=0.9, label="inner raceway, mean around (FE)")
+            row[0].plot(case.scaled(race[0]), race[1][:, 0] - ambient, color="#009E73", linewidth=0.9, label="inner raceway, circumferential mean (FE)")
         if mean is not None:
             row[0].plot(case.scaled(mean[0]), mean[1] - ambient, color=MEAN_COLOUR, label="inner ring, mean (FE)")
         if node is not None:
@@ -86,7 +86,7 @@ def comparison_temperatures(case):
             if lumped is not None:
                 row[1].plot(case.scaled(lumped[0]), lumped[1] - ambient, color=colour, linestyle="--")
             drawn |= fe is not None or lumped is not None
-        titled(case, row[1], bearing, "others; circuit dashed")
+        titled(case, row[1], bearing, "other bodies; circuit dashed")
         for panel in row:
             case.time_axis(panel)
             if panel.lines:
@@ -108,8 +108,8 @@ def comparison_impact(case):
     figure, axes = plt.subplots(2, len(bearings), figsize=(4.9 * len(bearings), 6.0), squeeze=False, sharex="col")
     for column, bearing in zip(axes.T, bearings):
         start, ambient = case.report["bearings"][bearing]["first_contact_time"], case.ambient(bearing)
-        lines = (("local", LOCAL_COLOUR, "-", "hottest place (moving band)"), ("flash", FLASH_COLOUR, ":", "under the contact"),
-                 ("mean", MEAN_COLOUR, "-", "bore, mean around (FE)"), ("inner_ring", LUMPED_COLOUR, "--", "inner ring (circuit)"))
+        lines = (("local", LOCAL_COLOUR, "-", "hottest point (moving band)"), ("flash", FLASH_COLOUR, ":", "under the contact"),
+                 ("mean", MEAN_COLOUR, "-", "bore, circumferential mean (FE)"), ("inner_ring", LUMPED_COLOUR, "--", "inner ring (circuit)"))
         for name, colour, style, label in lines:
             series = case.bores.get(f"/bore/{bearing}/{name}")
             if series is None:
@@ -118,8 +118,8 @@ def comparison_impact(case):
             times, values = 1e3 * (series[0][zoom] - start), series[1][zoom] - ambient
             for panel in column if name in ("mean", "inner_ring") else column[:1]:
                 panel.plot(times, values, color=colour, linestyle=style, label=label, linewidth=1.6 if name == "flash" else 1.2)
-        titled(case, column[0], bearing, "bore in the first impact")
-        column[1].set_title("means alone", fontweight="normal")
+        titled(case, column[0], bearing, "bore during the first impact")
+        column[1].set_title("means only", fontweight="normal")
         for panel in column:
             panel.set_ylabel("temperature rise [K]")
             panel.set_xlim(-0.2, 1e3 * IMPACT_TIME)
@@ -144,7 +144,7 @@ def comparison_growth(case):
                 panel.plot(case.scaled(series[0]), 1e6 * series[1][:, column], color=colour, linestyle=style, label=label if model == "fe" else None)
             drawn = True
         titled(case, panel, bearing, "thermal growth; circuit dashed, finite elements solid")
-        panel.set_ylabel("growth of the radius [µm]")
+        panel.set_ylabel("radial growth [µm]")
         case.time_axis(panel)
         legend(panel, loc="upper left")
     for panel in axes[:-1]:

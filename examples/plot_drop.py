@@ -185,7 +185,7 @@ def stand_on_zero(axes):
 
 
 def nothing_drawn(axes):
-    axes.text(0.5, 0.5, "not in this file", transform=axes.transAxes, ha="center", va="center", color="#999999")
+    axes.text(0.5, 0.5, "not recorded in this file", transform=axes.transAxes, ha="center", va="center", color="#999999")
     axes.grid(False)
     axes.set_xticks([])
     axes.set_yticks([])
@@ -278,7 +278,7 @@ def rub_heat_panel(case, axes, bearings):
     for bearing in bearings:
         drawn |= case.line(axes, f"/bearings/{bearing}/rub_heat_rate", 1e-3, color=case.colour[bearing], label=bearing, linewidth=0.8,
                            alpha=0.85)
-    axes.set_ylabel("rub heat [kW]")
+    axes.set_ylabel("rub heat rate [kW]")
     case.time_axis(axes)
     axes.set_ylim(bottom=0)
     if not drawn:
@@ -364,7 +364,7 @@ def orbits(case):
         return None
     figure, axes = plt.subplots(1, len(bearings), figsize=(3.9 * len(bearings), 4.3), squeeze=False)
     drawn = [orbit_panel(case, a, b) for a, b in zip(axes[0], bearings)]
-    figure.supxlabel("Seen along +x: positive spin is clockwise. Pale: early, dark: late.", fontsize=7.5, color="#777777")
+    figure.supxlabel("View along +x: positive spin is clockwise. Pale = early, dark = late.", fontsize=7.5, color="#777777")
     return finished(figure, any(drawn))
 
 
@@ -441,13 +441,13 @@ def heat_rates(case):
         return None
     figure, axes = stack(1 + len(bearings))
     drawn = rub_heat_panel(case, axes[0], bearings)
-    axes[0].set_title("Heat where the rotor rubs on the ring")
+    axes[0].set_title("Rub heat rate between rotor and inner ring")
     for panel, bearing in zip(axes[1:], bearings):
         for kind, style, shade in (("outer", "--", 0.5), ("inner", "-", 1.0)):
             drawn |= case.line(panel, f"/bearings/{bearing}/{kind}_heat_rate", 1.0, linestyle=style, linewidth=0.9,
-                               color=shade * np.array(to_rgb(case.colour[bearing])), label=f"{kind} race")
-        panel.set_title(f"{bearing}: heat inside the bearing", color=case.colour[bearing])
-        panel.set_ylabel("heat [W]")
+                               color=shade * np.array(to_rgb(case.colour[bearing])), label=f"{kind} raceway")
+        panel.set_title(f"{bearing}: bearing friction heat rate", color=case.colour[bearing])
+        panel.set_ylabel("heat rate [W]")
         case.time_axis(panel)
         stand_on_zero(panel)
         legend_above(panel, 2)
@@ -462,7 +462,7 @@ def temperatures(case):
         return None
     figure, axes = plt.subplots(len(models), 2, figsize=(9.0, 2.7 * len(models) + 0.4), sharex=True, squeeze=False)
     drawn = False
-    parts = (("shaft, inner_ring, inner_contact", "where the rotor rubs"), ("ball, outer_contact, outer_ring, housing", "balls and outwards"))
+    parts = (("shaft, inner_ring, inner_contact", "shaft and inner ring"), ("ball, outer_contact, outer_ring, housing", "balls, outer ring and housing"))
     for row, model in zip(axes, models):
         for panel, (nodes, title) in zip(row, parts):
             drawn |= temperature_panel(case, panel, model, nodes.split(", "))
@@ -477,12 +477,12 @@ def temperatures(case):
 
 # Ledgers of a bearing that hold dissipated energy, from those that are large in most drops.
 BEARING_LEDGERS = {
-    "rub_heat": ("rub of rotor on ring", "#D55E00"),
-    "inner_heat": ("inner races", "#E69F00"),
-    "outer_heat": ("outer races", "#56B4E9"),
-    "ball_damping": ("damping of the balls' contacts", "#009E73"),
-    "contact_damping": ("damping of rotor on ring", "#CC79A7"),
-    "support_damping": ("dampers of the supports", "#0072B2"),
+    "rub_heat": ("rub between rotor and ring", "#D55E00"),
+    "inner_heat": ("inner raceways", "#E69F00"),
+    "outer_heat": ("outer raceways", "#56B4E9"),
+    "ball_damping": ("ball contact damping", "#009E73"),
+    "contact_damping": ("contact damping, rotor and ring", "#CC79A7"),
+    "support_damping": ("support damping", "#0072B2"),
 }
 
 
@@ -539,7 +539,7 @@ def energy(case):
         nothing_drawn(axes[0])
         nothing_drawn(axes[1])
     axes[0].set_title("Energy dissipated, by kind")
-    axes[1].set_title("The same, line by line")
+    axes[1].set_title("The same by kind, logarithmic scale")
     for panel in axes[:2]:
         panel.set_ylabel("energy [J]")
         case.time_axis(panel)
@@ -550,7 +550,7 @@ def energy(case):
         balance |= case.line(axes[2], f"/energy/{name}", 1.0, color=colour, label=label, linewidth=0.9)
     if not balance:
         nothing_drawn(axes[2])
-    axes[2].set_title("What the balances do not find")
+    axes[2].set_title("Energy-balance residual")
     axes[2].set_ylabel("energy [J]")
     axes[2].ticklabel_format(axis="y", style="sci", scilimits=(-2, 3), useMathText=True)
     case.time_axis(axes[2])
@@ -571,15 +571,15 @@ def overview(case):
     else:
         panel = axes[0, 1]
         drawn |= case.line(panel, f"/bearings/{bearings[0]}/orbit", 1e6, 0, color=case.colour[bearings[0]])
-        panel.set_title("Height of the rotor")
+        panel.set_title("Vertical displacement of the rotor")
         panel.set_ylabel("y, upwards [µm]")
         case.time_axis(panel)
     drawn |= force_panel(case, axes[0, 2], bearings)
-    axes[0, 2].set_title("Force between rotor and inner ring")
+    axes[0, 2].set_title("Contact force between rotor and inner ring")
     drawn |= speed_panel(case, axes[1, 0], bearings)
     axes[1, 0].set_title("Speed")
     drawn |= rub_heat_panel(case, axes[1, 1], bearings)
-    axes[1, 1].set_title("Heat where the rotor rubs")
+    axes[1, 1].set_title("Rub heat rate")
     drawn |= temperatures_in_short(case, axes[1, 2])
     return finished(figure, drawn)
 

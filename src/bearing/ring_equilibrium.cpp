@@ -101,7 +101,7 @@ RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, const Force&
   }
   // Where the balls hardly resist, rounding ends the descent early.
   if ((ring.force(place) + load).norm() < 1e-6 * load.norm()) return result();
-  throw SolverError("the inner ring finds no equilibrium in its balls under its own weight");
+  throw SolverError("no equilibrium was found for the inner ring resting on its balls under its own weight");
 }
 
 }  // namespace rotordrop

@@ -15,7 +15,7 @@ constexpr const char* paper = "Neisi, Heikkinen & Sopanen 2019";
 
 Section<WavinessParameters> waviness_section() {
   Section<WavinessParameters> s("waviness",
-                                "Sinusoidal deviations of bearing surfaces, any number; their depths add up.");
+                                "Sinusoidal deviations of bearing surfaces, any number; their amplitudes superpose.");
   using W = WavySurface;
   s.choice("surface", &WavinessParameters::surface,
            {{"inner_race", W::inner_race},
@@ -23,8 +23,8 @@ Section<WavinessParameters> waviness_section() {
             {"bore", W::bore},
             {"inner", W::inner_race},
             {"outer", W::outer_race}},
-           {.help = "Which surface is wavy; \"inner\" and \"outer\" are the races. Waves of inner race and bore turn "
-                    "with the inner ring."});
+           {.help = "Surface with the waviness; \"inner\" and \"outer\" are the raceways. Waviness of inner raceway "
+                    "and bore turns with the inner ring."});
   s.integer("order", &WavinessParameters::order,
             {.range = between(1, 1000), .help = "Waves per turn: 1 is eccentricity, 2 ellipticity, 3 a triangle."});
   s.quantity("amplitude", &WavinessParameters::amplitude,
@@ -38,19 +38,20 @@ Section<WavinessParameters> waviness_section() {
 
 Section<CircuitFactors> circuit_section() {
   using P = CircuitFactors;
-  Section<P> s("circuit", "Calibration of the bearing's lumped circuit: factors on what geometry gives.");
+  Section<P> s("circuit",
+               "Calibration factors of the bearing's lumped circuit; they multiply the values derived from geometry.");
   const auto factor = [&](const char* key, double P::*member, const char* help) {
     s.quantity(key, member,
                {.range = between(1e-2, 1e2), .fallback = "1", .source = "1: the circuit as published", .help = help});
   };
-  factor("shaft_ring", &P::shaft_ring, "On R2 + R3, shaft to inner ring.");
-  factor("inner_race", &P::inner_race, "On R4, inner ring to its contact with the balls.");
-  factor("ball", &P::ball, "On R5, balls and constriction, at both races.");
-  factor("outer_race", &P::outer_race, "On R7, contact of the balls to outer ring.");
-  factor("fit", &P::fit, "On R8, outer ring to housing.");
-  factor("inner_ring_capacity", &P::inner_ring_capacity, "On the heat capacity of the inner ring's node.");
-  factor("outer_ring_capacity", &P::outer_ring_capacity, "On that of the outer ring.");
-  factor("housing_capacity", &P::housing_capacity, "On that of the housing.");
+  factor("shaft_ring", &P::shaft_ring, "Factor on R2 + R3, shaft to inner ring.");
+  factor("inner_race", &P::inner_race, "Factor on R4, inner ring to its contact with the balls.");
+  factor("ball", &P::ball, "Factor on R5, balls and constriction, at both raceways.");
+  factor("outer_race", &P::outer_race, "Factor on R7, ball contact to outer ring.");
+  factor("fit", &P::fit, "Factor on R8, outer ring to housing.");
+  factor("inner_ring_capacity", &P::inner_ring_capacity, "Factor on the heat capacity of the inner ring.");
+  factor("outer_ring_capacity", &P::outer_ring_capacity, "Factor on the heat capacity of the outer ring.");
+  factor("housing_capacity", &P::housing_capacity, "Factor on the heat capacity of the housing.");
   return s;
 }
 
@@ -72,22 +73,23 @@ Section<ShoulderParameters> shoulder_section() {
   s.quantity("gap_minus_x", &P::gap_minus_x,
              {.unit = "m",
               .range = at_least(0),
-              .help = "Axial gap, with ring and rotor in their unloaded places, to the shoulder at the ring's -x face, "
-                      "which stops a rotor that moves towards +x; no "
-                      "shoulder if not given."});
+              .help = "Axial gap to the shoulder at the ring's -x face, with ring and rotor in their unloaded "
+                      "positions. This shoulder stops a rotor moving towards +x. If not given, there is no shoulder."});
   s.quantity("gap_plus_x", &P::gap_plus_x,
-             {.unit = "m", .range = at_least(0), .help = "The same at the +x face, against motion towards -x."});
+             {.unit = "m",
+              .range = at_least(0),
+              .help = "Axial gap to the shoulder at the +x face, which stops motion towards -x."});
   s.quantity("radius", &P::radius,
              {.unit = "m",
               .range = positive(),
               .help = "Mean radius of the touching faces; midway between the inner ring's diameters if not given."});
-  s.quantity(
-      "stiffness", &P::stiffness,
-      {.unit = "N/m",
-       .range = positive(),
-       .fallback = "5e8 N/m",
-       .source = "estimate: about a tenth of a ring's own axial stiffness, for faces that are not flat",
-       .help = "Of all the face together. Damped by contact.lambda, rubbing with contact.friction_coefficient."});
+  s.quantity("stiffness", &P::stiffness,
+             {.unit = "N/m",
+              .range = positive(),
+              .fallback = "5e8 N/m",
+              .source = "estimate: about a tenth of a ring's own axial stiffness, for faces that are not flat",
+              .help = "Contact stiffness of the whole face. Damping from contact.lambda, friction from "
+                      "contact.friction_coefficient."});
   return s;
 }
 
@@ -99,17 +101,19 @@ void add_row_keys(Section<TouchdownParameters>& s) {
   s.choice(
       "arrangement", &P::arrangement,
       {{"X", RowArrangement::face_to_face}, {"O", RowArrangement::back_to_back}, {"tandem", RowArrangement::tandem}},
-      {.fallback = "X", .help = "Of two rows: X (face to face), O (back to back) or tandem. A single row has none."});
+      {.fallback = "X",
+       .help = "Arrangement of two rows: X (face-to-face), O (back-to-back) or tandem. Not used for a single row."});
   s.integer("balls_per_row", &P::balls_per_row,
-            {.range = between(3, BallRow::max_balls), .help = "Number of balls Z of one row."});
+            {.range = between(3, BallRow::max_balls), .help = "Number of balls Z per row."});
   s.quantity("ball_diameter", &P::ball_diameter, {.unit = "m", .range = positive(), .help = "Diameter d of a ball."});
   s.quantity("pitch_diameter", &P::pitch_diameter,
              {.unit = "m", .range = positive(), .help = "Diameter d_m of the circle of ball centres."});
-  s.quantities("conformity", &P::conformity,
-               {.range = between(0.501, 0.6),
-                .fallback = {"0.52", "0.52"},
-                .source = "usual value",
-                .help = "Groove radius over ball diameter, inner and outer race. Smaller values stiffen the contact."});
+  s.quantities(
+      "conformity", &P::conformity,
+      {.range = between(0.501, 0.6),
+       .fallback = {"0.52", "0.52"},
+       .source = "usual value",
+       .help = "Groove radius divided by ball diameter, inner and outer raceway. Smaller values stiffen the contact."});
   s.quantity("contact_angle", &P::contact_angle,
              {.unit = "rad",
               .range = between(0, 1.2),
@@ -119,44 +123,49 @@ void add_row_keys(Section<TouchdownParameters>& s) {
              {.unit = "m",
               .range = between(-1e-4, 1e-3),
               .fallback = "0 um",
-              .help = "Half the diametral clearance, mounted, cold and standing. For deep-groove bearings."});
+              .help = "Radial clearance (half the diametral clearance), mounted, cold and at standstill. For "
+                      "deep-groove bearings."});
   s.quantity("preload", &P::preload,
              {.unit = "N",
               .range = at_least(0),
               .fallback = "0 N",
-              .help = "Axial preload of a set of angular contact rows, mounted, cold and standing. More preload "
+              .help = "Axial preload of a set of angular-contact rows, mounted, cold and at standstill. More preload "
                       "stiffens the bearing."});
   s.quantity("row_phase", &P::row_phase,
              {.range = between(-1, 1),
               .fallback = "0",
-              .help = "Azimuth of a row's first ball ahead of the row before, in ball spacings."});
-  s.quantity(
-      "row_spacing", &P::row_spacing,
-      {.unit = "m", .range = positive(), .help = "Axial distance of neighbouring rows; width / rows if not given."});
+              .help = "Azimuth of a row's first ball relative to the previous row, in ball spacings."});
+  s.quantity("row_spacing", &P::row_spacing,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Axial distance between neighbouring rows; width / rows if not given."});
   s.text("ball", &P::ball, {.fallback = "steel", .help = "Material of the balls, a name of [materials]."});
   s.text("ring", &P::ring,
          {.fallback = "steel", .help = "Material of rings, housing and shaft lump, a name of [materials]."});
-  s.choice("elliptic_integrals", &P::elliptic_integrals,
-           {{"fit", EllipticIntegrals::brewe_hamrock}, {"exact", EllipticIntegrals::exact}},
-           {.fallback = "fit",
-            .source = "Brewe & Hamrock 1977; the fits are within 1.2 % of the exact integrals",
-            .help = "How the Hertz stiffness of balls and races is found."});
-  s.choice("ball_model", &P::ball_model, {{"quasi-static", BallModel::quasi_static}, {"inertial", BallModel::inertial}},
-           {.fallback = "quasi-static",
-            .help = "Balls without mass, or each in balance with its centrifugal force and gyroscopic moment (Jones, "
-                    "outer-race control), which needs the stiffness of both races apart."});
   s.choice(
-      "gyroscopic_split", &P::gyroscopic_split, {{"outer", GyroscopicSplit::outer}, {"equal", GyroscopicSplit::equal}},
-      {.fallback = "outer",
-       .source = "Jones 1960, outer-race control; Harris' lambda_o = 2 or lambda_i = lambda_o = 1",
-       .help = "Race whose friction balances the gyroscopic moments of inertial balls: the outer one, or half each. "
-               "Equal shares lower the preload at speed."});
+      "elliptic_integrals", &P::elliptic_integrals,
+      {{"fit", EllipticIntegrals::brewe_hamrock}, {"exact", EllipticIntegrals::exact}},
+      {.fallback = "fit",
+       .source = "Brewe & Hamrock 1977; the fits are within 1.2 % of the exact integrals",
+       .help = "Elliptic integrals for the Hertz contact stiffness of balls and raceways: fitted formulas or exact."});
+  s.choice(
+      "ball_model", &P::ball_model, {{"quasi-static", BallModel::quasi_static}, {"inertial", BallModel::inertial}},
+      {.fallback = "quasi-static",
+       .help =
+           "quasi-static: massless balls. inertial: each ball in equilibrium with its centrifugal force and gyroscopic "
+           "moment (Jones, outer-race control), with separate contact stiffnesses at inner and outer raceway."});
+  s.choice("gyroscopic_split", &P::gyroscopic_split,
+           {{"outer", GyroscopicSplit::outer}, {"equal", GyroscopicSplit::equal}},
+           {.fallback = "outer",
+            .source = "Jones 1960, outer-race control; Harris' lambda_o = 2 or lambda_i = lambda_o = 1",
+            .help = "Raceway whose friction balances the gyroscopic moments of inertial balls: the outer one, or half "
+                    "on each. Equal halves lower the preload at speed."});
   s.quantity("ball_damping_beta", &P::ball_damping_beta,
              {.unit = "s",
               .range = between(0, 1e-3),
               .fallback = "2.5e-5 s",
               .source = std::string(paper) + ", upper end of the range 0.25..2.5e-5",
-              .help = "Damping of a ball's contacts over their tangent stiffness."});
+              .help = "Damping of a ball's contacts divided by their tangent stiffness."});
 }
 
 void add_ring_keys(Section<TouchdownParameters>& s) {
@@ -169,21 +178,21 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
               .help = "Spin inertia of the inner ring with its balls and cage. Sets spin-up time and rub heat."});
   s.choice("ring_motion", &P::ring_motion, {{"translations", RingMotion::translations}, {"free", RingMotion::free}},
            {.fallback = "translations",
-            .help = "What the inner ring may do besides spinning: move across the axis only, or along it too and "
-                    "tilt. A free ring feels the rotor along its whole width."});
+            .help = "Motion of the inner ring besides spin: radial only (translations), or also axial and tilting "
+                    "(free). A free ring contacts the rotor along its whole width."});
   s.quantity("ring_diametral_inertia", &P::ring_diametral_inertia,
              {.unit = "kg m2",
               .range = positive(),
-              .help = "Of the inner ring about a diameter, for ring_motion = \"free\"; of a hollow cylinder of its "
-                      "mass, diameters and width if not given."});
+              .help = "Moment of inertia of the inner ring about a diameter, for ring_motion = \"free\"; if not given, "
+                      "that of a hollow cylinder with its mass, diameters and width."});
   s.table("shoulders", &P::shoulders, shoulder_section(),
-          {.help = "Shoulders of an axially free rotor beside a free inner ring."});
+          {.help = "Shoulders of an axially free rotor next to a free inner ring."});
   s.quantity("width", &P::width,
              {.unit = "m", .range = positive(), .help = "Width of the bearing, all rows together."});
   s.quantities("inner_ring_diameters", &P::inner_ring_diameters,
-               {.unit = "m", .range = positive(), .help = "Inner ring: bore and outside (shoulder) diameter."});
+               {.unit = "m", .range = positive(), .help = "Bore and outside (shoulder) diameter of the inner ring."});
   s.quantities("outer_ring_diameters", &P::outer_ring_diameters,
-               {.unit = "m", .range = positive(), .help = "Outer ring: inside (shoulder) and outside diameter."});
+               {.unit = "m", .range = positive(), .help = "Inside (shoulder) and outside diameter of the outer ring."});
   s.quantity("inner_shoulder_diameter", &P::inner_shoulder_diameter,
              {.unit = "m",
               .range = positive(),
@@ -196,24 +205,28 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
                       "outer_ring_diameters if not given."});
   s.quantities("housing_diameters", &P::housing_diameters,
                {.unit = "m", .range = positive(), .help = "Housing: bore and outside diameter."});
-  s.quantity("housing_length", &P::housing_length,
-             {.unit = "m", .range = positive(), .help = "Axial length of housing that takes heat, all rows."});
+  s.quantity(
+      "housing_length", &P::housing_length,
+      {.unit = "m", .range = positive(), .help = "Axial length of the housing that takes up heat, all rows together."});
   s.quantity("housing_fit", &P::housing_fit,
              {.unit = "m",
               .range = between(-1e-3, 1e-3),
               .fallback = "0 um",
               .source = "estimate",
-              .help = "Interference of outer ring and housing before they were joined, by radius; negative: a "
-                      "clearance. Used by thermal.expansion = \"elastic\". Growth counts from the joined state."});
-  s.choice("housing_fit_kind", &P::housing_fit_kind,
-           {{"frictionless", HousingFit::frictionless}, {"bonded", HousingFit::bonded}},
-           {.fallback = "frictionless",
-            .help = "What that fit passes: pressure alone, opening where it would pull, or every traction."});
+              .help = "Radial interference between outer ring and housing before assembly; negative: clearance. Used "
+                      "by thermal.expansion = \"elastic\". Growth is measured from the assembled state."});
+  s.choice(
+      "housing_fit_kind", &P::housing_fit_kind,
+      {{"frictionless", HousingFit::frictionless}, {"bonded", HousingFit::bonded}},
+      {.fallback = "frictionless",
+       .help = "What the fit transmits: pressure only (it opens instead of going into tension), or every traction."});
   s.quantity("shaft_lump_length", &P::shaft_lump_length,
              {.unit = "m",
               .range = positive(),
-              .help = "Length of shaft that takes rub heat; the bearing's width if not given."});
-  s.table("circuit", &P::circuit, circuit_section(), {.help = "Calibration of the bearing's lumped circuit."});
+              .help = "Length of shaft that takes up rub heat; the bearing's width if not given."});
+  s.table(
+      "circuit", &P::circuit, circuit_section(),
+      {.help = "Calibration factors of the bearing's lumped circuit; they multiply the values derived from geometry."});
   s.table("support", &P::support, support_section());
   s.list("waviness", &P::waviness, waviness_section());
 }
@@ -222,14 +235,14 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
   s.quantity("f1_z", &P::f1_z,
              {.range = at_least(0),
-              .help = "z in f1 = z (P0/C0)^y of the load-dependent friction torque f1 P1 d_m; load_law says which "
-                      "loads P0 and P1 are."});
+              .help = "z in f1 = z (P0/C0)^y of the load-dependent friction torque f1 P1 d_m; load_law defines the "
+                      "loads P0 and P1."});
   s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .help = "y in f1 = z (P0/C0)^y."});
   s.quantity("C0", &P::C0,
              {.unit = "N",
               .range = positive(),
-              .help = "Static load rating of all rows together: of a pair twice the catalogue's value for one bearing. "
-                      "Each row of n takes C0 / n."});
+              .help = "Static load rating of all rows together; for a pair twice the catalogue value of a single "
+                      "bearing. Each of n rows has C0 / n."});
   s.quantity("C", &P::C,
              {.unit = "N",
               .range = positive(),
@@ -250,28 +263,27 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
               .range = positive(),
               .fallback = "2 rad/s",
               .source = "estimate",
-              .help = "The friction torque grows as tanh(speed / this) through standstill."});
+              .help = "The friction torque passes through standstill as tanh(speed / this)."});
   s.choice(
       "load_law", &P::load_law, {{"radial", FrictionLoadLaw::radial}, {"equivalent", FrictionLoadLaw::equivalent}},
       {.fallback = "equivalent",
-       .help = "Loads in the friction torque. equivalent: for each row, with its axial load F_a and so with preload, "
+       .help = "Loads in the friction torque. equivalent: for each row, including its axial load F_a and thus preload, "
                "P0 = max(F_r, X0 F_r + Y0 F_a) by ISO 76 in (P0/C0)^y and P1 = max(F_r, 0.9 F_a cot phi - 0.1 F_r) "
-               "times f1, for a row without contact angle 3 F_a in place of 0.9 F_a cot phi. radial: P0 and P1 are "
-               "the radial resultant of all rows, without preload; thrust makes no friction then."});
-  s.choice(
-      "internal_heat", &P::internal_heat,
-      {{"energy-consistent", InternalHeat::energy_consistent},
-       {"with-spin", InternalHeat::with_spin},
-       {"ball-speed", InternalHeat::ball_speed}},
-      {.fallback = "energy-consistent",
-       .help = "Heat of the bearing's friction torque alone, or with the balls' spin moments as an additional torque, "
-               "or friction torque times ball speed: more heat than the work done, as eq. 24 of the reference paper "
-               "has it, for comparison only."});
-  s.quantity(
-      "race_friction_coefficient", &P::race_friction_coefficient,
-      {.range = at_least(0),
-       .help = "Friction of balls and races in the spin moment and in what keeps the balls rolling (skid_demand); "
-               "contact.friction_coefficient if not given."});
+               "times f1, for a row without contact angle 3 F_a in place of 0.9 F_a cot phi. radial: P0 and P1 are the "
+               "radial resultant of all rows, without preload; thrust then causes no friction."});
+  s.choice("internal_heat", &P::internal_heat,
+           {{"energy-consistent", InternalHeat::energy_consistent},
+            {"with-spin", InternalHeat::with_spin},
+            {"ball-speed", InternalHeat::ball_speed}},
+           {.fallback = "energy-consistent",
+            .help = "Bearing friction heat. energy-consistent: from the friction torque. with-spin: the balls' spin "
+                    "moments are an additional torque. ball-speed: friction torque times ball speed as in eq. 24 of "
+                    "the reference paper, more heat than the work done; for comparison only."});
+  s.quantity("race_friction_coefficient", &P::race_friction_coefficient,
+             {.range = at_least(0),
+              .help = "Friction coefficient between balls and raceways, for the spin moment and for the traction that "
+                      "keeps the balls rolling (skid_demand); "
+                      "contact.friction_coefficient if not given."});
 }
 
 /// @param path  name of the bearing's table, "bearings.TB1"
@@ -299,12 +311,14 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
       fault("inner_ring_diameters",
             fmt::format("the inner ring's outside diameter {} is not smaller than the pitch_diameter {}",
                         mm(b.inner_ring_diameters[1]), mm(b.pitch_diameter)),
-            "A ring cannot be outside its own balls; check which drawing the two numbers come from.");
+            "The inner ring must lie inside the pitch circle of its balls; check that both dimensions come from the "
+            "same drawing.");
     if (!(b.outer_ring_diameters[0] > b.pitch_diameter))
       fault("outer_ring_diameters",
             fmt::format("the outer ring's inside diameter {} is not larger than the pitch_diameter {}",
                         mm(b.outer_ring_diameters[0]), mm(b.pitch_diameter)),
-            "A ring cannot be inside its own balls; check which drawing the two numbers come from.");
+            "The outer ring must lie outside the pitch circle of its balls; check that both dimensions come from the "
+            "same drawing.");
     if (b.housing_diameters[1] <= b.outer_ring_diameters[1])
       fault("housing_diameters", fmt::format("the housing's outside diameter {} is not larger than the outer ring's {}",
                                              mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])));
@@ -344,8 +358,8 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
   const bool is_opposed = b.rows == 2 && b.arrangement != RowArrangement::tandem;
   if (b.ring_motion == RingMotion::free && b.contact_angle != 0. && !is_opposed)
     fault("ring_motion",
-          "ring_motion = \"free\" with rows that all lean one way: their balls push the ring off along the axis, and "
-          "nothing holds it",
+          "ring_motion = \"free\" with rows whose contact angles all point the same way: their balls push the ring off "
+          "axially and nothing holds it",
           "Take two rows in X or O, a contact_angle of 0, or ring_motion = \"translations\".");
   if (b.ring_motion != RingMotion::free && (b.shoulders.gap_minus_x || b.shoulders.gap_plus_x))
     fault("shoulders", "shoulders beside a ring that cannot move along the axis", "Set ring_motion = \"free\".");
@@ -356,20 +370,20 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
           fmt::format("the ring_spin_inertia of {:.6g} kg m2 is far from that of a hoop of the ring's mass on the "
                       "pitch circle, {:.3g} kg m2.",
                       b.ring_spin_inertia, hoop),
-          "Allowed: a twentieth to twenty times as much. Check the unit: kg m2, not kg mm2.");
+          "Allowed: 1/20 to 20 times that value. Check the unit: kg m2, not kg mm2.");
 }
 
 }  // namespace
 
 Section<ContactParameters> contact_section() {
   using P = ContactParameters;
-  Section<P> s("contact", "Rotor surface against inner-ring bore, for all touchdown bearings.");
+  Section<P> s("contact", "Contact between rotor surface and inner-ring bore, for all touchdown bearings.");
   s.quantity("friction_coefficient", &P::friction_coefficient,
              {.range = between(0, 2),
               .fallback = "0.1",
               .source = std::string(paper) + ", table 2",
-              .help = "Dynamic friction of rotor and bore. Larger values spin the ring up faster and move the rotor "
-                      "further aside."});
+              .help = "Dynamic friction coefficient between rotor and bore. Larger values spin the ring up faster and "
+                      "push the rotor further sideways."});
   s.quantity("air_gap", &P::air_gap,
              {.unit = "m",
               .range = positive(),
@@ -387,82 +401,83 @@ Section<ContactParameters> contact_section() {
               .fallback = "0.08 s/m",
               .source = std::string(paper) + "; Hunt & Crossley 1975 give 0.08..0.32",
               .help = "Contact damping; for small impact speeds v the restitution is 1 - lambda v."});
-  s.quantity(
-      "regularisation_speed", &P::regularisation_speed,
-      {.unit = "m/s",
-       .range = positive(),
-       .fallback = "0.05 m/s",
-       .source = "estimate",
-       .help = "Friction goes through zero as v / sqrt(v^2 + this^2). Smaller is sharper and harder to integrate."});
+  s.quantity("regularisation_speed", &P::regularisation_speed,
+             {.unit = "m/s",
+              .range = positive(),
+              .fallback = "0.05 m/s",
+              .source = "estimate",
+              .help = "Friction is smoothed through zero slip as v / sqrt(v^2 + this^2). Smaller values are sharper "
+                      "and harder to integrate."});
   s.quantity("bore_radius", &P::bore_radius,
              {.unit = "m",
               .range = positive(),
-              .help = "Radius of the inner rings' bore; half of the inner ring's bore diameter if not given."});
-  s.quantity("static_friction_coefficient", &P::static_friction_coefficient,
-             {.range = between(0, 2), .help = "Friction near rest (Stribeck); the dynamic value if not given."});
+              .help = "Bore radius of the inner rings; half of the inner ring's bore diameter if not given."});
+  s.quantity(
+      "static_friction_coefficient", &P::static_friction_coefficient,
+      {.range = between(0, 2), .help = "Static friction coefficient (Stribeck law); the dynamic value if not given."});
   s.quantity("stribeck_speed", &P::stribeck_speed,
              {.unit = "m/s",
               .range = positive(),
               .fallback = "0.5 m/s",
               .source = "estimate",
-              .help = "Slip speed over which static friction falls to dynamic."});
-  s.function(
-      "friction_over_speed", &P::friction_over_speed,
-      {.argument_unit = "m/s",
-       .range = between(0, 2),
-       .help = "Dynamic friction of rotor and bore over slip speed, instead of friction_coefficient in the contact: "
-               "linear between the pairs, constant outside. regularisation_speed acts besides. What is derived "
-               "from one coefficient (race_friction_coefficient, the condition for a full rub) keeps "
-               "friction_coefficient."});
-  s.function(
-      "friction_over_temperature", &P::friction_over_temperature,
-      {.argument_unit = "K",
-       .range = between(0, 10),
-       .help = "Factor on the friction of rotor and bore over the mean temperature of the inner ring in the "
-               "lumped circuit: linear between the pairs, constant outside. The local temperature of the rubbing "
-               "spot does not enter."});
+              .help = "Slip speed over which friction falls from the static to the dynamic value."});
+  s.function("friction_over_speed", &P::friction_over_speed,
+             {.argument_unit = "m/s",
+              .range = between(0, 2),
+              .help = "Dynamic friction coefficient between rotor and bore over slip speed; replaces "
+                      "friction_coefficient in the contact. Linear between the pairs, constant outside; "
+                      "regularisation_speed still applies. Values derived from a single coefficient "
+                      "(race_friction_coefficient, the condition for a full rub) still use friction_coefficient."});
+  s.function("friction_over_temperature", &P::friction_over_temperature,
+             {.argument_unit = "K",
+              .range = between(0, 10),
+              .help = "Factor on the friction between rotor and bore over the mean temperature of the inner ring in "
+                      "the lumped circuit: linear between the pairs, constant outside. The local temperature of the "
+                      "rub contact has no influence."});
   s.quantity("wear_coefficient_bore", &P::wear_coefficient_bore,
              {.unit = "m2/N",
               .range = at_least(0),
               .fallback = "1e-14 m2/N",
               .source = "estimate: K/H with K = 7e-5 for unlubricated hardened steel (Archard 1953; Rabinowicz 1995: "
                         "1e-5 to 1e-3) and H = 7 GPa (60 HRC)",
-              .help = "Volume that the bore loses, over normal force and sliding distance (Archard). It acts on the "
-                      "reported wear alone."});
+              .help = "Wear volume of the bore divided by normal force and sliding distance (Archard). It affects only "
+                      "the reported wear."});
   s.quantity("wear_coefficient_rotor", &P::wear_coefficient_rotor,
              {.unit = "m2/N",
               .range = at_least(0),
               .fallback = "2.3e-14 m2/N",
               .source = "estimate: K/H with the same K and H = 3 GPa (quenched and tempered steel of a landing sleeve)",
-              .help = "The same of the rotor's surface."});
+              .help = "Wear volume of the rotor surface divided by normal force and sliding distance (Archard)."});
   s.quantity("wear_depth_limit", &P::wear_depth_limit,
              {.unit = "m",
               .range = positive(),
               .fallback = "50 um",
               .source = "estimate: a fifth of the reference case's air gap",
-              .help = "Wear depth of bore or rotor up to which drops are counted."});
+              .help = "Permitted wear depth of bore or rotor; the number of drops until then is reported."});
   s.choice(
       "friction_law", &P::friction_law,
       {{"automatic", FrictionLaw::automatic},
        {"regularised", FrictionLaw::regularised},
        {"sticking", FrictionLaw::sticking}},
       {.fallback = "automatic",
-       .help = "Friction of rotor and bore near rest. regularised: it goes through zero with the slip speed, and a "
-               "resting rotor creeps. sticking: elastic-plastic, a resting rotor stays. automatic: sticking with "
-               "rotor.axial_motion = \"free\", else regularised. Shoulders always rub by the regularised law."});
+       .help =
+           "Friction between rotor and bore near zero slip. regularised: proportional to the slip speed there, so a "
+           "resting rotor creeps. sticking: elastic-plastic, so a resting rotor stays in place. automatic: sticking "
+           "with rotor.axial_motion = \"free\", otherwise regularised. Shoulders always use the regularised law."});
   s.quantity("tangential_stiffness", &P::tangential_stiffness,
              {.unit = "N/m",
               .range = positive(),
               .fallback = "1e8 N/m",
               .source = "estimate: about a third of the normal stiffness under a resting rotor (Mindlin: 0.8 of it)",
-              .help = "Of rotor and bore before they slip, for friction_law = \"sticking\"; of the whole bore."});
+              .help = "Tangential contact stiffness between rotor and the whole bore before slip, for friction_law = "
+                      "\"sticking\"."});
   s.quantity("contact_length", &P::contact_length,
              {.unit = "m",
               .range = positive(),
               .fallback = "2 mm",
               .source = "estimate: Hertz' line contact of rotor and bore under some hundred newtons",
-              .help = "Length over which surfaces that turn together pass through their contact; the bristles of "
-                      "friction_law = \"sticking\" are renewed after it."});
+              .help = "Length of the contact along the surface; with friction_law = \"sticking\" the bristles are "
+                      "renewed after surfaces that turn together have moved by it."});
   s.check([](const P& p, const Node& table, Faults& faults) {
     if (p.bore_radius && p.air_gap >= *p.bore_radius)
       faults.add(position_of_value(table, "air_gap"),
@@ -490,19 +505,20 @@ Section<ContactParameters> contact_section() {
 Section<TouchdownParameters> touchdown_section() {
   using P = TouchdownParameters;
   Section<P> s("touchdown", "Ball bearing that catches the falling rotor.");
-  s.text(
-      "catalogue", &P::catalogue,
-      {.help =
-           "Name of a bearing of params/bearings, such as \"6014\": its values hold where this table says nothing."});
+  s.text("catalogue", &P::catalogue,
+         {.help = "Name of a bearing in params/bearings, such as \"6014\"; its values apply to all keys not set in "
+                  "this table."});
   s.integer("node", &P::node, {.range = at_least(1), .help = "Rotor node at which the bearing sits, numbered from 1."});
   s.quantity("contact_stiffness", &P::contact_stiffness,
              {.unit = "N/m^n",
               .range = positive(),
-              .help = "K of the normal force K delta^n between rotor and bore. Stiffens the first impact."});
-  s.quantity("bore_radius", &P::bore_radius,
-             {.unit = "m", .range = positive(), .help = "This bearing's bore; contact.bore_radius if not given."});
+              .help = "Contact stiffness K in the normal force K delta^n between rotor and bore. Larger values make "
+                      "the first impact harder."});
+  s.quantity(
+      "bore_radius", &P::bore_radius,
+      {.unit = "m", .range = positive(), .help = "Bore radius of this bearing; contact.bore_radius if not given."});
   s.quantity("air_gap", &P::air_gap,
-             {.unit = "m", .range = positive(), .help = "This bearing's air gap; contact.air_gap if not given."});
+             {.unit = "m", .range = positive(), .help = "Air gap of this bearing; contact.air_gap if not given."});
   add_row_keys(s);
   add_ring_keys(s);
   add_friction_keys(s);
@@ -544,7 +560,7 @@ void check_touchdown(const std::string& name, const TouchdownParameters& b, cons
     faults.add(position_of_value(table, "preload"),
                fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating C0 = {:.6g} N.",
                            name, b.preload, b.C0),
-               "Preloads are a few hundredths of C0; check the unit.");
+               "Preloads are typically a few percent of C0; check the unit.");
 }
 
 std::vector<RowPlace> row_places(const TouchdownParameters& b) {

@@ -58,16 +58,16 @@ std::string quoted(const std::string& word) {
 }
 
 std::string driver_in_words(const ThermalParameters& t) {
-  if (!t.growth) return "nothing (thermal.growth = false)";
+  if (!t.growth) return "none (thermal.growth = false)";
   switch (driver_of(t)) {
     case GrowthDriver::lumped:
       return "lumped thermal circuit";
     case GrowthDriver::fe:
       return "finite elements";
     case GrowthDriver::recorded:
-      return "growth that an earlier run recorded";
+      return "recorded by an earlier run";
     default:
-      return "nothing (thermal.driver = \"none\")";
+      return "none (thermal.driver = \"none\")";
   }
 }
 
@@ -76,7 +76,7 @@ std::string header(const Case& c) {
   std::string bearings;
   for (const auto& entry : p.bearings) bearings += (bearings.empty() ? "" : ", ") + entry.name;
   return fmt::format(
-      "rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; expansion driven by the {}\n",
+      "rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; thermal growth fed back: {}\n",
       version(), git_revision(), c.name, rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi,
       bearings, driver_in_words(p.thermal));
 }
@@ -103,8 +103,8 @@ int check_heat_case(const std::filesystem::path& file, const std::vector<std::st
   const std::string text = is_bearing_heat_case(file) ? bearing_heat_case_text(*read_bearing_heat_case(file, overrides))
                                                       : heat_case_text(read_heat_case(file, overrides));
   fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), file.stem().string(), text);
-  fmt::print("{}: no faults. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough{}.\n",
-             file.string(), is_bearing_heat_case(file) ? ", and what a drop needs besides" : "");
+  fmt::print("{}: no errors found. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough{}.\n",
+             file.string(), is_bearing_heat_case(file) ? ", and what only a drop needs" : "");
   return 0;
 }
 
@@ -141,7 +141,8 @@ std::filesystem::path comparison_file(const CompareCommand& command) {
   if (command.output.empty()) return command.directory / "comparison.json";
   const auto& file = command.output;
   if (file.extension() == ".h5")
-    throw InputError({"--output", 0, 0}, "the report is JSON; its series go into a file of the same name with .h5",
+    throw InputError({"--output", 0, 0},
+                     "the report is JSON; its time series go to a file of the same name ending in .h5",
                      "Give a name such as comparison.json.");
   for (const auto& path : {file, comparison_series_file(file)})
     if (!command.force && std::filesystem::exists(path))
@@ -196,7 +197,7 @@ int run_command(const RunCommand& command) {
   std::string again =
       fmt::format("rotordrop run {} -o {} --resume", quoted(command.file.string()), quoted(options.directory.string()));
   for (const auto& assignment : command.overrides) again += " --set " + quoted(assignment);
-  fmt::print(stderr, "interrupted at t = {:.6g} s; what was computed is in {}. Go on with: {}\n", result.end_time,
+  fmt::print(stderr, "interrupted at t = {:.6g} s; results so far are in {}. Continue with: {}\n", result.end_time,
              options.directory.string(), again);
   return 128 + static_cast<int>(caught_signal);
 }
@@ -212,7 +213,8 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
              report.body.Ip, report.body.Id, report.body.centre_of_gravity);
   fmt::print(
-      "{}: no faults{}. Not checked: whether the step suits the stiffest contact.\n", file.string(),
+      "{}: no errors found{}. Not checked: whether the time step is short enough for the stiffest contact.\n",
+      file.string(),
       c.warnings.empty() ? "" : fmt::format(", {} warning{}", c.warnings.size(), c.warnings.size() > 1 ? "s" : ""));
   return 0;
 }
@@ -230,7 +232,7 @@ int schema_command(bool heat) {
 int new_command(const std::filesystem::path& directory) {
   const auto file = new_case(directory);
   write_text_atomically(directory / "schema.json", write_json_schema(case_sections()));
-  fmt::print("A case to start from: {}\nRun it with: rotordrop run {}\n", file.string(), file.string());
+  fmt::print("New case: {}\nRun it with: rotordrop run {}\n", file.string(), file.string());
   return 0;
 }
 
@@ -261,7 +263,7 @@ int heat_command(const HeatCommand& command) {
     fmt::print("results in {}\n", options.directory.string());
   }
   if (summary["completed"].get<bool>()) return 0;
-  fmt::print(stderr, "interrupted; what was computed is in {}\n", options.directory.string());
+  fmt::print(stderr, "interrupted; results so far are in {}\n", options.directory.string());
   return 128 + static_cast<int>(caught_signal);
 }
 
@@ -284,7 +286,7 @@ int report_command(const ReportCommand& command) {
   const RecordedDrop drop(command.directory);
   const auto file = command.output.empty() ? command.directory / "report.html" : command.output;
   if (!command.force && std::filesystem::exists(file))
-    throw InputError({file.string(), 0, 0}, "the file exists already",
+    throw InputError({file.string(), 0, 0}, "the file already exists",
                      "Choose another with -o FILE, or replace it with --force.");
   const std::string page = report_page(report_data(drop));
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
@@ -315,7 +317,7 @@ int calibrate_command(const CalibrateCommand& command) {
   const auto file =
       command.output.empty() ? command.file.parent_path() / (c.name + "-calibrated.toml") : command.output;
   if (!command.force && std::filesystem::exists(file))
-    throw InputError({file.string(), 0, 0}, "the file exists already.",
+    throw InputError({file.string(), 0, 0}, "the file already exists.",
                      "Choose another with -o FILE, or replace it with --force.");
   const auto bearings = calibrate(c, settings);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());

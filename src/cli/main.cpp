@@ -52,7 +52,7 @@ void add_strict(CLI::App& command, bool& strict) {
   command.add_flag("--strict", strict, "Treat warnings about the case as faults");
 }
 
-void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("--quiet", quiet, "Only messages about trouble"); }
+void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("--quiet", quiet, "Print only warnings and errors"); }
 
 /// An empty name is most often a shell's variable that was never set.
 CLI::Validator not_empty() {
@@ -67,48 +67,47 @@ int run_program(int argc, char** argv) {
 
   RunCommand run;
   auto* run_app =
-      app.add_subcommand("run", "Run a case: results.h5, summary.json and parameters.toml into a directory.");
+      app.add_subcommand("run", "Run a case; write results.h5, summary.json and parameters.toml to a directory.");
   add_case(*run_app, run.file);
   run_app->add_option("-o,--output", run.directory, "Directory for the results; default out/CASE");
   add_overrides(*run_app, run.overrides, "contact.friction_coefficient=0.05");
-  add_force(*run_app, run.force, "results that are in the directory");
-  run_app->add_flag("--resume", run.resume, "Go on with an interrupted run");
+  add_force(*run_app, run.force, "existing results in the directory");
+  run_app->add_flag("--resume", run.resume, "Continue an interrupted run");
   add_strict(*run_app, run.strict);
   add_quiet(*run_app, run.quiet);
 
   std::string check_file;
   std::vector<std::string> check_overrides;
-  auto* check = app.add_subcommand("check", "Read and check a case, of a drop or of heat alone, without running it.");
+  auto* check = app.add_subcommand("check", "Read and check a case (a drop or heat only) without running it.");
   add_case(*check, check_file);
   bool check_strict = false;
   add_strict(*check, check_strict);
   add_overrides(*check, check_overrides);
 
   ModesCommand modes;
-  auto* modes_app = app.add_subcommand("modes", "Natural modes: on the case's linear supports, or free-free.");
+  auto* modes_app = app.add_subcommand("modes", "Compute natural modes with the case's linear supports, or free-free.");
   add_case(*modes_app, modes.file);
   modes_app->add_option("--speeds", modes.speeds,
                         "Spin speeds, such as \"0 rpm,15200 rpm\"; default: 0 and the initial speed");
   modes_app->add_option("--modes", modes.n_modes, "Number of modes to report")->check(CLI::Range(1, 10000));
-  modes_app->add_flag("--json", modes.json, "Report as JSON");
+  modes_app->add_flag("--json", modes.json, "Print the report as JSON");
   modes_app->add_option("--shapes", modes.shapes, "HDF5 file for the mode shapes; default out/CASE/modes.h5");
   add_overrides(*modes_app, modes.overrides);
 
   HeatCommand heat;
   auto* heat_app = app.add_subcommand("heat",
-                                      "Heat alone: temperatures under given heat, of plain sections by finite elements "
-                                      "or of a touchdown bearing by its "
-                                      "circuit and section.");
+                                      "Compute temperatures for prescribed heat input, without dynamics: plain "
+                                      "sections (finite elements) or a touchdown bearing (circuit and section).");
   add_case(*heat_app, heat.file);
   heat_app->add_option("-o,--output", heat.directory, "Directory for the results; default out/CASE");
   add_overrides(*heat_app, heat.overrides, "fe.cells=16");
-  add_force(*heat_app, heat.force, "results that are in the directory");
+  add_force(*heat_app, heat.force, "existing results in the directory");
   add_quiet(*heat_app, heat.quiet);
 
   CompareCommand compare;
-  auto* compare_app = app.add_subcommand(
-      "compare",
-      "Lumped circuit against finite elements of a drop, or one drop against another: when to trust the former.");
+  auto* compare_app = app.add_subcommand("compare",
+                                         "Compare the lumped circuit with the finite elements of a drop, or two drops, "
+                                         "to see when the circuit can be trusted.");
   compare_app->add_option("directory", compare.directory, "Directory of a run's results")->required();
   compare_app->add_option("--against", compare.against, "Directory of another run");
   compare_app->add_option("--tolerance", compare.tolerance,
@@ -116,73 +115,75 @@ int run_program(int argc, char** argv) {
   compare_app->add_option("--floor", compare.floor,
                           "Smallest tolerance of temperatures if it is a part of the rise; default \"10 mK\"");
   compare_app->add_option("--growth-tolerance", compare.growth_tolerance,
-                          "Of thermal growth and clearances; default \"0.1 um\"");
+                          "Tolerance for thermal growth and clearances; default \"0.1 um\"");
   compare_app->add_option("--times", compare.times,
-                          "Instants to report beside the first impact's peak and the end; default \"10 ms\"");
+                          "Times to report in addition to the peak of the first impact and the end; default \"10 ms\"");
   compare_app->add_option("--band-length", compare.band_length,
-                          "Length of the rub along the surface; default: the case's thermal.rub_band_length");
+                          "Length of the rub contact along the surface; default: the case's thermal.rub_band_length");
   compare_app->add_option("-o,--output", compare.output, "Report; default DIR/comparison.json");
   add_force(*compare_app, compare.force, "the file given with -o");
   add_quiet(*compare_app, compare.quiet);
 
   ReportCommand report;
-  auto* report_app = app.add_subcommand("report", "One HTML page of a run, with figures; it needs no other file.");
+  auto* report_app = app.add_subcommand("report", "Write a run as one self-contained HTML page with figures.");
   report_app->add_option("directory", report.directory, "Directory of a run's results")->required();
   report_app->add_option("-o,--output", report.output, "File; default DIR/report.html");
-  add_force(*report_app, report.force, "a file that is there");
+  add_force(*report_app, report.force, "an existing file");
   add_quiet(*report_app, report.quiet);
 
   MeshCommand mesh;
-  auto* mesh_app = app.add_subcommand("mesh", "Mesh of the touchdown bearings' sections, as a .msh file of gmsh.");
+  auto* mesh_app = app.add_subcommand("mesh", "Mesh the sections of the touchdown bearings; write a gmsh .msh file.");
   add_case(*mesh_app, mesh.file);
   mesh_app->add_option("-o,--output", mesh.output,
-                       "File, default out/CASE/mesh.msh; of several bearings FILE-NAME.msh each");
-  mesh_app->add_option("--bearing", mesh.bearing, "Only this one");
+                       "File; default out/CASE/mesh.msh; with several bearings, one FILE-NAME.msh for each");
+  mesh_app->add_option("--bearing", mesh.bearing, "Only this bearing");
   mesh_app->add_option("--format", mesh.format, "Version of the format")->check(CLI::IsMember({"4.1", "2.2"}));
   add_overrides(*mesh_app, mesh.overrides, "thermal.fe.refinement=2");
-  add_force(*mesh_app, mesh.force, "files that are there");
+  add_force(*mesh_app, mesh.force, "existing files");
   add_quiet(*mesh_app, mesh.quiet);
 
   CalibrateCommand calibrate;
   auto* calibrate_app = app.add_subcommand(
-      "calibrate", "Fit the lumped circuits to the finite elements; writes a parameter file that builds on the case.");
+      "calibrate", "Fit the lumped circuits to the finite elements; write a parameter file based on the case.");
   add_case(*calibrate_app, calibrate.file);
   calibrate_app->add_option("-o,--output", calibrate.output, "File; default CASE-calibrated.toml beside the case");
   calibrate_app->add_option("--until", calibrate.until, "Responses are compared up to this time; default 10 s");
   add_overrides(*calibrate_app, calibrate.overrides, "thermal.fe.refinement=2");
-  add_force(*calibrate_app, calibrate.force, "a file that is there");
+  add_force(*calibrate_app, calibrate.force, "an existing file");
   add_quiet(*calibrate_app, calibrate.quiet);
 
   StaticsCommand statics;
-  auto* statics_app = app.add_subcommand(
-      "statics", "Rest of the rotor on its supports, or of bearings under a load: ball loads, pressures, stiffness.");
+  auto* statics_app = app.add_subcommand("statics",
+                                         "Compute the static equilibrium of the rotor on its supports, or of a bearing "
+                                         "under load: ball loads, contact pressures, stiffness.");
   add_case(*statics_app, statics.file);
-  statics_app->add_option("--bearing", statics.bearing, "Only this touchdown bearing, by itself under [statics]");
+  statics_app->add_option("--bearing", statics.bearing,
+                          "Only this touchdown bearing, on its own, loaded as in [statics]");
   statics_app->add_flag("--json", statics.json, "Report as JSON, with every ball");
   add_overrides(*statics_app, statics.overrides, "statics.inner_rise=\"20 K\"");
 
   PreloadCommand preload;
-  auto* preload_app = app.add_subcommand(
-      "preload",
-      "Thermal preload of touchdown bearings: maps, course over a drop, steady running until it holds or runs away.");
+  auto* preload_app = app.add_subcommand("preload",
+                                         "Compute the thermal preload of touchdown bearings: maps, history over a "
+                                         "drop, steady running until it settles or runs away.");
   add_case(*preload_app, preload.file);
   preload_app->add_option("--bearing", preload.bearing, "Only this touchdown bearing");
   preload_app->add_option("--results", preload.results,
-                          "Directory of a drop's results, for the preload over that drop");
+                          "Directory of a drop's results, for the preload history over that drop");
   preload_app->add_option("-o,--output", preload.directory, "Directory for the results; default out/CASE-preload");
-  preload_app->add_flag("--json", preload.json, "Report as JSON on the screen too");
+  preload_app->add_flag("--json", preload.json, "Print the report as JSON");
   add_overrides(*preload_app, preload.overrides, "preload.speed=\"3000 rpm\"");
-  add_force(*preload_app, preload.force, "results that are in the directory");
+  add_force(*preload_app, preload.force, "existing results in the directory");
   add_quiet(*preload_app, preload.quiet);
 
   auto* defaults =
-      app.add_subcommand("defaults", "Every parameter with unit, range, default and source, as a TOML file.");
+      app.add_subcommand("defaults", "Print every parameter with unit, range, default and source, as TOML.");
   bool heat_defaults = false, heat_schema = false;
-  defaults->add_flag("--heat", heat_defaults, "Those of a case of heat alone (rotordrop heat)");
+  defaults->add_flag("--heat", heat_defaults, "Parameters of a heat-only case (rotordrop heat)");
   auto* schema = app.add_subcommand("schema", "JSON Schema of case files, for editors.");
-  schema->add_flag("--heat", heat_schema, "Of a case of heat alone (rotordrop heat)");
+  schema->add_flag("--heat", heat_schema, "Schema of a heat-only case (rotordrop heat)");
   std::string new_directory;
-  auto* fresh = app.add_subcommand("new", "Start a case in a new folder.");
+  auto* fresh = app.add_subcommand("new", "Create a folder with a case to start from.");
   fresh->add_option("directory", new_directory, "Folder")->required();
 
   for (auto* command : app.get_subcommands([](CLI::App*) { return true; }))
@@ -250,7 +251,7 @@ int run_guarded(int argc, char** argv) {
     return run_failed;
   } catch (const std::exception& error) {
     fmt::print(stderr,
-               "error: {}\n       This is a fault of the program, not of the input; please report it with the "
+               "error: {}\n       This is a bug in the program, not an error in the input; please report it with the "
                "parameter file.\n",
                error.what());
     return run_failed;

@@ -32,17 +32,18 @@ bool all_finite(std::span<const double> values) {
 }
 
 void throw_rates_not_finite(const StateLayout& layout, std::span<const double> rates, double t, double step) {
-  throw SolverError(fmt::format(
-      "the rate of {} is not a finite number at t = {:.6g} ms (step {:.3g} s).\n"
-      "       Often the step is too long for the stiffest contact, or a parameter is far out of its usual range.",
-      not_finite(layout, rates), t * 1e3, step));
+  throw SolverError(
+      fmt::format("the rate of {} is not a finite number at t = {:.6g} ms (step {:.3g} s).\n"
+                  "       A common cause: the time step is too long for the stiffest contact, or a parameter is far "
+                  "outside its usual range.",
+                  not_finite(layout, rates), t * 1e3, step));
 }
 
 void throw_state_not_finite(const StateLayout& layout, std::span<const double> state, double t) {
-  throw SolverError(
-      fmt::format("the state is no longer finite at t = {:.6g} ms: {}.\n       Often the step is too long for the "
-                  "stiffest contact.",
-                  t * 1e3, not_finite(layout, state)));
+  throw SolverError(fmt::format(
+      "the state is no longer finite at t = {:.6g} ms: {}.\n       A common cause: the time step is too long for the "
+      "stiffest contact.",
+      t * 1e3, not_finite(layout, state)));
 }
 
 void throw_no_step(const StateLayout& layout, double t, double step, std::span<const double> weighted_error,

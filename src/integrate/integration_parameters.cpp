@@ -21,8 +21,8 @@ Section<IntegrationParameters> integration_section() {
              {.unit = "s",
               .range = between(1e-9, 1e-3),
               .source = "docs/convergence.md",
-              .help = "Step of runge-kutta-4 (5 us if not given), or longest step of the others (50 us), so that no "
-                      "impact is stepped over."});
+              .help = "Fixed step of runge-kutta-4 (5 us if not given), or longest step of the other methods (50 us), "
+                      "so that no impact is skipped."});
   s.quantity("tolerance", &P::tolerance,
              {.range = between(1e-13, 1e-2),
               .fallback = "3e-7",

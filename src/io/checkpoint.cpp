@@ -262,9 +262,9 @@ Checkpoint read_checkpoint(const fs::path& path) {
   const std::size_t size = bytes.size() < trailer_size ? 0 : bytes.size() - trailer_size;
   const std::string_view trailer = std::string_view(bytes).substr(size);
   if (!trailer.starts_with(check_sum_mark))
-    throw InputError({path.string()}, "this is not a checkpoint of rotordrop, or its end is missing.");
+    throw InputError({path.string()}, "this is not a rotordrop checkpoint, or it is truncated.");
   if (trailer.substr(check_sum_mark.size(), check_sum_digits) != check_sum(std::string_view(bytes).substr(0, size)))
-    throw InputError({path.string()}, "this checkpoint is damaged: its check sum does not fit its content.");
+    throw InputError({path.string()}, "this checkpoint is damaged: its checksum does not match its content.");
   bytes.resize(size);
   try {
     return from_image(bytes);

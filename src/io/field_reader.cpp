@@ -24,7 +24,7 @@ std::string content_of(const fs::path& path) {
 }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
-  throw InputError({file.string(), 0, 0}, "this is no field of rotordrop: " + why,
+  throw InputError({file.string(), 0, 0}, "this is not a rotordrop field: " + why,
                    "Run the case again, or remove its folder of fields.");
 }
 
@@ -144,7 +144,7 @@ TemperatureField read_field(const fs::path& vtu) {
       (body.size() != n && body.size() != types.size()) ||
       std::any_of(types.begin(), types.end(), [](double type) { return type != 9.; }) ||
       std::any_of(corners.begin(), corners.end(), [n](double i) { return !(i >= 0. && i < static_cast<double>(n)); }))
-    refuse(vtu, "its cells are no quadrilaterals, or arrays do not fit together");
+    refuse(vtu, "its cells are not quadrilaterals, or arrays do not fit together");
   for (std::size_t i = 0; i < n; ++i) {
     field.x.push_back(points[3 * i]);
     field.r.push_back(points[3 * i + 1]);

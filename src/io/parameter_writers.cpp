@@ -88,7 +88,7 @@ class DefaultsWriter {
   }
   void tables(const Declaration& d, const std::string& path, bool is_shown_only) {
     if (d.kind == Kind::table) {
-      header(fmt::format("[{}]{}", path, d.required ? "" : "  # may be absent"), d.help, is_shown_only || !d.required);
+      header(fmt::format("[{}]{}", path, d.required ? "" : "  # optional table"), d.help, is_shown_only || !d.required);
       section(*d.nested, path, is_shown_only || !d.required);
     } else if (d.kind == Kind::list) {
       header(fmt::format("[[{}]]  # {}", path, times(d)), d.help, true);
@@ -101,7 +101,7 @@ class DefaultsWriter {
       for (const VariantDeclaration& variant : d.variants) {
         header(fmt::format("[{}.NAME]  # {}", path, times(d)), variant.section->help, true);
         if (variant.takes_defaults)
-          comment(fmt::format("What is set in [{}] itself holds for every such table that does not set it.", path));
+          comment(fmt::format("Keys set in [{}] itself apply to every such table that does not set them.", path));
         const bool is_fallback = d.fallback_tag == variant.tag;
         text_ += fmt::format("#{} = {}{}\n\n", toml_key(d.tag_key), quoted_text(variant.tag),
                              is_fallback ? "" : "  # required");

@@ -139,8 +139,8 @@ void give_name(const fs::path& from, const fs::path& to, bool may_replace) {
       return;
     }
     if (errno == EEXIST)
-      throw InputError({to.string()}, "this result file exists already.",
-                       "Choose another directory, or say that it may be overwritten.");
+      throw InputError({to.string()}, "this result file already exists.",
+                       "Choose another directory, or allow it to be overwritten.");
     // Some file systems have no links; there the rename below has to do.
   }
   std::error_code error;
@@ -189,8 +189,8 @@ struct Recorder::Implementation {
 void Recorder::Implementation::create(const RecordHeader& header) {
   std::error_code ignored;
   if (!options.overwrite && fs::exists(path, ignored))
-    throw InputError({path.string()}, "this result file exists already.",
-                     "Choose another directory, or say that it may be overwritten.");
+    throw InputError({path.string()}, "this result file already exists.",
+                     "Choose another directory, or allow it to be overwritten.");
   // Made under another name first: nobody ever opens a file whose datasets are still being made, and an older one stays until
   // the new one is sound.
   const fs::path beside = path.string() + "." + std::to_string(::getpid()) + ".new";
@@ -576,7 +576,7 @@ CopiedRows copy_rows_until(const fs::path& old_path, double time, Recorder& reco
   for (std::size_t group = 0; is_expected && copied.missing.empty() && group < n_groups; ++group)
     if (now.check_sums[group] != expected.check_sums[group])
       throw_damaged(old_path, "the rows of " + recorder.groups()[group].time_path +
-                                  " are not those that were written: their check sum differs.");
+                                  " are not those that were written: their checksum differs.");
   return copied;
 }
 

@@ -105,7 +105,8 @@ Node read_with_bases(const std::filesystem::path& path, const SourcePosition& na
   if (again != including.end()) {
     std::string chain;
     for (auto file = again; file != including.end(); ++file) chain += file->filename().string() + " -> ";
-    throw InputError(where_base, fmt::format("base \"{}\" leads back to a file that is being read.", base->text()),
+    throw InputError(where_base,
+                     fmt::format("base \"{}\" refers back to a file that is already being read.", base->text()),
                      fmt::format("The chain of bases is {}{}.", chain, again->filename().string()));
   }
   tree.erase("base");
@@ -180,7 +181,8 @@ void apply_override(Node& tree, std::string_view assignment) {
   const std::string example =
       "Write it as --set contact.friction_coefficient=0.05; quote it for the shell if it has spaces.";
   if (path.empty() || text.empty())
-    throw InputError({fmt::format("--set {}", assignment)}, "this sets no parameter: it must be KEY=VALUE.", example);
+    throw InputError({fmt::format("--set {}", assignment)}, "this is not a parameter setting; it must be KEY=VALUE.",
+                     example);
   const SourcePosition where{fmt::format("--set {}", path)};
   const auto keys = keys_of_path(path);
   if (!keys) throw InputError(where, fmt::format("\"{}\" is not the name of a parameter.", path), example);

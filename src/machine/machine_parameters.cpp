@@ -120,13 +120,13 @@ Section<MaterialParameters> material_section() {
               .argument_unit = "K",
               .range = positive(),
               .help = "Conductivity over temperature, instead of k: linear between the pairs, constant outside. Meshed "
-                      "rings and housing follow it (thermal.fe.coupling = \"windowed\"); what has no section takes its "
-                      "value at run.ambient."});
+                      "rings and housing use it at their temperature (thermal.fe.coupling = \"windowed\"); parts "
+                      "without a mesh use its value at run.ambient."});
   s.function("c_table", &P::c_table,
              {.unit = "J/(kg K)",
               .argument_unit = "K",
               .range = positive(),
-              .help = "Specific heat capacity over temperature, instead of c, likewise."});
+              .help = "Specific heat capacity over temperature, instead of c; used like k_table."});
   s.quantity("alpha", &P::alpha,
              {.unit = "1/K", .range = between(-1e-3, 1e-3), .help = "Linear thermal expansion coefficient."});
   return s;

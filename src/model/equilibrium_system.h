@@ -4,7 +4,7 @@
 
 namespace rotordrop {
 
-/// A mechanical system whose rest is looked for: unknown places, the forces on them, their derivative.
+/// A mechanical system whose static equilibrium is sought: unknown positions, the forces on them, and the derivative of these.
 class EquilibriumSystem {
  public:
   EquilibriumSystem() = default;

@@ -209,7 +209,7 @@ class HeatConductionSolver {
   [[nodiscard]] virtual double port_area(std::size_t port) const = 0;         ///< [m2]; 0 of a node
   [[nodiscard]] virtual HeatEnergy energy() const = 0;
   [[nodiscard]] virtual HeatStatistics statistics() const = 0;
-  /// Heat into each port [W] [n_ports], from now on, and how it goes on changing [W/s] [n_ports, or none: it stays].
+  /// Sets the heat into each port [W] [n_ports] from now on, and its rate of change [W/s] [n_ports, or none: it stays].
   virtual void set_port_heat(std::span<const double> watts, std::span<const double> rates) = 0;
   void set_port_heat(std::span<const double> watts) { set_port_heat(watts, {}); }
   /// One implicit step of second order without error control; factorisations are kept by step length.
@@ -220,10 +220,10 @@ class HeatConductionSolver {
   /// A field of an earlier computation, with the energies that came in and were lost until then.
   virtual void set_field(std::span<const double> temperatures, double time, double input, double lost) = 0;
 
-  /// The problem seen from its ports, on few modes. Keeps what lift() needs.
+  /// Reduces the problem, as seen from its ports, to a few modes. Keeps what lift() needs.
   /// @throws SolverError if a property depends on temperature, a convection is not linear or a boundary is held
   virtual ReducedHeat reduce(const ReductionSettings& settings) = 0;
-  /// The field that a state of the last reduce() stands for.
+  /// Sets the field to the one represented by a state of the last reduce().
   /// @param state  [n_modes]; @param watts  heat into the ports at that instant [n_ports]
   virtual void lift(std::span<const double> state, std::span<const double> watts, double time) = 0;
   /// A weighted sum of all unknowns' rises as one of the modes' of the last reduce(): sum weight_i (T_i - T_0) = sum shape_i (z_i - T_0).

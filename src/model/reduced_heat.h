@@ -7,7 +7,7 @@
 namespace rotordrop {
 
 struct ReductionSettings {
-  std::size_t modes = 200;            ///< at most so many; 0: every one of the mesh (small meshes only)
+  std::size_t modes = 200;            ///< maximum number; 0: all modes of the mesh (small meshes only)
   double response_tolerance = 0.005;  ///< as few modes are taken as this relative error of the responses allows
   double fastest = 6e4;         ///< [1/s] modes that decay faster are left out; explicit steps of 50 us bear these
   double shortest_time = 1e-4;  ///< [s] the response to heat is matched from here: a twentieth of an impact

@@ -7,7 +7,7 @@
 
 namespace rotordrop {
 
-/// What the rotor does with power besides moving [W].
+/// Power dissipated by the rotor, or done on it as work [W].
 struct RotorPower {
   double damping = 0;         ///< dissipated by modal and mass-proportional damping
   double unbalance_work = 0;  ///< done on the rotor by the unbalance forces (which have no reaction torque on the spin)

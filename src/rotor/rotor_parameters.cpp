@@ -78,7 +78,8 @@ const Section<GeometryEntries>& geometry_section() {
         .text("material", &ElementEntry::material, {.help = "A name in `materials`; without it, `material` holds."});
 
     Section<MassPointEntry> mass_point("mass_points");
-    mass_point.integer("node", &MassPointEntry::node, {.range = at_least(1), .help = "Where it sits."})
+    mass_point
+        .integer("node", &MassPointEntry::node, {.range = at_least(1), .help = "Node that carries the mass point."})
         .text("name", &MassPointEntry::name, {.help = "For the reader only."})
         .quantity("mass", &MassPointEntry::mass,
                   {.unit = "kg", .range = at_least(0), .help = "Mass without stiffness."})
@@ -94,7 +95,7 @@ const Section<GeometryEntries>& geometry_section() {
         .custom("targets", {.help = "For the reader only."}, ignore)
         .custom("achieved", {.help = "For the reader only."}, ignore)
         .table("material", &GeometryEntries::material, material_section(),
-               {.help = "Of every element that names none."})
+               {.help = "Material of every element without its own."})
         .tables("materials", &GeometryEntries::materials, material_section(), {.help = "Further materials by name."})
         .list("nodes", &GeometryEntries::nodes, node, {.min_count = 2})
         .list("elements", &GeometryEntries::elements, element, {.min_count = 1})
@@ -118,8 +119,8 @@ void check_nodes(const GeometryEntries& entries, const Node& table, Faults& faul
     if (node.id != static_cast<int>(k) + 1)
       faults.add(
           position_in(table, "nodes", k, "id"),
-          fmt::format("node id = {} stands at place {} of the list, where {} is expected.", node.id, k + 1, k + 1),
-          "Number the nodes 1, 2, 3 ... in the order of rising x.");
+          fmt::format("node id = {} is at position {} of the list, where {} is expected.", node.id, k + 1, k + 1),
+          "Number the nodes 1, 2, 3 ... in the order of increasing x.");
     else if (k > 0 && node.x <= entries.nodes[k - 1].x)
       faults.add(position_in(table, "nodes", k, "x"),
                  fmt::format("x = {} m of node {} is not larger than x = {} m of node {}.", node.x, node.id,
@@ -156,10 +157,10 @@ void check_element(const GeometryEntries& entries, std::size_t k, const Node& ta
   if (element.bore >= element.od)
     faults.add(where("id_"),
                fmt::format("id_ = {} m of {} is not smaller than its od = {} m.", element.bore, name, element.od),
-               "A bore must be inside its shaft; are both diameters?");
+               "A bore must be smaller than its shaft; check that both values are diameters.");
   const auto is_named = [&](const auto& material) { return material.first == *element.material; };
   if (!element.material && !entries.material)
-    faults.add(where("material"), fmt::format("{} names no material, and there is no common `material`.", name),
+    faults.add(where("material"), fmt::format("{} names no material, and there is no default `material`.", name),
                "Add material = {E, nu, rho} to the geometry, or a name in `materials` to the element.");
   else if (element.material && std::none_of(entries.materials.begin(), entries.materials.end(), is_named)) {
     std::vector<std::string> names;
@@ -250,28 +251,32 @@ RotorGeometry read_rotor_geometry(const Node& table, Faults& faults) {
 }
 
 Section<RotorParameters> rotor_section() {
-  Section<Unbalance> unbalance("unbalance", "A heavy spot whose centrifugal force turns with the rotor.");
-  unbalance.integer("node", &Unbalance::node, {.range = at_least(1), .help = "Node at which it sits."})
+  Section<Unbalance> unbalance("unbalance", "An unbalance mass whose centrifugal force rotates with the rotor.");
+  unbalance.integer("node", &Unbalance::node, {.range = at_least(1), .help = "Node at which it acts."})
       .quantity(
           "me", &Unbalance::me,
           {.unit = "kg m", .range = at_least(0), .help = "Mass times eccentricity; 1e-6 kg m is one gram millimetre."})
       .quantity("angle", &Unbalance::angle,
-                {.unit = "rad", .fallback = "0 deg", .help = "Where it is at spin angle 0, from +y towards +z."});
+                {.unit = "rad", .fallback = "0 deg", .help = "Angular position at spin angle 0, from +y towards +z."});
 
   Section<InitialOrbit> orbit("initial_orbit", "Circular orbit of the whole rotor at the start.");
   orbit
       .quantity("radius", &InitialOrbit::radius,
-                {.unit = "m", .range = at_least(0), .fallback = "0 m", .help = "Added to the position at the start."})
+                {.unit = "m",
+                 .range = at_least(0),
+                 .fallback = "0 m",
+                 .help = "Orbit radius, added to the initial position."})
       .quantity("angle", &InitialOrbit::angle,
-                {.unit = "rad", .fallback = "0 deg", .help = "Of the start, from +y towards +z."})
-      .quantity(
-          "speed", &InitialOrbit::speed,
-          {.unit = "rad/s",
-           .fallback = "0 rpm",
-           .help =
-               "Whirl speed; positive turns with a positive spin. The velocity at the start is radius times this."});
+                {.unit = "rad",
+                 .fallback = "0 deg",
+                 .help = "Angular position on the orbit at the start, from +y towards +z."})
+      .quantity("speed", &InitialOrbit::speed,
+                {.unit = "rad/s",
+                 .fallback = "0 rpm",
+                 .help = "Whirl speed; positive is in the direction of positive spin. The initial velocity is radius "
+                         "times this."});
 
-  Section<RotorParameters> section("rotor", "The flexible rotor and how it starts.");
+  Section<RotorParameters> section("rotor", "The flexible rotor and its initial state.");
   section
       .custom("geometry",
               {.accepts = "name of a JSON or TOML file, or a table",
@@ -286,18 +291,19 @@ Section<RotorParameters> rotor_section() {
               {.fallback = "modal",
                .source = "trial model: peak force +34 % rigid, +11 % with 1 kHz, 0.7 % with 5 kHz, all against full",
                .help = "modal: free-free modes up to cut_off_frequency. full: all modes, exact, a hundred times "
-                       "slower. rigid: none bends."})
+                       "slower. rigid: no bending modes."})
       .quantity("cut_off_frequency", &RotorParameters::cut_off_frequency,
                 {.unit = "Hz",
                  .range = at_least(0),
                  .fallback = "4500 Hz",
-                 .help = "Of model = \"modal\". More modes soften the first impact and shorten the time step."})
+                 .help = "Highest mode frequency kept with model = \"modal\". More modes soften the first impact and "
+                         "shorten the time step."})
       .boolean(
           "residual_flexibility", &RotorParameters::residual_flexibility,
           {.fallback = false,
            .source = "off: the modes it adds take the settling reference drop from 112 000 to 146 000 right-hand sides",
            .help =
-               "Of model = \"modal\": one more mode per bearing station and plane, above the cut-off, that keeps "
+               "For model = \"modal\": one more mode per bearing station and plane, above the cut-off, that keeps "
                "the static flexibility of the modes left out: peak forces within 0.15 % of those of \"full\" instead "
                "of 0.5 to 0.9 %."})
       .quantity("modal_damping", &RotorParameters::modal_damping,
@@ -309,40 +315,41 @@ Section<RotorParameters> rotor_section() {
                 {.unit = "1/s",
                  .range = at_least(0),
                  .fallback = "0 1/s",
-                 .help = "Damps the rigid motion too, as if the rotor fell through oil: bounces die sooner, the fall "
-                         "takes longer."})
-      .list("unbalance", &RotorParameters::unbalance, unbalance, {.help = "Heavy spots; none if left out."})
+                 .help = "Mass-proportional damping. It also damps rigid-body motion, as if the rotor fell through "
+                         "oil: bounces decay sooner and the fall takes longer."})
+      .list("unbalance", &RotorParameters::unbalance, unbalance, {.help = "Unbalances; none if omitted."})
       .function("torque", &RotorParameters::torque,
                 {.unit = "N m",
                  .argument_unit = "s",
                  .fallback = {{{"0 s", "0 N m"}}},
-                 .help = "Of motor (positive) or brake (negative) on the rotor: [time, torque] pairs, linear between, "
-                         "constant before and "
-                         "after. A constant brake turns a standing rotor backwards: let the table end with 0."})
+                 .help = "Motor (positive) or brake (negative) torque on the rotor: [time, torque] pairs, linear "
+                         "between them, constant before and after. A constant brake torque drives a stopped rotor "
+                         "backwards: end the table with 0."})
       .table("windage", &RotorParameters::windage, windage_section(),
-             {.help = "Friction of the rotor in the gas around it; none if left out."})
+             {.help = "Friction of the rotor in the surrounding gas; none if omitted."})
       .choice("axial_motion", &RotorParameters::axial_motion,
               {{"locked", AxialFreedom::locked}, {"free", AxialFreedom::free}},
               {.fallback = "locked",
-               .help = "Whether the rotor, rigid along its axis, can move along it. \"free\" needs ring_motion = "
-                       "\"free\" of its touchdown bearings."})
+               .help = "Whether the rotor can move axially, as a rigid body. \"free\" requires ring_motion = \"free\" "
+                       "for its touchdown bearings."})
       .function("axial_force", &RotorParameters::axial_force,
                 {.unit = "N",
                  .argument_unit = "s",
                  .fallback = {{{"0 s", "0 N"}}},
-                 .help = "On an axially free rotor along +x, such as the thrust of the process: [time, force] pairs, "
+                 .help = "Axial force along +x on an axially free rotor, such as process thrust: [time, force] pairs, "
                          "linear between, constant before and after."})
       .quantities("initial_offset", &RotorParameters::initial_offset,
                   {.unit = "m",
                    .fallback = {"0 m", "0 m"},
-                   .help = "y, z of the centre of gravity from the straight line through both rings' centres."})
+                   .help = "Offset (y, z) of the centre of gravity from the straight line through both ring centres."})
       .quantities("initial_tilt", &RotorParameters::initial_tilt,
-                  {.unit = "rad", .fallback = {"0 rad", "0 rad"}, .help = "Rotation about y, z from that line."})
+                  {.unit = "rad", .fallback = {"0 rad", "0 rad"}, .help = "Tilt about y and z relative to that line."})
       .quantities("initial_velocity", &RotorParameters::initial_velocity,
-                  {.unit = "m/s", .fallback = {"0 m/s", "0 m/s"}, .help = "y, z of the centre of gravity."})
+                  {.unit = "m/s", .fallback = {"0 m/s", "0 m/s"}, .help = "Velocity (y, z) of the centre of gravity."})
       .quantities("initial_tilt_rate", &RotorParameters::initial_tilt_rate,
-                  {.unit = "rad/s", .fallback = {"0 rad/s", "0 rad/s"}, .help = "About y, z."})
-      .table("initial_orbit", &RotorParameters::initial_orbit, orbit, {.help = "Added to the offset and velocity."})
+                  {.unit = "rad/s", .fallback = {"0 rad/s", "0 rad/s"}, .help = "Tilt rate about y and z."})
+      .table("initial_orbit", &RotorParameters::initial_orbit, orbit,
+             {.help = "Circular orbit at the start, added to the initial offset and velocity."})
       .check(check_inline_geometry);
   return section;
 }

@@ -31,11 +31,12 @@ Section<WindageParameters> windage_section() {
   Section<P> s("windage",
                "Friction of the rotor in the gas around it. It brakes the rotor; its heat goes into the gas and warms "
                "neither bearings nor shaft.");
-  s.choice("law", &P::law, {{"power", WindageLaw::power}, {"geometry", WindageLaw::geometry}},
-           {.fallback = "power",
-            .help = "power: torque (|spin| / speed)^exponent. geometry: smooth cylinders (Theodorsen & Regier 1944 in "
-                    "free gas, Bilgen & Boulos 1973 in a gap) and faces (von Karman) of the rotor's elements; mass "
-                    "points are left out."});
+  s.choice(
+      "law", &P::law, {{"power", WindageLaw::power}, {"geometry", WindageLaw::geometry}},
+      {.fallback = "power",
+       .help =
+           "power: torque (|spin| / speed)^exponent. geometry: smooth cylinders (Theodorsen & Regier 1944 in free gas, "
+           "Bilgen & Boulos 1973 in a gap) and faces (von Karman) of the rotor's elements; mass points are ignored."});
   s.quantity("torque", &P::torque,
              {.unit = "N m", .range = at_least(0), .help = "Windage torque at `speed`, for law = \"power\"."});
   s.quantity("speed", &P::speed,
@@ -62,11 +63,12 @@ Section<WindageParameters> windage_section() {
               .range = positive(),
               .help = "Radial gap between all cylinders and a casing at rest, for law = \"geometry\"; free gas if not "
                       "given."});
-  s.quantity("factor", &P::factor,
-             {.range = at_least(0),
-              .fallback = "1",
-              .source = "1: smooth surfaces",
-              .help = "On the torque of either law: above 1 for slots, fans, rough or axially flushed surfaces."});
+  s.quantity(
+      "factor", &P::factor,
+      {.range = at_least(0),
+       .fallback = "1",
+       .source = "1: smooth surfaces",
+       .help = "Factor on the torque of either law: above 1 for slots, fans, rough or axially flushed surfaces."});
   s.check(check_windage);
   return s;
 }

@@ -104,7 +104,7 @@ std::string write_bearing_meshes(const Case& c, const MeshOptions& options) {
     fs::path file = options.file;
     if (names.size() > 1) file.replace_filename(file.stem().string() + "-" + name + ".msh");
     if (!options.force && fs::exists(file))
-      throw InputError({file.string(), 0, 0}, "the file exists already.",
+      throw InputError({file.string(), 0, 0}, "the file already exists.",
                        "Choose another with -o FILE, or replace it with --force.");
     files.push_back(file);
   }

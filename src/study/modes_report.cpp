@@ -109,7 +109,7 @@ void write_mode_shapes(const ModesReport& report, std::size_t n_modes, const std
   } catch (const InputError&) {
   }
   if (!is_ours)
-    throw InputError({file.string(), 0, 0}, "the file exists already, and it does not hold mode shapes.",
+    throw InputError({file.string(), 0, 0}, "the file already exists, and it does not hold mode shapes.",
                      "Choose another with --shapes FILE.");
   RecorderOptions options;
   options.overwrite = true;

@@ -34,7 +34,7 @@ air_gap = "250 um"
 
 fs::path new_case(const fs::path& directory) {
   const fs::path file = directory / "drop.toml";
-  if (fs::exists(file)) throw InputError({file.string(), 0, 0}, "the file exists already", "Choose another folder.");
+  if (fs::exists(file)) throw InputError({file.string(), 0, 0}, "the file already exists", "Choose another folder.");
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw InputError({directory.string(), 0, 0}, "the folder cannot be made: " + error.message());

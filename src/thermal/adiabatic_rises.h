@@ -7,7 +7,7 @@
 
 namespace rotordrop {
 
-/// What heat does to means before any of it is conducted on: inner ring, shaft, and outer ring with its housing rise by heat over heat
+/// Adiabatic rise of mean temperatures, before any heat is conducted away: inner ring, shaft, and outer ring with its housing rise by heat over heat
 /// capacity. The part of a section's growth that follows the heat at once; the rest changes slowly.
 struct AdiabaticSection {
   std::string name;                                                   ///< of the bearing

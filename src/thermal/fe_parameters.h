@@ -37,7 +37,7 @@ inline std::vector<std::pair<std::string, HeatLinearSolver>> linear_solvers() {
   return {{"direct", HeatLinearSolver::direct}, {"multigrid", HeatLinearSolver::multigrid}};
 }
 inline constexpr const char* linear_solver_help =
-    "How linear equations are solved: direct, by factorisation; or multigrid, by conjugate gradients preconditioned "
+    "Solver of the linear equations. direct: factorisation. multigrid: conjugate gradients preconditioned "
     "with algebraic multigrid (PETSc, hypre), for meshes of some hundred thousand unknowns.";
 
 /// The file that `mesh` means for one bearing: NAME in it is replaced by the bearing's name.

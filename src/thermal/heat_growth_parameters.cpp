@@ -11,11 +11,11 @@ std::vector<std::string> read_two_boundaries(const Node& node, const std::string
 
 Section<HeatElasticParameters> heat_elastic_section() {
   using P = HeatElasticParameters;
-  Section<P> s("elastic", "Displacements by thermo-elasticity; computed if a [[displacement]] or [[fit]] is there.");
+  Section<P> s("elastic", "Displacements by thermo-elasticity; computed if there is a [[displacement]] or [[fit]].");
   s.quantity("strain_free_temperature", &P::strain_free_temperature,
              {.unit = "K",
               .range = between(1, 2000),
-              .help = "At which the bodies have the dimensions of [section]; run.ambient if left out."});
+              .help = "Temperature at which the bodies have the dimensions of [section]; run.ambient if omitted."});
   return s;
 }
 
@@ -24,7 +24,7 @@ Section<HeatFitParameters> heat_fit_section() {
   Section<P> s("fit",
                "Two boundaries that press on each other where they lie on each other. Bodies without a fit do not feel "
                "each other. Heat passes through an [[interface]], which is stated on its own.");
-  s.text("name", &P::name, {.help = "Its name in the results."});
+  s.text("name", &P::name, {.help = "Name of the quantity in the results."});
   s.custom(
       "between",
       {.accepts = "[\"BODY.side\", \"BODY.side\"]",
@@ -36,32 +36,33 @@ Section<HeatFitParameters> heat_fit_section() {
              {.unit = "m",
               .range = between(-1e-2, 1e-2),
               .fallback = "0 m",
-              .help = "Of the parts before they are joined, by radius or along the axis; negative: a clearance."});
+              .help = "Radial or axial interference of the parts before assembly; negative: clearance."});
   s.choice("kind", &P::kind, {{"frictionless", FitKind::frictionless}, {"bonded", FitKind::bonded}},
            {.fallback = "frictionless",
-            .help = "frictionless: passes pressure alone, and opens where it would have to pull. bonded: one body."});
+            .help = "frictionless: transmits only pressure and opens instead of going into tension. bonded: the parts "
+                    "are one body."});
   return s;
 }
 
 Section<HeatHoldParameters> heat_hold_section() {
   using P = HeatHoldParameters;
   Section<P> s("hold", "A boundary that does not move. What is free along the axis keeps its mean place there.");
-  s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right."});
+  s.text("boundary", &P::boundary, {.help = "Boundary: BODY.inner, .outer, .left or .right."});
   s.choice("direction", &P::direction,
            {{"axial", HoldDirection::axial}, {"radial", HoldDirection::radial}, {"both", HoldDirection::both}},
-           {.fallback = "axial", .help = "In which it is held."});
+           {.fallback = "axial", .help = "Direction in which the boundary is held."});
   return s;
 }
 
 Section<HeatPlaceParameters> heat_place_section(const std::string& name, const std::string& sentence) {
   using P = HeatPlaceParameters;
   Section<P> s(name, sentence);
-  s.text("name", &P::name, {.help = "Its name in the results."});
-  s.quantity("x", &P::x, {.unit = "m", .help = "Of the point."});
-  s.quantity("r", &P::r, {.unit = "m", .help = "Of the point."});
+  s.text("name", &P::name, {.help = "Name of the quantity in the results."});
+  s.quantity("x", &P::x, {.unit = "m", .help = "Axial coordinate of the point."});
+  s.quantity("r", &P::r, {.unit = "m", .help = "Radius of the point."});
   s.text("body", &P::body,
-         {.help = "Which body is meant where two meet; the first one that holds the point if left out."});
-  s.text("boundary", &P::boundary, {.help = "BODY.inner, .outer, .left or .right: the mean over its area."});
+         {.help = "Body of the point where two bodies meet; the first one that contains the point if omitted."});
+  s.text("boundary", &P::boundary, {.help = "Boundary whose area mean is reported: BODY.inner, .outer, .left or .right."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     const bool point = p.x && p.r;
     if (point == p.boundary.has_value() || p.x.has_value() != p.r.has_value())

@@ -360,7 +360,7 @@ class StudyMaker {
     times = p_.output_times;
     const SourcePosition where = position_of_value(tree_, "output_times");
     if (!std::is_sorted(times.begin(), times.end(), std::less_equal<>()))
-      faults_.add(where, "output_times do not rise.");
+      faults_.add(where, "output_times must increase.");
     if (p_.run.end_time) {
       if (!times.empty() && times.back() > *p_.run.end_time) faults_.add(where, "output_times go beyond run.end_time.");
       if (times.empty() || times.back() < *p_.run.end_time) times.push_back(*p_.run.end_time);
@@ -370,7 +370,7 @@ class StudyMaker {
     const auto& fields = study_.field_times;
     const SourcePosition where_fields = position_of_value(tree_, "field_times");
     if (!std::is_sorted(fields.begin(), fields.end(), std::less_equal<>()))
-      faults_.add(where_fields, "field_times do not rise.");
+      faults_.add(where_fields, "field_times must increase.");
     if (!fields.empty() && !times.empty() && fields.back() > times.back())
       faults_.add(where_fields, "field_times go beyond the last of output_times.", "Give a later run.end_time.");
     if (times.empty() || times.back() <= 0.)

@@ -3,7 +3,7 @@
 
 namespace rotordrop {
 
-/// What of a network a place's heat can reach without passing the surroundings: its nodes with their resistors, growth, and all places
+/// The part of a network that heat from one place can reach without passing through the surroundings: its nodes with their resistors, growth, and all places
 /// that sit on them.
 struct NetworkPart {
   ThermalNetworkData data;

@@ -68,7 +68,7 @@ class Reader {
       fault("vertices have a negative radius.", "The second coordinate is the distance from the axis.");
     if (extent > 10.)
       fault(fmt::format("the mesh reaches to {:.4g} m.", extent),
-            "Coordinates are in metres; were they meant in millimetres?");
+            "Coordinates must be in metres; these look like millimetres.");
   }
 
   void read_cells() {
@@ -105,11 +105,11 @@ class Reader {
       fault(fmt::format("{} cells are in no body or in several, the first {}.", n_nameless, first_nameless),
             fmt::format("Put every surface into one physical group: {}.", fmt::join(wishes_.bodies, ", ")));
     for (const auto& name : unknown)
-      fault(fmt::format("the group \"{}\" is no body of this bearing.", name), suggestion(name, wishes_.bodies));
+      fault(fmt::format("the group \"{}\" is not a body of this bearing.", name), suggestion(name, wishes_.bodies));
     for (std::size_t i = 0; i < is_present.size(); ++i)
       if (!is_present[i])
         fault(fmt::format("there is no body \"{}\".", wishes_.bodies[i]),
-              fmt::format("Needed are the physical surfaces {}.", fmt::join(wishes_.bodies, ", ")));
+              fmt::format("Required physical surfaces: {}.", fmt::join(wishes_.bodies, ", ")));
     if (n_tangled_ > 0)
       fault(fmt::format("{} cells are inverted or not convex, the first {}.", n_tangled_, first_tangled_),
             "Every corner must be below 180 degrees.");
@@ -157,7 +157,7 @@ class Reader {
       }
     if (is_shared)
       fault("two bodies share vertices.",
-            "Where bodies touch, each needs vertices of its own at the same places: heat passes between them through "
+            "Where bodies touch, each needs its own vertices at the same positions: heat passes between them through "
             "a resistance.");
     std::map<Vertices, HeatBoundary> named;
     std::map<std::string, std::string> unknown;
@@ -190,7 +190,7 @@ class Reader {
       mesh_.edges.push_back({{element.vertices[0], element.vertices[1]}, *boundary, -1});
     }
     for (const auto& [group, where] : unknown)
-      fault(fmt::format("the group \"{}\" is no part of an outline.", group), suggestion(group, known_groups()));
+      fault(fmt::format("the group \"{}\" is not part of an outline.", group), suggestion(group, known_groups()));
     std::size_t n_open = 0;
     std::string first;
     for (const auto& [ends, side] : sides)

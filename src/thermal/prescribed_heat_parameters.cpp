@@ -13,17 +13,18 @@ void check_source_form(const HeatSourceParameters& p, const Node& table, const s
   const bool has_steps = table.has("times") || table.has("values");
   const int n_ways = int{has_steps} + int{p.pulse.has_value()} + int{p.recorded.has_value()};
   if (n_ways != 1)
-    faults.add(table.where(), path + (n_ways == 0 ? " does not say what flows." : " says in several ways what flows."),
+    faults.add(table.where(),
+               path + (n_ways == 0 ? " does not define the heat." : " defines the heat in more than one way."),
                "Give one of: times and values; pulse = { height, width, ... }; recorded.");
   if (has_steps && (p.times.empty() || p.values.empty()))
-    faults.add(table.where(), path + " needs times and values, one at least.");
+    faults.add(table.where(), path + " needs times and values, at least one of each.");
   if (p.times.size() != p.values.size())
     faults.add(
         position_of_value(table, "values"),
         path + " has " + std::to_string(p.times.size()) + " times and " + std::to_string(p.values.size()) + " values.",
         "Give one value for every time.");
   if (!std::is_sorted(p.times.begin(), p.times.end(), std::less_equal<>()))
-    faults.add(position_of_value(table, "times"), path + ".times do not rise.");
+    faults.add(position_of_value(table, "times"), path + ".times must increase.");
   for (const char* key : {"bearing", "interval"})
     if (!p.recorded && table.has(key))
       faults.add(position_of(table, key), path + "." + key + " belongs to a recorded heat.",
@@ -44,35 +45,36 @@ Section<HeatSourceParameters> source_section() {
       "source",
       "Heat into a port of the bearing: over time (times and values), as pulses, or as an earlier drop recorded "
       "it. Several sources add up.");
-  s.choice(
-      "port", &P::port,
-      {{"rub", SourcePort::rub},
-       {"rub-into-ring", SourcePort::rub_into_ring},
-       {"rub-into-shaft", SourcePort::rub_into_shaft},
-       {"inner", SourcePort::inner},
-       {"outer", SourcePort::outer},
-       {"all", SourcePort::all}},
-      {.help = "Where it enters: rub of rotor and ring, divided by `share`, or its part into the ring's bore or the "
-               "shaft; friction at the inner or outer race; all of these, of a recorded heat."});
-  s.quantities("times", &P::times,
-               {.unit = "s", .range = at_least(0), .help = "Rising. Nothing flows before the first."});
+  s.choice("port", &P::port,
+           {{"rub", SourcePort::rub},
+            {"rub-into-ring", SourcePort::rub_into_ring},
+            {"rub-into-shaft", SourcePort::rub_into_shaft},
+            {"inner", SourcePort::inner},
+            {"outer", SourcePort::outer},
+            {"all", SourcePort::all}},
+           {.help = "Place where the heat enters. rub: rub heat, divided by `share`; rub-into-ring, rub-into-shaft: "
+                    "only its part into the ring's bore or the shaft; inner, outer: friction at that raceway; all: all "
+                    "of these, for recorded heat."});
+  s.quantities(
+      "times", &P::times,
+      {.unit = "s", .range = at_least(0), .help = "Times in increasing order. No heat flows before the first."});
   s.quantities("values", &P::values,
-               {.unit = "W", .help = "Heat from each of the times; the last one flows for ever."});
-  s.choice("interpolation", &P::interpolation, {"steps", "linear"},
-           {.help = "Between two of the times: steps, values[i] until the next one (if left out); or linear."});
+               {.unit = "W", .help = "Heat rate from each of the times on; the last value is held."});
+  s.choice(
+      "interpolation", &P::interpolation, {"steps", "linear"},
+      {.help = "Heat rate between two of the times. steps (the default): values[i] until the next time; or linear."});
   s.table<HeatPulseParameters>("pulse", &P::pulse, pulse_section("W"));
   s.text("recorded", &P::recorded,
-         {.help = "results.h5 of an earlier drop, relative to this file: its heat, row by row."});
-  s.text("bearing", &P::bearing, {.help = "Of a recorded heat: whose; heat.bearing if left out."});
-  s.quantity(
-      "share", &P::share,
-      {.range = between(0, 1),
-       .help = "Of rub heat: the part into the ring. If left out thermal.share_to_ring, or of a recorded heat as "
-               "the drop divided it."});
+         {.help = "results.h5 of an earlier drop whose heat is used row by row; a path relative to this file."});
+  s.text("bearing", &P::bearing, {.help = "Bearing whose recorded heat is used; heat.bearing if omitted."});
+  s.quantity("share", &P::share,
+             {.range = between(0, 1),
+              .help = "Share of the rub heat that enters the ring. Default: thermal.share_to_ring or, for recorded "
+                      "heat, the partition of that drop."});
   s.quantity("interval", &P::interval,
              {.unit = "s",
               .range = positive(),
-              .help = "Of a recorded heat: shortest step; rows between are left out. The heat stays the same, and is "
+              .help = "For recorded heat: shortest step; rows in between are skipped. The heat stays the same and is "
                       "spread over longer steps."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     check_source_form(p, table, path, faults);
@@ -86,19 +88,20 @@ Section<BearingProbeParameters> bearing_probe_section() {
       "probe",
       "A temperature that is reported: a node or mean of a model, or of the meshed section a point (x, r) or the "
       "mean of a boundary. Without any, all nodes and means are.");
-  s.text("name", &P::name, {.help = "Its name in the results."});
+  s.text("name", &P::name, {.help = "Name of the quantity in the results."});
   s.choice("model", &P::model, {"lumped", "fe"},
-           {.help = "Of a node: which model's. May be left out where one model has it."});
-  s.text(
-      "node", &P::node,
-      {.help = "A node of the circuit (inner_ring, inner_contact, ...), or of the finite elements the mean of a body "
-               "or surface (inner_ring, bore, inner_raceway, ...) or the balls (ball)."});
+           {.help = "Model whose node it is; optional if only one model has this node."});
+  s.text("node", &P::node,
+         {.help = "Node of the circuit (inner_ring, inner_contact, ...); or, of the finite elements, the mean of a "
+                  "body or surface (inner_ring, bore, inner_raceway, ...) or the balls (ball)."});
   s.text("boundary", &P::boundary,
-         {.help = "BODY.inner, .outer, .left, .right, .strip_ROW or .raceway_ROW of the section: the mean over its "
-                  "area."});
-  s.quantity("x", &P::x, {.unit = "m", .help = "Of a point of the section; 0 is the middle of the bearing's width."});
-  s.quantity("r", &P::r, {.unit = "m", .help = "Of a point of the section."});
-  s.text("body", &P::body, {.help = "Of a point: which body is meant where two meet."});
+         {.help = "Boundary of the section whose area mean is reported: BODY.inner, .outer, .left, .right, .strip_ROW "
+                  "or .raceway_ROW."});
+  s.quantity(
+      "x", &P::x,
+      {.unit = "m", .help = "Axial coordinate of a point of the section; 0 is the middle of the bearing's width."});
+  s.quantity("r", &P::r, {.unit = "m", .help = "Radius of a point of the section."});
+  s.text("body", &P::body, {.help = "Body of the point, needed where two bodies meet."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     const bool is_point = p.x && p.r;
     const int n_ways = int{is_point} + int{p.node.has_value()} + int{p.boundary.has_value()};
@@ -222,33 +225,34 @@ class HistoryMaker {
 
 Section<PrescribedHeatParameters> prescribed_heat_section() {
   using P = PrescribedHeatParameters;
-  Section<P> s(
-      "heat",
-      "Thermal models of a touchdown bearing without dynamics, under given heat, by `rotordrop heat` (docs/heat.md). "
-      "Not used by a drop.");
-  s.text("bearing", &P::bearing, {.help = "Which one; may be left out if there is only one."});
+  Section<P> s("heat",
+               "Thermal models of a touchdown bearing under prescribed heat input, without dynamics, for `rotordrop "
+               "heat` (docs/heat.md). A drop ignores it.");
+  s.text("bearing", &P::bearing, {.help = "Name of the bearing; optional if there is only one."});
   s.custom("models",
            {.accepts = "a list of \"lumped\" and \"fe\"",
             .json_types = {"array"},
-            .help = "The models that run; thermal.models if left out."},
+            .help = "Thermal models to run; thermal.models if omitted."},
            [](const Node& node, P& target, Faults& faults) {
              target.models = read_thermal_models(node, "heat.models", faults);
            });
   s.quantities("output_times", &P::output_times,
-               {.unit = "s", .range = at_least(0), .help = "When probes and growth are reported; met exactly."});
+               {.unit = "s",
+                .range = at_least(0),
+                .help = "Times at which probes and growth are reported; they are met exactly."});
   s.quantity("end_time", &P::end_time,
-             {.unit = "s", .range = positive(), .help = "Where to stop; the last of output_times if left out."});
+             {.unit = "s", .range = positive(), .help = "End time; the last of output_times if omitted."});
   s.quantity("time_tolerance", &P::time_tolerance,
              {.range = between(1e-12, 1e-1),
               .fallback = "1e-6",
-              .help = "Error of one time step: over the largest change of temperature on a mesh in windows, over the "
-                      "mean rise of all heat in the circuit and on few modes."});
+              .help = "Error of one time step. With a mesh in windows it is relative to the largest temperature "
+                      "change, in the circuit and with few modes to the mean rise from all heat."});
   s.list("source", &P::sources, source_section(), {.min_count = 1, .help = "Heat into the bearing."});
   s.list("probe", &P::probes, bearing_probe_section(), {.help = "Temperatures to report."});
   s.check([](const P& p, const Node& table, Faults& faults) {
     const SourcePosition where = position_of_value(table, "output_times");
     if (!std::is_sorted(p.output_times.begin(), p.output_times.end(), std::less_equal<>()))
-      faults.add(where, "heat.output_times do not rise.");
+      faults.add(where, "heat.output_times must increase.");
     if (p.end_time && !p.output_times.empty() && p.output_times.back() > *p.end_time)
       faults.add(where, "heat.output_times go beyond heat.end_time.");
     if (!p.end_time && (p.output_times.empty() || p.output_times.back() <= 0.))

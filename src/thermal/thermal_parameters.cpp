@@ -9,10 +9,10 @@ namespace {
 Section<ExtraNode> node_section() {
   Section<ExtraNode> s("node", "A node added to the circuit.");
   s.text("name", &ExtraNode::name,
-         {.help = "Name, unlike all others; the built-in nodes are BEARING/shaft, /inner_ring, /inner_contact, /ball, "
+         {.help = "Unique name; the built-in nodes are BEARING/shaft, /inner_ring, /inner_contact, /ball, "
                   "/outer_contact, /outer_ring, /housing, and of a fin /shaft_left_1, /shaft_right_1, ..."});
   s.quantity("capacity", &ExtraNode::capacity,
-             {.unit = "J/K", .range = at_least(0), .help = "Heat capacity; 0 for a point without mass."});
+             {.unit = "J/K", .range = at_least(0), .help = "Heat capacity; 0 for a massless node."});
   return s;
 }
 
@@ -23,7 +23,7 @@ Section<ExtraResistor> resistor_section() {
       {.accepts = "two node names",
        .json_types = {"array"},
        .required = true,
-       .help = "The two nodes that it joins; \"ambient\" is the surroundings."},
+       .help = "The two nodes that it connects; \"ambient\" is the surroundings."},
       [](const Node& node, ExtraResistor& target, Faults& faults) {
         if (node.is_array() && node.items().size() == 2 && node.items()[0].is_text() && node.items()[1].is_text()) {
           target.between = {node.items()[0].text(), node.items()[1].text()};
@@ -73,47 +73,47 @@ Section<ThermalParameters> thermal_section() {
             {"none", GrowthDriver::none},
             {"recorded", GrowthDriver::recorded}},
            {.fallback = "automatic",
-            .help = "Whose thermal growth is fed back: that of a model, none, or what an earlier run recorded. "
-                    "automatic: of the first of lumped and fe that runs."});
+            .help = "Source of the thermal growth that is fed back: a thermal model, none, or the record of an earlier "
+                    "run. automatic: lumped if it runs, otherwise fe."});
   s.text("recorded", &P::recorded,
-         {.help = "results.h5 whose expansion drives, if driver is recorded; a path beside the case."});
+         {.help =
+              "results.h5 whose recorded growth is fed back with driver = \"recorded\"; a path relative to the case."});
   s.boolean("growth", &P::growth,
             {.fallback = true, .help = "Whether thermal growth is fed back into clearances and ball loads."});
   s.choice("heat_share", &P::heat_share, {{"constant", HeatShare::constant}, {"jaeger", HeatShare::jaeger}},
            {.fallback = "constant",
-            .help = "How the rub heat is shared by ring and rotor: share_to_ring, or Blok and Jaeger's from the "
-                    "surface speeds."});
+            .help = "Heat partition between ring and rotor: constant (share_to_ring), or from the surface speeds (Blok "
+                    "and Jaeger)."});
   s.quantity("share_to_ring", &P::share_to_ring,
              {.range = between(0, 1),
               .fallback = "0.66",
               .source = "calibration: gives the paper's ratio of ring and shaft rise",
-              .help = "Part of the rub heat that enters the inner ring; the rest enters the shaft."});
+              .help = "Share of the rub heat that enters the inner ring; the rest enters the shaft."});
   s.quantity("rub_band_length", &P::rub_band_length,
              {.unit = "m",
               .range = positive(),
               .fallback = "5.9 mm",
               .source = "estimate: Hertz width of a 35 mm bore on a 34.75 mm rotor at 5 kN",
-              .help = "Length of the rubbing spot along the surface, for Jaeger's share, and for local temperatures if "
-                      "rub_band is fixed."});
+              .help = "Length of the rub contact along the surface, for the Jaeger partition, and for local "
+                      "temperatures if rub_band is fixed."});
   s.quantity("rub_contact_time", &P::rub_contact_time,
              {.unit = "s",
               .range = positive(),
               .fallback = "2.2 ms",
               .source = "estimate: duration of the first contact",
-              .help = "How long a surface at rest is heated, for Jaeger's share."});
-  s.choice(
-      "rub_band", &P::rub_band, {{"hertz", RubBand::hertz}, {"fixed", RubBand::fixed}},
-      {.fallback = "hertz",
-       .source = "Johnson, Contact Mechanics (1985), eq. (4.43)",
-       .help = "Length of the rubbing spot for local temperatures: Hertz's line contact under the instant's force, "
-               "or rub_band_length. The other one is among the bounds."});
+              .help = "Heating time of a stationary surface, for the Jaeger partition."});
+  s.choice("rub_band", &P::rub_band, {{"hertz", RubBand::hertz}, {"fixed", RubBand::fixed}},
+           {.fallback = "hertz",
+            .source = "Johnson, Contact Mechanics (1985), eq. (4.43)",
+            .help = "Length of the rub contact for local temperatures: Hertz line contact under the instantaneous "
+                    "force, or rub_band_length. The reported bounds include the other choice."});
   s.choice("local_share", &P::local_share,
            {{"one-temperature", LocalShare::one_temperature}, {"as-heated", LocalShare::as_heated}},
            {.fallback = "one-temperature",
             .source = "Blok 1937; Jaeger 1942",
-            .help = "Share of the rub heat for local temperatures: so that rotor and bore have one temperature where "
-                    "they touch, or the share that the thermal models get. The other one is among the bounds. The heat "
-                    "of the thermal models stays as heat_share says."});
+            .help = "Heat partition for local temperatures: equal temperatures of rotor and bore where they touch, or "
+                    "the share used by the thermal models. The reported bounds include the other choice. The thermal "
+                    "models always use heat_share."});
   s.quantity("h_shaft", &P::h_shaft,
              {.unit = "W/(m2 K)",
               .range = positive(),
@@ -132,82 +132,86 @@ Section<ThermalParameters> thermal_section() {
               .fallback = "0.005 K/W",
               .source = "estimate",
               .help = "Resistance of the fit between outer ring and housing."});
-  s.quantity("contact_half_width", &P::contact_half_width,
-             {.unit = "m",
-              .range = positive(),
-              .fallback = "0.4 mm",
-              .source = "estimate",
-              .help = "Half width a of the contact spot, across the track: in the balls' constriction resistance if "
-                      "contact_conduction is fixed, of the strips on raceways and balls from which heat spreads."});
+  s.quantity(
+      "contact_half_width", &P::contact_half_width,
+      {.unit = "m",
+       .range = positive(),
+       .fallback = "0.4 mm",
+       .source = "estimate",
+       .help =
+           "Half width a of the contact spot across the track. It sets the width of the strips on raceways and balls "
+           "from which heat spreads and, if contact_conduction is fixed, the balls' constriction resistance."});
   s.choice("contact_conduction", &P::contact_conduction,
            {{"rolling", BallConductionModel::rolling}, {"fixed", BallConductionModel::fixed}},
            {.fallback = "rolling",
-            .help = "How balls and races conduct: by load and rolling speed of the balls, none without load "
-                    "(docs/model.md, section 6); or by the fixed resistance R5 of the published circuit. `rotordrop "
-                    "heat` and `calibrate` of a bearing know no loads and take the fixed one."});
-  s.quantity("oil_film", &P::oil_film,
-             {.unit = "m",
-              .range = between(0, 1e-5),
-              .fallback = "0 um",
-              .help = "Thickness of the film between balls and races through which rolling contacts conduct; 0: dry. "
-                      "0.1 um cuts the conductance to about a third."});
+            .help = "Conduction between balls and raceways. rolling: from load and rolling speed of the balls, none "
+                    "without load (docs/model.md, section 6). fixed: the resistance R5 of the published circuit. "
+                    "`rotordrop heat` and `calibrate` have no ball loads and always use the fixed resistance."});
+  s.quantity(
+      "oil_film", &P::oil_film,
+      {.unit = "m",
+       .range = between(0, 1e-5),
+       .fallback = "0 um",
+       .help = "Thickness of the oil film between balls and raceways through which rolling contacts conduct; 0: dry. "
+               "0.1 um cuts the conductance to about a third."});
   s.quantity("oil_conductivity", &P::oil_conductivity,
              {.unit = "W/(m K)",
               .range = positive(),
               .fallback = "0.14 W/(m K)",
               .source = "mineral oil at ambient pressure",
-              .help = "Thermal conductivity of that film."});
-  s.choice("ball_track", &P::ball_track, {{"repeating", BallTrack::repeating}, {"wandering", BallTrack::wandering}},
-           {.fallback = "repeating",
-            .help = "Whether a ball's contacts always run on the same circle of its surface, or its axis wanders and "
-                    "heats it all over: decides how heat gets from the track into a rolling ball."});
-  s.choice("spreading", &P::spreading, {{"strip", RacewaySpreading::strip}, {"none", RacewaySpreading::none}},
-           {.fallback = "strip",
-            .help = "Whether R4 and R7 contain the resistance of heat that spreads from the balls' strips over the "
-                    "rings' width, or take raceways as evenly heated cylinders (the published circuit)."});
+              .help = "Thermal conductivity of the oil film."});
   s.choice(
-      "shaft", &P::shaft, {{"fin", ShaftModel::fin}, {"lump", ShaftModel::lump}},
-      {.fallback = "fin",
-       .help = "Whether the shaft conducts on to both sides of its lump, by the rotor's diameters, with convection "
-               "h_shaft along its surface; to the rotor's end or half-way to the next touchdown bearing. Or a lump "
-               "of shaft_lump_length by itself (the published circuit)."});
+      "ball_track", &P::ball_track, {{"repeating", BallTrack::repeating}, {"wandering", BallTrack::wandering}},
+      {.fallback = "repeating",
+       .help = "Track of the contacts on a rolling ball, which sets the resistance between track and ball. repeating: "
+               "always the same circle. wandering: the ball's axis wanders, so that its whole surface is heated."});
+  s.choice(
+      "spreading", &P::spreading, {{"strip", RacewaySpreading::strip}, {"none", RacewaySpreading::none}},
+      {.fallback = "strip",
+       .help = "Heat spreading in R4 and R7. strip: they include the resistance of heat that spreads from the balls' "
+               "strips over the rings' width. none: raceways are uniformly heated cylinders (the published circuit)."});
+  s.choice("shaft", &P::shaft, {{"fin", ShaftModel::fin}, {"lump", ShaftModel::lump}},
+           {.fallback = "fin",
+            .help = "Thermal model of the shaft. fin: it conducts to both sides of its lump with the rotor's diameters "
+                    "and convection h_shaft along its surface, up to the rotor's end or half-way to the next touchdown "
+                    "bearing. lump: only a lump of shaft_lump_length (the published circuit)."});
   s.choice("shaft_ring_link", &P::shaft_ring_link,
            {{"permanent", BearingCircuitData::Link::permanent}, {"in-contact", BearingCircuitData::Link::in_contact}},
            {.fallback = "permanent",
             .source = "Neisi, Heikkinen & Sopanen 2019, fig. 6",
-            .help = "Whether shaft and inner ring conduct always (the paper's circuit), or through the air gap while "
-                    "they do not touch."});
+            .help = "permanent: shaft and inner ring always conduct to each other (the paper's circuit). in-contact: "
+                    "across the air gap while they do not touch."});
   s.quantity("gas_conductivity", &P::gas_conductivity,
              {.unit = "W/(m K)",
               .range = positive(),
               .fallback = "0.026 W/(m K)",
               .source = "air at 20 degC",
               .help = "Conductivity of the gas in the air gap."});
-  s.boolean("plane_strain_growth", &P::plane_strain_growth,
-            {.fallback = false,
-             .help = "Growth times 1 + nu, as if the rings could not grow axially; free rings otherwise. With "
-                     "expansion = \"paper\"."});
-  s.choice(
-      "expansion", &P::expansion,
-      {{"formula", GrowthSource::formula}, {"paper", GrowthSource::paper}, {"elastic", GrowthSource::elastic}},
-      {.fallback = "formula",
-       .help = "Growth of the rings. \"formula\": radial and axial growth of free rings where balls and races "
-               "touch, from mean temperatures. \"paper\": radial growth of the shoulders, as Neisi (2019) takes "
-               "it; uniform heating of a bearing of one material then changes its preload. \"elastic\": of the "
-               "finite elements' section, with the fit in the housing and the inner ring's centrifugal growth; the "
-               "circuit keeps the formulas (docs/growth.md)."});
+  s.boolean(
+      "plane_strain_growth", &P::plane_strain_growth,
+      {.fallback = false,
+       .help = "true: growth times 1 + nu, as if axial growth were prevented (plane strain). false: free rings. With "
+               "expansion = \"paper\"."});
+  s.choice("expansion", &P::expansion,
+           {{"formula", GrowthSource::formula}, {"paper", GrowthSource::paper}, {"elastic", GrowthSource::elastic}},
+           {.fallback = "formula",
+            .help = "Growth of the rings. \"formula\": radial and axial growth of free rings at the ball contacts, "
+                    "from mean temperatures. \"paper\": radial growth of the shoulders, as in Neisi (2019); uniform "
+                    "heating of a bearing made of one material then changes its preload. \"elastic\": elasticity of "
+                    "the meshed section, including the housing fit and the inner ring's centrifugal growth; the "
+                    "circuit still uses the formulas (docs/growth.md)."});
   s.choice("growth_by_speed", &P::growth_by_speed,
            {{"closed-form", GrowthBySpeed::closed_form}, {"none", GrowthBySpeed::none}},
            {.fallback = "closed-form",
             .source = "Timoshenko & Goodier, rotating disk with a hole, plane stress",
-            .help = "Growth of the inner rings and of the rotor's surface by their speeds, in drops and in `rotordrop "
-                    "preload`. \"closed-form\": spinning rings of rectangular section, a solid or hollow shaft; in a "
-                    "drop that elasticity drives (expansion = \"elastic\") the rings' is that of their section. "
-                    "Works whatever drives the growth by heat; with driver = \"recorded\" nothing is added to what "
-                    "the earlier run recorded."});
+            .help = "Centrifugal growth of the inner rings and of the rotor surface, in drops and in `rotordrop "
+                    "preload`. \"closed-form\": spinning rings of rectangular section, a solid or hollow shaft; with "
+                    "expansion = \"elastic\" and growth driver fe, the rings' growth comes from the elasticity of "
+                    "their section. Independent of the source of thermal growth, but with driver = \"recorded\" "
+                    "nothing is added to the growth that the earlier run recorded."});
   s.table("fe", &P::fe, fe_section(), {.help = "Finite elements of every touchdown bearing."});
-  s.list("node", &P::nodes, node_section(), {.help = "Further nodes."});
-  s.list("resistor", &P::resistors, resistor_section(), {.help = "Further resistors."});
+  s.list("node", &P::nodes, node_section(), {.help = "Additional nodes."});
+  s.list("resistor", &P::resistors, resistor_section(), {.help = "Additional resistors."});
   return s;
 }
 

@@ -149,7 +149,7 @@ KEYS = [
 
 GEOMETRY_OF_BEARINGS = [
     Fault("balls that do not fit", bearing("balls_per_row = »40"), (r"40 balls of 11\.906 mm do not fit on a pitch circle of 90 mm", "TB1")),
-    Fault("an outer ring inside its balls", bearing('outer_ring_diameters = »["85 mm", "110 mm"]'), ("85 mm is not larger than the pitch_diameter 90 mm", "inside its own balls", "TB1")),
+    Fault("an outer ring inside its balls", bearing('outer_ring_diameters = »["85 mm", "110 mm"]'), ("85 mm is not larger than the pitch_diameter 90 mm", "outside the pitch circle of its balls", "TB1")),
     Fault("an inner ring outside its balls", bearing('inner_ring_diameters = »["70 mm", "95 mm"]'), ("95 mm is not smaller than the pitch_diameter 90 mm", "TB1")),
     Fault("balls that reach into the bore", bearing('ball_diameter = »»"25 mm"\nballs_per_row = 5'),
           ("balls of 25 mm .* reach into the bore of 70 mm", "reach out of the outer ring of 110 mm")),
@@ -228,8 +228,8 @@ FILES = [
     Fault("a section twice", '[run]\nend_time = 1\n[run]\ninitial_speed = 2', ("not valid TOML", "run"), place=("drop.toml",)),
     Fault("a base that is missing", 'base = »"nowhere.toml"\n', ('"nowhere.toml" cannot be read', "Check its name"), whole=True),
     Fault("a base that is a number", "base = »5\n", ("base is an integer", "name of a file in quotes"), whole=True),
-    Fault("a base that leads back", 'base = "other.toml"\n', ("leads back", "drop.toml -> other.toml -> drop.toml"), files={"other.toml": 'base = »"drop.toml"\n'}, whole=True),
-    Fault("a base that is the file itself", 'base = »"drop.toml"\n', ("leads back", "drop.toml -> drop.toml"), whole=True),
+    Fault("a base that leads back", 'base = "other.toml"\n', ("refers back", "drop.toml -> other.toml -> drop.toml"), files={"other.toml": 'base = »"drop.toml"\n'}, whole=True),
+    Fault("a base that is the file itself", 'base = »"drop.toml"\n', ("refers back", "drop.toml -> drop.toml"), whole=True),
     Fault("a fault in a base", 'base = "other.toml"\n', ('unknown key "air_gpa"',), files={"other.toml": 'base = "reference.toml"\n[contact]\n»air_gpa = 1\n'}, whole=True),
     Fault("an empty file", "", ("initial_speed", "geometry"), place=("drop.toml",), whole=True),
 ]
@@ -383,7 +383,7 @@ class FaultyCommandLine(ProgramTest):
 
     def test_reports_that_a_new_case_exists(self):
         self.write("drop.toml", "mine")
-        self.fails("new", ".", says=("drop.toml", "exists already"))
+        self.fails("new", ".", says=("drop.toml", "already exists"))
 
     def test_a_message_ends_with_what_to_do_on_indented_lines(self):
         self.write("drop.toml", BASE + '[contact]\nair_gpa = "250 um"\n')

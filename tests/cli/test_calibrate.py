@@ -41,7 +41,7 @@ class Calibrate(ProgramTest):
         self.write("mine.toml", "precious")
         done = self.call("calibrate", "reference.toml", "-o", "mine.toml")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("exists already", done.stderr)
+        self.assertIn("already exists", done.stderr)
         self.assertEqual((self.folder / "mine.toml").read_text(), "precious")
 
     def test_faults_are_named(self):

@@ -92,7 +92,7 @@ class HeatFields(ProgramTest):
     def test_faulty_times_are_named(self):
         done = self.call("heat", self.write("disc.toml", CASE.replace('field_times = ["1 ms", "10 ms"]', 'field_times = ["2 ms", "1 ms"]')), "-o", "out")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("field_times do not rise", done.stderr)
+        self.assertIn("field_times must increase", done.stderr)
         done = self.call("heat", self.write("disc.toml", CASE.replace('field_times = ["1 ms", "10 ms"]', 'field_times = ["20 ms"]')), "-o", "out")
         self.assertEqual(done.returncode, 2)
         self.assertIn("beyond the last of output_times", done.stderr)

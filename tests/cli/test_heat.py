@@ -81,8 +81,8 @@ class FaultyCases(ProgramTest):
 
     def test_a_flux_says_in_one_way_what_flows(self):
         steps = "times = [0]\nvalues = [1e5]\n"
-        self.assertIn("does not say what flows", self.fault(DISC.replace(steps, "")))
-        self.assertIn("in several ways", self.fault(DISC.replace(steps, steps + 'pulse = { height = 1, width = 1 }\n')))
+        self.assertIn("does not define a flux", self.fault(DISC.replace(steps, "")))
+        self.assertIn("in more than one way", self.fault(DISC.replace(steps, steps + 'pulse = { height = 1, width = 1 }\n')))
         self.assertIn("belongs to a recorded heat", self.fault(DISC.replace(steps, steps + "share = 0.5\n")))
         self.assertIn("needs times and values", self.fault(DISC.replace(steps, "times = [0]\n")))
 
@@ -197,7 +197,7 @@ class BearingFaults(ProgramTest):
     def test_something_heats_it_for_some_time(self):
         self.assertIn('missing key "source" in [heat]', self.fault(BEARING))
         self.assertIn("how long to compute", self.fault(BEARING.replace('output_times = ["1 ms", "5 ms", "10 ms"]', "") + STEADY))
-        self.assertIn("do not rise", self.fault(BEARING.replace('"5 ms"', '"0.5 ms"') + STEADY))
+        self.assertIn("must increase", self.fault(BEARING.replace('"5 ms"', '"0.5 ms"') + STEADY))
         self.assertIn("beyond heat.end_time", self.fault(BEARING + 'end_time = "9 ms"\n' + STEADY))
 
     def test_a_port_is_one_of_those_there_are(self):
@@ -208,11 +208,11 @@ class BearingFaults(ProgramTest):
     def test_a_source_says_in_one_way_what_flows(self):
         steps = "times = [0]\nvalues = [1e4]\n"
         for old, new, words in (
-                (steps, "", "does not say what flows"),
-                (steps, steps + "pulse = { height = 1, width = 1 }\n", "in several ways"),
+                (steps, "", "does not define the heat"),
+                (steps, steps + "pulse = { height = 1, width = 1 }\n", "in more than one way"),
                 (steps, "times = [0]\n", "needs times and values"),
                 ("[1e4]", "[1e4, 0]", "1 times and 2 values"),
-                (steps, "times = [1, 0]\nvalues = [1, 1]\n", "times do not rise"),
+                (steps, "times = [1, 0]\nvalues = [1, 1]\n", "times must increase"),
                 (steps, steps + 'interval = "1 ms"\n', "belongs to a recorded heat"),
                 (steps, steps + "share = 0.5\n", "divides rub heat"),
                 (steps, 'pulse = { height = 1, width = 1 }\ninterpolation = "linear"\n', "belongs to times and values"),
@@ -490,7 +490,7 @@ class HeatDeclarations(ProgramTest):
     def test_check_knows_a_case_of_heat(self):
         done = self.succeed("check", EXAMPLE)
         self.assertIn("bodies: ring, housing", done.stdout)
-        self.assertIn("no faults. Run it with `rotordrop heat`", done.stdout)
+        self.assertIn("no errors found. Run it with `rotordrop heat`", done.stdout)
         done = self.call("check", self.write("disc.toml", DISC.replace('"steel"', '"stele"')))
         self.assertEqual(done.returncode, 2)
         self.assertIn('Did you mean "steel"?', done.stderr)

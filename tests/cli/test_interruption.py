@@ -213,7 +213,7 @@ class Interruption(ProgramTest):
         overrides = settings(rotor__initial_offset='["1 um", 0]')
         code, _, err = self.stop(self.begin(*overrides, until=self.is_under_way), signal.SIGINT)
         self.assertEqual(code, 130, err)
-        command = shlex.split(err.split("Go on with: rotordrop ")[1])
+        command = shlex.split(err.split("Continue with: rotordrop ")[1])
         self.succeed(*command)
         self.assertTrue(json.loads((self.folder / "out/summary.json").read_text())["run"]["completed"])
 

@@ -163,7 +163,7 @@ class WithTheRoom(ProgramTest):
             self.assertIn("mine.msh", done.stderr)
             return " ".join(done.stderr.split())
 
-        self.assertIn('"inner_ring.bore" is no part of an outline', refusal(good.replace('"inner_ring.inner"', '"inner_ring.bore"')))
+        self.assertIn('"inner_ring.bore" is not part of an outline', refusal(good.replace('"inner_ring.inner"', '"inner_ring.bore"')))
         self.assertIn('there is no body "housing"', refusal(good.replace('"housing"', '"hosing"')))
         self.assertIn('no body "shaft"', refusal(good, "--set", "thermal.fe.shaft=true"))
         # A quadrilateral becomes a triangle: type 3 with four vertices, type 2 with three.

@@ -58,7 +58,7 @@ class Defaults(ProgramTest):
         text = self.text.replace("[run]\n", '[run]\ninitial_speed = "15200 rpm"\n', 1)
         text = text.replace("[rotor]\n", '[rotor]\ngeometry = "neisi2019-rotor.json"\n', 1)
         self.write("defaults.toml", text + bearings)
-        self.assertIn("no faults", self.succeed("check", "defaults.toml").stdout)
+        self.assertIn("no errors found", self.succeed("check", "defaults.toml").stdout)
         self.assertGreater(self.run_case("defaults.toml", run__end_time="10 ms")["bearings"]["TB1"]["peak_contact_force"], 1000)
 
     def test_written_defaults_are_the_defaults(self):
@@ -143,7 +143,7 @@ class NewCase(ProgramTest):
     def test_a_new_case_checks_and_runs(self):
         done = self.succeed("new", "my/case")
         self.assertIn("rotordrop run my/case/drop.toml", done.stdout)
-        self.assertIn("no faults", self.succeed("check", "my/case/drop.toml").stdout)
+        self.assertIn("no errors found", self.succeed("check", "my/case/drop.toml").stdout)
         summary = self.run_case("my/case/drop.toml", run__end_time="10 ms")
         reference = self.run_case("reference.toml", output="reference", run__end_time="10 ms")
         self.assertEqual(summary["bearings"], reference["bearings"])
@@ -214,7 +214,7 @@ class Check(ProgramTest):
         before = sorted(path.name for path in self.folder.iterdir())
         done = self.succeed("check", "reference.toml")
         self.assertRegex(done.stdout, r"rotor: 109\.69\d+ kg, Ip 0\.38999\d* kg m2, Id 4\.5535\d* kg m2")
-        self.assertIn("reference.toml: no faults", done.stdout)
+        self.assertIn("reference.toml: no errors found", done.stdout)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
 
     def test_check_takes_overrides(self):

@@ -206,7 +206,7 @@ class Fields(SharedRun):
         done = self.call("report", "out")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("out/fields/TB2-", done.stderr)
-        self.assertIn("this is no field of rotordrop", done.stderr)
+        self.assertIn("this is not a rotordrop field", done.stderr)
         self.assertFalse((copy / "report.html").exists())
 
 
@@ -243,7 +243,7 @@ class Trouble(SharedRun):
 
     def test_a_file_is_replaced_only_with_force(self):
         self.write("mine.html", "mine")
-        self.assertIn("mine.html: the file exists already", self.refused("out", "-o", "mine.html"))
+        self.assertIn("mine.html: the file already exists", self.refused("out", "-o", "mine.html"))
         self.succeed("report", "out", "-o", "mine.html", "--force")
         self.assertEqual((self.folder / "mine.html").read_text(), self.page)
         self.assertEqual(self.succeed("report", "out", "-o", "new/deep/page.html", "--quiet").stdout, "")

@@ -295,7 +295,7 @@ class Options(ProgramTest):
     def test_the_screen_answers_the_question(self):
         done = self.succeed("run", self.case(""), "-o", "out")
         self.assertRegex(done.stdout, r"rotordrop \d+\.\d+\.\d+ .*case drop")
-        self.assertRegex(done.stdout, r"109\.7 kg at 15200 rpm; supports TB1, TB2; expansion driven by the lumped thermal circuit")
+        self.assertRegex(done.stdout, r"109\.7 kg at 15200 rpm; supports TB1, TB2; thermal growth fed back: lumped thermal circuit")
         self.assertRegex(done.stdout, r"TB1: first contact 7\.\d+ ms, peak force 5\.\d+ kN")
         self.assertRegex(done.stdout, "mean temperature rise .* K inner ring")
         self.assertRegex(done.stdout, "Energy: .* residual")

@@ -183,7 +183,7 @@ ElasticOperator::Vector ElasticOperator::thermal_load(std::span<const double> T)
 
 std::vector<double> ElasticOperator::transposed_thermal_load(const Vector& w) const {
   if (has_tables_)
-    throw SolverError("growth is no linear function of temperature: an expansion coefficient depends on it.");
+    throw SolverError("growth is not a linear function of temperature: an expansion coefficient depends on it.");
   Vector out(n_nodes_);
   thermal_.Tvmult(out, w);
   return {out.begin(), out.end()};

@@ -227,7 +227,7 @@ std::string worst_response(const HeatOperator& problem, const ResponseErrors& e)
 Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& settings) {
   for (const auto& law : problem.problem().convections)
     if (law.exponent != 0.)
-      throw SolverError("the heat conduction cannot be reduced: its convection is no linear function of temperature.");
+      throw SolverError("the heat conduction cannot be reduced: its convection is not a linear function of temperature.");
   if (!problem.held().empty())
     throw SolverError("the heat conduction cannot be reduced: a boundary is held at a temperature.");
   for (const auto& body : problem.problem().bodies)

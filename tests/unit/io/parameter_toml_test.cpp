@@ -113,7 +113,7 @@ TEST_F(TomlFiles, ACircleOfBasesIsReportedWhereItCloses) {
   write("a.toml", "base = \"b.toml\"\n");
   write("b.toml", "x = 1\nbase = \"sub/../a.toml\"\n");
   EXPECT_THAT(error_of([&] { read_toml(directory_ / "a.toml"); }),
-              AllOf(HasSubstr("b.toml:2:8"), HasSubstr("leads back"), HasSubstr("a.toml -> b.toml -> a.toml")));
+              AllOf(HasSubstr("b.toml:2:8"), HasSubstr("refers back"), HasSubstr("a.toml -> b.toml -> a.toml")));
   write("self.toml", "base = \"self.toml\"\n");
   EXPECT_THAT(error_of([&] { read_toml(directory_ / "self.toml"); }), HasSubstr("self.toml -> self.toml"));
 }

@@ -87,7 +87,7 @@ TEST(RotorGeometry, NamesNodesOutOfOrder) {
   EXPECT_SAYS(faults_of(json), "x = 0.1 m of node 3 is not larger than x = 0.1 m of node 2.");
   EXPECT_SAYS(faults_of(json), "error: rotor.json:");
   json["nodes"][2]["id"] = 4;
-  EXPECT_SAYS(faults_of(json), "node id = 4 stands at place 3 of the list, where 3 is expected.");
+  EXPECT_SAYS(faults_of(json), "node id = 4 is at position 3 of the list, where 3 is expected.");
 }
 
 TEST(RotorGeometry, NamesElementsThatDoNotFitTheirNodes) {
@@ -133,7 +133,7 @@ TEST(RotorGeometry, NamesUnknownMaterialsAndNodes) {
   EXPECT_SAYS(text, "node = 5 of mass point \"gear\": the rotor has nodes 1 to 3.");
   json = small_rotor();
   json.erase("material");
-  EXPECT_SAYS(faults_of(json), "element 1 (nodes 1 to 2) names no material, and there is no common `material`.");
+  EXPECT_SAYS(faults_of(json), "element 1 (nodes 1 to 2) names no material, and there is no default `material`.");
 }
 
 TEST(RotorGeometry, NamesUnknownKeysAndMissingOnes) {

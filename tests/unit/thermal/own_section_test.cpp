@@ -109,7 +109,7 @@ TEST(OwnSection, KnowsTheNamesOfSides) {
                            "inner_ring.strip_", "housing.strip_1", "strip_1", "shaft.outer"}) {
     auto m = small_mesh();
     m.edges[0].groups = {name};
-    expect_complaint(m, std::string("the group \"") + name + "\" is no part of an outline");
+    expect_complaint(m, std::string("the group \"") + name + "\" is not part of an outline");
   }
 }
 
