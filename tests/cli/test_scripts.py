@@ -5,7 +5,6 @@ ROTORDROP_PROGRAM is the program under test.
 
 import importlib.util
 import json
-import json
 import os
 import pathlib
 import re
