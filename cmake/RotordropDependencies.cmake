@@ -11,6 +11,11 @@ if(ROTORDROP_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+if(ROTORDROP_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link,address -g)
+  add_link_options(-fsanitize=address)
+endif()
+
 # A library that is not there is an error here, as if it were asked for by find_package(rotordrop REQUIRED).
 set(CMAKE_FIND_PACKAGE_NAME rotordrop)
 set(rotordrop_FIND_REQUIRED TRUE)

@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+"""Runs that are killed at random instants, also while they start and while they write, then resumed: every one ends with the bits of an unbroken
+run; rows of windowed finite elements may differ by roundoff.
+
+    tests/faults/kills.py build/release/rotordrop [KILLS] [SEED]
+
+A run is killed up to three times before it may end. Most kills are SIGKILL, some SIGTERM or SIGINT, as by an impatient user. Steps are fixed, for
+error control starts anew after a resume. Exit code 1 if a run is lost, differs, hangs or ends in an unexpected way.
+"""
+
+import collections
+import json
+import math
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy
+
+CASE = pathlib.Path(__file__).resolve().parents[2] / "params/neisi2019-settling.toml"
+COMMON = {"integration.method": "runge-kutta-4", "integration.step": '"2 us"', "output.checkpoint_interval": '"0.03 s"', "output.detail_interval": '"0.1 ms"'}
+KINDS = {
+    "circuit": {"run.end_time": '"60 ms"'},
+    "free rings": {"run.end_time": '"30 ms"', "bearings.TB1.ring_motion": '"free"', "bearings.TB2.ring_motion": '"free"'},
+    "windowed finite elements": {"run.end_time": '"16 ms"', "thermal.models": '["lumped", "fe"]', "thermal.fe.coupling": '"windowed"'},
+    "reduced finite elements": {"run.end_time": '"40 ms"', "thermal.models": '["lumped", "fe"]'},
+}
+EXPECTED_ENDS = {0, -signal.SIGKILL, 130, 143, -signal.SIGINT, -signal.SIGTERM}
+
+
+def command(program, kind, folder):
+    words = [program, "run", str(CASE), "-o", str(folder), "--quiet"]
+    for key, value in {**COMMON, **KINDS[kind]}.items():
+        words += ["--set", f"{key}={value}"]
+    return words
+
+
+def content(folder):
+    """Every series of the results; the summary without times of the machine."""
+    found = {}
+    with h5py.File(folder / "results.h5") as file:
+        file.visititems(lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) and item.dtype.kind in "fiu" else None)
+    summary = json.loads((folder / "summary.json").read_text())
+    for key in ("wall_time", "cpu_time", "rhs_evaluations"):
+        summary["run"].pop(key)
+    summary.get("windows", {}).pop("cpu_time", None)
+    found["summary.json"] = json.dumps(summary)
+    return found
+
+
+def difference(a, b):
+    """Nothing if the bits are the same, else the largest difference over the largest value; infinity if there is no comparing."""
+    if isinstance(a, str) or b is None or a.shape != b.shape:
+        return None if isinstance(a, str) and a == b else math.inf
+    return None if a.tobytes() == b.tobytes() else float(numpy.nanmax(numpy.abs(a - b)) / numpy.nanmax(numpy.abs(a)))
+
+
+def run_killed(words, folder, length, rng):
+    """Kills the run up to three times, then lets it end. Times killed, and its last exit code."""
+    kills = 0
+    for _ in range(rng.choice([1, 1, 2, 3])):
+        process = subprocess.Popen(words + (["--resume"] if folder.exists() else []), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        # A third of the kills hits the start, where little time passes.
+        time.sleep(rng.random() * (0.08 if rng.random() < 0.33 else length))
+        process.send_signal(rng.choices([signal.SIGKILL, signal.SIGTERM, signal.SIGINT], [8, 1, 1])[0])
+        error = process.communicate(timeout=60)[1]
+        if process.returncode == 0:
+            return kills, 0, error
+        kills += 1
+        if process.returncode not in EXPECTED_ENDS:
+            return kills, process.returncode, error
+    done = subprocess.run(words + (["--resume"] if folder.exists() else []), capture_output=True, text=True, timeout=120)
+    return kills, done.returncode, done.stderr
+
+
+def main(program, n_kills, seed):
+    rng = random.Random(seed)
+    found = collections.Counter()
+    with tempfile.TemporaryDirectory() as scratch:
+        scratch = pathlib.Path(scratch)
+        kinds = list(KINDS)
+        if not (pathlib.Path(program).parent / "rotordrop_fe.so").exists():
+            kinds = kinds[:2]
+        whole, length = {}, {}
+        for kind in kinds:
+            for _ in range(2):  # the second is as long as those that will be killed: sections are kept
+                start = time.monotonic()
+                subprocess.run(command(program, kind, scratch / kind) + ["--force"], check=True)
+                length[kind] = time.monotonic() - start
+            whole[kind] = content(scratch / kind)
+        kills = runs = 0
+        while kills < n_kills:
+            kind, folder = kinds[runs % len(kinds)], scratch / f"run {runs}"
+            runs += 1
+            n, code, error = run_killed(command(program, kind, folder), folder, length[kind], rng)
+            kills += n
+            is_finished = code == 2 and "The run was finished" in error  # the kill came after the last file was written
+            if code != 0 and not is_finished:
+                found[kind, "lost"] += 1
+                print(f"{kind}, run {runs}: exit {code} after {n} kills\n{error}")
+                continue
+            resumed = content(folder)
+            differences = {name: difference(values, resumed.get(name)) for name, values in whole[kind].items()}
+            differing = {name: size for name, size in differences.items() if size is not None}
+            # Rows at ends of windows lie within steps: their interpolation may round otherwise after a resume.
+            is_roundoff = all(size < 1e-11 and name.startswith("windows/") for name, size in differing.items())
+            found[kind, "the same bits" if not differing else "roundoff" if is_roundoff else "differs"] += 1
+            if differing and not is_roundoff:
+                print(f"{kind}, run {runs}: after {n} kills these differ: {differing}")
+    print(f"{runs} runs, {kills} kills, seed {seed}")
+    for (kind, outcome), n in sorted(found.items()):
+        print(f"{kind}: {outcome}: {n}")
+    return 0 if all(outcome in ("the same bits", "roundoff") for _, outcome in found) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 200, int(sys.argv[3]) if len(sys.argv) > 3 else 1))
