@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/wide_vectors.h"
+#include "bearing/ball_row_bending.h"
 #include "laws/skidding.h"
 
 // The row kernel is compiled for several kinds of machine and chosen when the program starts. AVX-512 serves for its 32 registers: the
@@ -28,11 +29,12 @@ struct KernelInput {
   double A, radial, axial, arm, position, K, damping;  // damping = 1.5 beta
   double cage_cosine, cage_sine;
   RingDisplacement e, v;
+  Widening* bent;  // of bent rings
 };
 
 // The two kernels differ in the tilt and axial terms only; kept apart because the short one is the hot loop of every drop.
-ROTORDROP_WIDE_VECTORS
-void sum_translations(const KernelInput& in, BallRowOutput& out) {
+template <bool is_bent>
+[[gnu::always_inline]] inline void translations(const KernelInput& in, BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, dissipated = 0, elastic_radial = 0, elastic_axial = 0, elastic_normal = 0, cage = 0;
   double largest = 0, roots = 0;
   const double C = in.cage_cosine, S = in.cage_sine, ey = in.e.y, ez = in.e.z, vy = in.v.y, vz = in.v.z;
@@ -41,17 +43,23 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
-    const double Br = radial + ey * c + ez * s;
+    double Br = radial + ey * c + ez * s, Br_rate = vy * c + vz * s, Br_turn = ez * c - ey * s;
+    if constexpr (is_bent) {
+      Br += in.bent->width[j];
+      Br_rate += in.bent->rate[j];
+      Br_turn += in.bent->slope[j];
+    }
     const double distance = std::sqrt(Br * Br + Bx2);
     const double inverse = 1. / distance;
     const double cos_phi = Br * inverse;
     const double delta = std::max(distance - A + in.added[j], 0.);
-    const double rate = cos_phi * (vy * c + vz * s);
+    const double rate = cos_phi * Br_rate;
     const double root = std::sqrt(delta);
     const double stiffness = K * root;
     const double elastic = stiffness * delta;
     const double F = std::max(stiffness * (delta + damping * rate), 0.);
     const double F_radial = F * cos_phi;
+    if constexpr (is_bent) in.bent->force[j] = F_radial;
     fy -= F_radial * c;
     fz -= F_radial * s;
     fx -= F * inverse;
@@ -59,7 +67,7 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
     elastic_radial += elastic * cos_phi;
     elastic_axial += elastic * inverse;
     elastic_normal += elastic;
-    cage += elastic * cos_phi * (ez * c - ey * s);
+    cage += elastic * cos_phi * Br_turn;
     largest = std::max(largest, F);
     roots += root;
   }
@@ -80,7 +88,12 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) {
 }
 
 ROTORDROP_WIDE_VECTORS
-void sum_all(const KernelInput& in, BallRowOutput& out) {
+void sum_translations(const KernelInput& in, BallRowOutput& out) { translations<false>(in, out); }
+ROTORDROP_WIDE_VECTORS
+void sum_bent_translations(const KernelInput& in, BallRowOutput& out) { translations<true>(in, out); }
+
+template <bool is_bent>
+[[gnu::always_inline]] inline void all_motions(const KernelInput& in, BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
   double elastic_axial = 0, largest = 0, roots = 0;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
@@ -89,19 +102,26 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
-    const double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    double Br_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
+    double Br_turn = (e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s;
+    if constexpr (is_bent) {
+      Br += in.bent->width[j];
+      Br_rate += in.bent->rate[j];
+      Br_turn += in.bent->slope[j];
+    }
     const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
     const double distance = std::sqrt(Br * Br + Bx * Bx);
     const double inverse = 1. / distance;
     const double cos_phi = Br * inverse, sin_phi = Bx * inverse;
     const double delta = std::max(distance - in.A + in.added[j], 0.);
-    const double rate = cos_phi * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) +
-                        sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
+    const double rate = cos_phi * Br_rate + sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
     const double root = std::sqrt(delta);
     const double stiffness = in.K * root;
     const double elastic = stiffness * delta;
     const double F = std::max(stiffness * (delta + in.damping * rate), 0.);
     const double F_radial = F * cos_phi, F_axial = F * sin_phi;
+    if constexpr (is_bent) in.bent->force[j] = F_radial;
     fy -= F_radial * c;
     fz -= F_radial * s;
     fx -= F_axial;
@@ -111,8 +131,7 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
     elastic_radial += elastic * cos_phi;
     elastic_axial += elastic * sin_phi;
     elastic_normal += elastic;
-    cage += elastic * (cos_phi * ((e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s) +
-                       sin_phi * arm * (e.psi_y * c + e.psi_z * s));
+    cage += elastic * (cos_phi * Br_turn + sin_phi * arm * (e.psi_y * c + e.psi_z * s));
     largest = std::max(largest, F);
     roots += root;
   }
@@ -133,6 +152,11 @@ void sum_all(const KernelInput& in, BallRowOutput& out) {
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
+ROTORDROP_WIDE_VECTORS
+void sum_all(const KernelInput& in, BallRowOutput& out) { all_motions<false>(in, out); }
+ROTORDROP_WIDE_VECTORS
+void sum_all_bent(const KernelInput& in, BallRowOutput& out) { all_motions<true>(in, out); }
+
 // Raceways' edges as sum_tractions() needs them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.
 struct Edge {
   double sine, cosine;  // times r / (2 factor K^(1/3))
@@ -148,8 +172,9 @@ struct Edges {
 };
 
 // Not for every evaluation: what skidding needs. An idle ball adds F_c to the outer loads.
-ROTORDROP_WIDE_VECTORS
-void sum_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+template <bool is_bent>
+[[gnu::always_inline]] inline void tractions_of(const KernelInput& in, double F_c, double inner_share,
+                                                const Edges& edges, RowTractions& out) {
   double inner = 0, outer = 0, gyroscopic = 0, largest = 0, truncation = 0;
   constexpr double nothing = 1e-100;  // [N]
   const Edge inner_edge = edges.inner, outer_edge = edges.outer;
@@ -159,14 +184,18 @@ void sum_tractions(const KernelInput& in, double F_c, double inner_share, const 
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
-    const double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    double Br_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
+    if constexpr (is_bent) {
+      Br += in.bent->width[j];
+      Br_rate += in.bent->rate[j];
+    }
     const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
     const double distance = std::sqrt(Br * Br + Bx * Bx);
     const double inverse = 1. / distance;
     const double cos_phi = Br * inverse, sin_phi = Bx * inverse;
     const double delta = std::max(distance - in.A + in.added[j], 0.);
-    const double rate = cos_phi * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) +
-                        sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
+    const double rate = cos_phi * Br_rate + sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
     const double F = std::max(in.K * std::sqrt(delta) * (delta + in.damping * rate), 0.);
     const OuterContact o = outer_contact(F, sin_phi, cos_phi, F_c);
     const double T_g = gyroscopic_traction(F_c, o.sine);
@@ -185,6 +214,14 @@ void sum_tractions(const KernelInput& in, double F_c, double inner_share, const 
   }
   out = {inner, outer, (1. - inner_share) * gyroscopic, largest, inner_share * gyroscopic};
   out.truncation = std::min(truncation, 1.);
+}
+ROTORDROP_WIDE_VECTORS
+void sum_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+  tractions_of<false>(in, F_c, inner_share, edges, out);
+}
+ROTORDROP_WIDE_VECTORS
+void sum_bent_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+  tractions_of<true>(in, F_c, inner_share, edges, out);
 }
 
 }  // namespace
@@ -248,6 +285,12 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
     w.sine.resize(n_padded_, 0.);
     waves_.push_back(std::move(w));
   }
+  for (int n = 2; n <= g.highest_harmonic; ++n)
+    for (const bool is_cosine : {true, false}) {
+      for (int j = 0; j < g.n_balls; ++j)
+        shapes_.push_back(is_cosine ? std::cos(n * azimuth(j)) : std::sin(n * azimuth(j)));
+      shapes_.resize(shapes_.size() + n_padded_ - static_cast<std::size_t>(g.n_balls), 0.);
+    }
 }
 
 // What is added to every penetration besides the races' approach: 2 eps_b and the waves. One sine and cosine per wave.
@@ -280,18 +323,19 @@ std::pair<double, double> BallRow::strain_gradient(const BallRowOutput& out) con
           gradient(strains_.outer, out.elastic_normal + out.elastic_outer_surplus)};
 }
 
-double BallRow::penetration(const BallRowInput& in, const Constants& grown, int ball, double added) const {
+double BallRow::penetration(const BallRowInput& in, const Constants& grown, int ball, double added,
+                            double widening) const {
   const auto j = static_cast<std::size_t>(ball);
   const double c = in.cage_cosine * cosine_[j] - in.cage_sine * sine_[j];
   const double s = in.cage_sine * cosine_[j] + in.cage_cosine * sine_[j];
   const auto& e = in.displacement;
   const double xr = geometry_.position;
-  const double Br = grown.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+  const double Br = grown.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s + widening;
   const double Bx = grown.axial + e.x + grown.arm * (e.psi_y * s - e.psi_z * c);
   return std::sqrt(Br * Br + Bx * Bx) - grown.A + added;
 }
 
-double BallRow::waviness_power(const BallRowInput& in, const double* added) const {
+double BallRow::waviness_power(const BallRowInput& in, const double* added, const double* widening) const {
   const Constants at = grown(in);
   double power = 0.;
   for (const auto& w : waves_) {
@@ -301,7 +345,7 @@ double BallRow::waviness_power(const BallRowInput& in, const double* added) cons
     const double c = std::cos(argument), s = std::sin(argument);
     for (int j = 0; j < geometry_.n_balls; ++j) {
       const auto k = static_cast<std::size_t>(j);
-      const double delta = std::max(penetration(in, at, j, added[j]), 0.);
+      const double delta = std::max(penetration(in, at, j, added[j], widening ? widening[j] : 0.), 0.);
       power += geometry_.stiffness * delta * std::sqrt(delta) * travel * (w.cosine[k] * c - w.sine[k] * s);
     }
   }
@@ -310,6 +354,9 @@ double BallRow::waviness_power(const BallRowInput& in, const double* added) cons
 
 template <class Kernel>
 void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
+  const bool is_bent = !in.shape.empty();
+  Widening bent;
+  if (is_bent) widen(in, bent);
   std::array<double, max_balls> added;
   fill_added(in, added.data());
   const Constants at = grown(in);
@@ -327,15 +374,17 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
                           in.cage_cosine,
                           in.cage_sine,
                           in.displacement,
-                          in.rate};
+                          in.rate,
+                          &bent};
   kernel(balls, out);
+  if (is_bent) press_shapes(in, bent);
   out.inner_load_roots = out.outer_load_roots = stiffness_root_ * out.inner_load_roots;
   out.cage_power *= in.cage_speed;
-  out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data());
+  out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data(), is_bent ? bent.width.data() : nullptr);
   if (!tractions) return;
   const double F_c = centrifugal_force(in);
   const Edges edges{{geometry_.inner, stiffness_root_}, {geometry_.outer, stiffness_root_}};
-  sum_tractions(balls, F_c, geometry_.inner_gyroscopic_share, edges, *tractions);
+  (is_bent ? sum_bent_tractions : sum_tractions)(balls, F_c, geometry_.inner_gyroscopic_share, edges, *tractions);
   tractions->centrifugal = F_c;
   tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
 }
@@ -346,23 +395,31 @@ double BallRow::centrifugal_force(const BallRowInput& in) const {
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run([](const KernelInput& k, BallRowOutput& o) { sum_translations(k, o); }, in, out, tractions);
+  run(in.shape.empty() ? sum_translations : sum_bent_translations, in, out, tractions);
 }
 
 void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run([](const KernelInput& k, BallRowOutput& o) { sum_all(k, o); }, in, out, tractions);
+  run(in.shape.empty() ? sum_all : sum_all_bent, in, out, tractions);
 }
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) {
     InertialBalls w;
-    balance(in, F_0, w);
+    Widening bent;
+    balance(in, F_0, w, bent);
     for (std::size_t j = 0; j < load.size(); ++j) load[j] = w.u_i[j] * w.u_i[j] * w.u_i[j];
     return;
   }
   std::array<double, max_balls> added;
   fill_added(in, added.data());
+  Widening bent;
+  const double *width = nullptr, *width_rate = nullptr;  // of bent rings
+  if (!in.shape.empty()) {
+    widen(in, bent);
+    width = bent.width.data();
+    width_rate = bent.rate.data();
+  }
   const auto& v = in.rate;
   const auto& e = in.displacement;
   const double xr = geometry_.position, arm = constants_.arm;
@@ -371,13 +428,12 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
     const auto k = static_cast<std::size_t>(j);
     const double c = in.cage_cosine * cosine_[k] - in.cage_sine * sine_[k];
     const double s = in.cage_sine * cosine_[k] + in.cage_cosine * sine_[k];
-    const double Br = at.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
+    const double Br = at.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s + (width ? width[k] : 0.);
+    const double Br_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s + (width_rate ? width_rate[k] : 0.);
     const double Bx = at.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
     const double distance = std::sqrt(Br * Br + Bx * Bx);
     const double delta = std::max(distance - at.A + added[k], 0.);
-    const double rate =
-        (Br * ((v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s) + Bx * (v.x + arm * (v.psi_y * s - v.psi_z * c))) /
-        distance;
+    const double rate = (Br * Br_rate + Bx * (v.x + arm * (v.psi_y * s - v.psi_z * c))) / distance;
     load[k] = std::max(geometry_.stiffness * std::sqrt(delta) * (delta + 1.5 * geometry_.damping_beta * rate), 0.);
   }
 }
@@ -385,7 +441,8 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
 double BallRow::energy(const BallRowInput& in) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) {
     InertialBalls w;
-    balance(in, F_0, w);
+    Widening bent;
+    balance(in, F_0, w, bent);
     double both = 0.;
     for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
       both += inertial_.c_i * std::pow(w.u_i[j], 5) + inertial_.c_o * std::pow(w.Q_o[j], 5. / 3.);
@@ -394,9 +451,16 @@ double BallRow::energy(const BallRowInput& in) const {
   std::array<double, max_balls> added;
   fill_added(in, added.data());
   const Constants at = grown(in);
+  Widening bent;
+  const double* width = nullptr;  // of bent rings
+  if (!in.shape.empty()) {
+    widen(in, bent);
+    width = bent.width.data();
+  }
   double sum = 0.;
   for (int j = 0; j < geometry_.n_balls; ++j) {
-    const double delta = std::max(penetration(in, at, j, added[static_cast<std::size_t>(j)]), 0.);
+    const auto k = static_cast<std::size_t>(j);
+    const double delta = std::max(penetration(in, at, j, added[k], width ? width[k] : 0.), 0.);
     sum += delta * delta * std::sqrt(delta);
   }
   return 0.4 * geometry_.stiffness * sum;

@@ -9,6 +9,7 @@
 namespace rotordrop {
 
 struct RowTractions;  // laws/skidding.h
+struct Widening;      // bearing/ball_row_bending.h
 
 /// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
 struct RingDisplacement {
@@ -53,6 +54,7 @@ struct BallRowGeometry {
   double ball_mass = 0;         ///< [kg]; for the balls' inertia
   bool conducts = false;        ///< a row of balls with inertia sums the cube roots of its loads too
   bool has_inertia = false;     ///< each ball in balance with its centrifugal force and gyroscopic moment
+  int highest_harmonic = 0;     ///< of the rings' bending; 0: rigid rings
   double inner_gyroscopic_share =
       0;  ///< part of the gyroscopic traction at the inner race; the rest is at the outer one
 };
@@ -90,6 +92,9 @@ struct BallRowInput {
   double ball_growth = 0;    ///< eps_b, growth of a ball's radius [m]
   double inner_strain = 0;   ///< axial strain of the inner ring
   double outer_strain = 0;   ///< of the outer ring
+  /// Bent rings: coefficients a_2, b_2, a_3, b_3, ... of u_r of the inner raceway less the outer one [m], and their rates [m/s]; empty: rigid rings.
+  std::span<const double> shape, shape_rate;
+  std::span<double> shape_force;  ///< the balls' forces on the inner ring's shapes are added here [N]
 };
 
 /// What a row does to the inner ring, and the sums that energy and heat need. Evaluation writes every member.
@@ -155,13 +160,16 @@ class BallRow {
   template <class Kernel>
   void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
   void fill_added(const BallRowInput& input, double* added) const;
+  void widen(const BallRowInput& input, Widening& widening) const;
+  void press_shapes(const BallRowInput& input, Widening& widening) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
-  void place_balls(const BallRowInput& input, InertialBalls& balls) const;
-  BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls) const;
+  void place_balls(const BallRowInput& input, InertialBalls& balls, Widening& widening) const;
+  BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls, Widening& widening) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out, RowTractions* tractions) const;
   [[nodiscard]] double centrifugal_force(const BallRowInput& input) const;
-  [[nodiscard]] double penetration(const BallRowInput& input, const Constants& grown, int ball, double added) const;
-  [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added) const;
+  [[nodiscard]] double penetration(const BallRowInput& input, const Constants& grown, int ball, double added,
+                                   double widening) const;
+  [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added, const double* widening) const;
 
   BallRowGeometry geometry_;
   Constants constants_{};
@@ -173,6 +181,8 @@ class BallRow {
   std::size_t n_padded_ = 0;
   double stiffness_root_ = 0;  // K^(1/3)
   std::vector<Wave> waves_;
+  std::vector<double>
+      shapes_;  // cos, sin of n times the azimuths at cage angle zero, n = 2 ...: [2 (highest - 1)][n_padded]
 };
 
 }  // namespace rotordrop

@@ -4,6 +4,7 @@
 
 #include "base/wide_vectors.h"
 #include "bearing/ball_row.h"
+#include "bearing/ball_row_bending.h"
 #include "laws/skidding.h"
 
 namespace rotordrop {
@@ -15,10 +16,11 @@ struct Place {
   double cage_cosine, cage_sine;
   double radial, axial, arm, position;
   RingDisplacement e, v;
+  Widening* bent;  // of bent rings
 };
 
-ROTORDROP_WIDE_VECTORS
-void place_grooves(const Place& p, double cage_speed, InertialBalls& w) {
+template <bool is_bent>
+[[gnu::always_inline]] inline void place_all(const Place& p, double cage_speed, InertialBalls& w) {
   const RingDisplacement e = p.e, v = p.v;
   const double arm = p.arm, xr = p.position;
 #pragma omp simd
@@ -30,11 +32,19 @@ void place_grooves(const Place& p, double cage_speed, InertialBalls& w) {
     w.B_x[j] = p.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
     w.B_r_rate[j] = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s + cage_speed * (z * c - y * s);
     w.B_x_rate[j] = v.x + arm * (v.psi_y * s - v.psi_z * c + cage_speed * (e.psi_y * c + e.psi_z * s));
+    if constexpr (is_bent) {
+      w.B_r[j] += p.bent->width[j];
+      w.B_r_rate[j] += p.bent->rate[j] + cage_speed * p.bent->slope[j];
+    }
   }
 }
+ROTORDROP_WIDE_VECTORS
+void place_grooves(const Place& p, double cage_speed, InertialBalls& w) { place_all<false>(p, cage_speed, w); }
+ROTORDROP_WIDE_VECTORS
+void place_bent_grooves(const Place& p, double cage_speed, InertialBalls& w) { place_all<true>(p, cage_speed, w); }
 
 /// @param hardness  K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is hardness * u
-template <bool is_split>
+template <bool is_split, bool is_bent>
 [[gnu::always_inline]] inline void sum_all(const Place& p, const InertialBalls& w, double damping, double hardness,
                                            double cage_speed, BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
@@ -46,9 +56,13 @@ template <bool is_split>
     const double c = p.cage_cosine * p.cosine[j] - p.cage_sine * p.sine[j];
     const double s = p.cage_sine * p.cosine[j] + p.cage_cosine * p.sine[j];
     const double u = w.u_i[j], is_ball = w.is_ball[j];
-    const double r_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
+    double r_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
     const double x_rate = v.x + arm * (v.psi_y * s - v.psi_z * c);
-    const double r_turn = (e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s;
+    double r_turn = (e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s;
+    if constexpr (is_bent) {
+      r_rate += p.bent->rate[j];
+      r_turn += p.bent->slope[j];
+    }
     const double x_turn = arm * (e.psi_y * c + e.psi_z * s);
     const double rate = w.i_r[j] * r_rate + w.i_x[j] * x_rate;
     const double elastic = is_ball * u * u * u, Q_o = is_ball * w.Q_o[j];
@@ -62,6 +76,7 @@ template <bool is_split>
       pull_radial += T_radial;
       pull_axial += T_axial;
     }
+    if constexpr (is_bent) p.bent->force[j] = F_radial;
     fy -= F_radial * c;
     fz -= F_radial * s;
     fx -= F_axial;
@@ -95,9 +110,17 @@ ROTORDROP_WIDE_VECTORS
 void sum_forces(const Place& p, const InertialBalls& w, bool is_split, double damping, double hardness,
                 double cage_speed, BallRowOutput& out) {
   if (is_split)
-    sum_all<true>(p, w, damping, hardness, cage_speed, out);
+    sum_all<true, false>(p, w, damping, hardness, cage_speed, out);
   else
-    sum_all<false>(p, w, damping, hardness, cage_speed, out);
+    sum_all<false, false>(p, w, damping, hardness, cage_speed, out);
+}
+ROTORDROP_WIDE_VECTORS
+void sum_bent_forces(const Place& p, const InertialBalls& w, bool is_split, double damping, double hardness,
+                     double cage_speed, BallRowOutput& out) {
+  if (is_split)
+    sum_all<true, true>(p, w, damping, hardness, cage_speed, out);
+  else
+    sum_all<false, true>(p, w, damping, hardness, cage_speed, out);
 }
 
 /// Q^(1/3) without a branch, for vectors: Halley's iteration from Q^(1/4), to 1e-7 for loads from 0.1 N to 1 MN, 6 % at 1e-5 N.
@@ -137,7 +160,7 @@ double BallRow::inertia_force(const BallRowInput& in) const {
   return F_0 > negligible ? F_0 : 0.;
 }
 
-void BallRow::place_balls(const BallRowInput& in, InertialBalls& w) const {
+void BallRow::place_balls(const BallRowInput& in, InertialBalls& w, Widening& bent) const {
   w.n = n_padded_;
   const auto n = static_cast<std::size_t>(geometry_.n_balls);
   std::fill_n(w.is_ball.begin(), n, 1.);
@@ -159,13 +182,16 @@ void BallRow::place_balls(const BallRowInput& in, InertialBalls& w) const {
       rate[j] += travel * (wave.cosine[j] * c - wave.sine[j] * s);
     }
   }
-  place_grooves({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, at.radial, at.axial, at.arm,
-                 geometry_.position, in.displacement, in.rate},
-                in.cage_speed, w);
+  const bool is_bent = !in.shape.empty();
+  if (is_bent) widen(in, bent);
+  (is_bent ? place_bent_grooves : place_grooves)(
+      {cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, at.radial, at.axial, at.arm, geometry_.position,
+       in.displacement, in.rate, &bent},
+      in.cage_speed, w);
 }
 
-BallWork BallRow::balance(const BallRowInput& in, double F_0, InertialBalls& w) const {
-  place_balls(in, w);
+BallWork BallRow::balance(const BallRowInput& in, double F_0, InertialBalls& w, Widening& bent) const {
+  place_balls(in, w, bent);
   const auto& e = in.displacement;
   const bool only_translates = e.x == 0. && e.psi_y == 0. && e.psi_z == 0.;
   return balance_balls(inertial_, F_0, w, only_translates ? starts_.get() : nullptr);
@@ -173,11 +199,14 @@ BallWork BallRow::balance(const BallRowInput& in, double F_0, InertialBalls& w) 
 
 void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutput& out, RowTractions* tractions) const {
   InertialBalls w;
-  const BallWork work = balance(in, F_0, w);
-  sum_forces({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0., constants_.arm, geometry_.position,
-              in.displacement, in.rate},
-             w, geometry_.inner_gyroscopic_share != 0., 1.5 * geometry_.damping_beta,
-             1. / (inertial_.c_i + inertial_.c_o), in.cage_speed, out);
+  Widening bent;
+  const BallWork work = balance(in, F_0, w, bent);
+  const bool is_bent = !in.shape.empty();
+  (is_bent ? sum_bent_forces : sum_forces)({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0.,
+                                            constants_.arm, geometry_.position, in.displacement, in.rate, &bent},
+                                           w, geometry_.inner_gyroscopic_share != 0., 1.5 * geometry_.damping_beta,
+                                           1. / (inertial_.c_i + inertial_.c_o), in.cage_speed, out);
+  if (is_bent) press_shapes(in, bent);
   out.waviness_power = 0.;
   if (!waves_.empty())
     for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)

@@ -4,35 +4,52 @@
 #include <string>
 #include <vector>
 
-#include "bearing/ring_statics.h"
+#include "bearing/bent_ring_statics.h"
 #include "model/equilibrium_system.h"
 #include "model/ports.h"
 
 namespace rotordrop {
 
-/// The inner ring under a load, for the solver. Unknowns as RingStatics has them; without a spring the first five.
+/// The rotor in the bore, for loads that it passes on over an arc.
+struct BoreJournal {
+  HuntCrossley contact;
+  double gap = 0;  ///< radial [m]
+};
+
+/// The inner ring under a load, for the solver. Unknowns as BentRingStatics has them. A radial load presses on a bent bore at a point in its
+/// own direction; with the contact over an arc it acts on a rotor in the bore, whose centre's y and z are then the last unknowns.
 class BearingEquilibrium final : public EquilibriumSystem {
  public:
   /// @param load  on the inner ring [N, N m]
-  BearingEquilibrium(RingStatics ring, const Force& load);
+  BearingEquilibrium(BentRingStatics ring, const Force& load, const BoreJournal& journal = {});
 
-  [[nodiscard]] std::size_t size() const override { return ring_.has_spring() ? 6 : 5; }
+  [[nodiscard]] std::size_t size() const override { return static_cast<std::size_t>(scales_.size()); }
   [[nodiscard]] std::span<const double> scales() const override { return {scales_.data(), size()}; }
   [[nodiscard]] double force_scale() const override { return force_scale_; }
   void forces(std::span<const double> x, std::span<double> f) const override;
   void stiffness(std::span<const double> x, std::span<double> K) const override;
   [[nodiscard]] double potential(std::span<const double> x) const override;
   [[nodiscard]] bool has_circulatory_forces() const override {
-    return ring_.surroundings().has_inertia && ring_.surroundings().speed != 0.;
+    return ring().surroundings().has_inertia && ring().surroundings().speed != 0.;
   }
   void set_circulatory_share(double share) override { share_ = share; }
+  /// Where the search begins: a rotor lies in the bore under its load [size()].
+  [[nodiscard]] std::vector<double> start() const;
 
-  [[nodiscard]] const RingStatics& ring() const { return ring_; }
+  [[nodiscard]] const RingStatics& ring() const { return ring_.ring(); }
+  [[nodiscard]] const BentRingStatics& bent_ring() const { return ring_; }
   [[nodiscard]] RingVector place(std::span<const double> x) const;
+  /// Ring and shapes without the rotor [bent_ring().size()].
+  [[nodiscard]] Eigen::VectorXd ring_unknowns(std::span<const double> x) const;
 
  private:
-  RingStatics ring_;
-  RingVector load_, scales_;
+  struct Sum;
+  [[nodiscard]] Sum sum(std::span<const double> x, double share) const;
+
+  BentRingStatics ring_;
+  BoreJournal journal_;
+  Eigen::VectorXd load_, scales_;  // all unknowns
+  bool has_journal_ = false;
   double force_scale_ = 1, share_ = 1;
 };
 
@@ -58,6 +75,7 @@ struct RowReport {
   std::vector<BallReport> balls;
   double axial_force = 0;       ///< of the balls on the ring, along x [N]
   double largest_load = 0;      ///< of a ball on either race [N]
+  double ball_stiffness = 0;    ///< K of Q = K delta^1.5, both contacts of a ball in series [N/m^1.5]
   double largest_pressure = 0;  ///< on either race [Pa]
   /// s0 = (4.2 GPa / largest pressure)^3: by so much may the load of the most loaded ball grow; infinite without load
   double static_safety = 0;
@@ -69,6 +87,15 @@ struct RowReport {
       false;  ///< the balls have no inertia, though that is more than relevant_centrifugal_share
 };
 
+/// Shape of bent rings.
+struct BendingReport {
+  std::vector<RingHarmonic> inner, outer;
+  std::vector<double> inner_shape, outer_shape;  ///< a_2, b_2, a_3, b_3, ... [m]
+  double largest_outwards = 0,
+         largest_inwards = 0;  ///< radial displacement of the inner ring by bending, both positive [m]
+  double energy = 0;           ///< of bending [J]
+};
+
 /// A ring in its place.
 struct RingReport {
   std::array<double, 5> place{};  ///< x, y, z [m], psi_y, psi_z [rad], from the mounted place
@@ -77,11 +104,13 @@ struct RingReport {
   std::array<std::array<double, 5>, 5> stiffness{};  ///< -d force / d place [N/m, N, N m]
   double preload =
       0;  ///< what opposed rows hold against each other: the smaller of their axial forces; 0 without opposed rows [N]
-  double energy = 0;         ///< of the contacts [J]
-  int n_free = 0;            ///< directions that no ball resists, of the five
-  bool is_floating = false;  ///< no ball touches the inner ring
+  double energy = 0;                     ///< of the contacts [J]
+  int n_free = 0;                        ///< directions that no ball resists, of the five
+  bool is_floating = false;              ///< no ball touches the inner ring
+  std::optional<BendingReport> bending;  ///< none: rigid rings
 };
 /// @param negligible  load of a ball that counts as none [N]: what the search for the equilibrium may leave
+RingReport report_ring(const BentRingStatics& ring, const Eigen::VectorXd& unknowns, double negligible = 0.);
 RingReport report_ring(const RingStatics& ring, const RingVector& place, double negligible = 0.);
 
 }  // namespace rotordrop

@@ -14,10 +14,14 @@ using Vector = Eigen::VectorXd;
 struct Ring {
   const std::vector<BallRow>& rows;
   bool is_free;
+  double cage_angle;
   double arm = 0.5 * rows.front().geometry().pitch_diameter;
 
   [[nodiscard]] BallRowInput at(const Vector& place) const {
     BallRowInput in;
+    in.cage_angle = cage_angle;
+    in.cage_cosine = std::cos(cage_angle);
+    in.cage_sine = std::sin(cage_angle);
     in.displacement.y = place[0];
     in.displacement.z = place[1];
     if (is_free) {
@@ -68,8 +72,9 @@ Vector along_load(const Ring& ring, const Vector& load) {
 
 }  // namespace
 
-RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, const Force& force, bool is_free) {
-  const Ring ring{rows, is_free};
+RingDisplacement ring_equilibrium(const std::vector<BallRow>& rows, const Force& force, bool is_free,
+                                  double cage_angle) {
+  const Ring ring{rows, is_free, cage_angle};
   Vector load(is_free ? 5 : 2);
   load[0] = force.y;
   load[1] = force.z;

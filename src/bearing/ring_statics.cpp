@@ -25,12 +25,17 @@ RingStatics::RingStatics(std::vector<BallRowGeometry> rows, const RingSurroundin
   }
 }
 
+double RingStatics::azimuth(std::size_t row, int ball) const {
+  const auto& g = rows_[row];
+  return g.phase + 2. * std::numbers::pi * ball / g.n_balls + surroundings_.cage_angle;
+}
+
 RingStatics::Plane RingStatics::plane(std::size_t row, int ball, const RingVector& q) const {
   const auto& g = rows_[row];
   const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
   const double arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
   Plane p;
-  p.azimuth = g.phase + 2. * std::numbers::pi * ball / g.n_balls + surroundings_.cage_angle;
+  p.azimuth = azimuth(row, ball);
   const double c = std::cos(p.azimuth), s = std::sin(p.azimuth), at = g.position;
   const double travel = spring_ && row + 1 == rows_.size() ? g.direction : 0.;
   p.by_place << 1., 0., 0., arm * s, -arm * c, travel,  //
@@ -52,25 +57,35 @@ BallBalance RingStatics::balance(std::size_t row, const Plane& plane, double sha
   return ball_balance(contacts_[row], plane.B[0], plane.B[1], surroundings_.ball_growth, speed, share);
 }
 
+BallReaction RingStatics::ball_reaction(std::size_t row, int ball, const RingVector& q, double widening,
+                                        double share) const {
+  Plane p = plane(row, ball, q);
+  p.B[1] += widening;
+  BallReaction r{balance(row, p, share), {}, {}, p.by_place};
+  r.pull = {r.balance.pull_x(), r.balance.pull_r()};
+  r.stiffness << r.balance.stiffness[0], r.balance.stiffness[1], r.balance.stiffness[2], r.balance.stiffness[3];
+  return r;
+}
+
+RingReaction RingStatics::spring_reaction(const RingVector& q) const {
+  RingReaction r;
+  if (!spring_) return r;
+  const double w = q[5];
+  r.force[5] = spring_->force - spring_->stiffness * w;
+  r.stiffness(5, 5) = spring_->stiffness;
+  r.energy = 0.5 * spring_->stiffness * w * w - spring_->force * w;
+  return r;
+}
+
 RingReaction RingStatics::reaction(const RingVector& q, double share) const {
-  RingReaction sum;
+  RingReaction sum = spring_reaction(q);
   for (std::size_t row = 0; row < rows_.size(); ++row)
     for (int ball = 0; ball < rows_[row].n_balls; ++ball) {
-      const Plane p = plane(row, ball, q);
-      const BallBalance b = balance(row, p, share);
-      const Eigen::Vector2d pull(b.pull_x(), b.pull_r());
-      Eigen::Matrix2d K;
-      K << b.stiffness[0], b.stiffness[1], b.stiffness[2], b.stiffness[3];
-      sum.force -= p.by_place.transpose() * pull;
-      sum.stiffness += p.by_place.transpose() * K * p.by_place;
-      sum.energy += b.energy;
+      const BallReaction r = ball_reaction(row, ball, q, 0., share);
+      sum.force -= r.by_place.transpose() * r.pull;
+      sum.stiffness += r.by_place.transpose() * r.stiffness * r.by_place;
+      sum.energy += r.balance.energy;
     }
-  if (spring_) {
-    const double w = q[5];
-    sum.force[5] += spring_->force - spring_->stiffness * w;
-    sum.stiffness(5, 5) += spring_->stiffness;
-    sum.energy += 0.5 * spring_->stiffness * w * w - spring_->force * w;
-  }
   return sum;
 }
 

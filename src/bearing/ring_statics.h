@@ -44,6 +44,14 @@ struct RingReaction {
   double energy = 0;                          ///< of contacts and spring [J]
 };
 
+/// One ball's pull on the inner ring in its plane (x, r).
+struct BallReaction {
+  BallBalance balance;
+  Eigen::Vector2d pull;                                ///< [N]
+  Eigen::Matrix2d stiffness;                           ///< d pull / dB [N/m]
+  Eigen::Matrix<double, 2, n_ring_unknowns> by_place;  ///< dB / d unknowns
+};
+
 /// With balls without inertia the forces are the gradient of a convex energy: the distance of groove centres is a convex function of the
 /// ring's place, and the energy of a contact rises ever faster with it.
 class RingStatics {
@@ -54,6 +62,12 @@ class RingStatics {
   /// @param inertia_share  part of the balls' inertia that acts, 0 to 1
   [[nodiscard]] RingReaction reaction(const RingVector& place, double inertia_share = 1.) const;
   [[nodiscard]] double energy(const RingVector& place) const { return reaction(place, 0.).energy; }
+  /// Of the preload spring alone.
+  [[nodiscard]] RingReaction spring_reaction(const RingVector& place) const;
+  /// @param widening  adds to B_r at this ball, by bent rings [m]
+  [[nodiscard]] BallReaction ball_reaction(std::size_t row, int ball, const RingVector& place, double widening,
+                                           double inertia_share) const;
+  [[nodiscard]] double azimuth(std::size_t row, int ball) const;
   /// Balls row by row.
   [[nodiscard]] std::vector<std::vector<BallInPlace>> balls(const RingVector& place) const;
   /// Stiffness of the five degrees of freedom, the spring's travel following without resistance of its own.

@@ -26,6 +26,9 @@ struct TouchdownBearing::BallForces {
 
 TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)) {
   for (auto& geometry : data_.rows) geometry.conducts = data_.conduction.has_value();
+  if (data_.bending)
+    for (auto& geometry : data_.rows) geometry.highest_harmonic = data_.bending->inner.back().n;
+  if (data_.bending && data_.bending->model == RingBendingModel::arc) arc_table_ = make_arc_table();
   for (const auto& geometry : data_.rows) rows_.emplace_back(geometry, data_.race_waves);
   const auto& g = data_.rows.front();
   strain_per_growth_ = data_.width > 0. ? 1. / data_.width : 0.;
@@ -62,26 +65,33 @@ std::vector<StateEntry> TouchdownBearing::state_entries() const {
   for (std::size_t k = 0; k < n_bristles(); ++k)
     entries.push_back(
         {fmt::format("bristle {} {}", k / directions + 1, k % directions == 0 ? "around" : "along"), "m", 1e-6});
+  if (data_.bending)
+    for (auto& entry : shape_entries()) entries.push_back(std::move(entry));
   return entries;
 }
 
 std::vector<StateEntry> TouchdownBearing::ledger_entries() const {
-  return {{"contact impulse", "N s", 100., "integral of the contact force"},
-          {"contact damping", "J", 1., "energy dissipated by the damping of rotor and ring's contact"},
-          {"ball damping", "J", 1., "energy dissipated by the damping of balls and races"},
-          {"support damping", "J", 1., "energy dissipated by the support's damper"},
-          {"waviness work", "J", 1., "work of the travelling waves on the machine"},
-          {"cage work", "J", 1., "work of the prescribed cage motion on the machine"},
-          {"ball inertia work", "J", 1., "work of centrifugal forces and gyroscopic moments on the balls as they move"},
-          {"spin-up drive", "J", 100., "integral of omega_r (J omega_i' + M), for the balance of the spin-up"},
-          {"spin-up centres", "J", 1., "integral of F_t v_t, friction force times the centres' tangential speed"}};
+  std::vector<StateEntry> entries = {
+      {"contact impulse", "N s", 100., "integral of the contact force"},
+      {"contact damping", "J", 1., "energy dissipated by the damping of rotor and ring's contact"},
+      {"ball damping", "J", 1., "energy dissipated by the damping of balls and races"},
+      {"support damping", "J", 1., "energy dissipated by the support's damper"},
+      {"waviness work", "J", 1., "work of the travelling waves on the machine"},
+      {"cage work", "J", 1., "work of the prescribed cage motion on the machine"},
+      {"ball inertia work", "J", 1., "work of centrifugal forces and gyroscopic moments on the balls as they move"},
+      {"spin-up drive", "J", 100., "integral of omega_r (J omega_i' + M), for the balance of the spin-up"},
+      {"spin-up centres", "J", 1., "integral of F_t v_t, friction force times the centres' tangential speed"}};
+  if (data_.bending)
+    entries.push_back({"ring bending damping", "J", 1., "energy dissipated by the damping of bent rings"});
+  return entries;
 }
 
 void TouchdownBearing::initial_state(std::span<double> y) const {
   std::fill(y.begin(), y.end(), 0.);
   const Force weight{data_.free_ring ? data_.ring_mass * data_.free_ring->gravity_x : 0.,
                      data_.ring_mass * data_.gravity_y, data_.ring_mass * data_.gravity_z};
-  const auto place = ring_equilibrium(rows_, weight, data_.free_ring.has_value());
+  const auto place = ring_equilibrium(rows_, weight, data_.free_ring.has_value(), data_.cage_angle);
+  y[cage_angle] = data_.cage_angle;
   y[support_y] = weight.y / data_.support_stiffness_y;
   y[support_z] = weight.z / data_.support_stiffness_z;
   y[ring_y] = place.y + y[support_y];
@@ -196,8 +206,15 @@ BallConduction TouchdownBearing::conduction(const BallForces& forces, double rin
 void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> y, std::span<double> dydt,
                                 std::span<double> ledger, SupportOutput& out) const {
   const Expansion grown = growth(in, y);
-  const Touch t = touch(in, grown, y, dydt.subspan(bristles_at(), n_bristles()));
-  const BallRowInput rows_in = row_input(grown, y);
+  ShapeForces shapes;
+  std::span<double> by_rotor;
+  BallRowInput rows_in = row_input(grown, y);
+  if (data_.bending) {
+    fill_ball_shapes(y, shapes);
+    by_rotor = {shapes.by_rotor.data(), data_.bending->n_inner()};
+    lend_shapes(shapes, rows_in);
+  }
+  const Touch t = touch(in, grown, y, dydt.subspan(bristles_at(), n_bristles()), by_rotor);
   const BallForces balls = ball_forces(rows_in, !out.observed.empty());
   out.force_on_rotor = t.on_rotor;
 
@@ -231,6 +248,8 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
     dydt[tilt_rate_z] = (t.on_ring.moment_z + balls.moment_z + gyroscopic * y[tilt_rate_y]) / ring.diametral_inertia;
   }
 
+  const double bending_loss = data_.bending ? bend(y, shapes, dydt) : 0.;
+
   out.heat.rub = t.rub_heat;
   out.heat.inner = inner_heat_share_ * M * ring_speed * data_.heat_over_work;
   out.heat.outer = (1. - inner_heat_share_) * M * ring_speed * data_.heat_over_work;
@@ -244,7 +263,8 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   const double support_loss = damper_y * y[support_vy] + damper_z * y[support_vz];
   const double inertia_work = balls.inertia_power + balls.inertia_per_speed * dydt[ring_spin];
   const double wave_work = balls.waviness_power + t.wave_power;
-  out.other_dissipation = t.damping + balls.damping_power + support_loss - (data_.heat_over_work - 1.) * M * ring_speed;
+  out.other_dissipation =
+      t.damping + balls.damping_power + support_loss + bending_loss - (data_.heat_over_work - 1.) * M * ring_speed;
   out.energy_gradient = {t.elastic,
                          -t.elastic,
                          balls.elastic_radial,
@@ -268,6 +288,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   ledger[spin_up_drive] =
       in.rotor_spin.speed * (bore_torque + t.shoulder_torque * data_.bore_radius / data_.rotor_radius);
   ledger[spin_up_centres] = t.centres_power;
+  if (data_.bending) ledger[ring_bending_damping] = bending_loss;
 
   if (!out.observed.empty()) observe(in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
   if (!out.observed_details.empty()) {
@@ -277,6 +298,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
       row.ball_loads(rows_in, out.observed_details.subspan(at, n));
       at += n;
     }
+    for (std::size_t k = 0; k < n_shapes(); ++k) out.observed_details[at + k] = y[shapes_at() + k];
   }
 }
 
@@ -292,7 +314,13 @@ double TouchdownBearing::energy(const SupportInput& in, std::span<const double> 
     U += 0.5 * d.ring_mass * square(ring_vx) - d.ring_mass * d.free_ring->gravity_x * y[ring_x] +
          0.5 * d.free_ring->diametral_inertia * (square(tilt_rate_y) + square(tilt_rate_z));
   U += contact_energy(in, grown, y);
-  const BallRowInput rows_in = row_input(grown, y);
+  BallRowInput rows_in = row_input(grown, y);
+  ShapeForces shapes;
+  if (d.bending) {
+    fill_ball_shapes(y, shapes);
+    lend_shapes(shapes, rows_in);
+    U += bending_energy(y);
+  }
   for (const auto& row : rows_) U += row.energy(rows_in);
   return U;
 }
@@ -356,7 +384,10 @@ std::vector<Observable> TouchdownBearing::detailed_observables() const {
     for (int j = 0; j < rows_[i].geometry().n_balls; ++j)
       loads.columns.push_back("row " + std::to_string(i + 1) + " ball " + std::to_string(j + 1));
   loads.size = loads.columns.size();
-  return {loads};
+  std::vector<Observable> list = {loads};
+  if (data_.bending)
+    for (auto& shape : shape_observables()) list.push_back(std::move(shape));
+  return list;
 }
 
 void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, std::span<const double> y,

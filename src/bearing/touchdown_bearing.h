@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bearing/ball_row.h"
+#include "bearing/bent_rings.h"
 #include "laws/bearing_friction.h"
 #include "laws/contact.h"
 #include "laws/rolling_conduction.h"
@@ -64,6 +65,7 @@ struct TouchdownBearingData {
   std::vector<BoreWave> bore_waves;
   BallModel ball_model = BallModel::quasi_static;
 
+  double cage_angle = 0;         ///< at the start [rad]
   double ring_mass = 0;          ///< inner ring(s) [kg]
   double ring_spin_inertia = 0;  ///< J, with balls and cage [kg m^2]
   double bore_radius = 0;        ///< r_b [m]
@@ -92,6 +94,7 @@ struct TouchdownBearingData {
   Expansion centrifugal_growth;         ///< per square of the ring's speed [m s^2]
   double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
   std::optional<RowConduction> conduction;  ///< of every row; none: the thermal models have fixed resistances
+  std::optional<BentRings> bending;         ///< none: rigid rings
   std::optional<FreeRing> free_ring;        ///< none: axial and tilting motion of the inner ring are locked
 };
 
@@ -128,6 +131,9 @@ class TouchdownBearing final : public Support {
   /// Where the bristles of sticking friction begin: of every slice along the bore around it and, of a free ring, along it [m].
   [[nodiscard]] std::size_t bristles_at() const { return data_.free_ring ? n_state_free : n_state; }
   [[nodiscard]] std::size_t n_bristles() const;
+  /// Where bent rings begin: coefficients a_2, b_2, a_3, ... of the inner ring, of the outer ring [m], then their rates [m/s].
+  [[nodiscard]] std::size_t shapes_at() const { return bristles_at() + n_bristles(); }
+  [[nodiscard]] std::size_t n_shapes() const { return data_.bending ? data_.bending->n_shapes() : 0; }
   /// Offsets in its own ledgers.
   enum Ledger : std::size_t {
     contact_impulse,
@@ -139,7 +145,9 @@ class TouchdownBearing final : public Support {
     inertia_of_balls,
     spin_up_drive,
     spin_up_centres,
-    n_ledger
+    n_ledger,
+    // Of bent rings also:
+    ring_bending_damping = n_ledger
   };
 
   [[nodiscard]] const TouchdownBearingData& data() const { return data_; }
@@ -155,10 +163,12 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] double energy(const SupportInput& input, std::span<const double> y) const override;
 
  private:
-  struct Bodies;      // rotor and ring at one place along the bore
-  struct Contact;     // rotor against bore at one place along it
-  struct Touch;       // rotor on ring, all places together
-  struct BallForces;  // sums over the rows
+  struct Bodies;       // rotor and ring at one place along the bore
+  struct Contact;      // rotor against bore at one place along it
+  struct Touch;        // rotor on ring, all places together
+  struct BallForces;   // sums over the rows
+  struct ShapeForces;  // on the shapes of bent rings
+  struct ArcTable;     // shapes at the points around the bore
   /// Thermal and centrifugal.
   [[nodiscard]] Expansion growth(const SupportInput& input, std::span<const double> y) const;
   /// @param x  along the bore, from the ring's middle [m]
@@ -166,8 +176,25 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] Contact contact(const SupportInput& input, const Expansion& growth, std::span<const double> y,
                                 const Bodies& at) const;
   /// @param bristle_rates  [n_bristles()]
+  /// @param shape_forces   on the inner ring's shapes, added to [BentRings::n_inner()] [N]
   [[nodiscard]] Touch touch(const SupportInput& input, const Expansion& growth, std::span<const double> y,
-                            std::span<double> bristle_rates) const;
+                            std::span<double> bristle_rates, std::span<double> shape_forces) const;
+  // Bent rings (touchdown_bending.cpp).
+  [[nodiscard]] std::span<const double> inner_shape(std::span<const double> y) const;
+  [[nodiscard]] std::span<const double> inner_shape_rate(std::span<const double> y) const;
+  void bend_at_point(std::span<const double> y, Contact& contact) const;
+  void press_at_point(const Contact& contact, double share, std::span<double> shape_forces) const;
+  [[nodiscard]] Contact contact_over_arc(const SupportInput& input, const Expansion& growth, std::span<const double> y,
+                                         const Bodies& at, double share, std::span<double> shape_forces) const;
+  [[nodiscard]] double arc_energy(const SupportInput& input, const Expansion& growth, std::span<const double> y,
+                                  const Bodies& at) const;
+  [[nodiscard]] std::shared_ptr<const ArcTable> make_arc_table() const;
+  void lend_shapes(ShapeForces& shapes, BallRowInput& input) const;
+  void fill_ball_shapes(std::span<const double> y, ShapeForces& shapes) const;
+  [[nodiscard]] double bend(std::span<const double> y, ShapeForces& forces, std::span<double> dydt) const;
+  [[nodiscard]] double bending_energy(std::span<const double> y) const;
+  [[nodiscard]] std::vector<StateEntry> shape_entries() const;
+  [[nodiscard]] std::vector<Observable> shape_observables() const;
   [[nodiscard]] StickingFriction::Vector bristle(std::span<const double> y, std::size_t slice) const;
   void stick(const SupportInput& input, std::span<const double> y, std::size_t slice, Contact& contact,
              std::span<double> bristle_rates) const;
@@ -185,7 +212,8 @@ class TouchdownBearing final : public Support {
 
   TouchdownBearingData data_;
   std::vector<BallRow> rows_;
-  double strain_per_growth_ = 0;  // of the rings' widths [1/m]
+  std::shared_ptr<const ArcTable> arc_table_;  // of bent rings that are touched over an arc
+  double strain_per_growth_ = 0;               // of the rings' widths [1/m]
   double cage_ratio_ = 0;
   double inner_heat_share_ = 0.5;
   FrictionLoadFactors friction_load_factors_;

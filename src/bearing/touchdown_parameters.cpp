@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bearing/ring_bending_parameters.h"
 #include "laws/ball_kinematics.h"
 
 namespace rotordrop {
@@ -135,6 +136,11 @@ void add_row_keys(Section<TouchdownParameters>& s) {
              {.range = between(-1, 1),
               .fallback = "0",
               .help = "Azimuth of a row's first ball relative to the previous row, in ball spacings."});
+  s.quantity("cage_phase", &P::cage_phase,
+             {.range = between(-1, 1),
+              .fallback = "0",
+              .help = "Azimuth of the first row's first ball at the start of a drop and in statics, from +y, in ball "
+                      "spacings."});
   s.quantity("row_spacing", &P::row_spacing,
              {.unit = "m",
               .range = positive(),
@@ -521,12 +527,14 @@ Section<TouchdownParameters> touchdown_section() {
              {.unit = "m", .range = positive(), .help = "Air gap of this bearing; contact.air_gap if not given."});
   add_row_keys(s);
   add_ring_keys(s);
+  add_ring_bending_keys(s);
   add_friction_keys(s);
   s.quantity("bore_diameter", &P::bore_diameter,
              {.unit = "m", .range = positive(), .help = "Catalogue dimension; kept with the bearing's data."});
   s.quantity("outside_diameter", &P::outside_diameter,
              {.unit = "m", .range = positive(), .help = "Catalogue dimension; kept with the bearing's data."});
   s.check(check_geometry);
+  s.check(check_ring_bending);
   return s;
 }
 
@@ -643,6 +651,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
     row.phase = i * b.row_phase * 2. * std::numbers::pi / b.balls_per_row;
     d.rows.push_back(row);
   }
+  d.cage_angle = b.cage_phase * 2. * std::numbers::pi / b.balls_per_row;
   for (const auto& w : b.waviness) {
     if (w.surface == WavySurface::bore)
       d.bore_waves.push_back({w.order, w.amplitude, w.phase});
@@ -688,6 +697,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.support_damping_z = b.support.C_z;
   d.gravity_y = around.gravity[1];
   d.gravity_z = around.gravity[2];
+  d.bending = bent_rings(b, d, around);
   if (b.ring_motion == RingMotion::free) d.free_ring = free_ring_data(b, around.gravity[0]);
   return d;
 }

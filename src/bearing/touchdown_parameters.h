@@ -75,7 +75,7 @@ struct TouchdownParameters {
   RowArrangement arrangement = RowArrangement::face_to_face;
   double ball_diameter = 0, pitch_diameter = 0;
   std::array<double, 2> conformity{};
-  double contact_angle = 0, radial_clearance = 0, preload = 0, row_phase = 0;
+  double contact_angle = 0, radial_clearance = 0, preload = 0, row_phase = 0, cage_phase = 0;
   std::optional<double> row_spacing;
   std::string ball, ring;
   double ring_mass = 0, ring_spin_inertia = 0, width = 0;
@@ -100,6 +100,10 @@ struct TouchdownParameters {
   HousingFit housing_fit_kind = HousingFit::frictionless;
   std::optional<double> shaft_lump_length;
   CircuitFactors circuit;
+  RingBendingModel ring_bending = RingBendingModel::none;
+  int ring_harmonics = 0;
+  double ring_bending_damping = 0, ring_frequency_limit = 0;
+  std::optional<double> outer_ring_bedding;
 };
 Section<TouchdownParameters> touchdown_section();
 
@@ -112,6 +116,7 @@ struct TouchdownSurroundings {
   std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
   double ball_density = 0;          ///< [kg/m^3]
   bool has_axial_motion = false;    ///< the rotor is free along its axis
+  double ring_density = 0;          ///< [kg/m^3]; for rings that bend
 };
 
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.

@@ -76,6 +76,7 @@ TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, cons
   // Concentric rings have no direction; they do not touch either.
   c.n_y = distance > 0. ? ey / distance : -1.;
   c.n_z = distance > 0. ? ez / distance : 0.;
+  c.distance = distance;
   c.rate = vy * c.n_y + vz * c.n_z;
   c.tangential_speed = vz * c.n_y - vy * c.n_z;
   c.centres_turning = distance > 0. ? c.tangential_speed / distance : 0.;
@@ -89,10 +90,14 @@ TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, cons
       c.wave_rate += w.amplitude * w.order * angle_rate * std::cos(w.order * angle + w.phase);
     }
   }
+  if (data_.bending) bend_at_point(y, c);
   // Written so that a penetration that is not a number goes on into the force and is found.
   if (!(c.penetration <= 0.)) {
     c.elastic = data_.contact.K * std::pow(c.penetration, data_.contact.n);
     c.normal = data_.contact.total(c.elastic, c.rate);
+    c.damping = (c.normal - c.elastic) * c.rate;
+    c.wave_power = c.elastic * c.wave_rate;
+    c.lateral = -c.normal * c.bore_slope;
     c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
     if (data_.sticking) return c;
     const double slip_squared = c.slip_speed * c.slip_speed + c.slip_x * c.slip_x;
@@ -133,7 +138,8 @@ void TouchdownBearing::stick(const SupportInput& in, std::span<const double> y, 
 }
 
 TouchdownBearing::Touch TouchdownBearing::touch(const SupportInput& in, const Expansion& growth,
-                                                std::span<const double> y, std::span<double> bristle_rates) const {
+                                                std::span<const double> y, std::span<double> bristle_rates,
+                                                std::span<double> shape_forces) const {
   const double r_r = data_.rotor_radius, r_b = data_.bore_radius;
   Touch t;
   double deepest = -std::numeric_limits<double>::infinity();
@@ -141,7 +147,10 @@ TouchdownBearing::Touch TouchdownBearing::touch(const SupportInput& in, const Ex
   for (std::size_t k = 0; k < bore.slices.size(); ++k) {
     const Slice& slice = bore.slices[k];
     const double x = slice.place * bore.width;
-    Contact c = contact(in, growth, y, bodies(in.journal, y, x));
+    const Bodies at = bodies(in.journal, y, x);
+    Contact c =
+        arc_table_ ? contact_over_arc(in, growth, y, at, slice.share, shape_forces) : contact(in, growth, y, at);
+    if (data_.bending && !arc_table_) press_at_point(c, slice.share, shape_forces);
     if (data_.sticking) stick(in, y, k, c, bristle_rates);
     if (slice.place == 0.) t.middle = c;
     // Unlike std::max, a penetration that is not a number goes on.
@@ -149,15 +158,16 @@ TouchdownBearing::Touch TouchdownBearing::touch(const SupportInput& in, const Ex
     // On the ring: N n + F_t t, with t = x cross n = (-n_z, n_y).
     const double normal = slice.share * c.normal, friction = slice.share * c.friction;
     const double f_x = slice.share * c.friction_x;
-    const double f_y = normal * c.n_y - friction * c.n_z, f_z = normal * c.n_z + friction * c.n_y;
+    const double along = friction + slice.share * c.lateral;
+    const double f_y = normal * c.n_y - along * c.n_z, f_z = normal * c.n_z + along * c.n_y;
     add_force(t.on_ring, x, r_b * c.n_y, r_b * c.n_z, f_x, f_y, f_z, friction * r_b);
     add_force(t.on_rotor, x, r_r * c.n_y, r_r * c.n_z, -f_x, -f_y, -f_z, -friction * r_r);
     t.elastic += slice.share * c.elastic;
     t.normal += normal;
     t.friction += friction;
     t.rub_heat += friction * c.slip_speed + f_x * c.slip_x - slice.share * c.stored_rate;
-    t.damping += slice.share * (c.normal - c.elastic) * c.rate;
-    t.wave_power += slice.share * c.elastic * c.wave_rate;
+    t.damping += slice.share * c.damping;
+    t.wave_power += slice.share * c.wave_power;
     t.centres_power += friction * c.tangential_speed + f_x * c.slip_x;
     t.is_touching |= c.penetration > 0.;
   }
@@ -205,8 +215,11 @@ double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion&
   const Motion& j = in.journal;
   const Bore bore = bore_of(data_);
   double U = 0.;
-  for (const Slice& slice : bore.slices)
-    U += slice.share * data_.contact.energy(contact(in, growth, y, bodies(j, y, slice.place * bore.width)).penetration);
+  for (const Slice& slice : bore.slices) {
+    const Bodies at = bodies(j, y, slice.place * bore.width);
+    U += slice.share *
+         (arc_table_ ? arc_energy(in, growth, y, at) : data_.contact.energy(contact(in, growth, y, at).penetration));
+  }
   if (data_.sticking)
     for (std::size_t k = 0; k < bore.slices.size(); ++k)
       U += bore.slices[k].share * data_.sticking->energy(bristle(y, k));

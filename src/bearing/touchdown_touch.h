@@ -1,5 +1,7 @@
 #pragma once
 // How the rotor touches an inner ring: what touchdown_bearing.cpp and touchdown_touch.cpp share.
+#include <array>
+
 #include "bearing/touchdown_bearing.h"
 
 namespace rotordrop {
@@ -23,8 +25,13 @@ struct TouchdownBearing::Contact {
   double friction = 0;             // on the ring, along +t [N]
   double friction_x = 0;           // on the ring, along +x [N]
   double wave_rate = 0;            // of the bore's waves at the contact [m/s]
+  double distance = 0;             // of the centres [m]
+  double bore_slope = 0;           // of a bent bore: du_r/d(theta) over the centres' distance
   double centres_turning = 0;      // angular speed of the line of centres [rad/s]
-  double stored_rate = 0;          // of the bristle's energy, all slip's work but heat [W]
+  double lateral = 0;      // on the ring, along +t, of a normal force that leans as the bent bore does; no torque [N]
+  double damping = 0;      // dissipated by the normal force [W]
+  double wave_power = 0;   // of the bore's waves [W]
+  double stored_rate = 0;  // of the bristle's energy, all slip's work but heat [W]
 };
 
 struct TouchdownBearing::Touch {
@@ -36,6 +43,15 @@ struct TouchdownBearing::Touch {
   double rub_heat = 0, damping = 0, wave_power = 0;  // [W]
   double centres_power = 0;                          // friction force times the slip that is not spin [W]
   bool is_touching = false;
+};
+
+/// Bent rings while they are evaluated.
+struct TouchdownBearing::ShapeForces {
+  static constexpr std::size_t capacity = 80;      // of one ring: harmonics up to 41
+  ShapeForces() {}                                 // leaves everything unwritten: only bent rings use it
+  std::array<double, capacity> shape, shape_rate;  // of the inner raceway less the outer one [m], [m/s]
+  std::array<double, capacity> by_rotor,
+      by_balls;  // on the inner ring [N]; the balls press the outer one by the opposite
 };
 
 }  // namespace rotordrop

@@ -456,9 +456,13 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
   const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
-  auto data = touchdown_data(
-      name, b, p.contact,
-      {{ring.E, ring.nu}, {ball.E, ball.nu}, p.run.gravity, ball.rho, p.rotor.axial_motion == AxialFreedom::free});
+  auto data = touchdown_data(name, b, p.contact,
+                             {{ring.E, ring.nu},
+                              {ball.E, ball.nu},
+                              p.run.gravity,
+                              ball.rho,
+                              p.rotor.axial_motion == AxialFreedom::free,
+                              ring.rho});
   if (p.thermal.contact_conduction == BallConductionModel::rolling)
     data.conduction = row_conduction(p, b, data.rows.front());
   return data;

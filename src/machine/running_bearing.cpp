@@ -83,9 +83,9 @@ TouchdownRunning::TouchdownRunning(const MachineParameters& p, const std::string
 RunningState TouchdownRunning::in(const BearingState& state) const {
   auto system = bearing_equilibrium(statics_, bearing_, data_, state);
   // Always from the mounted place: what is found depends on nothing but what is asked.
-  std::vector<double> x(system.size());
+  std::vector<double> x = system.start();
   find_(system, x);
-  const auto ring = report_ring(system.ring(), system.place(x), 1e-6 * system.force_scale());
+  const auto ring = report_ring(system.bent_ring(), system.ring_unknowns(x), 1e-6 * system.force_scale());
   const auto friction = steady_friction(data_, ring, state.speed);
   RunningState s;
   s.heat = friction.total() * std::fabs(state.speed) * data_.heat_over_work;

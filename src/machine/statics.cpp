@@ -22,7 +22,7 @@ bool leans_both_ways(const std::vector<BallRowGeometry>& rows) {
 }
 
 struct RingSetup {
-  RingStatics ring;
+  BentRingStatics ring;
   double axial_preload;  // force from outside that presses rows which all lean one way [N]
 };
 
@@ -34,6 +34,7 @@ RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, c
   around.ball_growth = growth.ball;
   around.inner_strain = growth.inner_width / b.width;
   around.outer_strain = growth.outer_width / b.width;
+  around.cage_angle = data.cage_angle;
   around.speed = speed;
   around.has_inertia = data.ball_model == BallModel::inertial;
   std::optional<PreloadSpring> spring;
@@ -45,7 +46,12 @@ RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, c
     axial = b.preload * static_cast<double>(rows.size()) * rows.front().direction;
   else if (s.preload_by == PreloadBy::spring)
     spring = PreloadSpring{b.preload, s.preload_stiffness};
-  return {RingStatics(std::move(rows), around, spring), axial};
+  return {{RingStatics(std::move(rows), around, spring), data.bending}, axial};
+}
+
+// Radial displacement of a bent bore where it lies nearest to a rotor at e from its centre [m].
+double bent_outwards(const Eigen::VectorXd& shapes, const Eigen::Vector2d& e) {
+  return shapes.size() == 0 ? 0. : shape_values(shapes.size(), std::atan2(e[1], e[0])).dot(shapes);
 }
 
 }  // namespace
@@ -87,7 +93,8 @@ BearingEquilibrium bearing_equilibrium(const StaticsParameters& statics, const T
   auto [ring, axial] = ring_setup(statics, b, data, state.growth, state.speed);
   Force load = state.load;
   load.x += axial;
-  return BearingEquilibrium(std::move(ring), load);
+  const double gap = data.air_gap + state.growth.bore - state.growth.shaft;
+  return BearingEquilibrium(std::move(ring), load, {data.contact, gap});
 }
 
 BearingEquilibrium bearing_equilibrium(const MachineParameters& p, const std::string& name,
@@ -102,14 +109,17 @@ BearingEquilibrium bearing_equilibrium(const MachineParameters& p, const std::st
 // the rotor on its supports
 
 // Unknowns: y of all stations, z of all stations; then of every touchdown bearing the outer ring's y, z and the inner ring's six (five
-// without a spring), the latter relative to the outer ring.
+// without a spring) and the coefficients of bent rings, the inner ring's relative to the outer ring.
 struct ShaftEquilibrium::Touchdown {
   std::string name;
   Eigen::Index station, offset;
   TouchdownBearingData data;
-  RingStatics ring;
+  BentRingStatics ring;
   double axial_preload, gap;
-  [[nodiscard]] Eigen::Index n_ring() const { return ring.has_spring() ? 6 : 5; }
+  [[nodiscard]] Eigen::Index n_ring() const { return ring.size(); }
+  [[nodiscard]] Eigen::VectorXd shapes(const Eigen::VectorXd& q) const {
+    return q.segment(ring.n_place(), ring.n_inner());
+  }
 };
 
 struct ShaftEquilibrium::Linear {
@@ -151,10 +161,10 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
       Touchdown t{entry.name,      station, static_cast<Eigen::Index>(scales_.size()),          std::move(data),
                   std::move(ring), axial,   air_gap(*b, p.contact) + growth.bore - growth.shaft};
       scales_.insert(scales_.end(), 2, length);
-      const RingVector own = t.ring.scales();
-      scales_.insert(scales_.end(), own.data(), own.data() + t.n_ring());
+      const Eigen::VectorXd own = t.ring.scales();
+      scales_.insert(scales_.end(), own.begin(), own.end());
       preload = std::max(preload, b->preload);
-      is_circulatory_ = is_circulatory_ || (t.ring.surroundings().has_inertia && p.statics.speed != 0.);
+      is_circulatory_ = is_circulatory_ || (t.ring.ring().surroundings().has_inertia && p.statics.speed != 0.);
       touchdowns_.push_back(std::move(t));
     } else if (entry.other()) {
       throw InputError({},
@@ -199,45 +209,33 @@ ShaftEquilibrium::Sum ShaftEquilibrium::sum(std::span<const double> unknowns, do
   }
   for (const auto& t : touchdowns_) {
     const Eigen::Index outer = t.offset, ring = t.offset + 2, m = t.n_ring();
-    RingVector q = RingVector::Zero();
-    q.head(m) = x.segment(ring, m);
-    const RingReaction r = t.ring.reaction(q, share);
-    s.force.segment(ring, m) += r.force.head(m);
-    s.stiffness.block(ring, ring, m, m) += r.stiffness.topLeftCorner(m, m);
+    const Eigen::VectorXd q = x.segment(ring, m);
+    const BentReaction r = t.ring.reaction(q, share);
+    s.force.segment(ring, m) += r.force;
+    s.stiffness.block(ring, ring, m, m) += r.stiffness;
     s.potential += r.energy;
     s.force[ring] += t.axial_preload;
     s.potential -= t.axial_preload * q[0];
     // Rotor against bore: the inner ring's place is the outer ring's and its own.
     const Eigen::Vector2d ring_place = x.segment<2>(outer) + x.segment<2>(ring + 1);
     const Eigen::Vector2d e(x[t.station] - ring_place[0], x[n_s + t.station] - ring_place[1]);
-    const double distance = e.norm(), delta = distance - t.gap;
-    Eigen::Vector2d on_rotor = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d stiff = Eigen::Matrix2d::Zero();
-    if (delta > 0. && distance > 0.) {
-      const Eigen::Vector2d normal = e / distance;
-      const double N = t.data.contact.elastic(delta);
-      on_rotor = -N * normal;
-      stiff = t.data.contact.n * N / delta * normal * normal.transpose() +
-              N / distance * (Eigen::Matrix2d::Identity() - normal * normal.transpose());
-      s.potential += t.data.contact.energy(delta);
+    const BoreReaction bore = bore_reaction(t.data.contact, t.data.bending, t.gap, e, t.shapes(q));
+    // What moves rotor less ring along y, z, and what bends the bore.
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(2 + t.ring.n_inner(), n);
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      by(i, i == 0 ? t.station : n_s + t.station) = 1.;
+      by(i, outer + i) = by(i, ring + 1 + i) = -1.;
     }
+    by.block(2, ring + t.ring.n_place(), t.ring.n_inner(), t.ring.n_inner()).setIdentity();
+    s.force -= by.transpose() * bore.gradient;
+    s.stiffness += by.transpose() * bore.hessian * by;
+    s.potential += bore.energy;
     const Eigen::Vector2d ring_weight(t.data.ring_mass * t.data.gravity_y, t.data.ring_mass * t.data.gravity_z);
     const Eigen::Vector2d springs(t.data.support_stiffness_y, t.data.support_stiffness_z);
     const Eigen::Vector2d place = x.segment<2>(outer);
-    const std::array<std::array<Eigen::Index, 2>, 3> rows = {
-        {{t.station, n_s + t.station}, {outer, outer + 1}, {ring + 1, ring + 2}}};
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      s.force[rows[0][k]] += on_rotor[i];
-      s.force[rows[1][k]] += ring_weight[i] - on_rotor[i] - springs[i] * place[i];
-      s.force[rows[2][k]] += ring_weight[i] - on_rotor[i];
-      s.stiffness(rows[1][k], rows[1][k]) += springs[i];
-      for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t b = 0; b < 3; ++b)
-          for (Eigen::Index j = 0; j < 2; ++j)
-            s.stiffness(rows[a][k], rows[b][static_cast<std::size_t>(j)]) +=
-                ((a == 0) == (b == 0) ? 1. : -1.) * stiff(i, j);
-    }
+    s.force.segment<2>(outer) += ring_weight - springs.cwiseProduct(place);
+    s.force.segment<2>(ring + 1) += ring_weight;
+    s.stiffness.diagonal().segment<2>(outer) += springs;
     s.potential += 0.5 * place.dot(springs.cwiseProduct(place)) - ring_weight.dot(ring_place);
   }
   return s;
@@ -280,14 +278,11 @@ ShaftReport ShaftEquilibrium::report(std::span<const double> unknowns) const {
     r.is_touchdown = true;
     r.journal = {x[t.station], x[n_s + t.station]};
     r.outer_ring = {x[t.offset], x[t.offset + 1]};
-    RingVector q = RingVector::Zero();
-    q.head(t.n_ring()) = x.segment(t.offset + 2, t.n_ring());
+    const Eigen::VectorXd q = x.segment(t.offset + 2, t.n_ring());
     const Eigen::Vector2d e(r.journal[0] - r.outer_ring[0] - q[1], r.journal[1] - r.outer_ring[1] - q[2]);
-    r.clearance = t.gap - e.norm();
-    if (r.clearance < 0.) {
-      const Eigen::Vector2d f = -t.data.contact.elastic(-r.clearance) * e.normalized();
-      r.force_on_rotor = {f[0], f[1]};
-    }
+    const BoreReaction bore = bore_reaction(t.data.contact, t.data.bending, t.gap, e, t.shapes(q));
+    r.force_on_rotor = {-bore.gradient[0], -bore.gradient[1]};
+    r.clearance = t.gap - e.norm() + bent_outwards(t.shapes(q), e);
     r.ring = report_ring(t.ring, q, 1e-6 * force_scale_);
     report.supports.push_back(std::move(r));
   }

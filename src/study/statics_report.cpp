@@ -44,6 +44,28 @@ Json ellipse_json(const EllipseReport& e) {
           {"truncation", e.truncation}};
 }
 
+Json harmonics_json(const std::vector<RingHarmonic>& harmonics, const std::vector<double>& shape) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < harmonics.size(); ++k) {
+    const auto& h = harmonics[k];
+    list.push_back({{"n", h.n},
+                    {"stiffness", h.stiffness},
+                    {"mass", h.mass},
+                    {"frequency", h.frequency()},
+                    {"cosine", shape[2 * k]},
+                    {"sine", shape[2 * k + 1]}});
+  }
+  return list;
+}
+
+Json bending_json(const BendingReport& b) {
+  return {{"inner", harmonics_json(b.inner, b.inner_shape)},
+          {"outer", harmonics_json(b.outer, b.outer_shape)},
+          {"largest_outwards", b.largest_outwards},
+          {"largest_inwards", b.largest_inwards},
+          {"energy", b.energy}};
+}
+
 Json ring_json(const RingReport& r) {
   Json j;
   j["floating"] = r.is_floating;
@@ -54,6 +76,7 @@ Json ring_json(const RingReport& r) {
   j["preload"] = r.preload;
   j["stiffness"] = r.stiffness;
   j["contact_energy"] = r.energy;
+  if (r.bending) j["bending"] = bending_json(*r.bending);
   j["rows"] = Json::array();
   for (const auto& row : r.rows) {
     Json one = {{"axial_force", row.axial_force},
@@ -66,6 +89,9 @@ Json ring_json(const RingReport& r) {
                 {"pressure_is_void", row.truncation > 0.},
                 {"centrifugal_over_load", row.centrifugal_over_load},
                 {"neglects_centrifugal", row.neglects_centrifugal}};
+    one["ball_stiffness"] = row.ball_stiffness;
+    one["ball_loads"] = Json::array();
+    for (const auto& b : row.balls) one["ball_loads"].push_back(b.inner.load);
     one["balls"] = Json::array();
     for (const auto& b : row.balls)
       one["balls"].push_back({{"azimuth", b.azimuth},
@@ -93,12 +119,12 @@ Json growth_json(const Expansion& g) {
 Json bearing_json(const Case& c, const std::string& name) {
   const auto& b = touchdown_of(c.parameters, name);
   auto system = bearing_equilibrium(c.parameters, name, b);
-  std::vector<double> x(system.size());
+  std::vector<double> x = system.start();
   const auto result = find_equilibrium(system, x);
   require_found(result, name + " under its load");
   Json j = {{"ball_model", b.ball_model == BallModel::inertial ? "inertial" : "quasi-static"}};
   j["growth"] = growth_json(static_growth(c.parameters, b));
-  j.update(ring_json(report_ring(system.ring(), system.place(x), 1e-6 * system.force_scale())));
+  j.update(ring_json(report_ring(system.bent_ring(), system.ring_unknowns(x), 1e-6 * system.force_scale())));
   j["search"] = search_json(result);
   return j;
 }
@@ -133,6 +159,10 @@ std::string ring_text(const Json& r) {
   text += fmt::format("  ring at x {:.4g}, y {:.4g}, z {:.4g} um; tilt about y {:.4g}, z {:.4g} urad",
                       d["x"].get<double>() * 1e6, d["y"].get<double>() * 1e6, d["z"].get<double>() * 1e6,
                       r["tilt"]["y"].get<double>() * 1e6, r["tilt"]["z"].get<double>() * 1e6);
+  if (r.contains("bending"))
+    text += fmt::format("\n  inner ring bent by {:.4g} um outwards, {:.4g} um inwards",
+                        r["bending"]["largest_outwards"].get<double>() * 1e6,
+                        r["bending"]["largest_inwards"].get<double>() * 1e6);
   if (r["floating"].get<bool>()) return text + "\n  floating: no ball touches the inner ring\n";
   text += fmt::format("; preload left {:.4g} N\n", r["preload"].get<double>());
   if (const int n = r["free_directions"].get<int>(); n > 0)
@@ -182,6 +212,8 @@ std::string ring_text(const Json& r) {
       "  stiffness: axial {:.5g}, radial {:.5g} (y), {:.5g} (z) N/um; tilting {:.5g} (y), {:.5g} (z) N m/rad\n",
       K[0][0].get<double>() * 1e-6, K[1][1].get<double>() * 1e-6, K[2][2].get<double>() * 1e-6, K[3][3].get<double>(),
       K[4][4].get<double>());
+  if (!r.contains("bending"))
+    text += "  rings are rigid: rings that bend (ring_bending) load fewer balls, and more heavily\n";
   return text;
 }
 
