@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "io/half_made_file.h"
 #include "io/hdf5_driver.h"
 #include "io/hdf5_handle.h"
 
@@ -148,22 +149,6 @@ void give_name(const fs::path& from, const fs::path& to, bool may_replace) {
   if (error) throw SolverError("cannot make " + to.string() + ": " + error.message());
 }
 
-/// Removes a half-made file unless told to keep it.
-class Removal {
- public:
-  explicit Removal(fs::path path) : path_(std::move(path)) {}
-  Removal(const Removal&) = delete;
-  Removal& operator=(const Removal&) = delete;
-  ~Removal() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove(path_, ignored);
-  }
-  void cancel() { path_.clear(); }
-
- private:
-  fs::path path_;
-};
-
 }  // namespace
 
 struct Recorder::Implementation {
@@ -195,7 +180,7 @@ void Recorder::Implementation::create(const RecordHeader& header) {
   // the new one is sound.
   const fs::path beside = path.string() + "." + std::to_string(::getpid()) + ".new";
   const Handle access = hdf5::access_for_writing();
-  Removal removal(beside);
+  HalfMadeFile half_made(beside);
   try {
     file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
     make_datasets(header);
@@ -211,7 +196,7 @@ void Recorder::Implementation::create(const RecordHeader& header) {
     abandon();
     throw;
   }
-  removal.cancel();
+  half_made.keep();
 }
 
 void Recorder::Implementation::make_datasets(const RecordHeader& header) {
@@ -395,241 +380,6 @@ std::size_t Recorder::row_size(std::size_t group) const { return implementation_
 std::size_t Recorder::n_rows(std::size_t group) const {
   const Group& asked = implementation_->groups.at(group);
   return asked.n_written + asked.n_buffered();
-}
-
-// Reading --------------------------------------------------------------------------------------------------------------------
-
-namespace {
-
-[[noreturn]] void throw_unreadable(const fs::path& path, const std::string& what) {
-  throw InputError({path.string()}, what);
-}
-
-[[noreturn]] void throw_damaged(const fs::path& path, const std::string& what) {
-  throw DamagedFile({path.string()}, what);
-}
-
-/// Whether there is an object by this path, in this file: links to elsewhere are not followed. @throws DamagedFile
-bool has_object(hid_t file, const std::string& path) {
-  if (path == "/") return true;
-  // Every group on the way must exist before its content may be asked for.
-  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
-    const std::string part = path.substr(0, end);
-    const htri_t exists = H5Lexists(file, part.c_str(), H5P_DEFAULT);
-    H5L_info_t link{};
-    if (exists < 0 || (exists > 0 && H5Lget_info(file, part.c_str(), &link, H5P_DEFAULT) < 0))
-      throw DamagedFile({hdf5::name_of(file)}, "this file is damaged (" + hdf5::last_error() + ").");
-    if (exists == 0 || link.type != H5L_TYPE_HARD) return false;
-    if (end == std::string::npos) return true;
-  }
-}
-
-/// One dataset of numbers in an open file.
-class SeriesReader {
- public:
-  SeriesReader(hid_t file, const fs::path& file_path, const std::string& dataset)
-      : file_path_(file_path), name_(dataset) {
-    if (!has_object(file, dataset)) throw_unreadable(file_path, "there is no dataset " + dataset + " in this file.");
-    const hid_t id = H5Dopen2(file, dataset.c_str(), H5P_DEFAULT);
-    if (id < 0) throw_unreadable(file_path, dataset + " cannot be read as a dataset (" + hdf5::last_error() + ").");
-    dataset_ = Handle(id, H5Dclose, dataset);
-    const Handle type(H5Dget_type(id), H5Tclose, dataset);
-    const H5T_class_t kind = H5Tget_class(type.id());
-    const auto dimensions = hdf5::extents(id, dataset);
-    if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || dimensions.empty())
-      throw_unreadable(file_path, dataset + " does not hold a series of numbers.");
-    shape_.assign(dimensions.begin(), dimensions.end());
-  }
-
-  [[nodiscard]] hid_t id() const { return dataset_.id(); }
-  [[nodiscard]] const std::vector<std::size_t>& shape() const { return shape_; }
-  [[nodiscard]] std::size_t n_rows() const { return shape_.front(); }
-  [[nodiscard]] std::size_t row_size() const {
-    std::size_t size = 1;
-    for (std::size_t i = 1; i < shape_.size(); ++i) size *= shape_[i];
-    return size;
-  }
-
-  /// Rows [from, from + n).
-  [[nodiscard]] std::vector<double> rows(std::size_t from, std::size_t n) const {
-    std::vector<double> values(n * row_size());
-    if (values.empty()) return values;
-    std::vector<hsize_t> start(shape_.size(), 0);
-    std::vector<hsize_t> count(shape_.begin(), shape_.end());
-    start[0] = from;
-    count[0] = n;
-    const Handle in_file(H5Dget_space(dataset_.id()), H5Sclose, name_);
-    hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-                  name_);
-    const Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, name_);
-    if (H5Dread(dataset_.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()) < 0)
-      throw_damaged(file_path_, "the values of " + name_ + " cannot be read (" + hdf5::last_error() + ").");
-    return values;
-  }
-
- private:
-  fs::path file_path_;
-  std::string name_;
-  Handle dataset_;
-  std::vector<std::size_t> shape_;
-};
-
-std::vector<std::string> attribute_texts(hid_t object, const fs::path& path, const std::string& owner,
-                                         const std::string& name) {
-  if (H5Aexists(object, name.c_str()) <= 0) throw_unreadable(path, owner + " has no attribute \"" + name + "\".");
-  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "attribute " + name);
-  return hdf5::read_attribute_texts(attribute.id(), "attribute " + name);
-}
-
-/// Where a channel's rows come from; nothing if the old file does not have it.
-struct Source {
-  std::unique_ptr<SeriesReader> reader;
-  std::size_t size = 1;
-};
-
-Source source_of(const Channel& channel, hid_t file, const fs::path& path) {
-  Source source;
-  source.size = channel.size;
-  if (!has_object(file, channel.path)) return source;
-  source.reader = std::make_unique<SeriesReader>(file, path, channel.path);
-  if (source.reader->row_size() != channel.size)
-    throw_unreadable(path, channel.path + " has " + std::to_string(source.reader->row_size()) +
-                               " values per row in this file; this case has " + std::to_string(channel.size) + ".");
-  const auto unit = attribute_texts(source.reader->id(), path, channel.path, "units");
-  if (unit.empty() || unit.front() != channel.unit)
-    throw_unreadable(path, channel.path + " is in " + (unit.empty() ? "?" : unit.front()) +
-                               " in this file; now it is in " + channel.unit + ".");
-  return source;
-}
-
-/// How many of the times rise and are not behind `time`. @throws DamagedFile if they end with one that does not rise
-std::size_t n_rising(const std::vector<double>& times, double time, const fs::path& path, const std::string& name) {
-  double last = -std::numeric_limits<double>::infinity();
-  std::size_t n = 0;
-  while (n < times.size() && times[n] > last && times[n] <= time) last = times[n++];
-  if (n < times.size() && !(times[n] > last))
-    throw_damaged(path,
-                  name + " does not rise after row " + std::to_string(n) + " (t = " + std::to_string(last) + " s).");
-  return n;
-}
-
-/// Copies the rows of a group until `time`, or as many as `n_expected` if that is given.
-std::size_t copy_group(hid_t file, const fs::path& path, double time, std::size_t index, Recorder& recorder,
-                       std::vector<std::string>& missing, std::optional<std::size_t> n_expected) {
-  const SeriesGroup& group = recorder.groups()[index];
-  if (!has_object(file, group.time_path)) {
-    if (n_expected.value_or(0) > 0) throw_damaged(path, group.time_path + " is missing.");
-    missing.push_back(group.time_path);
-    return 0;
-  }
-  const SeriesReader time_reader(file, path, group.time_path);
-  std::size_t n_there = time_reader.n_rows();
-  std::vector<Source> sources;
-  for (const auto& channel : group.channels) {
-    sources.push_back(source_of(channel, file, path));
-    if (sources.back().reader)
-      n_there = std::min(n_there, sources.back().reader->n_rows());
-    else
-      missing.push_back(channel.path);
-  }
-  if (n_expected && n_there < *n_expected)
-    throw_damaged(path, group.time_path + " and its series have " + std::to_string(n_there) + " rows; " +
-                            std::to_string(*n_expected) + " were written.");
-  const std::vector<double> times = time_reader.rows(0, n_expected.value_or(n_there));
-  const std::size_t n_rows = n_rising(times, time, path, group.time_path);
-  if (n_expected && n_rows < *n_expected)
-    throw_damaged(path, group.time_path + " has rows that were written later than the checkpoint.");
-
-  constexpr std::size_t block = 4096;  // rows held at once
-  const std::size_t row_size = recorder.row_size(index);
-  std::vector<double> rows;
-  for (std::size_t from = 0; from < n_rows; from += block) {
-    const std::size_t n = std::min(block, n_rows - from);
-    rows.assign(n * row_size, std::numeric_limits<double>::quiet_NaN());
-    std::size_t first = 0;
-    for (const auto& source : sources) {
-      if (source.reader) {
-        const std::vector<double> values = source.reader->rows(from, n);
-        for (std::size_t row = 0; row < n; ++row)
-          std::copy_n(values.data() + row * source.size, source.size, rows.data() + row * row_size + first);
-      }
-      first += source.size;
-    }
-    for (std::size_t row = 0; row < n; ++row)
-      recorder.append(index, times[from + row], std::span(rows).subspan(row * row_size, row_size));
-  }
-  return n_rows;
-}
-
-}  // namespace
-
-CopiedRows copy_rows_until(const fs::path& old_path, double time, Recorder& recorder, const RecordedRows& expected) {
-  const Handle file = hdf5::open_for_reading(old_path);
-  CopiedRows copied;
-  const std::size_t n_groups = recorder.groups().size();
-  const bool is_expected = expected.n_rows.size() == n_groups;
-  for (std::size_t group = 0; group < n_groups; ++group)
-    copied.n_rows.push_back(copy_group(file.id(), old_path, time, group, recorder, copied.missing,
-                                       is_expected ? std::optional(expected.n_rows[group]) : std::nullopt));
-  // Of channels that the old file does not have, NaN was copied: such rows are known to be others.
-  const RecordedRows now = recorder.sync();
-  for (std::size_t group = 0; is_expected && copied.missing.empty() && group < n_groups; ++group)
-    if (now.check_sums[group] != expected.check_sums[group])
-      throw_damaged(old_path, "the rows of " + recorder.groups()[group].time_path +
-                                  " are not those that were written: their checksum differs.");
-  return copied;
-}
-
-ResumedRecorder resume_recording(const fs::path& path, double time, const RecordHeader& header,
-                                 std::vector<SeriesGroup> groups, RecorderOptions options,
-                                 const RecordedRows& expected) {
-  const fs::path beside = path.string() + ".resuming";
-  options.overwrite = true;  // of what an earlier attempt to resume may have left
-  Removal removal(beside);
-  Recorder recorder(beside, header, std::move(groups), options);
-  CopiedRows copied = copy_rows_until(path, time, recorder, expected);
-  recorder.move_to(path);
-  removal.cancel();
-  return {std::move(recorder), std::move(copied)};
-}
-
-Series read_series(const fs::path& path, const std::string& dataset) {
-  const Handle file = hdf5::open_for_reading(path);
-  const SeriesReader reader(file.id(), path, dataset);
-  return {reader.rows(0, reader.n_rows()), reader.shape()};
-}
-
-std::string read_text(const fs::path& path, const std::string& dataset) {
-  const Handle file = hdf5::open_for_reading(path);
-  if (!has_object(file.id(), dataset)) throw_unreadable(path, "there is no dataset " + dataset + " in this file.");
-  const hid_t id = H5Dopen2(file.id(), dataset.c_str(), H5P_DEFAULT);
-  if (id < 0) throw_unreadable(path, dataset + " cannot be read as a dataset (" + hdf5::last_error() + ").");
-  const Handle opened(id, H5Dclose, dataset);
-  const Handle type(H5Dget_type(id), H5Tclose, dataset);
-  if (H5Tget_class(type.id()) != H5T_STRING) throw_unreadable(path, dataset + " does not hold text.");
-  const auto texts = hdf5::read_texts(id, dataset);
-  return texts.empty() ? std::string() : texts.front();
-}
-
-std::vector<std::string> read_attribute_list(const fs::path& path, const std::string& object, const std::string& name) {
-  const Handle file = hdf5::open_for_reading(path);
-  if (!has_object(file.id(), object)) throw_unreadable(path, "there is no " + object + " in this file.");
-  const Handle owner(H5Oopen(file.id(), object.c_str(), H5P_DEFAULT), H5Oclose, object);
-  return attribute_texts(owner.id(), path, object, name);
-}
-
-std::string read_attribute(const fs::path& path, const std::string& object, const std::string& name) {
-  const auto texts = read_attribute_list(path, object, name);
-  return texts.empty() ? std::string() : texts.front();
-}
-
-std::vector<std::string> list_datasets(const fs::path& path) {
-  const Handle file = hdf5::open_for_reading(path);
-  try {
-    return hdf5::dataset_paths(file.id());
-  } catch (const SolverError& error) {
-    throw_damaged(path, std::string("this file is damaged (") + error.what() + ").");
-  }
 }
 
 }  // namespace rotordrop

@@ -10,15 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/errors.h"
-
 namespace rotordrop {
-
-/// A file that holds less than it should, or something else: cut off, overwritten, not synchronised before a power cut.
-class DamagedFile : public InputError {
- public:
-  using InputError::InputError;
-};
 
 /// One recorded quantity: a dataset [time] or [time, size].
 struct Channel {
@@ -104,46 +96,5 @@ class Recorder {
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
-
-/// What copy_rows_until() did.
-struct CopiedRows {
-  std::vector<std::size_t> n_rows;   ///< per group
-  std::vector<std::string> missing;  ///< channels the old file does not have; NaN stands in their rows
-};
-
-/// Copies all rows with time <= `time` [s] of the recorder's channels from an older file, finished, being written or left by a
-/// killed run. @throws InputError if the old file cannot be read, or holds a channel with another unit or size; DamagedFile if its
-/// times do not rise, or if it lacks a row of `expected` or holds another
-CopiedRows copy_rows_until(const std::filesystem::path& old_path, double time, Recorder& recorder,
-                           const RecordedRows& expected = {});
-
-/// A recorder that continues the file of an interrupted run: a new file beside it receives the rows up to `time` [s] and then takes
-/// its name. Until then the old file is untouched, and it stays so if anything fails.
-struct ResumedRecorder {
-  Recorder recorder;
-  CopiedRows copied;
-};
-[[nodiscard]] ResumedRecorder resume_recording(const std::filesystem::path& path, double time,
-                                               const RecordHeader& header, std::vector<SeriesGroup> groups,
-                                               RecorderOptions options = {}, const RecordedRows& expected = {});
-
-/// Numbers of one dataset, row after row.
-struct Series {
-  std::vector<double> values;
-  std::vector<std::size_t> shape;  ///< [n_rows] or [n_rows, n]
-};
-
-/// Readers; they work on finished, live and abandoned files alike. In a live file a channel may have a few rows more than its times.
-/// @throws InputError if there is no such file, dataset or attribute, or it is of another kind
-[[nodiscard]] Series read_series(const std::filesystem::path& path, const std::string& dataset);
-[[nodiscard]] std::string read_text(const std::filesystem::path& path, const std::string& dataset);
-/// @param object  "/" for the file's own attributes, else a dataset or group
-[[nodiscard]] std::string read_attribute(const std::filesystem::path& path, const std::string& object,
-                                         const std::string& name);
-/// As read_attribute, for lists such as `columns`.
-[[nodiscard]] std::vector<std::string> read_attribute_list(const std::filesystem::path& path, const std::string& object,
-                                                           const std::string& name);
-/// Paths of all datasets, in alphabetical order.
-[[nodiscard]] std::vector<std::string> list_datasets(const std::filesystem::path& path);
 
 }  // namespace rotordrop

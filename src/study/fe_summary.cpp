@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/recorder.h"
+#include "io/recorded_series.h"
 
 namespace rotordrop {
 namespace {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "io/recorded_series.h"
 #include "io/recorder.h"
 
 namespace rotordrop {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
-#include "io/recorder.h"
+#include "io/recorded_series.h"
 #include "machine/build_machine.h"
 
 namespace rotordrop {

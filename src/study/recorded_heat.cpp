@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
-#include "io/recorder.h"
+#include "io/recorded_series.h"
 
 namespace rotordrop {
 

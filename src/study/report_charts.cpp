@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "io/recorder.h"
+#include "io/recorded_series.h"
 #include "study/decimation.h"
 #include "study/report.h"
 #include "study/whirl.h"

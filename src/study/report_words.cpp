@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "base/version.h"
-#include "io/recorder.h"
+#include "io/recorded_series.h"
 #include "io/sha256.h"
 #include "machine/rotor_report.h"
 #include "study/given_values.h"

@@ -12,7 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "io/recorder.h"
+#include "io/recorded_series.h"
 #include "study/case.h"
 
 namespace rotordrop {

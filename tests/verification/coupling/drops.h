@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/recorder.h"
+#include "io/recorded_series.h"
 #include "machine/build_machine.h"
 #include "study/case.h"
 #include "study/drop_run.h"
