@@ -3,8 +3,8 @@
     /usr/bin/python3 docs/circuit_trust.py build/release/rotordrop FOLDER
 
 Step heat of 100 W into each port of TB1 and TB2 of the reference case, cold at the start, from 1 ms to 1000 s: the circuit as published, with
-spreading, with spreading and fin, and the last one calibrated, each against finite elements with the shaft as a fin; and the settling drop. Writes
-FOLDER/circuit-trust.png and .json, and prints the table in Markdown.
+spreading, with spreading and fin, and the last one calibrated, each against finite elements with the shaft as a fin; and the settling drop over 3 s,
+the same four against the finite elements that got its heat. Writes FOLDER/circuit-trust.png and .json, and prints the tables in Markdown.
 """
 
 import json
@@ -12,6 +12,7 @@ import pathlib
 import subprocess
 import sys
 
+import h5py
 import matplotlib
 
 matplotlib.use("Agg")
@@ -23,12 +24,14 @@ AMBIENT, WATTS, FLOOR = 293.15, 100.0, 0.01  # K, W, K
 TIMES = np.logspace(-3, 3, 25)
 PORTS = {"rub": "rub heat", "inner": "inner race", "outer": "outer race"}
 NODES = ("shaft", "inner_ring", "ball", "outer_ring", "housing")
+SURFACES = ("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width")
 VARIANTS = {  # name: settings of the circuit
     "published": {"spreading": "none", "shaft": "lump"},
     "spreading": {"spreading": "strip", "shaft": "lump"},
     "spreading and fin": {"spreading": "strip", "shaft": "fin"},
     "calibrated": {"spreading": "strip", "shaft": "fin"},
 }
+DROP_TIMES = np.logspace(-2, np.log10(3), 30)  # s; the first contact comes after 7.4 ms
 COLOURS = dict(zip(VARIANTS, ("#b2182b", "#ef8a62", "#2166ac", "#4d9221")))
 
 
@@ -76,6 +79,18 @@ def first_beyond(error, part=0.05):
     return TIMES[beyond[0]] if len(beyond) else np.inf
 
 
+def at_times(report, port, times, grid):
+    """Errors of TB1 at some times, in Markdown."""
+    nearest = [int(np.argmin(abs(np.log(grid / t)))) for t in times]
+    lines = ["| " + port + " | circuit | " + " | ".join(f"{t:g} s" for t in times) + " |", "|---|---|" + "---|" * len(times)]
+    for node in (*NODES, "approach"):
+        for name in VARIANTS:
+            found = report["TB1", port, name]
+            values = 1e6 * found["approach"] if node == "approach" else 100 * found["errors"][node]
+            lines.append(f"| {node} | {name} | " + " | ".join(f"{values[i]:+.2f} um" if node == "approach" else f"{values[i]:+.0f} %" for i in nearest) + " |")
+    return "\n".join(lines)
+
+
 def text_of(time):
     return "1000 s" if np.isinf(time) else f"{time * 1e3:.3g} ms" if time < 0.9995 else f"{time:.3g} s"
 
@@ -93,6 +108,29 @@ def steps(program, folder):
                 difference = approach(circuit["growth"], bearing) - approach(fe["growth"], bearing)
                 report[bearing, port, name] = {"errors": errors, "approach": difference, "rise": {n: fe[n] for n in NODES}}
     return report
+
+
+def drop_errors(program, folder):
+    """Of the settling drop over 3 s as in steps(); in every drop the circuit drives, and the finite elements have the shaft as a fin."""
+    report = {}
+    for name, keys in VARIANTS.items():
+        base = "calibrated.toml" if name == "calibrated" else PARAMS / "neisi2019-settling.toml"
+        words = [w for key, value in keys.items() for w in ("--set", f"thermal.{key}={value}")]
+        call(program, "run", base, "-o", "long", "--quiet", "--force", "--set", 'thermal.models=["lumped","fe"]' if keys["shaft"] == "fin" else 'thermal.models=["lumped"]',
+             "--set", "thermal.expansion=formula", "--set", "run.end_time=3 s", *words, cwd=folder)
+        with h5py.File(folder / "long/results.h5") as file:
+            at = lambda path: np.array([np.interp(DROP_TIMES, file["time"][:], column) for column in np.atleast_2d(file[path][:].T)])
+            for bearing in ("TB1", "TB2"):
+                found = {node: at(f"thermal/{bearing}/{node}")[0] - AMBIENT for node in NODES}
+                found["growth"] = dict(zip(SURFACES, at(f"growth/lumped/{bearing}")))
+                report[bearing, name] = found
+                if name == "spreading and fin":
+                    fe = {node: at(f"fe/{bearing}/{node}")[0] - AMBIENT for node in NODES}
+                    fe["growth"] = dict(zip(SURFACES, at(f"fe/{bearing}/elastic_growth")))
+                    report[bearing, "fe"] = fe
+    return {(bearing, "drop", name): {"errors": {node: relative(report[bearing, name][node], report[bearing, "fe"][node]) for node in NODES},
+                                      "approach": approach(report[bearing, name]["growth"], bearing) - approach(report[bearing, "fe"]["growth"], bearing)}
+            for name in VARIANTS for bearing in ("TB1", "TB2")}
 
 
 def drop(program, folder):
@@ -131,22 +169,24 @@ def table(report):
 
 
 def figure(report, file):
-    plots, axes = plt.subplots(len(PORTS), len(NODES) + 1, figsize=(16, 8), sharex=True)
-    for row, (port, words) in enumerate(PORTS.items()):
+    rows = {**PORTS, "drop": "settling drop"}
+    plots, axes = plt.subplots(len(rows), len(NODES) + 1, figsize=(16, 10.5), sharex=True)
+    for row, (port, words) in enumerate(rows.items()):
+        times = DROP_TIMES if port == "drop" else TIMES
         for column, node in enumerate((*NODES, "approach")):
             axis = axes[row][column]
             for name, colour in COLOURS.items():
                 for bearing, style in (("TB1", "-"), ("TB2", "--")):
                     found = report[bearing, port, name]
                     y = 1e6 * found["approach"] if node == "approach" else 100 * found["errors"][node]
-                    axis.semilogx(TIMES, y, style, color=colour, lw=1.2, label=f"{name}, {bearing}")
+                    axis.semilogx(times, y, style, color=colour, lw=1.2, label=f"{name}, {bearing}")
             limit = 0.1 if node == "approach" else 5
             axis.axhspan(-limit, limit, color="0.9", zorder=0)
             axis.set_yscale("symlog", linthresh=limit)
             axis.set_title(f"{words}: {node.replace('_', ' ')}" + (" [um]" if node == "approach" else " [%]"), fontsize=8)
             axis.tick_params(labelsize=7)
-            if row == len(PORTS) - 1:
-                axis.set_xlabel("time since heat began [s]", fontsize=8)
+            if row == len(rows) - 1:
+                axis.set_xlabel("time since heat, or the drop, began [s]", fontsize=8)
     handles, labels = axes[0][0].get_legend_handles_labels()
     plots.legend(handles, labels, loc="lower center", ncol=len(VARIANTS), fontsize=8, frameon=False)
     plots.tight_layout(rect=(0, 0.07, 1, 1))
@@ -164,6 +204,10 @@ def main():
     print((folder / "calibration.txt").read_text())
     report = steps(program, folder)
     print(table(report))
+    report.update(drop_errors(program, folder))
+    for port in PORTS:
+        print(at_times(report, port, (1e-3, 1e-2, 0.1, 1, 10, 100, 1000), TIMES))
+    print(at_times(report, "drop", (0.01, 0.03, 0.1, 0.3, 1, 3), DROP_TIMES))
     figure(report, folder / "circuit-trust.png")
     falls = drop(program, folder)
     (folder / "circuit-trust.json").write_text(json.dumps({"/".join(k): {"errors": {n: list(e) for n, e in v["errors"].items()}, "approach": list(v["approach"])} for k, v in report.items()}))

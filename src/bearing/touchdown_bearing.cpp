@@ -169,38 +169,59 @@ double TouchdownBearing::load_torque_of(const BallForces& forces) const {
     return load_torque({P, P}, data_.f1_z, data_.f1_y, data_.static_rating, d_m);
   }
   double torque = 0.;
-  const auto n_rows = static_cast<double>(rows_.size());
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto& row = forces.row[i];
-    const double radial = std::hypot(row.force_y, row.force_z);
-    const FrictionLoads loads = friction_load_factors_.loads(radial, std::fabs(row.force_x));
-    torque += load_torque(loads, data_.f1_z, data_.f1_y, data_.static_rating / n_rows, d_m);
-  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) torque += row_load_torque(forces.row[i]);
   return torque;
 }
 
-// Torque on the ring that supplies the spin moments of all balls: sum M_s (|omega_si| + |omega_so|) / omega_i.
-double TouchdownBearing::spin_drag(const BallRowInput& in) const {
+double TouchdownBearing::row_load_torque(const BallRowOutput& row) const {
+  const double radial = std::hypot(row.force_y, row.force_z);
+  const FrictionLoads loads = friction_load_factors_.loads(radial, std::fabs(row.force_x));
+  return load_torque(loads, data_.f1_z, data_.f1_y, data_.static_rating / static_cast<double>(rows_.size()),
+                     data_.rows.front().pitch_diameter);
+}
+
+// Torque on the ring that supplies the spin moments of a row's balls: sum M_s (|omega_si| + |omega_so|) / omega_i.
+double TouchdownBearing::row_spin_drag(const BallRow& row, const BallRowInput& in) const {
   std::array<double, BallRow::max_balls> load;
   double sum = 0.;
-  for (const auto& row : rows_) {
-    const auto n = static_cast<std::size_t>(row.geometry().n_balls);
-    row.ball_loads(in, {load.data(), n});
-    for (std::size_t j = 0; j < n; ++j)
-      sum += spin_moment(data_.race_friction_coefficient, load[j], data_.spin_axis_factor * std::cbrt(load[j]),
-                         data_.spin_elliptic_integral);
-  }
+  const auto n = static_cast<std::size_t>(row.geometry().n_balls);
+  row.ball_loads(in, {load.data(), n});
+  for (std::size_t j = 0; j < n; ++j)
+    sum += spin_moment(data_.race_friction_coefficient, load[j], data_.spin_axis_factor * std::cbrt(load[j]),
+                       data_.spin_elliptic_integral);
   return sum * spin_speed_sum_ratio_;
 }
 
-BallConduction TouchdownBearing::conduction(const BallForces& forces, double ring_speed) const {
-  const double speed = rolling_speed_ratio_ * std::fabs(ring_speed);
-  BallConductances sum;
+double TouchdownBearing::spin_drag(const BallRowInput& in) const {
+  double sum = 0.;
+  for (const auto& row : rows_) sum += row_spin_drag(row, in);
+  return sum;
+}
+
+// Drag, and a load torque by the resultant of all rows, know no rows: each takes an equal part.
+void TouchdownBearing::divide_among_rows(const BallForces& forces, const BallRowInput& in, double M_L, double M_v,
+                                         double turning, double ring_speed, std::span<RowHeat> out) const {
+  const auto n = static_cast<double>(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto& row = forces.row[i];
-    sum.add(
-        data_.conduction->of_row(row.inner_load_roots, row.inner_loads, row.outer_load_roots, row.outer_loads, speed));
+    const double own = data_.load_law == FrictionLoadLaw::equivalent ? row_load_torque(forces.row[i]) : M_L / n;
+    const double spin = data_.add_spin_heat ? row_spin_drag(rows_[i], in) : 0.;
+    const double heat = (own + M_v / n + spin) * turning * ring_speed * data_.heat_over_work;
+    out[i].inner = inner_heat_share_ * heat;
+    out[i].outer = (1. - inner_heat_share_) * heat;
+    if (!data_.conduction) continue;
+    const BallConductances G = row_conduction(forces.row[i], ring_speed);
+    out[i].balls = {G.inner_to_ball, G.outer_to_ball, G.inner_to_outer};
   }
+}
+
+BallConductances TouchdownBearing::row_conduction(const BallRowOutput& row, double ring_speed) const {
+  return data_.conduction->of_row(row.inner_load_roots, row.inner_loads, row.outer_load_roots, row.outer_loads,
+                                  rolling_speed_ratio_ * std::fabs(ring_speed));
+}
+
+BallConduction TouchdownBearing::conduction(const BallForces& forces, double ring_speed) const {
+  BallConductances sum;
+  for (std::size_t i = 0; i < rows_.size(); ++i) sum.add(row_conduction(forces.row[i], ring_speed));
   return {sum.inner_to_ball, sum.outer_to_ball, sum.inner_to_outer};
 }
 
@@ -223,7 +244,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   const double M_L = load_torque_of(balls);
   const double M_spin = data_.add_spin_heat ? spin_drag(rows_in) : 0.;
   const double M_v = drag_torque(data_.drag_viscosity, ring_speed, data_.rows.front().pitch_diameter, data_.f2);
-  const double M = (M_L + M_v + M_spin) * std::tanh(ring_speed / data_.drag_regularisation);
+  const double turning = std::tanh(ring_speed / data_.drag_regularisation), M = (M_L + M_v + M_spin) * turning;
 
   dydt[ring_y] = y[ring_vy];
   dydt[ring_z] = y[ring_vz];
@@ -256,6 +277,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   out.heat.outer = (1. - inner_heat_share_) * M * ring_speed * data_.heat_over_work;
   out.heat.is_in_contact = t.is_touching;
   if (data_.conduction) out.heat.balls = conduction(balls, ring_speed);
+  if (!out.heat.rows.empty()) divide_among_rows(balls, rows_in, M_L, M_v, turning, ring_speed, out.heat.rows);
   // The rubbing spot lies on the line of centres and turns with it.
   const double spot_speed = data_.bore_radius * t.middle.centres_turning;
   out.heat.rotor_surface_speed = in.rotor_spin.speed * data_.rotor_radius - spot_speed;

@@ -95,6 +95,7 @@ struct TouchdownBearingData {
   double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
   std::optional<RowConduction> conduction;  ///< of every row; none: the thermal models have fixed resistances
   std::optional<BentRings> bending;         ///< none: rigid rings
+  bool heats_rows_apart = false;            ///< tells a thermal model the heat of each row
   std::optional<FreeRing> free_ring;        ///< none: axial and tilting motion of the inner ring are locked
 };
 
@@ -157,6 +158,7 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] std::vector<StateEntry> ledger_entries() const override;
   [[nodiscard]] std::vector<Observable> observables() const override;
   [[nodiscard]] std::vector<Observable> detailed_observables() const override;
+  [[nodiscard]] std::size_t n_heated_rows() const override { return data_.heats_rows_apart ? rows_.size() : 0; }
   /// Rings at rest, hanging in their balls under their own weight; the support carries the rings only.
   void initial_state(std::span<double> y) const override;
   void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,
@@ -209,7 +211,13 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input, bool with_tractions) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;
+  [[nodiscard]] double row_load_torque(const BallRowOutput& row) const;
   [[nodiscard]] double spin_drag(const BallRowInput& input) const;
+  [[nodiscard]] double row_spin_drag(const BallRow& row, const BallRowInput& input) const;
+  /// @param turning  tanh of the ring's speed over its regularisation
+  void divide_among_rows(const BallForces& forces, const BallRowInput& input, double load_torque, double drag_torque,
+                         double turning, double ring_speed, std::span<RowHeat> out) const;
+  [[nodiscard]] BallConductances row_conduction(const BallRowOutput& row, double ring_speed) const;
   [[nodiscard]] BallConduction conduction(const BallForces& forces, double ring_speed) const;
   void observe(const SupportInput& input, const Expansion& growth, std::span<const double> y, const Touch& touch,
                const BallForces& balls, double load_torque, double drag_torque, double ring_acceleration,

@@ -8,6 +8,7 @@
 
 #include "bearing/ring_bending_parameters.h"
 #include "laws/ball_kinematics.h"
+#include "laws/shoulder_contact.h"
 
 namespace rotordrop {
 namespace {
@@ -83,14 +84,18 @@ Section<ShoulderParameters> shoulder_section() {
   s.quantity("radius", &P::radius,
              {.unit = "m",
               .range = positive(),
-              .help = "Mean radius of the touching faces; midway between the inner ring's diameters if not given."});
-  s.quantity("stiffness", &P::stiffness,
-             {.unit = "N/m",
-              .range = positive(),
-              .fallback = "5e8 N/m",
-              .source = "estimate: about a tenth of a ring's own axial stiffness, for faces that are not flat",
-              .help = "Contact stiffness of the whole face. Damping from contact.lambda, friction from "
-                      "contact.friction_coefficient."});
+              .help = "Mean radius of the touching faces; midway between the inner ring's diameters if not given. They "
+                      "touch equally far to both sides of it, up to the nearer edge of the ring's face."});
+  s.quantity(
+      "stiffness", &P::stiffness,
+      {.unit = "N/m",
+       .range = positive(),
+       .help =
+           "Contact stiffness of the whole face; from the bodies if not given: the rotor's shoulder as a half space "
+           "under the faces that touch, in series with the ring's wall between its face and the row that carries "
+           "the load. That holds for flat faces in full contact and a shoulder as stiff as the shaft: a collar, a "
+           "sleeve or faces that are not flat are softer. Damping from contact.lambda, friction from "
+           "contact.friction_coefficient."});
   return s;
 }
 
@@ -124,14 +129,15 @@ void add_row_keys(Section<TouchdownParameters>& s) {
              {.unit = "m",
               .range = between(-1e-4, 1e-3),
               .fallback = "0 um",
-              .help = "Radial clearance (half the diametral clearance), mounted, cold and at standstill. For "
-                      "deep-groove bearings."});
+              .help = "Radial clearance, mounted, cold and at standstill: half of a catalogue's radial internal "
+                      "clearance (C3 and so on), which is diametral. For deep-groove bearings."});
   s.quantity("preload", &P::preload,
              {.unit = "N",
               .range = at_least(0),
               .fallback = "0 N",
-              .help = "Axial preload of a set of angular-contact rows, mounted, cold and at standstill. More preload "
-                      "stiffens the bearing."});
+              .help = "Axial preload of a set of angular-contact rows, mounted, cold and at standstill: the axial load "
+                      "of each row, which is the preload that catalogues give for a pair. More preload stiffens the "
+                      "bearing."});
   s.quantity("row_phase", &P::row_phase,
              {.range = between(-1, 1),
               .fallback = "0",
@@ -219,8 +225,9 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
               .range = between(-1e-3, 1e-3),
               .fallback = "0 um",
               .source = "estimate",
-              .help = "Radial interference between outer ring and housing before assembly; negative: clearance. Used "
-                      "by thermal.expansion = \"elastic\". Growth is measured from the assembled state."});
+              .help = "Radial interference between outer ring and housing before assembly, half of what fits are given "
+                      "by, the diameter; negative: clearance. Used by thermal.expansion = \"elastic\". Growth is "
+                      "measured from the assembled state."});
   s.choice(
       "housing_fit_kind", &P::housing_fit_kind,
       {{"frictionless", HousingFit::frictionless}, {"bonded", HousingFit::bonded}},
@@ -345,6 +352,13 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
                         mm(b.pitch_diameter), mm(b.outer_ring_diameters[1])),
             "Check ball_diameter, pitch_diameter and outer_ring_diameters.");
   }
+  if (const auto& radius = b.shoulders.radius;
+      radius && !b.shoulders.stiffness &&
+      !(2. * *radius > b.inner_ring_diameters[0] && 2. * *radius < b.inner_ring_diameters[1]))
+    fault("shoulders",
+          fmt::format("shoulders.radius = {} is not on the inner ring's face, which reaches from {} to {}", mm(*radius),
+                      mm(0.5 * b.inner_ring_diameters[0]), mm(0.5 * b.inner_ring_diameters[1])),
+          "Check the radius, or give shoulders.stiffness.");
   const double A = (b.conformity[0] + b.conformity[1] - 1.) * b.ball_diameter;
   if (b.radial_clearance >= A * std::cos(b.contact_angle))
     fault("radial_clearance",
@@ -587,9 +601,27 @@ std::vector<RowPlace> row_places(const TouchdownParameters& b) {
   return places;
 }
 
+ShoulderCompliance shoulder_compliance(const TouchdownParameters& b, const ElasticMaterial& ring) {
+  const double r_1 = 0.5 * b.inner_ring_diameters[0], r_2 = 0.5 * b.inner_ring_diameters[1],
+               middle = b.shoulders.radius.value_or(0.5 * (r_1 + r_2)), height = std::min(middle - r_1, r_2 - middle);
+  // A shoulder at the -x face pushes the ring onto the rows that lean to +x; the other side is its mirror.
+  double length = 0.;
+  int n = 0;
+  for (const auto& row : row_places(b))
+    if (row.direction > 0.) {
+      length += 0.5 * b.width + row.position;
+      ++n;
+    }
+  return {annulus_compliance(middle - height, middle + height, ring), sleeve_compliance(r_1, r_2, length / n, ring)};
+}
+
+double shoulder_stiffness(const TouchdownParameters& b, const ElasticMaterial& ring) {
+  return b.shoulders.stiffness ? *b.shoulders.stiffness : shoulder_compliance(b, ring).stiffness();
+}
+
 namespace {
 
-FreeRing free_ring_data(const TouchdownParameters& b, double gravity_x) {
+FreeRing free_ring_data(const TouchdownParameters& b, const ElasticMaterial& material, double gravity_x) {
   const double r_1 = 0.5 * b.inner_ring_diameters[0], r_2 = 0.5 * b.inner_ring_diameters[1];
   const double radii = b.ring_mass * (r_1 * r_1 + r_2 * r_2);
   FreeRing ring;
@@ -600,7 +632,7 @@ FreeRing free_ring_data(const TouchdownParameters& b, double gravity_x) {
   if (b.shoulders.gap_minus_x) ring.shoulders.push_back({-1., *b.shoulders.gap_minus_x});
   if (b.shoulders.gap_plus_x) ring.shoulders.push_back({1., *b.shoulders.gap_plus_x});
   ring.shoulder_radius = b.shoulders.radius.value_or(0.5 * (r_1 + r_2));
-  ring.shoulder_stiffness = b.shoulders.stiffness;
+  ring.shoulder_stiffness = shoulder_stiffness(b, material);
   return ring;
 }
 
@@ -698,7 +730,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.gravity_y = around.gravity[1];
   d.gravity_z = around.gravity[2];
   d.bending = bent_rings(b, d, around);
-  if (b.ring_motion == RingMotion::free) d.free_ring = free_ring_data(b, around.gravity[0]);
+  if (b.ring_motion == RingMotion::free) d.free_ring = free_ring_data(b, around.ring, around.gravity[0]);
   return d;
 }
 

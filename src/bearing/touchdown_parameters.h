@@ -54,7 +54,7 @@ enum class RingMotion {
 struct ShoulderParameters {
   std::optional<double> gap_minus_x, gap_plus_x;  ///< at the ring's face at -x, +x [m]
   std::optional<double> radius;
-  double stiffness = 0;
+  std::optional<double> stiffness;  ///< none: from the bodies' geometry
 };
 
 enum class RowArrangement { face_to_face, back_to_back, tandem };
@@ -123,6 +123,16 @@ struct TouchdownSurroundings {
 double bore_radius(const TouchdownParameters& bearing, const ContactParameters& contact);
 /// Radial air gap [m]: the bearing's own, else that of [contact].
 double air_gap(const TouchdownParameters& bearing, const ContactParameters& contact);
+
+/// What lies between a rotor that leans on a shoulder and the balls: a half space under the annulus that touches, and the ring's wall from its face to the row
+/// that carries the load [m/N].
+struct ShoulderCompliance {
+  double rotor = 0, ring = 0;
+  [[nodiscard]] double stiffness() const { return 1. / (rotor + ring); }
+};
+ShoulderCompliance shoulder_compliance(const TouchdownParameters& bearing, const ElasticMaterial& ring);
+/// The given one, or that of the geometry [N/m].
+double shoulder_stiffness(const TouchdownParameters& bearing, const ElasticMaterial& ring);
 
 /// Where a row of balls sits, and which way it leans.
 struct RowPlace {

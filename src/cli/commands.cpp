@@ -30,6 +30,7 @@
 #include "study/preload_run.h"
 #include "study/recorded_growth.h"
 #include "study/report.h"
+#include "study/shoulder_words.h"
 #include "study/statics_report.h"
 #include "study/summary.h"
 
@@ -212,6 +213,11 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
              report.body.Ip, report.body.Id, report.body.centre_of_gravity);
+  for (const auto& entry : c.parameters.bearings)
+    if (entry.touchdown()) {
+      fmt::print("{}", conventions_text(c.parameters, entry.name));
+      fmt::print("{}", shoulder_text(shoulder_json(c.parameters, entry.name), entry.name.size() + 2));
+    }
   fmt::print(
       "{}: no errors found{}. Not checked: whether the time step is short enough for the stiffest contact.\n",
       file.string(),

@@ -112,10 +112,14 @@ void check_reduction(const FiniteElements::Section& section, const FeParameters&
                                fe.modes));
 }
 
+/// Rows of a ring that only translates carry the same loads but for their balls' places; a free one has thrust and tilts.
+bool heats_rows_apart(const TouchdownParameters& b) { return b.rows > 1 && b.ring_motion == RingMotion::free; }
+
 /// Meshes the section of every touchdown bearing; reduces it unless it is to run in windows.
-/// @param judges_growth  by elasticity, where formulas are fed back, if the section's elasticity is linear: its fit no clearance
+/// @param of_a_drop  growth is judged by elasticity where formulas are fed back, if the section's elasticity is linear: its fit no clearance; rows that may carry different
+///                   loads are heated apart
 void make_sections(const MachineParameters& p, FiniteElements& elements, ReductionSettings reduction = {},
-                   bool judges_growth = false) {
+                   bool of_a_drop = false) {
   const auto& fe = p.thermal.fe;
   elements.coupling = fe.coupling;
   for (const auto& entry : p.bearings) {
@@ -126,6 +130,7 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
     settings.numerics.degree = fe.degree;
     settings.numerics.solver = fe.solver;
     settings.numerics.cells = std::max(2, static_cast<int>(std::lround(8 * fe.refinement)));
+    settings.rows_apart = of_a_drop && heats_rows_apart(*b);
     settings.housing_film = elements.alone && fe.coupling == FeCoupling::windowed;
     if (elements.alone) settings.numerics.tolerance = elements.alone->time_tolerance;
     const SectionMesh mesh = fe.section == FeSection::plain ? SectionMesh{} : elements.make_mesh(entry.name);
@@ -133,10 +138,11 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
     section.name = entry.name;
     section.problem = bearing_heat_problem(circuit, mesh, p.run.ambient, settings);
     section.solver = elements.make_solver(section.problem);
+    section.row_ports = raceway_row_ports(section.problem);
     section.formula = section_growth(circuit);
     section.adiabatic = adiabatic_section(section);
     section.grows_elastically = p.thermal.expansion == GrowthSource::elastic;
-    if (section.grows_elastically || (judges_growth && elements.make_elastic_solver && b->housing_fit >= 0.))
+    if (section.grows_elastically || (of_a_drop && elements.make_elastic_solver && b->housing_fit >= 0.))
       add_elastic_growth(p, *b, elements, section);
     if (section.grows_elastically) {
       if (fe.coupling == FeCoupling::windowed) section.adiabatic.growth = immediate_elastic_growth(section);
@@ -182,7 +188,7 @@ std::unique_ptr<ThermalModel> reduced_sections(const MachineParameters& p, const
     const auto* b = entry.touchdown();
     if (!b) continue;
     const auto& made = elements.sections[k++];
-    ReducedSection section{made.name, made.reduced, made.formula, {}, false, {}};
+    ReducedSection section{made.name, made.reduced, made.formula, {}, false, made.row_ports, {}};
     if (made.elastic) section.elastic = reduced_elastic(made);
     const auto circuit = circuit_data(p, entry.name, *b);
     section.balls_roll = circuit.balls_roll;
@@ -547,6 +553,7 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
         data.centrifugal_growth =
             is_elastic ? finite_elements->sections[n_places].elastic->per_speed_squared() : ring_growth_by_speed(p, *b);
       parts.rotor_growth_by_speed.push_back(grows_by_speed ? rotor_growth_by_speed(p, *b) : 0.);
+      data.heats_rows_apart = p.thermal.has_fe && !finite_elements->sections[n_places].row_ports.empty();
       auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
       std::vector<double> state(bearing->state_entries().size());
       bearing->initial_state(state);

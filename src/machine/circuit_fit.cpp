@@ -137,7 +137,7 @@ ResponseError measure(const Responses& e, std::size_t first_node, std::size_t en
   return m;
 }
 
-/// Residuals of the fit over the factors' logarithms, with a weak pull towards 1 that decides where the responses do not.
+/// Residuals of the fit over the logarithms of the factors that are free, with a weak pull towards 1 that decides where the responses do not.
 struct Fit {
   using Scalar = double;
   using InputType = Eigen::VectorXd;
@@ -150,16 +150,25 @@ struct Fit {
   const Responses& fe;
   const Eigen::ArrayXd& t;
   double ambient;
+  const std::vector<UncertainResistance>& uncertain;
+  std::vector<double> logarithms = std::vector<double>(uncertain.size(), 0.);
+  std::vector<std::size_t> free = {};
 
-  [[nodiscard]] int inputs() const { return static_cast<int>(circuit_factors.size()); }
+  [[nodiscard]] int inputs() const { return static_cast<int>(free.size()); }
   [[nodiscard]] int values() const {
-    return static_cast<int>(n_ports * n_nodes) * static_cast<int>(t.size()) + inputs();
+    return static_cast<int>(n_ports * n_nodes) * static_cast<int>(t.size()) + static_cast<int>(uncertain.size());
   }
 
-  static CircuitFactors factors_of(const InputType& x) {
-    CircuitFactors f;
-    for (std::size_t i = 0; i < circuit_factors.size(); ++i)
-      f.*circuit_factors[i].second = std::exp(std::clamp(x(static_cast<Eigen::Index>(i)), -4.6, 4.6));
+  [[nodiscard]] std::vector<double> with(const InputType& x) const {
+    auto all = logarithms;
+    for (std::size_t k = 0; k < free.size(); ++k) all[free[k]] = std::clamp(x(static_cast<Eigen::Index>(k)), -4.6, 4.6);
+    return all;
+  }
+  /// Resistances by their factors, capacities as given.
+  [[nodiscard]] CircuitFactors factors_of(const std::vector<double>& all) const {
+    CircuitFactors f = circuit.factors;
+    f.ball = 1.;
+    for (std::size_t i = 0; i < uncertain.size(); ++i) f.*uncertain[i].member = std::exp(all[i]);
     return f;
   }
   [[nodiscard]] Responses errors_with(const CircuitFactors& factors) const {
@@ -167,40 +176,132 @@ struct Fit {
     changed.factors = factors;
     return relative_errors(responses_of(changed, ambient, t), fe);
   }
-  int operator()(const InputType& x, ValueType& residual) const {
-    const Responses e = errors_with(factors_of(x));
+  [[nodiscard]] ValueType residual_of(const std::vector<double>& all) const {
+    ValueType residual(values());
+    const Responses e = errors_with(factors_of(all));
     Eigen::Index at = 0;
     for (const auto& of_port : e)
       for (const auto& of_node : of_port) {
         residual.segment(at, t.size()) = of_node.matrix();
         at += t.size();
       }
-    residual.tail(inputs()) = pull * x;
+    for (const double logarithm : all) residual(at++) = pull * logarithm;
+    return residual;
+  }
+  int operator()(const InputType& x, ValueType& residual) const {
+    residual = residual_of(with(x));
     return 0;
   }
 };
 
-}  // namespace
-
-CalibratedBearing fit_circuit(const BearingCircuitData& circuit, const ReducedHeat& section, double ambient,
-                              const CalibrationSettings& settings) {
-  const Eigen::ArrayXd t = times_of(settings);
-  const Responses fe = responses_of(section, t);
-  Eigen::NumericalDiff<Fit, Eigen::Central> fit(Fit{circuit, fe, t, ambient});
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(fit.inputs());
+/// Fits the free factors, whatever their bounds.
+void fit_free(Fit& of) {
+  if (of.free.empty()) return;
+  Eigen::NumericalDiff<Fit, Eigen::Central> fit(of);
+  Eigen::VectorXd x(fit.inputs());
+  for (std::size_t k = 0; k < of.free.size(); ++k) x(static_cast<Eigen::Index>(k)) = of.logarithms[of.free[k]];
   Eigen::LevenbergMarquardt<decltype(fit)> search(fit);
   const auto status = search.minimize(x);
   if (status == Eigen::LevenbergMarquardtSpace::ImproperInputParameters ||
       status == Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation)
-    throw SolverError(fmt::format("the circuit of {} cannot be fitted to the finite elements (status {})", circuit.name,
-                                  static_cast<int>(status)));
+    throw SolverError(fmt::format("the circuit of {} cannot be fitted to the finite elements (status {})",
+                                  of.circuit.name, static_cast<int>(status)));
+  of.logarithms = of.with(x);
+}
 
-  CalibratedBearing result{circuit.name, Fit::factors_of(x), {}, {}, {}};
-  const Responses before = fit.errors_with({}), after = fit.errors_with(result.factors);
+/// A bound at which a factor is held: -1 the lower, 1 the upper one, 0 neither.
+using Held = std::vector<int>;
+
+/// Fits all factors within their bounds. The one furthest beyond its bound is put there and held, and the others are fitted again; a held one that would rather go
+/// back inside is let go.
+Held fit_within_bounds(Fit& fit) {
+  const std::size_t n = fit.uncertain.size();
+  constexpr double inside = 1e-3;  // of a logarithm: to see which way the error falls
+  const auto bound = [&](std::size_t i, int side) {
+    return std::log(side < 0 ? fit.uncertain[i].lowest : fit.uncertain[i].highest);
+  };
+  Held held(n, 0);
+  for (std::size_t round = 0; round < 4 * n; ++round) {
+    fit.free.clear();
+    for (std::size_t i = 0; i < n; ++i)
+      if (held[i] == 0) fit.free.push_back(i);
+    fit_free(fit);
+    double furthest = 0.;
+    std::size_t worst = n;
+    for (const std::size_t i : fit.free)
+      for (const int side : {-1, 1})
+        if (const double beyond = side * (fit.logarithms[i] - bound(i, side)); beyond > furthest) {
+          furthest = beyond;
+          worst = i;
+        }
+    if (worst < n) {
+      held[worst] = fit.logarithms[worst] < 0. ? -1 : 1;
+      // Those that remain free start inside: what they were is an answer to the factor beyond its bound.
+      for (const std::size_t i : fit.free)
+        fit.logarithms[i] = i == worst ? bound(i, held[i]) : std::clamp(fit.logarithms[i], bound(i, -1), bound(i, 1));
+      continue;
+    }
+    const double error = fit.residual_of(fit.logarithms).squaredNorm();
+    bool is_done = true;
+    for (std::size_t i = 0; i < n && is_done; ++i) {
+      if (held[i] == 0) continue;
+      auto moved = fit.logarithms;
+      moved[i] -= held[i] * inside;
+      if (fit.residual_of(moved).squaredNorm() >= error) continue;
+      held[i] = 0;
+      is_done = false;
+    }
+    if (is_done) break;
+  }
+  return held;
+}
+
+}  // namespace
+
+std::vector<UncertainResistance> uncertain_resistances(const BearingCircuitData& circuit,
+                                                       const BearingCircuitData& spreading) {
+  constexpr double contact = 2., closed_form = 1.25;
+  const CircuitResistances R = circuit_resistances(circuit), with = circuit_resistances(spreading);
+  const auto highest = [&](double CircuitResistances::*wall, double CircuitResistances::*strips) {
+    return closed_form * std::max(1., (with.*wall + with.*strips) / (R.*wall + R.*strips));
+  };
+  using P = CircuitFactors;
+  using C = CircuitResistances;
+  return {
+      {"shaft_ring", &P::shaft_ring, "R2 + R3, shaft to inner ring", 1. / contact, contact},
+      {"inner_race", &P::inner_race, "R4, inner ring to its contacts", 1. / closed_form,
+       highest(&C::R4, &C::R4_spreading)},
+      {"outer_race", &P::outer_race, "R7, contacts to outer ring", 1. / closed_form, highest(&C::R7, &C::R7_spreading)},
+      {"fit", &P::fit, "R8, outer ring to housing", 1. / contact, contact}};
+}
+
+const CalibratedBearing::Resistance* CalibratedBearing::carrier() const {
+  const Resistance* most = nullptr;
+  for (const auto& r : resistances)
+    if (r.rms_without > (most ? most->rms_without : after.rms)) most = &r;
+  return most;
+}
+
+CalibratedBearing fit_circuit(const BearingCircuitData& circuit, const ReducedHeat& section, double ambient,
+                              const CalibrationSettings& settings, const std::vector<UncertainResistance>& uncertain) {
+  const Eigen::ArrayXd t = times_of(settings);
+  const Responses fe = responses_of(section, t);
+  Fit fit{circuit, fe, t, ambient, uncertain};
+  const Responses before = fit.errors_with(fit.factors_of(fit.logarithms));
+  const Held held = fit_within_bounds(fit);
+
+  CalibratedBearing result{circuit.name, fit.factors_of(fit.logarithms), {}, {}, {}, {}};
+  const Responses after = fit.errors_with(result.factors);
   result.before = measure(before, 0, n_nodes);
   result.after = measure(after, 0, n_nodes);
   for (std::size_t k = 0; k < n_nodes; ++k)
     result.nodes.push_back({nodes[k], {measure(before, k, k + 1), measure(after, k, k + 1)}});
+  for (std::size_t i = 0; i < uncertain.size(); ++i) {
+    CircuitFactors without = result.factors;
+    without.*uncertain[i].member = 1.;
+    result.resistances.push_back(
+        {uncertain[i], measure(fit.errors_with(without), 0, n_nodes).rms, held[i]<0, held[i]> 0});
+  }
   return result;
 }
 

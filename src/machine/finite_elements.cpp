@@ -101,13 +101,15 @@ WindowedSections::WindowedSections(FiniteElements& elements, double tolerance, d
       longest_(longest),
       length_(longest),
       energy_(elements.sections.size()),
-      port_heat_(elements.sections.size()),
       growth_(elements.sections.size()),
       before_(elements.sections.size()),
       conducted_(elements.sections.size()),
       in_force_(elements.sections.size()) {
-  for (const auto& section : elements.sections) {
+  for (std::size_t k = 0; k < elements.sections.size(); ++k) {
+    const auto& section = elements.sections[k];
     rise_per_joule_.push_back(rise_per_joule(section));
+    port_heat_.emplace_back(section.problem.ports.size(), 0.);
+    energy_[k].rows.resize(section.row_ports.size());
     // Where an earlier drop may have left it.
     const std::vector<double> start(section.solver->field().size(), section.problem.initial_temperature);
     section.solver->set_field(start, 0., 0., 0.);
@@ -117,7 +119,33 @@ WindowedSections::WindowedSections(FiniteElements& elements, double tolerance, d
   report_.tolerance = tolerance;
 }
 
-void WindowedSections::step(double length, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
+// Strips follow within the window: their rise by conducted heat is left to the solver, from the temperatures at its start.
+void WindowedSections::heat_raceways(std::size_t k, double length, const PlaceEnergy& given,
+                                     const PlaceConduction& balls) {
+  const auto& section = elements_.sections[k];
+  const auto& solver = *section.solver;
+  const PlaceEnergy& earlier = energy_[k];
+  auto& heat = port_heat_[k];
+  heat[ball_port] = 0.;
+  const auto add = [&](const RacewayRowPorts& ports, double inner, double outer, const BallConduction& G) {
+    heat[ports.inner] = inner / length;
+    heat[ports.outer] = outer / length;
+    if (G.inner_to_ball + G.outer_to_ball + G.inner_to_outer <= 0.) return;
+    const ContactHeat q = contact_heat(G, solver.port_temperature(ports.inner), solver.port_temperature(ports.outer),
+                                       solver.port_temperature(ball_port), 0., 0., 0.);
+    heat[ports.inner] += q.inner;
+    heat[ports.outer] += q.outer;
+    heat[ball_port] -= q.from_balls();
+  };
+  for (std::size_t row = 0; row < section.row_ports.size(); ++row)
+    add(section.row_ports[row], given.rows[row][0] - earlier.rows[row][0], given.rows[row][1] - earlier.rows[row][1],
+        row < balls.rows.size() ? balls.rows[row] : BallConduction{});
+  if (section.row_ports.empty())
+    add({inner_raceway_port, outer_raceway_port}, given.inner - earlier.inner, given.outer - earlier.outer, balls.all);
+}
+
+void WindowedSections::step(double length, std::span<const PlaceEnergy> energy,
+                            std::span<const PlaceConduction> balls) {
   const double start = cpu_seconds();
   before_ = conducted_;
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
@@ -127,23 +155,11 @@ void WindowedSections::step(double length, std::span<const PlaceEnergy> energy, 
     const PlaceEnergy &given = energy[k], &earlier = energy_[k];
     heat[bore_port] = (given.rub_into_ring - earlier.rub_into_ring) / length;
     heat[shaft_port] = (given.rub - earlier.rub) / length - heat[bore_port];
-    heat[inner_raceway_port] = (given.inner - earlier.inner) / length;
-    heat[outer_raceway_port] = (given.outer - earlier.outer) / length;
+    heat_raceways(k, length, given, balls[k]);
     // Eq. (16), from the rise at the start: the housing takes minutes to warm.
     const double rise = solver.port_temperature(housing_port) - section.problem.initial_temperature;
     heat[housing_port] = -housing_convection(rise) * solver.port_area(housing_port) * rise;
     film_loss_ -= heat[housing_port] * length;
-    if (const auto& G = balls[k]; G.inner_to_ball + G.outer_to_ball + G.inner_to_outer > 0.) {
-      // Strips follow within the window: their rise by conducted heat is left to the solver, from the temperatures at its start.
-      const ContactHeat q =
-          contact_heat(G, solver.port_temperature(inner_raceway_port), solver.port_temperature(outer_raceway_port),
-                       solver.port_temperature(ball_port), 0., 0., 0.);
-      heat[inner_raceway_port] += q.inner;
-      heat[outer_raceway_port] += q.outer;
-      heat[ball_port] = -q.from_balls();
-    } else {
-      heat[ball_port] = 0.;
-    }
     solver.set_port_heat(heat);
     solver.advance_window(length);
     largest_rise_[k] =
@@ -176,7 +192,8 @@ void WindowedSections::look(double now, std::span<const PlaceEnergy> energy) {
   if (is_cut_) length_ = std::min(length_, std::ceil(elapsed / shortest_) * shortest_);
 }
 
-void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
+void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy,
+                               std::span<const PlaceConduction> balls) {
   step(length_, energy, balls);
   const std::size_t n = growth_.size();
   std::vector<Expansion> in_force(n), expected(n);
@@ -207,7 +224,7 @@ void WindowedSections::advance(double now, std::span<const PlaceEnergy> energy, 
   in_force_.append(time_ + ahead, expected);
 }
 
-void WindowedSections::finish(double end, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls) {
+void WindowedSections::finish(double end, std::span<const PlaceEnergy> energy, std::span<const PlaceConduction> balls) {
   if (end > time_) step(end - time_, energy, balls);
 }
 
@@ -305,6 +322,7 @@ std::vector<double> WindowedSections::packed() const {
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
     const auto& e = energy_[k];
     values.insert(values.end(), {e.rub, e.rub_into_ring, e.inner, e.outer, largest_rise_[k]});
+    for (const auto& row : e.rows) values.insert(values.end(), row.begin(), row.end());
     for (const auto* growth : {&growth_[k], &before_[k], &conducted_[k]})
       for (const auto surface : growth_surfaces) values.push_back(growth->*surface);
     const auto& solver = *elements_.sections[k].solver;
@@ -332,6 +350,8 @@ void WindowedSections::unpack(std::span<const double> values) {
   for (std::size_t k = 0; k < elements_.sections.size(); ++k) {
     auto& e = energy_[k];
     for (double* value : {&e.rub, &e.rub_into_ring, &e.inner, &e.outer, &largest_rise_[k]}) *value = next();
+    for (auto& row : e.rows)
+      for (double& value : row) value = next();
     for (auto* growth : {&growth_[k], &before_[k], &conducted_[k]})
       for (const auto surface : growth_surfaces) growth->*surface = next();
     const double input = next(), lost = next();

@@ -12,6 +12,7 @@
 #include "model/thermo_elasticity.h"
 #include "thermal/adiabatic_rises.h"
 #include "thermal/bearing_elastic.h"
+#include "thermal/bearing_heat.h"
 #include "thermal/fe_parameters.h"
 
 namespace rotordrop {
@@ -34,6 +35,7 @@ struct FiniteElements {
     std::string name;  ///< of the bearing
     HeatConductionProblem problem;
     std::unique_ptr<HeatConductionSolver> solver;
+    std::vector<RacewayRowPorts> row_ports;         ///< where rows are heated apart
     GrowthPerRise formula;                          ///< per rise of the bodies' means
     AdiabaticSection adiabatic;                     ///< what heat causes at once
     ReducedHeat reduced;                            ///< if it is
@@ -65,11 +67,11 @@ class WindowedSections {
   /// @param now     where the drop stands [s], >= next_end()
   /// @param energy  at next_end() [n_places]
   /// @param balls   what balls conduct as they roll at next_end(); held over the window, as are the temperatures between which they conduct [n_places]
-  void advance(double now, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
+  void advance(double now, std::span<const PlaceEnergy> energy, std::span<const PlaceConduction> balls);
   /// What conduction adds to the immediate growth, as it is in force.
   [[nodiscard]] const GrowthHistory& growth_in_force() const { return in_force_; }
   /// Advances to the drop's end.
-  void finish(double end, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
+  void finish(double end, std::span<const PlaceEnergy> energy, std::span<const PlaceConduction> balls);
 
   struct Report {
     long windows = 0;
@@ -93,19 +95,21 @@ class WindowedSections {
   void unpack(std::span<const double> values);
 
  private:
-  void step(double length, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
+  void step(double length, std::span<const PlaceEnergy> energy, std::span<const PlaceConduction> balls);
+  /// Heat of friction and of rolling balls into the raceways and the balls.
+  void heat_raceways(std::size_t place, double length, const PlaceEnergy& given, const PlaceConduction& balls);
 
   FiniteElements& elements_;
   double tolerance_, shortest_, longest_;
   double length_;  ///< of the window under way [s]: the longest, halved a few times
   double time_ = 0, last_error_ = 0, last_length_ = 0, film_loss_ = 0;
-  bool is_cut_ = false;                 ///< the window under way ends before its time
-  std::vector<double> rise_per_joule_;  ///< of a bore in a half space, times root of time [K s^0.5/J]
-  std::vector<double> largest_rise_;    ///< mean of each bore at windows' ends, so far [K]
-  std::vector<PlaceEnergy> energy_;     ///< at time_
-  std::vector<std::array<double, n_bearing_ports>> port_heat_;  ///< [W]
-  std::vector<Expansion> growth_;                               ///< at time_
-  std::vector<Expansion> before_, conducted_;                   ///< conduction's part a window ago, and at time_
+  bool is_cut_ = false;                         ///< the window under way ends before its time
+  std::vector<double> rise_per_joule_;          ///< of a bore in a half space, times root of time [K s^0.5/J]
+  std::vector<double> largest_rise_;            ///< mean of each bore at windows' ends, so far [K]
+  std::vector<PlaceEnergy> energy_;             ///< at time_
+  std::vector<std::vector<double>> port_heat_;  ///< of all ports [W]
+  std::vector<Expansion> growth_;               ///< at time_
+  std::vector<Expansion> before_, conducted_;   ///< conduction's part a window ago, and at time_
   GrowthHistory in_force_;
   Report report_;
 };

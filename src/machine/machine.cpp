@@ -50,6 +50,11 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
     entries.insert(entries.end(), own.begin(), own.end());
     places_[i].ledger = layout_.size();
     places_[i].n_own = own.size();
+    places_[i].n_rows = parts_.supports[i]->n_heated_rows();
+    for (std::size_t row = 1; row <= places_[i].n_rows; ++row)
+      for (const std::string race : {"inner", "outer"})
+        entries.push_back({"row " + std::to_string(row) + " " + race + " heat", "J", 10.,
+                           "friction heat of the balls of row " + std::to_string(row) + " and " + race + " race"});
     layout_.add_block(parts_.supports[i]->name() + " ledger", entries);
   }
   machine_ledger_ = layout_.size();
@@ -68,7 +73,8 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   for (std::size_t i = 0; i < n; ++i)
     if (const auto place = parts_.thermal_place[i]) {
       ledger_of_place_.resize(std::max(ledger_of_place_.size(), *place + 1));
-      ledger_of_place_[*place] = places_[i].ledger;
+      ledger_of_place_[*place] = {places_[i].ledger, places_[i].ledger + n_support_ledger + places_[i].n_own,
+                                  places_[i].n_rows};
     }
   const std::size_t n_places = ledger_of_place_.size();
   if (parts_.rub_share.size() != n_places)
@@ -161,6 +167,8 @@ void Machine::fit(Evaluation& e) const {
     e.forces.resize(places_.size());
     e.heats.assign(n_thermal_places(), {});
   }
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (auto& rows = e.outputs[i].heat.rows; rows.size() != places_[i].n_rows) rows.resize(places_[i].n_rows);
 }
 
 void Machine::prepare_inputs(double t, std::span<const double> y, Evaluation& e) const {
@@ -258,6 +266,13 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
                                                         e.inputs[i].rotor_spin.speed * power.spin_acceleration;
     ledger[rub_heat_into_ring] = place ? e.heats[*place].rub_into_ring : 0.;
     ledger[growth_work] = place ? out.energy_gradient.dot(e.growth_rate[*place]) : 0.;
+    if (out.heat.rows.empty()) continue;
+    const auto of_rows =
+        dydt.subspan(places_[i].ledger + n_support_ledger + places_[i].n_own, 2 * out.heat.rows.size());
+    for (std::size_t row = 0; row < out.heat.rows.size(); ++row) {
+      of_rows[2 * row] = out.heat.rows[row].inner;
+      of_rows[2 * row + 1] = out.heat.rows[row].outer;
+    }
   }
   machine_ledger[rotor_damping] = power.damping;
   machine_ledger[unbalance_work] = power.unbalance_work;
@@ -338,14 +353,18 @@ void Machine::observe_state(std::span<const double> y, const Evaluation& found, 
 }
 
 PlaceEnergy Machine::heat_given(std::size_t place, std::span<const double> y) const {
-  const auto ledger = y.subspan(ledger_of_place_[place], n_support_ledger);
-  return {ledger[rub_heat], ledger[rub_heat_into_ring], ledger[inner_heat], ledger[outer_heat]};
+  const auto& [first, rows, n_rows] = ledger_of_place_[place];
+  const auto ledger = y.subspan(first, n_support_ledger);
+  PlaceEnergy given{ledger[rub_heat], ledger[rub_heat_into_ring], ledger[inner_heat], ledger[outer_heat]};
+  for (std::size_t row = 0; row < n_rows; ++row) given.rows.push_back({y[rows + 2 * row], y[rows + 2 * row + 1]});
+  return given;
 }
 
 double Machine::ledger(std::size_t support, const std::string& name, std::span<const double> y) const {
   const std::string full = parts_.supports[support]->name() + " ledger/" + name;
   const Place& p = places_[support];
-  for (std::size_t i = p.ledger; i < p.ledger + n_support_ledger + p.n_own; ++i)
+  const std::size_t n = n_support_ledger + p.n_own + 2 * p.n_rows;
+  for (std::size_t i = p.ledger; i < p.ledger + n; ++i)
     if (layout_.entries()[i].name == full) return y[i];
   throw std::out_of_range("no ledger named " + full);
 }

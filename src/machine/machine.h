@@ -134,6 +134,7 @@ class Machine final {
   struct Place {
     std::size_t state = 0, n_state = 0;    // of the support
     std::size_t ledger = 0, n_own = 0;     // its ledgers: n_support_ledger common ones, then its own
+    std::size_t n_rows = 0;                // heated apart: two ledgers each, after its own
     std::size_t n_step = 0, n_detail = 0;  // sizes of what it reports
   };
   [[nodiscard]] std::span<const double> rotor_part(std::span<const double> y) const { return y.subspan(0, n_rotor_); }
@@ -162,7 +163,11 @@ class Machine final {
   std::vector<ThermalBlock> thermal_;
   ThermalBlock immediate_;  // of the immediate growth
   std::vector<Place> places_;
-  std::vector<std::size_t> ledger_of_place_;  ///< of each thermal place: where the ledgers of its support begin
+  struct PlaceLedger {
+    std::size_t first = 0, rows = 0,
+                n_rows = 0;  // where the ledgers of its support begin, and those of its rows; how many rows
+  };
+  std::vector<PlaceLedger> ledger_of_place_;  // of each thermal place
   std::vector<Observable> step_observables_, detail_observables_, state_observables_;
   std::size_t n_step_ = 0, n_detail_ = 0;  ///< sizes of the first two
   double initial_mechanical_ = 0;

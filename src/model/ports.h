@@ -3,6 +3,7 @@
 // Frame: x along the rotor axis, y up, z horizontal, right-handed; angles and spin from +y towards +z.
 #include <array>
 #include <span>
+#include <vector>
 
 namespace rotordrop {
 
@@ -74,6 +75,12 @@ struct BallConduction {
   double inner_to_outer = 0;                    ///< race to race, without warming the balls
 };
 
+/// What one row of balls releases by its friction, and conducts.
+struct RowHeat {
+  double inner = 0, outer = 0;  ///< at its races [W]
+  BallConduction balls;
+};
+
 /// Heat that a bearing releases, by port, and what a law for sharing it needs to know.
 struct HeatInput {
   double rub = 0;  ///< H_r: rotor surface against bore [W] (eq. 19)
@@ -85,6 +92,8 @@ struct HeatInput {
   double ring_surface_speed = 0;   ///< speed of the bore's surface relative to the rubbing spot [m/s]
   bool is_in_contact = false;      ///< rotor and bore touch
   BallConduction balls;            ///< no heat, but a way for it; zeros unless balls conduct as they roll
+  /// The same by row, for models that heat rows apart; they add up to inner, outer and balls. Else none.
+  std::vector<RowHeat> rows = {};
 };
 
 }  // namespace rotordrop

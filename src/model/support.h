@@ -45,6 +45,8 @@ class Support {
   /// What evaluate() writes on request, in order; the detailed ones are many and sampled more coarsely.
   [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
   [[nodiscard]] virtual std::vector<Observable> detailed_observables() const { return {}; }
+  /// Rows of balls whose heat evaluate() tells apart, in HeatInput::rows, which has their size; 0: none.
+  [[nodiscard]] virtual std::size_t n_heated_rows() const { return 0; }
   /// @param y [state_entries().size()] in static equilibrium without the rotor
   virtual void initial_state(std::span<double> y) const = 0;
   /// @param y, dydt        [state_entries().size()]

@@ -1,7 +1,7 @@
 #include "study/drop_fields.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace rotordrop {
 
@@ -16,11 +16,17 @@ void lift_sections(FiniteElements& elements, const Machine& machine, std::span<c
   for (std::size_t k = 0; k < elements.sections.size(); ++k) {
     auto& section = elements.sections[k];
     const HeatInput& heat = found.heats[k];
-    std::array<double, n_bearing_ports> watts{};
+    std::vector<double> watts(section.problem.ports.size());
     watts[bore_port] = heat.rub_into_ring;
     watts[shaft_port] = heat.rub - heat.rub_into_ring;
-    watts[inner_raceway_port] = heat.inner;
-    watts[outer_raceway_port] = heat.outer;
+    if (section.row_ports.empty()) {
+      watts[inner_raceway_port] = heat.inner;
+      watts[outer_raceway_port] = heat.outer;
+    }
+    for (std::size_t row = 0; row < section.row_ports.size(); ++row) {
+      watts[section.row_ports[row].inner] = heat.rows[row].inner;
+      watts[section.row_ports[row].outer] = heat.rows[row].outer;
+    }
     section.solver->lift(states.subspan(first, section.reduced.n_modes()), watts, found.time);
     first += section.reduced.n_modes();
   }

@@ -314,10 +314,15 @@ class DropRun {
   }
 
   /// What the balls of the thermal places conduct in a state, if they do as they roll.
-  std::span<const BallConduction> balls(double t, std::span<const double> y) {
+  std::span<const PlaceConduction> balls(double t, std::span<const double> y) {
     if (case_.parameters.thermal.contact_conduction != BallConductionModel::rolling) return balls_;
     machine_.evaluate(t, y, detailed_);
-    for (std::size_t place = 0; place < balls_.size(); ++place) balls_[place] = detailed_.heats[place].balls;
+    for (std::size_t place = 0; place < balls_.size(); ++place) {
+      const HeatInput& heat = detailed_.heats[place];
+      balls_[place].all = heat.balls;
+      balls_[place].rows.clear();
+      for (const auto& row : heat.rows) balls_[place].rows.push_back(row.balls);
+    }
     return balls_;
   }
 
@@ -638,7 +643,7 @@ class DropRun {
   std::optional<WindowedSections> windows_;
   std::optional<DropFields> fields_;
   std::vector<PlaceEnergy> energies_;
-  std::vector<BallConduction> balls_;  ///< of the thermal places
+  std::vector<PlaceConduction> balls_;  ///< of the thermal places
   std::vector<double> window_row_;
   std::optional<FitWatch> fits_;
   std::optional<KelvinCheck> kelvin_;

@@ -11,6 +11,7 @@
 #include "integrate/equilibrium.h"
 #include "machine/statics.h"
 #include "study/json_number.h"
+#include "study/shoulder_words.h"
 
 namespace rotordrop {
 namespace {
@@ -126,6 +127,7 @@ Json bearing_json(const Case& c, const std::string& name) {
   j["growth"] = growth_json(static_growth(c.parameters, b));
   j.update(ring_json(report_ring(system.bent_ring(), system.ring_unknowns(x), 1e-6 * system.force_scale())));
   j["search"] = search_json(result);
+  if (const auto shoulder = shoulder_json(c.parameters, name); !shoulder.is_null()) j["shoulder"] = shoulder;
   return j;
 }
 
@@ -245,7 +247,9 @@ std::string statics_text(const Json& report) {
   if (report.contains("bearings"))
     for (const auto& [name, b] : report["bearings"].items()) {
       text += fmt::format("{} ({} balls) under its load\n", name, b["ball_model"].get<std::string>());
-      text += ring_text(b) + "  " + residual_text(b["search"]);
+      text += ring_text(b);
+      if (b.contains("shoulder")) text += shoulder_text(b["shoulder"], 2);
+      text += "  " + residual_text(b["search"]);
     }
   if (report.contains("shaft")) {
     const auto& s = report["shaft"];

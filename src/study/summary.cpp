@@ -15,6 +15,7 @@
 #include "study/json_number.h"
 #include "study/local_report.h"
 #include "study/recorded_drop.h"
+#include "study/shoulder_words.h"
 #include "study/whirl.h"
 
 namespace rotordrop {
@@ -211,6 +212,9 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     for (const auto& entry : drop_case.parameters.bearings)
       if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == name)
         add_local_report(*recorded, name, *touchdown, bearing);
+    if (scalars.is_free(i))
+      if (auto shoulder = shoulder_json(drop_case.parameters, name); !shoulder.is_null())
+        bearing["shoulder"] = std::move(shoulder);
     bearing["whirl"] = whirl_summary(results, name, drop_case);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);
@@ -308,6 +312,7 @@ std::string summary_text(const Json& j) {
         text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", name.size() + 2,
                             b["axial"]["force"]["smallest"].get<double>() * 1e-3,
                             b["axial"]["force"]["largest"].get<double>() * 1e-3);
+      if (b.contains("shoulder")) text += shoulder_text(b["shoulder"], name.size() + 2);
       if (b.contains("whirl")) text += whirl_text(name, b["whirl"]);
     }
   text += reduction_text(j);

@@ -1,5 +1,7 @@
 #include "thermal/bearing_heat.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -30,7 +32,41 @@ std::vector<HeatBoundary> race(const SectionMesh& mesh, std::size_t body, HeatSi
   return found;
 }
 
+std::string row_port(const char* race, std::size_t row) { return fmt::format("{}_raceway_row_{}", race, row + 1); }
+
+/// A port for the strip of every row on each raceway, if there are strips of several rows.
+void add_row_ports(HeatConductionProblem& p) {
+  const auto inner = p.ports[inner_raceway_port].boundaries, outer = p.ports[outer_raceway_port].boundaries;
+  const auto is_of = [](const std::vector<HeatBoundary>& strips, std::size_t row) {
+    return std::find_if(strips.begin(), strips.end(), [&](const HeatBoundary& b) {
+      return b.side == HeatSide::strip && b.row == static_cast<int>(row);
+    });
+  };
+  const std::size_t n = inner.size();
+  if (n < 2 || outer.size() != n) return;
+  for (std::size_t row = 0; row < n; ++row)
+    if (is_of(inner, row) == inner.end() || is_of(outer, row) == outer.end()) return;
+  for (std::size_t row = 0; row < n; ++row) {
+    p.ports.push_back({row_port("inner", row), {*is_of(inner, row)}});
+    p.ports.push_back({row_port("outer", row), {*is_of(outer, row)}});
+  }
+}
+
 }  // namespace
+
+std::vector<RacewayRowPorts> raceway_row_ports(const HeatConductionProblem& p) {
+  std::vector<RacewayRowPorts> rows;
+  const auto find = [&](const std::string& name) {
+    return static_cast<std::size_t>(
+        std::find_if(p.ports.begin(), p.ports.end(), [&](const HeatPort& port) { return port.name == name; }) -
+        p.ports.begin());
+  };
+  for (std::size_t row = 0;; ++row) {
+    const RacewayRowPorts ports{find(row_port("inner", row)), find(row_port("outer", row))};
+    if (ports.inner == p.ports.size()) return rows;
+    rows.push_back(ports);
+  }
+}
 
 HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const SectionMesh& mesh, double ambient,
                                            const SectionSettings& settings) {
@@ -86,6 +122,8 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
     p.links.push_back({before, port, fin.resistance});
     p.links.push_back({port, {}, fin.to_ambient});
   }
+
+  if (settings.rows_apart) add_row_ports(p);
 
   if (settings.housing_film)
     p.convections = {{{housing, HeatSide::outer}, housing_convection(1.), 0.25, ambient}};  // h = 23 rise^0.25

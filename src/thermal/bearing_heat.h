@@ -19,6 +19,7 @@ enum BearingPort : std::size_t {
 struct SectionSettings {
   bool shaft_is_meshed = false;  ///< otherwise a lump, as in the circuit
   HeatNumerics numerics;
+  bool rows_apart = false;    ///< ports for each row's strips, if the mesh has them
   bool housing_film = false;  ///< eq. (16) on the housing's outside, with the local rise: the problem is not linear
 };
 
@@ -30,6 +31,13 @@ struct SectionSettings {
 /// @param ambient  [K]
 HeatConductionProblem bearing_heat_problem(const BearingCircuitData& bearing, const SectionMesh& mesh, double ambient,
                                            const SectionSettings& settings);
+
+/// Ports of the strips of one row, in a problem whose rows are heated apart; they lie within those of the raceways.
+struct RacewayRowPorts {
+  std::size_t inner = 0, outer = 0;
+};
+/// Of all rows, in the order of their positions; none if they are not heated apart.
+std::vector<RacewayRowPorts> raceway_row_ports(const HeatConductionProblem& problem);
 
 /// Growth of the surfaces per rise of volume means: of the inner ring, of outer ring and housing together, of the outer ring.
 GrowthPerRise section_growth(const BearingCircuitData& bearing);

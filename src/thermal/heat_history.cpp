@@ -85,14 +85,14 @@ std::array<double, n_heated_ports> BearingHeatHistory::sums(double t, bool of_sl
 HeatInput BearingHeatHistory::heat(double t) const {
   const auto [ring, shaft, inner, outer] = sums(t, false);
   const auto [ring_slope, shaft_slope, i, o] = sums(t, true);
-  HeatInput heat{.rub = ring + shaft, .rub_into_ring = ring, .inner = inner, .outer = outer, .balls = {}};
+  HeatInput heat{.rub = ring + shaft, .rub_into_ring = ring, .inner = inner, .outer = outer, .balls = {}, .rows = {}};
   heat.is_in_contact = heat.rub != 0. || ring_slope + shaft_slope != 0.;
   return heat;
 }
 
 HeatInput BearingHeatHistory::rate(double t) const {
   const auto [ring, shaft, inner, outer] = sums(t, true);
-  return {.rub = ring + shaft, .rub_into_ring = ring, .inner = inner, .outer = outer, .balls = {}};
+  return {.rub = ring + shaft, .rub_into_ring = ring, .inner = inner, .outer = outer, .balls = {}, .rows = {}};
 }
 
 double BearingHeatHistory::Part::integral(double until, bool is_unsigned) const {

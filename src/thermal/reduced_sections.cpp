@@ -143,7 +143,14 @@ std::array<std::vector<double>, growth_surfaces.size()> growth_of_means(const Re
 
 // What observe() writes for a surface.
 const std::vector<std::string> surface_columns = {"mean", "lowest", "highest"};
-constexpr std::size_t surface_ports[] = {bore_port, inner_raceway_port, outer_raceway_port, housing_port};
+constexpr std::array<std::size_t, 4> surface_ports = {bore_port, inner_raceway_port, outer_raceway_port, housing_port};
+
+/// Those, and of rows that are heated apart each row's strips.
+std::vector<std::size_t> observed_ports(const ReducedSection& section) {
+  std::vector<std::size_t> ports(surface_ports.begin(), surface_ports.end());
+  for (const auto& row : section.rows) ports.insert(ports.end(), {row.inner, row.outer});
+  return ports;
+}
 
 }  // namespace
 
@@ -169,6 +176,12 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     p.loss = heat.loss;
     p.bore = heat.ports[bore_port].shape;
     p.shaft_surface = heat.ports[shaft_port].shape;
+    for (const auto& row : section.rows) {
+      const auto &inner = heat.ports.at(row.inner), &outer = heat.ports.at(row.outer);
+      p.rows.push_back({input(row.inner), input(row.outer), inner.shape, outer.shape, inner.at_once, outer.at_once,
+                        inner.area / heat.ports[inner_raceway_port].area,
+                        outer.area / heat.ports[outer_raceway_port].area});
+    }
     if (section.balls_roll) {
       p.inner_strip = heat.ports[inner_raceway_port].shape;
       p.outer_strip = heat.ports[outer_raceway_port].shape;
@@ -184,7 +197,8 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& output : *list)
         for (std::size_t i = 0; i < p.n; ++i) p.stored[i] += output.capacity * output.shape[i];
-    for (const std::size_t port : surface_ports) {
+    p.surface_ports = observed_ports(section);
+    for (const std::size_t port : p.surface_ports) {
       const auto& output = heat.ports[port];
       const std::size_t n_points = output.points.size() / p.n;
       Place::Surface surface{std::vector<double>(output.points.size()), output.points_at_once};
@@ -235,6 +249,31 @@ ContactHeat ReducedSections::rolling_heat(const Place& p, const double* y, const
                       p.inner_at_once, 0., p.outer_at_once);
 }
 
+ContactHeat ReducedSections::rolling_heat(const Place& p, const Place::Row& row, const double* y,
+                                          const RowHeat& heat) const {
+  const auto rise = three_sums(y, ambient_, row.inner_strip.data(), row.outer_strip.data(), p.balls.data(), p.n);
+  return contact_heat(heat.balls, rise.a + row.inner_at_once * heat.inner, rise.b + row.outer_at_once * heat.outer,
+                      rise.c, row.inner_at_once, 0., row.outer_at_once);
+}
+
+void ReducedSections::heat_rows(std::size_t k, const double* y, const HeatInput& heat, double* dydt) const {
+  const Place& p = places_[k];
+  double from_balls = 0.;
+  for (std::size_t i = 0; i < p.rows.size(); ++i) {
+    const auto& row = p.rows[i];
+    double q_inner = heat.rows[i].inner, q_outer = heat.rows[i].outer;
+    if (sections_[k].balls_roll) {
+      const ContactHeat q = rolling_heat(p, row, y, heat.rows[i]);
+      q_inner += q.inner;
+      q_outer += q.outer;
+      from_balls += q.from_balls();
+    }
+    add_times(q_inner, row.inner_input.data(), dydt, p.n);
+    add_times(q_outer, row.outer_input.data(), dydt, p.n);
+  }
+  if (sections_[k].balls_roll) add_times(-from_balls, p.ball_input.data(), dydt, p.n);
+}
+
 double ReducedSections::rates(std::span<const double> state, std::span<const HeatInput> heat,
                               std::span<double> dydt) const {
   double lost = 0.;
@@ -251,8 +290,9 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
       q_bore -= q;
       q_shaft += q;
     }
-    double q_inner = heat[k].inner, q_outer = heat[k].outer, from_balls = 0.;
-    if (sections_[k].balls_roll) {
+    const bool is_apart = !p.rows.empty();
+    double q_inner = is_apart ? 0. : heat[k].inner, q_outer = is_apart ? 0. : heat[k].outer, from_balls = 0.;
+    if (sections_[k].balls_roll && !is_apart) {
       const ContactHeat q = rolling_heat(p, y, heat[k]);
       q_inner += q.inner;
       q_outer += q.outer;
@@ -262,7 +302,10 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
                 {p.bore_input.data(), p.shaft_input.data(), p.inner_input.data(), p.outer_input.data(),
                  p.film_input.data(), q_bore, q_shaft, q_inner, q_outer, -film_loss},
                 dydt.data() + p.first, p.n);
-    if (sections_[k].balls_roll) add_times(-from_balls, p.ball_input.data(), dydt.data() + p.first, p.n);
+    if (is_apart)
+      heat_rows(k, y, heat[k], dydt.data() + p.first);
+    else if (sections_[k].balls_roll)
+      add_times(-from_balls, p.ball_input.data(), dydt.data() + p.first, p.n);
     lost += linear_loss + film_loss;
   }
   return lost;
@@ -274,7 +317,7 @@ std::vector<Observable> ReducedSections::observables() const {
     for (const auto* outputs : {&section.heat.bodies, &section.heat.nodes})
       for (const auto& output : *outputs)
         list.push_back({section.name + "/" + output.name, "K", "volume mean of " + output.name, 1, {}});
-    for (const std::size_t port : surface_ports) {
+    for (const std::size_t port : observed_ports(section)) {
       const std::string& name = section.heat.ports[port].name;
       list.push_back({section.name + "/" + name, "K",
                       "temperature of a surface, over its circumference the mean: " + name, 3, surface_columns});
@@ -290,6 +333,44 @@ std::vector<Observable> ReducedSections::observables() const {
   return list;
 }
 
+double* ReducedSections::observe_surfaces(std::size_t k, const double* y, const HeatInput& heat, double* out,
+                                          std::vector<double>& rises) const {
+  const Place& p = places_[k];
+  const ReducedHeat& of = sections_[k].heat;
+  const bool rolls = sections_[k].balls_roll, is_apart = !p.rows.empty();
+  std::vector<double> watts = {heat.rub_into_ring, 0., 0., 0.};
+  if (!is_apart) {
+    const ContactHeat q = rolls ? rolling_heat(p, y, heat) : ContactHeat{};
+    watts[1] = heat.inner + q.inner;
+    watts[2] = heat.outer + q.outer;
+  }
+  for (std::size_t i = 0; i < p.rows.size(); ++i) {
+    const ContactHeat q = rolls ? rolling_heat(p, p.rows[i], y, heat.rows[i]) : ContactHeat{};
+    watts.insert(watts.end(), {heat.rows[i].inner + q.inner, heat.rows[i].outer + q.outer});
+  }
+  for (std::size_t i = 0; i < p.surface_ports.size(); ++i) {
+    const auto& port = of.ports[p.surface_ports[i]];
+    const auto& surface = p.surfaces[i];
+    const Range range = extremes(y, ambient_, p.n, surface.by_mode.data(), surface.at_once.data(), watts[i],
+                                 rises.data(), surface.at_once.size());
+    out[3 * i] = ambient_ + sum(port.shape, y, ambient_) + port.at_once * watts[i];
+    out[3 * i + 1] = ambient_ + range.lowest;
+    out[3 * i + 2] = ambient_ + range.highest;
+  }
+  // A raceway is its rows' strips together.
+  for (std::size_t race = 0; race < 2 && is_apart; ++race) {
+    double* whole = out + 3 * (1 + race);
+    std::fill(whole, whole + 3, 0.);
+    for (std::size_t i = 0; i < p.rows.size(); ++i) {
+      const double* row = out + 3 * (surface_ports.size() + 2 * i + race);
+      whole[0] += (race == 0 ? p.rows[i].inner_share : p.rows[i].outer_share) * row[0];
+      whole[1] = i == 0 ? row[1] : std::min(whole[1], row[1]);
+      whole[2] = i == 0 ? row[2] : std::max(whole[2], row[2]);
+    }
+  }
+  return out + 3 * p.surface_ports.size();
+}
+
 void ReducedSections::observe(std::span<const double> state, std::span<const HeatInput> heats,
                               std::span<double> out) const {
   std::vector<double> rises(most_points_);
@@ -299,17 +380,7 @@ void ReducedSections::observe(std::span<const double> state, std::span<const Hea
     const double* y = state.data() + places_[k].first;
     for (const auto* outputs : {&heat.bodies, &heat.nodes})
       for (const auto& output : *outputs) out[at++] = ambient_ + sum(output.shape, y, ambient_);
-    const ContactHeat rolling = sections_[k].balls_roll ? rolling_heat(places_[k], y, heats[k]) : ContactHeat{};
-    const double watts[] = {heats[k].rub_into_ring, heats[k].inner + rolling.inner, heats[k].outer + rolling.outer, 0.};
-    for (std::size_t i = 0; i < std::size(surface_ports); ++i) {
-      const auto& port = heat.ports[surface_ports[i]];
-      const auto& surface = places_[k].surfaces[i];
-      const Range range = extremes(y, ambient_, places_[k].n, surface.by_mode.data(), surface.at_once.data(), watts[i],
-                                   rises.data(), surface.at_once.size());
-      out[at++] = ambient_ + sum(port.shape, y, ambient_) + port.at_once * watts[i];
-      out[at++] = ambient_ + range.lowest;
-      out[at++] = ambient_ + range.highest;
-    }
+    at = static_cast<std::size_t>(observe_surfaces(k, y, heats[k], out.data() + at, rises) - out.data());
     const auto& elastic = sections_[k].elastic;
     if (elastic && !elastic->drives)
       for (const auto& shape : elastic->growth) out[at++] = sum(shape, y, ambient_);

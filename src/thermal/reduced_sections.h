@@ -19,6 +19,7 @@ struct ReducedSection {
   };
   std::optional<ContactLink> contact_link;  ///< if it is not permanent
   bool balls_roll = false;                  ///< HeatInput::balls join strips and balls
+  std::vector<RacewayRowPorts> rows = {};   ///< where HeatInput::rows heat each row's strips
   /// A linear functional of the states: value = at_rest + shape . (z - T_0).
   struct Functional {
     double at_rest = 0;
@@ -60,6 +61,13 @@ class ReducedSections final : public ThermalModel {
     /// Of balls that roll: mean shapes of strips and balls, input of the balls; rises of strips at once [K/W].
     std::vector<double> inner_strip, outer_strip, balls, ball_input;
     double inner_at_once = 0, outer_at_once = 0;
+    /// Of rows heated apart: inputs and mean shapes of their strips.
+    struct Row {
+      std::vector<double> inner_input, outer_input, inner_strip, outer_strip;
+      double inner_at_once = 0, outer_at_once = 0;
+      double inner_share = 0, outer_share = 0;  ///< of the raceways' area
+    };
+    std::vector<Row> rows;
     std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< of growth_surfaces [m/K]
     bool has_widths = false;                                         ///< the axial growths are not zero
     double film_area = 0;
@@ -67,9 +75,15 @@ class ReducedSections final : public ThermalModel {
       std::vector<double> by_mode;  ///< rises of its points, mode after mode [n * n_points]
       std::vector<double> at_once;  ///< [n_points]
     };
-    std::vector<Surface> surfaces;  ///< of the ports that are observed
+    std::vector<Surface> surfaces;           ///< of the ports that are observed
+    std::vector<std::size_t> surface_ports;  ///< which they are
   };
   [[nodiscard]] ContactHeat rolling_heat(const Place& place, const double* states, const HeatInput& heat) const;
+  [[nodiscard]] ContactHeat rolling_heat(const Place& place, const Place::Row& row, const double* states,
+                                         const RowHeat& heat) const;
+  void heat_rows(std::size_t k, const double* states, const HeatInput& heat, double* dydt) const;
+  double* observe_surfaces(std::size_t k, const double* states, const HeatInput& heat, double* out,
+                           std::vector<double>& rises) const;
   void add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const;
 
   std::vector<ReducedSection> sections_;

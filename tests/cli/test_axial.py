@@ -42,7 +42,9 @@ class Thrust(ProgramTest):
             self.assertAlmostEqual(rows.sum(), -1500, delta=0.002 * 1500)
             self.assertAlmostEqual(min(abs(rows)), pair["preload"][:][late].mean(), delta=1e-9)
             rotor, ring = pair["axial_position"][-1]
-            self.assertAlmostEqual(rotor - ring, 0.3e-3 + 1500 / 5e8, delta=0.1e-6, msg="m: gap, and the shoulder's own spring")
+            stiffness = summary["bearings"]["TB2"]["shoulder"]["stiffness"]
+            self.assertAlmostEqual(rotor - ring, 0.3e-3 + 1500 / stiffness, delta=0.02e-6, msg="m: gap, and the shoulder's own spring")
+            self.assertGreater(summary["bearings"]["TB2"]["load_torque_peak"], 0.05, "N m: thrust makes friction")
             self.assertLess(abs(file["bearings/TB1/axial_force"][-1]), 30, "N: no shoulder there")
             for name in ("TB1", "TB2"):
                 touching = file[f"bearings/{name}/contact_force"][:] > 0
@@ -50,6 +52,62 @@ class Thrust(ProgramTest):
             axial = summary["bearings"]["TB2"]["axial"]
             self.assertGreaterEqual(axial["force"]["largest"], pair["axial_force"][:].max())
             self.assertEqual(axial["rotor_position"]["end"], rotor)
+
+    def shoulder(self, *options):
+        return json.loads(self.succeed("statics", "neisi2019-thrust.toml", "--bearing", "TB2", "--json", *options).stdout)["bearings"]["TB2"]["shoulder"]
+
+    def test_a_shoulder_is_as_stiff_as_its_bodies(self):
+        """Half space under an annulus (Boussinesq by Hankel's transform, closed with Gauss' function here) and the ring's wall from the -x face to row 2, 24 mm."""
+        E, nu, a, b = 2e11, 0.3, 35e-3, 39e-3
+        gauss = sum_of_series = 1.0
+        for n in range(2000):  # 2F1(1/2, -1/2; 2; (a/b)^2)
+            gauss *= (n + 0.5) * (n - 0.5) / ((n + 2) * (n + 1)) * (a / b) ** 2
+            sum_of_series += gauss
+        area = b * b - a * a
+        rotor = math.pi * E * area**2 / (4 * (1 - nu * nu) * (4 * (a**3 + b**3) / (3 * math.pi) - a * a * b * sum_of_series))
+        ring = E * math.pi * area / 24e-3
+        found = self.shoulder()
+        self.assertEqual(found["stiffness_from"], "geometry")
+        self.assertAlmostEqual(found["rotor_stiffness"] / rotor, 1, delta=1e-9)
+        self.assertAlmostEqual(found["ring_stiffness"] / ring, 1, delta=1e-12)
+        self.assertAlmostEqual(found["stiffness"] / (1 / (1 / rotor + 1 / ring)), 1, delta=1e-9)
+        given = self.shoulder("--set", "bearings.TB2.shoulders.stiffness=5e8 N/m")
+        self.assertEqual((given["stiffness"], given["stiffness_from"]), (5e8, "given"))
+
+    def test_the_force_on_the_shoulder_by_energy(self):
+        """The thrust over gap and springs is the energy of the shoulder's spring and of the balls: two rows of Z = 23 balls, K = 9.9238e9 N/m^1.5, moved along the axis against
+        each other from 290 N each; here by steps of the ring, forces by Hertz, energies by the trapezoidal rule."""
+        A, phi, K, Z = 0.04 * 9.525e-3, math.radians(25), 9.9238e9, 23
+        x = numpy.linspace(-2e-5, 2e-4, 400001)
+        B_x = A * math.sin(phi) + x
+        distance = numpy.hypot(A * math.cos(phi), B_x)
+        row = Z * K * numpy.maximum(distance - A, 0) ** 1.5 * B_x / distance
+        offset = numpy.interp(290, row, x)
+        e = numpy.linspace(0, 1.5e-4, 100001)
+        force = numpy.interp(offset + e, x, row) - numpy.interp(offset - e, x, row)
+        work = numpy.concatenate(([0], numpy.cumsum((force[1:] + force[:-1]) / 2 * numpy.diff(e))))
+        found = self.shoulder()
+        for name, k in (("half_stiffness", 0.5), ("stiffness", 1.0), ("double_stiffness", 2.0)):
+            k *= found["stiffness"]
+            left = 1500 * (0.3e-3 + force / k + e) - force**2 / (2 * k) - work
+            expected = numpy.interp(0, -left[1:], force[1:])
+            side, = found["sides"]
+            self.assertAlmostEqual(side["force_by_energy"][name] / expected, 1, delta=1e-3, msg="K to five digits")
+        self.assertEqual(side["push"], "+x")
+        self.assertAlmostEqual(side["approach_speed"], math.sqrt(2 * 1500 * 0.3e-3 / 109.7), delta=1e-5)
+        check = self.succeed("check", "neisi2019-thrust.toml").stdout
+        self.assertRegex(check, r"shoulder stiffness 4\.97e\+09 N/m \(from the bodies")
+        self.assertRegex(check, r"kN with half, [\d.]+ kN with double that stiffness")
+
+    def test_a_radius_beside_the_ring_is_a_fault(self):
+        done = self.call("check", "neisi2019-thrust.toml", "--set", "bearings.TB2.shoulders.radius=50 mm")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("shoulders.radius = 50 mm is not on the inner ring's face, which reaches from 35 mm to 39 mm", done.stderr)
+
+    def test_radial_friction_under_thrust_is_warned_of(self):
+        done = self.call("check", "neisi2019-thrust.toml", "--set", "bearings.load_law=radial")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(" ".join(done.stderr.split()), r'TB2 takes axial load .* with load_law = "radial" thrust makes no friction')
 
     def test_the_way_to_the_shoulder_is_a_fall(self):
         self.run_case("neisi2019-thrust.toml", run__end_time="7.2 ms", output__interval="10 us")

@@ -85,6 +85,41 @@ class GrowthBySpeed(ProgramTest):
         self.assertAlmostEqual(history["preload"]["end"] / recorded, 1, delta=1e-3)
 
 
+    def test_preload_at_the_end_is_that_of_growth_and_speed_given_by_hand(self):
+        """What a user does: growth by heat at the end, the ring's speed and the balls' force from the results, by hand into `statics` and `preload`. Temperatures of rings
+        that grow evenly give the widths; what the raceways grow besides is a growth of its own. `preload` adds growth by speed itself; `statics` gets it by the closed form."""
+        _, file = self.run_case(run__end_time="0.15 s")
+        keys = settings(thermal__growth_by_speed="closed-form", thermal__expansion="formula", statics__subject="bearings")
+        alpha, d, phi, width = 11.8e-6, 9.525e-3, np.radians(25), WIDTH["TB2"]
+        heat, felt = file["growth/lumped/TB2"][-1], file["bearings/TB2/expansion"][-1]
+        speed, force = file["bearings/TB2/ring_speed"][-1], -file["bearings/TB2/bearing_force"][-1]
+        recorded = file["bearings/TB2/preload"][-1]
+        self.assertGreater(felt[INNER] - heat[INNER], 0.9e-6, "m by speed")
+        self.assertGreater(heat[INNER], 0.2e-6, "m by heat")
+        self.assertGreater(recorded, 2 * 290)
+
+        def by_hand(table, growth, extra):
+            rises = {"inner": growth[INNER_WIDTH] / (alpha * width), "outer": growth[OUTER_WIDTH] / (alpha * width)}
+            words = {f"{table}__inner_growth": growth[INNER] - alpha * rises["inner"] * INNER_CONTACT["TB2"] + extra(rises),
+                     f"{table}__outer_growth": growth[OUTER] - alpha * rises["outer"] * OUTER_CONTACT["TB2"], f"{table}__force": [0.0, *map(float, force)]}
+            return rises, settings(**{key: value if isinstance(value, list) else f"{value!r} m" for key, value in words.items()})
+
+        rises, words = by_hand("statics", felt, lambda rises: 0.0)
+        more = settings(statics__inner_rise=f"{rises['inner']!r} K", statics__outer_rise=f"{rises['outer']!r} K", statics__ball_rise=f"{felt[BALL] / (alpha * d / 2)!r} K")
+        rest = json.loads(self.succeed("statics", "reference.toml", "--bearing", "TB2", "--json", *keys, *words, *more).stdout)["bearings"]["TB2"]
+        self.assertAlmostEqual(rest["preload"] / recorded, 1, delta=1e-3)
+
+        # Maps of `preload` take balls between the rings' temperatures: what they lack to that, along the contact normal, is taken from the inner raceway.
+        balls = lambda rises: 2 * (heat[BALL] - alpha * d / 2 * 0.5 * (rises["inner"] + rises["outer"])) / np.cos(phi)
+        rises, words = by_hand("preload", heat, balls)
+        more = settings(preload__speed=f"{speed!r} rad/s", preload__map__growth="[]", preload__map__interference="[]",
+                        preload__map__inner_rise=f"[\"{rises['inner']!r} K\", \"{rises['inner'] + 1!r} K\"]", preload__map__outer_rise=f"[\"{rises['outer']!r} K\", \"{rises['outer'] + 1!r} K\"]",
+                        preload__critical_values="false", preload__end_time="1 s")
+        self.succeed("preload", "reference.toml", "--bearing", "TB2", "-o", "by-hand", *keys, *words, *more)
+        maps = json.loads((self.folder / "by-hand/preload.json").read_text())["bearings"]["TB2"]["maps"]["rise"]
+        self.assertAlmostEqual(maps["corners"][0]["preload"] / recorded, 1, delta=1e-3)
+
+
 class FaultyCases(ProgramTest):
     def fault(self, text):
         case = self.case(text)

@@ -1,0 +1,17 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "machine/machine_parameters.h"
+
+namespace rotordrop {
+
+/// Shoulders beside a bearing's ring as JSON: stiffness, where it is from, and the force by energy for half, all and twice of it; null without shoulders.
+nlohmann::ordered_json shoulder_json(const MachineParameters& parameters, const std::string& bearing);
+/// The same as lines for the screen. @param indent  spaces before each line
+std::string shoulder_text(const nlohmann::ordered_json& shoulder, std::size_t indent);
+
+/// Values of a touchdown bearing in the program's convention and in that of catalogues and fit tables, side by side.
+std::string conventions_text(const MachineParameters& parameters, const std::string& bearing);
+
+}  // namespace rotordrop
