@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "analysis/section_coupling.h"
 #include "machine/rotor_report.h"
 #include "machine/statics.h"
-#include "study/drop_fields.h"
 #include "study/elastic_state.h"
 #include "study/fe_summary.h"
 #include "study/json_number.h"

@@ -1,5 +1,5 @@
 // Rows at every multiple of an interval while something changes, seldom otherwise.
-#include "study/row_schedule.h"
+#include "analysis/row_schedule.h"
 
 #include <gtest/gtest.h>
 
