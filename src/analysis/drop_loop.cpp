@@ -5,6 +5,29 @@
 #include <stdexcept>
 
 namespace rotordrop {
+namespace {
+
+/// Tells whether growth that comes from outside goes on otherwise than it did.
+class GrowthWatch {
+ public:
+  GrowthWatch(const GrowthHistory* growth, std::size_t n_places) : growth_(growth), before_(n_places), now_(n_places) {}
+  void remember(double t) {
+    if (growth_) growth_->rate(t, before_);
+  }
+  [[nodiscard]] bool has_changed(double t) {
+    if (!growth_) return false;
+    growth_->rate(t, now_);
+    for (std::size_t i = 0; i < now_.size(); ++i)
+      if (growth_values(now_[i]) != growth_values(before_[i])) return true;
+    return false;
+  }
+
+ private:
+  const GrowthHistory* growth_;
+  std::vector<Expansion> before_, now_;
+};
+
+}  // namespace
 
 /// Without an integrator it is the start.
 class DropLoop::EndedStep final : public Step {
@@ -37,10 +60,13 @@ DropLoop::DropLoop(const Machine& machine, const IntegrationParameters& integrat
 bool DropLoop::run(const std::function<bool()>& is_stopped) {
   if (is_at_end()) return true;
   start();
+  GrowthWatch growth(found_.growth_in_force, machine_.n_thermal_places());
   while (!is_at_end()) {
     integrator_->advance();
     const EndedStep step = ended_step();
+    growth.remember(step.time);
     show(step);
+    if (step.is_observed && growth.has_changed(step.time)) evaluate_end(step.time, step.after);
     time_ = step.time;
     std::copy(step.after.begin(), step.after.end(), state_.begin());
     if (is_stopped && is_stopped()) break;
