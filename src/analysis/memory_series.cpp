@@ -5,23 +5,22 @@
 
 namespace rotordrop {
 
-MemorySeries::MemorySeries(const Machine& machine, Drop& drop, const std::vector<std::string>& paths) {
-  drop.rows().add(groups_.emplace_back(
-      std::initializer_list<const std::vector<Observable>*>{&machine.step_observables(), &machine.state_observables()},
-      paths));
-  drop.detail_rows().add(groups_.emplace_back(
-      std::initializer_list<const std::vector<Observable>*>{&machine.detail_observables()}, paths));
+MemorySeries::MemorySeries(const Machine& machine, Drop& drop, const Choice& is_kept) {
+  using Lists = std::initializer_list<const std::vector<Observable>*>;
   const auto own = drop.sections().observables();
-  drop.sections().add(groups_.emplace_back(std::initializer_list<const std::vector<Observable>*>{&own}, paths));
+  drop.rows().add(
+      groups_.emplace_back("/time", Lists{&machine.step_observables(), &machine.state_observables()}, is_kept));
+  drop.detail_rows().add(groups_.emplace_back("/detail/time", Lists{&machine.detail_observables()}, is_kept));
+  drop.sections().add(groups_.emplace_back("/windows/time", Lists{&own}, is_kept));
 }
 
-MemorySeries::Group::Group(std::initializer_list<const std::vector<Observable>*> lists,
-                           const std::vector<std::string>& paths) {
+MemorySeries::Group::Group(std::string times_path, std::initializer_list<const std::vector<Observable>*> lists,
+                           const Choice& is_kept)
+    : path(std::move(times_path)) {
   std::size_t at = 0;
   for (const auto* list : lists)
     for (const auto& o : *list) {
-      if (paths.empty() || std::find(paths.begin(), paths.end(), o.name) != paths.end())
-        kept.push_back({o.name, at, o.size, {}});
+      if (!is_kept || is_kept(o.name)) kept.push_back({o.name, at, o.size, {}});
       at += o.size;
     }
 }
@@ -54,11 +53,16 @@ SeriesInMemory MemorySeries::series(const std::string& path, std::size_t column)
   return s;
 }
 
-std::vector<std::string> MemorySeries::paths() const {
-  std::vector<std::string> list;
-  for (const auto& group : groups_)
-    for (const auto& k : group.kept) list.push_back(k.path);
-  return list;
+void MemorySeries::restore(const std::function<std::vector<double>(const std::string& path)>& read) {
+  for (auto& group : groups_) {
+    if (group.kept.empty()) continue;
+    group.times = read(group.path);
+    for (auto& k : group.kept) {
+      k.values = read(k.path);
+      if (k.values.size() != group.times.size() * k.size)
+        throw std::invalid_argument("rows of " + k.path + " are missing");
+    }
+  }
 }
 
 }  // namespace rotordrop

@@ -12,6 +12,7 @@
 #include "base/cpu_time.h"
 #include "base/errors.h"
 #include "io/checkpoint.h"
+#include "io/recorded_series.h"
 #include "io/sha256.h"
 
 namespace rotordrop {
@@ -49,10 +50,11 @@ std::string digests_of_files(const Case& c) {
 }  // namespace
 
 DropCheckpoints::DropCheckpoints(const fs::path& directory, const Case& drop_case, const Machine& machine, Drop& drop,
-                                 DropRecord& record, ResultsFolder& folder, Tell tell)
+                                 DropRecord& record, MemorySeries& series, ResultsFolder& folder, Tell tell)
     : directory_(directory),
       drop_(drop),
       record_(record),
+      series_(series),
       folder_(folder),
       tell_(std::move(tell)),
       interval_(drop_case.parameters.output.checkpoint_interval),
@@ -113,7 +115,7 @@ void DropCheckpoints::resume() {
   for (fs::path newer; newer = read_newest(newer), true;) {
     try {
       if (time_ > 0.)
-        record_.resume(time_, recorded_);
+        record_.resume(time_, recorded_, series_);
       else
         record_.open(true);
       return;

@@ -16,8 +16,9 @@ namespace rotordrop {
 class DropCheckpoints final : public Observer {
  public:
   using Tell = std::function<void(const std::string&)>;
+  /// @param series  gets the rows of before when the drop is resumed
   DropCheckpoints(const std::filesystem::path& directory, const Case& drop_case, const Machine& machine, Drop& drop,
-                  DropRecord& record, ResultsFolder& folder, Tell tell);
+                  DropRecord& record, MemorySeries& series, ResultsFolder& folder, Tell tell);
 
   /// Puts drop and record where the newest checkpoint left them, or to the start if there is none yet.
   /// @throws InputError if the folder holds another case, a finished run or nothing that can be read
@@ -42,6 +43,7 @@ class DropCheckpoints final : public Observer {
   std::filesystem::path directory_;
   Drop& drop_;
   DropRecord& record_;
+  MemorySeries& series_;
   ResultsFolder& folder_;
   Tell tell_;
   double interval_;                   // of wall time [s]

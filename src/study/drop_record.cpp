@@ -3,6 +3,8 @@
 #include "base/version.h"
 #include "integrate/sundials_version.h"
 #include "io/hdf5_version.h"
+#include "io/recorded_series.h"
+#include "io/resumed_recording.h"
 
 namespace rotordrop {
 namespace {
@@ -45,8 +47,10 @@ void DropRecord::open(bool overwrite) {
   recorder_.emplace(file_, record_header(case_), groups_, options);
 }
 
-void DropRecord::resume(double time, const RecordedRows& recorded) {
+void DropRecord::resume(double time, const RecordedRows& recorded, MemorySeries& series) {
   recorder_.emplace(resume_recording(file_, time, record_header(case_), groups_, {}, recorded).recorder);
+  recorder_->flush();
+  series.restore([&](const std::string& path) { return read_series(file_, path).values; });
 }
 
 }  // namespace rotordrop

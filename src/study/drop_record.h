@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "analysis/drop.h"
+#include "analysis/memory_series.h"
 #include "io/recorder.h"
 #include "study/case.h"
 
@@ -17,7 +18,8 @@ class DropRecord {
   /// A new file. @param overwrite  one that is there
   void open(bool overwrite);
   /// The file of an interrupted run, cut at a time. @throws DamagedFile if it lacks rows that were `recorded` by then
-  void resume(double time, const RecordedRows& recorded);
+  /// @param series  gets the rows that the file keeps
+  void resume(double time, const RecordedRows& recorded, MemorySeries& series);
   /// On the disk. @returns how far it has come
   RecordedRows sync() { return recorder_->sync(); }
   void close() { recorder_->close(); }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 #include <optional>
 
 #include "base/errors.h"
@@ -15,6 +15,16 @@
 
 namespace rotordrop {
 namespace {
+
+/// Series of which the summary tells: orbits and rubs of the bearings, and all of finite elements.
+bool is_in_summary(const std::string& path) {
+  if (path.starts_with("/fe/") || path.starts_with("/windows/") || path.starts_with("/rotor/")) return true;
+  if (path.starts_with("/ledger/")) return path.find('/', std::string_view("/ledger/").size()) != std::string::npos;
+  if (!path.starts_with("/bearings/")) return false;
+  const std::string name = path.substr(path.rfind('/') + 1);
+  const auto names = {"orbit", "penetration", "ring_position", "ring_speed", "slip_speed"};
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 [[noreturn]] void fail(const SolverError& error, const Drop& drop, DropCheckpoints& checkpoints, DropRecord& record) {
   std::string text = error.what();
@@ -31,14 +41,16 @@ namespace {
 
 }  // namespace
 
-DropResult run_drop(const Case& c, const Machine& machine, const RunOptions& options) {
+FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& options) {
   const auto& p = c.parameters;
   ResultsFolder folder(options.directory, options.resume  ? ResultsFolder::Existing::resume
                                           : options.force ? ResultsFolder::Existing::replace
                                                           : ResultsFolder::Existing::refuse);
   Drop drop(machine, p, p.integration, p.output, options.elements, options.tell);
   DropRecord record(options.directory, c, machine, drop);
-  DropCheckpoints checkpoints(options.directory, c, machine, drop, record, folder, options.tell);
+  const bool are_two = p.thermal.has_lumped && p.thermal.has_fe;
+  MemorySeries series(machine, drop, are_two ? MemorySeries::Choice{} : is_in_summary);
+  DropCheckpoints checkpoints(options.directory, c, machine, drop, record, series, folder, options.tell);
   DropProgress progress(machine, drop, drop.sections().growth_in_force(), options.report);
   drop.loop().add(progress);
   drop.loop().add(checkpoints);
@@ -60,7 +72,7 @@ DropResult run_drop(const Case& c, const Machine& machine, const RunOptions& opt
   } catch (const SolverError& error) {
     fail(error, drop, checkpoints, record);
   }
-  DropResult result = drop.result();
+  FinishedDrop result{drop.result(), {}, nullptr};
   if (!result.completed) checkpoints.save();
   progress.tell(result.end_time, result.state);
   record.close();
@@ -68,7 +80,8 @@ DropResult run_drop(const Case& c, const Machine& machine, const RunOptions& opt
   result.wall_time = checkpoints.wall_time();
   result.cpu_time = checkpoints.cpu_time();
 
-  auto summary = summarise(c, machine, drop.scalars(), result, options.elements, record.file());
+  result.recorded = std::make_shared<const RecordedDrop>(c, std::move(series), options.directory);
+  auto& summary = result.summary = summarise(c, machine, drop.scalars(), result, options.elements, *result.recorded);
   summary["input_warnings"] = nlohmann::ordered_json::array();
   for (const auto& warning : c.warnings)
     summary["input_warnings"].push_back(

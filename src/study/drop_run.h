@@ -2,11 +2,14 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "analysis/drop.h"
 #include "study/case.h"
 #include "study/drop_progress.h"
+#include "study/recorded_drop.h"
 
 namespace rotordrop {
 
@@ -20,9 +23,16 @@ struct RunOptions {
   std::function<void(const std::string&)> tell;      ///< called with what a user should know
 };
 
+/// A drop that was run into a directory, with what was written there.
+struct FinishedDrop : DropResult {
+  nlohmann::ordered_json summary;  ///< as in summary.json
+  std::shared_ptr<const RecordedDrop>
+      recorded;  ///< series that its summary needs; all if two thermal models can be compared
+};
+
 /// Runs a case into a directory: results.h5, parameters.toml, checkpoints and summary.json.
 /// @throws InputError if the directory holds results and neither force nor resume is set
 /// @throws SolverError if the integration fails; the last good state is saved as a checkpoint in DIRECTORY/failed
-DropResult run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options);
+FinishedDrop run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options);
 
 }  // namespace rotordrop
