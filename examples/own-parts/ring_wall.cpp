@@ -135,7 +135,13 @@ std::vector<Observable> RingWall::observables() const {
   for (const auto& b : bearings_) {
     list.push_back({b.name + "/shaft", "K", "temperature of the shaft under " + b.name});
     list.push_back({b.name + "/bore", "K", "temperature of the bore's surface, " + b.name});
-    list.push_back({b.name + "/inner_ring", "K", "mean temperature of the inner ring, " + b.name});
+    list.push_back({b.name + "/inner_ring",
+                    "K",
+                    "mean temperature of the inner ring, " + b.name,
+                    1,
+                    {},
+                    Observed::inner_ring_temperature,
+                    b.name});
     list.push_back({b.name + "/shells", "K", "temperature of the inner ring's shells, " + b.name, n_shells_, columns});
     list.push_back({b.name + "/outside", "K", "temperature of outer ring and housing, " + b.name});
   }

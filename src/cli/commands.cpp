@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <csignal>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -110,11 +109,10 @@ int check_heat_case(const std::filesystem::path& file, const std::vector<std::st
 }
 
 /// Of a run with both thermal models: the comparison beside its results.
-void compare_after_run(const Case& drop_case, const RunCommand& command, const std::filesystem::path& directory) {
+void compare_after_run(const Case& drop_case, const RunCommand& command, const std::filesystem::path& directory,
+                       const RecordedDrop& drop) {
   const auto& thermal = drop_case.parameters.thermal;
-  if (!thermal.has_lumped || !thermal.has_fe) return;
-  const RecordedDrop drop(directory, drop_case);
-  if (drop.bearings().empty()) return;
+  if (!thermal.has_lumped || !thermal.has_fe || drop.bearings().empty()) return;
   Comparison comparison;
   try {
     comparison = compare_models(drop, nullptr, {});
@@ -177,7 +175,7 @@ int run_command(const RunCommand& command) {
   if (!command.quiet) fmt::print("{}", header(drop_case));
   std::fflush(stdout);
   catch_signals();
-  DropResult result;
+  FinishedDrop result;
   try {
     result = run_drop(drop_case, *machine, options);
   } catch (...) {
@@ -186,13 +184,12 @@ int run_command(const RunCommand& command) {
   }
   line.finish();
   if (!command.quiet) {
-    std::ifstream file(options.directory / "summary.json");
-    fmt::print("{}", summary_text(nlohmann::ordered_json::parse(file)));
+    fmt::print("{}", summary_text(result.summary));
     fmt::print("{} steps, {:.3g} s; results in {}\n", result.statistics.steps, result.wall_time,
                options.directory.string());
   }
   if (result.completed) {
-    compare_after_run(drop_case, command, options.directory);
+    compare_after_run(drop_case, command, options.directory, *result.recorded);
     return 0;
   }
   std::string again =

@@ -33,12 +33,11 @@ int SundialsProblem::right_hand_side(realtype t, N_Vector y, N_Vector dydt, void
   const std::span<const double> state(NV_DATA_S(y), problem.n_);
   const std::span<double> rates(NV_DATA_S(dydt), problem.n_);
   ++problem.rhs_evaluations_;
-  if (problem.is_offered_) {
-    problem.is_offered_ = false;
-    if (t == problem.offered_time_ && std::equal(state.begin(), state.end(), problem.offered_state_.begin())) {
-      std::copy(problem.offered_rates_.begin(), problem.offered_rates_.end(), rates.begin());
-      return 0;
-    }
+  // Interpolants and repeated steps ask for them too, some after other states.
+  if (problem.is_offered_ && t == problem.offered_time_ &&
+      std::equal(state.begin(), state.end(), problem.offered_state_.begin())) {
+    std::copy(problem.offered_rates_.begin(), problem.offered_rates_.end(), rates.begin());
+    return 0;
   }
   try {
     problem.system_.rhs(t, state, rates);

@@ -85,12 +85,12 @@ Node parsed_toml(std::string_view text, const PositionsOf& position) {
   return converted_table(toml::parse(text, position.file), position);
 }
 
-/// @param named_at   the `base` key that names the file; unknown for the first file
+/// @param text       of the file at `path`
 /// @param including  the files from the first one to the one that names this
-Node read_with_bases(const std::filesystem::path& path, const SourcePosition& named_at,
+Node read_with_bases(std::string_view text, const std::filesystem::path& path,
                      std::vector<std::filesystem::path> including,
                      const std::function<void(Node&, const std::filesystem::path&)>& complete) {
-  Node tree = parse_toml(read_input_file(path, named_at), path.string());
+  Node tree = parse_toml(text, path.string());
   if (complete) complete(tree, path);
   const Node* base = tree.find("base");
   if (!base) return tree;
@@ -110,7 +110,8 @@ Node read_with_bases(const std::filesystem::path& path, const SourcePosition& na
                      fmt::format("The chain of bases is {}{}.", chain, again->filename().string()));
   }
   tree.erase("base");
-  return merged(read_with_bases(base_path, where_base, std::move(including), complete), tree);
+  return merged(read_with_bases(read_input_file(base_path, where_base), base_path, std::move(including), complete),
+                tree);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -171,7 +172,12 @@ Node parse_toml(std::string_view text, const std::string& file) {
 
 Node read_toml(const std::filesystem::path& path,
                const std::function<void(Node&, const std::filesystem::path& file)>& complete) {
-  return read_with_bases(path, {}, {}, complete);
+  return read_with_bases(read_input_file(path), path, {}, complete);
+}
+
+Node read_toml_text(std::string_view text, const std::filesystem::path& path,
+                    const std::function<void(Node&, const std::filesystem::path& file)>& complete) {
+  return read_with_bases(text, path, {}, complete);
 }
 
 void apply_override(Node& tree, std::string_view assignment) {

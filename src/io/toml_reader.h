@@ -20,6 +20,10 @@ namespace rotordrop {
 Node read_toml(const std::filesystem::path& path,
                const std::function<void(Node&, const std::filesystem::path& file)>& complete = {});
 
+/// The same of a text, as if it stood in a file of that path, which need not exist.
+Node read_toml_text(std::string_view text, const std::filesystem::path& path,
+                    const std::function<void(Node&, const std::filesystem::path& file)>& complete = {});
+
 /// Reads TOML text without looking at `base`; `file` is how positions call it.
 Node parse_toml(std::string_view text, const std::string& file);
 

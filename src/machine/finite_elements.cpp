@@ -262,7 +262,7 @@ std::vector<Observable> WindowedSections::observables() const {
     }
     list.push_back(growth_observable(path + "growth", "thermal growth"));
     if (section.grows_elastically)
-      for (auto& o : housing_fit_observables(path)) list.push_back(std::move(o));
+      for (auto& o : housing_fit_observables(path, section.name)) list.push_back(std::move(o));
     else if (section.elastic)
       list.push_back(growth_observable(path + "elastic_growth", judged_growth_name));
     if (!section.row_growth.empty()) list.push_back(row_growth_observable(path, section.row_growth.size()));

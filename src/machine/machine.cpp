@@ -92,10 +92,12 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
 }
 
 void Machine::list_observables() {
-  const auto add = [](std::vector<Observable>& list, const std::string& prefix, const std::vector<Observable>& more) {
+  const auto add = [](std::vector<Observable>& list, const std::string& prefix, const std::vector<Observable>& more,
+                      const std::string& place = {}) {
     std::size_t size = 0;
     for (Observable o : more) {
       o.name = prefix + o.name;
+      if (o.place.empty()) o.place = place;
       size += o.size;
       list.push_back(std::move(o));
     }
@@ -104,14 +106,18 @@ void Machine::list_observables() {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const auto& support = *parts_.supports[i];
     const std::string prefix = "/bearings/" + support.name() + "/";
-    places_[i].n_step = add(step_observables_, prefix, support.observables());
-    places_[i].n_detail = add(detail_observables_, prefix, support.detailed_observables());
+    places_[i].n_step = add(step_observables_, prefix, support.observables(), support.name());
+    places_[i].n_detail = add(detail_observables_, prefix, support.detailed_observables(), support.name());
   }
   add(state_observables_, "/rotor/",
       {{"spin_speed", "rad/s", "spin speed of the rotor", 1, {}},
        {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
-  for (std::size_t i = 0; i < thermal_.size(); ++i)
-    thermal_[i].n_observed = add(state_observables_, parts_.thermal[i].place, parts_.thermal[i].model->observables());
+  for (std::size_t i = 0; i < thermal_.size(); ++i) {
+    auto observables = parts_.thermal[i].model->observables();
+    for (auto& o : observables)
+      if (o.unit == "K" && o.kind == Observed::other) o.kind = Observed::temperature;
+    thermal_[i].n_observed = add(state_observables_, parts_.thermal[i].place, observables);
+  }
   for (const auto& part : parts_.thermal)
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (parts_.thermal_place[i])

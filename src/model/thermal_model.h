@@ -25,7 +25,7 @@ class ThermalModel {
   /// Rates of the temperatures [K/s]; returns the heat lost to ambient [W].
   virtual double rates(std::span<const double> temperature, std::span<const HeatInput> heat,
                        std::span<double> dydt) const = 0;
-  /// What observe() writes, in order; names such as "TB1/inner_ring" become dataset names.
+  /// What observe() writes, in order; names such as "TB1/inner_ring" become dataset names. What is in kelvin is an absolute temperature.
   [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
   virtual void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                        std::span<double> out) const = 0;

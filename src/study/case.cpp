@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 #include "io/json_reader.h"
 #include "io/parameter_writers.h"
 #include "io/source_comments.h"
 #include "io/toml_reader.h"
 #include "machine/build_machine.h"
+#include "study/case_text.h"
 #include "study/plausibility.h"
 #include "study/program_files.h"
 
@@ -179,14 +181,17 @@ std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
 
 std::vector<ErasedSection> case_sections() { return {case_section().erased()}; }
 
-Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
+namespace {
+
+/// @param read  the tree of `file` with its bases
+Case case_of(const fs::path& file, const std::vector<std::string>& overrides, const std::function<Node()>& read) {
   Case result;
   result.file = file;
   result.name = file.stem().string();
   if (std::any_of(result.name.begin(), result.name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
     throw InputError({file.string(), 0, 0}, "the name of this file holds a control character, such as a line break.",
                      "The case is called as the file: use letters, digits, - and _.");
-  result.tree = read_toml(file, load_catalogue_bearings);
+  result.tree = read();
   Node over = Node::table(result.tree.where());
   for (const auto& assignment : overrides) {
     apply_override(result.tree, assignment);  // finds out whether it can be set
@@ -216,6 +221,18 @@ Case read_case(const fs::path& file, const std::vector<std::string>& overrides) 
   result.resolved = write_resolved({section.erased()}, result.tree,
                                    [&comments](const SourcePosition& where) { return comments.at(where); });
   return result;
+}
+
+}  // namespace
+
+Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
+  return case_of(file, overrides, [&] { return read_toml(file, load_catalogue_bearings); });
+}
+
+Case read_case_text(std::string_view text, const fs::path& folder, const std::string& name,
+                    const std::vector<std::string>& overrides) {
+  const fs::path file = folder / (name + ".toml");
+  return case_of(file, overrides, [&] { return read_toml_text(text, file, load_catalogue_bearings); });
 }
 
 std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {

@@ -1,42 +1,27 @@
 #pragma once
 #include <filesystem>
 #include <limits>
-#include <span>
 #include <vector>
 
+#include "analysis/section_coupling.h"
 #include "io/field_series.h"
-#include "machine/finite_elements.h"
-#include "machine/machine.h"
 #include "thermal/fe_parameters.h"
 
 namespace rotordrop {
 
-/// Puts the temperatures of sections that are in the state vector into their solvers' fields.
-/// @param found  by an evaluation of y
-void lift_sections(FiniteElements& elements, const Machine& machine, std::span<const double> y,
-                   const Evaluation& found);
-
 /// Temperature fields of a drop's sections: DIRECTORY/fields/BEARING.pvd.
-class DropFields {
+class DropFields final : public FieldSink {
  public:
   /// @param start  of the run [s]; above 0 the series there is gone on with
   DropFields(const std::filesystem::path& directory, FiniteElements& elements, const FeParameters& parameters,
-             const Machine& machine, double start);
+             double start);
 
-  /// When a field is wanted next [s]; infinity if none is.
-  [[nodiscard]] double next() const { return next_; }
-  /// Whether it is wanted at t [s] or before.
-  [[nodiscard]] bool is_due(double t) const;
-  /// Of sections in the state vector. @param found  by an evaluation of y
-  void write_reduced(std::span<const double> y, const Evaluation& found);
-  /// Of sections that run in windows: as their solvers stand.
-  void write_windowed(double t);
+  [[nodiscard]] double next() const override { return next_; }
+  [[nodiscard]] bool is_due(double t) const override;
+  void write(double t) override;
 
  private:
-  void write(std::size_t section, double t);
-
   FiniteElements& elements_;
-  const Machine& machine_;
   const FieldTimes times_;
   std::vector<FieldSeries> series_;
   double next_ = std::numeric_limits<double>::infinity();

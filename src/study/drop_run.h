@@ -2,26 +2,16 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
-#include <optional>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
-#include "integrate/integrator.h"
-#include "machine/finite_elements.h"
-#include "machine/machine.h"
+#include "analysis/drop.h"
 #include "study/case.h"
-#include "study/drop_scalars.h"
+#include "study/drop_progress.h"
+#include "study/recorded_drop.h"
 
 namespace rotordrop {
-
-/// Where a run stands; for the moving line.
-struct Progress {
-  double time = 0, end_time = 0;      ///< [s]
-  double wall_time = 0;               ///< since the start of this program's part of the run [s]
-  double wall_time_left = 0;          ///< estimate [s]
-  double rotor_speed = 0;             ///< [rad/s]
-  double largest_contact_force = 0;   ///< so far [N]
-  double inner_ring_temperature = 0;  ///< the warmest inner ring [K]; NaN if there is none
-};
 
 struct RunOptions {
   std::filesystem::path directory;
@@ -33,28 +23,16 @@ struct RunOptions {
   std::function<void(const std::string&)> tell;      ///< called with what a user should know
 };
 
-/// A finished or interrupted drop.
-struct DropResult {
-  bool completed = false;
-  bool condition_met = false;  ///< that of run.until, before its latest end
-  double end_time = 0;         ///< reached [s]
-  double wall_time = 0,
-         cpu_time = 0;               ///< of the time integration, results included, over all parts of a resumed run [s]
-  IntegrationStatistics statistics;  ///< likewise
-  std::vector<double> state;
-  std::vector<double> impulse_before_end;           ///< of each touchdown bearing at averaging_start [N s]
-  double averaging_start = 0;                       ///< [s]
-  std::optional<WindowedSections::Report> windows;  ///< of a windowed coupling
-  HeatEnergy windows_energy;
-  std::optional<GrowthHistory> growth_in_force;  ///< of a machine that takes it from windows
+/// A drop that was run into a directory, with what was written there.
+struct FinishedDrop : DropResult {
+  nlohmann::ordered_json summary;  ///< as in summary.json
+  std::shared_ptr<const RecordedDrop>
+      recorded;  ///< series that its summary needs; all if two thermal models can be compared
 };
-
-/// Length of the means that summaries call "_end" [s].
-inline constexpr double averaging_time = 0.05;
 
 /// Runs a case into a directory: results.h5, parameters.toml, checkpoints and summary.json.
 /// @throws InputError if the directory holds results and neither force nor resume is set
 /// @throws SolverError if the integration fails; the last good state is saved as a checkpoint in DIRECTORY/failed
-DropResult run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options);
+FinishedDrop run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options);
 
 }  // namespace rotordrop

@@ -4,16 +4,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/recorded_series.h"
-
 namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// Mean, lowest and highest temperature of a surface over time: its largest local rise, and the end.
-Json surface_scalars(const Series& series, const std::vector<double>& times, double zero) {
-  const auto& v = series.values;
+Json surface_scalars(const std::vector<double>& v, const std::vector<double>& times, double zero) {
   const std::size_t n = std::min(v.size() / 3, times.size());
   if (n == 0) return nullptr;
   std::size_t hottest = 0;
@@ -42,7 +39,7 @@ void add_fit_scalars(const std::string& name, const std::vector<double>& v, Json
 
 }  // namespace
 
-Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std::filesystem::path& results) {
+Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const RecordedDrop& drop) {
   const std::string prefix = (coupling == FeCoupling::windowed ? "/windows/" : "/fe/") + s.name + "/";
   const double zero = s.problem.initial_temperature;
   Json j;
@@ -63,20 +60,19 @@ Json fe_summary(const FiniteElements::Section& s, FeCoupling coupling, const std
                         {"outer_ring_and_housing", s.adiabatic.outer_capacity}};
   j["temperature_rise_end"] = Json::object();
   j["surface_rise"] = Json::object();
-  for (const auto& path : list_datasets(results)) {
+  for (const auto& path : drop.datasets()) {
     if (!path.starts_with(prefix)) continue;
     const std::string name = path.substr(prefix.size());
-    const Series series = read_series(results, path);
+    const auto& series = drop.table(path);
     if (series.values.empty() || name.ends_with("growth")) continue;
     if (name.starts_with("housing_fit")) {
       add_fit_scalars(name, series.values, j["housing_fit"]);
       continue;
     }
-    if (series.shape.size() == 1)
+    if (series.n_columns == 1)
       j["temperature_rise_end"][name] = series.values.back() - zero;
     else
-      j["surface_rise"][name] =
-          surface_scalars(series, read_series(results, read_attribute(results, path, "time")).values, zero);
+      j["surface_rise"][name] = surface_scalars(series.values, drop.table(series.time_path).values, zero);
   }
   return j;
 }

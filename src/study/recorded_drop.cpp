@@ -40,6 +40,21 @@ RecordedDrop::RecordedDrop(const fs::path& directory, const Case& drop_case)
   open();
 }
 
+RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, const fs::path& directory)
+    : directory_(directory), parameters_(drop_case.parameters), case_name_(drop_case.name) {
+  for (auto& group : series.take()) {
+    if (group.kept.empty()) continue;
+    datasets_.push_back(group.path);
+    for (auto& kept : group.kept) {
+      datasets_.push_back(kept.path);
+      tables_[kept.path] = {std::move(kept.values), kept.size, group.path};
+    }
+    is_windowed_ = is_windowed_ || group.path == "/windows/time";
+    tables_[group.path] = {std::move(group.times), 1, {}};
+  }
+  std::sort(datasets_.begin(), datasets_.end());
+}
+
 void RecordedDrop::open() {
   datasets_ = list_datasets(file_);
   if (!has("/energy/mechanical"))

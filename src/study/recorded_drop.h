@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/memory_series.h"
 #include "study/case.h"
 #include "study/time_series.h"
 
@@ -11,13 +12,15 @@ namespace rotordrop {
 
 enum class ThermalModelKind { lumped, fe };
 
-/// A finished drop in its directory: parameters, and series as they are asked for.
+/// A finished drop: parameters, and series as they are asked for, from its directory or from memory.
 class RecordedDrop {
  public:
   /// Reads DIR/parameters.toml and opens DIR/results.h5. @throws InputError
   explicit RecordedDrop(const std::filesystem::path& directory);
   /// With the case at hand. @throws InputError
   RecordedDrop(const std::filesystem::path& directory, const Case& drop_case);
+  /// Without a look at files. @param directory  what the drop is called in reports; may be empty
+  RecordedDrop(const Case& drop_case, MemorySeries series, const std::filesystem::path& directory = {});
 
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
   [[nodiscard]] const CaseParameters& parameters() const { return parameters_; }
@@ -29,6 +32,15 @@ class RecordedDrop {
 
   [[nodiscard]] bool has(const std::string& dataset) const;
   [[nodiscard]] bool has(ThermalModelKind model) const;
+  /// Paths of all datasets, in alphabetical order.
+  [[nodiscard]] const std::vector<std::string>& datasets() const { return datasets_; }
+  /// A dataset as it is, numbers that are none included.
+  struct Table {
+    std::vector<double> values;  ///< row after row
+    std::size_t n_columns = 1;
+    std::string time_path;
+  };
+  [[nodiscard]] const Table& table(const std::string& dataset) const;
   /// One column of a dataset. @throws InputError if it is not there, has no rows, or a value that is no number
   [[nodiscard]] TimeSeries series(const std::string& dataset, std::size_t column = 0) const;
 
@@ -50,13 +62,7 @@ class RecordedDrop {
   std::string case_name_;
   std::vector<std::string> datasets_;  ///< sorted
   bool is_windowed_ = false;
-  struct Table {
-    std::vector<double> values;
-    std::size_t n_columns = 1;
-    std::string time_path;
-  };
   mutable std::map<std::string, Table> tables_;  ///< read so far
-  const Table& table(const std::string& dataset) const;
 };
 
 }  // namespace rotordrop

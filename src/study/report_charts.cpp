@@ -135,7 +135,7 @@ void add_motion(Charts& c, const RecordedDrop& drop) {
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     const std::string& name = c.names()[i];
     if (!drop.has("/bearings/" + name + "/ball_force")) continue;
-    const ContactWhirl whirl = recorded_whirl(drop.directory() / "results.h5", name);
+    const ContactWhirl whirl = recorded_whirl(drop, name);
     const TimeSeries orbit = drop.series("/bearings/" + name + "/orbit");
     TimeSeries speed;
     for (std::size_t k = 0; k < std::min(whirl.speed.size(), orbit.times.size()); ++k)

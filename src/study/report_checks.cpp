@@ -8,7 +8,7 @@
 
 #include "bearing/touchdown_parameters.h"
 #include "machine/statics.h"
-#include "study/drop_scalars.h"
+#include "analysis/drop_scalars.h"
 #include "study/report.h"
 
 namespace rotordrop {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "analysis/section_coupling.h"
 #include "machine/rotor_report.h"
 #include "machine/statics.h"
-#include "study/drop_fields.h"
 #include "study/elastic_state.h"
 #include "study/fe_summary.h"
 #include "study/json_number.h"
@@ -167,7 +167,7 @@ std::string rises_text(const Json& rise) {
 }  // namespace
 
 Json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars, const DropResult& result,
-               FiniteElements* elements, const std::filesystem::path& results) {
+               FiniteElements* elements, const RecordedDrop& recorded) {
   const std::span<const double> y = result.state;
   Json j;
   j["case"] = drop_case.name;
@@ -186,7 +186,6 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
   const bool is_elastic = elements && drop_case.parameters.thermal.expansion == GrowthSource::elastic;
   if (is_elastic && elements->coupling != FeCoupling::windowed) lift_sections(*elements, machine, y, found);
   j["bearings"] = Json::object();
-  std::optional<RecordedDrop> recorded;
   for (std::size_t i = 0; i < scalars.size(); ++i) {
     const std::size_t support = scalars.support(i);
     const std::string name = machine.support(support).name();
@@ -204,18 +203,17 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
     if (elements)
       for (const auto& section : elements->sections)
         if (section.name == name) {
-          bearing["fe"] = fe_summary(section, elements->coupling, results);
+          bearing["fe"] = fe_summary(section, elements->coupling, recorded);
           if (is_elastic)
             bearing["fe"]["elastic_end"] = elastic_state(section, section.solver->field(), s.ring_speed_end);
         }
-    if (!recorded) recorded.emplace(results.parent_path(), drop_case);
     for (const auto& entry : drop_case.parameters.bearings)
       if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == name)
-        add_local_report(*recorded, name, *touchdown, bearing);
+        add_local_report(recorded, name, *touchdown, bearing);
     if (scalars.is_free(i))
       if (auto shoulder = shoulder_json(drop_case.parameters, name); !shoulder.is_null())
         bearing["shoulder"] = std::move(shoulder);
-    bearing["whirl"] = whirl_summary(results, name, drop_case);
+    bearing["whirl"] = whirl_summary(recorded, name);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);
   }

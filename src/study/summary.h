@@ -8,10 +8,9 @@ namespace rotordrop {
 
 /// Scalars of a run, SI; see docs/results.md for every key.
 /// @param elements  of the machine, or null
-/// @param results   the run's results.h5, closed
+/// @param recorded  series of the finite elements, of orbits and rubs
 nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
-                                 const DropResult& result, FiniteElements* elements,
-                                 const std::filesystem::path& results);
+                                 const DropResult& result, FiniteElements* elements, const RecordedDrop& recorded);
 
 /// A few lines that answer a user's first questions.
 std::string summary_text(const nlohmann::ordered_json& summary);

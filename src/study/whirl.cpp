@@ -12,8 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "io/recorded_series.h"
-#include "study/case.h"
+#include "study/recorded_drop.h"
 
 namespace rotordrop {
 namespace {
@@ -198,12 +197,12 @@ double friction_that_sustains_whirl(std::complex<double> receptance) {
   return std::fabs(receptance.imag() / receptance.real());
 }
 
-ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing,
-                            const WhirlOptions& options) {
+ContactWhirl recorded_whirl(const RecordedDrop& drop, const std::string& bearing, const WhirlOptions& options) {
   const std::string prefix = "/bearings/" + bearing + "/";
-  const auto times = read_series(results, "/time").values, spin = read_series(results, "/rotor/spin_speed").values,
-             orbit = read_series(results, prefix + "orbit").values,
-             penetration = read_series(results, prefix + "penetration").values;
+  const auto& times = drop.table("/time").values;
+  const auto& spin = drop.table("/rotor/spin_speed").values;
+  const auto& orbit = drop.table(prefix + "orbit").values;
+  const auto& penetration = drop.table(prefix + "penetration").values;
   std::size_t n = std::min({times.size(), spin.size(), orbit.size() / 2, penetration.size()});
   std::vector<double> y(n), z(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -215,8 +214,9 @@ ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::str
   return find_whirl({cut(times), cut(y), cut(z), cut(penetration), cut(spin)}, options);
 }
 
-Json whirl_summary(const std::filesystem::path& results, const std::string& bearing, const Case& drop_case) {
-  const ContactWhirl w = recorded_whirl(results, bearing, {.row_interval = drop_case.parameters.output.interval});
+Json whirl_summary(const RecordedDrop& drop, const std::string& bearing) {
+  const auto& p = drop.parameters();
+  const ContactWhirl w = recorded_whirl(drop, bearing, {.row_interval = p.output.interval});
   const WhirlStretch* longest = w.longest();
   const WhirlStretch* fastest = w.fastest_backward();
   const auto share = [&](double time) { return w.contact_time > 0. ? number(time / w.contact_time) : Json(nullptr); };
@@ -233,7 +233,6 @@ Json whirl_summary(const std::filesystem::path& results, const std::string& bear
   j["backward_whirl_share"] = share(w.backward_whirl_time);
   j["full_rub"] = w.has_full_backward_rub() ? "yes" : "no";
   j["fastest_resolved"] = number(w.fastest_resolved);
-  const auto& p = drop_case.parameters;
   const double mu = p.contact.friction_coefficient, g = std::hypot(p.run.gravity[1], p.run.gravity[2]);
   const double gap = air_gap(touchdown_of(p, bearing), p.contact);
   j["full_rub_condition"] = {{"friction_coefficient", mu},

@@ -1,6 +1,5 @@
 #pragma once
 #include <complex>
-#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -10,7 +9,7 @@
 // Whirl of the rotor in a touchdown bearing: which way, how fast and for how long the point of contact runs around the bore.
 namespace rotordrop {
 
-struct Case;
+class RecordedDrop;
 
 /// The rotor's path in one bearing, all of one length [n].
 struct ContactOrbit {
@@ -91,12 +90,10 @@ double full_rub_friction();
 /// Valid: circular orbit, isotropic rotor and stator, gravity and unbalance small beside the contact force.
 double friction_that_sustains_whirl(std::complex<double> receptance);
 
-/// Whirl in every touchdown bearing of a run's results.h5, by name; NaN rows and live files are cut.
-ContactWhirl recorded_whirl(const std::filesystem::path& results, const std::string& bearing,
-                            const WhirlOptions& options = {});
+/// Whirl in a touchdown bearing of a drop; NaN rows and live files are cut.
+ContactWhirl recorded_whirl(const RecordedDrop& drop, const std::string& bearing, const WhirlOptions& options = {});
 /// The entry `whirl` of a bearing in summary.json.
-nlohmann::ordered_json whirl_summary(const std::filesystem::path& results, const std::string& bearing,
-                                     const Case& drop_case);
+nlohmann::ordered_json whirl_summary(const RecordedDrop& drop, const std::string& bearing);
 /// A line for the screen; empty unless the bearing saw sustained backward whirl.
 std::string whirl_text(const std::string& bearing, const nlohmann::ordered_json& whirl);
 

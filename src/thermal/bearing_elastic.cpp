@@ -26,13 +26,19 @@ double weighted(const std::vector<double>& weights, std::span<const double> T, d
 
 }  // namespace
 
-std::vector<Observable> housing_fit_observables(const std::string& path) {
+std::vector<Observable> housing_fit_observables(const std::string& path, const std::string& bearing) {
   return {{path + "housing_fit_pressure",
            "Pa",
            "pressure of the outer ring's fit in its housing: mean, and lowest of a node",
            2,
            {"mean", "lowest"}},
-          {path + "housing_fit_open", "1", "part of that fit's area that is open, or would have to pull", 1, {}}};
+          {path + "housing_fit_open",
+           "1",
+           "part of that fit's area that is open, or would have to pull",
+           1,
+           {},
+           Observed::housing_fit_open,
+           bearing}};
 }
 
 Observable row_growth_observable(const std::string& path, std::size_t n_rows) {

@@ -20,7 +20,7 @@ struct BearingElasticData {
 /// Pressures below this are none: roundoff of a fit without interference [Pa].
 inline constexpr double no_pressure = 1e3;
 /// What models report of the fit: mean pressure and lowest one of a node, and the part of the area that pulls (where the fit is taken as closed) or is open.
-std::vector<Observable> housing_fit_observables(const std::string& path);
+std::vector<Observable> housing_fit_observables(const std::string& path, const std::string& bearing);
 
 /// Long name of growth by elasticity where the formula is fed back.
 inline constexpr const char* judged_growth_name = "thermal growth by elasticity of the section; fed back is the formula's";

@@ -316,7 +316,13 @@ std::vector<Observable> ReducedSections::observables() const {
   for (const auto& section : sections_) {
     for (const auto* outputs : {&section.heat.bodies, &section.heat.nodes})
       for (const auto& output : *outputs)
-        list.push_back({section.name + "/" + output.name, "K", "volume mean of " + output.name, 1, {}});
+        list.push_back({section.name + "/" + output.name,
+                        "K",
+                        "volume mean of " + output.name,
+                        1,
+                        {},
+                        output.name == "inner_ring" ? Observed::inner_ring_temperature : Observed::temperature,
+                        section.name});
     for (const std::size_t port : observed_ports(section)) {
       const std::string& name = section.heat.ports[port].name;
       list.push_back({section.name + "/" + name, "K",
@@ -324,7 +330,7 @@ std::vector<Observable> ReducedSections::observables() const {
     }
     if (!section.elastic) continue;
     if (section.elastic->drives)
-      for (auto& o : housing_fit_observables(section.name + "/")) list.push_back(std::move(o));
+      for (auto& o : housing_fit_observables(section.name + "/", section.name)) list.push_back(std::move(o));
     else
       list.push_back(growth_observable(section.name + "/elastic_growth", judged_growth_name));
     if (const std::size_t n = section.elastic->rows.size() / 2; n > 0)

@@ -294,7 +294,17 @@ double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInpu
 
 std::vector<Observable> ThermalNetwork::observables() const {
   std::vector<Observable> list;
-  for (const auto& node : data_.nodes) list.push_back({node.name, "K", node.long_name, 1, {}});
+  for (const auto& node : data_.nodes) {
+    const bool is_ring = std::any_of(data_.places.begin(), data_.places.end(),
+                                     [&](const auto& place) { return place.ring_node == node.name; });
+    list.push_back({node.name,
+                    "K",
+                    node.long_name,
+                    1,
+                    {},
+                    is_ring ? Observed::inner_ring_temperature : Observed::temperature,
+                    node.name.substr(0, node.name.find('/'))});
+  }
   return list;
 }
 

@@ -1,4 +1,4 @@
-#include "study/row_schedule.h"
+#include "analysis/row_schedule.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ std::vector<std::size_t> watched_columns(const std::vector<Observable>& step_obs
   std::size_t at = 0;
   for (const auto& o : step_observables) {
     const bool is_watched =
-        o.name.ends_with("/contact_force") || o.name.ends_with("/orbit") || o.name.ends_with("/ring_speed");
+        o.kind == Observed::contact_force || o.kind == Observed::orbit || o.kind == Observed::ring_speed;
     for (std::size_t k = 0; k < o.size; ++k, ++at) {
       all.push_back(at);
       if (is_watched) touchdown.push_back(at);

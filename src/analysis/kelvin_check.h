@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "model/observable.h"
+#include "model/observer.h"
 
 namespace rotordrop {
 
 /// Finds temperatures of a row of results that are not above 0 K. The mesh looks at its own nodes; what a drop has of finite elements on modes are
 /// means and surfaces, which only show in its rows.
-class KelvinCheck {
+class KelvinCheck final : public RowSink {
  public:
-  /// @param observables  of the row: those in kelvin below /fe/ and /thermal/ are looked at
+  /// @param observables  of the row: temperatures of thermal models are looked at
   /// @param first        place of the first of them in the row
   KelvinCheck(const std::vector<Observable>& observables, std::size_t first);
   /// @throws SolverError that names the first such temperature
-  void require_above_zero(double time, std::span<const double> row) const;
+  void row(double time, std::span<const double> row) override;
 
  private:
   struct Place {

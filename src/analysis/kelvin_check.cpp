@@ -1,4 +1,4 @@
-#include "study/kelvin_check.h"
+#include "analysis/kelvin_check.h"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@ namespace rotordrop {
 
 KelvinCheck::KelvinCheck(const std::vector<Observable>& observables, std::size_t first) {
   for (const auto& o : observables) {
-    const bool is_temperature = o.unit == "K" && (o.name.starts_with("/fe/") || o.name.starts_with("/thermal/"));
+    const bool is_temperature = o.kind == Observed::temperature || o.kind == Observed::inner_ring_temperature;
     for (std::size_t i = 0; is_temperature && i < o.size; ++i)
       places_.push_back({first + i, o.columns.empty() ? o.name : o.name + " (" + o.columns[i] + ")"});
     first += o.size;
   }
 }
 
-void KelvinCheck::require_above_zero(double time, std::span<const double> row) const {
+void KelvinCheck::row(double time, std::span<const double> row) {
   for (const auto& place : places_)
     if (!(row[place.at] > 0.))
       throw SolverError(fmt::format(

@@ -1,5 +1,5 @@
 // What is followed from step to step.
-#include "study/drop_scalars.h"
+#include "analysis/drop_scalars.h"
 
 #include <gtest/gtest.h>
 

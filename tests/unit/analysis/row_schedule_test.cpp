@@ -1,5 +1,5 @@
 // Rows at every multiple of an interval while something changes, seldom otherwise.
-#include "study/row_schedule.h"
+#include "analysis/row_schedule.h"
 
 #include <gtest/gtest.h>
 
@@ -130,10 +130,10 @@ TEST(RowSchedule, OfRowsThatComeLateGoesOnAfterAResumeAtAnyStep) {
 }
 
 TEST(WatchedColumns, AreForcesOrbitsAndRingSpeeds) {
-  const std::vector<Observable> list = {{"/bearings/A/orbit", "m", "", 2, {}},
-                                        {"/bearings/A/slip_speed", "m/s", "", 1, {}},
-                                        {"/bearings/A/contact_force", "N", "", 1, {}},
-                                        {"/bearings/A/ring_speed", "rad/s", "", 1, {}}};
+  const std::vector<Observable> list = {{"/bearings/A/orbit", "m", "", 2, {}, Observed::orbit},
+                                        {"/bearings/A/slip_speed", "m/s", "", 1, {}, Observed::slip_speed},
+                                        {"/bearings/A/contact_force", "N", "", 1, {}, Observed::contact_force},
+                                        {"/bearings/A/ring_speed", "rad/s", "", 1, {}, Observed::ring_speed}};
   EXPECT_EQ(watched_columns(list), (std::vector<std::size_t>{0, 1, 3, 4}));
   EXPECT_EQ(watched_columns({{"/bearings/L/displacement", "m", "", 2, {}}}), (std::vector<std::size_t>{0, 1}));
 }

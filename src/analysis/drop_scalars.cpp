@@ -1,11 +1,8 @@
-#include "study/drop_scalars.h"
+#include "analysis/drop_scalars.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <map>
 #include <stdexcept>
-#include <type_traits>
 
 namespace rotordrop {
 namespace {
@@ -105,45 +102,46 @@ void FollowedLoad::follow(double t, double force, double load) {
 }
 
 DropScalars::DropScalars(const Machine& machine) {
-  std::map<std::string, std::pair<std::size_t, std::size_t>> where;  // name -> first column, size
-  std::size_t at = 0;
-  for (const auto& o : machine.step_observables()) {
-    where[o.name] = {at, o.size};
-    at += o.size;
-  }
+  const auto& list = machine.step_observables();
   for (std::size_t i = 0; i < machine.n_supports(); ++i) {
-    const std::string prefix = "/bearings/" + machine.support(i).name() + "/";
-    if (!where.contains(prefix + "ball_force")) continue;  // not a touchdown bearing
-    const auto column = [&](const char* name) { return where.at(prefix + name).first; };
-    const auto column_of_free = [&](const char* name) {
-      const auto found = where.find(prefix + name);
-      return found == where.end() ? std::nullopt : std::optional(found->second.first);
+    const std::string& name = machine.support(i).name();
+    const auto ball_force = columns_of(list, Observed::ball_force, name);
+    if (!ball_force) continue;  // not a touchdown bearing
+    const auto column_of_free = [&](Observed kind) -> std::optional<std::size_t> {
+      const auto found = columns_of(list, kind, name);
+      return found ? std::optional(found->first) : std::nullopt;
     };
+    const auto column = [&](Observed kind) { return column_of_free(kind).value(); };
+    names_.push_back(name);
     columns_.push_back({i,
-                        column("orbit"),
-                        column("penetration"),
-                        column("contact_force"),
-                        column("rub_heat_rate"),
-                        column("spin_lag"),
-                        column("load_torque"),
-                        column("spin_torque"),
-                        column("inner_heat_rate"),
-                        column("outer_heat_rate"),
-                        column("ring_speed"),
-                        column("ball_force"),
-                        column("contact_pressure"),
-                        where.at(prefix + "ball_force").second,
-                        column("clearance"),
-                        column("expansion"),
-                        column("preload"),
-                        column("skid_demand"),
-                        column("gyroscopic_demand"),
-                        column("centrifugal_force"),
-                        column("ellipse_truncation"),
-                        column_of_free("axial_force"),
-                        column_of_free("axial_position")});
+                        column(Observed::orbit),
+                        column(Observed::penetration),
+                        column(Observed::contact_force),
+                        column(Observed::rub_heat_rate),
+                        column(Observed::spin_lag),
+                        column(Observed::load_torque),
+                        column(Observed::spin_torque),
+                        column(Observed::inner_heat_rate),
+                        column(Observed::outer_heat_rate),
+                        column(Observed::ring_speed),
+                        ball_force->first,
+                        column(Observed::contact_pressure),
+                        ball_force->size,
+                        column(Observed::clearance),
+                        column(Observed::growth),
+                        column(Observed::preload),
+                        column(Observed::skid_demand),
+                        column(Observed::gyroscopic_demand),
+                        column(Observed::centrifugal_force),
+                        column(Observed::ellipse_truncation),
+                        column_of_free(Observed::axial_force),
+                        column_of_free(Observed::axial_position)});
   }
   scalars_.resize(columns_.size());
+}
+
+void DropScalars::step(const Step& step) {
+  if (step.is_observed) follow(step.time, step.found->step);
 }
 
 void DropScalars::follow(double t, std::span<const double> step) {
@@ -230,18 +228,23 @@ double DropScalars::largest_contact_force() const {
   return largest;
 }
 
-static_assert(std::is_trivially_copyable_v<BearingScalars> && sizeof(BearingScalars) % sizeof(double) == 0);
-
-std::vector<double> DropScalars::packed() const {
-  std::vector<double> values(scalars_.size() * sizeof(BearingScalars) / sizeof(double));
-  if (!values.empty()) std::memcpy(values.data(), scalars_.data(), values.size() * sizeof(double));
-  return values;
+void DropScalars::pack(PackedValues& to) const {
+  for (std::size_t i = 0; i < scalars_.size(); ++i) {
+    BearingScalars s = scalars_[i];
+    s.each([&](const std::string& name, const auto& numbers) {
+      auto& values = to["scalars/" + names_[i] + "/" + name];
+      for (const double* x : numbers) values.push_back(*x);
+    });
+  }
 }
 
-void DropScalars::unpack(std::span<const double> values) {
-  if (values.size() * sizeof(double) != scalars_.size() * sizeof(BearingScalars))
-    throw std::invalid_argument("scalars of another machine");
-  if (!values.empty()) std::memcpy(static_cast<void*>(scalars_.data()), values.data(), values.size() * sizeof(double));
+void DropScalars::unpack(const PackedValues& from) {
+  for (std::size_t i = 0; i < scalars_.size(); ++i)
+    scalars_[i].each([&](const std::string& name, const auto& numbers) {
+      const auto& values = from.at("scalars/" + names_[i] + "/" + name);
+      if (values.size() != numbers.size()) throw std::invalid_argument("scalars of another kind");
+      for (std::size_t k = 0; k < values.size(); ++k) *numbers[k] = values[k];
+    });
 }
 
 }  // namespace rotordrop

@@ -1,23 +1,16 @@
-#include "study/run_end.h"
+#include "analysis/run_end.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <stdexcept>
 
 namespace rotordrop {
 
 RunEnd::RunEnd(const Machine& machine, EndCondition condition) : condition_(condition) {
-  std::map<std::string, std::size_t> where;
-  std::size_t at = 0;
-  for (const auto& o : machine.step_observables()) {
-    where[o.name] = at;
-    at += o.size;
-  }
-  for (std::size_t i = 0; i < machine.n_supports(); ++i) {
-    const std::string prefix = "/bearings/" + machine.support(i).name() + "/";
-    const auto penetration = where.find(prefix + "penetration"), lag = where.find(prefix + "spin_lag");
-    if (penetration != where.end() && lag != where.end()) touchdown_.push_back({penetration->second, lag->second});
-  }
+  const auto& list = machine.step_observables();
+  for (const auto& penetration : columns_of(list, Observed::penetration))
+    if (const auto lag = columns_of(list, Observed::spin_lag, penetration.place))
+      touchdown_.push_back({penetration.first, lag->first});
 }
 
 void RunEnd::follow(double t, std::span<const double> step, double spin) {
@@ -40,6 +33,7 @@ void RunEnd::follow(double t, std::span<const double> step, double spin) {
 }
 
 void RunEnd::unpack(std::span<const double> values) {
+  if (values.size() != 2) throw std::invalid_argument("an end condition of another kind");
   last_contact_ = values[0];
   is_reached_ = values[1] != 0.;
 }

@@ -1,4 +1,4 @@
-#include "study/kelvin_check.h"
+#include "analysis/kelvin_check.h"
 
 #include <gtest/gtest.h>
 
@@ -10,25 +10,26 @@
 namespace rotordrop {
 namespace {
 
-const std::vector<Observable> observables = {{"/bearings/TB1/orbit", "m", "", 2, {}},
-                                             {"/thermal/TB1/inner_ring", "K", "", 1, {}},
-                                             {"/fe/TB1/bore", "K", "", 3, {"mean", "lowest", "highest"}},
-                                             {"/bearings/TB1/rise", "K", "", 1, {}}};
+const std::vector<Observable> observables = {
+    {"/bearings/TB1/orbit", "m", "", 2, {}},
+    {"/thermal/TB1/inner_ring", "K", "", 1, {}, Observed::inner_ring_temperature},
+    {"/fe/TB1/bore", "K", "", 3, {"mean", "lowest", "highest"}, Observed::temperature},
+    {"/bearings/TB1/rise", "K", "", 1, {}}};
 
-TEST(KelvinCheck, LooksAtTemperaturesOfCircuitAndFiniteElementsAndAtNothingElse) {
-  const KelvinCheck check(observables, 1);
+TEST(KelvinCheck, LooksAtTemperaturesOfThermalModelsAndAtNothingElse) {
+  KelvinCheck check(observables, 1);
   const std::vector<double> row = {-5., -1e-6, -1e-6, 300., 290., 280., 310., -7.};  // a rise may be negative
-  EXPECT_NO_THROW(check.require_above_zero(0.1, row));
+  EXPECT_NO_THROW(check.row(0.1, row));
 }
 
 TEST(KelvinCheck, NamesWhatIsNotAboveZero) {
-  const KelvinCheck check(observables, 1);
+  KelvinCheck check(observables, 1);
   for (const auto& [at, name] : {std::pair(3, "/thermal/TB1/inner_ring"), std::pair(5, "/fe/TB1/bore (lowest)")}) {
     for (const double T : {0., -20., std::numeric_limits<double>::quiet_NaN()}) {
       std::vector<double> row = {0., 0., 0., 300., 290., 280., 310., 5.};
       row[static_cast<std::size_t>(at)] = T;
       try {
-        check.require_above_zero(0.25, row);
+        check.row(0.25, row);
         ADD_FAILURE() << name << " at " << T << " K passes";
       } catch (const SolverError& error) {
         const std::string message = error.what();

@@ -1,0 +1,60 @@
+#include "analysis/drop.h"
+
+#include <algorithm>
+
+namespace rotordrop {
+namespace {
+
+RowSchedule schedule(const Machine& machine, const RunParameters& run, const OutputParameters& output,
+                     double interval) {
+  const double longest = output.longest_interval.value_or(std::max(output.interval, run.latest_end() / 20000.));
+  // Details keep their ratio to the other rows.
+  return {interval, longest * interval / output.interval, output.change, watched_columns(machine.step_observables())};
+}
+
+}  // namespace
+
+Drop::Drop(const Machine& machine, const MachineParameters& p, const IntegrationParameters& integration,
+           const OutputParameters& output, FiniteElements* elements, FitWatch::Tell tell)
+    : sections_(make_section_coupling(machine, p.thermal, elements, schedule(machine, p.run, output, output.interval))),
+      rows_(machine, schedule(machine, p.run, output, output.interval), sections_->growth_in_force()),
+      detail_rows_(machine, schedule(machine, p.run, output, output.detail_interval), sections_->growth_in_force()),
+      scalars_(machine),
+      impulse_(make_contact_impulse(machine, scalars_, p.run)),
+      kelvin_(machine.state_observables(), observed_size(machine.step_observables())),
+      closed_fits_(machine.state_observables(), observed_size(machine.step_observables()), false, tell),
+      followed_fits_(sections_->observables(), 0, true, tell),
+      loop_(machine, integration, p.run, sections_->growth_in_force()) {
+  rows_.add(closed_fits_);
+  rows_.add(kelvin_);
+  sections_->watch(followed_fits_);
+  loop_.add(rows_);
+  if (!machine.detail_observables().empty()) loop_.add(detail_rows_);
+  loop_.add(scalars_);
+  loop_.add(*impulse_);
+  loop_.add(*sections_);
+}
+
+void Drop::run(const std::function<bool()>& is_stopped) {
+  is_complete_ = loop_.run(is_stopped);
+  if (is_complete_) sections_->finish(loop_.time(), loop_.state());
+}
+
+DropResult Drop::result() const {
+  DropResult result;
+  result.completed = is_complete_;
+  result.condition_met = loop_.condition_is_met();
+  result.end_time = loop_.time();
+  result.statistics = loop_.statistics();
+  result.state.assign(loop_.state().begin(), loop_.state().end());
+  result.impulse_before_end = impulse_->before();
+  result.averaging_start = impulse_->start();
+  if (const auto windows = sections_->windows()) {
+    result.windows = windows->report;
+    result.windows_energy = windows->energy;
+  }
+  if (const auto* growth = sections_->growth_in_force()) result.growth_in_force = *growth;
+  return result;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,155 @@
+#include "analysis/drop_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rotordrop {
+namespace {
+
+/// Tells whether growth that comes from outside goes on otherwise than it did.
+class GrowthWatch {
+ public:
+  GrowthWatch(const GrowthHistory* growth, std::size_t n_places) : growth_(growth), before_(n_places), now_(n_places) {}
+  void remember(double t) {
+    if (growth_) growth_->rate(t, before_);
+  }
+  [[nodiscard]] bool has_changed(double t) {
+    if (!growth_) return false;
+    growth_->rate(t, now_);
+    for (std::size_t i = 0; i < now_.size(); ++i)
+      if (growth_values(now_[i]) != growth_values(before_[i])) return true;
+    return false;
+  }
+
+ private:
+  const GrowthHistory* growth_;
+  std::vector<Expansion> before_, now_;
+};
+
+}  // namespace
+
+/// Without an integrator it is the start.
+class DropLoop::EndedStep final : public Step {
+ public:
+  explicit EndedStep(const Integrator* integrator) : integrator_(integrator) {}
+  void interpolate(double t, std::span<double> y) const override {
+    if (integrator_)
+      integrator_->interpolate(t, y);
+    else
+      std::copy(after.begin(), after.end(), y.begin());
+  }
+
+ private:
+  const Integrator* integrator_;
+};
+
+DropLoop::DropLoop(const Machine& machine, const IntegrationParameters& integration, const RunParameters& run,
+                   const GrowthHistory* growth_in_force)
+    : machine_(machine),
+      integration_(integration),
+      end_(machine, run.until),
+      end_time_(run.latest_end()),
+      system_(machine, growth_in_force),
+      state_(machine.layout().size()) {
+  found_.wants_step = true;
+  found_.growth_in_force = growth_in_force;
+  machine.initial_state(state_);
+}
+
+bool DropLoop::run(const std::function<bool()>& is_stopped) {
+  if (is_at_end()) return true;
+  start();
+  GrowthWatch growth(found_.growth_in_force, machine_.n_thermal_places());
+  while (!is_at_end()) {
+    integrator_->advance();
+    const EndedStep step = ended_step();
+    growth.remember(step.time);
+    show(step);
+    if (step.is_observed && growth.has_changed(step.time)) evaluate_end(step.time, step.after);
+    time_ = step.time;
+    std::copy(step.after.begin(), step.after.end(), state_.begin());
+    if (is_stopped && is_stopped()) break;
+  }
+  return is_at_end();
+}
+
+void DropLoop::start() {
+  integrator_ = make_integrator(system_, integration_, time_, state_, end_time_);
+  has_end_rates_ = integrator_->evaluate_ends_with(
+      [this](double t, std::span<const double> y, std::span<double> dydt) { machine_.evaluate(t, y, dydt, found_); });
+  if (time_ > 0.) return;
+  EndedStep first(nullptr);
+  first.before = first.after = state_;
+  machine_.evaluate(0., state_, found_);
+  integrator_->offer_rates(found_.rates);
+  end_.follow(0., found_.step, machine_.spin(state_).speed);
+  first.is_observed = true;
+  first.found = &found_;
+  show(first);
+}
+
+void DropLoop::show(const Step& step) {
+  for (Observer* observer : observers_) observer->step(step);
+}
+
+DropLoop::EndedStep DropLoop::ended_step() {
+  EndedStep step(integrator_.get());
+  step.start = time_;
+  step.time = integrator_->time();
+  step.before = state_;
+  step.after = integrator_->state();
+  step.found = &found_;
+  step.is_observed = is_to_be_observed(step.time);
+  if (step.is_observed) {
+    evaluate_end(step.time, step.after);
+    end_.follow(step.time, found_.step, machine_.spin(step.after).speed);
+    observed_time_ = step.time;
+  }
+  step.is_last = step.time >= end_time_ || end_.is_reached();
+  return step;
+}
+
+void DropLoop::evaluate_end(double t, std::span<const double> y) {
+  if (has_end_rates_) return;
+  machine_.evaluate(t, y, found_);
+  integrator_->offer_rates(found_.rates);
+}
+
+/// Every step where that costs nothing; else as often as peaks need: 12 times in a period of the rings' fastest motion, 8 kHz.
+bool DropLoop::is_to_be_observed(double t) const {
+  return integrator_->uses_offered_rates() || t - observed_time_ >= 10e-6 || t >= end_time_ ||
+         std::any_of(observers_.begin(), observers_.end(),
+                     [t](const Observer* observer) { return is_same_time(observer->due(), t); });
+}
+
+IntegrationStatistics DropLoop::statistics() const {
+  IntegrationStatistics s = integrator_ ? integrator_->statistics() : IntegrationStatistics{};
+  s.steps += earlier_.steps;
+  s.rhs_evaluations += earlier_.rhs_evaluations;
+  s.rejected_steps += earlier_.rejected_steps;
+  return s;
+}
+
+void DropLoop::pack(PackedValues& to) const {
+  const auto s = statistics();
+  to["loop"] = {static_cast<double>(s.steps), static_cast<double>(s.rhs_evaluations),
+                static_cast<double>(s.rejected_steps), observed_time_};
+  to["end condition"] = end_.packed();
+  for (const Observer* observer : observers_) observer->pack(to);
+}
+
+void DropLoop::unpack(double time, std::span<const double> state, const PackedValues& from) {
+  const auto& loop = from.at("loop");
+  if (loop.size() != 4 || state.size() != state_.size() || !(time >= 0. && time <= end_time_) ||
+      !std::all_of(state.begin(), state.end(), [](double y) { return std::isfinite(y); }))
+    throw std::invalid_argument("a checkpoint of another kind");
+  end_.unpack(from.at("end condition"));
+  for (Observer* observer : observers_) observer->unpack(from);
+  time_ = time;
+  std::copy(state.begin(), state.end(), state_.begin());
+  earlier_ = {static_cast<long>(loop[0]), static_cast<long>(loop[1]), static_cast<long>(loop[2])};
+  observed_time_ = loop[3];
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,63 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "analysis/row_schedule.h"
+#include "analysis/run_end.h"
+#include "integrate/integrator.h"
+#include "machine/machine.h"
+#include "model/observer.h"
+
+namespace rotordrop {
+
+/// Integrates a machine to the end of its run, or until its condition is met, and shows every step to observers.
+class DropLoop {
+ public:
+  /// @param growth_in_force  of a machine that takes it from outside; must outlive the loop
+  DropLoop(const Machine& machine, const IntegrationParameters& integration, const RunParameters& run,
+           const GrowthHistory* growth_in_force = nullptr);
+
+  /// They see each step in the order in which they were added, and must outlive the loop.
+  void add(Observer& observer) { observers_.push_back(&observer); }
+  /// From the start, or from where unpack() has put it, to the end. After an exception time() and state() are those of the last step that every
+  /// observer has seen.
+  /// @param is_stopped  asked after every step
+  /// @returns whether the end was reached
+  bool run(const std::function<bool()>& is_stopped = {});
+
+  [[nodiscard]] double time() const { return time_; }          ///< [s]
+  [[nodiscard]] double end_time() const { return end_time_; }  ///< the latest [s]
+  [[nodiscard]] std::span<const double> state() const { return state_; }
+  [[nodiscard]] bool condition_is_met() const { return end_.is_reached(); }
+  /// Over all parts of a resumed run.
+  [[nodiscard]] IntegrationStatistics statistics() const;
+
+  /// Everything but time and state, those of the observers included.
+  void pack(PackedValues& to) const;
+  /// @throws std::logic_error if something is missing or does not fit
+  void unpack(double time, std::span<const double> state, const PackedValues& from);
+
+ private:
+  class EndedStep;
+  [[nodiscard]] bool is_at_end() const { return time_ >= end_time_ || end_.is_reached(); }
+  void start();
+  void show(const Step& step);
+  EndedStep ended_step();
+  void evaluate_end(double t, std::span<const double> y);
+  [[nodiscard]] bool is_to_be_observed(double t) const;
+
+  const Machine& machine_;
+  IntegrationParameters integration_;
+  RunEnd end_;
+  double end_time_, time_ = 0, observed_time_ = 0;
+  MachineSystem system_;
+  Evaluation found_;  ///< at ends of steps
+  std::vector<double> state_;
+  std::vector<Observer*> observers_;
+  std::unique_ptr<Integrator> integrator_;
+  bool has_end_rates_ = false;  ///< the method evaluates ends of steps into found_
+  IntegrationStatistics earlier_;
+};
+
+}  // namespace rotordrop
