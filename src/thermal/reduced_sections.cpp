@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/wide_vectors.h"
@@ -184,6 +185,14 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& output : *list)
         for (std::size_t i = 0; i < p.n; ++i) p.stored[i] += output.capacity * output.shape[i];
+    const auto not_stored = [&](const std::vector<double>& port) {
+      constexpr double roundoff = 1e-12;
+      if (port.empty()) return 0.;
+      const double part = 1. - std::inner_product(port.begin(), port.end(), p.stored.begin(), 0.);
+      return std::fabs(part) < roundoff ? 0. : part;
+    };
+    p.lost = {not_stored(p.bore_input),  not_stored(p.shaft_input), not_stored(p.inner_input),
+              not_stored(p.outer_input), not_stored(p.film_input),  not_stored(p.ball_input)};
     for (const std::size_t port : surface_ports) {
       const auto& output = heat.ports[port];
       const std::size_t n_points = output.points.size() / p.n;
@@ -264,6 +273,8 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
                 dydt.data() + p.first, p.n);
     if (sections_[k].balls_roll) add_times(-from_balls, p.ball_input.data(), dydt.data() + p.first, p.n);
     lost += linear_loss + film_loss;
+    lost += p.lost.bore * q_bore + p.lost.shaft * q_shaft + p.lost.inner * q_inner + p.lost.outer * q_outer -
+            p.lost.film * film_loss - p.lost.balls * from_balls;
   }
   return lost;
 }

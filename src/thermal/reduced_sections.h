@@ -63,6 +63,10 @@ class ReducedSections final : public ThermalModel {
     std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< of growth_surfaces [m/K]
     bool has_widths = false;                                         ///< the axial growths are not zero
     double film_area = 0;
+    /// Parts of the ports' heat that the modes left out lose to the surroundings at once: a meshed shaft's surface, a few 1e-6.
+    struct AtOnce {
+      double bore = 0, shaft = 0, inner = 0, outer = 0, film = 0, balls = 0;
+    } lost;
     struct Surface {
       std::vector<double> by_mode;  ///< rises of its points, mode after mode [n * n_points]
       std::vector<double> at_once;  ///< [n_points]
