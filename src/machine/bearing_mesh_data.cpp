@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "machine/shaft_geometry.h"
 #include "thermal/bearing_section.h"
 #include "thermal/own_section.h"
 
@@ -28,9 +29,10 @@ BearingSectionData section_data(const MachineParameters& p, const TouchdownParam
   d.housing_length = b.housing_length;
   d.strip_half_width = fe.strip_half_width.value_or(p.thermal.contact_half_width);
   d.outer_relief = fe.relieved_shoulder;
-  if (fe.shaft) {
+  if (fe.shaft != FeShaft::lump) {
     d.shaft_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
     d.shaft_length = b.shaft_lump_length.value_or(b.width);
+    if (fe.shaft == FeShaft::beyond) d.shaft_steps = shaft_steps(p, b);
   }
   return d;
 }
@@ -71,8 +73,13 @@ SectionPlan section_plan(const MachineParameters& p, const Node& case_node, cons
 
 SectionMesh own_section_of_bearing(const MeshFileContent& content, const MachineParameters& p, const std::string& name,
                                    const std::string& file) {
-  OwnSectionWishes wishes{{"inner_ring", "outer_ring", "housing"}, touchdown_of(p, name).rows};
-  if (p.thermal.fe.shaft) wishes.bodies.push_back("shaft");
+  const TouchdownParameters& b = touchdown_of(p, name);
+  OwnSectionWishes wishes{{"inner_ring", "outer_ring", "housing"}, b.rows, {}};
+  if (p.thermal.fe.shaft != FeShaft::lump) wishes.bodies.push_back("shaft");
+  if (p.thermal.fe.shaft == FeShaft::beyond) {
+    wishes.shaft_steps = shaft_steps(p, b);
+    for (const auto& step : wishes.shaft_steps) wishes.bodies.push_back(step.name);
+  }
   Faults faults;
   auto mesh = own_section(content, wishes, file, faults);
   faults.throw_if_any();

@@ -126,7 +126,7 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
     const auto* b = entry.touchdown();
     if (!b) continue;
     const auto circuit = circuit_data(p, entry.name, *b);
-    SectionSettings settings{fe.shaft, {}};
+    SectionSettings settings{fe.shaft != FeShaft::lump, {}};
     settings.numerics.degree = fe.degree;
     settings.numerics.solver = fe.solver;
     settings.numerics.cells = std::max(2, static_cast<int>(std::lround(8 * fe.refinement)));
@@ -152,8 +152,9 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
         reduction.modes = 0;
         reduction.fastest = std::numeric_limits<double>::infinity();
       } else {
-        // The nodes of a fin have modes of their own, which must not be taken from the rings'.
-        reduction.modes = static_cast<std::size_t>(fe.modes) + circuit.fins.size();
+        // The shaft beside the bearing has modes of its own, which must not be taken from the rings'.
+        reduction.modes =
+            static_cast<std::size_t>(fe.modes) + std::max(circuit.fins.size(), 8 * circuit.shaft_steps.size());
         reduction.response_tolerance = fe.response_tolerance;
         reduction.longest_time = std::max(reduction.longest_time, p.run.end_time);
       }
@@ -286,6 +287,13 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
         position_of(table, t.nodes.empty() ? "resistor" : "node"),
         "thermal.node and thermal.resistor add to the lumped circuit alone, and the finite elements run too.",
         "Both models would not describe the same bearing. Leave them out, or run thermal.models = [\"lumped\"].");
+  if (t.fe.shaft == FeShaft::beyond)
+    for (const auto& entry : p.bearings)
+      if (const auto* b = entry.touchdown(); b && !p.rotor.geometry.node_x.empty() && shaft_steps(p, *b).empty())
+        faults.add(
+            position_of_value(table.find("fe") ? *table.find("fe") : table, "shaft"),
+            fmt::format("thermal.fe.shaft = \"beyond\", and the rotor does not reach beyond bearings.{}.", entry.name),
+            "Check its node, shaft_lump_length and the rotor's geometry, or take shaft = \"bearing\".");
   if (t.fe.coupling == FeCoupling::windowed && t.shaft_ring_link == BearingCircuitData::Link::in_contact)
     faults.add(position_of_value(table, "shaft_ring_link"),
                "thermal.shaft_ring_link = \"in-contact\" changes within a window; thermal.fe.coupling = \"windowed\" "
@@ -402,13 +410,13 @@ ThermalNetworkData network_data(const MachineParameters& p, const Node& case_nod
 }
 
 ThermalParts build_thermal_models(const MachineParameters& parameters, const Node& case_node,
-                                  const std::string& bearing, FiniteElements& finite_elements) {
-  MachineParameters p = parameters;
+                                  const std::string& bearing, FiniteElements& finite_elements,
+                                  const std::optional<BallConduction>& ball_conduction) {
+  // A user's resistors may join this bearing's circuit with others'.
+  MachineParameters p = parameters.thermal.resistors.empty() ? with_single_bearing(parameters, bearing) : parameters;
   p.thermal.driver = GrowthDriver::none;
   p.thermal.contact_conduction = BallConductionModel::fixed;  // there are no loads
-  // A user's resistors may join this bearing's circuit with others'.
-  if (p.thermal.resistors.empty())
-    std::erase_if(p.bearings, [&](const SupportEntry& entry) { return entry.name != bearing; });
+  p.single.ball_conduction = ball_conduction;
   Faults faults;
   const auto network = network_data(p, case_node, faults);
   faults.throw_if_any();
@@ -449,7 +457,9 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.contact_half_width = t.contact_half_width;
   c.races = race_surfaces(p, b);
   if (t.shaft == ShaftModel::fin) c.fins = shaft_fins(p, b, c);
+  if (t.fe.shaft == FeShaft::beyond) c.shaft_steps = shaft_steps(p, b);
   c.balls_roll = t.contact_conduction == BallConductionModel::rolling;
+  c.ball_conduction = p.single.ball_conduction;
   if (t.spreading == RacewaySpreading::strip) c.strips = raceway_strips(p, b);
   c.plane_strain_growth = t.plane_strain_growth;
   c.shaft_ring_link = t.shaft_ring_link;

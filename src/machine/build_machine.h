@@ -52,8 +52,10 @@ struct ThermalParts {
   std::size_t n_places = 0, place = 0;  ///< of the models, and the bearing's among them
 };
 /// The models of one touchdown bearing of a case whose parameters were checked, without a machine. Its section is the only one made.
+/// @param ball_conduction  between balls and races; none: by the fixed R5, for there are no loads
 /// @throws InputError, SolverError
 ThermalParts build_thermal_models(const MachineParameters& parameters, const Node& case_node,
-                                  const std::string& bearing, FiniteElements& finite_elements);
+                                  const std::string& bearing, FiniteElements& finite_elements,
+                                  const std::optional<BallConduction>& ball_conduction = {});
 
 }  // namespace rotordrop

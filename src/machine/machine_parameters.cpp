@@ -164,4 +164,11 @@ const TouchdownParameters& touchdown_of(const MachineParameters& p, const std::s
   throw std::invalid_argument("no touchdown bearing is called " + name);
 }
 
+MachineParameters with_single_bearing(MachineParameters p, const std::string& name) {
+  for (const auto& entry : p.bearings)
+    if (entry.touchdown() && entry.name != name) p.single.neighbours.push_back(entry.node());
+  std::erase_if(p.bearings, [&](const SupportEntry& entry) { return entry.name != name; });
+  return p;
+}
+
 }  // namespace rotordrop

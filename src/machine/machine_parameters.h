@@ -47,6 +47,12 @@ Section<MaterialParameters> material_section();
 /// Steel and Si3N4, where a case names no materials of its own.
 Node default_materials();
 
+/// What else counts for a bearing that is computed by itself.
+struct SingleBearing {
+  std::vector<int> neighbours;                    ///< nodes of the other touchdown bearings, which share the shaft
+  std::optional<BallConduction> ball_conduction;  ///< given: no loads and speeds decide it
+};
+
 /// Everything that makes the machine; integration and output are elsewhere.
 struct MachineParameters {
   RunParameters run;
@@ -57,6 +63,7 @@ struct MachineParameters {
   ThermalParameters thermal;
   StaticsParameters statics;
   PreloadParameters preload;
+  SingleBearing single;
 };
 
 /// nullptr if the case has no material of that name.
@@ -66,5 +73,7 @@ struct MachineParameters {
 [[nodiscard]] std::vector<std::string> touchdown_names(const MachineParameters& parameters);
 /// @throws std::invalid_argument if no touchdown bearing has that name
 [[nodiscard]] const TouchdownParameters& touchdown_of(const MachineParameters& parameters, const std::string& name);
+/// The same without supports but this touchdown bearing.
+[[nodiscard]] MachineParameters with_single_bearing(MachineParameters parameters, const std::string& name);
 
 }  // namespace rotordrop

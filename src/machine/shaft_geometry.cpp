@@ -1,13 +1,20 @@
 #include "machine/shaft_geometry.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace rotordrop {
 namespace {
 
 using std::numbers::pi;
+
+constexpr double shortest_step = 0.5e-3;  // [m]
 
 /// Mean section and perimeter of the shaft between two places. Of elements over the same span (a sleeve on a shaft) the outermost surface gives off heat.
 FinPiece piece_between(const RotorGeometry& g, double from, double to) {
@@ -30,26 +37,81 @@ FinPiece piece_between(const RotorGeometry& g, double from, double to) {
   return piece;
 }
 
+/// Places on the rotor between which a bearing has the shaft to itself [m].
+struct Span {
+  double first = 0, last = 0;
+};
+std::optional<Span> span_of(const MachineParameters& p, const TouchdownParameters& b) {
+  const RotorGeometry& g = p.rotor.geometry;
+  if (g.node_x.empty() || b.node < 1 || b.node > g.n_nodes()) return {};  // a fault of its own
+  const double at = g.position(b.node);
+  Span span{g.node_x.front(), g.node_x.back()};
+  std::vector<int> others = p.single.neighbours;
+  for (const auto& entry : p.bearings)
+    if (entry.touchdown()) others.push_back(entry.node());
+  for (const int node : others) {
+    if (node < 1 || node > g.n_nodes() || node == b.node) continue;
+    const double middle = 0.5 * (at + g.position(node));
+    (middle < at ? span.first : span.last) = middle < at ? std::max(span.first, middle) : std::min(span.last, middle);
+  }
+  return span;
+}
+
+/// From where on less than 0.1 % of a uniform fin's heat is missing [m].
+double longest_fin(double conductivity, double diameter, double h) {
+  return 4. / std::sqrt(4. * h / (conductivity * diameter));
+}
+
+/// Radii of the shaft at a place; both 0 where there is none.
+std::pair<double, double> radii_at(const RotorGeometry& g, double x) {
+  double inside = std::numeric_limits<double>::infinity(), outside = 0.;
+  for (const auto& e : g.elements) {
+    if (x < g.position(e.n1) || x > g.position(e.n2)) continue;
+    inside = std::min(inside, 0.5 * e.id);
+    outside = std::max(outside, 0.5 * e.od);
+  }
+  return outside > 0. ? std::pair(inside, outside) : std::pair(0., 0.);
+}
+
+/// Steps of one side from the bearing's face outwards, with lengths instead of places.
+struct Piece {
+  double length, inside, outside;
+};
+std::vector<Piece> pieces_of(const RotorGeometry& g, double face, double direction, double length) {
+  std::vector<double> cuts = {0.};
+  std::vector<double> nodes;
+  for (const double x : g.node_x) nodes.push_back(direction * (x - face));
+  std::sort(nodes.begin(), nodes.end());
+  for (const double at : nodes)
+    if (at > cuts.back() + shortest_step && at < length - shortest_step) cuts.push_back(at);
+  cuts.push_back(length);
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const auto [inside, outside] = radii_at(g, face + direction * 0.5 * (cuts[i] + cuts[i + 1]));
+    if (outside <= 0.) break;
+    if (!pieces.empty() && pieces.back().inside == inside && pieces.back().outside == outside)
+      pieces.back().length += cuts[i + 1] - cuts[i];
+    else
+      pieces.push_back({cuts[i + 1] - cuts[i], inside, outside});
+  }
+  return pieces;
+}
+
 }  // namespace
 
 std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParameters& b,
                                 const BearingCircuitData& circuit) {
+  const auto span = span_of(p, b);
+  if (!span) return {};
   const RotorGeometry& g = p.rotor.geometry;
-  if (g.node_x.empty() || b.node < 1 || b.node > g.n_nodes()) return {};  // a fault of its own
   const double at = g.position(b.node), half = 0.5 * circuit.shaft_length;
-  double first = g.node_x.front(), last = g.node_x.back();
-  for (const auto& entry : p.bearings) {
-    const auto* other = entry.touchdown();
-    if (!other || other->node < 1 || other->node > g.n_nodes() || other->node == b.node) continue;
-    const double middle = 0.5 * (at + g.position(other->node));
-    (middle < at ? first : last) = middle < at ? std::max(first, middle) : std::min(last, middle);
-  }
   const double k = circuit.ring.conductivity, d = 2. * circuit.journal_radius;
-  const double longest = 4. / std::sqrt(4. * circuit.h_shaft / (k * d));
+  const double longest = longest_fin(k, d, circuit.h_shaft);
   // Heat enters evenly along the lump and leaves it at both faces.
   const double before = half / (3. * k * 0.25 * pi * d * d);
   std::vector<FinNode> fins;
-  for (const auto& [side, length] : {std::pair("left", at - half - first), std::pair("right", last - at - half)}) {
+  for (const auto& [side, length] :
+       {std::pair("left", at - half - span->first), std::pair("right", span->last - at - half)}) {
     if (length <= 0.) continue;
     std::vector<FinPiece> pieces;
     double from = 0.;
@@ -63,6 +125,33 @@ std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParam
     for (auto& node : fin_nodes(side, pieces, before, circuit.h_shaft, k, rho_c)) fins.push_back(std::move(node));
   }
   return fins;
+}
+
+std::vector<ShaftStep> shaft_steps(const MachineParameters& p, const TouchdownParameters& b) {
+  const auto span = span_of(p, b);
+  if (!span) return {};
+  const RotorGeometry& g = p.rotor.geometry;
+  const double at = g.position(b.node), half = 0.5 * b.shaft_lump_length.value_or(b.width);
+  const double journal = 2. * (bore_radius(b, p.contact) - air_gap(b, p.contact));
+  const auto& material = material_of(p, b.ring);
+  const double k = material.k_table ? PropertyTable(*material.k_table).value(p.run.ambient) : material.k;
+  const double reach = p.thermal.fe.shaft_reach.value_or(longest_fin(k, journal, p.thermal.h_shaft));
+  std::vector<ShaftStep> steps;
+  for (const bool is_left : {true, false}) {
+    const double length = std::min(reach, is_left ? at - half - span->first : span->last - at - half);
+    if (length < shortest_step) continue;
+    const double direction = is_left ? -1. : 1.;
+    double from = half;
+    int number = 0;
+    for (const auto& piece : pieces_of(g, at + direction * half, direction, length)) {
+      const double to = from + piece.length;
+      ++number;
+      steps.push_back({fmt::format("shaft_{}_{}", is_left ? "left" : "right", number), is_left ? -to : from,
+                       is_left ? -from : to, piece.inside, piece.outside, is_left, number == 1});
+      from = to;
+    }
+  }
+  return steps;
 }
 
 }  // namespace rotordrop

@@ -10,4 +10,8 @@ namespace rotordrop {
 std::vector<FinNode> shaft_fins(const MachineParameters& parameters, const TouchdownParameters& bearing,
                                 const BearingCircuitData& circuit);
 
+/// The same shaft as bodies for the finite elements: a step for each diameter of the rotor's elements, without their mass points. They end after
+/// thermal.fe.shaft_reach, by default where the fins do. A step shorter than 0.5 mm takes its neighbour's diameter.
+std::vector<ShaftStep> shaft_steps(const MachineParameters& parameters, const TouchdownParameters& bearing);
+
 }  // namespace rotordrop

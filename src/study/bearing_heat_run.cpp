@@ -14,6 +14,7 @@
 #include "io/hdf5_version.h"
 #include "io/recorder.h"
 #include "io/toml_reader.h"
+#include "machine/given_conduction.h"
 #include "study/bearing_mesh.h"
 #include "study/fe_module.h"
 #include "study/recorded_heat.h"
@@ -48,11 +49,20 @@ std::string chosen_bearing(const Case& drop, const PrescribedHeatParameters& hea
   return {};
 }
 
+/// By load and speed, or as stated; none: R5.
+std::optional<BallConduction> conduction_of_balls(const CaseParameters& p, const std::string& bearing) {
+  const auto& heat = *p.heat;
+  if (heat.ball_conductance) return BallConduction{*heat.ball_conductance, *heat.ball_conductance, 0.};
+  if (heat.ball_load) return given_conduction(p, bearing, *heat.ball_load, heat.ring_speed.value_or(0.));
+  return {};
+}
+
 void build_models(BearingHeatCase& c) {
   const auto& p = c.drop.parameters;
   c.elements = finite_elements_of(c.drop);
   c.elements.alone = {.time_tolerance = p.heat->time_tolerance};
-  c.parts = build_thermal_models(p, c.drop.tree, c.bearing, c.elements);
+  c.ball_conduction = conduction_of_balls(p, c.bearing);
+  c.parts = build_thermal_models(p, c.drop.tree, c.bearing, c.elements, c.ball_conduction);
   FiniteElements::Section* section = c.elements.sections.empty() ? nullptr : &c.elements.sections.front();
   for (const auto& part : c.parts.models) {
     const bool is_fe = part.name == "fe";
@@ -308,6 +318,10 @@ class BearingHeatRun {
                  {"rub_into_shaft", joules(HeatedPort::shaft)},
                  {"inner", joules(HeatedPort::inner)},
                  {"outer", joules(HeatedPort::outer)}};
+    if (const auto& G = case_.ball_conduction)
+      j["ball_conduction"] = {{"inner_to_ball", G->inner_to_ball},
+                              {"outer_to_ball", G->outer_to_ball},
+                              {"inner_to_outer", G->inner_to_outer}};
     double input = 0.;
     for (const auto& entry : j["heat"].items()) input += entry.value().get<double>();
     for (std::size_t m = 0; m < case_.models.size(); ++m) {

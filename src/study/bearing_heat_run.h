@@ -16,6 +16,7 @@ struct BearingHeatCase {
   double end_time = 0;               ///< [s]
   std::vector<double> output_times;  ///< rising; end_time is the last of them
   FiniteElements elements;
+  std::optional<BallConduction> ball_conduction;  ///< given; none: R5
   ThermalParts parts;
   struct Model {
     std::string name;  ///< "lumped", "fe"

@@ -353,7 +353,7 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
     const Tolerance growth{options.growth};
     j["largest_rise"] = std::max(largest_rise(lumped, name), largest_rise(fe, name));
     j["lumps_in_both"] = Json::array({"ball"});
-    if (!models.fe->parameters().thermal.fe.shaft) j["lumps_in_both"].push_back("shaft");
+    if (models.fe->parameters().thermal.fe.shaft == FeShaft::lump) j["lumps_in_both"].push_back("shaft");
     j["temperatures"] = temperatures_json(lumped, fe, name, tolerance, names, instants);
     j["surfaces"] = surfaces_json(*models.lumped, *models.fe, name, tolerance, instants);
     j["growth_by"] = is_elastic(fe, name) ? "elasticity" : "formula";

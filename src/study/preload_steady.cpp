@@ -110,9 +110,7 @@ std::shared_ptr<const ThermalModel> section_of(const Case& c, const std::string&
                                  bearing),
                      "Give an interference, thermal.expansion = \"formula\", or preload.model = \"lumped\".");
   FiniteElements elements = finite_elements_of(c);
-  MachineParameters alone = p;
-  std::erase_if(alone.bearings, [&](const SupportEntry& entry) { return entry.name != bearing; });
-  return reduced_fe_model(alone, elements, p.preload.end_time);
+  return reduced_fe_model(with_single_bearing(p, bearing), elements, p.preload.end_time);
 }
 
 /// Operating points over speed: two columns, the lower point and the next one.

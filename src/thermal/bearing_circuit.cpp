@@ -84,7 +84,11 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   else
     network.resistors.push_back({s, i, R23, Law::contact, 0., R23 + b.gap_resistance, place});
   join(i, ci, f.inner_race * (R.R4 + R.R4_spreading));
-  if (!b.balls_roll) {
+  if (b.ball_conduction) {
+    join(ci, ball, f.ball / b.ball_conduction->inner_to_ball);
+    join(ball, co, f.ball / b.ball_conduction->outer_to_ball);
+    if (b.ball_conduction->inner_to_outer > 0.) join(ci, co, f.ball / b.ball_conduction->inner_to_outer);
+  } else if (!b.balls_roll) {
     join(ci, ball, f.ball * R5);
     join(ball, co, f.ball * R5);
   }

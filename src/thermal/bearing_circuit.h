@@ -8,6 +8,7 @@
 #include "model/circuit_factors.h"
 #include "model/heat_conduction.h"
 #include "thermal/shaft_fin.h"
+#include "thermal/shaft_steps.h"
 #include "thermal/thermal_network.h"
 
 namespace rotordrop {
@@ -24,23 +25,24 @@ struct ThermalMaterial {
 
 /// What the circuit of one touchdown bearing is made from (docs/model.md; Neisi 2019, section 3.4, fig. 6, table 1).
 struct BearingCircuitData {
-  std::string name;                              ///< of the bearing
-  ThermalMaterial ring, ball;                    ///< steel of rings, housing and shaft; balls
-  double width = 0;                              ///< W, all rows [m]
-  double journal_radius = 0;                     ///< rotor's contact surface [m]
-  double ring_mass = 0;                          ///< inner ring(s) [kg]
-  double inner_bore = 0, inner_outside = 0;      ///< inner ring's diameters [m]
-  double outer_bore = 0, outer_outside = 0;      ///< outer ring's [m]
-  double housing_bore = 0, housing_outside = 0;  ///< [m]
-  double housing_length = 0;                     ///< L_h, all rows [m]
-  double shaft_length = 0;                       ///< of the lump of shaft [m]
-  int n_balls = 0;                               ///< of all rows
-  double ball_diameter = 0;                      ///< [m]
-  double h_shaft = 0, h_ball = 0;                ///< convection [W/(m^2 K)]
-  double fit_resistance = 0;                     ///< outer ring to housing [K/W]
-  double contact_half_width = 0;                 ///< a of the constriction [m]
-  RaceSurfaces races;                            ///< where the rings' growth counts
-  bool balls_roll = false;                       ///< contacts conduct by HeatInput::balls instead of R5
+  std::string name;                               ///< of the bearing
+  ThermalMaterial ring, ball;                     ///< steel of rings, housing and shaft; balls
+  double width = 0;                               ///< W, all rows [m]
+  double journal_radius = 0;                      ///< rotor's contact surface [m]
+  double ring_mass = 0;                           ///< inner ring(s) [kg]
+  double inner_bore = 0, inner_outside = 0;       ///< inner ring's diameters [m]
+  double outer_bore = 0, outer_outside = 0;       ///< outer ring's [m]
+  double housing_bore = 0, housing_outside = 0;   ///< [m]
+  double housing_length = 0;                      ///< L_h, all rows [m]
+  double shaft_length = 0;                        ///< of the lump of shaft [m]
+  int n_balls = 0;                                ///< of all rows
+  double ball_diameter = 0;                       ///< [m]
+  double h_shaft = 0, h_ball = 0;                 ///< convection [W/(m^2 K)]
+  double fit_resistance = 0;                      ///< outer ring to housing [K/W]
+  double contact_half_width = 0;                  ///< a of the constriction [m]
+  RaceSurfaces races;                             ///< where the rings' growth counts
+  bool balls_roll = false;                        ///< contacts conduct by HeatInput::balls instead of R5
+  std::optional<BallConduction> ball_conduction;  ///< constant, instead of R5
   /// Strips on the raceways, for spreading; none: heat enters the whole raceway evenly.
   struct Strips {
     std::vector<double> inner, outer;                 ///< middles of both races' strips, from the rings' end at -x [m]
@@ -53,7 +55,9 @@ struct BearingCircuitData {
   enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
   double gap_resistance = 0;  ///< of Link::in_contact, when apart [K/W]
   std::vector<FinNode> fins;  ///< shaft beside the bearing, both sides; none: the shaft ends with its lump
-  CircuitFactors factors;     ///< calibration
+  /// Shaft beside the bearing for the finite elements that mesh it, both sides, from the bearing outwards. The circuit has its fins.
+  std::vector<ShaftStep> shaft_steps;
+  CircuitFactors factors;  ///< calibration
 };
 
 /// The circuit's resistances [K/W], the constant ones; R5 and R8 in their parts.

@@ -12,13 +12,33 @@ namespace {
 
 using std::numbers::pi;
 
-HeatBody body(const std::string& name, double length, double inside, double outside, const ThermalMaterial& m) {
+HeatBody body(const std::string& name, std::array<double, 2> x, std::array<double, 2> r, const ThermalMaterial& m) {
   return {name,
-          {-0.5 * length, 0.5 * length},
-          {0.5 * inside, 0.5 * outside},
+          x,
+          r,
           m.density,
           m.conductivity_table.value_or(PropertyTable(m.conductivity)),
           m.heat_capacity_table.value_or(PropertyTable(m.heat_capacity))};
+}
+/// By diameters, about the middle of the bearing.
+HeatBody body(const std::string& name, double length, double inside, double outside, const ThermalMaterial& m) {
+  return body(name, {-0.5 * length, 0.5 * length}, {0.5 * inside, 0.5 * outside}, m);
+}
+
+constexpr double no_resistance = 1e-8;  // [m2 K/W]: half a micrometre of steel
+
+/// Joins each step with what is nearer to the bearing, and cools its outside.
+void add_shaft_steps(HeatConductionProblem& p, const BearingCircuitData& b, double ambient) {
+  std::size_t before = body_index(p.bodies, "shaft");
+  for (const auto& step : b.shaft_steps) {
+    if (step.is_first) before = body_index(p.bodies, "shaft");
+    const std::size_t k = body_index(p.bodies, step.name);
+    const HeatBoundary near{k, step.is_left ? HeatSide::right : HeatSide::left},
+        other{before, step.is_left ? HeatSide::left : HeatSide::right};
+    p.interfaces.push_back({other, near, no_resistance});
+    p.convections.push_back({{k, HeatSide::outer}, b.h_shaft, 0., ambient});
+    before = k;
+  }
 }
 
 /// Strips of all rows, or where the mesh has none the whole side.
@@ -77,7 +97,11 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
   std::vector<HeatBody> bodies = {body("inner_ring", b.width, b.inner_bore, b.inner_outside, b.ring),
                                   body("outer_ring", b.width, b.outer_bore, b.outer_outside, b.ring),
                                   body("housing", b.housing_length, b.outer_outside, b.housing_outside, b.ring)};
+  const bool has_steps = settings.shaft_is_meshed && !b.shaft_steps.empty();
   if (settings.shaft_is_meshed) bodies.push_back(body("shaft", b.shaft_length, 0., 2. * b.journal_radius, b.ring));
+  if (has_steps)
+    for (const auto& step : b.shaft_steps)
+      bodies.push_back(body(step.name, {step.from, step.to}, {step.inside, step.outside}, b.ring));
   if (mesh.empty()) {
     p.bodies = bodies;
   } else {
@@ -111,11 +135,16 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
   const CircuitResistances R = circuit_resistances(b);
   const double R5 = R.R5_inside + R.R5_constriction;
   p.links = {{shaft_port, {}, R.R1}, {ball_port, {}, R.R6}};
-  if (!b.balls_roll)
+  if (const auto& G = b.ball_conduction) {
+    p.links.push_back({inner_raceway_port, ball_port, 1. / G->inner_to_ball});
+    p.links.push_back({outer_raceway_port, ball_port, 1. / G->outer_to_ball});
+    if (G->inner_to_outer > 0.) p.links.push_back({inner_raceway_port, outer_raceway_port, 1. / G->inner_to_outer});
+  } else if (!b.balls_roll) {
     p.links.insert(p.links.begin() + 1, {{inner_raceway_port, ball_port, R5}, {outer_raceway_port, ball_port, R5}});
+  }
   if (b.shaft_ring_link == BearingCircuitData::Link::permanent) p.links.push_back({shaft_port, bore_port, R.R2});
 
-  for (const FinNode& fin : b.fins) {
+  for (const FinNode& fin : has_steps ? std::vector<FinNode>{} : b.fins) {
     const std::size_t port = p.ports.size(), before = fin.is_first ? std::size_t{shaft_port} : port - 1;
     p.nodes.push_back({fin.name, fin.capacity});
     p.ports.push_back({fin.name, {}, p.nodes.size() - 1, 1e-4});  // nothing heats them but the shaft
@@ -129,7 +158,9 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
     p.convections = {{{housing, HeatSide::outer}, housing_convection(1.), 0.25, ambient}};  // h = 23 rise^0.25
 
   const double fit_area = pi * b.outer_outside * std::min(b.width, b.housing_length);
-  p.interfaces = {{{outer, HeatSide::outer}, {housing, HeatSide::inner}, std::max(b.fit_resistance * fit_area, 1e-8)}};
+  p.interfaces = {
+      {{outer, HeatSide::outer}, {housing, HeatSide::inner}, std::max(b.fit_resistance * fit_area, no_resistance)}};
+  if (has_steps) add_shaft_steps(p, b, ambient);
   return p;
 }
 

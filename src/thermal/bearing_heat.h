@@ -17,7 +17,7 @@ enum BearingPort : std::size_t {
 };
 
 struct SectionSettings {
-  bool shaft_is_meshed = false;  ///< otherwise a lump, as in the circuit
+  bool shaft_is_meshed = false;  ///< with its steps, if it has any; otherwise a lump with fins, as in the circuit
   HeatNumerics numerics;
   bool rows_apart = false;    ///< ports for each row's strips, if the mesh has them
   bool housing_film = false;  ///< eq. (16) on the housing's outside, with the local rise: the problem is not linear
@@ -25,6 +25,7 @@ struct SectionSettings {
 
 /// The section of a touchdown bearing with the circuit's data: inner ring, outer ring and housing as bodies, balls (and shaft) as nodes.
 ///   ambient -R1- shaft -R2- bore,  strips -R5- balls -R5- strips,  balls -R6- ambient,  fit between ring and housing.
+/// The shaft beside the bearing is a chain of nodes, or if it is meshed its steps, joined face on face, with convection on their outsides.
 /// R3, R4, R7 and R8 are what the section itself conducts. A link that acts only in contact and balls that conduct as they roll are left out: see
 /// ReducedSections and WindowedSections.
 /// @param mesh     with bodies inner_ring, outer_ring, housing (and shaft); empty: plain rectangles of the rings' diameters

@@ -9,11 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "thermal/section_builder.h"
+#include "thermal/shaft_section.h"
+
 namespace rotordrop {
 namespace {
 
-// Points closer than this along a side are one [m].
-constexpr double same_place = 1e-9;
 // A steeper groove edge would leave needle-like cells, and no ball could be put in.
 constexpr double steepest_edge = 75. * std::numbers::pi / 180.;
 
@@ -122,102 +123,6 @@ void check_ring(const BearingSectionData& d, bool is_inner, std::vector<SectionF
   }
 }
 
-// ------------------------------------------------------------------------------------------------ sizes
-
-struct Division {
-  int cells = 1;
-  double ratio = 1;
-};
-
-/// Ratio of a geometric series of n cells with the given first one on a length.
-double ratio_for(double length, double first, int n) {
-  double low = 1e-3, high = 1e3;
-  for (int i = 0; i < 200; ++i) {
-    const double q = std::sqrt(low * high);
-    double sum = 0., cell = first;
-    for (int k = 0; k < n; ++k, cell *= q) sum += cell;
-    (sum < length ? low : high) = q;
-  }
-  return std::sqrt(low * high);
-}
-
-/// Cells from `first` on, growing by no more than `growth` to no more than `largest`.
-Division graded(double length, double first, double growth, double largest) {
-  if (length <= first) return {1, 1.};
-  // Fewer cells than this are too large, whatever their ratio.
-  const double least = length / std::max(first, largest);
-  if (least > 1e4) return {static_cast<int>(std::min(least, 1e9)), 1.};  // section_plan refuses it
-  for (int n = std::max(2, static_cast<int>(least));; ++n) {
-    const double q = ratio_for(length, first, n);
-    if (q <= 1.) {  // `first` is close to `largest`
-      const int even = std::max(1, static_cast<int>(std::ceil(length / std::max(first, largest) - 1e-9)));
-      return {std::max(even, n - 1), 1.};
-    }
-    if (q <= growth && first * std::pow(q, n - 1) <= largest) return {n, q};
-  }
-}
-
-/// Cells between wanted sizes at both ends.
-Division between_sizes(double length, double at_start, double at_end) {
-  const double mean =
-      std::fabs(at_end - at_start) < 1e-9 * at_start ? at_start : (at_end - at_start) / std::log(at_end / at_start);
-  const int n = std::max(1, static_cast<int>(std::lround(length / mean)));
-  return {n, n > 1 ? std::pow(at_end / at_start, 1. / n) : 1.};
-}
-
-// ------------------------------------------------------------------------------------------------ blocks
-
-/// Adds points and curves once each, and blocks.
-class Builder {
- public:
-  SectionPlan plan;
-
-  std::size_t body(const std::string& name) {
-    plan.bodies.push_back(name);
-    return plan.bodies.size() - 1;
-  }
-  std::size_t point(double x, double r) {
-    plan.points.push_back({x, r});
-    return plan.points.size() - 1;
-  }
-  std::vector<std::size_t> points(const std::vector<double>& x, double r) {
-    std::vector<std::size_t> made;
-    for (const double at : x) made.push_back(point(at, r));
-    return made;
-  }
-  std::size_t curve(std::size_t from, std::size_t to, Division d, std::optional<HeatBoundary> boundary = {},
-                    int arc = -1) {
-    plan.curves.push_back({from, to, d.cells, d.ratio, arc, boundary});
-    return plan.curves.size() - 1;
-  }
-  /// Upright curves from one row of points to another; the first and the last are faces of the body.
-  std::vector<std::size_t> uprights(const std::vector<std::size_t>& low, const std::vector<std::size_t>& high,
-                                    Division d, std::size_t body) {
-    std::vector<std::size_t> made;
-    for (std::size_t i = 0; i < low.size(); ++i) {
-      std::optional<HeatBoundary> face;
-      if (i == 0) face = HeatBoundary{body, HeatSide::left, 0};
-      if (i + 1 == low.size()) face = HeatBoundary{body, HeatSide::right, 0};
-      made.push_back(curve(low[i], high[i], d, face));
-    }
-    return made;
-  }
-  /// Straight curves along a row of points.
-  std::vector<std::size_t> along(const std::vector<std::size_t>& row, const std::vector<Division>& d,
-                                 std::optional<HeatBoundary> boundary = {}) {
-    std::vector<std::size_t> made;
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) made.push_back(curve(row[i], row[i + 1], d[i], boundary));
-    return made;
-  }
-  void blocks(const std::vector<std::size_t>& low, const std::vector<std::size_t>& high,
-              const std::vector<std::size_t>& uprights, std::size_t body) {
-    for (std::size_t i = 0; i < low.size(); ++i) {
-      const auto &a = plan.curves[low[i]], &b = plan.curves[high[i]];
-      plan.blocks.push_back({{low[i], uprights[i + 1], high[i], uprights[i]}, {a.from, a.to, b.to, b.from}, body});
-    }
-  }
-};
-
 /// The grooved side of a ring, cut into columns.
 struct Profile {
   struct Column {
@@ -230,7 +135,8 @@ struct Profile {
   std::vector<Division> divisions;
 };
 
-Profile make_profile(const BearingSectionData& d, const Ring& ring, const std::vector<double>& cuts, Builder& builder) {
+Profile make_profile(const BearingSectionData& d, const Ring& ring, const std::vector<double>& cuts,
+                     SectionBuilder& builder) {
   Profile p;
   const HeatSide land = ring.is_inner ? HeatSide::outer : HeatSide::inner;
   p.x = {-0.5 * d.width};
@@ -310,32 +216,16 @@ class SizeAlong {
   double strip_, slope_, largest_;
 };
 
-/// Sizes as they are used, after refinement.
-struct Sizes {
-  double surface, largest, growth, strip;
-};
-
-/// Columns of one body that follow those of another over their common length.
-struct Columns {
-  std::vector<double> x;
-  std::vector<Division> divisions;
-};
-
 /// The columns of a profile between -half and half, continued where that is wider.
-Columns columns_over(const Profile& p, double half, const Sizes& sizes) {
+Columns columns_over(const Profile& p, double half, const CellSizes& sizes) {
   Columns c;
   const double ring_half = p.x.back();
   const bool is_wider = half > ring_half + same_place;
-  const auto cell_at_end = [&](std::size_t i, bool last) {  // size of the outermost cell of a column
-    const auto [n, q] = p.divisions[i];
-    double sum = 0.;
-    for (int k = 0; k < n; ++k) sum += std::pow(q, k);
-    return p.columns[i].length / sum * (last ? std::pow(q, n - 1) : 1.);
-  };
   if (is_wider) {
-    Division d = graded(half - ring_half, cell_at_end(0, false), sizes.growth, sizes.largest);
+    Division d = graded(half - ring_half, first_cell(p.columns.front().length, p.divisions.front()), sizes.growth,
+                        sizes.largest);
     c.x.push_back(-half);
-    c.divisions.push_back({d.cells, 1. / d.ratio});
+    c.divisions.push_back(reversed(d));
   }
   for (std::size_t i = 0; i < p.columns.size(); ++i) {
     if (p.x[i] < -half - same_place || p.x[i + 1] > half + same_place) continue;
@@ -345,7 +235,7 @@ Columns columns_over(const Profile& p, double half, const Sizes& sizes) {
   }
   if (is_wider) {
     c.divisions.push_back(
-        graded(half - ring_half, cell_at_end(p.columns.size() - 1, true), sizes.growth, sizes.largest));
+        graded(half - ring_half, last_cell(p.columns.back().length, p.divisions.back()), sizes.growth, sizes.largest));
     c.x.push_back(half);
   }
   return c;
@@ -365,13 +255,13 @@ Wall wall_of(const Profile& p, const Ring& ring) {
   return w;
 }
 
-std::vector<std::size_t> profile_points(const Profile& p, Builder& builder) {
+std::vector<std::size_t> profile_points(const Profile& p, SectionBuilder& builder) {
   std::vector<std::size_t> points;
   for (std::size_t i = 0; i < p.x.size(); ++i) points.push_back(builder.point(p.x[i], p.r[i]));
   return points;
 }
 std::vector<std::size_t> profile_curves(const Profile& p, const std::vector<std::size_t>& points, std::size_t body,
-                                        Builder& builder) {
+                                        SectionBuilder& builder) {
   std::vector<std::size_t> curves;
   for (std::size_t i = 0; i < p.columns.size(); ++i)
     curves.push_back(builder.curve(points[i], points[i + 1], p.divisions[i],
@@ -380,7 +270,7 @@ std::vector<std::size_t> profile_curves(const Profile& p, const std::vector<std:
 }
 
 /// Two layers of blocks: fine on the bore, and fine on the raceways.
-void add_inner_ring(const Ring& ring, const Profile& p, const Sizes& sizes, Builder& builder) {
+void add_inner_ring(const Ring& ring, const Profile& p, const CellSizes& sizes, SectionBuilder& builder) {
   const std::size_t body = builder.body("inner_ring");
   const Wall wall = wall_of(p, ring);
   const double middle = ring.plain + 0.5 * wall.least;
@@ -398,7 +288,7 @@ void add_inner_ring(const Ring& ring, const Profile& p, const Sizes& sizes, Buil
 }
 
 /// @return thickness of the cells at the fit [m]
-double add_outer_ring(const Ring& ring, const Profile& p, const Sizes& sizes, Builder& builder) {
+double add_outer_ring(const Ring& ring, const Profile& p, const CellSizes& sizes, SectionBuilder& builder) {
   const std::size_t body = builder.body("outer_ring");
   const double wall = wall_of(p, ring).most_at_strips;
   const Division from_strip = graded(wall, sizes.surface, sizes.growth, sizes.largest);
@@ -407,16 +297,6 @@ double add_outer_ring(const Ring& ring, const Profile& p, const Sizes& sizes, Bu
   const auto high_curves = builder.along(high, p.divisions, HeatBoundary{body, HeatSide::outer, 0});
   builder.blocks(low_curves, high_curves, builder.uprights(low, high, from_strip, body), body);
   return sizes.surface * std::pow(from_strip.ratio, from_strip.cells - 1);
-}
-
-/// A rectangle with columns, and cells that grow from its inner or outer side.
-void add_rectangle(const std::string& name, const Columns& columns, double inner, double outer, Division upwards,
-                   Builder& builder) {
-  const std::size_t body = builder.body(name);
-  const auto low = builder.points(columns.x, inner), high = builder.points(columns.x, outer);
-  const auto low_curves = builder.along(low, columns.divisions, HeatBoundary{body, HeatSide::inner, 0});
-  const auto high_curves = builder.along(high, columns.divisions, HeatBoundary{body, HeatSide::outer, 0});
-  builder.blocks(low_curves, high_curves, builder.uprights(low, high, upwards, body), body);
 }
 
 }  // namespace
@@ -436,7 +316,7 @@ std::vector<SectionFault> faults_of_section(const BearingSectionData& d) {
 SectionPlan plan_bearing_section(const BearingSectionData& d, const SectionSizes& wanted) {
   if (const auto faults = faults_of_section(d); !faults.empty())
     throw std::invalid_argument(faults.front().message + ". " + faults.front().advice);
-  Sizes sizes{};
+  CellSizes sizes{};
   sizes.surface = wanted.surface_cell / wanted.refinement;
   sizes.largest = wanted.largest_cell / wanted.refinement;
   sizes.growth = std::pow(wanted.growth, 1. / wanted.refinement);
@@ -444,7 +324,7 @@ SectionPlan plan_bearing_section(const BearingSectionData& d, const SectionSizes
   sizes.strip = std::min(d.strip_half_width / wanted.refinement, 0.25 * sizes.largest);
   const SizeAlong size_along(sizes.strip, sizes.growth, sizes.largest);
 
-  Builder builder;
+  SectionBuilder builder;
   const Ring inner = make_ring(d, true), outer = make_ring(d, false);
   const bool has_shaft = d.shaft_radius > 0.;
   const double half_shaft = 0.5 * d.shaft_length, half_housing = 0.5 * d.housing_length;
@@ -457,14 +337,12 @@ SectionPlan plan_bearing_section(const BearingSectionData& d, const SectionSizes
   add_inner_ring(inner, inner_profile, sizes, builder);
   const double at_fit = add_outer_ring(outer, outer_profile, sizes, builder);
   const double housing_wall = 0.5 * (d.housing_outside - d.outer_outside);
-  add_rectangle("housing", columns_over(outer_profile, half_housing, sizes), 0.5 * d.outer_outside,
-                0.5 * d.housing_outside, graded(housing_wall, at_fit, sizes.growth, sizes.largest), builder);
-  if (has_shaft) {
-    // Deep in the shaft nothing changes fast: its cells may become larger than the rings'.
-    const Division inwards = graded(d.shaft_radius, sizes.surface, sizes.growth, 3. * sizes.largest);
-    add_rectangle("shaft", columns_over(inner_profile, half_shaft, sizes), 0., d.shaft_radius,
-                  {inwards.cells, 1. / inwards.ratio}, builder);
-  }
+  add_rectangle(
+      "housing", columns_over(outer_profile, half_housing, sizes),
+      {{0.5 * d.outer_outside, 0.5 * d.housing_outside, graded(housing_wall, at_fit, sizes.growth, sizes.largest)}},
+      builder);
+  if (has_shaft)
+    add_shaft(d.shaft_radius, columns_over(inner_profile, half_shaft, sizes), d.shaft_steps, sizes, builder);
   return std::move(builder.plan);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/section_plan.h"
+#include "thermal/shaft_steps.h"
 
 namespace rotordrop {
 
@@ -32,6 +33,7 @@ struct BearingSectionData {
   /// Spindle bearings have the outer ring's open on one side, so that balls and cage go in; 0.4 is an estimate from drawings.
   double inner_relief = 1, outer_relief = 0.4;
   double shaft_radius = 0, shaft_length = 0;  ///< [m]; 0: the shaft is not meshed
+  std::vector<ShaftStep> shaft_steps;         ///< shaft beside the bearing, from it outwards; of a meshed shaft
 };
 
 struct SectionSizes {
@@ -48,7 +50,7 @@ struct SectionFault {
 };
 std::vector<SectionFault> faults_of_section(const BearingSectionData& data);
 
-/// Bodies inner_ring, outer_ring, housing, and shaft if it has a radius. @throws std::invalid_argument with the first of the faults
+/// Bodies inner_ring, outer_ring, housing, and shaft if it has a radius, with its steps. @throws std::invalid_argument with the first of the faults
 SectionPlan plan_bearing_section(const BearingSectionData& data, const SectionSizes& sizes);
 
 }  // namespace rotordrop

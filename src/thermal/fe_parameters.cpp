@@ -35,9 +35,19 @@ Section<FeParameters> fe_section() {
               .source = "estimate from drawings of spindle bearings",
               .help = "Fraction of the groove depth kept by the outer ring's shoulder on the unloaded side, where "
                       "balls and cage are inserted. For bearings with a contact angle; 1: not relieved."});
-  s.boolean(
-      "shaft", &P::shaft,
-      {.fallback = false, .help = "Whether the shaft is meshed too, over shaft_lump_length; otherwise it is a lump."});
+  s.choice("shaft", &P::shaft, {{"lump", FeShaft::lump}, {"bearing", FeShaft::bearing}, {"beyond", FeShaft::beyond}},
+           {.fallback = "lump",
+            .help = "The shaft in the finite elements: a lump of shaft_lump_length, as in the circuit; bearing: meshed "
+                    "over that length; beyond: meshed beside the bearing too, by the rotor's diameters, with "
+                    "convection thermal.h_shaft along its surface, instead of the chain of nodes of thermal.shaft."});
+  s.quantity(
+      "shaft_reach", &P::shaft_reach,
+      {.unit = "m",
+       .range = positive(),
+       .source = "estimate, if not given: four decay lengths of a fin, sqrt(k d/(4 h_shaft)) each, beyond which "
+                 "less than 0.1 % of its heat is missing",
+       .help = "How far a meshed shaft reaches beyond shaft_lump_length to each side; at most to the rotor's end "
+               "or half-way to the next touchdown bearing. Of thermal.fe.shaft = \"beyond\"."});
   s.text("mesh", &P::mesh,
          {.help = "Your own mesh to use instead: a gmsh .msh file or .geo script, next to the case. NAME stands for "
                   "the bearing's name: \"meshes/NAME.msh\". Requirements: docs/mesh.md."});
@@ -89,6 +99,11 @@ Section<FeParameters> fe_section() {
   s.check([](const P& p, const Node& table, Faults& faults) {
     if (!std::is_sorted(p.field_times.begin(), p.field_times.end(), std::less_equal<>()))
       faults.add(position_of_value(table, "field_times"), "thermal.fe.field_times must increase.");
+    if (p.shaft_reach && p.shaft != FeShaft::beyond)
+      faults.add(position_of_value(table, "shaft_reach"),
+                 "thermal.fe.shaft_reach is that of a shaft meshed beside the bearing, and thermal.fe.shaft is not "
+                 "\"beyond\".",
+                 "Leave it out, or set thermal.fe.shaft = \"beyond\".");
     if (p.surface_cell > p.largest_cell)
       faults.add(position_of_value(table, "surface_cell"),
                  "thermal.fe.surface_cell is larger than thermal.fe.largest_cell.", "Cells grow away from surfaces.");

@@ -14,12 +14,16 @@ enum class FeSection { grooved, plain };
 /// How the finite elements take part in a drop: on few modes in the state vector, in windows beside it, or with all modes of the mesh in it.
 enum class FeCoupling { reduced, windowed, monolithic };
 
+/// The shaft in the finite elements: one lump as in the circuit, meshed over shaft_lump_length, or meshed beside the bearing too.
+enum class FeShaft { lump, bearing, beyond };
+
 /// [thermal.fe]: the finite elements of every touchdown bearing.
 struct FeParameters {
   double surface_cell = 0, largest_cell = 0, refinement = 1;
   std::optional<double> strip_half_width;
   double relieved_shoulder = 0;
-  bool shaft = false;
+  FeShaft shaft = FeShaft::lump;
+  std::optional<double> shaft_reach;  ///< [m]
   std::optional<std::string> mesh;
   FeSection section = FeSection::grooved;
   FeCoupling coupling = FeCoupling::reduced;

@@ -33,7 +33,7 @@ class Reader {
     read_cells();
     if (faults_.size() == n_before) read_edges();
     if (faults_.size() == n_before) check_parts();
-    if (faults_.size() == n_before) check_fit();
+    if (faults_.size() == n_before) check_contacts();
     if (faults_.size() != n_before) return {};
     find_arcs();
     leave_out_unused_vertices();
@@ -234,10 +234,18 @@ class Reader {
       if (is_ring(mesh_.bodies[body]))
         for (int row = 0; row < wishes_.rows; ++row) needed.push_back({body, HeatSide::strip, row});
       if (mesh_.bodies[body] == "inner_ring") needed.push_back({body, HeatSide::inner, 0});
-      if (mesh_.bodies[body] == "outer_ring" || mesh_.bodies[body] == "shaft")
+      if (mesh_.bodies[body] == "outer_ring" || mesh_.bodies[body].starts_with("shaft"))
         needed.push_back({body, HeatSide::outer, 0});
       if (mesh_.bodies[body] == "housing")
         for (const auto side : {HeatSide::inner, HeatSide::outer}) needed.push_back({body, side, 0});
+    }
+    for (const auto& step : wishes_.shaft_steps) {
+      const std::size_t body = body_named(step.name);
+      needed.push_back({body, step.is_left ? HeatSide::right : HeatSide::left, 0});
+      if (step.is_first)
+        needed.push_back({body_named("shaft"), step.is_left ? HeatSide::left : HeatSide::right, 0});
+      else
+        needed.push_back({body - 1, step.is_left ? HeatSide::left : HeatSide::right, 0});
     }
     for (const auto& boundary : needed)
       if (std::none_of(mesh_.edges.begin(), mesh_.edges.end(), [&](const auto& e) { return e.boundary == boundary; }))
@@ -245,32 +253,52 @@ class Reader {
               "Heat enters or leaves there, so the mesh must name it.");
   }
 
-  /// Over the width that outer ring and housing have in common, every vertex of one lies on a vertex of the other.
-  void check_fit() {
+  [[nodiscard]] std::size_t body_named(const std::string& name) const {
+    return static_cast<std::size_t>(std::find(mesh_.bodies.begin(), mesh_.bodies.end(), name) - mesh_.bodies.begin());
+  }
+
+  void check_contacts() {
+    check_contact({body_named("outer_ring"), HeatSide::outer}, {body_named("housing"), HeatSide::inner}, 0);
+    std::size_t before = 0;
+    for (const auto& step : wishes_.shaft_steps) {
+      if (step.is_first) before = body_named("shaft");
+      const std::size_t k = body_named(step.name);
+      check_contact({before, step.is_left ? HeatSide::left : HeatSide::right},
+                    {k, step.is_left ? HeatSide::right : HeatSide::left}, 1);
+      before = k;
+    }
+  }
+
+  /// Over the length that two sides have in common, every vertex of one lies on a vertex of the other.
+  /// @param along  0: x, 1: r
+  void check_contact(const HeatBoundary& one, const HeatBoundary& two, std::size_t along) {
     constexpr double same_place = 1e-8;  // [m]
-    const auto side = [&](const char* body, HeatSide wanted) {
-      const auto found = std::find(mesh_.bodies.begin(), mesh_.bodies.end(), body);
-      std::set<std::array<double, 2>> places;
+    const auto places_of = [&](const HeatBoundary& side) {
+      std::vector<std::array<double, 2>> places;
       for (const auto& edge : mesh_.edges)
-        if (edge.boundary == HeatBoundary{static_cast<std::size_t>(found - mesh_.bodies.begin()), wanted, 0})
-          for (const auto v : edge.vertices) places.insert(mesh_.vertices[v]);
-      return std::vector<std::array<double, 2>>(places.begin(), places.end());
+        if (edge.boundary == side)
+          for (const auto v : edge.vertices) places.push_back(mesh_.vertices[v]);
+      std::sort(places.begin(), places.end(), [&](const auto& p, const auto& q) { return p[along] < q[along]; });
+      return places;
     };
-    const auto ring = side("outer_ring", HeatSide::outer), housing = side("housing", HeatSide::inner);
-    if (ring.empty() || housing.empty()) return;
-    const double from = std::max(ring.front()[0], housing.front()[0]) - same_place,
-                 to = std::min(ring.back()[0], housing.back()[0]) + same_place;
-    for (const auto& [these, those] : {std::pair{&ring, &housing}, std::pair{&housing, &ring}})
+    const auto first = places_of(one), second = places_of(two);
+    if (first.empty() || second.empty()) return;
+    const double from = std::max(first.front()[along], second.front()[along]) - same_place,
+                 to = std::min(first.back()[along], second.back()[along]) + same_place;
+    for (const auto& [these, those] : {std::pair{&first, &second}, std::pair{&second, &first}})
       for (const auto& p : *these) {
-        if (p[0] < from || p[0] > to) continue;
+        if (p[along] < from || p[along] > to) continue;
         const bool is_met = std::any_of(those->begin(), those->end(), [&](const auto& q) {
           return std::hypot(p[0] - q[0], p[1] - q[1]) <= same_place;
         });
         if (is_met) continue;
+        const bool is_first = these == &first;
         fault(fmt::format("a vertex of {} at x = {:.6g} m, r = {:.6g} m lies on none of {}.",
-                          these == &ring ? "outer_ring.outer" : "housing.inner", p[0], p[1],
-                          these == &ring ? "housing.inner" : "outer_ring.outer"),
-              "In the fit, vertices of both bodies must be at the same places: divide both sides alike.");
+                          boundary_name(mesh_, is_first ? one : two), p[0], p[1],
+                          boundary_name(mesh_, is_first ? two : one)),
+              along == 0 ? "In the fit, vertices of both bodies must be at the same places: divide both sides alike."
+                         : "Where pieces of the shaft touch, vertices of both must be at the same places: divide both "
+                           "faces alike.");
         return;
       }
   }

@@ -4,13 +4,15 @@
 
 #include "base/errors.h"
 #include "model/section_mesher.h"
+#include "thermal/shaft_steps.h"
 
 namespace rotordrop {
 
 /// What a mesh that a user brings must have.
 struct OwnSectionWishes {
-  std::vector<std::string> bodies;  ///< all of these and no others, in this order
-  int rows = 1;                     ///< every ring needs strip_1 to strip_ROWS
+  std::vector<std::string> bodies;     ///< all of these and no others, in this order
+  int rows = 1;                        ///< every ring needs strip_1 to strip_ROWS
+  std::vector<ShaftStep> shaft_steps;  ///< which of the bodies are the shaft beside the bearing
 };
 
 /// A section from a mesh file: quadrilaterals in named bodies, every edge of their outlines in one named group. Where the edges of a row's

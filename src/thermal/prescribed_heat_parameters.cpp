@@ -247,6 +247,21 @@ Section<PrescribedHeatParameters> prescribed_heat_section() {
               .fallback = "1e-6",
               .help = "Error of one time step. With a mesh in windows it is relative to the largest temperature "
                       "change, in the circuit and with few modes to the mean rise from all heat."});
+  s.quantity("ball_load", &P::ball_load,
+             {.unit = "N",
+              .range = positive(),
+              .help = "Normal load of every ball on both races: balls then conduct as thermal.contact_conduction = "
+                      "\"rolling\" has it for this load and ring_speed. Without it and ball_conductance by the fixed "
+                      "R5."});
+  s.quantity("ring_speed", &P::ring_speed,
+             {.unit = "rad/s",
+              .range = at_least(0),
+              .help = "Speed of the inner ring at which balls of ball_load roll; 0, at rest, if left out."});
+  s.quantity("ball_conductance", &P::ball_conductance,
+             {.unit = "W/K",
+              .range = positive(),
+              .help = "Conductance between each race and the balls, of all contacts together, instead of R5; nothing "
+                      "passes from race to race but through the balls' bulk."});
   s.list("source", &P::sources, source_section(), {.min_count = 1, .help = "Heat into the bearing."});
   s.list("probe", &P::probes, bearing_probe_section(), {.help = "Temperatures to report."});
   s.check([](const P& p, const Node& table, Faults& faults) {
@@ -257,6 +272,12 @@ Section<PrescribedHeatParameters> prescribed_heat_section() {
       faults.add(where, "heat.output_times go beyond heat.end_time.");
     if (!p.end_time && (p.output_times.empty() || p.output_times.back() <= 0.))
       faults.add(where, "nothing says how long to compute.", "Give heat.output_times = [...], or heat.end_time.");
+    if (p.ball_load && p.ball_conductance)
+      faults.add(position_of(table, "ball_conductance"),
+                 "heat.ball_load and heat.ball_conductance both say what balls conduct.", "Leave one of them out.");
+    if (p.ring_speed && !p.ball_load)
+      faults.add(position_of(table, "ring_speed"), "heat.ring_speed says at which speed balls of heat.ball_load roll.",
+                 "Give heat.ball_load, or leave it out.");
     for (std::size_t i = 0; i < p.probes.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (p.probes[i].name == p.probes[j].name)

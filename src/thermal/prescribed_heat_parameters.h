@@ -37,6 +37,7 @@ struct PrescribedHeatParameters {
   std::vector<double> output_times;
   std::optional<double> end_time;
   double time_tolerance = 0;
+  std::optional<double> ball_load, ring_speed, ball_conductance;  ///< [N], [rad/s], [W/K]
   std::vector<HeatSourceParameters> sources;
   std::vector<BearingProbeParameters> probes;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/wide_vectors.h"
@@ -197,6 +198,18 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& output : *list)
         for (std::size_t i = 0; i < p.n; ++i) p.stored[i] += output.capacity * output.shape[i];
+    const auto not_stored = [&](const std::vector<double>& port) {
+      constexpr double roundoff = 1e-12;
+      if (port.empty()) return 0.;
+      const double part = 1. - std::inner_product(port.begin(), port.end(), p.stored.begin(), 0.);
+      return std::fabs(part) < roundoff ? 0. : part;
+    };
+    p.lost = {not_stored(p.bore_input),  not_stored(p.shaft_input), not_stored(p.inner_input),
+              not_stored(p.outer_input), not_stored(p.film_input),  not_stored(p.ball_input)};
+    for (auto& row : p.rows) {
+      row.inner_lost = not_stored(row.inner_input);
+      row.outer_lost = not_stored(row.outer_input);
+    }
     p.surface_ports = observed_ports(section);
     for (const std::size_t port : p.surface_ports) {
       const auto& output = heat.ports[port];
@@ -256,9 +269,9 @@ ContactHeat ReducedSections::rolling_heat(const Place& p, const Place::Row& row,
                       rise.c, row.inner_at_once, 0., row.outer_at_once);
 }
 
-void ReducedSections::heat_rows(std::size_t k, const double* y, const HeatInput& heat, double* dydt) const {
+double ReducedSections::heat_rows(std::size_t k, const double* y, const HeatInput& heat, double* dydt) const {
   const Place& p = places_[k];
-  double from_balls = 0.;
+  double from_balls = 0., lost = 0.;
   for (std::size_t i = 0; i < p.rows.size(); ++i) {
     const auto& row = p.rows[i];
     double q_inner = heat.rows[i].inner, q_outer = heat.rows[i].outer;
@@ -270,8 +283,10 @@ void ReducedSections::heat_rows(std::size_t k, const double* y, const HeatInput&
     }
     add_times(q_inner, row.inner_input.data(), dydt, p.n);
     add_times(q_outer, row.outer_input.data(), dydt, p.n);
+    lost += row.inner_lost * q_inner + row.outer_lost * q_outer;
   }
   if (sections_[k].balls_roll) add_times(-from_balls, p.ball_input.data(), dydt, p.n);
+  return lost - p.lost.balls * from_balls;
 }
 
 double ReducedSections::rates(std::span<const double> state, std::span<const HeatInput> heat,
@@ -303,10 +318,12 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
                  p.film_input.data(), q_bore, q_shaft, q_inner, q_outer, -film_loss},
                 dydt.data() + p.first, p.n);
     if (is_apart)
-      heat_rows(k, y, heat[k], dydt.data() + p.first);
+      lost += heat_rows(k, y, heat[k], dydt.data() + p.first);
     else if (sections_[k].balls_roll)
       add_times(-from_balls, p.ball_input.data(), dydt.data() + p.first, p.n);
     lost += linear_loss + film_loss;
+    lost += p.lost.bore * q_bore + p.lost.shaft * q_shaft + p.lost.inner * q_inner + p.lost.outer * q_outer -
+            p.lost.film * film_loss - p.lost.balls * from_balls;
   }
   return lost;
 }

@@ -66,11 +66,16 @@ class ReducedSections final : public ThermalModel {
       std::vector<double> inner_input, outer_input, inner_strip, outer_strip;
       double inner_at_once = 0, outer_at_once = 0;
       double inner_share = 0, outer_share = 0;  ///< of the raceways' area
+      double inner_lost = 0, outer_lost = 0;    ///< parts of their heat that the modes left out lose at once
     };
     std::vector<Row> rows;
     std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< of growth_surfaces [m/K]
     bool has_widths = false;                                         ///< the axial growths are not zero
     double film_area = 0;
+    /// Parts of the ports' heat that the modes left out lose to the surroundings at once: a meshed shaft's surface, a few 1e-6.
+    struct AtOnce {
+      double bore = 0, shaft = 0, inner = 0, outer = 0, film = 0, balls = 0;
+    } lost;
     struct Surface {
       std::vector<double> by_mode;  ///< rises of its points, mode after mode [n * n_points]
       std::vector<double> at_once;  ///< [n_points]
@@ -81,7 +86,8 @@ class ReducedSections final : public ThermalModel {
   [[nodiscard]] ContactHeat rolling_heat(const Place& place, const double* states, const HeatInput& heat) const;
   [[nodiscard]] ContactHeat rolling_heat(const Place& place, const Place::Row& row, const double* states,
                                          const RowHeat& heat) const;
-  void heat_rows(std::size_t k, const double* states, const HeatInput& heat, double* dydt) const;
+  /// Heat of rows by themselves into the modes; what is lost at once [W].
+  double heat_rows(std::size_t k, const double* states, const HeatInput& heat, double* dydt) const;
   double* observe_surfaces(std::size_t k, const double* states, const HeatInput& heat, double* out,
                            std::vector<double>& rises) const;
   void add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const;

@@ -165,7 +165,7 @@ class WithTheRoom(ProgramTest):
 
         self.assertIn('"inner_ring.bore" is not part of an outline', refusal(good.replace('"inner_ring.inner"', '"inner_ring.bore"')))
         self.assertIn('there is no body "housing"', refusal(good.replace('"housing"', '"hosing"')))
-        self.assertIn('no body "shaft"', refusal(good, "--set", "thermal.fe.shaft=true"))
+        self.assertIn('no body "shaft"', refusal(good, "--set", "thermal.fe.shaft=bearing"))
         # A quadrilateral becomes a triangle: type 3 with four vertices, type 2 with three.
         self.assertIn("a triangle", refusal(re.sub(r"^(\d+) 3 2 (\d+ \d+) (\d+ \d+ \d+) \d+$", r"\1 2 2 \2 \3", good, count=1, flags=re.MULTILINE)))
         n_elements = int(re.search(r"\$Elements\n(\d+)\n", good)[1])
@@ -177,7 +177,7 @@ class WithTheRoom(ProgramTest):
         self.assertIn("strip_2", refusal((self.folder / "pair.msh").read_text()))
 
     def test_the_shaft_is_meshed_on_request(self):
-        self.succeed("mesh", "reference.toml", "-o", "m.msh", "--bearing", "TB1", "--set", "thermal.fe.shaft=true")
+        self.succeed("mesh", "reference.toml", "-o", "m.msh", "--bearing", "TB1", "--set", "thermal.fe.shaft=bearing")
         self.assertIn("shaft.outer", self.names("m.msh"))
 
     def test_where_the_module_is_missing_the_message_says_how_to_get_it(self):

@@ -243,11 +243,13 @@ void HeatOperator::assemble_bodies() {
   dealii::FullMatrix<double> capacity(n, n), conductance(n, n);
   Indices dofs(n);
   for (std::size_t b = 0; b < problem_.bodies.size(); ++b) bodies_.push_back({Vector(size()), 0.});
+  body_of_.assign(n_field_, 0);
   for (const auto& cell : cells_) {
     const auto& body = body_of(cell);
     fe.reinit(cell);
     cell->get_dof_indices(dofs);
     auto& mean = bodies_[cell->material_id()];
+    for (const auto dof : dofs) body_of_[dof] = cell->material_id();
     for (unsigned int q = 0; q < fe.n_quadrature_points; ++q)
       for (unsigned int i = 0; i < n; ++i) mean.weights(dofs[i]) += weight(fe, q) * fe.shape_value(i, q);
     if (is_curved(body)) continue;
@@ -528,9 +530,7 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
 
 std::string HeatOperator::part_of(unsigned int dof) const {
   if (dof >= n_field_) return "node \"" + problem_.nodes[dof - n_field_].name + "\"";
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (bodies_[b].weights(dof) != 0.) return "body \"" + problem_.bodies[b].name + "\"";
-  return "a body";
+  return "body \"" + problem_.bodies[body_of_[dof]].name + "\"";
 }
 
 std::string HeatOperator::strongest_cooling(unsigned int dof, double t) const {

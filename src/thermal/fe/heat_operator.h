@@ -82,6 +82,9 @@ class HeatOperator {
   /// Weights of a mean over a body's volume, and the body's heat capacity [J/K].
   [[nodiscard]] const Vector& body_weights(std::size_t body) const { return bodies_[body].weights; }
   [[nodiscard]] double body_capacity(std::size_t body) const { return bodies_[body].capacity; }
+  /// Body of an unknown of the mesh. Its weight in the body's mean may be none: on the axis quadratic elements have no volume.
+  [[nodiscard]] std::size_t body_of_unknown(unsigned int unknown) const { return body_of_[unknown]; }
+  [[nodiscard]] unsigned int n_field() const { return n_field_; }
   [[nodiscard]] unsigned int index_of_node(std::size_t node) const {
     return n_field_ + static_cast<unsigned int>(node);
   }
@@ -182,6 +185,7 @@ class HeatOperator {
   double held_since_ = 0;  ///< of the ports' heat [s]
   std::vector<Held> held_;
   std::vector<BodyMean> bodies_;
+  std::vector<std::size_t> body_of_;  ///< [n_field_]
   dealii::SparsityPattern pattern_;
   Matrix capacity_, conductance_;  ///< of all that is linear
   Vector capacity_weights_;        ///< stored energy of linear bodies = weights . (T - T_0)

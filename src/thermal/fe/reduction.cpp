@@ -69,8 +69,9 @@ MatrixXd symmetric(const MatrixXd& A) { return 0.5 * (A + A.transpose()); }
 std::vector<VectorXd> uniform_fields(const HeatOperator& problem) {
   std::vector<VectorXd> fields;
   for (std::size_t b = 0; b < problem.problem().bodies.size(); ++b) {
-    VectorXd v = dense(problem.body_weights(b));
-    for (double& value : v) value = value != 0. ? 1. : 0.;
+    VectorXd v = VectorXd::Zero(problem.size());
+    for (unsigned int i = 0; i < problem.n_field(); ++i)
+      if (problem.body_of_unknown(i) == b) v(i) = 1.;
     fields.push_back(v);
   }
   for (std::size_t k = 0; k < problem.problem().nodes.size(); ++k) {

@@ -1,0 +1,158 @@
+"""Shaft meshed beside the bearing (thermal.fe.shaft = "beyond").
+
+STEADY. A long shaft of small Biot number is a fin: with m = sqrt(4 h/(k d)) and an insulated end at L its rise falls as cosh(m (L - s))/cosh(m L), and it takes
+sqrt(h p k A) tanh(m L) = k A m tanh(m L) per kelvin of its root. What flows into the fins is the heat given less what leaves the shaft under the bearing:
+by its own surface h pi d W, and through R2 = 1/(4 pi k W) into the bore. The rise differs over a cross section by Bi/2, Bi = h d/(2 k), and its mean from that of the surface by half of it: a quarter of Bi is left for the fin.
+"""
+
+import json
+import math
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PROGRAM, ProgramTest  # noqa: E402
+
+HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
+AMBIENT, K, D, WATTS = 293.15, 70.0, 69.5e-3, 50.0
+
+
+@unittest.skipUnless(HAS_ROOM, "built without finite elements")
+class ShaftBeyond(ProgramTest):
+    def uniform_rotor(self):
+        """The reference case with a shaft of one diameter, that of the journal."""
+        rotor = json.loads((self.folder / "neisi2019-rotor.json").read_text())
+        for element in rotor["elements"]:
+            element["od"] = D
+        (self.folder / "neisi2019-rotor.json").write_text(json.dumps(rotor))
+
+    def heat(self, text, probes, *options):
+        self.write("heat.toml", 'base = "reference.toml"\n' + text + "".join(f'[[heat.probe]]\nname = "{name}"\n{place}\n' for name, place in probes.items()))
+        self.succeed("heat", "heat.toml", "-o", "out", "--quiet", "--force", *options)
+        summary = self.summary("out")
+        return {name: probe["temperature"][-1] - AMBIENT for name, probe in summary["probes"].items()}, summary
+
+    def steady(self, section, h):
+        self.uniform_rotor()
+        at = {f"s{i}": f"body = \"shaft_right_1\"\nx = {10e-3 + 0.03 * i}\nr = {0.5 * D / math.sqrt(2)}" for i in range(0, 8)}
+        rise, summary = self.heat(f'''
+[thermal]
+models = ["fe"]
+h_shaft = {h}
+[thermal.fe]
+coupling = "windowed"
+section = "{section}"
+shaft = "beyond"
+shaft_reach = "0.3 m"
+[heat]
+bearing = "TB1"
+output_times = ["4e5 s"]
+time_tolerance = 1e-4
+[[heat.source]]
+port = "rub-into-shaft"
+times = [0]
+values = ["{WATTS} W"]
+''', {**at, "left": 'boundary = "shaft.left"', "right": 'boundary = "shaft.right"', "surface": 'boundary = "shaft.outer"', "bore": 'boundary = "inner_ring.inner"'})
+        biot = h * D / (2 * K)
+        m, A, W = math.sqrt(4 * h / (K * D)), math.pi * D**2 / 4, 20e-3
+        # The left side ends with the rotor: node 2 is at 45 mm, the bearing's face 10 mm from it.
+        lengths = {"left": 0.035, "right": 0.3}
+        into_fins = sum(K * A * m * math.tanh(m * L) * rise[side] for side, L in lengths.items())
+        left_over = WATTS - rise["surface"] * h * math.pi * D * W - (rise["surface"] - rise["bore"]) * 4 * math.pi * K * W
+        print(f"{section}, h = {h}: {into_fins:.4f} W into the fins by the closed form, {left_over:.4f} W by the balance")
+        self.assertGreater(into_fins, 0.05 * WATTS)
+        self.assertLess(abs(left_over / into_fins - 1), biot / 4)
+        for i in range(8):
+            expected = math.cosh(m * (0.3 - 0.03 * i)) / math.cosh(m * 0.3)
+            self.assertLess(abs(rise[f"s{i}"] / rise["right"] / expected - 1), biot / 4, f"at {30 * i} mm")
+        energy = summary["energy"]["fe"]
+        self.assertLess(abs(energy["residual"]), 1e-9 * energy["input"])
+        self.assertGreater(energy["lost"], 0.9 * energy["input"])
+
+    def test_a_long_shaft_is_a_fin(self):
+        self.steady("grooved", 20)
+
+    def test_of_plain_sections_too(self):
+        self.steady("plain", 20)
+
+    def test_it_has_the_rotors_diameters(self):
+        def is_inside(body, x, r):
+            self.write("heat.toml", f'''base = "reference.toml"
+[thermal]
+models = ["fe"]
+fe.shaft = "beyond"
+[heat]
+bearing = "TB1"
+output_times = ["1 ms"]
+source = [{{ port = "inner", times = [0], values = [1] }}]
+probe = [{{ name = "p", body = "{body}", x = {x}, r = {r} }}]
+''')
+            return self.call("check", "heat.toml").returncode == 0
+
+        # Node 2 is at x = 45 mm of neisi2019-rotor.json; diameters of its elements: 62 | 69.5, 70, 80, 108.909, 203.024 mm. The last one ends half-way to node 28.
+        for body, x, r in (("shaft_left_1", -22e-3, 31e-3), ("shaft_right_1", 25e-3, 34.75e-3), ("shaft_right_2", 52e-3, 35e-3), ("shaft_right_3", 100e-3, 40e-3), ("shaft_right_4", 200e-3, 54.4545e-3), ("shaft_right_5", 370e-3, 101.512e-3)):
+            self.assertTrue(is_inside(body, x, r - 1e-5), body)
+            self.assertFalse(is_inside(body, x, r + 1e-5), body)
+
+    def test_reduced_and_in_windows_take_the_same_heat(self):
+        """10 s of heat, far shorter than the shaft needs to become even: on modes, in windows, and by the chain of nodes."""
+        text = f'''
+[thermal]
+models = ["fe"]
+shaft = "fin"
+[thermal.fe]
+shaft = "SHAFT"
+coupling = "COUPLING"
+[heat]
+bearing = "TB2"
+output_times = ["10 s"]
+time_tolerance = 1e-5
+[[heat.source]]
+port = "rub"
+times = [0]
+values = ["{WATTS} W"]
+'''
+        rises = {}
+        for shaft, coupling in (("beyond", "windowed"), ("beyond", "reduced"), ("bearing", "windowed"), ("lump", "windowed")):
+            rise, summary = self.heat(text.replace("SHAFT", shaft).replace("COUPLING", coupling), {"shaft": 'node = "shaft"'})
+            rises[shaft, coupling] = rise
+            energy = summary["energy"]["fe"]
+            self.assertLess(abs(energy["residual"]), 1e-5 * energy["input"])
+            self.assertLess(energy["lost"], 0.1 * energy["input"])
+            print(f"{shaft}, {coupling}: {rise}")
+        meshed, few = rises["beyond", "windowed"], rises["beyond", "reduced"]
+        self.assertLess(abs(few["shaft"] / meshed["shaft"] - 1), 0.005, "thermal.fe.response_tolerance")
+        # A chain of nodes takes heat from a lump too slowly, and from the heated surface of a shaft that ends with the bearing too fast.
+        self.assertGreater(rises["lump", "windowed"]["shaft"], meshed["shaft"])
+        self.assertLess(rises["bearing", "windowed"]["shaft"], meshed["shaft"])
+
+    def test_a_drop_and_steady_running_take_it(self):
+        case = self.case('thermal = { models = ["fe"], fe = { shaft = "beyond" } }\n')
+        for coupling in ("reduced", "windowed"):
+            summary = self.run_case(case, thermal__fe__coupling=coupling, output=coupling)
+            given, residual = (summary["energy"]["heat_deposited"], summary["energy"]["heat_residual"]) if coupling == "reduced" else (summary["windows"]["heat_input"], summary["windows"]["heat_residual"])
+            self.assertLess(abs(residual), 1e-8 * given)
+            self.assertIn("shaft_right_1", summary["bearings"]["TB1"]["fe"]["temperature_rise_end"])
+        self.write("running.toml", 'base = "reference.toml"\npreload = { speed = "3000 rpm", model = "fe", end_time = "100 s" }\nthermal = { expansion = "formula", fe = { shaft = "beyond" } }\n')
+        self.succeed("preload", "running.toml", "-o", "running", "--bearing", "TB2", "--quiet")
+
+    def test_its_mesh_can_be_written_and_read(self):
+        case = self.case('thermal = { models = ["fe"], fe = { shaft = "beyond", shaft_reach = "80 mm" } }\n')
+        self.succeed("mesh", case, "-o", "m.msh", "--bearing", "TB1")
+        again = self.succeed("mesh", case, "-o", "again.msh", "--bearing", "TB1", "--set", "thermal.fe.mesh=m.msh").stdout
+        self.assertIn("shaft_right_3", again)
+        shorter = self.case('thermal = { models = ["fe"], fe = { shaft = "bearing", mesh = "m.msh" } }\n', "shorter.toml")
+        done = self.call("mesh", shorter, "-o", "again.msh", "--force", "--bearing", "TB1")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('the group "shaft_left_1" is not a body of this bearing', done.stderr)
+
+    def test_bad_settings_are_told(self):
+        for settings, words in (({"thermal.fe.shaft": "bearing", "thermal.fe.shaft_reach": "0.1 m"}, 'thermal.fe.shaft is not "beyond"'), ({"thermal.fe.shaft": "beyound"}, 'Did you mean "beyond"')):
+            done = self.call("check", "reference.toml", *(word for key, value in settings.items() for word in ("--set", f"{key}={value}")))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
