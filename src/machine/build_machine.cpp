@@ -9,6 +9,7 @@
 #include <map>
 
 #include "bearing/linear_support.h"
+#include "machine/probes.h"
 #include "machine/shaft_geometry.h"
 #include "machine/speed_growth.h"
 #include "machine/statics.h"
@@ -226,7 +227,7 @@ using RingCentre = std::pair<double, std::pair<double, double>>;  // x, (y, z)
 /// A rotor that starts inside a ring would be shot out of it.
 void check_start(const MachineParameters& p, const Node& case_node, const RotorModel& rotor,
                  const Machine::Parts& parts, const std::vector<RingCentre>& ring_centres) {
-  std::vector<Motion> motions(p.bearings.size());
+  std::vector<Motion> motions(parts.supports.size());
   rotor.motions(parts.initial_rotor_state, motions);
   Faults faults;
   std::size_t ring = 0;
@@ -243,6 +244,17 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
                       distance * 1e6, p.bearings[i].name, gap * 1e6),
           "Check rotor.initial_offset, initial_tilt and initial_orbit.");
     if (!faults.empty()) break;  // one fault, whatever the number of rings
+  }
+  for (const auto& [name, probe] : p.rotor.probes) {
+    if (!probe.contact) continue;
+    const Motion at = rotor.node_motion(probe.node, parts.initial_rotor_state);
+    const double distance = std::hypot(at.y - probe.centre[0], at.z - probe.centre[1]);
+    if (distance > probe.clearance)
+      faults.add(position_of(case_node, "rotor"),
+                 fmt::format("the rotor starts {:.6g} um from the axis of rotor.probes.{}, beyond its clearance of "
+                             "{:.6g} um.",
+                             distance * 1e6, name, probe.clearance * 1e6),
+                 "Check its clearance and centre, and rotor.initial_offset, initial_tilt and initial_orbit.");
   }
   faults.throw_if_any();
 }
@@ -561,6 +573,12 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
         parts.supports.push_back(entry.other()->make(entry.name));
       parts.thermal_place.push_back(std::nullopt);
     }
+  }
+  parts.probes = probes_of(p.rotor);
+  for (auto& probe : probe_contacts(p.rotor)) {
+    nodes.push_back(probe.node);
+    parts.supports.push_back(std::move(probe.contact));
+    parts.thermal_place.push_back(std::nullopt);
   }
   parts.rub_share.assign(n_places, rub_share(p.thermal));
   add_thermal_models(p, network, finite_elements, std::move(recorded), parts);

@@ -187,6 +187,14 @@ void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) 
   if (axial_) add_axial_motion(y, out);
 }
 
+Motion ModalRotor::node_motion(int node, std::span<const double> y) const {
+  assert(y.size() == n_state() && node >= 1 && static_cast<std::size_t>(node) <= n_nodes_);
+  Motion motion;
+  (this->*motions_)(y.data(), node_shape_.data() + static_cast<std::size_t>(node - 1) * n_modes_, 1, &motion);
+  if (axial_) add_axial_motion(y, {&motion, 1});
+  return motion;
+}
+
 void ModalRotor::add_axial_motion(std::span<const double> y, std::span<Motion> out) const {
   for (Motion& motion : out) {
     motion.x = y[axial_at()];

@@ -84,6 +84,7 @@ class ModalRotor final : public RotorModel {
   [[nodiscard]] std::vector<StateEntry> state_entries() const override;
   [[nodiscard]] std::size_t n_stations() const override { return n_stations_; }
   void motions(std::span<const double> y, std::span<Motion> out) const override;
+  [[nodiscard]] Motion node_motion(int node, std::span<const double> y) const override;
   [[nodiscard]] Spin spin(std::span<const double> y) const override { return {y[4 * n_modes_], y[4 * n_modes_ + 1]}; }
   RotorPower rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
                    std::span<double> dydt) const override;

@@ -104,7 +104,7 @@ void FollowedLoad::follow(double t, double force, double load) {
   last_load_ = load;
 }
 
-DropScalars::DropScalars(const Machine& machine) {
+DropScalars::DropScalars(const Machine& machine) : probes_(machine) {
   std::map<std::string, std::pair<std::size_t, std::size_t>> where;  // name -> first column, size
   std::size_t at = 0;
   for (const auto& o : machine.step_observables()) {
@@ -206,6 +206,7 @@ void DropScalars::follow(double t, std::span<const double> step) {
     s.penetration = penetration;
     s.spin_lag = lag;
   }
+  probes_.follow(t, step);
 }
 
 SkidVerdict skid_verdict(const BearingScalars& s, std::size_t n_rows) {
@@ -235,13 +236,15 @@ static_assert(std::is_trivially_copyable_v<BearingScalars> && sizeof(BearingScal
 std::vector<double> DropScalars::packed() const {
   std::vector<double> values(scalars_.size() * sizeof(BearingScalars) / sizeof(double));
   if (!values.empty()) std::memcpy(values.data(), scalars_.data(), values.size() * sizeof(double));
+  probes_.pack(values);
   return values;
 }
 
 void DropScalars::unpack(std::span<const double> values) {
-  if (values.size() * sizeof(double) != scalars_.size() * sizeof(BearingScalars))
-    throw std::invalid_argument("scalars of another machine");
-  if (!values.empty()) std::memcpy(static_cast<void*>(scalars_.data()), values.data(), values.size() * sizeof(double));
+  const std::size_t n = scalars_.size() * sizeof(BearingScalars) / sizeof(double);
+  if (values.size() != n + probes_.packed_size()) throw std::invalid_argument("scalars of another machine");
+  if (n > 0) std::memcpy(static_cast<void*>(scalars_.data()), values.data(), n * sizeof(double));
+  probes_.unpack(values.subspan(n));
 }
 
 }  // namespace rotordrop

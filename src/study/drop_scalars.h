@@ -8,6 +8,7 @@
 
 #include "bearing/touchdown_parameters.h"
 #include "machine/machine.h"
+#include "study/probe_scalars.h"
 
 namespace rotordrop {
 
@@ -124,6 +125,7 @@ class DropScalars {
   /// Whether a bearing's inner ring takes axial loads from the rotor.
   [[nodiscard]] bool is_free(std::size_t bearing) const { return columns_[bearing].axial_force.has_value(); }
   [[nodiscard]] std::size_t n_rows(std::size_t bearing) const { return columns_[bearing].n_rows; }
+  [[nodiscard]] const ProbeWatch& probes() const { return probes_; }
   /// For checkpoints.
   [[nodiscard]] std::vector<double> packed() const;
   void unpack(std::span<const double> values);
@@ -137,6 +139,7 @@ class DropScalars {
   };
   std::vector<Columns> columns_;
   std::vector<BearingScalars> scalars_;
+  ProbeWatch probes_;
 };
 
 }  // namespace rotordrop

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "machine/probes.h"
+
 namespace rotordrop {
 namespace {
 
@@ -170,6 +172,23 @@ void look_at_bearing(const std::string& name, const TouchdownParameters& b, cons
          "A bare number is in metres.");
 }
 
+/// A stationary part that the rotor reaches before, or while, its touchdown bearings hold it.
+void look_at_probes(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node* tables = table_at(tree, "rotor").find("probes");
+  for (const auto& [name, probe] : p.rotor.probes) {
+    const double reach = reachable_displacement(p, probe.node);
+    const double left = probe.clearance - std::hypot(probe.centre[0], probe.centre[1]);
+    if (!std::isfinite(reach) || left > reach) continue;
+    const Node* own = tables ? tables->find(name) : nullptr;
+    warn(warnings, position_of_value(own ? *own : table_at(tree, "rotor"), "clearance"),
+         fmt::format("rotor.probes.{}.clearance leaves {:.4g} um at node {}, not more than the {:.4g} um by which the "
+                     "gaps of the touchdown bearings let a straight rotor move there: it touches.",
+                     name, left * 1e6, probe.node, reach * 1e6),
+         "Touchdown bearings are there to be touched first: check the clearance, its centre, the node and "
+         "contact.air_gap.");
+  }
+}
+
 /// What the case has but its laws leave out.
 void look_at_laws(const std::string& name, const TouchdownParameters& b, const CaseParameters& p, const Node& tree,
                   std::vector<Fault>& warnings) {
@@ -188,6 +207,7 @@ std::vector<Fault> look_for_slips(const CaseParameters& p, const Node& tree) {
   std::vector<Fault> warnings;
   look_at_values(p, tree, warnings);
   look_at_rotor(p, tree, warnings);
+  look_at_probes(p, tree, warnings);
   for (const auto& entry : p.bearings)
     if (const auto* touchdown = entry.touchdown()) {
       look_at_bearing(entry.name, *touchdown, p, tree, warnings);

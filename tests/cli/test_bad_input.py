@@ -180,6 +180,10 @@ GEOMETRY_OF_BEARINGS = [
 CROSS_REFERENCES = [
     Fault("a bearing at an unknown node", bearing("node = »99"), (r"bearings\.TB1\.node = 99: the rotor has nodes 1 to 31",)),
     Fault("an unbalance at an unknown node", "[rotor]\nunbalance = [{ node = 5, me = 1e-6 }, { node = »77, me = 1e-6 }]", (r"unbalance#2\.node = 77", "nodes 1 to 31")),
+    Fault("a probe at an unknown node", '[rotor.probes]\nmagnet = { node = »99, clearance = "300 um" }', (r"rotor\.probes\.magnet\.node = 99: the rotor has nodes 1 to 31",)),
+    Fault("a probe without clearance", '[rotor.probes]\nmagnet = { node = 9, clearance = »"-300 um" }', (r"rotor\.probes\.magnet\.clearance", "> 0 m")),
+    Fault("a clearance in metres", "[rotor.probes]\nmagnet = { node = 9, clearance = »0.3 }", (r"rotor\.probes\.magnet\.clearance = 300 mm is more than half the rotor's radius", "bare number is in metres")),
+    Fault("a negative stiffness at a probe", '[rotor.probes]\nmagnet = { node = 9, clearance = "300 um", contact = { stiffness = »-1e8 } }', (r"probes\.magnet\.contact\.stiffness", "> 0 N/m")),
     Fault("two bearings on one node", bearing("node = »2", "TB2"), (r"bearings\.TB2\.node = 2: another touchdown bearing", "TB1")),
     Fault("an unknown material", bearing('ball = »"Si3N5"'), (r'bearings\.TB1\.ball = "Si3N5" is no material', 'Did you mean "Si3N4"', "Known in .materials.: .*steel")),
     Fault("an unknown catalogue name", bearing('catalogue = »"6041"'), (r'bearings\.TB1\.catalogue = "6041"', "no such bearing", 'Did you mean "60\\d\\d"', "Known: .*6014")),
