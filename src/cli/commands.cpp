@@ -15,6 +15,7 @@
 #include "io/checkpoint.h"
 #include "io/hdf5_version.h"
 #include "io/parameter_writers.h"
+#include "machine/bearing_report.h"
 #include "machine/build_machine.h"
 #include "machine/rotor_report.h"
 #include "study/bearing_heat_run.h"
@@ -212,6 +213,7 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
              report.body.Ip, report.body.Id, report.body.centre_of_gravity);
+  fmt::print("{}", bearing_report(c.parameters));
   fmt::print(
       "{}: no errors found{}. Not checked: whether the time step is short enough for the stiffest contact.\n",
       file.string(),

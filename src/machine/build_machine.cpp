@@ -9,6 +9,7 @@
 #include <map>
 
 #include "bearing/linear_support.h"
+#include "machine/magnets.h"
 #include "machine/probes.h"
 #include "machine/shaft_geometry.h"
 #include "machine/speed_growth.h"
@@ -465,16 +466,30 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   return c;
 }
 
+TouchdownSurroundings touchdown_surroundings(const MachineParameters& p, const TouchdownParameters& b) {
+  const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
+  TouchdownSurroundings around{{ring.E, ring.nu},
+                               {ball.E, ball.nu},
+                               p.run.gravity,
+                               ball.rho,
+                               p.rotor.axial_motion == AxialFreedom::free,
+                               ring.rho,
+                               {}};
+  // The outermost of the shaft's layers at the node makes the surface.
+  const ShaftElement* outermost = nullptr;
+  double inside = std::numeric_limits<double>::infinity();
+  for (const auto& e : p.rotor.geometry.elements) {
+    if (b.node != e.n1 && b.node != e.n2) continue;
+    if (!outermost || e.od > outermost->od) outermost = &e;
+    inside = std::min(inside, 0.5 * e.id);
+  }
+  if (outermost) around.journal = JournalBody{{outermost->material.E, outermost->material.nu}, inside};
+  return around;
+}
+
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
-  const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
-  auto data = touchdown_data(name, b, p.contact,
-                             {{ring.E, ring.nu},
-                              {ball.E, ball.nu},
-                              p.run.gravity,
-                              ball.rho,
-                              p.rotor.axial_motion == AxialFreedom::free,
-                              ring.rho});
+  auto data = touchdown_data(name, b, p.contact, touchdown_surroundings(p, b));
   if (p.thermal.contact_conduction == BallConductionModel::rolling)
     data.conduction = row_conduction(p, b, data.rows.front());
   return data;
@@ -532,6 +547,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
                "contact.friction_over_temperature follows the inner rings of the lumped circuit, which does not run.",
                "Put \"lumped\" into thermal.models, which may drive nothing, or leave the table out.");
   check_axial_motion(p, case_node, faults);
+  check_magnets(p, case_node, faults);
   check_end(p, case_node, faults);
   check_statics(p, table_of(case_node, "statics"), faults);
 }
@@ -569,6 +585,8 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
     } else {
       if (const auto* l = entry.linear())
         parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l->stiffness, l->damping));
+      else if (entry.magnet())
+        parts.supports.push_back(nullptr);  // made when it is known where the rotor starts
       else
         parts.supports.push_back(entry.other()->make(entry.name));
       parts.thermal_place.push_back(std::nullopt);
@@ -595,8 +613,9 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
                                        : Motion{.y = first->second.first, .z = first->second.second};
   }
   parts.initial_rotor_state.resize(rotor->n_state());
-  rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {0., p.run.initial_speed},
+  rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {p.rotor.initial_angle, p.run.initial_speed},
                              parts.initial_rotor_state);
+  add_magnets(p, *rotor, start, parts);
   check_start(p, case_node, *rotor, parts, ring_centres);
   parts.rotor = std::move(rotor);
   return parts;

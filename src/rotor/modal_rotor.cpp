@@ -361,6 +361,17 @@ void ModalRotor::initial_rigid_state(const Motion& motion_of_centre_of_gravity, 
   }
 }
 
+void ModalRotor::add_static_deflection(std::span<const Force> force_on_station, std::span<double> y) const {
+  assert(y.size() == n_state() && force_on_station.size() == n_stations_);
+  const std::size_t n = n_modes_;
+  for (std::size_t s = 0; s < n_stations_; ++s)
+    for (std::size_t i = 2; i < n; ++i) {
+      const double per_force = station_shape_[s * n + i].deflection / (body_.mass * omega_squared_[i]);
+      y[i] += per_force * force_on_station[s].y;
+      y[n + i] += per_force * force_on_station[s].z;
+    }
+}
+
 std::vector<double> ModalRotor::mode_frequencies() const {
   std::vector<double> frequencies;
   for (const double w2 : omega_squared_) frequencies.push_back(std::sqrt(w2) / two_pi);

@@ -95,6 +95,8 @@ class ModalRotor final : public RotorModel {
   /// @param motion_of_centre_of_gravity  displacement, tilt and their rates; see straight_line() and orbit()
   /// @param y                            [n_state]
   void initial_rigid_state(const Motion& motion_of_centre_of_gravity, const Spin& spin, std::span<double> y) const;
+  /// Adds to a state how the flexible modes bend at rest under forces on the stations [n_stations] and uniform gravity.
+  void add_static_deflection(std::span<const Force> force_on_station, std::span<double> y) const;
   /// Motion of every node [n_nodes]; for pictures and tests, not for the hot path.
   void node_motions(std::span<const double> y, std::span<Motion> out) const;
   /// Torque of motor or brake [N m].

@@ -350,6 +350,10 @@ Section<RotorParameters> rotor_section() {
                   {.unit = "rad/s", .fallback = {"0 rad/s", "0 rad/s"}, .help = "Tilt rate about y and z."})
       .table("initial_orbit", &RotorParameters::initial_orbit, orbit,
              {.help = "Circular orbit at the start, added to the initial offset and velocity."})
+      .quantity("initial_angle", &RotorParameters::initial_angle,
+                {.unit = "rad",
+                 .fallback = "0 deg",
+                 .help = "Spin angle at the start; every unbalance then stands at its own angle plus this."})
       .tables("probes", &RotorParameters::probes, probe_section(),
               {.help = "Nodes by name whose displacement is recorded against a clearance of their own."})
       .check(check_inline_geometry);

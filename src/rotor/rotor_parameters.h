@@ -44,6 +44,7 @@ struct RotorParameters {
   std::array<double, 2> initial_velocity{};   ///< y, z of the centre of gravity [m/s]
   std::array<double, 2> initial_tilt_rate{};  ///< about y, z [rad/s]
   InitialOrbit initial_orbit;
+  double initial_angle = 0;  ///< spin angle at the start, which says where unbalances are [rad]
   ProbeList probes;
 };
 

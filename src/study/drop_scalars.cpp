@@ -104,7 +104,7 @@ void FollowedLoad::follow(double t, double force, double load) {
   last_load_ = load;
 }
 
-DropScalars::DropScalars(const Machine& machine) : probes_(machine) {
+DropScalars::DropScalars(const Machine& machine) : probes_(machine), supports_(machine) {
   std::map<std::string, std::pair<std::size_t, std::size_t>> where;  // name -> first column, size
   std::size_t at = 0;
   for (const auto& o : machine.step_observables()) {
@@ -207,6 +207,7 @@ void DropScalars::follow(double t, std::span<const double> step) {
     s.spin_lag = lag;
   }
   probes_.follow(t, step);
+  supports_.follow(t, step);
 }
 
 SkidVerdict skid_verdict(const BearingScalars& s, std::size_t n_rows) {
@@ -237,14 +238,17 @@ std::vector<double> DropScalars::packed() const {
   std::vector<double> values(scalars_.size() * sizeof(BearingScalars) / sizeof(double));
   if (!values.empty()) std::memcpy(values.data(), scalars_.data(), values.size() * sizeof(double));
   probes_.pack(values);
+  supports_.pack(values);
   return values;
 }
 
 void DropScalars::unpack(std::span<const double> values) {
   const std::size_t n = scalars_.size() * sizeof(BearingScalars) / sizeof(double);
-  if (values.size() != n + probes_.packed_size()) throw std::invalid_argument("scalars of another machine");
+  if (values.size() != n + probes_.packed_size() + supports_.packed_size())
+    throw std::invalid_argument("scalars of another machine");
   if (n > 0) std::memcpy(static_cast<void*>(scalars_.data()), values.data(), n * sizeof(double));
-  probes_.unpack(values.subspan(n));
+  probes_.unpack(values.subspan(n, probes_.packed_size()));
+  supports_.unpack(values.subspan(n + probes_.packed_size()));
 }
 
 }  // namespace rotordrop

@@ -9,6 +9,7 @@
 #include "bearing/touchdown_parameters.h"
 #include "machine/machine.h"
 #include "study/probe_scalars.h"
+#include "study/support_scalars.h"
 
 namespace rotordrop {
 
@@ -126,6 +127,7 @@ class DropScalars {
   [[nodiscard]] bool is_free(std::size_t bearing) const { return columns_[bearing].axial_force.has_value(); }
   [[nodiscard]] std::size_t n_rows(std::size_t bearing) const { return columns_[bearing].n_rows; }
   [[nodiscard]] const ProbeWatch& probes() const { return probes_; }
+  [[nodiscard]] const SupportWatch& supports() const { return supports_; }
   /// For checkpoints.
   [[nodiscard]] std::vector<double> packed() const;
   void unpack(std::span<const double> values);
@@ -140,6 +142,7 @@ class DropScalars {
   std::vector<Columns> columns_;
   std::vector<BearingScalars> scalars_;
   ProbeWatch probes_;
+  SupportWatch supports_;
 };
 
 }  // namespace rotordrop

@@ -77,8 +77,9 @@ void look_at_values(const CaseParameters& p, const Node& tree, std::vector<Fault
     const std::string path = "bearings." + entry.name;
     if (const auto* touchdown = entry.touchdown()) {
       if (touchdown->air_gap) look(table, path, "air_gap", *touchdown->air_gap, gaps, "m", gap_slip);
-      look(table, path, "contact_stiffness", touchdown->contact_stiffness, between(1e6, 1e14), "N/m^n",
-           "K of a journal in a bore is some 1e8 to 1e12 N/m^n; above, steps become very short.");
+      if (touchdown->contact_stiffness)
+        look(table, path, "contact_stiffness", *touchdown->contact_stiffness, between(1e6, 1e14), "N/m^n",
+             "K of a journal in a bore is some 1e8 to 1e12 N/m^n; above, steps become very short.");
     }
     if (const auto* linear = entry.linear())
       for (const auto& row : linear->stiffness)

@@ -106,6 +106,27 @@ class Charts {
     charts_.back()["bands"].push_back(std::move(band));
   }
 
+  /// Begins a figure of force over travel.
+  void over_itself(const std::string& id, const std::string& section, const std::string& title,
+                   const std::string& note) {
+    figure(id, section, title, "force", "kN", note);
+    charts_.back()["x"] = {{"label", "travel"}, {"unit", "um"}};
+  }
+  void pairs(const std::string& name, const TimeSeries& travel, const TimeSeries& force, Style style) {
+    constexpr std::size_t most = 4000;
+    std::vector<double> x, y;
+    const std::size_t n = std::min(travel.values.size(), force.values.size());
+    for (std::size_t k = 0; k < n; k += std::max<std::size_t>(n / most, 1)) {
+      x.push_back(travel.values[k]);
+      y.push_back(force.values[k]);
+    }
+    charts_.back()["lines"].push_back({{"name", name},
+                                       {"colour", style.colour},
+                                       {"dash", style.dash},
+                                       {"x", rounded(x, 1e6)},
+                                       {"y", rounded(y, 1e-3)}});
+  }
+
   void drop_empty() {
     if (!charts_.empty() && charts_.back()["lines"].empty()) charts_.erase(charts_.size() - 1);
   }
@@ -163,7 +184,17 @@ void add_probes(Charts& c, const RecordedDrop& drop) {
     c.recorded("/probes/" + probes[i].first + "/contact_force", probes[i].first, 1e-3, {i, 0});
 }
 
-void add_forces(Charts& c) {
+/// Force over travel of a support with a law of its own: the area of its loops is what it dissipates.
+void add_support_loop(Charts& c, const RecordedDrop& drop, const std::string& name) {
+  const std::string force = "/bearings/" + name + "/support_force", place = "/bearings/" + name + "/support_position";
+  if (!drop.has(force)) return;
+  c.over_itself("support-loop-" + name, "Forces", name + ": force of the support on the outer ring over its travel",
+                "Springs give lines, friction and damping loops; the area is what the support dissipates.");
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    c.pairs(axis == 0 ? "y" : "z", drop.series(place, axis), drop.series(force, axis), {axis, 0});
+}
+
+void add_forces(Charts& c, const RecordedDrop& drop) {
   c.figure("contact-force", "Forces", "Normal force between rotor and inner ring", "contact force", "kN",
            "Instantaneous; peaks are 0-peak samples. The table's peaks are of every step of the integration.");
   c.of_supports("contact_force", "", 1e-3);
@@ -173,9 +204,15 @@ void add_forces(Charts& c) {
   c.figure("bearing-force", "Forces", "Resultant of the ball forces on the inner ring", "force", "kN");
   c.of_supports("bearing_force", "y", 1e-3, 0, 0);
   c.of_supports("bearing_force", "z", 1e-3, 1, 1);
-  c.figure("support-force", "Forces", "Force of linear supports on the rotor", "force", "kN");
+  c.figure("support-force", "Forces", "Force of linear supports on the rotor, of other supports on the outer ring",
+           "force", "kN");
   c.of_supports("support_force", "y", 1e-3, 0, 0);
   c.of_supports("support_force", "z", 1e-3, 1, 1);
+  for (const auto& [name, parameters] : drop.bearings()) add_support_loop(c, drop, name);
+  c.figure("magnet-force", "Forces", "Force of magnets on the rotor", "force", "kN");
+  c.of_supports("magnet_force", "y", 1e-3, 0, 1);
+  c.of_supports("magnet_force", "z", 1e-3, 1, 2);
+  c.of_supports("magnet_force", "x", 1e-3, 2, 0);
 }
 
 void add_speeds(Charts& c) {
@@ -301,7 +338,7 @@ Json report_charts(const RecordedDrop& drop) {
   Charts c(drop);
   add_motion(c, drop);
   add_probes(c, drop);
-  add_forces(c);
+  add_forces(c, drop);
   add_speeds(c);
   add_heat(c);
   add_temperatures(c, drop);

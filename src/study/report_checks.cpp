@@ -217,6 +217,22 @@ void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::str
     checks.unknown(title, "not assessed: no thermal model ran");
 }
 
+/// Travel of the outer ring in its support.
+void check_support(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name + "/support/";
+  const double travel = at(summary, key + "largest_travel"), limit = at(summary, key + "travel_limit");
+  if (!std::isfinite(travel) || (!std::isfinite(limit) && summary.at(Json::json_pointer(key + "type")) == "linear"))
+    return;
+  const std::string text =
+      fmt::format("the outer ring moves by up to {:.4g} µm, at {:.4g} ms; its support ({}) dissipates {:.4g} J",
+                  travel * 1e6, at(summary, key + "largest_travel_time") * 1e3,
+                  summary.at(Json::json_pointer(key + "type")).get<std::string>(), at(summary, key + "loss"));
+  if (std::isfinite(limit))
+    checks.add(name + ": travel of the support", travel <= limit, text + fmt::format("; limit {:.4g} µm", limit * 1e6));
+  else
+    checks.add(name + ": travel of the support", true, text + "; no limit is given");
+}
+
 /// Whether the rotor keeps off magnets, seals and the like.
 void check_probes(Checks& checks, const RecordedDrop& drop, const Json& summary) {
   for (const auto& [name, probe] : drop.parameters().rotor.probes) {
@@ -270,6 +286,7 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
       check_balls(checks, summary, name);
       check_skidding(checks, summary, name);
       check_whirl(checks, summary, name);
+      check_support(checks, summary, name);
     }
     check_temperatures(checks, drop, name);
     check_local_temperature(checks, drop, summary, name);

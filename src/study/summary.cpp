@@ -212,6 +212,7 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
       if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == name)
         add_local_report(*recorded, name, *touchdown, bearing);
     bearing["whirl"] = whirl_summary(results, name, drop_case);
+    bearing["support"] = scalars.supports().summary(machine, drop_case.parameters, name, y);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);
   }
@@ -309,6 +310,7 @@ std::string summary_text(const Json& j) {
         text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", name.size() + 2,
                             b["axial"]["force"]["smallest"].get<double>() * 1e-3,
                             b["axial"]["force"]["largest"].get<double>() * 1e-3);
+      if (b.contains("support")) text += support_text(name, b["support"]);
       if (b.contains("whirl")) text += whirl_text(name, b["whirl"]);
     }
   if (j.contains("probes")) text += probe_text(j["probes"]);
