@@ -244,16 +244,6 @@ void check_springs(const SupportLawParameters& p, const Node& table, const std::
   if (!p.C_y && !p.C_z) missing(table, path, "C_y", p.type, faults);
 }
 
-/// Springs of a law that has none would be lost.
-void check_no_springs(const SupportLawParameters& p, const Node& table, const std::string& path, Faults& faults) {
-  for (const auto& [key, value] :
-       {std::pair{"K_y", &p.K_y}, std::pair{"K_z", &p.K_z}, std::pair{"C_y", &p.C_y}, std::pair{"C_z", &p.C_z}})
-    if (*value && table.find(key))
-      faults.add(position_of_value(table, key),
-                 fmt::format("{}.{} is of springs and dampers, and type = \"{}\" has none.", path, key, p.type),
-                 "Leave it out, or choose another type.");
-}
-
 // An axis without a value of its own is not asked for its force.
 std::array<double, 2> pair_of(const std::optional<double>& y, const std::optional<double>& z) {
   return {y ? *y : *z, z ? *z : *y};
@@ -317,13 +307,12 @@ const std::vector<SupportLawKind>& support_law_kinds() {
   using P = SupportLawParameters;
   using Around = SupportSurroundings;
   static const std::vector<SupportLawKind> kinds = {
-      {"linear", check_springs,
+      {"linear", true, check_springs,
        [](const P& p, const Around&) { return with_stop(std::make_shared<SpringSupport>(K(p), C(p)), p.stop); },
        [](const P& p, const Around&) { return springs_text(p); }},
-      {"ribbon",
+      {"ribbon", false,
        [](const P& p, const Node& table, const std::string& path, Faults& faults) {
          if (!p.ribbon) missing(table, path, "ribbon", p.type, faults);
-         check_no_springs(p, table, path, faults);
        },
        [](const P& p, const Around&) {
          const auto axis = ribbon_axis(*p.ribbon);
@@ -347,10 +336,9 @@ const std::vector<SupportLawKind>& support_law_kinds() {
                                p.ribbon->geometry->interference * 1e6);
          return text;
        }},
-      {"elastomer",
+      {"elastomer", false,
        [](const P& p, const Node& table, const std::string& path, Faults& faults) {
          if (!p.elastomer) missing(table, path, "elastomer", p.type, faults);
-         check_no_springs(p, table, path, faults);
        },
        [](const P& p, const Around&) {
          const auto axis = maxwell_of(*p.elastomer);
@@ -366,7 +354,7 @@ const std::vector<SupportLawKind>& support_law_kinds() {
              "elastomer of {} Maxwell elements, {:.4g} N/m at rest; off its table by {:.2g} at most, at {:.4g} Hz",
              fit.model.elements.size(), fit.model.stiffness, fit.largest_error, fit.worst_frequency);
        }},
-      {"squeeze-film",
+      {"squeeze-film", true,
        [](const P& p, const Node& table, const std::string& path, Faults& faults) {
          if (!p.squeeze_film) missing(table, path, "squeeze_film", p.type, faults);
          check_springs(p, table, path, faults);
@@ -389,7 +377,7 @@ const std::vector<SupportLawKind>& support_law_kinds() {
          const auto centred = film.force({0., 0., slow, 0.});
          return fmt::format("{}; squeeze film with {:.4g} N s/m when centred", springs_text(p), -centred[0] / slow);
        }},
-      {"bump-stop",
+      {"bump-stop", true,
        [](const P& p, const Node& table, const std::string& path, Faults& faults) {
          check_springs(p, table, path, faults);
          if (!p.stop) missing(table, path, "stop", p.type, faults);
@@ -423,7 +411,7 @@ Section<SupportParameters> support_section() {
     if (p.z) {
       const Node* own = table.find("z");
       if (const auto* other = kind_of(p.z->type)) other->check(*p.z, own ? *own : table, path + ".z", faults);
-    } else if (faults.size() == n_before && (p.K_y || p.K_z || p.C_y || p.C_z)) {
+    } else if (faults.size() == n_before && kind->has_springs) {
       for (const auto& [key, value] :
            {std::pair{"K_y", &p.K_y}, std::pair{"K_z", &p.K_z}, std::pair{"C_y", &p.C_y}, std::pair{"C_z", &p.C_z}})
         if (!*value) missing(table, path, key, p.type, faults);

@@ -73,6 +73,7 @@ struct SupportSurroundings {
 /// A kind of law: what type = "..." stands for.
 struct SupportLawKind {
   std::string type;
+  bool has_springs = false;  ///< needs K_y to C_z
   /// Faults of the parameters; `path` is the table's name for messages.
   std::function<void(const SupportLawParameters&, const Node& table, const std::string& path, Faults&)> check;
   std::function<std::shared_ptr<const SupportLaw>(const SupportLawParameters&, const SupportSurroundings&)> make;

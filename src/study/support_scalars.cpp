@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "study/json_number.h"
 
@@ -14,18 +15,25 @@ namespace rotordrop {
 using Json = nlohmann::ordered_json;
 
 SupportWatch::SupportWatch(const Machine& machine) {
-  std::map<std::string, std::size_t> where;
-  std::size_t at = 0;
-  for (const auto& o : machine.step_observables()) {
-    where[o.name] = at;
-    at += o.size;
-  }
+  const auto column_of = [&](const std::string& name) -> std::optional<std::size_t> {
+    std::size_t at = 0;
+    for (const auto& o : machine.step_observables()) {
+      if (o.name == name) return at;
+      at += o.size;
+    }
+    return std::nullopt;
+  };
   for (std::size_t i = 0; i < machine.n_supports(); ++i) {
-    const std::string path = machine.support(i).results_path() + "/";
-    const auto position = where.find(path + "support_position"), energy = where.find(path + "support_energy");
-    if (position == where.end()) continue;
-    columns_.push_back({machine.support(i).name(), i, position->second, energy == where.end() ? 0 : energy->second,
-                        energy != where.end()});
+    const std::string path = machine.support(i).results_path();
+    const auto position = column_of(path + "/support_position"), energy = column_of(path + "/support_energy");
+    if (!position) continue;
+    Columns c;
+    c.name = machine.support(i).name();
+    c.support = i;
+    c.position = *position;
+    c.energy = energy.value_or(0);
+    c.has_energy = energy.has_value();
+    columns_.push_back(std::move(c));
   }
   scalars_.resize(columns_.size());
 }
@@ -49,11 +57,12 @@ Json SupportWatch::summary(const Machine& machine, const MachineParameters& p, c
     for (const auto& entry : p.bearings) {
       const auto* b = entry.touchdown();
       if (!b || entry.name != bearing) continue;
-      Json j = {{"type", b->support.type},
-                {"largest_travel", scalars_[i].travel},
-                {"largest_travel_time", json_number(scalars_[i].time)},
-                {"travel_limit", b->support.travel_limit ? Json(*b->support.travel_limit) : Json(nullptr)},
-                {"loss", machine.ledger(columns_[i].support, "support damping", y)}};
+      Json j;
+      j["type"] = b->support.type;
+      j["largest_travel"] = scalars_[i].travel;
+      j["largest_travel_time"] = json_number(scalars_[i].time);
+      j["travel_limit"] = json_number(b->support.travel_limit.value_or(std::numeric_limits<double>::quiet_NaN()));
+      j["loss"] = machine.ledger(columns_[i].support, "support damping", y);
       if (columns_[i].has_energy) j["largest_stored_energy"] = scalars_[i].stored;
       if (b->support.stop) j["meets_stop"] = scalars_[i].travel > b->support.stop->gap;
       return j;
@@ -73,13 +82,14 @@ void SupportWatch::unpack(std::span<const double> values) {
 
 std::string support_text(const std::string& name, const Json& s) {
   if (s.is_null()) return {};
-  const std::string indent(name.size() + 2, ' ');
+  const std::string indent(name.size() + 2, ' '), type = s["type"].get<std::string>();
   const double travel = s["largest_travel"].get<double>();
   std::string text;
-  if (s["type"] != "linear" || s.contains("largest_stored_energy"))
-    text += fmt::format("{}support ({}) moves by up to {:.4g} um and dissipates {:.4g} J\n", indent,
-                        s["type"].get<std::string>(), travel * 1e6, s["loss"].get<double>());
-  if (s.value("meets_stop", false)) text += fmt::format("{}the outer ring meets its stop\n", indent);
+  if (type != "linear" || s.contains("largest_stored_energy"))
+    text += fmt::format("{}support ({}) moves by up to {:.4g} um and dissipates {:.4g} J\n", indent, type, travel * 1e6,
+                        s["loss"].get<double>());
+  if (s.contains("meets_stop") && s["meets_stop"].get<bool>())
+    text += fmt::format("{}the outer ring meets its stop\n", indent);
   if (s["travel_limit"].is_number() && travel > s["travel_limit"].get<double>())
     text += fmt::format("{}warning: the outer ring moves by {:.4g} um, beyond its travel limit of {:.4g} um\n", indent,
                         travel * 1e6, s["travel_limit"].get<double>() * 1e6);
