@@ -9,6 +9,7 @@ CONTACT STIFFNESS: P = F/L, a = sqrt(4 P R / (pi E*)), approach = P (1-nu^2)/(pi
 import json
 import math
 import re
+import shutil
 import sys
 import unittest
 
@@ -16,7 +17,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest  # noqa: E402
+from program import PARAMS, ProgramTest  # noqa: E402
 
 RIBBON = 'type = "ribbon", mass = "0.6 kg", ribbon = { stiffness = "3e7 N/m", slip_force = "600 N", stick_stiffness = "1e8 N/m" }'
 
@@ -126,6 +127,25 @@ class Supports(ProgramTest):
         self.assertTrue(found, done.stdout)
         self.assertEqual(found[1], found[2])
         self.assertAlmostEqual(float(found[2]), 4 * (5.5e7 - 1e7) * 20e-6 * 80e-6, delta=1e-4, msg="J: area of a bilinear loop")
+
+
+class Example(ProgramTest):
+    def test_the_reference_rotor_on_ribbons_answers_its_questions(self):
+        for name in ("neisi2019.toml", "neisi2019-settling.toml", "neisi2019-ribbon.toml"):
+            shutil.copy(PARAMS / name, self.folder)
+        summary = self.run_case("neisi2019-ribbon.toml", run__end_time="30 ms")
+        self.assertLess(abs(summary["energy"]["residual"]), 1e-5, "J")
+        self.succeed("report", "out")
+        page = (self.folder / "out/report.html").read_text()
+        for name in ("magnet_A", "magnet_B"):
+            left = summary["probes"][name]["smallest_clearance"]
+            self.assertGreater(left, 0)
+            self.assertIn(f"the rotor does not touch: smallest clearance {left * 1e6:.4g} of 400", page)
+        for name in ("TB1", "TB2"):
+            support = summary["bearings"][name]["support"]
+            self.assertLess(support["largest_travel"], 150e-6)
+            self.assertIn(f"the outer ring moves by up to {support['largest_travel'] * 1e6:.4g} ", page)
+            self.assertGreater(summary["bearings"][name]["static_safety"], 1)
 
 
 class ContactStiffness(ProgramTest):
