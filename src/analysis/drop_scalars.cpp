@@ -101,7 +101,7 @@ void FollowedLoad::follow(double t, double force, double load) {
   last_load_ = load;
 }
 
-DropScalars::DropScalars(const Machine& machine) {
+DropScalars::DropScalars(const Machine& machine) : probes_(machine), supports_(machine) {
   const auto& list = machine.step_observables();
   for (std::size_t i = 0; i < machine.n_supports(); ++i) {
     const std::string& name = machine.support(i).name();
@@ -204,6 +204,8 @@ void DropScalars::follow(double t, std::span<const double> step) {
     s.penetration = penetration;
     s.spin_lag = lag;
   }
+  probes_.follow(t, step);
+  supports_.follow(t, step);
 }
 
 SkidVerdict skid_verdict(const BearingScalars& s, std::size_t n_rows) {
@@ -236,6 +238,8 @@ void DropScalars::pack(PackedValues& to) const {
       for (const double* x : numbers) values.push_back(*x);
     });
   }
+  probes_.pack(to);
+  supports_.pack(to);
 }
 
 void DropScalars::unpack(const PackedValues& from) {
@@ -245,6 +249,8 @@ void DropScalars::unpack(const PackedValues& from) {
       if (values.size() != numbers.size()) throw std::invalid_argument("scalars of another kind");
       for (std::size_t k = 0; k < values.size(); ++k) *numbers[k] = values[k];
     });
+  probes_.unpack(from);
+  supports_.unpack(from);
 }
 
 }  // namespace rotordrop

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/probe_watch.h"
+#include "analysis/support_watch.h"
 #include "bearing/touchdown_parameters.h"
 #include "machine/machine.h"
 #include "model/observer.h"
@@ -180,6 +182,8 @@ class DropScalars final : public Observer {
   [[nodiscard]] bool is_free(std::size_t bearing) const { return columns_[bearing].axial_force.has_value(); }
   [[nodiscard]] std::size_t n_rows(std::size_t bearing) const { return columns_[bearing].n_rows; }
   [[nodiscard]] const std::string& name(std::size_t bearing) const { return names_[bearing]; }
+  [[nodiscard]] const ProbeWatch& probes() const { return probes_; }
+  [[nodiscard]] const SupportWatch& supports() const { return supports_; }
 
  private:
   struct Columns {
@@ -191,6 +195,8 @@ class DropScalars final : public Observer {
   std::vector<std::string> names_;
   std::vector<Columns> columns_;
   std::vector<BearingScalars> scalars_;
+  ProbeWatch probes_;
+  SupportWatch supports_;
 };
 
 }  // namespace rotordrop

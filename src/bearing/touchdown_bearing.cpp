@@ -32,6 +32,7 @@ TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(
   if (data_.bending && data_.bending->model == RingBendingModel::arc) arc_table_ = make_arc_table();
   for (const auto& geometry : data_.rows) rows_.emplace_back(geometry, data_.race_waves);
   const auto& g = data_.rows.front();
+  if (data_.support_law) n_support_states_ = data_.support_law->n_states();
   strain_per_growth_ = data_.width > 0. ? 1. / data_.width : 0.;
   cage_ratio_ = cage_speed_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
   rolling_speed_ratio_ = 0.5 * g.ball_diameter * ball_spin_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
@@ -68,6 +69,9 @@ std::vector<StateEntry> TouchdownBearing::state_entries() const {
         {fmt::format("bristle {} {}", k / directions + 1, k % directions == 0 ? "around" : "along"), "m", 1e-6});
   if (data_.bending)
     for (auto& entry : shape_entries()) entries.push_back(std::move(entry));
+  if (data_.support_law)
+    for (const auto& state : data_.support_law->states())
+      entries.push_back({"support " + state.name, state.unit, state.scale});
   return entries;
 }
 
@@ -93,8 +97,15 @@ void TouchdownBearing::initial_state(std::span<double> y) const {
                      data_.ring_mass * data_.gravity_y, data_.ring_mass * data_.gravity_z};
   const auto place = ring_equilibrium(rows_, weight, data_.free_ring.has_value(), data_.cage_angle);
   y[cage_angle] = data_.cage_angle;
-  y[support_y] = weight.y / data_.support_stiffness_y;
-  y[support_z] = weight.z / data_.support_stiffness_z;
+  if (data_.support_law) {
+    const SupportPlace rest = resting_place(*data_.support_law, weight.y, weight.z);
+    y[support_y] = rest.y;
+    y[support_z] = rest.z;
+    data_.support_law->settle(rest.y, rest.z, y.subspan(support_states_at(), n_support_states_));
+  } else {
+    y[support_y] = weight.y / data_.support_stiffness_y;
+    y[support_z] = weight.z / data_.support_stiffness_z;
+  }
   y[ring_y] = place.y + y[support_y];
   y[ring_z] = place.z + y[support_z];
   if (!data_.free_ring) return;
@@ -105,6 +116,15 @@ void TouchdownBearing::initial_state(std::span<double> y) const {
 
 Expansion TouchdownBearing::growth(const SupportInput& in, std::span<const double> y) const {
   return combined(1., in.growth, y[ring_spin] * y[ring_spin], data_.centrifugal_growth);
+}
+
+SupportMotion TouchdownBearing::support_motion(std::span<const double> y) const {
+  return {y[support_y], y[support_z], y[support_vy], y[support_vz]};
+}
+
+SupportAnswer TouchdownBearing::carried(std::span<const double> y, std::span<double> dydt) const {
+  return data_.support_law->evaluate(support_motion(y), y.subspan(support_states_at(), n_support_states_),
+                                     dydt.subspan(support_states_at(), n_support_states_));
 }
 
 BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<const double> y) const {
@@ -254,9 +274,17 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   dydt[ring_spin] = (t.on_ring.torque - M) / data_.ring_spin_inertia;
   dydt[support_y] = y[support_vy];
   dydt[support_z] = y[support_vz];
-  const double damper_y = data_.support_damping_y * y[support_vy], damper_z = data_.support_damping_z * y[support_vz];
-  dydt[support_vy] = (-balls.force_y - data_.support_stiffness_y * y[support_y] - damper_y) / data_.support_mass;
-  dydt[support_vz] = (-balls.force_z - data_.support_stiffness_z * y[support_z] - damper_z) / data_.support_mass;
+  SupportAnswer support;
+  if (data_.support_law) {
+    support = carried(y, dydt);
+    dydt[support_vy] = (-balls.force_y + support.y) / data_.support_mass;
+    dydt[support_vz] = (-balls.force_z + support.z) / data_.support_mass;
+  } else {
+    const double damper_y = data_.support_damping_y * y[support_vy], damper_z = data_.support_damping_z * y[support_vz];
+    dydt[support_vy] = (-balls.force_y - data_.support_stiffness_y * y[support_y] - damper_y) / data_.support_mass;
+    dydt[support_vz] = (-balls.force_z - data_.support_stiffness_z * y[support_z] - damper_z) / data_.support_mass;
+    support.loss = damper_y * y[support_vy] + damper_z * y[support_vz];
+  }
   dydt[cage_angle] = rows_in.cage_speed;
   if (data_.free_ring) {
     // The angular momentum of a tilted spinning ring has the parts I_p omega (psi_z, -psi_y) along y and z.
@@ -283,11 +311,10 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   out.heat.rotor_surface_speed = in.rotor_spin.speed * data_.rotor_radius - spot_speed;
   out.heat.ring_surface_speed = ring_speed * data_.bore_radius - spot_speed;
 
-  const double support_loss = damper_y * y[support_vy] + damper_z * y[support_vz];
   const double inertia_work = balls.inertia_power + balls.inertia_per_speed * dydt[ring_spin];
   const double wave_work = balls.waviness_power + t.wave_power;
   out.other_dissipation =
-      t.damping + balls.damping_power + support_loss + bending_loss - (data_.heat_over_work - 1.) * M * ring_speed;
+      t.damping + balls.damping_power + support.loss + bending_loss - (data_.heat_over_work - 1.) * M * ring_speed;
   out.energy_gradient = {t.elastic,
                          -t.elastic,
                          balls.elastic_radial,
@@ -302,7 +329,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   ledger[contact_impulse] = t.normal;
   ledger[contact_damping] = t.damping;
   ledger[ball_damping] = balls.damping_power;
-  ledger[support_damping] = support_loss;
+  ledger[support_damping] = support.loss;
   ledger[waviness_work] = wave_work;
   ledger[cage_work] = balls.cage_power;
   ledger[inertia_of_balls] = inertia_work;
@@ -313,7 +340,16 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   ledger[spin_up_centres] = t.centres_power;
   if (data_.bending) ledger[ring_bending_damping] = bending_loss;
 
-  if (!out.observed.empty()) observe(in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
+  if (!out.observed.empty()) {
+    observe(in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
+    if (data_.support_law) {
+      const std::size_t at = out.observed.size() - 3;
+      out.observed[at] = support.y;
+      out.observed[at + 1] = support.z;
+      out.observed[at + 2] =
+          data_.support_law->energy(support_motion(y), y.subspan(support_states_at(), n_support_states_));
+    }
+  }
   if (!out.observed_details.empty()) {
     std::size_t at = 0;
     for (const auto& row : rows_) {
@@ -331,8 +367,9 @@ double TouchdownBearing::energy(const SupportInput& in, std::span<const double> 
   const Expansion grown = growth(in, y);
   double U = 0.5 * d.ring_mass * (square(ring_vy) + square(ring_vz)) + 0.5 * d.ring_spin_inertia * square(ring_spin) -
              d.ring_mass * (d.gravity_y * y[ring_y] + d.gravity_z * y[ring_z]);
-  U += 0.5 * d.support_mass * (square(support_vy) + square(support_vz)) +
-       0.5 * (d.support_stiffness_y * square(support_y) + d.support_stiffness_z * square(support_z));
+  U += 0.5 * d.support_mass * (square(support_vy) + square(support_vz));
+  U += d.support_law ? d.support_law->energy(support_motion(y), y.subspan(support_states_at(), n_support_states_))
+                     : 0.5 * (d.support_stiffness_y * square(support_y) + d.support_stiffness_z * square(support_z));
   if (d.free_ring)
     U += 0.5 * d.ring_mass * square(ring_vx) - d.ring_mass * d.free_ring->gravity_x * y[ring_x] +
          0.5 * d.free_ring->diametral_inertia * (square(tilt_rate_y) + square(tilt_rate_z));
@@ -417,6 +454,9 @@ std::vector<Observable> TouchdownBearing::observables() const {
          {"axial_force", "N", "rotor on inner ring along +x, shoulders and friction", 1, {}, Observed::axial_force},
          {"shoulder_force", "N", "shoulders of the rotor on the inner ring, along +x", 1, {}},
          {"ring_moment", "N m", "rotor on inner ring about y and z", 2, yz}});
+  if (data_.support_law)
+    list.insert(list.end(), {{"support_force", "N", "force of the support on the outer ring", 2, yz},
+                             {"support_energy", "J", "energy stored in the springs of the support", 1, {}}});
   return list;
 }
 

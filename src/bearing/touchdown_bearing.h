@@ -11,6 +11,7 @@
 #include "laws/contact.h"
 #include "laws/rolling_conduction.h"
 #include "laws/sticking.h"
+#include "laws/support_law.h"
 #include "model/support.h"
 
 namespace rotordrop {
@@ -90,6 +91,7 @@ struct TouchdownBearingData {
   double support_mass = 0;                                  ///< [kg]
   double support_stiffness_y = 0, support_stiffness_z = 0;  ///< [N/m]
   double support_damping_y = 0, support_damping_z = 0;      ///< [N s/m]
+  std::shared_ptr<const SupportLaw> support_law;            ///< instead of these springs and dampers, if there is one
   double width = 0;                     ///< of the rings, all rows, over which their widths grow; 0: they do not [m]
   Expansion centrifugal_growth;         ///< per square of the ring's speed [m s^2]
   double gravity_y = 0, gravity_z = 0;  ///< on the inner ring [m/s^2]
@@ -136,6 +138,8 @@ class TouchdownBearing final : public Support {
   /// Where bent rings begin: coefficients a_2, b_2, a_3, ... of the inner ring, of the outer ring [m], then their rates [m/s].
   [[nodiscard]] std::size_t shapes_at() const { return bristles_at() + n_bristles(); }
   [[nodiscard]] std::size_t n_shapes() const { return data_.bending ? data_.bending->n_shapes() : 0; }
+  /// Where the inner states of the support's law begin.
+  [[nodiscard]] std::size_t support_states_at() const { return shapes_at() + 2 * n_shapes(); }
   /// Offsets in its own ledgers.
   enum Ledger : std::size_t {
     contact_impulse,
@@ -208,6 +212,9 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] double contact_energy(const SupportInput& input, const Expansion& growth,
                                       std::span<const double> y) const;
   void touch_shoulders(const SupportInput& input, std::span<const double> y, Touch& sum) const;
+  [[nodiscard]] SupportMotion support_motion(std::span<const double> y) const;
+  /// Force of the support's law on the outer ring, and loss; writes the rates of the law's states into dydt.
+  SupportAnswer carried(std::span<const double> y, std::span<double> dydt) const;
   [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input, bool with_tractions) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;
@@ -228,6 +235,7 @@ class TouchdownBearing final : public Support {
   std::vector<ShapeMotion> shape_motions_;
   std::shared_ptr<const ArcTable> arc_table_;  // of bent rings that are touched over an arc
   double strain_per_growth_ = 0;               // of the rings' widths [1/m]
+  std::size_t n_support_states_ = 0;
   double cage_ratio_ = 0;
   double inner_heat_share_ = 0.5;
   FrictionLoadFactors friction_load_factors_;

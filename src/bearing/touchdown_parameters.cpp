@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bearing/contact_stiffness.h"
 #include "bearing/ring_bending_parameters.h"
 #include "laws/ball_kinematics.h"
 #include "laws/shoulder_contact.h"
@@ -54,18 +55,6 @@ Section<CircuitFactors> circuit_section() {
   factor("inner_ring_capacity", &P::inner_ring_capacity, "Factor on the heat capacity of the inner ring.");
   factor("outer_ring_capacity", &P::outer_ring_capacity, "Factor on the heat capacity of the outer ring.");
   factor("housing_capacity", &P::housing_capacity, "Factor on the heat capacity of the housing.");
-  return s;
-}
-
-Section<SupportParameters> support_section() {
-  Section<SupportParameters> s("support",
-                               "Housing that carries the outer ring: effective mass on springs and dampers.");
-  s.quantity("mass", &SupportParameters::mass,
-             {.unit = "kg", .range = positive(), .help = "Effective mass of the support. Gravity does not act on it."});
-  s.quantity("K_y", &SupportParameters::K_y, {.unit = "N/m", .range = positive(), .help = "Vertical stiffness."});
-  s.quantity("K_z", &SupportParameters::K_z, {.unit = "N/m", .range = positive(), .help = "Horizontal stiffness."});
-  s.quantity("C_y", &SupportParameters::C_y, {.unit = "N s/m", .range = at_least(0), .help = "Vertical damping."});
-  s.quantity("C_z", &SupportParameters::C_z, {.unit = "N s/m", .range = at_least(0), .help = "Horizontal damping."});
   return s;
 }
 
@@ -533,7 +522,20 @@ Section<TouchdownParameters> touchdown_section() {
              {.unit = "N/m^n",
               .range = positive(),
               .help = "Contact stiffness K in the normal force K delta^n between rotor and bore. Larger values make "
-                      "the first impact harder."});
+                      "the first impact harder. If not given, "
+                      "that of a line contact of journal and bore by their radii, materials and width, with the same "
+                      "approach at a tenth of C0; `check` shows it."});
+  s.quantity("contact_width", &P::contact_width,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Length along the axis over which rotor and bore touch, for a contact stiffness from the bodies; "
+                      "`width` if not given."});
+  s.quantity(
+      "crown_radius", &P::crown_radius,
+      {.unit = "m",
+       .range = positive(),
+       .help = "Radius of the journal's profile along the axis, for a contact stiffness from the bodies: a point "
+               "contact by Hertz where that yields more than the line. A cylinder if not given."});
   s.quantity(
       "bore_radius", &P::bore_radius,
       {.unit = "m", .range = positive(), .help = "Bore radius of this bearing; contact.bore_radius if not given."});
@@ -555,6 +557,10 @@ Section<TouchdownParameters> touchdown_section() {
 double bore_radius(const TouchdownParameters& bearing, const ContactParameters& contact) {
   if (bearing.bore_radius) return *bearing.bore_radius;
   return contact.bore_radius.value_or(0.5 * bearing.inner_ring_diameters[0]);
+}
+
+SupportSurroundings support_surroundings(const TouchdownParameters& bearing) {
+  return {0.5 * bearing.outer_ring_diameters[1], bearing.width};
 }
 
 double air_gap(const TouchdownParameters& bearing, const ContactParameters& contact) {
@@ -697,7 +703,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.bore_radius = bore_radius(b, contact);
   d.air_gap = air_gap(b, contact);
   d.rotor_radius = d.bore_radius - d.air_gap;
-  d.contact = {b.contact_stiffness, contact.exponent, contact.lambda};
+  d.contact = {contact_stiffness(b, contact, around).value, contact.exponent, contact.lambda};
   d.friction = {contact.friction_coefficient, contact.regularisation_speed,
                 contact.static_friction_coefficient.value_or(0.), contact.stribeck_speed,
                 contact.static_friction_coefficient.has_value()};
@@ -723,10 +729,11 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
     d.heat_over_work = ball_spin_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
   }
   d.support_mass = b.support.mass;
-  d.support_stiffness_y = b.support.K_y;
-  d.support_stiffness_z = b.support.K_z;
-  d.support_damping_y = b.support.C_y;
-  d.support_damping_z = b.support.C_z;
+  d.support_law = support_law(b.support, support_surroundings(b));
+  d.support_stiffness_y = b.support.K_y.value_or(0.);
+  d.support_stiffness_z = b.support.K_z.value_or(0.);
+  d.support_damping_y = b.support.C_y.value_or(0.);
+  d.support_damping_z = b.support.C_z.value_or(0.);
   d.gravity_y = around.gravity[1];
   d.gravity_z = around.gravity[2];
   d.bending = bent_rings(b, d, around);

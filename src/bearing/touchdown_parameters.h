@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parameters.h"
+#include "bearing/support_parameters.h"
 #include "bearing/touchdown_bearing.h"
 #include "laws/hertz.h"
 #include "model/circuit_factors.h"
@@ -40,10 +41,6 @@ struct WavinessParameters {
   double amplitude = 0, phase = 0;
 };
 
-struct SupportParameters {
-  double mass = 0, K_y = 0, K_z = 0, C_y = 0, C_z = 0;
-};
-
 /// What an inner ring may do besides spinning.
 enum class RingMotion {
   translations,  ///< in the plane across the axis
@@ -69,7 +66,7 @@ enum class HousingFit { frictionless, bonded };
 struct TouchdownParameters {
   std::optional<std::string> catalogue;
   int node = 0;
-  double contact_stiffness = 0;
+  std::optional<double> contact_stiffness, contact_width, crown_radius;
   std::optional<double> bore_radius, air_gap;
   int rows = 1, balls_per_row = 0;
   RowArrangement arrangement = RowArrangement::face_to_face;
@@ -110,13 +107,20 @@ Section<TouchdownParameters> touchdown_section();
 /// Pressure at which a ball leaves a permanent mark of 1e-4 of its diameter [Pa]. Source: ISO 76, ball bearings.
 inline constexpr double static_pressure_limit = 4.2e9;
 
+/// The rotor under a bearing.
+struct JournalBody {
+  ElasticMaterial material;
+  double inner_radius = 0;  ///< of a hollow shaft [m]
+};
+
 /// What a touchdown bearing takes from elsewhere in the case.
 struct TouchdownSurroundings {
   ElasticMaterial ring, ball;
-  std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
-  double ball_density = 0;          ///< [kg/m^3]
-  bool has_axial_motion = false;    ///< the rotor is free along its axis
-  double ring_density = 0;          ///< [kg/m^3]; for rings that bend
+  std::array<double, 3> gravity{};     ///< along x, y, z [m/s^2]
+  double ball_density = 0;             ///< [kg/m^3]
+  bool has_axial_motion = false;       ///< the rotor is free along its axis
+  double ring_density = 0;             ///< [kg/m^3]; for rings that bend
+  std::optional<JournalBody> journal;  ///< none: a solid one of the rings' material
 };
 
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.
@@ -133,6 +137,9 @@ struct ShoulderCompliance {
 ShoulderCompliance shoulder_compliance(const TouchdownParameters& bearing, const ElasticMaterial& ring);
 /// The given one, or that of the geometry [N/m].
 double shoulder_stiffness(const TouchdownParameters& bearing, const ElasticMaterial& ring);
+
+/// What the outer ring's support takes from its bearing.
+SupportSurroundings support_surroundings(const TouchdownParameters& bearing);
 
 /// Where a row of balls sits, and which way it leans.
 struct RowPlace {

@@ -14,6 +14,7 @@
 #include "io/checkpoint.h"
 #include "io/hdf5_version.h"
 #include "io/parameter_writers.h"
+#include "machine/bearing_report.h"
 #include "machine/build_machine.h"
 #include "machine/rotor_report.h"
 #include "study/bearing_heat_run.h"
@@ -215,6 +216,7 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
       fmt::print("{}", conventions_text(c.parameters, entry.name));
       fmt::print("{}", shoulder_text(shoulder_json(c.parameters, entry.name), entry.name.size() + 2));
     }
+  fmt::print("{}", bearing_report(c.parameters));
   fmt::print(
       "{}: no errors found{}. Not checked: whether the time step is short enough for the stiffest contact.\n",
       file.string(),

@@ -9,6 +9,8 @@
 #include <map>
 
 #include "bearing/linear_support.h"
+#include "machine/magnets.h"
+#include "machine/probes.h"
 #include "machine/shaft_geometry.h"
 #include "machine/speed_growth.h"
 #include "machine/statics.h"
@@ -233,7 +235,7 @@ using RingCentre = std::pair<double, std::pair<double, double>>;  // x, (y, z)
 /// A rotor that starts inside a ring would be shot out of it.
 void check_start(const MachineParameters& p, const Node& case_node, const RotorModel& rotor,
                  const Machine::Parts& parts, const std::vector<RingCentre>& ring_centres) {
-  std::vector<Motion> motions(p.bearings.size());
+  std::vector<Motion> motions(parts.supports.size());
   rotor.motions(parts.initial_rotor_state, motions);
   Faults faults;
   std::size_t ring = 0;
@@ -250,6 +252,17 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
                       distance * 1e6, p.bearings[i].name, gap * 1e6),
           "Check rotor.initial_offset, initial_tilt and initial_orbit.");
     if (!faults.empty()) break;  // one fault, whatever the number of rings
+  }
+  for (const auto& [name, probe] : p.rotor.probes) {
+    if (!probe.contact) continue;
+    const Motion at = rotor.node_motion(probe.node, parts.initial_rotor_state);
+    const double distance = std::hypot(at.y - probe.centre[0], at.z - probe.centre[1]);
+    if (distance > probe.clearance)
+      faults.add(position_of(case_node, "rotor"),
+                 fmt::format("the rotor starts {:.6g} um from the axis of rotor.probes.{}, beyond its clearance of "
+                             "{:.6g} um.",
+                             distance * 1e6, name, probe.clearance * 1e6),
+                 "Check its clearance and centre, and rotor.initial_offset, initial_tilt and initial_orbit.");
   }
   faults.throw_if_any();
 }
@@ -469,16 +482,30 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   return c;
 }
 
+TouchdownSurroundings touchdown_surroundings(const MachineParameters& p, const TouchdownParameters& b) {
+  const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
+  TouchdownSurroundings around{{ring.E, ring.nu},
+                               {ball.E, ball.nu},
+                               p.run.gravity,
+                               ball.rho,
+                               p.rotor.axial_motion == AxialFreedom::free,
+                               ring.rho,
+                               {}};
+  // The outermost of the shaft's layers at the node makes the surface.
+  const ShaftElement* outermost = nullptr;
+  double inside = std::numeric_limits<double>::infinity();
+  for (const auto& e : p.rotor.geometry.elements) {
+    if (b.node != e.n1 && b.node != e.n2) continue;
+    if (!outermost || e.od > outermost->od) outermost = &e;
+    inside = std::min(inside, 0.5 * e.id);
+  }
+  if (outermost) around.journal = JournalBody{{outermost->material.E, outermost->material.nu}, inside};
+  return around;
+}
+
 TouchdownBearingData touchdown_data_of(const MachineParameters& p, const std::string& name,
                                        const TouchdownParameters& b) {
-  const MaterialParameters &ring = material_of(p, b.ring), &ball = material_of(p, b.ball);
-  auto data = touchdown_data(name, b, p.contact,
-                             {{ring.E, ring.nu},
-                              {ball.E, ball.nu},
-                              p.run.gravity,
-                              ball.rho,
-                              p.rotor.axial_motion == AxialFreedom::free,
-                              ring.rho});
+  auto data = touchdown_data(name, b, p.contact, touchdown_surroundings(p, b));
   if (p.thermal.contact_conduction == BallConductionModel::rolling)
     data.conduction = row_conduction(p, b, data.rows.front());
   return data;
@@ -536,6 +563,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
                "contact.friction_over_temperature follows the inner rings of the lumped circuit, which does not run.",
                "Put \"lumped\" into thermal.models, which may drive nothing, or leave the table out.");
   check_axial_motion(p, case_node, faults);
+  check_magnets(p, case_node, faults);
   check_end(p, case_node, faults);
   check_statics(p, table_of(case_node, "statics"), faults);
 }
@@ -574,10 +602,18 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
     } else {
       if (const auto* l = entry.linear())
         parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l->stiffness, l->damping));
+      else if (entry.magnet())
+        parts.supports.push_back(nullptr);  // made when it is known where the rotor starts
       else
         parts.supports.push_back(entry.other()->make(entry.name));
       parts.thermal_place.push_back(std::nullopt);
     }
+  }
+  parts.probes = probes_of(p.rotor);
+  for (auto& probe : probe_contacts(p.rotor)) {
+    nodes.push_back(probe.node);
+    parts.supports.push_back(std::move(probe.contact));
+    parts.thermal_place.push_back(std::nullopt);
   }
   parts.rub_share.assign(n_places, rub_share(p.thermal));
   add_thermal_models(p, network, finite_elements, std::move(recorded), parts);
@@ -594,8 +630,9 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
                                        : Motion{.y = first->second.first, .z = first->second.second};
   }
   parts.initial_rotor_state.resize(rotor->n_state());
-  rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {0., p.run.initial_speed},
+  rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {p.rotor.initial_angle, p.run.initial_speed},
                              parts.initial_rotor_state);
+  add_magnets(p, *rotor, start, parts);
   check_start(p, case_node, *rotor, parts, ring_centres);
   parts.rotor = std::move(rotor);
   return parts;

@@ -24,6 +24,9 @@ BearingCircuitData circuit_data(const MachineParameters& parameters, const std::
 ThermalNetworkData network_data(const MachineParameters& parameters, const Node& case_node, Faults& faults);
 
 /// One touchdown bearing of a case whose parameters were checked, as numbers.
+/// What a touchdown bearing takes from the case around it.
+TouchdownSurroundings touchdown_surroundings(const MachineParameters& parameters, const TouchdownParameters& bearing);
+
 TouchdownBearingData touchdown_data_of(const MachineParameters& parameters, const std::string& name,
                                        const TouchdownParameters& bearing);
 

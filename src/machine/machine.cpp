@@ -1,6 +1,7 @@
 #include "machine/machine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace rotordrop {
@@ -105,10 +106,14 @@ void Machine::list_observables() {
   };
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const auto& support = *parts_.supports[i];
-    const std::string prefix = "/bearings/" + support.name() + "/";
+    const std::string prefix = support.results_path() + "/";
     places_[i].n_step = add(step_observables_, prefix, support.observables(), support.name());
     places_[i].n_detail = add(detail_observables_, prefix, support.detailed_observables(), support.name());
   }
+  for (const Probe& probe : parts_.probes)
+    add(step_observables_, "/probes/" + probe.name + "/",
+        {{"position", "m", "rotor centre at the probe, from the unloaded outer rings' axis", 2, {"y", "z"}},
+         {"clearance", "m", "radial clearance left at the probe; negative: the rotor is beyond it", 1, {}}});
   add(state_observables_, "/rotor/",
       {{"spin_speed", "rad/s", "spin speed of the rotor", 1, {}},
        {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
@@ -204,6 +209,16 @@ void Machine::prepare_inputs(double t, std::span<const double> y, Evaluation& e)
   }
 }
 
+void Machine::observe_probes(std::span<const double> y, std::span<double> out) const {
+  std::size_t at = 0;
+  for (const Probe& probe : parts_.probes) {
+    const Motion motion = parts_.rotor->node_motion(probe.node, rotor_part(y));
+    out[at++] = motion.y;
+    out[at++] = motion.z;
+    out[at++] = probe.clearance - std::hypot(motion.y - probe.centre[0], motion.z - probe.centre[1]);
+  }
+}
+
 void Machine::evaluate(double t, std::span<const double> y, Evaluation& found) const {
   found.rates.resize(layout_.size());
   evaluate(t, y, found.rates, found);
@@ -238,6 +253,7 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
           heat.rub * parts_.rub_share[*place].to_ring(heat.rotor_surface_speed, heat.ring_surface_speed);
     }
   }
+  if (!e.step.empty() && !parts_.probes.empty()) observe_probes(y, std::span(e.step).subspan(step_at));
   const auto machine_ledger = dydt.subspan(machine_ledger_, n_machine_ledger_);
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
     const auto rates = dydt.subspan(thermal_[k].state, thermal_[k].n_state);

@@ -9,6 +9,7 @@
 #include "machine/place_energy.h"
 #include "model/evaluation.h"
 #include "model/ode_system.h"
+#include "model/probe.h"
 #include "model/rotor_model.h"
 #include "model/support.h"
 #include "model/thermal_model.h"
@@ -65,6 +66,7 @@ class Machine final {
     /// Growth of the rotor's surface at each thermal place per square of the rotor's speed [m s^2]; empty: it does not grow by its speed.
     std::vector<double> rotor_growth_by_speed;
     std::vector<double> initial_rotor_state;
+    std::vector<Probe> probes;  ///< watched when step observables are asked for
   };
   explicit Machine(Parts parts);
 
@@ -77,6 +79,7 @@ class Machine final {
   [[nodiscard]] std::size_t n_supports() const { return parts_.supports.size(); }
   [[nodiscard]] const Support& support(std::size_t i) const { return *parts_.supports[i]; }
   [[nodiscard]] const RotorModel& rotor() const { return *parts_.rotor; }
+  [[nodiscard]] const std::vector<Probe>& probes() const { return parts_.probes; }
   [[nodiscard]] Spin spin(std::span<const double> y) const { return parts_.rotor->spin(rotor_part(y)); }
 
   /// What the supports report at every step, with paths such as "/bearings/TB1/contact_force".
@@ -156,6 +159,7 @@ class Machine final {
   [[nodiscard]] double mechanical_energy(std::span<const double> y, std::span<const SupportInput> inputs) const;
   [[nodiscard]] EnergyBalance energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const;
   void list_observables();
+  void observe_probes(std::span<const double> y, std::span<double> out) const;
 
   Parts parts_;
   StateLayout layout_;

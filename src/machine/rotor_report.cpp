@@ -17,6 +17,8 @@ std::vector<WhirlModes> machine_modes(const MachineParameters& p, const std::vec
   std::vector<LinearSupportAtNode> supports;
   for (const auto& entry : p.bearings)
     if (const auto* l = entry.linear()) supports.push_back({l->node, l->stiffness, l->damping});
+  for (const auto& entry : p.bearings)
+    if (const auto* m = entry.magnet()) supports.push_back({m->node, m->stiffness, m->damping});
   const ModalAnalysis analysis(p.rotor.geometry, {.modal_damping = p.rotor.modal_damping,
                                                   .mass_proportional_alpha = p.rotor.mass_proportional_alpha});
   std::vector<WhirlModes> all;

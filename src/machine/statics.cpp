@@ -21,6 +21,19 @@ bool leans_both_ways(const std::vector<BallRowGeometry>& rows) {
   return leans(1.) && leans(-1.);
 }
 
+/// The outer ring's support under a slow push from its unloaded place.
+SupportRest rest_of_support(const TouchdownBearingData& d, const Eigen::Vector2d& place) {
+  if (d.support_law) return d.support_law->rest(place[0], place[1]);
+  const double k_y = d.support_stiffness_y, k_z = d.support_stiffness_z;
+  return {-k_y * place[0],
+          -k_z * place[1],
+          k_y,
+          0.,
+          0.,
+          k_z,
+          0.5 * (k_y * place[0] * place[0] + k_z * place[1] * place[1])};
+}
+
 struct RingSetup {
   BentRingStatics ring;
   double axial_preload;  // force from outside that presses rows which all lean one way [N]
@@ -138,7 +151,9 @@ ShaftEquilibrium::~ShaftEquilibrium() = default;
 
 ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_node)
     : node_x_(p.rotor.geometry.node_x) {
-  for (const auto& entry : p.bearings) stations_.push_back(entry.node());
+  // Magnets have let go.
+  for (const auto& entry : p.bearings)
+    if (!entry.magnet()) stations_.push_back(entry.node());
   std::sort(stations_.begin(), stations_.end());
   stations_.erase(std::unique(stations_.begin(), stations_.end()), stations_.end());
   if (stations_.size() < 2)
@@ -152,6 +167,7 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
   scales_.assign(2 * stations_.size(), length);
   double preload = 0.;
   for (const auto& entry : p.bearings) {
+    if (entry.magnet()) continue;
     const auto station =
         static_cast<Eigen::Index>(std::find(stations_.begin(), stations_.end(), entry.node()) - stations_.begin());
     if (const auto* b = entry.touchdown()) {
@@ -231,12 +247,13 @@ ShaftEquilibrium::Sum ShaftEquilibrium::sum(std::span<const double> unknowns, do
     s.stiffness += by.transpose() * bore.hessian * by;
     s.potential += bore.energy;
     const Eigen::Vector2d ring_weight(t.data.ring_mass * t.data.gravity_y, t.data.ring_mass * t.data.gravity_z);
-    const Eigen::Vector2d springs(t.data.support_stiffness_y, t.data.support_stiffness_z);
     const Eigen::Vector2d place = x.segment<2>(outer);
-    s.force.segment<2>(outer) += ring_weight - springs.cwiseProduct(place);
+    const SupportRest carried = rest_of_support(t.data, place);
+    s.force.segment<2>(outer) += ring_weight + Eigen::Vector2d(carried.force_y, carried.force_z);
     s.force.segment<2>(ring + 1) += ring_weight;
-    s.stiffness.diagonal().segment<2>(outer) += springs;
-    s.potential += 0.5 * place.dot(springs.cwiseProduct(place)) - ring_weight.dot(ring_place);
+    s.stiffness.block<2, 2>(outer, outer) +=
+        Eigen::Matrix2d{{carried.k_yy, carried.k_yz}, {carried.k_zy, carried.k_zz}};
+    s.potential += carried.energy - ring_weight.dot(ring_place);
   }
   return s;
 }

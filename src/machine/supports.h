@@ -9,6 +9,7 @@
 
 #include "base/parameters.h"
 #include "bearing/linear_support_parameters.h"
+#include "bearing/magnet_support.h"
 #include "bearing/touchdown_parameters.h"
 #include "model/support.h"
 
@@ -49,7 +50,7 @@ void add_support_kind(const std::string& type, const Section<P>& section, Make m
 /// One table of [bearings].
 struct SupportEntry {
   std::string name;
-  std::variant<TouchdownParameters, LinearSupportParameters, OtherSupport> parameters;
+  std::variant<TouchdownParameters, LinearSupportParameters, MagnetParameters, OtherSupport> parameters;
 
   [[nodiscard]] int node() const {
     return std::visit([](const auto& p) { return p.node; }, parameters);
@@ -58,6 +59,7 @@ struct SupportEntry {
   [[nodiscard]] const LinearSupportParameters* linear() const {
     return std::get_if<LinearSupportParameters>(&parameters);
   }
+  [[nodiscard]] const MagnetParameters* magnet() const { return std::get_if<MagnetParameters>(&parameters); }
   [[nodiscard]] const OtherSupport* other() const { return std::get_if<OtherSupport>(&parameters); }
 };
 
@@ -72,6 +74,11 @@ void declare_bearings(Section<T>& section, std::vector<SupportEntry> T::*member)
                  {.takes_defaults = true}),
       variant<T>("linear", linear_support_section(),
                  [member](T& target, const std::string& name, LinearSupportParameters p) {
+                   (target.*member).push_back({name, std::move(p)});
+                 },
+                 {}),
+      variant<T>("magnet", magnet_section(),
+                 [member](T& target, const std::string& name, MagnetParameters p) {
                    (target.*member).push_back({name, std::move(p)});
                  },
                  {})};

@@ -28,6 +28,8 @@ class RotorModel {
   [[nodiscard]] virtual std::size_t n_stations() const = 0;
   /// Motion of every station [n_stations]; depends on the state alone.
   virtual void motions(std::span<const double> y, std::span<Motion> out) const = 0;
+  /// Motion of any node, numbered from 1; for what is recorded, not for rates.
+  [[nodiscard]] virtual Motion node_motion(int node, std::span<const double> y) const = 0;
   [[nodiscard]] virtual Spin spin(std::span<const double> y) const = 0;
   /// Rates of the rotor's own states under the forces on the stations [n_stations].
   virtual RotorPower rates(double t, std::span<const double> y, std::span<const Force> force_on_station,

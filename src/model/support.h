@@ -39,6 +39,8 @@ class Support {
   virtual ~Support() = default;
 
   [[nodiscard]] virtual const std::string& name() const = 0;
+  /// Where results hold what it observes.
+  [[nodiscard]] virtual std::string results_path() const { return "/bearings/" + name(); }
   [[nodiscard]] virtual std::vector<StateEntry> state_entries() const = 0;
   /// Quadratures of this support's own, besides those that every machine keeps for it.
   [[nodiscard]] virtual std::vector<StateEntry> ledger_entries() const { return {}; }

@@ -187,6 +187,14 @@ void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) 
   if (axial_) add_axial_motion(y, out);
 }
 
+Motion ModalRotor::node_motion(int node, std::span<const double> y) const {
+  assert(y.size() == n_state() && node >= 1 && static_cast<std::size_t>(node) <= n_nodes_);
+  Motion motion;
+  (this->*motions_)(y.data(), node_shape_.data() + static_cast<std::size_t>(node - 1) * n_modes_, 1, &motion);
+  if (axial_) add_axial_motion(y, {&motion, 1});
+  return motion;
+}
+
 void ModalRotor::add_axial_motion(std::span<const double> y, std::span<Motion> out) const {
   for (Motion& motion : out) {
     motion.x = y[axial_at()];
@@ -351,6 +359,17 @@ void ModalRotor::initial_rigid_state(const Motion& motion_of_centre_of_gravity, 
     y[axial_at()] = cg.x;
     y[axial_at() + 1] = cg.velocity_x;
   }
+}
+
+void ModalRotor::add_static_deflection(std::span<const Force> force_on_station, std::span<double> y) const {
+  assert(y.size() == n_state() && force_on_station.size() == n_stations_);
+  const std::size_t n = n_modes_;
+  for (std::size_t s = 0; s < n_stations_; ++s)
+    for (std::size_t i = 2; i < n; ++i) {
+      const double per_force = station_shape_[s * n + i].deflection / (body_.mass * omega_squared_[i]);
+      y[i] += per_force * force_on_station[s].y;
+      y[n + i] += per_force * force_on_station[s].z;
+    }
 }
 
 std::vector<double> ModalRotor::mode_frequencies() const {

@@ -84,6 +84,7 @@ class ModalRotor final : public RotorModel {
   [[nodiscard]] std::vector<StateEntry> state_entries() const override;
   [[nodiscard]] std::size_t n_stations() const override { return n_stations_; }
   void motions(std::span<const double> y, std::span<Motion> out) const override;
+  [[nodiscard]] Motion node_motion(int node, std::span<const double> y) const override;
   [[nodiscard]] Spin spin(std::span<const double> y) const override { return {y[4 * n_modes_], y[4 * n_modes_ + 1]}; }
   RotorPower rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
                    std::span<double> dydt) const override;
@@ -94,6 +95,8 @@ class ModalRotor final : public RotorModel {
   /// @param motion_of_centre_of_gravity  displacement, tilt and their rates; see straight_line() and orbit()
   /// @param y                            [n_state]
   void initial_rigid_state(const Motion& motion_of_centre_of_gravity, const Spin& spin, std::span<double> y) const;
+  /// Adds to a state how the flexible modes bend at rest under forces on the stations [n_stations] and uniform gravity.
+  void add_static_deflection(std::span<const Force> force_on_station, std::span<double> y) const;
   /// Motion of every node [n_nodes]; for pictures and tests, not for the hot path.
   void node_motions(std::span<const double> y, std::span<Motion> out) const;
   /// Torque of motor or brake [N m].

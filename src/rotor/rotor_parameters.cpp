@@ -350,6 +350,12 @@ Section<RotorParameters> rotor_section() {
                   {.unit = "rad/s", .fallback = {"0 rad/s", "0 rad/s"}, .help = "Tilt rate about y and z."})
       .table("initial_orbit", &RotorParameters::initial_orbit, orbit,
              {.help = "Circular orbit at the start, added to the initial offset and velocity."})
+      .quantity("initial_angle", &RotorParameters::initial_angle,
+                {.unit = "rad",
+                 .fallback = "0 deg",
+                 .help = "Spin angle at the start; every unbalance then stands at its own angle plus this."})
+      .tables("probes", &RotorParameters::probes, probe_section(),
+              {.help = "Nodes by name whose displacement is recorded against a clearance of their own."})
       .check(check_inline_geometry);
   return section;
 }
@@ -368,6 +374,7 @@ void check_against_geometry(const RotorParameters& parameters, const RotorGeomet
     check_rotor_node(geometry, parameters.unbalance[k].node,
                      list ? position_of_value(list->items()[k], "node") : rotor_table.where(),
                      fmt::format("rotor.unbalance#{}.node", k + 1), faults);
+  check_probes(parameters.probes, geometry, rotor_table, faults);
 }
 
 RotorSettings rotor_settings(const RotorParameters& parameters, const std::array<double, 3>& gravity) {

@@ -10,6 +10,7 @@
 #include "base/parameters.h"
 #include "rotor/geometry.h"
 #include "rotor/modal_rotor.h"
+#include "rotor/probe_parameters.h"
 #include "rotor/windage.h"
 
 namespace rotordrop {
@@ -43,6 +44,8 @@ struct RotorParameters {
   std::array<double, 2> initial_velocity{};   ///< y, z of the centre of gravity [m/s]
   std::array<double, 2> initial_tilt_rate{};  ///< about y, z [rad/s]
   InitialOrbit initial_orbit;
+  double initial_angle = 0;  ///< spin angle at the start, which says where unbalances are [rad]
+  ProbeList probes;
 };
 
 [[nodiscard]] Section<RotorParameters> rotor_section();

@@ -37,7 +37,7 @@ ModesReport find_modes(const Case& rotor_case, const std::vector<double>& speeds
   report.speeds = speeds;
   report.modes = machine_modes(rotor_case.parameters, speeds);
   for (const auto& entry : rotor_case.parameters.bearings)
-    if (entry.linear()) report.is_free_free = false;
+    if (entry.linear() || entry.magnet()) report.is_free_free = false;
   report.node_positions = rotor_case.parameters.rotor.geometry.node_x;
   return report;
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "machine/probes.h"
+
 namespace rotordrop {
 namespace {
 
@@ -75,8 +77,9 @@ void look_at_values(const CaseParameters& p, const Node& tree, std::vector<Fault
     const std::string path = "bearings." + entry.name;
     if (const auto* touchdown = entry.touchdown()) {
       if (touchdown->air_gap) look(table, path, "air_gap", *touchdown->air_gap, gaps, "m", gap_slip);
-      look(table, path, "contact_stiffness", touchdown->contact_stiffness, between(1e6, 1e14), "N/m^n",
-           "K of a journal in a bore is some 1e8 to 1e12 N/m^n; above, steps become very short.");
+      if (touchdown->contact_stiffness)
+        look(table, path, "contact_stiffness", *touchdown->contact_stiffness, between(1e6, 1e14), "N/m^n",
+             "K of a journal in a bore is some 1e8 to 1e12 N/m^n; above, steps become very short.");
     }
     if (const auto* linear = entry.linear())
       for (const auto& row : linear->stiffness)
@@ -170,6 +173,23 @@ void look_at_bearing(const std::string& name, const TouchdownParameters& b, cons
          "A bare number is in metres.");
 }
 
+/// A stationary part that the rotor reaches before, or while, its touchdown bearings hold it.
+void look_at_probes(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node* tables = table_at(tree, "rotor").find("probes");
+  for (const auto& [name, probe] : p.rotor.probes) {
+    const double reach = reachable_displacement(p, probe.node);
+    const double left = probe.clearance - std::hypot(probe.centre[0], probe.centre[1]);
+    if (!std::isfinite(reach) || left > reach) continue;
+    const Node* own = tables ? tables->find(name) : nullptr;
+    warn(warnings, position_of_value(own ? *own : table_at(tree, "rotor"), "clearance"),
+         fmt::format("rotor.probes.{}.clearance leaves {:.4g} um at node {}, not more than the {:.4g} um by which the "
+                     "gaps of the touchdown bearings let a straight rotor move there: it touches.",
+                     name, left * 1e6, probe.node, reach * 1e6),
+         "Touchdown bearings are there to be touched first: check the clearance, its centre, the node and "
+         "contact.air_gap.");
+  }
+}
+
 /// What the case has but its laws leave out.
 void look_at_laws(const std::string& name, const TouchdownParameters& b, const CaseParameters& p, const Node& tree,
                   std::vector<Fault>& warnings) {
@@ -188,6 +208,7 @@ std::vector<Fault> look_for_slips(const CaseParameters& p, const Node& tree) {
   std::vector<Fault> warnings;
   look_at_values(p, tree, warnings);
   look_at_rotor(p, tree, warnings);
+  look_at_probes(p, tree, warnings);
   for (const auto& entry : p.bearings)
     if (const auto* touchdown = entry.touchdown()) {
       look_at_bearing(entry.name, *touchdown, p, tree, warnings);

@@ -106,6 +106,27 @@ class Charts {
     charts_.back()["bands"].push_back(std::move(band));
   }
 
+  /// Begins a figure of force over travel.
+  void over_itself(const std::string& id, const std::string& section, const std::string& title,
+                   const std::string& note) {
+    figure(id, section, title, "force", "kN", note);
+    charts_.back()["x"] = {{"label", "travel"}, {"unit", "um"}};
+  }
+  void pairs(const std::string& name, const TimeSeries& travel, const TimeSeries& force, Style style) {
+    constexpr std::size_t most = 4000;
+    std::vector<double> x, y;
+    const std::size_t n = std::min(travel.values.size(), force.values.size());
+    for (std::size_t k = 0; k < n; k += std::max<std::size_t>(n / most, 1)) {
+      x.push_back(travel.values[k]);
+      y.push_back(force.values[k]);
+    }
+    charts_.back()["lines"].push_back({{"name", name},
+                                       {"colour", style.colour},
+                                       {"dash", style.dash},
+                                       {"x", rounded(x, 1e6)},
+                                       {"y", rounded(y, 1e-3)}});
+  }
+
   void drop_empty() {
     if (!charts_.empty() && charts_.back()["lines"].empty()) charts_.erase(charts_.size() - 1);
   }
@@ -147,7 +168,33 @@ void add_motion(Charts& c, const RecordedDrop& drop) {
   }
 }
 
-void add_forces(Charts& c) {
+void add_probes(Charts& c, const RecordedDrop& drop) {
+  const auto& probes = drop.parameters().rotor.probes;
+  c.figure("probe-clearance", "Motion", "Clearance left at the probes", "radial clearance left", "um",
+           "Below zero the rotor is beyond the clearance there.");
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    c.recorded("/probes/" + probes[i].first + "/clearance", probes[i].first, 1e6, {i, 0});
+  c.figure("probe-position", "Motion", "Displacement of the rotor at the probes", "displacement", "um");
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    c.recorded("/probes/" + probes[i].first + "/position", probes[i].first + " y", 1e6, {i, 0}, 0);
+    c.recorded("/probes/" + probes[i].first + "/position", probes[i].first + " z", 1e6, {i, 1}, 1);
+  }
+  c.figure("probe-force", "Forces", "Normal force where the rotor touches at a probe", "contact force", "kN");
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    c.recorded("/probes/" + probes[i].first + "/contact_force", probes[i].first, 1e-3, {i, 0});
+}
+
+/// Force over travel of a support with a law of its own: the area of its loops is what it dissipates.
+void add_support_loop(Charts& c, const RecordedDrop& drop, const std::string& name) {
+  const std::string force = "/bearings/" + name + "/support_force", place = "/bearings/" + name + "/support_position";
+  if (!drop.has(force)) return;
+  c.over_itself("support-loop-" + name, "Forces", name + ": force of the support on the outer ring over its travel",
+                "Springs give lines, friction and damping loops; the area is what the support dissipates.");
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    c.pairs(axis == 0 ? "y" : "z", drop.series(place, axis), drop.series(force, axis), {axis, 0});
+}
+
+void add_forces(Charts& c, const RecordedDrop& drop) {
   c.figure("contact-force", "Forces", "Normal force between rotor and inner ring", "contact force", "kN",
            "Instantaneous; peaks are 0-peak samples. The table's peaks are of every step of the integration.");
   c.of_supports("contact_force", "", 1e-3);
@@ -157,9 +204,15 @@ void add_forces(Charts& c) {
   c.figure("bearing-force", "Forces", "Resultant of the ball forces on the inner ring", "force", "kN");
   c.of_supports("bearing_force", "y", 1e-3, 0, 0);
   c.of_supports("bearing_force", "z", 1e-3, 1, 1);
-  c.figure("support-force", "Forces", "Force of linear supports on the rotor", "force", "kN");
+  c.figure("support-force", "Forces", "Force of linear supports on the rotor, of other supports on the outer ring",
+           "force", "kN");
   c.of_supports("support_force", "y", 1e-3, 0, 0);
   c.of_supports("support_force", "z", 1e-3, 1, 1);
+  for (const auto& [name, parameters] : drop.bearings()) add_support_loop(c, drop, name);
+  c.figure("magnet-force", "Forces", "Force of magnets on the rotor", "force", "kN");
+  c.of_supports("magnet_force", "y", 1e-3, 0, 1);
+  c.of_supports("magnet_force", "z", 1e-3, 1, 2);
+  c.of_supports("magnet_force", "x", 1e-3, 2, 0);
 }
 
 void add_speeds(Charts& c) {
@@ -284,7 +337,8 @@ void add_energy(Charts& c) {
 Json report_charts(const RecordedDrop& drop) {
   Charts c(drop);
   add_motion(c, drop);
-  add_forces(c);
+  add_probes(c, drop);
+  add_forces(c, drop);
   add_speeds(c);
   add_heat(c);
   add_temperatures(c, drop);
@@ -348,6 +402,34 @@ Json ring_shape(const RecordedDrop& drop, const std::string& bearing) {
   return shape;
 }
 
+/// Probes, drawn as the rotor in a bore that stands still.
+void add_probe_frames(const RecordedDrop& drop, std::size_t n_frames, Json& animation) {
+  animation["probes"] = Json::array();
+  for (const auto& [name, probe] : drop.parameters().rotor.probes) {
+    const std::string prefix = "/probes/" + name + "/";
+    if (!drop.has(prefix + "position")) continue;
+    const TimeSeries y = drop.series(prefix + "position", 0), z = drop.series(prefix + "position", 1),
+                     left = drop.series(prefix + "clearance"), spin = drop.series("/rotor/spin_angle");
+    const std::size_t n = std::min({y.times.size(), z.times.size(), left.times.size(), spin.times.size()});
+    const std::size_t stride = (n + n_frames - 1) / n_frames;
+    std::vector<double> times, at_y, at_z, clearance, angle;
+    for (std::size_t k = 0; k < n; k += stride) {
+      times.push_back(y.times[k]);
+      at_y.push_back(y.values[k] - probe.centre[0]);
+      at_z.push_back(z.values[k] - probe.centre[1]);
+      clearance.push_back(left.values[k]);
+      angle.push_back(std::fmod(spin.values[k], 2. * std::numbers::pi));
+    }
+    animation["probes"].push_back({{"name", name},
+                                   {"gap", 1e6 * probe.clearance},
+                                   {"time", rounded(times, 1e3, 6)},
+                                   {"y", rounded(at_y, 1e6)},
+                                   {"z", rounded(at_z, 1e6)},
+                                   {"clearance", rounded(clearance, 1e6, 4)},
+                                   {"rotor_angle", rounded(angle, 1., 3)}});
+  }
+}
+
 }  // namespace
 
 Json report_animation(const RecordedDrop& drop) {
@@ -389,6 +471,7 @@ Json report_animation(const RecordedDrop& drop) {
     if (Json shape = ring_shape(drop, name); !shape.is_null()) animation["bearings"].back()["shape"] = std::move(shape);
     if (!animation.contains("start")) animation["start"] = largest_of(force).time * 1e3;
   }
+  add_probe_frames(drop, n_frames, animation);
   return animation;
 }
 

@@ -217,6 +217,44 @@ void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::str
     checks.unknown(title, "not assessed: no thermal model ran");
 }
 
+/// Travel of the outer ring in its support.
+void check_support(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name + "/support/";
+  const double travel = at(summary, key + "largest_travel"), limit = at(summary, key + "travel_limit");
+  if (!std::isfinite(travel) || (!std::isfinite(limit) && summary.at(Json::json_pointer(key + "type")) == "linear"))
+    return;
+  const std::string text =
+      fmt::format("the outer ring moves by up to {:.4g} µm, at {:.4g} ms; its support ({}) dissipates {:.4g} J",
+                  travel * 1e6, at(summary, key + "largest_travel_time") * 1e3,
+                  summary.at(Json::json_pointer(key + "type")).get<std::string>(), at(summary, key + "loss"));
+  if (std::isfinite(limit))
+    checks.add(name + ": travel of the support", travel <= limit, text + fmt::format("; limit {:.4g} µm", limit * 1e6));
+  else
+    checks.add(name + ": travel of the support", true, text + "; no limit is given");
+}
+
+/// Whether the rotor keeps off magnets, seals and the like.
+void check_probes(Checks& checks, const RecordedDrop& drop, const Json& summary) {
+  for (const auto& [name, probe] : drop.parameters().rotor.probes) {
+    const std::string key = "/probes/" + name + "/", title = name + ": clearance at the probe";
+    const double left = at(summary, key + "smallest_clearance"), time = at(summary, key + "smallest_clearance_time");
+    if (!std::isfinite(left))
+      checks.unknown(title, "not assessed: there is no summary.json with it");
+    else
+      checks.add(title, left > 0.,
+                 left > 0.
+                     ? fmt::format("the rotor does not touch: smallest clearance {:.4g} of {:.4g} µm, at {:.4g} ms",
+                                   left * 1e6, probe.clearance * 1e6, time * 1e3)
+                     : fmt::format("the rotor TOUCHES, first at {:.4g} ms, {:.4g} µm beyond the clearance of {:.4g} µm "
+                                   "at {:.4g} ms, for {:.4g} ms in all{}",
+                                   at(summary, key + "first_touch_time") * 1e3, -left * 1e6, probe.clearance * 1e6,
+                                   time * 1e3, at(summary, key + "time_touching") * 1e3,
+                                   probe.contact ? fmt::format("; contact force up to {:.4g} kN",
+                                                               at(summary, key + "contact/peak_contact_force") * 1e-3)
+                                                 : "; it goes on as if nothing were there"));
+  }
+}
+
 void check_residual(Checks& checks, const Json& summary, const std::string& name, const std::string& residual,
                     const std::string& whole) {
   const double r = at(summary, residual), all = at(summary, whole);
@@ -248,11 +286,13 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
       check_balls(checks, summary, name);
       check_skidding(checks, summary, name);
       check_whirl(checks, summary, name);
+      check_support(checks, summary, name);
     }
     check_temperatures(checks, drop, name);
     check_local_temperature(checks, drop, summary, name);
     check_wear(checks, summary, name);
   }
+  check_probes(checks, drop, summary);
   if (!summary.is_null()) {
     check_residual(checks, summary, "mechanical energy", "/energy/residual", "/energy/dissipated");
     check_residual(checks, summary, "heat", "/energy/heat_residual", "/energy/heat_deposited");

@@ -53,11 +53,15 @@ Json report_words(const RecordedDrop& drop) {
                         ? "The gas around the rotor brakes it, by smooth cylinders and faces of its geometry."
                         : "The gas around the rotor brakes it, by a power of the speed.");
   for (const auto& entry : p.bearings)
-    if (const auto* b = entry.touchdown())
+    if (const auto* b = entry.touchdown()) {
       words.push_back(bearing_words(entry.name, *b, p.contact));
-    else
+      if (const std::string carried = support_words(b->support, support_surroundings(*b)); !carried.empty())
+        words.push_back(fmt::format("The outer ring of {} stands on a {}.", entry.name, carried));
+    } else
       words.push_back(fmt::format("{} is a {} at the rotor's node {}.", entry.name,
-                                  entry.linear() ? "linear support" : "support of another program's kind",
+                                  entry.linear()   ? "linear support"
+                                  : entry.magnet() ? "magnet, which holds the rotor until its release,"
+                                                   : "support of another program's kind",
                                   entry.node()));
   if (!touchdown.empty()) {
     const auto& over_speed = p.contact.friction_over_speed;

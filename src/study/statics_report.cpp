@@ -150,6 +150,13 @@ Json shaft_json(const Case& c) {
     }
     j["supports"][s.name] = std::move(one);
   }
+  for (const auto& [name, probe] : c.parameters.rotor.probes) {
+    const auto at = static_cast<std::size_t>(probe.node - 1);
+    const double y = report.axis[0][at], z = report.axis[1][at];
+    j["probes"][name] = {{"node", probe.node},
+                         {"position", {{"y", y}, {"z", z}}},
+                         {"clearance", probe.clearance - std::hypot(y - probe.centre[0], z - probe.centre[1])}};
+  }
   j["axis"] = {{"x", report.node_x}, {"y", report.axis[0]}, {"z", report.axis[1]}};
   j["search"] = search_json(result);
   return j;
@@ -266,6 +273,16 @@ std::string statics_text(const Json& report) {
                              : fmt::format("  rotor pressed {:.4g} um into the bore\n", -clearance);
       text += ring_text(one["inner_ring"]);
     }
+    if (s.contains("probes"))
+      for (const auto& [name, one] : s["probes"].items()) {
+        const double left = one["clearance"].get<double>() * 1e6;
+        text += fmt::format("{} (node {}): at y {:.4g}, z {:.4g} um; {}\n", name, one["node"].get<int>(),
+                            one["position"]["y"].get<double>() * 1e6, one["position"]["z"].get<double>() * 1e6,
+                            left > 0. ? fmt::format("clearance left {:.4g} um", left)
+                                      : fmt::format("warning: {:.4g} um beyond its clearance, where the static balance "
+                                                    "has no contact",
+                                                    -left));
+      }
     text += residual_text(s["search"]);
   }
   return text;

@@ -214,9 +214,11 @@ Json summarise(const Case& drop_case, const Machine& machine, const DropScalars&
       if (auto shoulder = shoulder_json(drop_case.parameters, name); !shoulder.is_null())
         bearing["shoulder"] = std::move(shoulder);
     bearing["whirl"] = whirl_summary(recorded, name);
+    bearing["support"] = support_summary(scalars.supports(), machine, drop_case.parameters, name, y);
     bearing["spin_up"] = spin_up_balance(machine, support, y, s.ring_speed_end);
     j["bearings"][name] = std::move(bearing);
   }
+  if (scalars.probes().size() > 0) j["probes"] = probe_summary(machine, scalars.probes(), y);
   j["rotor_speed_end"] = machine.spin(y).speed;
   const EnergyBalance e = machine.energy_balance(result.end_time, y, found.growth_in_force);
   j["energy"] = {{"mechanical_initial", machine.initial_mechanical_energy()},
@@ -311,8 +313,10 @@ std::string summary_text(const Json& j) {
                             b["axial"]["force"]["smallest"].get<double>() * 1e-3,
                             b["axial"]["force"]["largest"].get<double>() * 1e-3);
       if (b.contains("shoulder")) text += shoulder_text(b["shoulder"], name.size() + 2);
+      if (b.contains("support")) text += support_text(name, b["support"]);
       if (b.contains("whirl")) text += whirl_text(name, b["whirl"]);
     }
+  if (j.contains("probes")) text += probe_text(j["probes"]);
   text += reduction_text(j);
   const auto& e = j["energy"];
   const auto& run = j["run"];

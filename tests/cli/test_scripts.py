@@ -134,6 +134,8 @@ class Documents(WithAResult):
         parts = path.split(".")
         if parts[0] in ("bearings", "materials") and len(parts) > 1:
             path = ".".join([parts[0], "NAME", *parts[2:]])
+        if parts[:2] == ["rotor", "probes"] and len(parts) > 2:
+            path = ".".join(["rotor", "probes", "NAME", *parts[3:]])
         if parts[:1] == ["bearings"] and len(parts) == 2:
             return True  # a key that holds for all bearings, or a bearing
         if parts[:2] == ["rotor", "geometry"]:

@@ -336,6 +336,19 @@ class Drop {
   }
 }
 
+// The rotor in the stationary part around a probe, drawn alike.
+function probeDrop(probe, into) {
+  const still = probe.time.map(() => 0);
+  const drop = new Drop({ ...probe, ring_y: still, ring_z: still, ring_angle: still, penetration: probe.clearance.map((left) => -left), force: still }, into);
+  const show = drop.show.bind(drop);
+  drop.show = (time) => {
+    show(time);
+    const i = nearest(probe.time, time);
+    drop.caption.textContent = `y ${short(probe.y[i])} µm, z ${short(probe.z[i])} µm, ` + (probe.clearance[i] > 0 ? `clearance left ${short(probe.clearance[i])} µm` : `${short(-probe.clearance[i])} µm beyond the clearance`);
+  };
+  return drop;
+}
+
 function showDrops(animation) {
   const drops = element("div", { class: "drops" });
   const times = animation.bearings[0].time;
@@ -348,6 +361,7 @@ function showDrops(animation) {
     element("p", { class: "note" }, `Seen along +x: y up, z to the right, positive spin clockwise. Gap, displacements, penetration and the bending of rings are magnified alike, the radii are not. ` +
       `Dashed: how far the gap lets the rotor's centre (dot) go while the ring is centred; a ring with clearance, or under load, lies lower. Full dot on the bore: contact. The bars on rotor and ring turn with them. A picture ${pace}: what is faster is not seen here.`));
   const made = animation.bearings.map((bearing) => new Drop(bearing, drops));
+  for (const probe of animation.probes || []) made.push(probeDrop(probe, drops));
   const show = () => {
     const time = times[+slider.value];
     output.textContent = `t = ${short(time)} ms`;
@@ -382,6 +396,11 @@ function showOrbits(animation) {
     x: { label: "z", unit: "um" }, y: { label: "y (up)", unit: "um" },
     note: `Dashed: radial air gap of ${short(b.gap)} µm (0-peak), at ambient temperature, about the unloaded outer ring's axis. An inner ring with clearance, or under load, lies lower.`,
     lines: [{ name: "rotor centre", colour: i, dash: 0, x: b.z, y: b.y }] }, figures));
+  (animation.probes || []).forEach((p, i) => new Figure({
+    id: "orbit-probe-" + p.name, title: `${p.name}: orbit of the rotor's centre at the probe`, square: true, circle: p.gap,
+    x: { label: "z", unit: "um" }, y: { label: "y (up)", unit: "um" },
+    note: `Dashed: radial clearance of ${short(p.gap)} µm about the stationary part's axis.`,
+    lines: [{ name: "rotor centre", colour: i + animation.bearings.length, dash: 0, x: p.z, y: p.y }] }, figures));
 }
 
 // White to dark blue; darker is more, also in grey.

@@ -243,6 +243,7 @@ TEST(Machine, RefusesPartsThatDoNotFitTogether) {
           [[nodiscard]] std::vector<StateEntry> state_entries() const override { return {}; }
           [[nodiscard]] std::size_t n_stations() const override { return 1; }
           void motions(std::span<const double>, std::span<Motion>) const override {}
+          [[nodiscard]] Motion node_motion(int, std::span<const double>) const override { return {}; }
           [[nodiscard]] Spin spin(std::span<const double>) const override { return {}; }
           RotorPower rates(double, std::span<const double>, std::span<const Force>, std::span<double>) const override {
             return {};

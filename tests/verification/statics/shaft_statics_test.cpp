@@ -77,10 +77,10 @@ TEST(ShaftStatics, TheReferenceRotorRestsInBothBores) {
     const auto& bearing = *c.parameters.bearings[i].touchdown();
     EXPECT_NEAR(s.force_on_rotor[0], expected[i], 1e-6 * W) << "N, " << s.name;
     EXPECT_NEAR(s.force_on_rotor[1], 0., 1e-6 * W) << "N, " << s.name;
-    EXPECT_NEAR(-s.clearance, std::pow(expected[i] / bearing.contact_stiffness, 0.9), 1e-12) << "m, " << s.name;
+    EXPECT_NEAR(-s.clearance, std::pow(expected[i] / *bearing.contact_stiffness, 0.9), 1e-12) << "m, " << s.name;
     // Springs of the support carry rotor, inner ring and nothing else... and the balls carry rotor and inner ring.
     const double ring_weight = bearing.ring_mass * 9.81;
-    EXPECT_NEAR(s.outer_ring[0], -(expected[i] + ring_weight) / bearing.support.K_y, 1e-6 * 1e-6) << "m, " << s.name;
+    EXPECT_NEAR(s.outer_ring[0], -(expected[i] + ring_weight) / *bearing.support.K_y, 1e-6 * 1e-6) << "m, " << s.name;
     double carried = 0.;
     for (const auto& row : s.ring.rows)
       for (const auto& ball : row.balls)

@@ -1,0 +1,41 @@
+#pragma once
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "machine/machine.h"
+#include "model/observer.h"
+
+namespace rotordrop {
+
+/// How far an outer ring moved in its support.
+struct SupportScalars {
+  std::size_t support = 0;                                             ///< of the machine
+  double travel = 0, time = std::numeric_limits<double>::quiet_NaN();  ///< largest [m], when [s]
+  double stored = 0;                                                   ///< largest energy in its springs [J]
+  bool has_energy = false;                                             ///< `stored` is known
+};
+
+/// Follows the supports of all touchdown bearings of a machine through its step observables.
+class SupportWatch {
+ public:
+  explicit SupportWatch(const Machine& machine);
+  void follow(double t, std::span<const double> step);
+  /// None if the bearing has no such support.
+  [[nodiscard]] const SupportScalars* of(const std::string& bearing) const;
+  /// For checkpoints.
+  void pack(PackedValues& to) const;
+  void unpack(const PackedValues& from);
+
+ private:
+  struct Columns {
+    std::string name;
+    std::size_t support = 0, position = 0, energy = 0;
+    bool has_energy = false;
+  };
+  std::vector<Columns> columns_;
+  std::vector<SupportScalars> scalars_;
+};
+
+}  // namespace rotordrop

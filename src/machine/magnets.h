@@ -1,0 +1,17 @@
+#pragma once
+#include "machine/machine.h"
+#include "machine/machine_parameters.h"
+#include "rotor/modal_rotor.h"
+
+namespace rotordrop {
+
+/// Makes the case's magnets where the list of supports has a gap for them, and bends the rotor in its initial state as its weight does between them.
+/// @param line   motion of the centre of gravity on the straight line through the rings' centres: where the magnets hold the rotor
+/// @param parts  with one support, or a gap, for each bearing of the case, in their order
+void add_magnets(const MachineParameters& parameters, const ModalRotor& rotor, const Motion& line,
+                 Machine::Parts& parts);
+
+/// Faults of magnets that need the case around them.
+void check_magnets(const MachineParameters& parameters, const Node& case_node, Faults& faults);
+
+}  // namespace rotordrop
