@@ -66,7 +66,7 @@ class WindowedSections {
   /// @param energy  at next_end() [n_places]
   /// @param balls   what balls conduct as they roll at next_end(); held over the window, as are the temperatures between which they conduct [n_places]
   void advance(double now, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
-  /// What conduction adds to the immediate growth, as it is in force.
+  /// Growth that conduction adds to the immediate growth, as used in the drop.
   [[nodiscard]] const GrowthHistory& growth_in_force() const { return in_force_; }
   /// Advances to the drop's end.
   void finish(double end, std::span<const PlaceEnergy> energy, std::span<const BallConduction> balls);
@@ -85,7 +85,7 @@ class WindowedSections {
   /// Input, storage and loss of all sections.
   [[nodiscard]] HeatEnergy energy() const;
 
-  /// What stands in every row of the windows' series, and its values.
+  /// Channels in every row of the windows' series, and their values.
   [[nodiscard]] std::vector<Observable> observables() const;
   void observe(std::span<double> out) const;
 

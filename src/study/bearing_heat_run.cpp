@@ -36,7 +36,7 @@ std::string chosen_bearing(const Case& drop, const PrescribedHeatParameters& hea
   if (heat.bearing) {
     if (std::find(names.begin(), names.end(), *heat.bearing) == names.end())
       faults.add(position_of_value(table, "bearing"),
-                 fmt::format("heat.bearing = \"{}\" is no touchdown bearing.", *heat.bearing),
+                 fmt::format("heat.bearing = \"{}\" is not a touchdown bearing.", *heat.bearing),
                  known(*heat.bearing, names));
     return *heat.bearing;
   }
@@ -101,7 +101,8 @@ class ProbeFinder {
     std::size_t fe = 0;
     while (fe < case_.models.size() && case_.models[fe].name != "fe") ++fe;
     if (fe == case_.models.size()) {
-      fault(p, p.boundary ? "boundary" : "x", "points and boundaries belong to the finite elements, which do not run.",
+      fault(p, p.boundary ? "boundary" : "x",
+            "points and boundaries need the finite elements, which are not among the models.",
             "Add \"fe\" to heat.models, or give a node of the circuit.");
       return;
     }
@@ -168,7 +169,7 @@ class ProbeFinder {
         continue;  // outside
       }
     }
-    fault(p, "x", p.body ? fmt::format("the point lies outside {}.", *p.body) : "the point lies in no body.",
+    fault(p, "x", p.body ? fmt::format("the point lies outside {}.", *p.body) : "the point is not inside any body.",
           "x = 0 is the middle of the bearing's width; `rotordrop mesh` writes the section.");
     return false;
   }
@@ -351,7 +352,7 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
   auto& p = c->drop.parameters;
   if (!p.heat)
     throw InputError({file.string(), 0, 0},
-                     "the case is one of a drop, and has no table [heat] that says what heats a bearing.",
+                     "this is the case of a drop, without a [heat] table that prescribes the heat input of a bearing.",
                      "docs/heat.md shows one; params/heat/bearing.toml is an example.");
   const Node& table = *c->drop.tree.find("heat");
   if (p.heat->models) {

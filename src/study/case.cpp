@@ -51,7 +51,7 @@ Section<OutputParameters> output_section() {
              {.unit = "s",
               .range = positive(),
               .fallback = "10 s",
-              .help = "Wall time between checkpoints, from which `rotordrop run --resume` goes on."});
+              .help = "Wall time between checkpoints; `rotordrop run --resume` continues from the last one."});
   return s;
 }
 

@@ -23,13 +23,13 @@ class DropFields {
   DropFields(const std::filesystem::path& directory, FiniteElements& elements, const FeParameters& parameters,
              const Machine& machine, double start);
 
-  /// When a field is wanted next [s]; infinity if none is.
+  /// Time of the next requested field [s]; infinity if there is none.
   [[nodiscard]] double next() const { return next_; }
   /// Whether it is wanted at t [s] or before.
   [[nodiscard]] bool is_due(double t) const;
-  /// Of sections in the state vector. @param found  by an evaluation of y
+  /// Writes the fields of sections that are in the state vector. @param found  by an evaluation of y
   void write_reduced(std::span<const double> y, const Evaluation& found);
-  /// Of sections that run in windows: as their solvers stand.
+  /// Writes the fields of sections that run in windows, in their solvers' current state.
   void write_windowed(double t);
 
  private:

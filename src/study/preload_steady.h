@@ -5,7 +5,7 @@
 
 namespace rotordrop {
 
-/// What the way in time and the criterion say together: "stable", "runs-away", "runs-away-on-the-way" (from cold, although a stable operating
+/// Combined verdict of the time history and the criterion: "stable", "runs-away", "runs-away-on-the-way" (from cold, although a stable operating
 /// point exists), "seized-from-the-start", "undecided".
 std::string verdict_of(const PreloadCourse& way, const OperatingPoints& points);
 

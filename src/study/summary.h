@@ -13,7 +13,7 @@ nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, 
                                  const DropResult& result, FiniteElements* elements,
                                  const std::filesystem::path& results);
 
-/// A few lines that answer a user's first questions.
+/// The main results as a few lines for the terminal.
 std::string summary_text(const nlohmann::ordered_json& summary);
 
 }  // namespace rotordrop

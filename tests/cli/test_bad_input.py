@@ -181,7 +181,7 @@ CROSS_REFERENCES = [
     Fault("a bearing at an unknown node", bearing("node = »99"), (r"bearings\.TB1\.node = 99: the rotor has nodes 1 to 31",)),
     Fault("an unbalance at an unknown node", "[rotor]\nunbalance = [{ node = 5, me = 1e-6 }, { node = »77, me = 1e-6 }]", (r"unbalance#2\.node = 77", "nodes 1 to 31")),
     Fault("two bearings on one node", bearing("node = »2", "TB2"), (r"bearings\.TB2\.node = 2: another touchdown bearing", "TB1")),
-    Fault("an unknown material", bearing('ball = »"Si3N5"'), (r'bearings\.TB1\.ball = "Si3N5" is no material', 'Did you mean "Si3N4"', "Known in .materials.: .*steel")),
+    Fault("an unknown material", bearing('ball = »"Si3N5"'), (r'bearings\.TB1\.ball = "Si3N5" is not a known material', 'Did you mean "Si3N4"', "Known in .materials.: .*steel")),
     Fault("an unknown catalogue name", bearing('catalogue = »"6041"'), (r'bearings\.TB1\.catalogue = "6041"', "no such bearing", 'Did you mean "60\\d\\d"', "Known: .*6014")),
     Fault("a resistor to an unknown node", '[thermal]\nresistor = [{ between = »["TB1/housing", "frame"], resistance = 0.1 }]',
           ('no node "frame"', "Known: .*TB1/housing")),

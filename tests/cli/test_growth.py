@@ -95,7 +95,7 @@ class FaultyCases(ProgramTest):
         return " ".join(done.stderr.split())
 
     def test_elastic_growth_without_finite_elements_is_refused(self):
-        self.assertIn('thermal.expansion = "elastic" needs the finite elements, which do not run', self.fault('thermal.expansion = "elastic"\nthermal.growth_by_speed = "closed-form"\n'))
+        self.assertIn('thermal.expansion = "elastic" needs the finite elements, which are not in thermal.models', self.fault('thermal.expansion = "elastic"\nthermal.growth_by_speed = "closed-form"\n'))
 
     def test_a_clearance_needs_windows(self):
         message = self.fault(ELASTIC + 'bearings.TB2.housing_fit = "-5 um"\n')
