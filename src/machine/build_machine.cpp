@@ -504,11 +504,9 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
         materials_are_known = false;
         std::vector<std::string> known;
         for (const auto& m : p.materials) known.push_back(m.first);
-        const std::string guess = closest_name(name, known);
         faults.add(position_of_value(table, key),
                    fmt::format("bearings.{}.{} = \"{}\" is not a known material.", entry.name, key, name),
-                   (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") +
-                       fmt::format("Known in [materials]: {}.", fmt::join(known, ", ")));
+                   suggestion(name, known, fmt::format("Known in [materials]: {}.", fmt::join(known, ", "))));
       }
     }
   }

@@ -26,10 +26,9 @@ void read_until(const Node& node, RunParameters& target, Faults& faults) {
     }
     const std::string& text = node.text();
     if (std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); })) {
-      const std::string guess = closest_name(text, known);
       faults.add(node.where(), "run.until = \"" + text + "\" is neither a condition nor a time.",
-                 (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") +
-                     "Allowed: \"standstill\", \"no contact\", \"rings at speed\", or a time such as \"2 s\".");
+                 suggestion(text, known,
+                            "Allowed: \"standstill\", \"no contact\", \"rings at speed\", or a time such as \"2 s\"."));
       return;
     }
   }

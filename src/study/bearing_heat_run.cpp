@@ -24,12 +24,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string known(const std::string& word, const std::vector<std::string>& names) {
-  const std::string guess = closest_name(word, names);
-  return (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-         fmt::format("Known: {}.", fmt::join(names, ", "));
-}
-
 /// The bearing that is meant, or a fault.
 std::string chosen_bearing(const Case& drop, const PrescribedHeatParameters& heat, const Node& table, Faults& faults) {
   const auto names = touchdown_names(drop.parameters);
@@ -37,7 +31,7 @@ std::string chosen_bearing(const Case& drop, const PrescribedHeatParameters& hea
     if (std::find(names.begin(), names.end(), *heat.bearing) == names.end())
       faults.add(position_of_value(table, "bearing"),
                  fmt::format("heat.bearing = \"{}\" is not a touchdown bearing.", *heat.bearing),
-                 known(*heat.bearing, names));
+                 suggestion(*heat.bearing, names));
     return *heat.bearing;
   }
   if (names.size() == 1) return names.front();
@@ -126,7 +120,7 @@ class ProbeFinder {
     if (!has_model)
       fault(p, "model", fmt::format("model \"{}\" does not run.", *p.model), "Add it to heat.models.");
     else if (found.empty())
-      fault(p, "node", fmt::format("there is no node \"{}\".", *p.node), known(*p.node, all));
+      fault(p, "node", fmt::format("there is no node \"{}\".", *p.node), suggestion(*p.node, all));
     else if (found.size() > 1)
       fault(p, "node", fmt::format("both models have a \"{}\".", *p.node), "Add model = \"lumped\" or model = \"fe\".");
     else
@@ -145,7 +139,7 @@ class ProbeFinder {
       }
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    fault(p, "boundary", fmt::format("there is no boundary \"{}\".", *p.boundary), known(*p.boundary, names));
+    fault(p, "boundary", fmt::format("there is no boundary \"{}\".", *p.boundary), suggestion(*p.boundary, names));
     return false;
   }
 
@@ -157,7 +151,7 @@ class ProbeFinder {
     std::vector<std::string> names;
     for (const auto& body : bodies) names.push_back(body.name);
     if (p.body && std::find(names.begin(), names.end(), *p.body) == names.end()) {
-      fault(p, "body", fmt::format("there is no body \"{}\".", *p.body), known(*p.body, names));
+      fault(p, "body", fmt::format("there is no body \"{}\".", *p.body), suggestion(*p.body, names));
       return false;
     }
     for (probe.body = 0; probe.body < bodies.size(); ++probe.body) {
@@ -353,7 +347,7 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
   if (!p.heat)
     throw InputError({file.string(), 0, 0},
                      "this is the case of a drop, without a [heat] table that prescribes the heat input of a bearing.",
-                     "docs/heat.md shows one; params/heat/bearing.toml is an example.");
+                     "docs/how-to/heat.md shows one; params/heat/bearing.toml is an example.");
   const Node& table = *c->drop.tree.find("heat");
   if (p.heat->models) {
     p.thermal.has_lumped = p.heat->models->has_lumped;
