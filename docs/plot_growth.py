@@ -4,7 +4,7 @@
     /usr/bin/python3 docs/plot_growth.py RESULTS.h5 -o docs/images/growth.png
 
 RESULTS.h5 comes from a run with thermal.models = ["lumped", "fe"], driver = "fe" and expansion = "elastic". Draws the figure and prints the table of
-docs/growth.md. Elasticity and the two formulas see the same temperatures.
+docs/theory/growth.md. Elasticity and the two formulas see the same temperatures.
 """
 
 import argparse

@@ -17,7 +17,7 @@ struct BoreTemperatures {
 };
 
 struct BoreReport {
-  nlohmann::ordered_json report;  ///< docs/results.md
+  nlohmann::ordered_json report;  ///< docs/reference/results.md
   BoreTemperatures temperatures;
 };
 /// The rub of a bearing as recorded by a drop.

@@ -25,7 +25,7 @@ air_gap = "250 um"
 # [rotor]
 # geometry = "my-rotor.json"
 
-# A bearing by its catalogue name; values given here override the catalogue.
+# A bearing by its catalogue name; values given here override the catalogue's.
 # [bearings.TB1]
 # catalogue = "6014"
 )";

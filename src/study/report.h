@@ -8,7 +8,7 @@
 // A run as one HTML page that needs nothing else: no network, no other file.
 namespace rotordrop {
 
-/// Everything that the page shows: texts, tables, checks, and decimated series in the units of their axes. docs/report.md says what is in it.
+/// Everything that the page shows: texts, tables, checks, and decimated series in the units of their axes. docs/how-to/report.md says what is in it.
 /// @throws InputError if the directory holds no run, or one without a recorded row
 nlohmann::ordered_json report_data(const RecordedDrop& drop);
 

@@ -98,7 +98,7 @@ Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::si
   return j;
 }
 
-// docs/model.md, section 8: the rub heat from the spin-up alone, whatever friction, bounces and waves:
+// docs/theory/model.md, section 8: the rub heat from the spin-up alone, whatever friction, bounces and waves:
 //   E_slip = (r_r/r_b) integral omega_r (J omega_i' + M) dt - J omega_i^2/2 - integral M omega_i dt + integral F_t v_t dt.
 Json spin_up_balance(const Machine& machine, std::size_t support, std::span<const double> y, double ring_speed) {
   const auto* bearing = dynamic_cast<const TouchdownBearing*>(&machine.support(support));

@@ -6,7 +6,7 @@
 
 namespace rotordrop {
 
-/// Scalars of a run, SI; see docs/results.md for every key.
+/// Scalars of a run, SI; see docs/reference/results.md for every key.
 /// @param elements  of the machine, or null
 /// @param results   the run's results.h5, closed
 nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,

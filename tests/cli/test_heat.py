@@ -188,7 +188,7 @@ class BearingFaults(ProgramTest):
     def test_a_drop_without_heat_is_told_what_it_needs(self):
         message = self.fault("")
         self.assertIn("without a [heat] table", message)
-        self.assertIn("docs/heat.md", message)
+        self.assertIn("docs/how-to/heat.md", message)
 
     def test_the_bearing_is_known(self):
         self.assertIn('Did you mean "TB1"?  Known: TB1, TB2.', self.fault(BEARING.replace("TB1", "TB") + STEADY))

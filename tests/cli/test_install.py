@@ -82,7 +82,7 @@ class Program(Installed):
                 path.rename(path.with_suffix(".so"))
 
     def test_documents_and_examples_are_there(self):
-        for name in ("share/doc/rotordrop/README.md", "share/doc/rotordrop/docs/guide.md", "share/doc/rotordrop/LICENSE", "share/rotordrop/examples/plot_drop.py", "share/rotordrop/examples/own-parts/CMakeLists.txt"):
+        for name in ("share/doc/rotordrop/README.md", "share/doc/rotordrop/docs/tutorials/guide.md", "share/doc/rotordrop/LICENSE", "share/rotordrop/examples/plot_drop.py", "share/rotordrop/examples/own-parts/CMakeLists.txt"):
             self.assertTrue((self.prefix / name).is_file(), name)
 
     def test_no_header_needs_one_that_is_not_installed(self):
