@@ -295,7 +295,7 @@ class StudyMaker {
       const auto found = std::find_if(bodies.begin(), bodies.end(), holds);
       if (found == bodies.end())
         fault(list, i, "x",
-              "\"" + probe.name + "\" lies in no body" + (from.body ? " called \"" + *from.body + "\"." : "."),
+              "\"" + probe.name + "\" is not inside any body" + (from.body ? " called \"" + *from.body + "\"." : "."),
               "Compare its x and r with those of section.rectangle.");
       else
         probe.body = static_cast<std::size_t>(found - bodies.begin());

@@ -68,7 +68,7 @@ class Lumped(ProgramTest):
 
     def test_one_run_is_compared_with_another(self):
         text = self.succeed("compare", "a", "--against", "b").stdout
-        self.assertIn("Driver lumped here, lumped there", text)
+        self.assertIn("Growth driver lumped in this run, lumped in the other", text)
         report = json.loads((self.folder / "a/comparison.json").read_text())
         self.assertEqual(report["run"]["driver"], "lumped")
         self.assertIsNone(report["fe_from"])
@@ -178,7 +178,7 @@ class LumpedAndFiniteElements(ProgramTest):
         self.assertEqual(sorted(path.name for path in self.out.iterdir()), ["comparison.h5", "comparison.json", "parameters.toml", "results.h5", "summary.json"])
         for name in ("TB1", "TB2"):
             text = " ".join(line for line in self.report["in_short"] if line.startswith(name + ": "))
-            for words in ("5 % of the rise at the time (at least 0.01 K)", "Beyond the tolerance from", "Bore locally"):
+            for words in ("5 % of the rise at the time (at least 0.01 K)", "Beyond the tolerance from", "Local bore temperature"):
                 self.assertIn(words, text)
         for line in self.report["in_short"]:
             self.assertIn(line, self.screen)

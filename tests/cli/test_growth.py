@@ -103,7 +103,7 @@ class FaultyCases(ProgramTest):
         self.assertIn('thermal.fe.coupling = "windowed"', message)
 
     def test_a_factor_of_formulas_is_refused(self):
-        self.assertIn("thermal.plane_strain_growth changes the paper's formulas, and thermal.expansion is \"elastic\"", self.fault(ELASTIC + "thermal.plane_strain_growth = true\n"))
+        self.assertIn("thermal.plane_strain_growth applies to the paper's formulas, and thermal.expansion is \"elastic\"", self.fault(ELASTIC + "thermal.plane_strain_growth = true\n"))
 
     def test_an_interference_of_millimetres_is_refused(self):
         self.assertIn("housing_fit", self.fault(ELASTIC + 'bearings.TB1.housing_fit = "2 mm"\n'))
