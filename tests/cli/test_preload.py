@@ -191,7 +191,7 @@ class Preload(ProgramTest):
         added = self.call("preload", "neisi2019-preload.toml", "-o", "other", *fe, "--set", 'thermal.node=[{ name = "frame", capacity = 10.0 }]',
                           "--set", 'thermal.resistor=[{ between = ["TB2/housing", "frame"], resistance = 1.0 }]')
         self.assertEqual(added.returncode, 2)
-        self.assertIn('preload.model = "fe" does not know', added.stderr)
+        self.assertIn('preload.model = "fe" cannot include', added.stderr)
 
     def test_the_screen_may_have_json(self):
         done = self.succeed("preload", "neisi2019-preload.toml", "--bearing", "TB1", "-o", "out", "--json", *NO_MAPS)
