@@ -3,8 +3,9 @@
 
     /usr/bin/python3 docs/plot_growth.py RESULTS.h5 -o docs/images/growth.png
 
-RESULTS.h5 comes from a run with thermal.models = ["lumped", "fe"], driver = "fe" and expansion = "elastic". Draws the figure and prints the table of
-docs/theory/growth.md. Elasticity and the two formulas see the same temperatures.
+RESULTS.h5 comes from a run with thermal.models = ["lumped", "fe"], driver = "fe" and expansion = "elastic", growth_by_speed = "closed-form". Draws the figure and prints the table of
+docs/theory/growth.md. Elasticity and the two formulas see the same temperatures. The raceway is meant where the balls touch it, and in eq. (27) at the ring's
+shoulder, as printed.
 """
 
 import argparse
@@ -24,6 +25,17 @@ def diameters(parameters, bearing):
     table = parameters.partition(f"[bearings.{bearing}]")[2]
     found = re.search(r"inner_ring_diameters\s*=\s*\[([^\]]*)\]", table).group(1)
     return [float(re.search(r"[\d.e+-]+", part).group()) * (1e-3 if "mm" in part else 1.0) for part in found.split(",")]
+
+
+def contact_radius(parameters, bearing):
+    """Radius at which the balls touch the inner race [m]: d_m/2 - (d/2) cos phi."""
+    table = parameters.partition(f"[bearings.{bearing}]")[2]
+
+    def value(key):
+        number, unit = re.search(rf"^{key}\s*=\s*\"?([\d.e+-]+)\s*(\w*)", table, re.MULTILINE).groups()
+        return float(number) * {"mm": 1e-3, "deg": np.pi / 180}.get(unit, 1.0)
+
+    return 0.5 * (value("pitch_diameter") - value("ball_diameter") * np.cos(value("contact_angle")))
 
 
 def main():
@@ -46,8 +58,9 @@ def main():
             mean = file[f"fe/{bearing}/inner_ring"][:] - ambient
             inside, outside = (file[f"fe/{bearing}/{name}"][:, 0] - ambient for name in ("bore", "inner_raceway"))
             elastic, total = file[f"growth/fe/{bearing}"][:], file[f"bearings/{bearing}/expansion"][:]
-            for j, (name, r, column) in enumerate((("bore", a, 1), ("inner raceway", b, 2))):
-                by_mean = arguments.alpha * r * mean
+            race = contact_radius(parameters, bearing)
+            for j, (name, r, at_contact, column) in enumerate((("bore", a, a, 1), ("inner raceway", b, race, 2))):
+                by_mean = arguments.alpha * at_contact * mean
                 printed = arguments.alpha * r / (3 * (a + b)) * (inside * (2 * a + b) + outside * (2 * b + a))
                 spinning = total[:, column] - elastic[:, column]
                 ax = axes[j, i]

@@ -28,6 +28,7 @@ TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(
   for (auto& geometry : data_.rows) geometry.conducts = data_.conduction.has_value();
   if (data_.bending)
     for (auto& geometry : data_.rows) geometry.highest_harmonic = data_.bending->inner.back().n;
+  if (data_.bending) shape_motions_ = shape_motions();
   if (data_.bending && data_.bending->model == RingBendingModel::arc) arc_table_ = make_arc_table();
   for (const auto& geometry : data_.rows) rows_.emplace_back(geometry, data_.race_waves);
   const auto& g = data_.rows.front();

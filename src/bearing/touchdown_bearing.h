@@ -103,6 +103,7 @@ struct TouchdownBearingData {
 class TouchdownBearing final : public Support {
  public:
   static constexpr std::size_t max_rows = 8;
+  static constexpr std::size_t max_shapes = 80;  ///< coefficients of one ring: harmonics to 41
   explicit TouchdownBearing(TouchdownBearingData data);
 
   /// Offsets in this support's part of the state vector.
@@ -191,6 +192,10 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] std::shared_ptr<const ArcTable> make_arc_table() const;
   void lend_shapes(ShapeForces& shapes, BallRowInput& input) const;
   void fill_ball_shapes(std::span<const double> y, ShapeForces& shapes) const;
+  struct ShapeMotion {
+    double stiffness, mass, inverse_mass, damping;  // [N/m], [kg], [1/kg], [N s/m]
+  };
+  [[nodiscard]] std::vector<ShapeMotion> shape_motions() const;
   [[nodiscard]] double bend(std::span<const double> y, ShapeForces& forces, std::span<double> dydt) const;
   [[nodiscard]] double bending_energy(std::span<const double> y) const;
   [[nodiscard]] std::vector<StateEntry> shape_entries() const;
@@ -212,6 +217,7 @@ class TouchdownBearing final : public Support {
 
   TouchdownBearingData data_;
   std::vector<BallRow> rows_;
+  std::vector<ShapeMotion> shape_motions_;
   std::shared_ptr<const ArcTable> arc_table_;  // of bent rings that are touched over an arc
   double strain_per_growth_ = 0;               // of the rings' widths [1/m]
   double cage_ratio_ = 0;

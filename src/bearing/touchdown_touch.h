@@ -47,9 +47,9 @@ struct TouchdownBearing::Touch {
 
 /// Bent rings while they are evaluated.
 struct TouchdownBearing::ShapeForces {
-  static constexpr std::size_t capacity = 80;      // of one ring: harmonics up to 41
-  ShapeForces() {}                                 // leaves everything unwritten: only bent rings use it
-  std::array<double, capacity> shape, shape_rate;  // of the inner raceway less the outer one [m], [m/s]
+  static constexpr std::size_t capacity = max_shapes;  // of one ring: harmonics up to 41
+  ShapeForces() {}                                     // leaves everything unwritten: only bent rings use it
+  std::array<double, capacity> shape, shape_rate;      // of the inner raceway less the outer one [m], [m/s]
   std::array<double, capacity> by_rotor,
       by_balls;  // on the inner ring [N]; the balls press the outer one by the opposite
 };

@@ -324,6 +324,31 @@ Json report_ball_loads(const RecordedDrop& drop) {
   return all;
 }
 
+namespace {
+
+/// Shape of a bent inner ring: times [ms] and at each the coefficients of cos and sin [um]; null for rigid rings.
+Json ring_shape(const RecordedDrop& drop, const std::string& bearing) {
+  constexpr std::size_t n_frames = 1000;
+  const std::string path = "/bearings/" + bearing + "/inner_ring_shape";
+  if (!drop.has(path)) return nullptr;
+  Json shape = {{"time", Json::array()}, {"coefficients", Json::array()}};
+  const std::size_t n_columns = read_attribute_list(drop.directory() / "results.h5", path, "columns").size();
+  for (std::size_t column = 0; column < n_columns; ++column) {
+    const TimeSeries s = drop.series(path, column);
+    const std::size_t stride = (s.times.size() + n_frames - 1) / n_frames;
+    std::vector<double> times, values;
+    for (std::size_t k = 0; k < s.times.size(); k += stride) {
+      times.push_back(s.times[k]);
+      values.push_back(std::round(s.values[k] * 1e8) * 1e-8);  // to 0.01 um
+    }
+    if (column == 0) shape["time"] = rounded(times, 1e3, 6);
+    shape["coefficients"].push_back(rounded(values, 1e6, 4));
+  }
+  return shape;
+}
+
+}  // namespace
+
 Json report_animation(const RecordedDrop& drop) {
   constexpr std::size_t n_frames = 3000;
   Json animation = {{"bearings", Json::array()}};
@@ -360,6 +385,7 @@ Json report_animation(const RecordedDrop& drop) {
                                      {"force", frames(force, 1e-3, 3)},
                                      {"rotor_angle", turned(spin)},
                                      {"ring_angle", turned(angle)}});
+    if (Json shape = ring_shape(drop, name); !shape.is_null()) animation["bearings"].back()["shape"] = std::move(shape);
     if (!animation.contains("start")) animation["start"] = largest_of(force).time * 1e3;
   }
   return animation;

@@ -74,7 +74,8 @@ void check_load(Checks& checks, const RecordedDrop& drop, const std::string& nam
   if (pressure > 0.)
     checks.add(
         name + ": contact pressure", pressure < static_pressure_limit,
-        fmt::format("largest {:.3g} GPa; limit {:.1f} GPa (ISO 76)", pressure * 1e-9, static_pressure_limit * 1e-9));
+        fmt::format("largest {:.3g} GPa; limit {:.1f} GPa (ISO 76){}", pressure * 1e-9, static_pressure_limit * 1e-9,
+                    b.ring_bending == RingBendingModel::none ? "; rigid rings understate it" : ""));
 }
 
 void check_whirl(Checks& checks, const Json& summary, const std::string& name) {

@@ -94,6 +94,20 @@ class InADrop(ProgramTest):
         self.assertLess(abs(windows["heat_residual"]), 1e-9 * windows["heat_input"])
         self.assertAlmostEqual(windows["heat_input"], windowed["energy"]["heat_deposited"], delta=1e-9 * windows["heat_input"])
 
+    def test_windows_beyond_their_tolerance_are_told(self):
+        for tolerance, name in (("0.5 nm", "kept"), ("0.001 nm", "beyond")):
+            printed = self.succeed("run", "settling.toml", "-o", name, *settings(thermal__models='["fe"]', thermal__fe__coupling="windowed", thermal__fe__section="plain", thermal__fe__window_tolerance=tolerance, run__end_time="15 ms")).stdout
+            windows = self.summary(name)["windows"]
+            self.assertAlmostEqual(windows["tolerance"], float(tolerance.split()[0]) * 1e-9, delta=1e-20)
+            with h5py.File(self.folder / name / "results.h5") as file:
+                # Rows of windows are some of them; the largest may be another.
+                self.assertLessEqual(file["windows/error"][()].max(), windows["largest_growth_error"])
+            self.assertEqual(windows["beyond_tolerance"] > 0, windows["largest_growth_error"] > windows["tolerance"])
+            self.assertLessEqual(windows["beyond_tolerance"], windows["count"])
+            self.assertEqual("windows left more than thermal.fe.window_tolerance" in printed, name == "beyond", printed)
+            if name == "beyond":
+                self.assertIn(f"{windows['beyond_tolerance']} of {windows['count']} windows left more than thermal.fe.window_tolerance = 0.001 nm, the most at {windows['largest_growth_error_time'] * 1e3:.4g} ms", printed)
+
     TABLES = ("--set", 'materials.steel.k_table=[["293 K", 46], ["303 K", 20]]', "--set", 'materials.steel.c_table=[["293 K", 460], ["303 K", 900]]')
 
     def test_windows_follow_tables_of_k_and_c(self):

@@ -85,6 +85,20 @@ class RingBending(ProgramTest):
             self.assertLess(outer, numpy.abs(file["bearings/TB1/inner_ring_shape"][:]).max())
             self.assertNotIn("outer_ring_shape", file["bearings/TB2"])
 
+    def test_the_report_draws_the_bent_ring(self):
+        self.drop("arc")
+        self.succeed("report", "arc")
+        page = (self.folder / "arc/report.html").read_text()
+        data = json.loads(page.partition('<script type="application/json" id="data">')[2].partition("</script>")[0])
+        for bearing in data["animation"]["bearings"]:
+            shape = bearing["shape"]
+            self.assertEqual(len(shape["coefficients"]), 22)
+            with h5py.File(self.folder / "arc/results.h5") as file:
+                recorded = file[f"bearings/{bearing['name']}/inner_ring_shape"][:, 0] * 1e6
+                time = file["detail/time"][:] * 1e3
+            shown = numpy.interp(shape["time"], time, recorded)
+            numpy.testing.assert_allclose(shape["coefficients"][0], shown, rtol=0, atol=0.02, err_msg="um")
+
     def refuse(self, text, *says):
         path = self.case(text)
         result = self.call("check", path)

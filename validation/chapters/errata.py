@@ -175,7 +175,7 @@ def chapter(plan, measures, folders):
     r_in, r_out = c, pair.outer[0] / 2
     growth_in, growth_out, growth_ball = (alpha["TB2"] * even * r for r in (r_in, r_out, pair.d / 2))
     evenly_warm = pair.preload_with(growth_in - growth_out, growth_ball)
-    result.append(entry("eqs. 25 to 27, radial growth alone", "races grow by alpha r T at the radii of the rings' walls, radially only", "the contact points move along the contact normal, radially and axially: an evenly warm bearing of one material keeps its preload", FORMULA + ", inner ring, outer ring and balls 50 K warmer",
+    result.append(entry("eqs. 25 to 27, radial growth alone", "races grow by alpha r T at the radii of the rings' walls, radially only", "the contact points move along the contact normal, radially and axially (section 7 of the model): an evenly warm bearing of one material keeps its preload; the paper's by thermal.expansion = \"paper\"", "computed from the formulas, inner ring, outer ring and balls 50 K warmer",
                         "An evenly warm bearing would change its preload, and a run-away would be computed from that.",
                         [("preload of the pair, cold", pair.preload, "N"), ("evenly 50 K warmer, radial growth alone", evenly_warm, "N"), ("evenly 50 K warmer, by similarity (loads as squares of lengths times 1 + alpha T)", pair.preload * (1 + 2 * alpha["TB2"] * even), "N")],
                         f"under {shown(even)} K everywhere the pair's {shown(pair.preload, 3)} N become {shown(evenly_warm, 3)} N, where similarity has {shown(pair.preload * (1 + 2 * alpha['TB2'] * even), 4)} N"))

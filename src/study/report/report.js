@@ -280,14 +280,17 @@ class Drop {
     this.bore = 140;
     this.journal = this.bore - this.scale * bearing.gap;
     const trace = bearing.time.map((_, i) => (i ? "L" : "M") + this.x(bearing.z[i]).toFixed(1) + " " + this.y(bearing.y[i]).toFixed(1)).join("");
-    this.ring = element("g", {}, element("circle", { r: this.bore + 16, fill: "#dfe5ea", stroke: "#667" }), element("circle", { r: this.bore, fill: "#fff", stroke: "#667" }),
+    const body = { fill: "#dfe5ea", stroke: "#667" }, hole = { fill: "#fff", stroke: "#667" };
+    // A bent ring is drawn by its shape, which stands while the ring turns; a rigid one turns as it is.
+    this.bent = bearing.shape && { outside: element("path", body), bore: element("path", hole) };
+    this.ring = element("g", {}, ...(this.bent ? [] : [element("circle", { r: this.bore + 16, ...body }), element("circle", { r: this.bore, ...hole })]),
       element("line", { x1: 0, x2: 0, y1: -this.bore - 16, y2: -this.bore, stroke: "#222", "stroke-width": 3 }));
     this.rotor = element("g", { class: "rotor" }, element("circle", { r: this.journal, fill: COLOURS[5], "fill-opacity": 0.45, stroke: COLOURS[0], "stroke-width": 1.5 }),
       element("line", { x1: 0, x2: 0, y1: -this.journal, y2: -this.journal + 16, stroke: COLOURS[0], "stroke-width": 4 }));
     this.contact = element("circle", { r: 7, fill: COLOURS[1] });
     this.centre = element("circle", { r: 4, fill: "#222" });
     this.caption = element("p", { class: "note" });
-    const svg = element("svg", { viewBox: "-175 -175 350 350", role: "img", "aria-label": `Rotor in ${bearing.name}` }, this.ring, this.rotor,
+    const svg = element("svg", { viewBox: "-175 -175 350 350", role: "img", "aria-label": `Rotor in ${bearing.name}` }, ...(this.bent ? [this.bent.outside, this.bent.bore] : []), this.ring, this.rotor,
       element("circle", { r: this.scale * bearing.gap, fill: "none", stroke: "#888", "stroke-dasharray": "5 3" }),
       element("path", { class: "series", d: trace, fill: "none", stroke: COLOURS[0], "stroke-width": 0.8, opacity: 0.8 }),
       this.contact, this.centre,
@@ -298,8 +301,28 @@ class Drop {
   x(z) { return this.scale * z; }
   y(y) { return -this.scale * y; }
 
+  // Radial displacement of a bent ring [um] at an angle from +y towards +z.
+  bending(at, angle) {
+    return this.bearing.shape.coefficients.reduce((sum, row, k) => sum + row[at] * (k % 2 ? Math.sin : Math.cos)((2 + (k >> 1)) * angle), 0);
+  }
+
+  // Outline of a bent ring whose centre is at y, z [um].
+  outline(radius, at, y, z) {
+    let d = "";
+    for (let k = 0; k < 180; ++k) {
+      const angle = (k * Math.PI) / 90, r = radius + this.scale * this.bending(at, angle);
+      d += `${k ? "L" : "M"}${(this.x(z) + r * Math.sin(angle)).toFixed(1)} ${(this.y(y) - r * Math.cos(angle)).toFixed(1)}`;
+    }
+    return d + "Z";
+  }
+
   show(time) {
     const b = this.bearing, i = nearest(b.time, time);
+    if (this.bent) {
+      const at = nearest(b.shape.time, time);
+      this.bent.outside.setAttribute("d", this.outline(this.bore + 16, at, b.ring_y[i], b.ring_z[i]));
+      this.bent.bore.setAttribute("d", this.outline(this.bore, at, b.ring_y[i], b.ring_z[i]));
+    }
     const turned = (y, z, angle) => `translate(${this.x(z).toFixed(2)} ${this.y(y).toFixed(2)}) rotate(${((angle * 180) / Math.PI).toFixed(1)})`;
     this.ring.setAttribute("transform", turned(b.ring_y[i], b.ring_z[i], b.ring_angle[i]));
     this.rotor.setAttribute("transform", turned(b.y[i], b.z[i], b.rotor_angle[i]));
@@ -322,8 +345,8 @@ function showDrops(animation) {
   const shortest = steps.reduce((a, b) => Math.min(a, b), Infinity), longest = steps.reduce((a, b) => Math.max(a, b), 0);
   const pace = longest > 1.5 * shortest ? `every ${short(shortest)} to ${short(longest)} ms, more often while something changes` : `every ${short(longest)} ms`;
   section("The drop", element("div", { class: "player" }, play, slider, output), drops,
-    element("p", { class: "note" }, `Seen along +x: y up, z to the right, positive spin clockwise. Gap, displacements and penetration share one magnification; the radii are not to that scale. ` +
-      `Dashed: how far the gap lets the rotor's centre (dot) go while the ring is centred; a ring with clearance, or under load, lies lower. Full dot on the bore: contact. The bars on rotor and ring turn with them. A picture ${pace}: what is faster is not seen here.`));
+    element("p", { class: "note" }, `Seen along +x: y up, z to the right, positive spin clockwise. Gap, displacements, penetration and the bending of rings share one magnification; the radii are not to that scale. ` +
+      `Dashed: limit of the rotor centre (dot) set by the air gap with the ring centred; a ring with clearance, or under load, sits lower. Filled dot on the bore: contact. The bars turn with rotor and ring. One frame ${pace}; faster motion is not visible here.`));
   const made = animation.bearings.map((bearing) => new Drop(bearing, drops));
   const show = () => {
     const time = times[+slider.value];

@@ -1,0 +1,249 @@
+// A touchdown bearing whose rings bend: its power balance, its momentum, and the forces of a shape that turns with everything else.
+//
+// POWER. dU/dt along the state's rates, the journal's velocity and the growth's rate is work of the rotor less heat and dissipation, plus prescribed work
+// and work of growth, as in touchdown_power_test.cpp; now U has the shapes' kinetic and elastic energy, and the contact's energy over the arc.
+// MOMENTUM. Shapes with n >= 2 have none: ring and support still change theirs by the rotor's force, weight, springs and dampers alone.
+// TURNING. With everything turned by an angle phi (whole steps of the arc's points), a_n + i b_n turns by n phi, and so do the forces.
+// RIGID. With straight shapes the forces are those of rigid rings: exactly at a point, nearly over an arc.
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <random>
+
+#include "numerical_derivative.h"
+#include "test_bearings.h"
+
+namespace rotordrop {
+namespace {
+
+using namespace rotordrop::testing;
+using TB = TouchdownBearing;
+
+BentRings bent(RingBendingModel model, int highest, bool has_outer, double gap) {
+  RingSection s;
+  s.inner_radius = 35e-3;
+  s.outer_radius = 39e-3;
+  s.width = 20e-3;
+  s.E = 2e11;
+  s.nu = 0.3;
+  s.rho = 7800.;
+  BentRings b;
+  b.model = model;
+  b.inner = ring_harmonics(s, highest);
+  if (has_outer) {
+    b.outer = b.inner;
+    for (auto& h : b.outer) h.stiffness += 2e8;
+  }
+  b.damping_ratio = 0.02;
+  b.frequency_limit = 20e3;
+  b.arc = ArcContact(1.144e9, 10. / 9., gap);
+  return b;
+}
+
+struct Instant {
+  SupportInput in;
+  std::vector<double> y;
+  Expansion growth_rate;
+};
+
+Instant random_instant(const TB& bearing, std::mt19937& random, bool in_contact) {
+  std::uniform_real_distribution<double> one(-1, 1);
+  Instant s;
+  s.y.assign(bearing.state_entries().size(), 0.);
+  auto& y = s.y;
+  y[TB::support_y] = 2e-6 * one(random);
+  y[TB::support_z] = 2e-6 * one(random);
+  y[TB::ring_y] = y[TB::support_y] + 1 * um * one(random);
+  y[TB::ring_z] = y[TB::support_z] + 1 * um * one(random);
+  for (const auto v : {TB::ring_vy, TB::ring_vz, TB::support_vy, TB::support_vz}) y[v] = 0.1 * one(random);
+  y[TB::ring_angle] = 20 * one(random);
+  y[TB::cage_angle] = 20 * one(random);
+  y[TB::ring_spin] = 1500 * one(random);
+  const std::size_t at = bearing.shapes_at(), n = bearing.n_shapes();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double order = 2. + static_cast<double>(k % bearing.data().bending->n_inner() / 2);
+    y[at + k] = 4 * um / (order * order) * one(random);
+    y[at + n + k] = 0.1 / order * one(random);
+  }
+  const double direction = pi * one(random),
+               distance = (in_contact ? 275 + 10 * one(random) : 150 + 50 * one(random)) * um;
+  s.in.journal.y = y[TB::ring_y] + distance * std::cos(direction);
+  s.in.journal.z = y[TB::ring_z] + distance * std::sin(direction);
+  s.in.journal.velocity_y = 0.5 * one(random);
+  s.in.journal.velocity_z = 0.5 * one(random);
+  s.in.rotor_spin = {3., 1500 * one(random)};
+  s.in.growth = {1 * um * one(random),   1 * um * one(random),   0.5 * um * one(random), 0.5 * um * one(random),
+                 0.2 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random)};
+  s.growth_rate = {3e-3 * one(random), 3e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random),
+                   1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random)};
+  return s;
+}
+
+/// All balls loaded, so that the energy is smooth.
+std::vector<TouchdownBearingData> bent_bearings() {
+  auto tight = deep_groove_row();
+  tight.radial_clearance = -16 * um;
+  auto a = touchdown("deep groove, arc", {tight});
+  a.race_waves = {{true, 2, 0.5 * um, 0.3}, {false, 5, 0.3 * um, 1.}};
+  a.bending = bent(RingBendingModel::arc, 12, false, a.air_gap);
+  auto b = touchdown("X pair, point", angular_contact_pair(1500.));
+  b.bending = bent(RingBendingModel::point, 12, false, b.air_gap);
+  auto c = touchdown("X pair, arc, outer ring bends too", angular_contact_pair(1500.));
+  c.bending = bent(RingBendingModel::arc, 8, true, c.air_gap);
+  c.bore_waves = {{3, 2 * um, 0.4}};
+  auto d = c;
+  d.name = "X pair, balls with inertia, free ring, arc";
+  for (auto& r : d.rows) r.has_inertia = true;
+  d.free_ring = FreeRing{3e-4, 2e-4, 0., 32e-3, {}, 37e-3, 5e8};
+  auto e = d;
+  e.name = "gyroscopic moments shared, point, outer ring bends too";
+  e.bending->model = RingBendingModel::point;
+  e.bore_waves.clear();
+  for (auto& r : e.rows) r.inner_gyroscopic_share = 0.5;
+  return {a, b, c, d, e};
+}
+
+struct Evaluated {
+  std::vector<double> rates, ledger;
+  SupportOutput out;
+};
+Evaluated evaluate(const TB& bearing, const Instant& s) {
+  Evaluated e{std::vector<double>(s.y.size()), std::vector<double>(bearing.ledger_entries().size()), {}};
+  bearing.evaluate(s.in, s.y, e.rates, e.ledger, e.out);
+  return e;
+}
+
+double energy_rate(const TB& bearing, const Instant& s, const std::vector<double>& rates) {
+  return derivative(
+      [&](double t) {
+        Instant moved = s;
+        for (std::size_t i = 0; i < rates.size(); ++i) moved.y[i] += t * rates[i];
+        auto& j = moved.in.journal;
+        j.y += t * j.velocity_y;
+        j.z += t * j.velocity_z;
+        for (const auto surface : growth_surfaces) moved.in.growth.*surface += t * s.growth_rate.*surface;
+        return bearing.energy(moved.in, moved.y);
+      },
+      5e-7);
+}
+
+TEST(BentTouchdownBearing, FindsEveryWattOfItsPowerBalance) {
+  std::mt19937 random(5);
+  for (const auto& data : bent_bearings()) {
+    const TB bearing(data);
+    double worst = 0., largest_loss = 0.;
+    for (int i = 0; i < 40; ++i) {
+      const auto s = random_instant(bearing, random, i % 3 != 0);
+      const auto e = evaluate(bearing, s);
+      ASSERT_EQ(e.out.heat.is_in_contact, i % 3 != 0) << data.name;
+      const auto& j = s.in.journal;
+      const double work = -e.out.force_on_rotor.y * j.velocity_y - e.out.force_on_rotor.z * j.velocity_z -
+                          e.out.force_on_rotor.torque * s.in.rotor_spin.speed;
+      const double taken = e.out.heat.rub + e.out.heat.inner + e.out.heat.outer + e.out.other_dissipation;
+      const double given = e.out.prescribed_work + e.out.energy_gradient.dot(s.growth_rate);
+      const double dU = energy_rate(bearing, s, e.rates);
+      const double scale = std::max({std::fabs(work), std::fabs(dU), std::fabs(taken), 1e3});
+      worst = std::max(worst, std::fabs(dU - work + taken - given) / scale);
+      largest_loss = std::max(largest_loss, e.ledger[TB::ring_bending_damping]);
+      EXPECT_GE(e.ledger[TB::ring_bending_damping], 0.);
+    }
+    EXPECT_GT(largest_loss, 1.) << "W: the shapes move";
+    // The numerical derivative; over an arc points enter the overlap with an infinite second derivative.
+    EXPECT_LT(worst, 5e-5) << data.name;
+  }
+}
+
+TEST(BentTouchdownBearing, KeepsMomentum) {
+  std::mt19937 random(6);
+  for (const auto& data : bent_bearings()) {
+    const TB bearing(data);
+    for (int i = 0; i < 20; ++i) {
+      const auto s = random_instant(bearing, random, true);
+      const auto e = evaluate(bearing, s);
+      const auto& y = s.y;
+      const double ring_y = data.ring_mass * (e.rates[TB::ring_vy] - data.gravity_y);
+      const double support_y = data.support_mass * e.rates[TB::support_vy] +
+                               data.support_stiffness_y * y[TB::support_y] + data.support_damping_y * y[TB::support_vy];
+      const double scale = std::fabs(e.out.force_on_rotor.y) + std::fabs(ring_y) + 1.;
+      EXPECT_NEAR(ring_y + support_y + e.out.force_on_rotor.y, 0., 1e-9 * scale) << data.name << ", N";
+      const double ring_z = data.ring_mass * (e.rates[TB::ring_vz] - data.gravity_z);
+      const double support_z = data.support_mass * e.rates[TB::support_vz] +
+                               data.support_stiffness_z * y[TB::support_z] + data.support_damping_z * y[TB::support_vz];
+      EXPECT_NEAR(ring_z + support_z + e.out.force_on_rotor.z, 0., 1e-9 * (scale + std::fabs(ring_z))) << data.name;
+    }
+  }
+}
+
+TEST(BentTouchdownBearing, TurnsWithEverythingElse) {
+  std::mt19937 random(7);
+  for (auto data : bent_bearings()) {
+    if (data.free_ring || data.sticking) continue;
+    data.bore_waves.clear();
+    data.race_waves.clear();
+    const TB bearing(data);
+    for (int i = 0; i < 10; ++i) {
+      auto s = random_instant(bearing, random, true);
+      const auto before = evaluate(bearing, s);
+      const double phi = 2. * pi * 37. / n_arc_points;
+      const auto turn = [&](double& y, double& z, double by) {
+        const auto turned = std::complex<double>(y, z) * std::polar(1., by);
+        y = turned.real();
+        z = turned.imag();
+      };
+      auto& y = s.y;
+      turn(s.in.journal.y, s.in.journal.z, phi);
+      turn(s.in.journal.velocity_y, s.in.journal.velocity_z, phi);
+      for (const auto& [a, b] : {std::pair{TB::ring_y, TB::ring_z}, std::pair{TB::ring_vy, TB::ring_vz},
+                                 std::pair{TB::support_y, TB::support_z}, std::pair{TB::support_vy, TB::support_vz}})
+        turn(y[a], y[b], phi);
+      y[TB::cage_angle] += phi;
+      const std::size_t at = bearing.shapes_at(), n = bearing.n_shapes(), m = data.bending->n_inner();
+      const auto order = [&](std::size_t k) { return 2. + static_cast<double>(k % n % m / 2); };
+      for (std::size_t k = 0; k < 2 * n; k += 2) turn(y[at + k], y[at + k + 1], order(k) * phi);
+      const auto after = evaluate(bearing, s);
+      double f_y = before.out.force_on_rotor.y, f_z = before.out.force_on_rotor.z;
+      turn(f_y, f_z, phi);
+      const double size = std::hypot(f_y, f_z) + 1.;
+      EXPECT_NEAR(after.out.force_on_rotor.y, f_y, 1e-8 * size) << data.name << ", N";
+      EXPECT_NEAR(after.out.force_on_rotor.z, f_z, 1e-8 * size) << data.name << ", N";
+      for (std::size_t k = n; k < 2 * n; k += 2) {
+        double a = before.rates[at + k], b = before.rates[at + k + 1];
+        turn(a, b, order(k) * phi);
+        const double scale = std::hypot(a, b) + 1e3;
+        EXPECT_NEAR(after.rates[at + k], a, 1e-7 * scale) << data.name << ", m/s^2";
+        EXPECT_NEAR(after.rates[at + k + 1], b, 1e-7 * scale) << data.name << ", m/s^2";
+      }
+    }
+  }
+}
+
+TEST(BentTouchdownBearing, IsTheRigidOneUntilItsRingsBend) {
+  std::mt19937 random(8);
+  for (auto data : bent_bearings()) {
+    const TB bearing(data);
+    auto rigid_data = data;
+    rigid_data.bending.reset();
+    const TB rigid(rigid_data);
+    for (int i = 0; i < 10; ++i) {
+      auto s = random_instant(bearing, random, i % 2 == 0);
+      for (std::size_t k = 0; k < 2 * bearing.n_shapes(); ++k) s.y[bearing.shapes_at() + k] = 0.;
+      s.in.growth.bore = s.in.growth.shaft = 0.;  // the arc's law belongs to the gap as mounted
+      Instant bare = s;
+      bare.y.resize(bearing.shapes_at());
+      const auto a = evaluate(bearing, s), b = evaluate(rigid, bare);
+      // Damping acts along every point's own normal, 5 % of the force at 0.5 m/s, over an arc of 0.3 rad to both sides; bore waves act along it.
+      const bool is_arc = data.bending->model == RingBendingModel::arc;
+      const double allowed = (is_arc ? (data.bore_waves.empty() ? 1e-2 : 0.1) : 1e-12) *
+                             std::hypot(b.out.force_on_rotor.y, b.out.force_on_rotor.z);
+      EXPECT_NEAR(a.out.force_on_rotor.y, b.out.force_on_rotor.y, allowed + 1e-9) << data.name;
+      EXPECT_NEAR(a.out.force_on_rotor.z, b.out.force_on_rotor.z, allowed + 1e-9) << data.name;
+      if (!is_arc) {
+        for (const auto k : {TB::ring_vy, TB::ring_vz, TB::ring_spin})
+          EXPECT_NEAR(a.rates[k], b.rates[k], 1e-9 * std::fabs(b.rates[k]) + 1e-9) << data.name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotordrop
