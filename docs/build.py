@@ -3,7 +3,7 @@
 
     python3 docs/build.py [--program build/release/rotordrop] [--output build/html]
 
-The pages are docs/*.md and a few others, in the order of PAGES. Two are not written by hand: the reference of all parameters comes from the declarations in
+The pages are docs/**/*.md and a few others, in the order of PAGES. Two are not written by hand: the reference of all parameters comes from the declarations in
 the program (`rotordrop schema`), that of the commands from `rotordrop COMMAND --help`. `cmake --build build/release --target docs` does the same.
 Ends with exit code 1 if a link or an anchor leads nowhere, or a document is missing in PAGES.
 
@@ -28,11 +28,14 @@ except ImportError as error:
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 # Source (a path from ROOT, or what makes the page), and name of the page.
 PAGES = [
-    ("Start", [("docs/guide.md", "index"), ("README.md", "readme"), ("COMMANDS", "commands"), ("docs/parameters.md", "parameters"), ("PARAMETERS", "parameter-reference"),
-               ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("params/bearings/README.md", "bearings"), ("examples/README.md", "examples"), ("docs/extending.md", "extending")]),
-    ("Results", [("docs/results.md", "results"), ("docs/report.md", "report"), ("docs/compare.md", "compare"), ("docs/fields.md", "fields")]),
-    ("Methods", [("docs/model.md", "model"), ("docs/statics.md", "statics"), ("docs/supports.md", "supports"), ("docs/ring-bending.md", "ring-bending"), ("docs/preload.md", "preload"), ("docs/coast-down.md", "coast-down"), ("docs/finite-elements.md", "finite-elements"), ("docs/growth.md", "growth"), ("docs/heat.md", "heat"), ("docs/mesh.md", "mesh")]),
-    ("Trust", [("docs/reliability.md", "reliability"), ("docs/verification.md", "verification"), ("docs/validation.md", "validation"), ("docs/convergence.md", "convergence"), ("CHANGELOG.md", "changelog")]),
+    ("Start", [("docs/README.md", "index"), ("README.md", "readme"), ("docs/tutorials/guide.md", "guide"), ("examples/README.md", "examples")]),
+    ("How to", [("docs/how-to/parameters.md", "parameters"), ("docs/how-to/report.md", "report"), ("docs/how-to/compare.md", "compare"), ("docs/how-to/fields.md", "fields"),
+                ("docs/how-to/statics.md", "statics"), ("docs/how-to/supports.md", "supports"), ("docs/how-to/preload.md", "preload"), ("docs/how-to/coast-down.md", "coast-down"), ("docs/how-to/finite-elements.md", "finite-elements"),
+                ("docs/how-to/heat.md", "heat"), ("docs/how-to/mesh.md", "mesh"), ("docs/how-to/extending.md", "extending"), ("CONTRIBUTING.md", "contributing")]),
+    ("Theory", [("docs/theory/model.md", "model"), ("docs/theory/growth.md", "growth"), ("docs/theory/ring-bending.md", "ring-bending"), ("docs/theory/verification.md", "verification"), ("docs/theory/validation.md", "validation"),
+                ("docs/theory/convergence.md", "convergence")]),
+    ("Reference", [("COMMANDS", "commands"), ("PARAMETERS", "parameter-reference"), ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("docs/reference/results.md", "results"),
+                   ("params/bearings/README.md", "bearings"), ("docs/reference/reliability.md", "reliability"), ("CHANGELOG.md", "changelog")]),
 ]
 
 
@@ -62,7 +65,7 @@ def commands(program):
 
 def commands_page(program):
     """Every command as the program explains it."""
-    made = ["# Commands\n", "As `rotordrop COMMAND --help` says. Exit codes: 0 done, 1 the run failed, 2 bad input (nothing was overwritten), 130 interrupted with Ctrl-C and 143 by SIGTERM, both with a checkpoint.\n"]
+    made = ["# Commands\n", "The output of `rotordrop COMMAND --help`. Exit codes: 0 success, 1 run failed, 2 bad input (nothing was overwritten), 130 interrupted with Ctrl-C and 143 by SIGTERM, both with a checkpoint.\n"]
     for name, sentence in commands(program):
         made.append(f"## {name}\n\n{sentence}\n\n```text\n{call(program, name, '--help').strip()}\n```\n")
     return "\n".join(made)
@@ -143,9 +146,9 @@ def parameters_page(program, heat):
     reference = Reference()
     flags = ["--heat"] if heat else []
     reference.section("", json.loads(call(program, "schema", *flags)))
-    title = "Parameters of heat conduction alone" if heat else "Parameter reference"
+    title = "Parameters of a heat-only case" if heat else "Parameter reference"
     made = [f"# {title}\n",
-            "Every key of " + ("a case of heat alone ([heat.md](heat.md))" if heat else "a case of a drop ([parameters.md](parameters.md))") +
+            "Every key of " + ("a heat-only case ([heat.md](how-to/heat.md))" if heat else "a case of a drop ([parameters.md](how-to/parameters.md))") +
             f", from the declarations in the program; `rotordrop defaults{' --heat' if heat else ''}` prints the same as a commented file. Quantities are texts with a unit, or numbers in SI. A dash: no default.\n"]
     anchors = set()
     for head, body, path in reference.sections:
@@ -269,7 +272,8 @@ def build(program, output):
             text = makers[source]() if source in makers else (ROOT / source).read_text(encoding="utf-8")
             pages.append(Page(group, name, None if source in makers else source, text))
     known = {page.source for page in pages}
-    faults += [f"docs/{file.name} is in no group of PAGES" for file in sorted((ROOT / "docs").glob("*.md")) if f"docs/{file.name}" not in known]
+    documents = [file.relative_to(ROOT).as_posix() for file in sorted((ROOT / "docs").rglob("*.md"))]
+    faults += [f"{name} is in no group of PAGES" for name in documents if name not in known]
 
     if output.exists():
         shutil.rmtree(output)

@@ -1,4 +1,4 @@
-"""For how long and for what the lumped circuit can be trusted: table and figure of docs/compare.md.
+"""For how long and for what the lumped circuit can be trusted: table and figure of docs/how-to/compare.md.
 
     /usr/bin/python3 docs/circuit_trust.py build/release/rotordrop FOLDER
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the coast-down of the reference machine and puts its results into docs/coast-down.md.
+"""Runs the coast-down of the reference machine and puts its results into docs/how-to/coast-down.md.
 
     python3 docs/coast_down.py [--program build/release/rotordrop] [--output out/coast-down] [--only NAME ...] [--update]
 
@@ -15,7 +15,7 @@ import subprocess
 import h5py
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENT = pathlib.Path(__file__).with_name("coast-down.md")
+DOCUMENT = pathlib.Path(__file__).parent / "how-to/coast-down.md"
 CASE = ROOT / "params/neisi2019-coast-down.toml"
 BEGIN, END = "<!-- results: made by docs/coast_down.py -->\n", "<!-- end of results -->\n"
 BOTH = ("thermal.models=[\"lumped\", \"fe\"]",)
@@ -47,7 +47,7 @@ def largest(group, time, ambient):
 
 
 def verdict(bearing):
-    """What ends a bearing, by the limits of docs/preload.md: 4.2 GPa (ISO 76) and 150 degC; and how far it was from them."""
+    """What ends a bearing, by the limits of docs/how-to/preload.md: 4.2 GPa (ISO 76) and 150 degC; and how far it was from them."""
     rise = max(value for value, _, _ in bearing["largest_rises"].values())
     pressure = bearing["largest_contact_pressure"]
     good = pressure < 4.2e9 and rise < 130
@@ -78,7 +78,7 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rotordrop")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "out/coast-down")
     parser.add_argument("--only", nargs="+", choices=list(VARIANTS), default=list(VARIANTS))
-    parser.add_argument("--update", action="store_true", help="put the tables into docs/coast-down.md")
+    parser.add_argument("--update", action="store_true", help="put the tables into docs/how-to/coast-down.md")
     options = parser.parse_args()
     text = lines({name: run(options.program, name, options.output) for name in options.only})
     if not options.update:

@@ -2,7 +2,7 @@
 """Prints the datasets of a result file as a Markdown table, from the file's own attributes.
 
     python3 docs/list_datasets.py out/neisi2019-settling/results.h5            # prints the table
-    python3 docs/list_datasets.py out/neisi2019-settling/results.h5 --update   # puts it into docs/results.md
+    python3 docs/list_datasets.py out/neisi2019-settling/results.h5 --update   # puts it into docs/reference/results.md
 
 Bearings are written as NAME, so that the table holds for every case with touchdown bearings. Needs h5py.
 """
@@ -13,7 +13,7 @@ import re
 
 import h5py
 
-DOCUMENT = pathlib.Path(__file__).with_name("results.md")
+DOCUMENT = pathlib.Path(__file__).parent / "reference/results.md"
 BEGIN, END = "<!-- datasets: made by docs/list_datasets.py -->\n", "<!-- end of datasets -->\n"
 
 
@@ -63,7 +63,7 @@ def documented():
 def main():
     parser = argparse.ArgumentParser(description="Lists the datasets of a result file as a Markdown table.")
     parser.add_argument("file", help="results.h5 of a run")
-    parser.add_argument("--update", action="store_true", help="put the table into docs/results.md")
+    parser.add_argument("--update", action="store_true", help="put the table into docs/reference/results.md")
     arguments = parser.parse_args()
     with h5py.File(arguments.file, "r") as file:
         text = table(file)

@@ -4,7 +4,7 @@
     /usr/bin/python3 docs/plot_growth.py RESULTS.h5 -o docs/images/growth.png
 
 RESULTS.h5 comes from a run with thermal.models = ["lumped", "fe"], driver = "fe" and expansion = "elastic", growth_by_speed = "closed-form". Draws the figure and prints the table of
-docs/growth.md. Elasticity and the two formulas see the same temperatures. The raceway is meant where the balls touch it, and in eq. (27) at the ring's
+docs/theory/growth.md. Elasticity and the two formulas see the same temperatures. The raceway is meant where the balls touch it, and in eq. (27) at the ring's
 shoulder, as printed.
 """
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the cases of docs/preload.md with `rotordrop preload` and puts their results into its tables.
+"""Runs the cases of docs/how-to/preload.md with `rotordrop preload` and puts their results into its tables.
 
     python3 docs/preload_tables.py [--program build/release/rotordrop] [--output out/preload-tables] [--only NAME ...] [--update]
 
@@ -13,7 +13,7 @@ import pathlib
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENT = pathlib.Path(__file__).with_name("preload.md")
+DOCUMENT = pathlib.Path(__file__).parent / "how-to/preload.md"
 CASE = ROOT / "params/neisi2019-preload.toml"
 QUICK = ("preload.map.growth=[]", "preload.map.interference=[]", "preload.map.inner_rise=[]", "preload.critical_values=false")
 LUMP, PUBLISHED = ("thermal.shaft=lump",), ("thermal.shaft=lump", "thermal.contact_conduction=fixed", "thermal.spreading=none")
@@ -149,7 +149,7 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rotordrop")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "out/preload-tables")
     parser.add_argument("--only", nargs="+", choices=list(TABLES), default=list(TABLES))
-    parser.add_argument("--update", action="store_true", help="put the tables into docs/preload.md")
+    parser.add_argument("--update", action="store_true", help="put the tables into docs/how-to/preload.md")
     options = parser.parse_args()
     for kind in options.only:
         results = {name: run(options.program, name, settings, options.output) for name, (_, settings) in TABLES[kind].items()}

@@ -1,4 +1,4 @@
-"""Rings that bend against rigid rings: the tables and the figure of docs/ring-bending.md.
+"""Rings that bend against rigid rings: the tables and the figure of docs/theory/ring-bending.md.
 
     /usr/bin/python3 docs/ring_bending.py build/release/rotordrop FOLDER
 

@@ -8,7 +8,7 @@
     print(run.summary["bearings"]["TB1"]["peak_contact_force"])
 
 All numbers are SI, angles rad, temperatures absolute kelvin. Works while a run goes on, and after it was killed: what is there is read. Needs h5py and numpy (Debian: python3-h5py).
-What each series means: docs/results.md. Copy this file beside your own scripts, or put its folder on PYTHONPATH.
+What each series means: docs/reference/results.md. Copy this file beside your own scripts, or put its folder on PYTHONPATH.
 """
 
 import base64
@@ -150,7 +150,7 @@ class Results:
 
     @functools.cached_property
     def summary(self):
-        """summary.json as a dictionary (docs/results.md); None while the run goes on or if it failed."""
+        """summary.json as a dictionary (docs/reference/results.md); None while the run goes on or if it failed."""
         path = self.directory / "summary.json"
         return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
 

@@ -4,7 +4,7 @@ slightly perturbed runs of the chaotic case.
 
     /usr/bin/python3 validation/convergence.py [--program build/release/rotordrop] [--work DIR] [--write docs]
 
-Writes the tables of docs/convergence.md (between its markers) and docs/images/convergence.png. Takes about two minutes.
+Writes the tables of docs/theory/convergence.md (between its markers) and docs/images/convergence.png. Takes about two minutes.
 """
 import argparse
 import json
@@ -130,7 +130,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=str(ROOT / "build/release/rotordrop"))
     parser.add_argument("--work", default=None)
-    parser.add_argument("--write", default=str(ROOT / "docs"))
+    parser.add_argument("--write", default=str(ROOT / "docs/theory"), help="folder of convergence.md")
+    parser.add_argument("--images", default=str(ROOT / "docs/images"), help="folder of the figure")
     options = parser.parse_args()
     points, tables = [], {"steps": [], "modes": [], "spread": []}
     with tempfile.TemporaryDirectory() as scratch:
@@ -138,16 +139,16 @@ def main():
         study_of_steps(runs, tables["steps"], points)
         study_of_modes(runs, tables["modes"])
         study_of_spread(runs, tables["spread"])
-    docs = pathlib.Path(options.write)
-    (docs / "images").mkdir(parents=True, exist_ok=True)
-    page = docs / "convergence.md"
+    images = pathlib.Path(options.images)
+    images.mkdir(parents=True, exist_ok=True)
+    page = pathlib.Path(options.write) / "convergence.md"
     text = page.read_text()
     for name, lines in tables.items():
         begin, end = f"<!-- {name}: written by validation/convergence.py -->\n", f"<!-- end of {name} -->"
         head, rest = text.split(begin)
         text = head + begin + "\n".join(lines) + "\n" + end + rest.split(end, 1)[1]
     page.write_text(text)
-    draw(points, docs / "images" / "convergence.png")
+    draw(points, images / "convergence.png")
 
 
 if __name__ == "__main__":

@@ -189,7 +189,7 @@ def inner_ring(bore, shoulder, width, diameter, pitch_diameter, n_balls, angle, 
     """(mass [kg], spin inertia [kg m^2]) of one inner ring, the inertia with the balls and cage it drives; lengths [mm], angle [deg], mass [kg].
 
     Ring: solid section bore..shoulder over the whole width, less the groove (circular segment of radius conformity * D).
-    Inertia as docs/model.md: J_ring + (Z m_b (d_m/2)^2 + J_cage) (w_c/w_i)^2 + Z J_b (w_b/w_i)^2, w_b the absolute ball spin.
+    Inertia as docs/theory/model.md: J_ring + (Z m_b (d_m/2)^2 + J_cage) (w_c/w_i)^2 + Z J_b (w_b/w_i)^2, w_b the absolute ball spin.
     Cage: 6 % of the bearing's mass (pressed steel, angle 0) or 3 % (solid laminate, angular contact), on the pitch circle.
     """
     mm = 1e-3

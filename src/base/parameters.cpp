@@ -133,8 +133,8 @@ void find_tables_with(std::string_view key, const SectionDeclaration& section, c
 
 std::string advice_on_unknown(const std::string& word, std::vector<std::string> known, const ReadContext& here) {
   std::string advice;
-  if (const std::string close = closest_name(word, known); !close.empty())
-    advice = fmt::format("Did you mean \"{}\"?  ", close);
+  if (const std::string close = suggestion(word, known, ""); !close.empty())
+    advice = close + "  ";
   else if (here.root) {
     std::vector<std::string> tables;
     find_tables_with(word, *here.root, here.root->name, tables);
@@ -261,6 +261,16 @@ std::string closest_name(std::string_view word, const std::vector<std::string>& 
   return longer.size() == 1 ? longer.front() : "";
 }
 
+std::string suggestion(std::string_view word, const std::vector<std::string>& known, const std::string& rest) {
+  const std::string close = closest_name(word, known);
+  if (close.empty()) return rest;
+  return fmt::format("Did you mean \"{}\"?{}{}", close, rest.empty() ? "" : "  ", rest);
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  return suggestion(word, known, fmt::format("Known: {}.", fmt::join(known, ", ")));
+}
+
 // ---------------------------------------------------------------------------------------------------------------
 // variants
 
@@ -360,9 +370,9 @@ std::optional<std::string> read_text(const Node& node, const Declaration& d, con
     return {};
   }
   if (!d.choices.empty() && std::find(d.choices.begin(), d.choices.end(), node.text()) == d.choices.end()) {
-    const std::string close = closest_name(node.text(), d.choices);
+    const std::string close = suggestion(node.text(), d.choices, "");
     faults.add(node.where(), fmt::format("{} = \"{}\" is not known; it must be {}.", name, node.text(), needs),
-               close.empty() ? d.help : fmt::format("Did you mean \"{}\"?", close));
+               close.empty() ? d.help : close);
     return {};
   }
   return node.text();
@@ -539,9 +549,8 @@ void report_unknown_variant(const Node::Entry& entry, const Declaration& d, cons
                allowed + "  " + d.help);
     return;
   }
-  const std::string close = tag->is_text() ? closest_name(tag->text(), tags) : "";
   faults.add(tag->where(), fmt::format("{}.{} = {} is not known.", path, d.tag_key, to_text(*tag)),
-             (close.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", close)) + allowed);
+             tag->is_text() ? suggestion(tag->text(), tags, allowed) : allowed);
 }
 
 namespace {

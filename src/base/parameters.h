@@ -195,6 +195,11 @@ std::string type_text(const Declaration& declaration);
 /// otherwise empty.
 std::string closest_name(std::string_view word, const std::vector<std::string>& names);
 
+/// Advice on a word that is none of `known`: `Did you mean "x"?` if one of them is close, then `rest`.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known, const std::string& rest);
+/// Advice that ends with the list of all that is known.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+
 /// Of a table of variants (`[bearings]`): whether an entry is a default for the named tables, rather than one of them.
 bool is_variant_default(const Declaration& variants, const Node::Entry& entry);
 /// The keys directly in a table of variants that are defaults for its named tables of the chosen variant.

@@ -2,7 +2,7 @@
 
 namespace rotordrop {
 
-/// "0.1.0".
+/// "0.2.0".
 const char* version();
 /// Short git revision that the program was built from, "+" behind it if files were changed since; "unknown" outside a checkout.
 const char* git_revision();

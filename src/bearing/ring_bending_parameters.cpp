@@ -37,7 +37,7 @@ void add_ring_bending_keys(Section<TouchdownParameters>& s) {
   s.integer("ring_harmonics", &P::ring_harmonics,
             {.range = between(2, 40),
              .fallback = 12,
-             .source = "12: docs/ring-bending.md shows what more of them change",
+             .source = "12: docs/theory/ring-bending.md shows what more of them change",
              .help = "Highest number n of waves around a bent ring; harmonics 2 to n are unknowns. Contact at a point "
                      "needs more of them than contact over an arc."});
   s.quantity("ring_bending_damping", &P::ring_bending_damping,
@@ -49,7 +49,7 @@ void add_ring_bending_keys(Section<TouchdownParameters>& s) {
              {.unit = "Hz",
               .range = positive(),
               .fallback = "10 kHz",
-              .source = "docs/ring-bending.md: the first impact is within 0.3 % of that with every mass as it is",
+              .source = "docs/theory/ring-bending.md: the first impact is within 0.3 % of that with every mass as it is",
               .help = "Harmonics of a bent ring above this frequency get more mass in a drop, so that they oscillate "
                       "at it; their stiffness stays."});
   s.quantity("outer_ring_bedding", &P::outer_ring_bedding,

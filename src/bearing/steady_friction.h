@@ -12,7 +12,7 @@ struct SteadyFriction {
   [[nodiscard]] double total() const { return load + drag + spin; }
 };
 
-/// As a drop has it (docs/model.md, section 5), with the balls' loads of a ring at rest: per row P1 and P0 from its radial and axial load,
+/// As a drop has it (docs/theory/model.md, section 5), with the balls' loads of a ring at rest: per row P1 and P0 from its radial and axial load,
 /// FrictionLoadFactors at the nominal contact angle. A deep-groove row whose balls growth presses uniformly all round has neither load, so no
 /// load-dependent heat in this law.
 SteadyFriction steady_friction(const TouchdownBearingData& bearing, const RingReport& ring, double speed);

@@ -16,7 +16,7 @@
 
 namespace rotordrop {
 
-/// Which load enters the load-dependent friction torque (docs/model.md).
+/// Which load enters the load-dependent friction torque (docs/theory/model.md).
 enum class FrictionLoadLaw {
   radial,     ///< P1 = P0 = magnitude of the instantaneous radial resultant of all ball forces, without preload
   equivalent  ///< P1 and P0 of each row from its radial and axial load, preload included (FrictionLoadFactors)
@@ -47,7 +47,7 @@ struct Shoulder {
   double gap = std::numeric_limits<double>::infinity();  ///< axial, at the start [m]
 };
 
-/// What an inner ring with five degrees of freedom has besides; see docs/model.md, section 4.
+/// What an inner ring with five degrees of freedom has besides; see docs/theory/model.md, section 4.
 struct FreeRing {
   double polar_inertia = 0;      ///< of the ring alone, for its gyroscopic moment [kg m^2]
   double diametral_inertia = 0;  ///< [kg m^2]

@@ -81,7 +81,7 @@ struct PreloadCommand {
 };
 int preload_command(const PreloadCommand& command);
 
-/// "rotordrop 0.1.0 (revision ...; SUNDIALS ..., HDF5 ...)".
+/// "rotordrop 0.2.0 (revision ...; SUNDIALS ..., HDF5 ...)".
 std::string version_text();
 
 }  // namespace rotordrop

@@ -15,8 +15,7 @@ class Adams final : public Multistep {
     solver_ = SUNNonlinSol_FixedPoint(problem_.state(), 0, problem_.context());
     check(solver_ ? 0 : -1);
     check(CVodeSetNonlinearSolver(memory_, solver_));
-    check(CVodeSetMaxStep(memory_, step_or_bound(parameters)));
-    check(CVodeSetMinStep(memory_, shortest_step * step_or_bound(parameters)));
+    bound_steps(step_or_bound(parameters), shortest_step);
     require_good("the Adams integrator");
   }
   ~Adams() override {

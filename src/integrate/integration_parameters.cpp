@@ -20,13 +20,13 @@ Section<IntegrationParameters> integration_section() {
   s.quantity("step", &P::step,
              {.unit = "s",
               .range = between(1e-9, 1e-3),
-              .source = "docs/convergence.md",
+              .source = "docs/theory/convergence.md",
               .help = "Fixed step of runge-kutta-4 (5 us if not given), or longest step of the other methods (50 us), "
                       "so that no impact is skipped."});
   s.quantity("tolerance", &P::tolerance,
              {.range = between(1e-13, 1e-2),
               .fallback = "3e-7",
-              .source = "docs/convergence.md",
+              .source = "docs/theory/convergence.md",
               .help = "Relative local error of the error-controlled methods; absolute: this times each state's typical "
                       "size. Not used with a fixed step."});
   return s;

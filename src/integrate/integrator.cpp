@@ -11,10 +11,7 @@ namespace rotordrop {
 
 std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters,
                                             double start_time, std::span<const double> state, double end_time) {
-  if (parameters.method == IntegrationMethod::adams) return make_adams(system, parameters, start_time, state, end_time);
-  if (parameters.method == IntegrationMethod::tsitouras || parameters.method == IntegrationMethod::bogacki_shampine)
-    return make_embedded_pair(system, parameters, start_time, state, end_time);
-  return make_runge_kutta(system, parameters, start_time, state, end_time);
+  return make_method(system, parameters, start_time, state, end_time);
 }
 
 std::string worst_components(const StateLayout& layout, std::span<const double> weighted_error, std::size_t count) {

@@ -2,11 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <vector>
 
-#include "base/errors.h"
 #include "integrate/methods.h"
-#include "integrate/sundials_problem.h"
+#include "integrate/sundials_integrator.h"
 
 namespace rotordrop {
 namespace {
@@ -18,19 +16,32 @@ ARKodeButcherTable classical_order_4() {
   return ARKodeButcherTable_Create(4, 4, 0, c.data(), A.data(), b.data(), nullptr);
 }
 
+constexpr SundialsLibrary arkode_library = {.one_step = ARK_ONE_STEP,
+                                            .evolve = ARKStepEvolve,
+                                            .get_derivative = ARKStepGetDky,
+                                            .get_current_step = ARKStepGetCurrentStep,
+                                            .get_n_steps = ARKStepGetNumSteps,
+                                            .get_n_rejected = ARKStepGetNumErrTestFails,
+                                            .get_local_errors = ARKStepGetEstLocalErrors,
+                                            .get_error_weights = ARKStepGetErrWeights,
+                                            .set_user_data = ARKStepSetUserData,
+                                            .set_error_handler = ARKStepSetErrHandlerFn,
+                                            .set_tolerances = ARKStepSVtolerances,
+                                            .set_max_n_steps = ARKStepSetMaxNumSteps,
+                                            .set_max_warnings = ARKStepSetMaxHnilWarns,
+                                            .set_stop_time = ARKStepSetStopTime,
+                                            .set_max_step = ARKStepSetMaxStep,
+                                            .set_min_step = ARKStepSetMinStep,
+                                            .free = ARKStepFree};
+
 // ARKStep, not the leaner ERKStep: in SUNDIALS 6.4 ERKStep takes every method whose last node is 1 for one whose last stage is the next
 // step's first ("FSAL"), and so loses the order of this one and of Fehlberg's.
-class RungeKutta final : public Integrator {
+class RungeKutta final : public SundialsIntegrator {
  public:
   RungeKutta(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
              std::span<const double> state, double end_time)
-      : problem_(system, state, parameters.tolerance), time_(start_time) {
-    memory_ =
-        ARKStepCreate(SundialsProblem::right_hand_side, nullptr, start_time, problem_.state(), problem_.context());
-    bool good = memory_ != nullptr;
-    const auto check = [&](int code) { good = good && code == 0; };
-    check(ARKStepSetUserData(memory_, &problem_));
-    check(ARKStepSetErrHandlerFn(memory_, SundialsProblem::take_message, &problem_));
+      : SundialsIntegrator(arkode_library, system, parameters.tolerance, start_time, state, end_time) {
+    adopt(ARKStepCreate(SundialsProblem::right_hand_side, nullptr, start_time, problem_.state(), problem_.context()));
     if (parameters.method == IntegrationMethod::runge_kutta_4) {
       ARKodeButcherTable table = classical_order_4();
       check(ARKStepSetTables(memory_, 4, 0, nullptr, table));
@@ -38,63 +49,27 @@ class RungeKutta final : public Integrator {
       // A whole number of steps, so that the last one is not a sliver; counted from zero, so that a resumed run takes the same ones.
       const double n_steps = std::ceil(end_time / step_or_bound(parameters) * (1. - 1e-9));
       check(ARKStepSetFixedStep(memory_, end_time / n_steps));
-      fixed_ = true;
+      has_error_control_ = false;
     } else {
       check(ARKStepSetTableNum(memory_, ARKODE_DIRK_NONE,
                                parameters.method == IntegrationMethod::dormand_prince ? ARKODE_DORMAND_PRINCE_7_4_5
                                                                                       : ARKODE_FEHLBERG_13_7_8));
-      check(ARKStepSetMaxStep(memory_, step_or_bound(parameters)));
-      check(ARKStepSetMinStep(memory_, shortest_step * step_or_bound(parameters)));
+      bound_steps(step_or_bound(parameters), shortest_step);
     }
-    check(ARKStepSVtolerances(memory_, parameters.tolerance, problem_.absolute_tolerance()));
-    check(ARKStepSetMaxNumSteps(memory_, -1));
-    check(ARKStepSetMaxHnilWarns(memory_, -1));
-    check(ARKStepSetStopTime(memory_, end_time));
-    if (!good) throw SolverError("the Runge-Kutta integrator could not be set up");
-    end_time_ = end_time;
+    require_good("the Runge-Kutta integrator");
   }
-  ~RungeKutta() override { ARKStepFree(&memory_); }
-
-  [[nodiscard]] double time() const override { return time_; }
-  [[nodiscard]] std::span<const double> state() const override { return problem_.values(); }
 
   void advance() override {
     const double before = time_;
-    const int code = ARKStepEvolve(memory_, end_time_, problem_.state(), &time_, ARK_ONE_STEP);
-    if (code < 0) {
-      std::vector<double> error;
-      if (!fixed_) error = problem_.weighted_error(memory_, ARKStepGetEstLocalErrors, ARKStepGetErrWeights);
-      double step = 0.;
-      ARKStepGetCurrentStep(memory_, &step);
-      problem_.fail(code, time_, step, error);
-    }
-    if (!fixed_) return;
+    SundialsIntegrator::advance();
+    if (has_error_control_) return;
     problem_.check_finite(time_);
     // Rounding leaves the last step short of the end by far less than a step.
     if (end_time_ - time_ < 1e-3 * (time_ - before)) time_ = end_time_;
   }
 
   void offer_rates(std::span<const double> rates) override { problem_.offer_rates(time_, problem_.values(), rates); }
-
   [[nodiscard]] bool uses_offered_rates() const override { return true; }
-
-  void interpolate(double t, std::span<double> y) const override {
-    problem_.take_interpolated(ARKStepGetDky(memory_, t, 0, problem_.scratch()), y);
-  }
-
-  [[nodiscard]] IntegrationStatistics statistics() const override {
-    IntegrationStatistics s;
-    ARKStepGetNumSteps(memory_, &s.steps);
-    ARKStepGetNumErrTestFails(memory_, &s.rejected_steps);
-    s.rhs_evaluations = problem_.rhs_evaluations();
-    return s;
-  }
-
- private:
-  SundialsProblem problem_;
-  void* memory_ = nullptr;
-  double time_, end_time_ = 0;
-  bool fixed_ = false;
 };
 
 }  // namespace

@@ -17,6 +17,7 @@
 
 #include "base/errors.h"
 #include "io/hdf5_handle.h"
+#include "io/sha256.h"
 
 // A checkpoint is an HDF5 file (any HDF5 tool shows what is in it) followed by a line with a check sum of all bytes before it,
 // which HDF5 ignores. It is verified before HDF5 sees the bytes: the library does not survive every damaged file.
@@ -98,14 +99,8 @@ constexpr std::string_view check_sum_mark = "\nrotordrop check sum ";
 constexpr std::size_t check_sum_digits = 16;
 constexpr std::size_t trailer_size = check_sum_mark.size() + check_sum_digits + 1;
 
-/// FNV-1a, 64 bit, as hexadecimal text: finds every changed byte and every missing end, which is all we ask of it.
-std::string check_sum(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  std::array<char, check_sum_digits + 1> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return std::string(text.data(), check_sum_digits);
-}
+/// The first digits of SHA-256: they find every changed byte and every missing end.
+std::string check_sum(std::string_view bytes) { return sha256_of(bytes).substr(0, check_sum_digits); }
 
 Handle in_memory() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");

@@ -2,6 +2,10 @@
 
 #include <zlib.h>
 
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/dataflow_exception.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+
 #include <algorithm>
 #include <cstring>
 #include <fstream>
@@ -29,23 +33,15 @@ std::string content_of(const fs::path& path) {
 }
 
 std::string from_base64(std::string_view text, const fs::path& file) {
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int n_bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+'             ? 62
-                      : c == '/'             ? 63
-                                             : -1;
-    if (value < 0) refuse(file, "its data are not base64");
-    bits = (bits << 6) | static_cast<std::uint32_t>(value);
-    n_bits += 6;
-    if (n_bits < 8) continue;
-    n_bits -= 8;
-    bytes.push_back(static_cast<char>((bits >> n_bits) & 0xff));
+  using namespace boost::archive::iterators;
+  using Bytes = transform_width<binary_from_base64<std::string_view::const_iterator>, 8, 6>;
+  text = text.substr(0, text.find('='));
+  // Whole bytes only: the bits behind the last one are padding.
+  std::string bytes(text.size() * 6 / 8, '\0');
+  try {
+    std::copy_n(Bytes(text.begin()), bytes.size(), bytes.begin());
+  } catch (const dataflow_exception&) {
+    refuse(file, "its data are not base64");
   }
   return bytes;
 }

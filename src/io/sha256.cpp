@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -66,6 +67,22 @@ std::string sha256_of(std::string_view bytes) {
   std::string text;
   for (const auto word : h) text += fmt::format("{:08x}", word);
   return text;
+}
+
+std::string sha256_of_toml(std::string_view text) {
+  std::string significant;
+  significant.reserve(text.size());
+  bool is_quoted = false, is_comment = false;
+  for (const char c : text) {
+    if (c == '\n')
+      is_comment = false;
+    else if (c == '"' && !is_comment)
+      is_quoted = !is_quoted;
+    else if (c == '#' && !is_quoted)
+      is_comment = true;
+    if (!is_comment && (is_quoted || !std::isspace(static_cast<unsigned char>(c)))) significant += c;
+  }
+  return sha256_of(significant);
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {

@@ -5,7 +5,7 @@
 #include "model/section_mesher.h"
 #include "model/section_plan.h"
 
-/// What the parameters of a case say about the meshed section of a touchdown bearing.
+/// Data of the meshed section of a touchdown bearing, from the parameters of a case.
 namespace rotordrop {
 
 /// The plan of a bearing's section. @throws InputError if its dimensions cannot be meshed

@@ -280,25 +280,26 @@ void check_thermal_models(const MachineParameters& p, const Node& table, Faults&
   const auto& t = p.thermal;
   const auto driver = chosen_driver(t);
   if ((driver == GrowthDriver::lumped && !t.has_lumped) || (driver == GrowthDriver::fe && !t.has_fe))
-    faults.add(position_of_value(table, "driver"), "thermal.driver names a model that does not run.",
+    faults.add(position_of_value(table, "driver"), "thermal.driver names a model that is not in thermal.models.",
                "Add it to thermal.models.");
   if (driver == GrowthDriver::recorded && !t.recorded)
     faults.add(position_of_value(table, "driver"),
                "thermal.driver = \"recorded\" needs thermal.recorded, the results of an earlier run.");
   if (t.expansion == GrowthSource::elastic && !t.has_fe)
     faults.add(position_of_value(table, "expansion"),
-               "thermal.expansion = \"elastic\" needs the finite elements, which do not run.",
+               "thermal.expansion = \"elastic\" needs the finite elements, which are not in thermal.models.",
                "Add \"fe\" to thermal.models, or take expansion = \"formula\".");
   if (t.plane_strain_growth && t.expansion != GrowthSource::paper)
-    faults.add(position_of_value(table, "plane_strain_growth"),
-               fmt::format("thermal.plane_strain_growth changes the paper's formulas, and thermal.expansion is \"{}\".",
-                           t.expansion == GrowthSource::elastic ? "elastic" : "formula"),
-               "Leave it out, or set thermal.expansion = \"paper\".");
+    faults.add(
+        position_of_value(table, "plane_strain_growth"),
+        fmt::format("thermal.plane_strain_growth applies to the paper's formulas, and thermal.expansion is \"{}\".",
+                    t.expansion == GrowthSource::elastic ? "elastic" : "formula"),
+        "Leave it out, or set thermal.expansion = \"paper\".");
   if (!t.has_fe) return;
   if (!t.nodes.empty() || !t.resistors.empty())
     faults.add(
         position_of(table, t.nodes.empty() ? "resistor" : "node"),
-        "thermal.node and thermal.resistor add to the lumped circuit alone, and the finite elements run too.",
+        "thermal.node and thermal.resistor extend only the lumped circuit, but the finite elements run too.",
         "Both models would not describe the same bearing. Leave them out, or run thermal.models = [\"lumped\"].");
   if (t.fe.shaft == FeShaft::beyond)
     for (const auto& entry : p.bearings)
@@ -328,12 +329,11 @@ void check_tables(const MachineParameters& p, const Node& case_node, Faults& fau
     const Node* own = materials.find(b->ring);
     for (const auto& [key, values] : {std::pair("k_table", &m->k_table), std::pair("c_table", &m->c_table)})
       if (*values && !PropertyTable(**values).is_constant())
-        faults.add(
-            position_of(own ? *own : materials, key),
-            fmt::format("materials.{}.{} depends on temperature, and thermal.fe.coupling = \"{}\" takes the modes "
-                        "of a linear problem.",
-                        b->ring, key, coupling),
-            "Take thermal.fe.coupling = \"windowed\", or constant k and c.");
+        faults.add(position_of(own ? *own : materials, key),
+                   fmt::format("materials.{}.{} depends on temperature, but thermal.fe.coupling = \"{}\" uses the "
+                               "modes of a linear problem.",
+                               b->ring, key, coupling),
+                   "Take thermal.fe.coupling = \"windowed\", or constant k and c.");
   }
 }
 
@@ -359,7 +359,8 @@ void check_axial_motion(const MachineParameters& p, const Node& case_node, Fault
     if (is_free && b->ring_motion != RingMotion::free)
       faults.add(
           position_of_value(own ? *own : table_of(case_node, "bearings"), "ring_motion"),
-          fmt::format("rotor.axial_motion = \"free\", and the inner ring of {} cannot follow the rotor.", entry.name),
+          fmt::format("rotor.axial_motion = \"free\", but the inner ring of {} cannot move axially with the rotor.",
+                      entry.name),
           fmt::format("Set bearings.{}.ring_motion = \"free\".", entry.name));
     if (!is_free && has_shoulder)
       faults.add(position_of(own ? *own : table_of(case_node, "bearings"), "shoulders"),
@@ -370,7 +371,7 @@ void check_axial_motion(const MachineParameters& p, const Node& case_node, Fault
   const double weight = rigid_body(p.rotor.geometry).mass * p.run.gravity[0];
   const auto unheld = [&](const char* where, const char* key, double force) {
     faults.add(position_of_value(rotor, "axial_motion"),
-               fmt::format("nothing stops the rotor that {:.6g} N push towards {}.", std::fabs(force), where),
+               fmt::format("nothing stops the rotor, which {:.6g} N push towards {}.", std::fabs(force), where),
                fmt::format("Give a bearing {}, the gap to a shoulder.", key));
   };
   const double to_plus = weight + (table.empty() ? 0. : (*most)[1]),
@@ -399,7 +400,7 @@ void check_statics(const MachineParameters& p, const Node& table, Faults& faults
     for (const auto& [key, zero] : {std::pair{"force", is_zero(s.force)}, std::pair{"moment", is_zero(s.moment)}})
       if (!zero)
         faults.add(position_of_value(table, key),
-                   fmt::format("statics.{} acts on a bearing by itself, and statics.subject is \"shaft\".", key),
+                   fmt::format("statics.{} loads a single bearing, but statics.subject is \"shaft\".", key),
                    "Set statics.subject = \"bearings\", or put forces on the rotor by statics.loads.");
   if (s.subject == StaticsSubject::bearings && !s.loads.empty())
     faults.add(position_of(table, "loads"),
@@ -407,7 +408,7 @@ void check_statics(const MachineParameters& p, const Node& table, Faults& faults
                "Set statics.subject = \"shaft\", or load the inner rings by statics.force and statics.moment.");
   if (s.preload_by == PreloadBy::rigid && s.preload_stiffness != 0.)
     faults.add(position_of_value(table, "preload_stiffness"),
-               "statics.preload_stiffness is that of a spring, and statics.preload_by is \"rigid\".",
+               "statics.preload_stiffness belongs to a spring, but statics.preload_by is \"rigid\".",
                "Set statics.preload_by = \"spring\", or leave the stiffness out.");
 }
 
@@ -535,23 +536,20 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
                    "Give each its own node, or make one bearing with several rows.");
       if (b->housing_fit < 0. && p.thermal.expansion == GrowthSource::elastic &&
           p.thermal.fe.coupling != FeCoupling::windowed)
-        faults.add(
-            position_of_value(table, "housing_fit"),
-            fmt::format("bearings.{}.housing_fit = {:.6g} um is a clearance: its growth is no linear function of "
-                        "temperatures.",
-                        entry.name, b->housing_fit * 1e6),
-            "Take thermal.fe.coupling = \"windowed\", which opens and closes fits, or an interference.");
+        faults.add(position_of_value(table, "housing_fit"),
+                   fmt::format("bearings.{}.housing_fit = {:.6g} um is a clearance: its growth is not a linear "
+                               "function of temperature.",
+                               entry.name, b->housing_fit * 1e6),
+                   "Take thermal.fe.coupling = \"windowed\", which opens and closes fits, or an interference.");
       check_touchdown(entry.name, *b, p.contact, table, table_of(case_node, "contact"), faults);
       for (const auto& [key, name] : {std::pair{"ball", b->ball}, std::pair{"ring", b->ring}}) {
         if (find_material(p, name)) continue;
         materials_are_known = false;
         std::vector<std::string> known;
         for (const auto& m : p.materials) known.push_back(m.first);
-        const std::string guess = closest_name(name, known);
         faults.add(position_of_value(table, key),
-                   fmt::format("bearings.{}.{} = \"{}\" is no material.", entry.name, key, name),
-                   (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") +
-                       fmt::format("Known in [materials]: {}.", fmt::join(known, ", ")));
+                   fmt::format("bearings.{}.{} = \"{}\" is not a known material.", entry.name, key, name),
+                   suggestion(name, known, fmt::format("Known in [materials]: {}.", fmt::join(known, ", "))));
       }
     }
   }

@@ -16,7 +16,7 @@ void check_machine(const MachineParameters& parameters, const Node& case_node, F
 /// Which model's growth is fed back; of no model without thermal.growth.
 GrowthDriver driver_of(const ThermalParameters& parameters);
 
-/// What the thermal models of a touchdown bearing are made from.
+/// Data from which the thermal models of a touchdown bearing are built.
 BearingCircuitData circuit_data(const MachineParameters& parameters, const std::string& name,
                                 const TouchdownParameters& bearing);
 

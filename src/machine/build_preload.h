@@ -7,7 +7,7 @@
 
 namespace rotordrop {
 
-/// What is changed about a case's bearing, all as factors.
+/// Changes to a case's bearing, all as factors.
 struct PreloadVariation {
   double speed = 1;    ///< of preload.speed
   double preload = 1;  ///< of the mounted preload

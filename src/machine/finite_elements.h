@@ -87,7 +87,7 @@ class WindowedSections {
   /// Input, storage and loss of all sections.
   [[nodiscard]] HeatEnergy energy() const;
 
-  /// What stands in every row of the windows' series, and its values.
+  /// Channels in every row of the windows' series, and their values.
   [[nodiscard]] std::vector<Observable> observables() const;
   void observe(std::span<double> out) const;
 

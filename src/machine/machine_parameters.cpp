@@ -26,10 +26,9 @@ void read_until(const Node& node, RunParameters& target, Faults& faults) {
     }
     const std::string& text = node.text();
     if (std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); })) {
-      const std::string guess = closest_name(text, known);
       faults.add(node.where(), "run.until = \"" + text + "\" is neither a condition nor a time.",
-                 (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") +
-                     "Allowed: \"standstill\", \"no contact\", \"rings at speed\", or a time such as \"2 s\".");
+                 suggestion(text, known,
+                            "Allowed: \"standstill\", \"no contact\", \"rings at speed\", or a time such as \"2 s\"."));
       return;
     }
   }
@@ -57,7 +56,7 @@ std::string name_of(EndCondition condition) {
 
 Section<RunParameters> run_section() {
   using P = RunParameters;
-  Section<P> s("run", "What happens, for how long, in what surroundings.");
+  Section<P> s("run", "Initial speed, duration and surroundings of the drop.");
   s.quantity("end_time", &P::end_time,
              {.unit = "s",
               .range = positive(),
@@ -67,7 +66,8 @@ Section<RunParameters> run_section() {
   s.custom("until",
            {.accepts = "\"standstill\", \"no contact\", \"rings at speed\", or a time",
             .json_types = {"string", "number"},
-            .help = "What ends the run before run.end_time. standstill: the rotor's spin speed falls below 1 rad/s. no "
+            .help = "Condition that ends the run before run.end_time. standstill: the rotor's spin speed falls below 1 "
+                    "rad/s. no "
                     "contact: after a contact, the rotor has touched no inner ring for 0.1 s, longer than any bounce. "
                     "rings at speed: the bores of all inner rings run within 1 % of the rotor's surface speed. The run "
                     "ends with the step in which this first holds."},
@@ -76,27 +76,26 @@ Section<RunParameters> run_section() {
              {.unit = "rad/s",
               .range = between(-2e4, 2e4),
               .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
-  s.custom(
-      "gravity",
-      {.unit = "m/s2",
-       .accepts = "a number (along -y), or [x, y, z]",
-       .json_types = {"number", "string", "array"},
-       .fallback = Node(9.81),
-       .source = "standard",
-       .help =
-           "Acceleration of gravity on rotor and inner rings. A single number acts along -y. x acts on a rotor with "
-           "axial_motion = \"free\" and on inner rings with ring_motion = \"free\"."},
-      [](const Node& node, P& target, Faults& faults) {
-        const Quantity along_axis{.unit = "m/s2", .range = between(-1e3, 1e3)};
-        const Quantity downwards{.unit = "m/s2",
-                                 .range = between(0, 1e3)};  // upwards only as a vector, not by a slip of sign
-        if (node.is_array()) {
-          if (const auto xyz = read_quantities(node, along_axis, 3, 3, "run.gravity", faults))
-            target.gravity = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
-        } else if (const auto down = read_quantity(node, downwards, "run.gravity", faults)) {
-          target.gravity = {0., -*down, 0.};
-        }
-      });
+  s.custom("gravity",
+           {.unit = "m/s2",
+            .accepts = "a number (along -y), or [x, y, z]",
+            .json_types = {"number", "string", "array"},
+            .fallback = Node(9.81),
+            .source = "standard",
+            .help = "Gravitational acceleration of rotor and inner rings. A single number acts along -y. The x "
+                    "component acts on a rotor with "
+                    "axial_motion = \"free\" and on inner rings with ring_motion = \"free\"."},
+           [](const Node& node, P& target, Faults& faults) {
+             const Quantity along_axis{.unit = "m/s2", .range = between(-1e3, 1e3)};
+             const Quantity downwards{.unit = "m/s2",
+                                      .range = between(0, 1e3)};  // upwards only as a vector, not by a slip of sign
+             if (node.is_array()) {
+               if (const auto xyz = read_quantities(node, along_axis, 3, 3, "run.gravity", faults))
+                 target.gravity = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
+             } else if (const auto down = read_quantity(node, downwards, "run.gravity", faults)) {
+               target.gravity = {0., -*down, 0.};
+             }
+           });
   s.quantity("ambient", &P::ambient,
              {.unit = "K",
               .range = between(60, 2000),

@@ -15,7 +15,7 @@
 
 namespace rotordrop {
 
-/// What ends a run before its latest end.
+/// Condition that ends a run before its latest end.
 enum class EndCondition {
   time,           ///< nothing
   standstill,     ///< the rotor's spin speed is below standstill_speed

@@ -2,7 +2,7 @@
 // Where a running bearing can stay, and whether it does.
 //
 // A bearing's friction is one number, its heat Q. Steady temperatures T(Q) follow from the thermal model, growth and ball loads from them,
-// and from these the heat that friction makes, Phi(Q). Operating points are Phi(Q) = Q. The loop gain of docs/preload.md,
+// and from these the heat that friction makes, Phi(Q). Operating points are Phi(Q) = Q. The loop gain of docs/how-to/preload.md,
 // (dHeat/dPreload)(dPreload/du)(du/dT) R_thermal, with every surface, every port and the thermal model's own derivatives is
 //   L = dPhi/dQ = - c^T J^-1 b,
 // J = d rates / dT, b = d rates / dQ, c = dHeat/dT through growth. Perturbations follow dT/dt = (J + b c^T) T, and

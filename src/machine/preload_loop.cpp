@@ -147,7 +147,7 @@ std::vector<double> PreloadLoop::steady(double heat, std::span<const double> sta
   }
   // As near to where it vanishes as can be told: within 1e-5 of the heat.
   if (largest < 1e-2 * (1. + std::fabs(T[0] - ambient_))) return T;
-  throw SolverError("no steady temperatures were found: has every part of the bearing a way to ambient?");
+  throw SolverError("no steady temperatures were found: does every part of the bearing have a heat path to ambient?");
 }
 
 PreloadTransient::PreloadTransient(const PreloadLoop& loop) : loop_(loop) {

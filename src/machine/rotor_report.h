@@ -6,7 +6,7 @@
 
 namespace rotordrop {
 
-/// What a rotor is, without any support.
+/// Properties of a rotor without supports.
 struct RotorReport {
   RigidBody body;
   std::vector<double>

@@ -183,9 +183,9 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
       is_circulatory_ = is_circulatory_ || (t.ring.ring().surroundings().has_inertia && p.statics.speed != 0.);
       touchdowns_.push_back(std::move(t));
     } else if (entry.other()) {
-      throw InputError({},
-                       "the static balance knows nothing of " + entry.name + ", a support of another program's kind",
-                       "Leave it out, or let the rotor settle in a drop.");
+      throw InputError(
+          {}, "the static solution does not include " + entry.name + ", a kind of support added by another program",
+          "Leave it out, or let the rotor settle in a drop.");
     } else {
       const auto& K = entry.linear()->stiffness;
       linears_.push_back({entry.name, station, Eigen::Matrix2d{{K[0][0], K[0][1]}, {K[1][0], K[1][1]}}});

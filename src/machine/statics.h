@@ -35,7 +35,7 @@ BearingEquilibrium bearing_equilibrium(const StaticsParameters& statics, const T
 BearingEquilibrium bearing_equilibrium(const MachineParameters& parameters, const std::string& name,
                                        const TouchdownParameters& bearing);
 
-/// What the rotor rests on.
+/// Support on which the rotor rests.
 struct SupportReaction {
   std::string name;
   int node = 0;

@@ -89,7 +89,7 @@ void declare_bearings(Section<T>& section, std::vector<SupportEntry> T::*member)
                               (target.*member).push_back({name, read(table, here, faults)});
                             }});
   section.variants("bearings", "type", std::move(alternatives),
-                   {.help = "Supports of the rotor by name. Keys directly in [bearings] hold for all touchdown "
+                   {.help = "Supports of the rotor by name. Keys set directly in [bearings] apply to all touchdown "
                             "bearings that do not set them."});
 }
 

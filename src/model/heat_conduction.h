@@ -169,7 +169,7 @@ struct HeatConductionProblem {
   std::vector<HeatFixed> fixed = {};
 };
 
-/// [J], whole circumference. Each is computed on its own; see docs/heat.md.
+/// [J], whole circumference. Each is computed on its own; see docs/how-to/heat.md.
 struct HeatEnergy {
   double input = 0;   ///< through fluxes, ports and boundaries that are held while they warm the body
   double stored = 0;  ///< enthalpy of the temperature field over that of the initial one

@@ -30,7 +30,7 @@ struct Force {
 
 /// Growth of the surfaces that clearances and preload see; positive outwards (every radius grows). [m]
 /// A raceway's is the radial displacement of its contact points. Those at the axial position x from the bearing's middle move along the
-/// axis by x / W times the growth of their ring's width W (all rows); docs/growth.md.
+/// axis by x / W times the growth of their ring's width W (all rows); docs/theory/growth.md.
 struct Expansion {
   double shaft = 0;        ///< rotor's contact surface
   double bore = 0;         ///< inner ring's bore

@@ -165,11 +165,9 @@ void check_element(const GeometryEntries& entries, std::size_t k, const Node& ta
   else if (element.material && std::none_of(entries.materials.begin(), entries.materials.end(), is_named)) {
     std::vector<std::string> names;
     for (const auto& material : entries.materials) names.push_back(material.first);
-    const std::string close = closest_name(*element.material, names);
     faults.add(where("material"),
                fmt::format("{} is made of \"{}\", which `materials` does not have.", name, *element.material),
-               (close.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", close)) +
-                   (names.empty() ? "`materials` is empty." : fmt::format("Known: {}.", fmt::join(names, ", "))));
+               names.empty() ? "`materials` is empty." : suggestion(*element.material, names));
   }
 }
 

@@ -25,20 +25,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string known(const std::string& word, const std::vector<std::string>& names) {
-  const std::string guess = closest_name(word, names);
-  return (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-         fmt::format("Known: {}.", fmt::join(names, ", "));
-}
-
 /// The bearing that is meant, or a fault.
 std::string chosen_bearing(const Case& drop, const PrescribedHeatParameters& heat, const Node& table, Faults& faults) {
   const auto names = touchdown_names(drop.parameters);
   if (heat.bearing) {
     if (std::find(names.begin(), names.end(), *heat.bearing) == names.end())
       faults.add(position_of_value(table, "bearing"),
-                 fmt::format("heat.bearing = \"{}\" is no touchdown bearing.", *heat.bearing),
-                 known(*heat.bearing, names));
+                 fmt::format("heat.bearing = \"{}\" is not a touchdown bearing.", *heat.bearing),
+                 suggestion(*heat.bearing, names));
     return *heat.bearing;
   }
   if (names.size() == 1) return names.front();
@@ -111,7 +105,8 @@ class ProbeFinder {
     std::size_t fe = 0;
     while (fe < case_.models.size() && case_.models[fe].name != "fe") ++fe;
     if (fe == case_.models.size()) {
-      fault(p, p.boundary ? "boundary" : "x", "points and boundaries belong to the finite elements, which do not run.",
+      fault(p, p.boundary ? "boundary" : "x",
+            "points and boundaries need the finite elements, which are not among the models.",
             "Add \"fe\" to heat.models, or give a node of the circuit.");
       return;
     }
@@ -135,7 +130,7 @@ class ProbeFinder {
     if (!has_model)
       fault(p, "model", fmt::format("model \"{}\" does not run.", *p.model), "Add it to heat.models.");
     else if (found.empty())
-      fault(p, "node", fmt::format("there is no node \"{}\".", *p.node), known(*p.node, all));
+      fault(p, "node", fmt::format("there is no node \"{}\".", *p.node), suggestion(*p.node, all));
     else if (found.size() > 1)
       fault(p, "node", fmt::format("both models have a \"{}\".", *p.node), "Add model = \"lumped\" or model = \"fe\".");
     else
@@ -154,7 +149,7 @@ class ProbeFinder {
       }
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    fault(p, "boundary", fmt::format("there is no boundary \"{}\".", *p.boundary), known(*p.boundary, names));
+    fault(p, "boundary", fmt::format("there is no boundary \"{}\".", *p.boundary), suggestion(*p.boundary, names));
     return false;
   }
 
@@ -166,7 +161,7 @@ class ProbeFinder {
     std::vector<std::string> names;
     for (const auto& body : bodies) names.push_back(body.name);
     if (p.body && std::find(names.begin(), names.end(), *p.body) == names.end()) {
-      fault(p, "body", fmt::format("there is no body \"{}\".", *p.body), known(*p.body, names));
+      fault(p, "body", fmt::format("there is no body \"{}\".", *p.body), suggestion(*p.body, names));
       return false;
     }
     for (probe.body = 0; probe.body < bodies.size(); ++probe.body) {
@@ -178,7 +173,7 @@ class ProbeFinder {
         continue;  // outside
       }
     }
-    fault(p, "x", p.body ? fmt::format("the point lies outside {}.", *p.body) : "the point lies in no body.",
+    fault(p, "x", p.body ? fmt::format("the point lies outside {}.", *p.body) : "the point is not inside any body.",
           "x = 0 is the middle of the bearing's width; `rotordrop mesh` writes the section.");
     return false;
   }
@@ -365,8 +360,8 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
   auto& p = c->drop.parameters;
   if (!p.heat)
     throw InputError({file.string(), 0, 0},
-                     "the case is one of a drop, and has no table [heat] that says what heats a bearing.",
-                     "docs/heat.md shows one; params/heat/bearing.toml is an example.");
+                     "this is the case of a drop, without a [heat] table that prescribes the heat input of a bearing.",
+                     "docs/how-to/heat.md shows one; params/heat/bearing.toml is an example.");
   const Node& table = *c->drop.tree.find("heat");
   if (p.heat->models) {
     p.thermal.has_lumped = p.heat->models->has_lumped;

@@ -44,7 +44,7 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
 /// Computes it into a directory: results.h5, summary.json, parameters.toml, fields. @return the summary
 nlohmann::ordered_json run_bearing_heat(BearingHeatCase& heat_case, const HeatRunOptions& options);
 
-/// What a case consists of, in a few lines.
+/// Describes a case in a few lines.
 std::string bearing_heat_case_text(const BearingHeatCase& heat_case);
 /// A few lines for the screen.
 std::string bearing_heat_summary_text(const nlohmann::ordered_json& summary);

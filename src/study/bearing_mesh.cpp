@@ -98,7 +98,8 @@ std::string write_bearing_meshes(const Case& c, const MeshOptions& options) {
   if (names.empty())
     throw InputError({c.file.string(), 0, 0}, "the case has no touchdown bearing, so there is nothing to mesh.");
   if (options.file.extension() != ".msh")
-    throw InputError({options.file.string(), 0, 0}, "the name of a mesh file ends in .msh.", "Such as -o bearing.msh.");
+    throw InputError({options.file.string(), 0, 0}, "the name of a mesh file must end in .msh.",
+                     "For example: -o bearing.msh.");
   std::vector<fs::path> files;
   for (const auto& name : names) {
     fs::path file = options.file;

@@ -17,10 +17,10 @@ struct BoreTemperatures {
 };
 
 struct BoreReport {
-  nlohmann::ordered_json report;  ///< docs/results.md
+  nlohmann::ordered_json report;  ///< docs/reference/results.md
   BoreTemperatures temperatures;
 };
-/// What a drop recorded of a bearing's rub.
+/// The rub of a bearing as recorded by a drop.
 RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing);
 
 /// Local temperatures of a bearing's bore from the rub that a drop recorded.

@@ -8,7 +8,7 @@
 
 namespace rotordrop {
 
-/// All touchdown bearings of a case.
+/// Calibrates the circuits of all touchdown bearings of a case.
 /// @throws InputError if the case has none
 std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSettings& settings);
 

@@ -53,7 +53,7 @@ Section<OutputParameters> output_section() {
              {.unit = "s",
               .range = positive(),
               .fallback = "10 s",
-              .help = "Wall time between checkpoints, from which `rotordrop run --resume` goes on."});
+              .help = "Wall time between checkpoints; `rotordrop run --resume` continues from the last one."});
   return s;
 }
 
@@ -155,12 +155,10 @@ void load_catalogue(Node& bearing, const std::string& name, const fs::path& case
       if (other.path().extension() == ".toml") known.push_back(other.path().stem().string());
   }
   std::sort(known.begin(), known.end());
-  const std::string guess = closest_name(entry->text(), known);
   throw InputError(
       entry->where(),
       fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
-      (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-          fmt::format("Known: {}.", fmt::join(known, ", ")));
+      suggestion(entry->text(), known));
 }
 
 /// Puts the catalogue's data under each bearing of one file that names them, so that they go before what a base says of that bearing.
@@ -239,10 +237,8 @@ std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bea
   const auto known = touchdown_names(c.parameters);
   if (bearing.empty()) return known;
   if (std::find(known.begin(), known.end(), bearing) != known.end()) return {bearing};
-  const std::string guess = closest_name(bearing, known);
   throw InputError({"--bearing", 0, 0}, fmt::format("the case has no touchdown bearing \"{}\".", bearing),
-                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                       fmt::format("Its touchdown bearings: {}.", fmt::join(known, ", ")));
+                   suggestion(bearing, known, fmt::format("Its touchdown bearings: {}.", fmt::join(known, ", "))));
 }
 
 }  // namespace rotordrop

@@ -405,7 +405,7 @@ Json run_json(const RecordedDrop& drop) {
 
 void require_something_to_compare(const RecordedDrop& drop, const RecordedDrop* against) {
   const std::string where = drop.directory().string();
-  if (drop.bearings().empty()) throw InputError({where, 0, 0}, "the results hold no touchdown bearing");
+  if (drop.bearings().empty()) throw InputError({where, 0, 0}, "the results contain no touchdown bearing");
   if (against) return;
   const bool lumped = drop.has(Kind::lumped), fe = drop.has(Kind::fe);
   if (lumped && fe) return;
@@ -440,7 +440,7 @@ Comparison compare_models(const RecordedDrop& drop, const RecordedDrop* against,
   }
   if (j["bearings"].empty())
     throw InputError({against->directory().string(), 0, 0},
-                     "no touchdown bearing there has the name of one in " + drop.directory().string());
+                     "no touchdown bearing there has the same name as one in " + drop.directory().string());
   j["in_short"] = short_verdict_of(j);
   j["verdict"] = verdict_of(j);
   return c;

@@ -12,7 +12,7 @@
 namespace rotordrop {
 
 struct Comparison {
-  nlohmann::ordered_json report;  ///< docs/compare.md
+  nlohmann::ordered_json report;  ///< docs/how-to/compare.md
   std::vector<BoreTemperatures> bores;
 };
 

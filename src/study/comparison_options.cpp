@@ -29,7 +29,7 @@ TemperatureTolerance parse_temperature_tolerance(const std::string& text) {
     const auto value = bare_number(before);
     if (!value || !(*value > 0.) || !std::isfinite(*value) ||
         text.find_first_not_of(' ', percent + 1) != std::string::npos)
-      throw InputError({"--tolerance", 0, 0}, fmt::format("\"{}\" is no percentage above zero", text),
+      throw InputError({"--tolerance", 0, 0}, fmt::format("\"{}\" is not a percentage above zero", text),
                        "Write \"5 %\" of the rise at the time, or \"0.5 K\".");
     return {*value / 100., true};
   }

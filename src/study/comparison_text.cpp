@@ -157,8 +157,8 @@ void add_local(const Json& b, std::vector<std::string>& text) {
   if (bore.contains("first_impact") && !bore["largest_local_over_node"]["value"].is_null()) {
     const Json& first = bore["first_impact"];
     std::string line = fmt::format(
-        "Bore locally: the first impact ({}) sweeps {:.1f} mm of it while the ring turns {:.1f} deg; the hottest place "
-        "of that arc is up to {} warmer than the circuit's inner ring, at {}",
+        "Local bore temperature: the first impact ({}) sweeps {:.1f} mm of the bore while the ring turns {:.1f} deg; "
+        "the hottest point of that arc is up to {} hotter than the circuit's inner ring, at {}",
         duration(first["duration"].get<double>()), first["arc"].get<double>() * 1e3,
         first["ring_angle"].get<double>() * 180. / std::numbers::pi,
         in(kelvin, bore["largest_local_over_node"]["value"].get<double>()),
@@ -175,8 +175,9 @@ void add_models(const Json& b, std::vector<std::string>& text) {
   if (!b["lumps_in_both"].empty()) {
     std::vector<std::string> lumps;
     for (const auto& lump : b["lumps_in_both"]) lumps.push_back(words(lump.get<std::string>()));
-    text.push_back(fmt::format("One lump in the finite elements, too, so that their agreement proves little: {}.",
-                               fmt::join(lumps, ", ")));
+    text.push_back(
+        fmt::format("These are single lumps in the finite-element model too, so agreement proves little: {}.",
+                    fmt::join(lumps, ", ")));
   }
   add_agreements(b["temperatures"], kelvin, "Mean temperature of", text);
   add_reasons(b, text);
@@ -190,7 +191,7 @@ void add_models(const Json& b, std::vector<std::string>& text) {
     text.push_back(
         fmt::format("Preload of the ring without load under the growth of circuit and finite elements: {}.", effect));
   text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));
-  text.push_back(fmt::format("Bore's surface, its mean around the circumference, over the circuit's inner ring: {}.",
+  text.push_back(fmt::format("Bore surface (circumferential mean) minus the circuit's inner ring: {}.",
                              agreement(b["surfaces"]["bore"]["mean"], kelvin)));
 }
 
@@ -202,13 +203,13 @@ void add_lumping(const Json& b, std::vector<std::string>& text) {
     early.push_back(fmt::format("{} {}", words(name), duration(body["evening_time"].get<double>())));
   }
   text.push_back(
-      fmt::format("After a pulse of heat on one side a body is even to a tenth (Fo 0.3) after: {}. Sooner, its one "
-                  "temperature is a mean only, and says nothing of the surface.",
+      fmt::format("After a heat pulse on one side, a body is uniform to within a tenth (Fo 0.3) after: {}. Before "
+                  "that, its single temperature is only a mean and says nothing about the surface.",
                   fmt::join(early, ", ")));
   if (!uneven.empty())
     text.push_back(
-        fmt::format("Not one temperature even in the long run, because heat leaves them as easily as it "
-                    "spreads inside (Bi above {:.2g}): {}.",
+        fmt::format("Not at a uniform temperature even in the long run, because heat leaves these bodies as easily as "
+                    "it spreads inside (Bi above {:.2g}): {}.",
                     largest_lumped_biot, fmt::join(uneven, ", ")));
 }
 
@@ -220,11 +221,12 @@ void add_runs(const Json& report, const Json& b, std::vector<std::string>& text)
     return a != 0. ? fmt::format("{:+.3g} %", 100. * (c / a - 1.)) : std::string("none");
   };
   text.push_back(
-      fmt::format("Driver {} here, {} there: first impact's peak force {}, largest force {}, impulse {}, rub "
-                  "heat {}.",
+      fmt::format("Growth driver {} in this run, {} in the other: peak force of the first impact {}, peak contact "
+                  "force {}, impulse {}, rub heat {}.",
                   report["run"]["driver"].get<std::string>(), report["against"]["driver"].get<std::string>(),
                   change("first_impact_peak"), change("peak_contact_force"), change("impulse"), change("rub_heat")));
-  text.push_back(fmt::format("Air gap as felt, there against here: {}.", agreement(runs["air_gap"], micrometres)));
+  text.push_back(
+      fmt::format("Air gap used in the drop, other run minus this run: {}.", agreement(runs["air_gap"], micrometres)));
 }
 
 std::string table_row(const std::string& name, const Json& d, const Scale& scale) {
@@ -240,8 +242,7 @@ std::string table_row(const std::string& name, const Json& d, const Scale& scale
 }
 
 std::string table_head(const std::string& title, const Json& d) {
-  std::string line =
-      fmt::format("  {:<24} {:>10} {:>9} {:>9} {:>9} |", title, "largest", "at ms", "off from", "in from");
+  std::string line = fmt::format("  {:<24} {:>10} {:>9} {:>9} {:>9} |", title, "largest", "at ms", "beyond", "within");
   for (const auto& entry : d["at"]) line += fmt::format(" {:>12}", ms(entry["time"].get<double>()));
   return line + "\n";
 }
@@ -274,11 +275,15 @@ std::string bore_table(const Json& bore) {
 std::vector<Channel> bore_channels(const std::string& path) {
   return {{path + "inner_ring", "K", "inner ring of the lumped circuit", 1, {}},
           {path + "mean", "K", "bore, mean around the circumference", 1, {}},
-          {path + "local", "K", "hottest place around the bore (moving band)", 1, {}},
-          {path + "flash", "K", "bore under the contact's middle (moving band); NaN apart", 1, {}},
-          {path + "rotor_flash", "K", "rise of the rotor's surface under the contact (Jaeger); NaN apart", 1, {}},
-          {path + "arc", "rad", "way of the contact over the bore since they touched", 1, {}},
-          {path + "heated_arc", "rad", "part of the bore that was ever rubbed", 1, {}},
+          {path + "local", "K", "hottest point around the bore (moving band)", 1, {}},
+          {path + "flash", "K", "bore under the middle of the contact (moving band); NaN without contact", 1, {}},
+          {path + "rotor_flash",
+           "K",
+           "temperature rise of the rotor surface under the contact (Jaeger); NaN without contact",
+           1,
+           {}},
+          {path + "arc", "rad", "angle swept by the contact over the bore since contact began", 1, {}},
+          {path + "heated_arc", "rad", "total arc of the bore rubbed so far", 1, {}},
           {path + "ring_turns", "1", "turns of the inner ring", 1, {}}};
 }
 
@@ -315,7 +320,7 @@ std::string comparison_text(const Json& report) {
     text += bore_table(b["bore"]);
     if (b.contains("runs"))
       for (const auto& [model, nodes] : b["runs"]["temperatures"].items()) {
-        text += table_head("there - here, " + model + " [K]", nodes["inner_ring"]);
+        text += table_head("other - this, " + model + " [K]", nodes["inner_ring"]);
         for (const auto& [node, d] : nodes.items()) text += table_row(words(node), d, kelvin);
       }
   }

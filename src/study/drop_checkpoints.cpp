@@ -20,23 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tells whether two runs have the same parameters: FNV-1a of their resolved text, comments and white space aside.
-std::string digest_of(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  bool is_quoted = false, is_comment = false;
-  for (const char c : text) {
-    if (c == '\n')
-      is_comment = false;
-    else if (c == '"' && !is_comment)
-      is_quoted = !is_quoted;
-    else if (c == '#' && !is_quoted)
-      is_comment = true;
-    if (!is_comment && (is_quoted || !std::isspace(static_cast<unsigned char>(c))))
-      hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  }
-  return fmt::format("{:016x}", hash);
-}
-
 /// Of the files that the parameters only name, and on which the results depend: a mesh, the growth of an earlier run.
 std::string digests_of_files(const Case& c) {
   std::string digests;
@@ -58,8 +41,8 @@ DropCheckpoints::DropCheckpoints(const fs::path& directory, const Case& drop_cas
       folder_(folder),
       tell_(std::move(tell)),
       interval_(drop_case.parameters.output.checkpoint_interval),
-      text_digest_(digest_of(drop_case.resolved)),
-      digest_(digest_of(drop_case.resolved + digests_of_files(drop_case))) {
+      text_digest_(sha256_of_toml(drop_case.resolved)),
+      digest_(sha256_of_toml(drop_case.resolved + digests_of_files(drop_case))) {
   for (const auto& entry : machine.layout().entries()) entry_names_.push_back(entry.name);
 }
 
@@ -148,7 +131,7 @@ fs::path DropCheckpoints::read_newest(const fs::path& newer) {
     // Killed before its first checkpoint: it starts anew, but only as what it was.
     std::ifstream earlier(directory_ / "parameters.toml");
     const std::string text{std::istreambuf_iterator<char>(earlier), {}};
-    if (!text.empty() && digest_of(text) != text_digest_)
+    if (!text.empty() && sha256_of_toml(text) != text_digest_)
       throw InputError({where, 0, 0}, "the directory holds the run of another case",
                        "Choose another with -o DIR, or replace the results with --force.");
     if (tell_) tell_("there is no checkpoint yet: the run starts anew");

@@ -6,7 +6,7 @@
 
 namespace rotordrop {
 
-/// Hoop stresses, fit and raceways of a section with elastic growth at one instant, SI; docs/results.md has the keys. Solves twice.
+/// Hoop stresses, fit and raceways of a section with elastic growth at one instant, SI; docs/reference/results.md has the keys. Solves twice.
 /// @param temperatures  the section's field [K]
 /// @param speed         of the inner ring [rad/s]
 nlohmann::ordered_json elastic_state(const FiniteElements::Section& section, std::span<const double> temperatures,

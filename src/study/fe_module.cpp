@@ -38,7 +38,7 @@ Function* load(const Module& module, const char* function) {
   void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (!handle) throw SolverError(module.room + " cannot be loaded: " + std::string(dlerror()));
   auto* const found = reinterpret_cast<Function*>(dlsym(handle, function));
-  if (!found) throw SolverError(module.room + " " + file.string() + " is of another version");
+  if (!found) throw SolverError(module.room + " " + file.string() + " belongs to another version of the program");
   return found;
 }
 
@@ -55,14 +55,14 @@ std::string version_of(const std::string& module) {
 }  // namespace
 
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem) {
-  static auto* const make =
-      load<MakeHeatSolver>({ROTORDROP_FE_MODULE, "the finite-element room", "`rotordrop heat`"}, make_heat_solver_name);
+  static auto* const make = load<MakeHeatSolver>({ROTORDROP_FE_MODULE, "the finite-element module", "`rotordrop heat`"},
+                                                 make_heat_solver_name);
   return std::unique_ptr<HeatConductionSolver>(make(problem));
 }
 
 std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem) {
   static auto* const make = load<MakeElasticSolver>(
-      {ROTORDROP_FE_MODULE, "the finite-element room", "thermal.expansion = \"elastic\""}, make_elastic_solver_name);
+      {ROTORDROP_FE_MODULE, "the finite-element module", "thermal.expansion = \"elastic\""}, make_elastic_solver_name);
   return std::unique_ptr<ElasticSolver>(make(problem));
 }
 
@@ -85,7 +85,7 @@ SectionMesh section_mesh_of(const SectionPlan& plan) {
 }
 
 SectionMesher& section_mesher() {
-  static auto* const get = load<GetSectionMesher>({ROTORDROP_MESH_MODULE, "the mesh room", "the mesh of a bearing"},
+  static auto* const get = load<GetSectionMesher>({ROTORDROP_MESH_MODULE, "the mesh module", "the mesh of a bearing"},
                                                   get_section_mesher_name);
   return *get();
 }

@@ -9,7 +9,7 @@
 
 namespace rotordrop {
 
-/// The rooms' doors for a case that has finite elements, which must outlive them. What was computed before comes from the cache; the module is
+/// Entry points of the finite-element modules for a case with finite elements, which must outlive them. What was computed before comes from the cache; the module is
 /// loaded when something new is asked.
 FiniteElements finite_elements_of(const Case& drop_case);
 
@@ -17,7 +17,7 @@ FiniteElements finite_elements_of(const Case& drop_case);
 /// @throws InputError if the program was built without it
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem);
 
-/// Its other door: elasticity. @throws InputError likewise
+/// Loads its elasticity solver. @throws InputError likewise
 std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem);
 
 /// The mesh of a plan, from the cache or from the mesh room. @throws InputError if it is needed and the program was built without it

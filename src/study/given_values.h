@@ -20,7 +20,7 @@ struct GivenValues {
   std::size_t n_defaults = 0;  ///< parameters besides these
 };
 
-/// What the parameters.toml of a run says was given.
+/// The given parameters of a run, as its parameters.toml records them.
 GivenValues given_values(const std::filesystem::path& parameters);
 
 }  // namespace rotordrop

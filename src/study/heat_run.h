@@ -37,7 +37,7 @@ nlohmann::ordered_json run_heat(const HeatCase& heat_case, const HeatRunOptions&
 /// Whether this process is alone or the first of those that mpirun started: the one that writes.
 bool is_first_rank();
 
-/// What a case consists of, in a few lines.
+/// Describes a case in a few lines.
 std::string heat_case_text(const HeatCase& heat_case);
 /// A few lines for the screen.
 std::string heat_summary_text(const nlohmann::ordered_json& summary);

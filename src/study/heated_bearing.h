@@ -33,7 +33,7 @@ class HeatedBearing {
   virtual void report(nlohmann::ordered_json& to) const = 0;  ///< cost
 };
 
-/// What a model in a state vector needs: the circuit, or a section on its modes.
+/// Data of a model in a state vector: the circuit, or a section on its modes.
 struct HeatedModelSettings {
   std::string bearing;
   std::size_t n_places = 0, place = 0;  ///< of the model, and the bearing's among them

@@ -21,11 +21,11 @@ end_time = "0.3 s"
 friction_coefficient = 0.1
 air_gap = "250 um"
 
-# Your own rotor: a file laid out as rotor.json.
+# Your own rotor: a file with the same layout as neisi2019-rotor.json.
 # [rotor]
 # geometry = "my-rotor.json"
 
-# A bearing by its name in the catalogue; values given here go before those of the catalogue.
+# A bearing by its catalogue name; values given here override the catalogue's.
 # [bearings.TB1]
 # catalogue = "6014"
 )";

@@ -19,12 +19,13 @@ class Way {
     channels.push_back({prefix + "heat_rate", "W", "friction heat of the bearing", 1, {}});
     channels.push_back({prefix + "load_torque", "N m", "load-dependent friction torque, load law equivalent", 1, {}});
     channels.push_back({prefix + "drag_torque", "N m", "speed-dependent friction torque", 1, {}});
-    channels.push_back({prefix + "spin_torque", "N m", "of the balls' spin moments, if they add heat", 1, {}});
-    channels.push_back({prefix + "growth", "m", "of the inner raceway over the outer one, by heat", 1, {}});
+    channels.push_back({prefix + "spin_torque", "N m", "torque of the balls' spin moments, if they add heat", 1, {}});
+    channels.push_back(
+        {prefix + "growth", "m", "thermal growth of the inner raceway minus that of the outer one", 1, {}});
     channels.push_back({prefix + "ball_growth", "m", "of a ball's radius, by heat", 1, {}});
     channels.push_back({prefix + "heat_made", "J", "integral of the heat rate", 1, {}});
-    channels.push_back({prefix + "heat_lost", "J", "given to ambient, integrated", 1, {}});
-    channels.push_back({prefix + "heat_stored", "J", "in the parts, over ambient", 1, {}});
+    channels.push_back({prefix + "heat_lost", "J", "heat lost to ambient, integrated", 1, {}});
+    channels.push_back({prefix + "heat_stored", "J", "heat stored in the parts, above ambient", 1, {}});
     for (const auto& node : loop.nodes())
       channels.push_back({prefix + "temperature/" + node.name, "K", node.long_name, 1, {}});
   }

@@ -7,7 +7,7 @@
 
 namespace rotordrop {
 
-/// A running bearing from cold until it settles, meets a limit or its time is over.
+/// Steady running of a bearing from cold until it settles, reaches a limit, or reaches the end time.
 struct PreloadCourse {
   bool is_settled = false;  ///< no temperature changes faster than settled_rate
   LimitMet limit = LimitMet::none;

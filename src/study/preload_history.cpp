@@ -33,8 +33,8 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   const std::string from = fmt::format("/bearings/{}/", bearing);
   if (!drop.has(from + "expansion") || !drop.has(from + "ring_speed"))
     throw InputError({drop.directory().string(), 0, 0},
-                     fmt::format("the drop has recorded no growth of a touchdown bearing \"{}\"", bearing),
-                     "Choose one that it has with --bearing.");
+                     fmt::format("the drop recorded no growth for a touchdown bearing \"{}\"", bearing),
+                     "Choose a recorded bearing with --bearing.");
   std::array<TimeSeries, growth_surfaces.size()> growth;
   for (std::size_t i = 0; i < growth.size(); ++i) growth[i] = drop.series(from + "expansion", i);
   const auto speed = drop.series(from + "ring_speed");
@@ -52,7 +52,7 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   if (drop.driver() == "recorded" && preload_grows_by_speed(p))
     throw InputError(
         position_of(c.tree, "preload"),
-        "the drop took growth that an earlier run recorded, and does not say whether growth by speed is in it.",
+        "the drop used growth recorded by an earlier run, and does not say whether that includes centrifugal growth.",
         "Give that earlier run with --results, or set preload.growth_by_speed = \"none\".");
   const bool has_growth_by_speed = thermal.growth_by_speed != GrowthBySpeed::none && drop.driver() != "recorded";
   MachineParameters cold_parameters = p;
@@ -63,8 +63,11 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   PreloadTable table;
   table.group = {to + "time", running_channels(to)};
   table.group.channels.push_back({to + "ring_speed", "rad/s", "spin speed of the inner ring", 1, {}});
-  table.group.channels.push_back(
-      {to + "growth", "m", "of the inner raceway over the outer one, by heat, speed and fits", 1, {}});
+  table.group.channels.push_back({to + "growth",
+                                  "m",
+                                  "growth of the inner raceway minus that of the outer one, from heat, speed and fits",
+                                  1,
+                                  {}});
   const bool under_load = p.preload.history_under_load;
   // Of a drop that is being written, some series may be longer than others.
   std::size_t n = std::min({speed.values.size(), force_y.values.size(), force_z.values.size()});

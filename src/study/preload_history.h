@@ -7,7 +7,7 @@
 namespace rotordrop {
 
 /// Preload of one touchdown bearing over a recorded drop, quasi-static: the growth that the drop felt (/bearings/NAME/expansion) and its
-/// ring speed, the inner ring in equilibrium at every instant. At most some 3000 instants, evenly picked; all of them under load.
+/// ring speed, the inner ring in equilibrium at every instant. At most about 3000 evenly spaced instants; all instants if under load.
 /// @throws InputError if the drop has no such bearing
 nlohmann::ordered_json make_preload_history(const Case& preload_case, const std::string& bearing,
                                             const RecordedDrop& drop, std::vector<PreloadTable>& tables);

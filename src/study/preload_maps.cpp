@@ -103,7 +103,8 @@ Json make_preload_maps(const Case& c, const std::string& bearing, std::vector<Pr
   Json maps = Json::object();
   if (!axes.growth.empty())
     maps["growth"] = make_map(
-        "growth", bearing, *running, {"growth", "m", "of the inner raceway over the outer one", axes.growth}, speed,
+        "growth", bearing, *running,
+        {"growth", "m", "growth of the inner raceway minus that of the outer one", axes.growth}, speed,
         [&](double growth, double at_speed) {
           auto state = cold(at_speed);
           state.growth.inner_race += growth;
@@ -114,7 +115,9 @@ Json make_preload_maps(const Case& c, const std::string& bearing, std::vector<Pr
     const double closure = housing_closure(b);
     maps["interference"] = make_map(
         "interference", bearing, *running,
-        {"interference", "m", "of outer ring and housing by radius, over the mounted one", axes.interference}, speed,
+        {"interference", "m", "radial interference between outer ring and housing, above the mounted value",
+         axes.interference},
+        speed,
         [&](double interference, double at_speed) {
           auto state = cold(at_speed);
           state.growth.outer_race -= closure * interference;
@@ -126,7 +129,8 @@ Json make_preload_maps(const Case& c, const std::string& bearing, std::vector<Pr
   if (!axes.inner_rise.empty() && !axes.outer_rise.empty()) {
     const auto ring = even_growth(p, b);
     maps["rise"] = make_map(
-        "rise", bearing, *running, {"inner_rise", "K", "of the inner ring over ambient", axes.inner_rise},
+        "rise", bearing, *running,
+        {"inner_rise", "K", "temperature rise of the inner ring above ambient", axes.inner_rise},
         {"outer_rise", "K", "of the outer ring over ambient", axes.outer_rise, 1., "K"},
         [&](double inner, double outer) {
           auto state = cold(full);

@@ -38,7 +38,8 @@ void check_directory(const PreloadOptions& options) {
 Json run_preload(const Case& c, const PreloadOptions& options) {
   const auto bearings = chosen_touchdowns(c, options.bearing);
   if (bearings.empty())
-    throw InputError(position_of(c.tree, "bearings"), "the case has no touchdown bearing whose preload could be told.");
+    throw InputError(position_of(c.tree, "bearings"),
+                     "the case has no touchdown bearing, so there is no preload to compute.");
   std::optional<RecordedDrop> drop;
   if (!options.results.empty()) drop.emplace(options.results);
   check_directory(options);

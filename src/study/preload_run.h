@@ -15,7 +15,7 @@ struct PreloadOptions {
 };
 
 /// Maps, histories and steady running of touchdown bearings by themselves, into a directory; returns what preload.json has.
-/// See docs/preload.md for every key and dataset.
+/// See docs/how-to/preload.md for every key and dataset.
 /// @throws InputError for an unknown bearing, results that cannot be read or would be replaced; SolverError
 nlohmann::ordered_json run_preload(const Case& preload_case, const PreloadOptions& options);
 

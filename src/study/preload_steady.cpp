@@ -93,16 +93,15 @@ std::shared_ptr<const ThermalModel> section_of(const Case& c, const std::string&
   if (p.preload.model != PreloadModel::fe) return nullptr;
   if (!p.thermal.nodes.empty() || !p.thermal.resistors.empty())
     throw InputError(position_of(c.tree, "preload"),
-                     "preload.model = \"fe\" does not know what thermal.node and thermal.resistor add to the circuit.",
+                     "preload.model = \"fe\" cannot include what thermal.node and thermal.resistor add to the circuit.",
                      "Leave them out, or take preload.model = \"lumped\".");
   const auto& ring = material_of(p, touchdown_of(p, bearing).ring);
   if ((ring.k_table && !PropertyTable(*ring.k_table).is_constant()) ||
       (ring.c_table && !PropertyTable(*ring.c_table).is_constant()))
-    throw InputError(
-        position_of(c.tree, "preload"),
-        "preload.model = \"fe\" takes the modes of a linear problem, and the ring's k_table or c_table depends "
-        "on temperature.",
-        "Take constant k and c, or preload.model = \"lumped\".");
+    throw InputError(position_of(c.tree, "preload"),
+                     "preload.model = \"fe\" uses the modes of a linear problem, but the ring's k_table or c_table "
+                     "makes its properties depend on temperature.",
+                     "Take constant k and c, or preload.model = \"lumped\".");
   if (touchdown_of(p, bearing).housing_fit < 0. && p.thermal.expansion == GrowthSource::elastic)
     throw InputError(position_of(c.tree, "preload"),
                      fmt::format("preload.model = \"fe\" takes the fit of {} in its housing as closed, and its "

@@ -17,10 +17,11 @@ std::vector<Channel> running_channels(const std::string& prefix, std::size_t siz
           {prefix + "largest_ball_load", "N", "load of the most loaded ball", size, columns},
           {prefix + "largest_pressure", "Pa", "largest pressure of balls and races", size, columns},
           {prefix + "static_safety", "1", "(4.2 GPa / largest pressure)^3", size, columns},
-          {prefix + "axial_stiffness", "N/m", "of the inner ring along x", size, columns},
+          {prefix + "axial_stiffness", "N/m", "stiffness of the inner ring along x", size, columns},
           {prefix + "radial_stiffness_y", "N/m", "of the inner ring along y", size, columns},
           {prefix + "radial_stiffness_z", "N/m", "of the inner ring along z", size, columns},
-          {prefix + "radial_clearance", "m", "left in the mounted place; negative: balls are pressed", size, columns}};
+          {prefix + "radial_clearance", "m",
+           "radial clearance left in the mounted position; negative: balls are compressed", size, columns}};
 }
 
 std::vector<double> running_values(const RunningState& s) {

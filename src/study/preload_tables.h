@@ -17,7 +17,7 @@ struct PreloadTable {
   std::vector<std::vector<double>> rows;
 };
 
-/// What of a running bearing is tabulated, in order, at `prefix` + name.
+/// Tabulated quantities of a running bearing, in order, at `prefix` + name.
 std::vector<Channel> running_channels(const std::string& prefix, std::size_t size = 1,
                                       const std::vector<std::string>& columns = {});
 /// The same numbers, of one state; NaN for what is not there.

@@ -35,8 +35,8 @@ std::string hottest(const Json& temperatures) {
 
 std::string state_text(const Json& s) {
   if (s["floating"].get<bool>())
-    return fmt::format("no ball is touched, {:.3g} um of clearance; heat {:.4g} W", number(s, "radial_clearance") * 1e6,
-                       number(s, "heat"));
+    return fmt::format("no ball in contact, {:.3g} um clearance left; heat {:.4g} W",
+                       number(s, "radial_clearance") * 1e6, number(s, "heat"));
   return fmt::format("preload {:.4g} N, ball load {:.4g} N, pressure {:.3g} GPa, heat {:.4g} W", number(s, "preload"),
                      number(s, "largest_ball_load"), number(s, "largest_pressure") * 1e-9, number(s, "heat"));
 }
@@ -47,10 +47,10 @@ std::string critical_text(const Json& critical) {
     if (!critical.contains(key) || critical[key].is_null()) return;
     const auto& c = critical[key];
     text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", words(number(c, "value"), number(c, "factor")),
-                        c["by"] == "limit" ? "a limit is met there" : "loop gain");
+                        c["by"] == "limit" ? "set by a limit" : "set by the loop gain");
   };
   add("speed", [](double value, double) { return fmt::format("up to {:.5g} rpm", rpm(value)); });
-  add("preload", [](double value, double) { return fmt::format("up to {:.4g} N of mounted preload", value); });
+  add("preload", [](double value, double) { return fmt::format("up to {:.4g} N mounted preload", value); });
   add("cooling", [](double, double factor) { return fmt::format("down to {:.3g} times this cooling", factor); });
   return text.empty() ? "" : "  a stable operating point exists " + text + "\n";
 }
@@ -60,7 +60,7 @@ std::string point_text(const Json& p) {
   std::string text = fmt::format("  operating point: {}\n    hottest {}; loop gain {:.3g}", state_text(p),
                                  hottest(p["temperatures"]), gain);
   if (p["stable"].get<bool>())
-    text += fmt::format(" (margin {:.3g}), stable; disturbances die within {}", 1. - gain, duration(-1. / rate));
+    text += fmt::format(" (margin {:.3g}), stable; disturbances decay e-fold in {}", 1. - gain, duration(-1. / rate));
   else
     text += fmt::format(", unstable; disturbances grow e-fold in {}", duration(1. / rate));
   return text + "\n";
@@ -75,23 +75,24 @@ std::string running_text(const std::string& name, const Json& r) {
     text += fmt::format("stable. It settles in {} at\n  {}\n", after, state_text(end["state"]));
   else if (verdict == "undecided")
     text += fmt::format("undecided after {}: {}.\n  {}\n", after,
-                        end["settled"].get<bool>() ? "it settled where the criterion has no stable point"
-                                                   : "neither settled nor at a limit (preload.end_time)",
+                        end["settled"].get<bool>() ? "it settled where the criterion finds no stable point"
+                                                   : "it neither settled nor reached a limit by preload.end_time",
                         state_text(end["state"]));
   else {
     const std::string limit = end["limit"] == "pressure_limit"
                                   ? fmt::format("{:.3g} GPa", number(r["limits"], "pressure") * 1e-9)
                                   : fmt::format("{:.4g} degC", celsius(number(r["limits"], "temperature")));
     if (verdict == "seized-from-the-start")
-      text += fmt::format("beyond {} when cold.\n  {}\n", limit, state_text(end["state"]));
+      text += fmt::format("already beyond {} when cold.\n  {}\n", limit, state_text(end["state"]));
     else
-      text += fmt::format("runs away: {} after {}.\n  there {}\n", limit, after, state_text(end["state"]));
+      text +=
+          fmt::format("runs away: {} reached after {}.\n  state then: {}\n", limit, after, state_text(end["state"]));
     if (verdict == "runs-away-on-the-way")
-      text += "  A stable operating point exists, but the way from cold does not lead there.\n";
+      text += "  A stable operating point exists, but warm-up from cold does not reach it.\n";
     else if (verdict == "runs-away")
-      text += r["operating_points"].empty()
-                  ? "  No operating point within the limits: friction makes more heat than leaves at any temperature.\n"
-                  : "  No stable operating point within the limits.\n";
+      text += r["operating_points"].empty() ? "  No operating point within the limits: at every temperature friction "
+                                              "generates more heat than is lost.\n"
+                                            : "  No stable operating point within the limits.\n";
   }
   text += fmt::format("  cold: {}\n", state_text(r["cold"]));
   if (r["cold"]["neglects_centrifugal"].get<bool>())
@@ -103,8 +104,8 @@ std::string running_text(const std::string& name, const Json& r) {
   text += critical_text(r["critical"]);
   if (!r["load_law_sees_preload"].get<bool>())
     text +=
-        "  The load law does not see balls pressed evenly all round (no contact angle): the verdict is about its heat "
-        "alone.\n";
+        "  Without a contact angle the load law ignores balls loaded uniformly all round: the verdict covers only the "
+        "heat of that law.\n";
   return text;
 }
 
@@ -123,8 +124,9 @@ std::string maps_text(const Json& maps) {
 
 std::string history_text(const Json& h) {
   return fmt::format(
-      "  over the drop {}: preload {:.4g} N at first, at most {:.4g} N at {:.4g} ms, {:.4g} N at the end; largest ball "
-      "load {:.4g} N, pressure {:.3g} GPa; least clearance {:.3g} um\n",
+      "  over the drop {}: preload {:.4g} N at the start, largest {:.4g} N at {:.4g} ms, {:.4g} N at the end; largest "
+      "ball "
+      "load {:.4g} N, pressure {:.3g} GPa; smallest clearance {:.3g} um\n",
       h["results_of"].get<std::string>(), number(h["preload"], "start"), number(h["preload"], "largest"),
       number(h["preload"], "time") * 1e3, number(h["preload"], "end"), number(h["largest_ball_load"], "largest"),
       number(h["largest_pressure"], "largest") * 1e-9, number(h["radial_clearance"], "smallest") * 1e6);

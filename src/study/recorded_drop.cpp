@@ -20,10 +20,10 @@ fs::path results_in(const fs::path& directory) {
   const std::string where = directory.string();
   if (!fs::exists(directory, ignored)) throw InputError({where, 0, 0}, "there is no such directory");
   if (!fs::is_directory(directory, ignored))
-    throw InputError({where, 0, 0}, "this is no directory", "Give the directory into which `rotordrop run` wrote.");
+    throw InputError({where, 0, 0}, "this is not a directory", "Give the directory into which `rotordrop run` wrote.");
   for (const char* name : {"results.h5", "parameters.toml"})
     if (!fs::is_regular_file(directory / name, ignored))
-      throw InputError({where, 0, 0}, fmt::format("the directory holds no {}", name),
+      throw InputError({where, 0, 0}, fmt::format("the directory does not contain {}", name),
                        "Give the directory into which `rotordrop run` wrote.");
   return directory / "results.h5";
 }
@@ -58,7 +58,7 @@ RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, const fs:
 void RecordedDrop::open() {
   datasets_ = list_datasets(file_);
   if (!has("/energy/mechanical"))
-    throw InputError({directory_.string(), 0, 0}, "these are results of heat alone; there is no drop in them",
+    throw InputError({directory_.string(), 0, 0}, "these are heat-only results; they contain no drop",
                      "Give the directory into which `rotordrop run` wrote.");
   case_name_ = read_attribute(file_, "/", "case");
   is_windowed_ = has("/windows/time");
@@ -112,9 +112,9 @@ TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) 
   const std::size_t n = std::min(times.values.size(), t.values.size() / t.n_columns);
   if (column >= t.n_columns)
     throw InputError({file_.string(), 0, 0}, fmt::format("{} has {} columns, not {}", dataset, t.n_columns, column + 1),
-                     "Is the case that of these results?");
+                     "Do these results belong to this case?");
   if (n == 0)
-    throw InputError({file_.string(), 0, 0}, dataset + " has no rows yet", "Let the run go on, or run it again.");
+    throw InputError({file_.string(), 0, 0}, dataset + " has no rows yet", "Let the run continue, or run it again.");
   TimeSeries result;
   result.times.assign(times.values.begin(), times.values.begin() + static_cast<std::ptrdiff_t>(n));
   result.values.reserve(n);
@@ -126,8 +126,8 @@ TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) 
     const double value = t.values[i * t.n_columns + column];
     if (!std::isfinite(value))
       throw InputError({file_.string(), 0, 0},
-                       fmt::format("{} is no number at t = {:.6g} ms", dataset, result.times[i] * 1e3),
-                       "Nothing can be said of such a run. Look at what it recorded before that instant.");
+                       fmt::format("{} is not a number at t = {:.6g} ms", dataset, result.times[i] * 1e3),
+                       "Such a run cannot be evaluated. Look at what it recorded before that time.");
     result.values.push_back(value);
   }
   return result;

@@ -22,7 +22,6 @@ std::optional<RecordedHeat> read_recorded_heat(const RecordedHeatName& wanted, c
       for (const auto& path : datasets)
         if (path.starts_with(prefix) && path.ends_with(suffix))
           bearings.push_back(path.substr(prefix.size(), path.size() - prefix.size() - suffix.size()));
-      const std::string guess = closest_name(wanted.bearing, bearings);
       if (bearings.empty())
         faults.add(position_of_value(table, "recorded"),
                    fmt::format("{}.recorded: \"{}\" holds no {} heat of any bearing.", name, file.string(),
@@ -31,8 +30,7 @@ std::optional<RecordedHeat> read_recorded_heat(const RecordedHeatName& wanted, c
       else
         faults.add(position_of_value(table, "bearing"),
                    fmt::format("{}.bearing = \"{}\": no such bearing in \"{}\".", name, wanted.bearing, file.string()),
-                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                       fmt::format("Known: {}.", fmt::join(bearings, ", ")));
+                   suggestion(wanted.bearing, bearings));
       return {};
     }
     // Of a file that is being written, a series may have rows whose times are not there yet.

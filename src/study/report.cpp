@@ -63,7 +63,7 @@ Json read_json_of(const RecordedDrop& drop, const std::string& name) {
   try {
     return Json::parse(file);
   } catch (const Json::exception&) {
-    throw InputError({path.string(), 0, 0}, "the file is no JSON", "Run the case again, or remove the file.");
+    throw InputError({path.string(), 0, 0}, "the file is not valid JSON", "Run the case again, or remove the file.");
   }
 }
 

@@ -8,7 +8,7 @@
 // A run as one HTML page that needs nothing else: no network, no other file.
 namespace rotordrop {
 
-/// Everything that the page shows: texts, tables, checks, and decimated series in the units of their axes. docs/report.md says what is in it.
+/// Everything that the page shows: texts, tables, checks, and decimated series in the units of their axes. docs/how-to/report.md says what is in it.
 /// @throws InputError if the directory holds no run, or one without a recorded row
 nlohmann::ordered_json report_data(const RecordedDrop& drop);
 
@@ -20,16 +20,16 @@ std::string report_page(const nlohmann::ordered_json& data);
 nlohmann::ordered_json read_json_of(const RecordedDrop& drop, const std::string& name);
 /// Figures of time series, one after the other, each with its section.
 nlohmann::ordered_json report_charts(const RecordedDrop& drop);
-/// Of each touchdown bearing the positions of rotor and ring, at even steps.
+/// Positions of rotor and ring in each touchdown bearing, at even steps.
 nlohmann::ordered_json report_animation(const RecordedDrop& drop);
-/// Of each touchdown bearing the load of every ball, the largest in each of up to 400 spans of time [ball][span].
+/// Load of every ball of each touchdown bearing, the largest in each of up to 400 spans of time [ball][span].
 nlohmann::ordered_json report_ball_loads(const RecordedDrop& drop);
-/// Of each touchdown bearing with temperature fields those next to the first impact's peak, to the middle of the run and to its end, as pictures.
+/// Temperature fields of each touchdown bearing, as pictures: those nearest to the first impact's peak, to the middle of the run and to its end.
 /// @throws InputError if a file of fields is damaged
 nlohmann::ordered_json report_fields(const RecordedDrop& drop);
 /// Rows of the table of main numbers, texts of figures with their units.
 nlohmann::ordered_json report_numbers(const RecordedDrop& drop, const nlohmann::ordered_json& summary);
-/// What was looked at for warnings, and what was found: name, state ("ok", "warning", "uncertain", "unknown": not assessed), text.
+/// Checks made for warnings, and their results: name, state ("ok", "warning", "uncertain", "unknown": not assessed), text.
 nlohmann::ordered_json report_checks(const RecordedDrop& drop, const nlohmann::ordered_json& summary);
 /// The case in sentences; what it assumes.
 nlohmann::ordered_json report_words(const RecordedDrop& drop);

@@ -141,18 +141,18 @@ class Charts {
 
 void add_motion(Charts& c, const RecordedDrop& drop) {
   const std::string instantaneous =
-      "Instantaneous values from the unloaded bearing's axis; a peak read here is 0-peak, top to bottom is "
+      "Instantaneous displacement from the axis of the unloaded bearing. Peaks are 0-peak; top to bottom is "
       "peak-to-peak.";
   c.figure("displacement-y", "Motion", "Vertical displacement of the rotor", "y (up)", "um", instantaneous);
   c.of_supports("orbit", "", 1e6, 0, 0);
   c.figure("displacement-z", "Motion", "Horizontal displacement of the rotor", "z", "um", instantaneous);
   c.of_supports("orbit", "", 1e6, 0, 1);
-  c.figure("ring-position", "Motion", "Inner ring and support", "displacement", "um", instantaneous);
+  c.figure("ring-position", "Motion", "Displacement of inner ring and support", "displacement", "um", instantaneous);
   c.of_supports("ring_position", "ring y", 1e6, 0, 0);
   c.of_supports("ring_position", "ring z", 1e6, 1, 1);
   c.of_supports("support_position", "support y", 1e6, 2, 0);
-  c.figure("whirl", "Motion", "Whirl in contact", "turns of the point of contact", "Hz",
-           "Mean over 5 ms of contact; positive from +y towards +z. Lines connect across flights.");
+  c.figure("whirl", "Motion", "Whirl in contact", "whirl frequency", "Hz",
+           "Mean over 5 ms of contact; positive from +y towards +z. Lines bridge phases without contact.");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     const std::string& name = c.names()[i];
     if (!drop.has("/bearings/" + name + "/ball_force")) continue;
@@ -196,10 +196,11 @@ void add_support_loop(Charts& c, const RecordedDrop& drop, const std::string& na
 
 void add_forces(Charts& c, const RecordedDrop& drop) {
   c.figure("contact-force", "Forces", "Normal force between rotor and inner ring", "contact force", "kN",
-           "Instantaneous; peaks are 0-peak samples. The table's peaks are of every step of the integration.");
+           "Instantaneous samples; peaks are 0-peak. The peaks in the table of main numbers are taken at every "
+           "integration step.");
   c.of_supports("contact_force", "", 1e-3);
   c.figure("friction-force", "Forces", "Friction force on the inner ring", "friction force", "kN",
-           "Positive about +x, the sense of positive spin.");
+           "Positive about +x, the direction of positive spin.");
   c.of_supports("friction_force", "", 1e-3);
   c.figure("bearing-force", "Forces", "Resultant of the ball forces on the inner ring", "force", "kN");
   c.of_supports("bearing_force", "y", 1e-3, 0, 0);
@@ -219,7 +220,7 @@ void add_speeds(Charts& c) {
   c.figure("speeds", "Speeds and torques", "Spin speeds", "spin speed", "rpm");
   c.recorded("/rotor/spin_speed", "rotor", rpm, {7, 1});
   c.of_supports("ring_speed", "ring", rpm);
-  c.figure("slip", "Speeds and torques", "Rotor surface past the bore", "slip speed", "m/s");
+  c.figure("slip", "Speeds and torques", "Slip between rotor surface and bore", "slip speed", "m/s");
   c.of_supports("slip_speed", "", 1.);
   c.figure("torques", "Speeds and torques", "Friction torque inside the bearings", "torque", "N m",
            "Load: eq. 21 of the source paper; drag: eq. 22; spin: the most loaded ball's spin moment, eq. 23.");
@@ -229,18 +230,18 @@ void add_speeds(Charts& c) {
 }
 
 void add_heat(Charts& c) {
-  c.figure("rub-heat", "Heat", "Heat of the rub", "heat rate", "kW");
+  c.figure("rub-heat", "Heat", "Rub heat rate", "heat rate", "kW");
   c.of_supports("rub_heat_rate", "", 1e-3);
-  c.figure("inner-heat", "Heat", "Heat inside the bearings", "heat rate", "W");
-  c.of_supports("inner_heat_rate", "inner race", 1., 0);
-  c.of_supports("outer_heat_rate", "outer race", 1., 1);
-  c.figure("heat-given", "Heat", "Heat since the start", "heat", "J");
+  c.figure("inner-heat", "Heat", "Bearing friction heat rate", "heat rate", "W");
+  c.of_supports("inner_heat_rate", "inner raceway", 1., 0);
+  c.of_supports("outer_heat_rate", "outer raceway", 1., 1);
+  c.figure("heat-given", "Heat", "Cumulative heat", "heat", "J");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     const std::string ledger = "/ledger/" + c.names()[i] + "/";
     c.recorded(ledger + "rub_heat", c.names()[i] + " rub", 1., {i, 0});
     c.recorded(ledger + "rub_heat_into_ring", c.names()[i] + " rub, into ring", 1., {i, 1});
-    c.recorded(ledger + "inner_heat", c.names()[i] + " inner race", 1., {i, 2});
-    c.recorded(ledger + "outer_heat", c.names()[i] + " outer race", 1., {i, 3});
+    c.recorded(ledger + "inner_heat", c.names()[i] + " inner raceway", 1., {i, 2});
+    c.recorded(ledger + "outer_heat", c.names()[i] + " outer raceway", 1., {i, 3});
   }
 }
 
@@ -255,7 +256,7 @@ void add_temperatures(Charts& c, const RecordedDrop& drop) {
                                                           {"inner_raceway", "inner raceway"},
                                                           {"outer_raceway", "outer raceway"},
                                                           {"housing_surface", "housing surface"}};
-  const std::string above = fmt::format("Rise over the ambient temperature of {:.2f} K. ", ambient);
+  const std::string above = fmt::format("Temperature rise above ambient ({:.2f} K). ", ambient);
   const bool both = drop.has(ThermalModelKind::lumped) && drop.has(ThermalModelKind::fe);
   for (const auto& [name, parameters] : drop.bearings()) {
     c.figure("temperature-" + name, "Temperatures", name + ": bodies", "temperature rise", "K",
@@ -268,9 +269,7 @@ void add_temperatures(Charts& c, const RecordedDrop& drop) {
                                                                                 : ""),
                    1., {k, kind == ThermalModelKind::fe ? 1u : 0u}, 0, ambient);
     c.figure("surfaces-" + name, "Temperatures", name + ": surfaces, finite elements", "temperature rise", "K",
-             above +
-                 "Lines: mean; bands: from the lowest to the highest over the width. All are means around the "
-                 "circumference.");
+             above + "Lines: mean; bands: lowest to highest across the width. All values are circumferential means.");
     for (std::size_t k = 0; k < std::size(surfaces); ++k) {
       const std::string path = drop.surface_path(name, surfaces[k].first);
       if (!drop.has(path)) continue;
@@ -281,10 +280,10 @@ void add_temperatures(Charts& c, const RecordedDrop& drop) {
 }
 
 void add_growth(Charts& c, const RecordedDrop& drop) {
-  const char* const surfaces[] = {"shaft", "bore", "inner race", "outer race", "ball radius"};
+  const char* const surfaces[] = {"shaft", "bore", "inner raceway", "outer raceway", "ball radius"};
   const bool both = drop.has(ThermalModelKind::lumped) && drop.has(ThermalModelKind::fe);
   for (const auto& [name, parameters] : drop.bearings()) {
-    c.figure("growth-" + name, "Growth and clearance", name + ": thermal growth", "growth of the radius", "um",
+    c.figure("growth-" + name, "Growth and clearance", name + ": thermal growth", "radial growth", "um",
              both ? "Solid: lumped circuit; dashed: finite elements." : "");
     for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
       for (std::size_t k = 0; k < std::size(surfaces); ++k)
@@ -295,12 +294,12 @@ void add_growth(Charts& c, const RecordedDrop& drop) {
                    1e6, {k, kind == ThermalModelKind::fe ? 1u : 0u}, k);
   }
   c.figure("clearance", "Growth and clearance", "Air gap between rotor and bore", "radial clearance", "um",
-           "When concentric, as the drop felt it.");
+           "With rotor and ring concentric, as used in the drop.");
   c.of_supports("clearance", "", 1e6);
 }
 
 void add_balls(Charts& c, const RecordedDrop& drop) {
-  c.figure("ball-loads", "Balls", "Load of the most loaded ball of each row", "ball load", "N");
+  c.figure("ball-loads", "Balls", "Load of the most heavily loaded ball in each row", "ball load", "N");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     const std::string path = "/bearings/" + c.names()[i] + "/ball_force";
     if (!drop.has(path)) continue;
@@ -308,7 +307,7 @@ void add_balls(Charts& c, const RecordedDrop& drop) {
     for (std::size_t row = 0; row < std::max<std::size_t>(rows.size(), 1); ++row)
       c.recorded(path, c.names()[i] + " row " + std::to_string(row + 1), 1., {i, row}, row);
   }
-  c.figure("pressures", "Balls", "Contact pressures", "pressure", "GPa", "Limit of static load by ISO 76: 4.2 GPa.");
+  c.figure("pressures", "Balls", "Contact pressures", "pressure", "GPa", "Static limit of ISO 76: 4.2 GPa.");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     std::size_t dash = 0;
     for (const auto& path : drop.pressure_paths(c.names()[i])) c.recorded(path, path.substr(10), 1e-9, {i, dash++});
@@ -316,17 +315,17 @@ void add_balls(Charts& c, const RecordedDrop& drop) {
 }
 
 void add_energy(Charts& c) {
-  c.figure("energy", "Energy", "Energy since the start", "energy", "J");
+  c.figure("energy", "Energy", "Cumulative energy", "energy", "J");
   c.recorded("/energy/dissipated", "dissipated", 1., {1, 0});
   c.recorded("/energy/heat_deposited", "heat deposited", 1., {4, 1});
   c.recorded("/energy/heat_stored", "heat stored", 1., {0, 0});
   c.recorded("/energy/heat_lost", "heat lost", 1., {5, 2});
-  c.recorded("/energy/growth_work", "work of growth", 1., {2, 0});
-  c.recorded("/energy/prescribed_work", "work of cage and waves", 1., {3, 0});
+  c.recorded("/energy/growth_work", "work of thermal growth", 1., {2, 0});
+  c.recorded("/energy/prescribed_work", "work of prescribed cage and waviness motion", 1., {3, 0});
   c.recorded("/energy/unbalance_work", "work of the unbalance", 1., {6, 1});
   c.recorded("/energy/drive_work", "work of the drive", 1., {7, 3});
-  c.figure("residuals", "Energy", "Energy not accounted for", "residual", "uJ",
-           "The error of the time integration, seen by independent accounts.");
+  c.figure("residuals", "Energy", "Energy-balance residual", "residual", "uJ",
+           "Error of the time integration, from independent balances.");
   c.recorded("/energy/residual", "mechanical", 1e6, {0, 0});
   c.recorded("/energy/heat_residual", "heat, lumped", 1e6, {1, 1});
   c.recorded("/energy/fe_heat_residual", "heat, finite elements", 1e6, {2, 2});

@@ -53,9 +53,8 @@ void check_clearance(Checks& checks, const RecordedDrop& drop, const std::string
   const auto least = std::min_element(s.values.begin(), s.values.end()) - s.values.begin();
   const double value = s.values[static_cast<std::size_t>(least)], time = s.times[static_cast<std::size_t>(least)];
   checks.add(name + ": air gap", value > 0.,
-             value > 0.
-                 ? fmt::format("stays open: smallest {:.4g} µm, at {:.4g} ms", value * 1e6, time * 1e3)
-                 : fmt::format("GONE: thermal growth closes it, {:.4g} µm at {:.4g} ms", value * 1e6, time * 1e3));
+             value > 0. ? fmt::format("stays open: smallest {:.4g} µm, at {:.4g} ms", value * 1e6, time * 1e3)
+                        : fmt::format("CLOSED by thermal growth: {:.4g} µm at {:.4g} ms", value * 1e6, time * 1e3));
 }
 
 void check_load(Checks& checks, const RecordedDrop& drop, const std::string& name, const TouchdownParameters& b,
@@ -66,8 +65,8 @@ void check_load(Checks& checks, const RecordedDrop& drop, const std::string& nam
     double largest = 0.;
     for (std::size_t k = 0; k < y.values.size(); ++k) largest = std::max(largest, std::hypot(y.values[k], z.values[k]));
     checks.add(name + ": static load rating", largest < b.C0,
-               fmt::format("largest radial load {:.4g} kN, C0 = {:.4g} kN; ISO 76 takes their ratio, {:.3g}, as safety "
-                           "against lasting dents",
+               fmt::format("largest radial load {:.4g} kN, C0 = {:.4g} kN; their ratio, {:.3g}, is the static safety "
+                           "factor of ISO 76 against permanent indentation",
                            largest * 1e-3, b.C0 * 1e-3, b.C0 / largest));
   }
   double pressure = 0.;
@@ -90,16 +89,17 @@ void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
   const double resolved = at(summary, key + "fastest_resolved");
   const bool is_full = summary.at(Json::json_pointer(key + "full_rub")) == "yes";
   if (std::isfinite(speed)) {
+    checks.add(name + ": backward whirl", false,
+               fmt::format("sustained, up to {:.4g} Hz, during {:.3g} % of the contact time{}",
+                           speed / (2. * std::numbers::pi), 100. * at(summary, key + "backward_whirl_share"),
+                           is_full ? "; full rub" : ""));
     checks.add(
-        name + ": backward whirl", false,
-        fmt::format("sustained, up to {:.4g} Hz, in {:.3g} % of the contact time{}", speed / (2. * std::numbers::pi),
-                    100. * at(summary, key + "backward_whirl_share"), is_full ? "; full rub" : ""));
-    checks.add(name + ": whirl between samples", speed < resolved,
-               fmt::format("the fastest that the recorded interval resolves is {:.4g} Hz",
-                           resolved / (2. * std::numbers::pi)));
+        name + ": whirl resolved by the recording", speed < resolved,
+        fmt::format("the recording interval resolves whirl up to {:.4g} Hz", resolved / (2. * std::numbers::pi)));
   } else {
-    checks.add(name + ": backward whirl", true,
-               fmt::format("none sustained over a turn (longest whirl: {})", summary.at(direction).get<std::string>()));
+    checks.add(
+        name + ": backward whirl", true,
+        fmt::format("none sustained for a full turn (longest whirl: {})", summary.at(direction).get<std::string>()));
   }
 }
 
@@ -111,21 +111,21 @@ void check_skidding(Checks& checks, const Json& summary, const std::string& name
     return;
   }
   const bool is_rolling = beyond <= relevant_speed_share * all;
-  checks.add(
-      name + ": skidding", is_rolling,
-      fmt::format("{}: for {:.4g} ms, {:.4g} ms at one stretch, friction at the races cannot keep all rows rolling; "
-                  "{:.3g} % of the ring's changes of speed fall into it{}",
-                  is_rolling ? "the balls can be taken as rolling"
-                  : std::isfinite(at(summary, key + "/skid/row"))
-                      ? fmt::format("balls of row {:.0f} may skid", at(summary, key + "/skid/row"))
-                      : "balls may skid",
-                  1e3 * at(summary, key + "/skid/time_beyond"), 1e3 * at(summary, key + "/skid/longest_beyond"),
-                  all > 0. ? 100. * beyond / all : 0., is_rolling ? "" : ", while the program takes them as rolling"));
+  checks.add(name + ": skidding", is_rolling,
+             fmt::format("{}: for {:.4g} ms in total (longest stretch {:.4g} ms) friction at the raceways cannot keep "
+                         "all rows rolling; {:.3g} % of the ring's speed changes occur in that time{}",
+                         is_rolling ? "the balls can be assumed to roll"
+                         : std::isfinite(at(summary, key + "/skid/row"))
+                             ? fmt::format("balls of row {:.0f} may skid", at(summary, key + "/skid/row"))
+                             : "balls may skid",
+                         1e3 * at(summary, key + "/skid/time_beyond"), 1e3 * at(summary, key + "/skid/longest_beyond"),
+                         all > 0. ? 100. * beyond / all : 0.,
+                         is_rolling ? "" : ", although the program assumes pure rolling"));
   const double pivoting = at(summary, key + "/gyroscopic/largest_demand");
   if (pivoting > 0.)
-    checks.add(name + ": pivoting of balls", pivoting <= 1.,
-               fmt::format("their gyroscopic moments ask for up to {:.3g} times the friction at the outer race, beyond "
-                           "it for {:.4g} ms",
+    checks.add(name + ": gyroscopic pivoting of balls", pivoting <= 1.,
+               fmt::format("gyroscopic moments require up to {:.3g} times the available friction at the outer raceway "
+                           "and exceed it for {:.4g} ms",
                            pivoting, 1e3 * at(summary, key + "/gyroscopic/time_beyond")));
 }
 
@@ -145,15 +145,13 @@ void check_balls(Checks& checks, const Json& summary, const std::string& name) {
     centrifugal = std::max(centrifugal, row["centrifugal_over_load"].get<double>());
   }
   checks.add(name + ": contact ellipses on the raceway", worst == 0,
-             worst == 0
-                 ? "none reaches over the raceway's edge"
-                 : fmt::format("those of row {} reach over the raceway's edge by up to {:.0f} % of their length: "
-                               "pressure and static safety are void there",
-                               worst, 100. * truncation));
+             worst == 0 ? "none extends beyond the raceway's edge"
+                        : fmt::format("those of row {} extend beyond the raceway's edge by up to {:.0f} % of their "
+                                      "length: pressure and static safety are not valid there",
+                                      worst, 100. * truncation));
   if (summary.at(Json::json_pointer("/bearings/" + name)).value("ball_model", "") == "quasi-static" && centrifugal > 0.)
     checks.add(name + ": centrifugal forces of the balls", centrifugal <= relevant_centrifugal_share,
-               fmt::format("{:.2g} times the ball loads in the mean; ball_model = \"quasi-static\" leaves them out",
-                           centrifugal));
+               fmt::format("{:.2g} times the mean ball load; ball_model = \"quasi-static\" ignores them", centrifugal));
 }
 
 /// The rubbed surfaces, by the replay of the moving band in summary.json.
@@ -175,8 +173,8 @@ void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Jso
                               : ambient + high >= steel_limit ? "below, but the upper bound is above,"
                                                               : "below";
   const std::string text = fmt::format(
-      "the bore reaches {:.0f} K at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving band of heat, lasting some "
-      "milliseconds); {} the 423 K up to which bearing steel keeps its dimensions",
+      "the bore reaches {:.0f} K at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving heat band, lasting some "
+      "milliseconds); {} the 423 K up to which bearing steel is dimensionally stable",
       ambient + rise, time * 1e3, ambient + low, ambient + high, verdict);
   if (ambient + rise < steel_limit && ambient + high >= steel_limit)
     checks.uncertain(title, text);
@@ -197,8 +195,8 @@ void check_wear(Checks& checks, const Json& summary, const std::string& name) {
   }
   checks.add(
       name + ": wear", drops >= 1.,
-      fmt::format("bore {:.2g} um and rotor {:.2g} um deep at most after this drop; {:.2g} such drops in one place "
-                  "until {:.3g} um. Wear coefficients are known to a factor of ten at best",
+      fmt::format("largest depth {:.2g} um in the bore and {:.2g} um in the rotor after this drop; {:.2g} such drops "
+                  "at the same position until {:.3g} um. Wear coefficients are known to a factor of ten at best",
                   bore * 1e6, at(summary, key + "rotor_depth") * 1e6, drops, at(summary, key + "depth_limit") * 1e6));
 }
 
@@ -210,9 +208,10 @@ void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::str
         warmest = std::max(warmest, largest_of(drop.series(path)).value);
   const std::string title = name + ": mean temperature of rings and balls";
   if (warmest > 0.)
-    checks.add(title, warmest < steel_limit,
-               fmt::format("up to {:.4g} K; bearing steel keeps its dimensions to 423 K. Surfaces that rub are hotter",
-                           warmest));
+    checks.add(
+        title, warmest < steel_limit,
+        fmt::format("up to {:.4g} K; bearing steel is dimensionally stable up to 423 K. Surfaces that rub are hotter",
+                    warmest));
   else
     checks.unknown(title, "not assessed: no thermal model ran");
 }
@@ -259,8 +258,9 @@ void check_residual(Checks& checks, const Json& summary, const std::string& name
                     const std::string& whole) {
   const double r = at(summary, residual), all = at(summary, whole);
   if (!std::isfinite(r)) return;
-  checks.add(name, std::fabs(r) <= residual_limit * std::max(std::fabs(all), 1e-3),
-             fmt::format("{:.2g} J of {:.5g} J; more than a thousandth would say that steps are too coarse", r, all));
+  checks.add(
+      name, std::fabs(r) <= residual_limit * std::max(std::fabs(all), 1e-3),
+      fmt::format("{:.2g} J of {:.5g} J; more than 0.1 % would mean that the time steps are too coarse", r, all));
 }
 
 }  // namespace
@@ -270,14 +270,15 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
   const double end = drop.parameters().run.latest_end();
   if (summary.is_null()) {
     checks.add("complete", false,
-               "there is no summary.json: the run still goes on, was killed or failed; the table below lacks what only "
-               "the summary holds");
+               "there is no summary.json: the run is still going, was killed, or failed; the table below omits values "
+               "that only the summary contains");
   } else {
     const bool completed = summary.contains("run") && summary["run"].value("completed", false);
     checks.add("complete", completed,
-               completed ? "the run reached its end"
-                         : fmt::format("INTERRUPTED at {:.6g} ms of {:.6g} ms: peaks and ends are of this part only",
-                                       1e3 * at(summary, "/run/end_time"), 1e3 * end));
+               completed
+                   ? "the run reached its end"
+                   : fmt::format("INTERRUPTED at {:.6g} ms of {:.6g} ms: peak and end values cover this part only",
+                                 1e3 * at(summary, "/run/end_time"), 1e3 * end));
   }
   for (const auto& [name, b] : drop.bearings()) {
     check_clearance(checks, drop, name);

@@ -43,30 +43,31 @@ void add_summary(Rows& rows, std::size_t column, const Json& b) {
   for (const Row& r :
        {Row{"/first_contact_time", "first contact", "ms", 1e3},
         {"/peak_contact_force", "peak contact force (0-peak)", "kN", 1e-3},
-        {"/peak_contact_force_time", "… at", "ms", 1e3},
+        {"/peak_contact_force_time", "time of peak contact force", "ms", 1e3},
         {"/mean_contact_force_end", "mean contact force, last 50 ms", "N", 1.},
-        {"/largest_ball_force", "largest load of a ball", "N", 1.},
-        {"/first_bounce_apex", "apex of the first bounce, y", "um", 1e6},
-        {"/peak_friction_heat_rate", "peak heat of the rub", "kW", 1e-3},
+        {"/largest_ball_force", "largest ball load", "N", 1.},
+        {"/first_bounce_apex", "apex of first bounce (y)", "um", 1e6},
+        {"/peak_friction_heat_rate", "peak rub heat rate", "kW", 1e-3},
         {"/friction_heat", "rub heat", "J", 1.},
-        {"/inner_heat", "heat at the inner race", "J", 1.},
-        {"/outer_heat", "heat at the outer race", "J", 1.},
-        {"/catch_up_time", "ring within 1 % of the rotor's surface speed", "ms", 1e3},
-        {"/ring_speed_end", "ring speed at the end", "rpm", rpm},
-        {"/temperature_rise_end/inner_ring", "inner ring warmer at the end, lumped", "K", 1.},
-        {"/fe/temperature_rise_end/inner_ring", "inner ring warmer at the end, FE mean", "K", 1.},
-        {"/fe/surface_rise/bore/highest", "bore warmer at most, FE (circumferential mean)", "K", 1.},
+        {"/inner_heat", "bearing friction heat, inner raceway", "J", 1.},
+        {"/outer_heat", "bearing friction heat, outer raceway", "J", 1.},
+        {"/catch_up_time", "end of spin-up (ring within 1 % of rotor surface speed)", "ms", 1e3},
+        {"/ring_speed_end", "ring speed at end", "rpm", rpm},
+        {"/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, lumped", "K", 1.},
+        {"/fe/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, FE mean", "K", 1.},
+        {"/fe/surface_rise/bore/highest", "largest bore temperature rise, FE (circumferential mean)", "K", 1.},
         {"/local/bore_rise", "local temperature rise of the bore where it rubs", "K", 1.},
         {"/local/bore_rise_low", "… lower bound", "K", 1.},
         {"/local/bore_rise_high", "… upper bound", "K", 1.},
         {"/local/bore_rise_time", "… reached at", "ms", 1e3},
         {"/local/rotor_rise", "local temperature rise of the rotor where it rubs", "K", 1.},
-        {"/wear/bore_depth", "wear depth of the bore, largest, estimated", "um", 1e6},
-        {"/wear/rotor_depth", "wear depth of the rotor, largest, estimated", "um", 1e6},
-        {"/wear/drops_until_limit", "such drops until the allowed wear depth", "", 1.},
-        {"/whirl/frequency", "longest whirl, mean frequency", "Hz", 1.},
+        {"/wear/bore_depth", "largest wear depth of the bore, estimated", "um", 1e6},
+        {"/wear/rotor_depth", "largest wear depth of the rotor, estimated", "um", 1e6},
+        {"/wear/drops_until_limit", "number of such drops until the permitted wear depth", "", 1.},
+        {"/whirl/frequency", "mean frequency of longest whirl", "Hz", 1.},
         {"/whirl/largest_backward_speed", "fastest sustained backward whirl", "Hz", hertz},
-        {"/whirl/full_rub_condition/speed_at_bottom", "full rub needs at the bottom, sliding", "Hz", hertz}}) {
+        {"/whirl/full_rub_condition/speed_at_bottom", "whirl speed at bottom required for full backward rub", "Hz",
+         hertz}}) {
     const Json::json_pointer pointer(r.key);
     if (!b.contains(pointer)) continue;
     const Json& value = b.at(pointer);
@@ -76,7 +77,7 @@ void add_summary(Rows& rows, std::size_t column, const Json& b) {
                  : std::string("—"));
   }
   if (b.contains("whirl")) {
-    rows.set(column, "longest whirl, direction", "", b["whirl"]["direction"].get<std::string>());
+    rows.set(column, "direction of longest whirl", "", b["whirl"]["direction"].get<std::string>());
     rows.set(column, "full backward rub", "", b["whirl"]["full_rub"].get<std::string>());
   }
 }
@@ -108,9 +109,9 @@ Json report_numbers(const RecordedDrop& drop, const Json& summary) {
     fact("rotor speed at the end", summary["rotor_speed_end"], "rpm", rpm);
     const Json& e = summary["energy"];
     fact("mechanical energy dissipated", e["dissipated"], "J", 1.);
-    fact("heat given to each thermal model", e["heat_deposited"], "J", 1.);
-    fact("mechanical energy not accounted for", e["residual"], "J", 1.);
-    fact("simulated", summary["run"]["end_time"], "ms", 1e3);
+    fact("heat input to each thermal model", e["heat_deposited"], "J", 1.);
+    fact("mechanical energy residual", e["residual"], "J", 1.);
+    fact("simulated time", summary["run"]["end_time"], "ms", 1e3);
     fact("computing time", summary["run"]["wall_time"], "s", 1.);
   }
   return {{"bearings", names}, {"rows", rows.take()}, {"whole", whole}};

@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 std::string driver_words(const std::string& driver) {
   if (driver == "lumped") return "the lumped thermal circuit";
   if (driver == "fe") return "the finite elements";
-  if (driver == "recorded") return "growth that an earlier run recorded";
-  return "nothing: thermal growth is computed, if at all, but not felt";
+  if (driver == "recorded") return "thermal growth recorded by an earlier run";
+  return "no model: thermal growth, if computed, is not fed back";
 }
 
 std::string bearing_words(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact) {
@@ -40,18 +40,19 @@ Json report_words(const RecordedDrop& drop) {
   const RotorReport rotor = rotor_report(p.rotor);
   Json words = Json::array();
   const auto touchdown = drop.bearings();
-  words.push_back(fmt::format(
-      "A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) turns at {:.6g} rpm {} {:.6g} ms are "
-      "computed, at an ambient temperature of {:.2f} K.",
-      rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * 30. / std::numbers::pi,
-      touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.", p.run.latest_end() * 1e3,
-      p.run.ambient));
+  words.push_back(
+      fmt::format("A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) spins at {:.6g} rpm {} "
+                  "The simulation covers {:.6g} ms at an ambient temperature of {:.2f} K.",
+                  rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * 30. / std::numbers::pi,
+                  touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.",
+                  p.run.latest_end() * 1e3, p.run.ambient));
   if (p.run.until != EndCondition::time)
     words.push_back(fmt::format("The run ends before that with run.until = \"{}\".", name_of(p.run.until)));
   if (p.rotor.windage)
     words.push_back(p.rotor.windage->law == WindageLaw::geometry
-                        ? "The gas around the rotor brakes it, by smooth cylinders and faces of its geometry."
-                        : "The gas around the rotor brakes it, by a power of the speed.");
+                        ? "Windage of the surrounding gas brakes the rotor; it is computed from the smooth cylinders "
+                          "and faces of the rotor's geometry."
+                        : "Windage of the surrounding gas brakes the rotor; its torque follows a power of the speed.");
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown()) {
       words.push_back(bearing_words(entry.name, *b, p.contact));
@@ -61,16 +62,16 @@ Json report_words(const RecordedDrop& drop) {
       words.push_back(fmt::format("{} is a {} at the rotor's node {}.", entry.name,
                                   entry.linear()   ? "linear support"
                                   : entry.magnet() ? "magnet, which holds the rotor until its release,"
-                                                   : "support of another program's kind",
+                                                   : "support defined by another program",
                                   entry.node()));
   if (!touchdown.empty()) {
     const auto& over_speed = p.contact.friction_over_speed;
     words.push_back(fmt::format(
-        "Rotor and inner rings rub with a friction coefficient {}{}.",
+        "The friction coefficient between rotor and inner rings is {}{}.",
         over_speed
-            ? fmt::format("over slip speed, {:.3g} at {:.3g} m/s to {:.3g} at {:.3g} m/s", over_speed->front()[1],
+            ? fmt::format("given over slip speed, {:.3g} at {:.3g} m/s to {:.3g} at {:.3g} m/s", over_speed->front()[1],
                           over_speed->front()[0], over_speed->back()[1], over_speed->back()[0])
-            : fmt::format("of {:.3g}", p.contact.friction_coefficient),
+            : fmt::format("{:.3g}", p.contact.friction_coefficient),
         p.contact.friction_over_temperature ? ", times a factor over the inner ring's mean temperature" : ""));
     words.push_back(fmt::format("Thermal models: {}{}{}. The clearances follow {}.",
                                 p.thermal.has_lumped ? "lumped circuit" : "",
@@ -91,45 +92,47 @@ Json report_assumptions(const RecordedDrop& drop) {
                                                                           : std::string("rigid"),
                              p.rotor.axial_motion == AxialFreedom::free ? "with rigid" : "without"));
   if (drop.bearings().empty()) return list;
-  list.push_back(fmt::format(
-      "Rotor and inner ring touch by a Hunt-Crossley law with exponent {:.4g} that never pulls; friction is Coulomb's, "
-      "smoothed below {:.3g} m/s.",
-      p.contact.exponent, p.contact.regularisation_speed));
+  list.push_back(
+      fmt::format("Contact between rotor and inner ring follows a Hunt-Crossley law with exponent {:.4g} (never "
+                  "tensile); friction follows Coulomb's law, smoothed below {:.3g} m/s.",
+                  p.contact.exponent, p.contact.regularisation_speed));
   for (const auto& [name, b] : drop.bearings())
     list.push_back(fmt::format("{}: the inner ring {}; the outer ring moves radially with its support.", name,
                                b.ring_motion == RingMotion::free ? "moves radially and along its axis, tilts and spins"
                                                                  : "moves radially and spins"));
   for (const auto& [name, b] : drop.bearings())
-    list.push_back(fmt::format("{}: load-dependent friction of the {} load; heat inside the bearing is {}.", name,
-                               b.load_law == FrictionLoadLaw::radial ? "radial" : "equivalent (preload included)",
+    list.push_back(fmt::format("{}: the load-dependent friction torque uses the {} load; bearing friction heat is {}.",
+                               name, b.load_law == FrictionLoadLaw::radial ? "radial" : "equivalent (preload included)",
                                b.internal_heat == InternalHeat::energy_consistent
                                    ? "friction torque times ring speed (energy-consistent)"
                                : b.internal_heat == InternalHeat::ball_speed
                                    ? "friction torque times ball speed, more than the work done (for comparison)"
-                                   : "not only friction torque times ring speed"));
+                                   : "friction torque times ring speed, plus the heat of the balls' spin moments"));
   if (p.thermal.heat_share == HeatShare::constant)
-    list.push_back(fmt::format(
-        "In the thermal models a constant share of {:.3g} of the rub heat enters the inner ring, the rest the "
-        "rotor.",
-        p.thermal.share_to_ring));
+    list.push_back(
+        fmt::format("Heat partition in the thermal models: a constant share of {:.3g} of the rub heat enters the inner "
+                    "ring, the rest enters the rotor.",
+                    p.thermal.share_to_ring));
   else
     list.push_back(
-        "In the thermal models the rub heat is shared between ring and rotor by their speeds (Jaeger, Blok).");
+        "Heat partition in the thermal models: the rub heat is divided between ring and rotor according to their "
+        "surface speeds (Jaeger, Blok).");
   if (p.thermal.has_lumped)
-    list.push_back("The lumped circuit has one temperature per body; it says nothing of a surface.");
+    list.push_back("The lumped circuit has one temperature per body; it does not resolve surface temperatures.");
   if (p.thermal.has_fe)
-    list.push_back("The finite elements are axisymmetric: all their temperatures are means around the circumference.");
-  list.push_back(fmt::format(
-      "The surfaces that rub are locally far warmer for milliseconds than any of these temperatures. Their local "
-      "temperature is that of a moving band of heat, {}, whose heat is shared {}; it acts on nothing else.",
-      p.thermal.rub_band == RubBand::hertz ? "as long as Hertz's line contact"
-                                           : fmt::format("{:.3g} mm long", p.thermal.rub_band_length * 1e3),
-      p.thermal.local_share == LocalShare::one_temperature
-          ? "so that rotor and bore have one temperature where they touch"
-          : "as in the thermal models"));
+    list.push_back("The finite elements are axisymmetric: all their temperatures are circumferential means.");
   list.push_back(
-      fmt::format("Wear is Archard's, {:.2g} m2/N of the bore and {:.2g} m2/N of the rotor times force and "
-                  "sliding distance; it changes no clearance.",
+      fmt::format("During an impact the surfaces that rub are locally much hotter for milliseconds than any of these "
+                  "temperatures. Their local temperature is that of a moving heat band, {}, whose heat is divided {}; "
+                  "it has no effect on the motion.",
+                  p.thermal.rub_band == RubBand::hertz ? "with the length of the Hertz line contact"
+                                                       : fmt::format("{:.3g} mm long", p.thermal.rub_band_length * 1e3),
+                  p.thermal.local_share == LocalShare::one_temperature
+                      ? "so that rotor and bore have one temperature where they touch"
+                      : "as in the thermal models"));
+  list.push_back(
+      fmt::format("Wear follows Archard's law, {:.2g} m2/N for the bore and {:.2g} m2/N for the rotor times force and "
+                  "sliding distance; it does not change the clearances.",
                   p.contact.wear_coefficient_bore, p.contact.wear_coefficient_rotor));
   return list;
 }

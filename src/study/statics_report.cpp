@@ -22,10 +22,11 @@ constexpr double degrees = 180. / std::numbers::pi;
 
 void require_found(const EquilibriumResult& r, const std::string& what) {
   if (r.found) return;
-  throw SolverError(fmt::format(
-      "no equilibrium of {} was found: {:.2g} of the forces are left after {} Newton steps and {} downhill.\n"
-      "       Check the loads against the static load rating C0, and the units.",
-      what, r.residual, r.newton_steps, r.descent_steps));
+  throw SolverError(
+      fmt::format("no equilibrium of {} was found: the residual is still {:.2g} of the forces after {} Newton steps "
+                  "and {} descent steps.\n"
+                  "       Check the loads against the static load rating C0, and the units.",
+                  what, r.residual, r.newton_steps, r.descent_steps));
 }
 
 Json search_json(const EquilibriumResult& r) {
@@ -173,9 +174,10 @@ std::string ring_text(const Json& r) {
                         r["bending"]["largest_outwards"].get<double>() * 1e6,
                         r["bending"]["largest_inwards"].get<double>() * 1e6);
   if (r["floating"].get<bool>()) return text + "\n  floating: no ball touches the inner ring\n";
-  text += fmt::format("; preload left {:.4g} N\n", r["preload"].get<double>());
+  text += fmt::format("; remaining preload {:.4g} N\n", r["preload"].get<double>());
   if (const int n = r["free_directions"].get<int>(); n > 0)
-    text += fmt::format("  {} of the five directions {} free: no ball resists there\n", n, n == 1 ? "is" : "are");
+    text += fmt::format("  {} of the five directions {} unconstrained: no ball resists motion there\n", n,
+                        n == 1 ? "is" : "are");
   text += fmt::format("  {:>4} {:>8} {:>10} {:>12} {:>19} {:>12} {:>10} {:>8}\n", "row", "loaded", "axial [N]",
                       "ball max [N]", "angles in/out [deg]", "ellipse [mm]", "p [GPa]", "s0");
   std::size_t i = 0;
@@ -260,8 +262,8 @@ std::string statics_text(const Json& report) {
     }
   if (report.contains("shaft")) {
     const auto& s = report["shaft"];
-    text += fmt::format("Rotor of {:.6g} N at rest; sags by {:.4g} um at x = {:.4g} m\n", s["weight"].get<double>(),
-                        s["sag"].get<double>() * 1e6, s["sag_position"].get<double>());
+    text += fmt::format("Rotor at rest, weight {:.6g} N; static sag {:.4g} um at x = {:.4g} m\n",
+                        s["weight"].get<double>(), s["sag"].get<double>() * 1e6, s["sag_position"].get<double>());
     for (const auto& [name, one] : s["supports"].items()) {
       text += fmt::format("{} (node {}): carries y {:.6g}, z {:.6g} N; journal at y {:.4g}, z {:.4g} um\n", name,
                           one["node"].get<int>(), one["force_on_rotor"]["y"].get<double>(),

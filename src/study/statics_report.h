@@ -6,7 +6,7 @@
 
 namespace rotordrop {
 
-/// Rest of what [statics] names, SI; see docs/statics.md for every key.
+/// Static equilibrium of the subject of [statics], SI; see docs/how-to/statics.md for every key.
 /// @param bearing  only this touchdown bearing; empty: all
 /// @throws InputError for an unknown bearing, SolverError if no equilibrium is found
 nlohmann::ordered_json find_rest(const Case& static_case, const std::string& bearing);

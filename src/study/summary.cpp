@@ -99,7 +99,7 @@ Json bearing_summary(const Machine& machine, const DropScalars& scalars, std::si
   return j;
 }
 
-// docs/model.md, section 8: the rub heat from the spin-up alone, whatever friction, bounces and waves:
+// docs/theory/model.md, section 8: the rub heat from the spin-up alone, whatever friction, bounces and waves:
 //   E_slip = (r_r/r_b) integral omega_r (J omega_i' + M) dt - J omega_i^2/2 - integral M omega_i dt + integral F_t v_t dt.
 Json spin_up_balance(const Machine& machine, std::size_t support, std::span<const double> y, double ring_speed) {
   const auto* bearing = dynamic_cast<const TouchdownBearing*>(&machine.support(support));
@@ -121,14 +121,14 @@ std::string skid_text(const std::string& name, const Json& b) {
   std::string text;
   if (beyond > relevant_speed_share * all)
     text += fmt::format(
-        "{}balls of row {} may skid: in {:.4g} ms, with {:.0f} % of the ring's changes of speed, friction at the races "
-        "cannot keep them rolling\n",
+        "{}balls of row {} may skid: for {:.4g} ms, with {:.0f} % of the ring's speed changes, friction at the "
+        "raceways cannot keep them rolling\n",
         indent, b["skid"]["row"].is_null() ? 1 : b["skid"]["row"].get<int>(), number("skid", "time_beyond") * 1e3,
         100. * beyond / all);
   if (const double largest = number("gyroscopic", "largest_demand"); largest > 1.)
     text += fmt::format(
-        "{}balls may pivot: their gyroscopic moments ask for up to {:.3g} times the friction at the outer race, "
-        "beyond it for {:.4g} ms\n",
+        "{}balls may pivot: their gyroscopic moments require up to {:.3g} times the available friction at the outer "
+        "raceway and exceed it for {:.4g} ms\n",
         indent, largest, number("gyroscopic", "time_beyond") * 1e3);
   return text;
 }
@@ -286,16 +286,16 @@ std::string summary_text(const Json& j) {
   const double rpm = 30. / std::numbers::pi;
   if (j.contains("bearings"))
     for (const auto& [name, b] : j["bearings"].items()) {
-      text += fmt::format("{}: first contact {}, peak force {:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", name,
-                          time(b["first_contact_time"], 1e3, "ms"), b["peak_contact_force"].get<double>() * 1e-3,
+      text += fmt::format("{}: first contact {}, peak contact force {:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n",
+                          name, time(b["first_contact_time"], 1e3, "ms"), b["peak_contact_force"].get<double>() * 1e-3,
                           b["friction_heat"].get<double>(), b["peak_friction_heat_rate"].get<double>() * 1e-3);
-      text += fmt::format("{:{}}ring {:.0f} rpm at the end, catches up: {}; ", "", name.size() + 2,
+      text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; ", "", name.size() + 2,
                           b["ring_speed_end"].get<double>() * rpm, time(b["catch_up_time"], 1e3, "ms"));
       text += "mean temperature rise ";
       const char* separator = "";
       if (b.contains("temperature_rise_end")) {
         text += rises_text(b["temperature_rise_end"]);
-        separator = "; by finite elements ";
+        separator = "; finite elements ";
       }
       if (b.contains("fe"))
         text += separator + rises_text(b["fe"]["temperature_rise_end"]) +
@@ -305,7 +305,7 @@ std::string summary_text(const Json& j) {
       text += local_text(name, b);
       if (const double p = b["largest_contact_pressure"].get<double>(); p > static_pressure_limit)
         text += fmt::format(
-            "{:{}}balls press on the races with {:.2f} GPa, beyond the static limit of {:.1f} GPa (ISO 76)\n", "",
+            "{:{}}contact pressure of the balls {:.2f} GPa exceeds the static limit of {:.1f} GPa (ISO 76)\n", "",
             name.size() + 2, p * 1e-9, static_pressure_limit * 1e-9);
       text += ball_text(name, b) + skid_text(name, b);
       if (b.contains("axial"))
@@ -332,11 +332,11 @@ std::string summary_text(const Json& j) {
                       e["heat_deposited"].get<double>());
   if (e.contains("heat_residual")) text += fmt::format(", residual {:.1e} J", e["heat_residual"].get<double>());
   if (e.contains("fe_heat_residual"))
-    text += fmt::format(", of the finite elements {:.1e} J", e["fe_heat_residual"].get<double>());
+    text += fmt::format(", finite-element residual {:.1e} J", e["fe_heat_residual"].get<double>());
   if (j.contains("windows"))
     text += fmt::format(
-        ", of the finite elements {:.1e} J\nWindows: {} of {:.3g} to {:.3g} ms; error of growth up to "
-        "{:.2g} nm of {:.0f} nm",
+        ", of the finite elements {:.1e} J\nWindows: {} of {:.3g} to {:.3g} ms; growth error up to {:.2g} nm of {:.0f} "
+        "nm",
         j["windows"]["heat_residual"].get<double>(), j["windows"]["count"].get<long>(),
         j["windows"]["shortest"].get<double>() * 1e3, j["windows"]["longest"].get<double>() * 1e3,
         j["windows"]["largest_growth_error"].get<double>() * 1e9, j["windows"]["largest_growth"].get<double>() * 1e9);

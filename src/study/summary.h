@@ -6,13 +6,13 @@
 
 namespace rotordrop {
 
-/// Scalars of a run, SI; see docs/results.md for every key.
+/// Scalars of a run, SI; see docs/reference/results.md for every key.
 /// @param elements  of the machine, or null
 /// @param recorded  series of the finite elements, of orbits and rubs
 nlohmann::ordered_json summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
                                  const DropResult& result, FiniteElements* elements, const RecordedDrop& recorded);
 
-/// A few lines that answer a user's first questions.
+/// The main results as a few lines for the terminal.
 std::string summary_text(const nlohmann::ordered_json& summary);
 
 }  // namespace rotordrop

@@ -25,7 +25,7 @@ struct Tolerance {
   [[nodiscard]] double at(double first, double second) const;
 };
 
-/// What one quantity has over another, over the time that both cover.
+/// Difference of two quantities over the time that both cover.
 struct Difference {
   TimeSeries series;             ///< second - first
   std::vector<double> allowed;   ///< tolerance at each sample of it
@@ -54,7 +54,7 @@ struct Extreme {
   double value = 0, time = 0;
 };
 Extreme largest_of(const TimeSeries& series);
-/// Of those with `from` <= time <= `to`; none if there are none.
+/// Samples with `from` <= time <= `to`; none if there are none.
 std::optional<Extreme> largest_of(const TimeSeries& series, double from, double to);
 
 /// First time after `from` at which the series passes zero upwards (or downwards), on the straight line between samples.

@@ -23,7 +23,7 @@ struct ThermalMaterial {
   std::optional<PropertyTable> conductivity_table = {}, heat_capacity_table = {};
 };
 
-/// What the circuit of one touchdown bearing is made from (docs/model.md; Neisi 2019, section 3.4, fig. 6, table 1).
+/// What the circuit of one touchdown bearing is made from (docs/theory/model.md; Neisi 2019, section 3.4, fig. 6, table 1).
 struct BearingCircuitData {
   std::string name;                               ///< of the bearing
   ThermalMaterial ring, ball;                     ///< steel of rings, housing and shaft; balls

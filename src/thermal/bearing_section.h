@@ -11,7 +11,7 @@ namespace rotordrop {
 /// The section of a touchdown bearing in its housing. All rows sit in one inner and one outer ring: bearings side by side are joined, which
 /// for a symmetric pair changes nothing, since no heat crosses the plane between mirror images. x counts from the middle of the bearing.
 ///
-/// Groove arcs (docs/model.md, section 3) about their centres, with n = (direction sin phi, cos phi) from inner to outer contact:
+/// Groove arcs (docs/theory/model.md, section 3) about their centres, with n = (direction sin phi, cos phi) from inner to outer contact:
 ///   inner   (x, d_m/2) + (r_in - d/2) n,   radius r_in  = f_in d
 ///   outer   (x, d_m/2) - (r_out - d/2) n,  radius r_out = f_out d
 /// Radial clearance, some 20 um, is left out: the grooves stand as if balls touched both.

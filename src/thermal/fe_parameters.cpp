@@ -7,7 +7,7 @@ namespace rotordrop {
 
 Section<FeParameters> fe_section() {
   using P = FeParameters;
-  Section<P> s("fe", "Finite elements of every touchdown bearing: the mesh of rings and housing (docs/mesh.md).");
+  Section<P> s("fe", "Finite elements of every touchdown bearing: the mesh of rings and housing (docs/how-to/mesh.md).");
   s.quantity("surface_cell", &P::surface_cell,
              {.unit = "m",
               .range = between(1e-7, 1e-2),
@@ -50,7 +50,7 @@ Section<FeParameters> fe_section() {
                "or half-way to the next touchdown bearing. Of thermal.fe.shaft = \"beyond\"."});
   s.text("mesh", &P::mesh,
          {.help = "Your own mesh to use instead: a gmsh .msh file or .geo script, next to the case. NAME stands for "
-                  "the bearing's name: \"meshes/NAME.msh\". Requirements: docs/mesh.md."});
+                  "the bearing's name: \"meshes/NAME.msh\". Requirements: docs/how-to/mesh.md."});
   s.choice("section", &P::section, {{"grooved", FeSection::grooved}, {"plain", FeSection::plain}},
            {.fallback = "grooved",
             .help = "Shape of the rings' section. grooved: raceways with their grooves, meshed by gmsh. plain: "

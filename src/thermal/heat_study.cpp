@@ -57,13 +57,6 @@ class StudyMaker {
     faults_.add(table ? position_of_value(*table, key) : SourcePosition{},
                 place + "#" + std::to_string(i + 1) + ": " + message, advice);
   }
-  static std::string known(const std::string& word, const std::vector<std::string>& names) {
-    const std::string guess = closest_name(word, names);
-    std::string list;
-    for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
-    return (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") + ("Known: " + list + ".");
-  }
-
   void add_bodies() {
     std::vector<std::string> materials;
     for (const auto& entry : p_.materials) materials.push_back(entry.first);
@@ -74,7 +67,7 @@ class StudyMaker {
                                       [&](const auto& m) { return m.first == from.material; });
       if (found == p_.materials.end()) {
         fault("rectangle", i, "material", "there is no material \"" + from.material + "\".",
-              known(from.material, materials));
+              suggestion(from.material, materials));
       } else {
         const auto& m = found->second;
         if ((!m.k && !m.k_table) || (!m.c && !m.c_table))
@@ -107,7 +100,7 @@ class StudyMaker {
         names.push_back(study_.problem.bodies[b].name + "." + side_names[side]);
         if (names.back() == name) return HeatBoundary{b, static_cast<HeatSide>(side)};
       }
-    fault(list, i, key, "there is no boundary \"" + name + "\".", known(name, names));
+    fault(list, i, key, "there is no boundary \"" + name + "\".", suggestion(name, names));
     return {};
   }
   [[nodiscard]] std::array<double, 2> extent_along(const HeatBoundary& b) const {
@@ -302,7 +295,7 @@ class StudyMaker {
       const auto found = std::find_if(bodies.begin(), bodies.end(), holds);
       if (found == bodies.end())
         fault(list, i, "x",
-              "\"" + probe.name + "\" lies in no body" + (from.body ? " called \"" + *from.body + "\"." : "."),
+              "\"" + probe.name + "\" is not inside any body" + (from.body ? " called \"" + *from.body + "\"." : "."),
               "Compare its x and r with those of section.rectangle.");
       else
         probe.body = static_cast<std::size_t>(found - bodies.begin());

@@ -115,12 +115,6 @@ class Reader {
             "Every corner must be below 180 degrees.");
   }
 
-  static std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
-    const std::string guess = closest_name(name, known);
-    return (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-           fmt::format("Known: {}.", fmt::join(known, ", "));
-  }
-
   void add_cell(std::array<unsigned int, 4> v, unsigned int body) {
     const auto corner = [&](std::size_t i) {
       const auto &a = mesh_.vertices[v[(i + 3) % 4]], &b = mesh_.vertices[v[i]], &c = mesh_.vertices[v[(i + 1) % 4]];

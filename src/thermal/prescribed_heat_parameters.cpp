@@ -227,7 +227,7 @@ Section<PrescribedHeatParameters> prescribed_heat_section() {
   using P = PrescribedHeatParameters;
   Section<P> s("heat",
                "Thermal models of a touchdown bearing under prescribed heat input, without dynamics, for `rotordrop "
-               "heat` (docs/heat.md). A drop ignores it.");
+               "heat` (docs/how-to/heat.md). A drop ignores it.");
   s.text("bearing", &P::bearing, {.help = "Name of the bearing; optional if there is only one."});
   s.custom("models",
            {.accepts = "a list of \"lumped\" and \"fe\"",

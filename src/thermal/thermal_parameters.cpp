@@ -141,12 +141,13 @@ Section<ThermalParameters> thermal_section() {
        .help =
            "Half width a of the contact spot across the track. It sets the width of the strips on raceways and balls "
            "from which heat spreads and, if contact_conduction is fixed, the balls' constriction resistance."});
-  s.choice("contact_conduction", &P::contact_conduction,
-           {{"rolling", BallConductionModel::rolling}, {"fixed", BallConductionModel::fixed}},
-           {.fallback = "rolling",
-            .help = "Conduction between balls and raceways. rolling: from load and rolling speed of the balls, none "
-                    "without load (docs/model.md, section 6). fixed: the resistance R5 of the published circuit. "
-                    "`rotordrop heat` and `calibrate` have no ball loads and always use the fixed resistance."});
+  s.choice(
+      "contact_conduction", &P::contact_conduction,
+      {{"rolling", BallConductionModel::rolling}, {"fixed", BallConductionModel::fixed}},
+      {.fallback = "rolling",
+       .help = "Conduction between balls and raceways. rolling: from load and rolling speed of the balls, none "
+               "without load (docs/theory/model.md, section 6). fixed: the resistance R5 of the published circuit. "
+               "`rotordrop heat` and `calibrate` have no ball loads and always use the fixed resistance."});
   s.quantity(
       "oil_film", &P::oil_film,
       {.unit = "m",
@@ -199,7 +200,7 @@ Section<ThermalParameters> thermal_section() {
                     "from mean temperatures. \"paper\": radial growth of the shoulders, as in Neisi (2019); uniform "
                     "heating of a bearing made of one material then changes its preload. \"elastic\": elasticity of "
                     "the meshed section, including the housing fit and the inner ring's centrifugal growth; the "
-                    "circuit still uses the formulas (docs/growth.md)."});
+                    "circuit still uses the formulas (docs/theory/growth.md)."});
   s.choice("growth_by_speed", &P::growth_by_speed,
            {{"closed-form", GrowthBySpeed::closed_form}, {"none", GrowthBySpeed::none}},
            {.fallback = "closed-form",
@@ -254,11 +255,8 @@ void add_extra_parts(const ThermalParameters& parameters, const Node& table, The
     for (const auto& name : resistor.between)
       if (!known(name)) {
         complete = false;
-        const std::string guess = closest_name(name, names);
-        std::string list;
-        for (const auto& candidate : names) list += (list.empty() ? "" : ", ") + candidate;
         faults.add(place("resistor", k, "between"), "thermal.resistor: there is no node \"" + name + "\".",
-                   (guess.empty() ? "" : "Did you mean \"" + guess + "\"?  ") + ("Known: " + list + "."));
+                   suggestion(name, names));
       }
     if (resistor.between[0] == resistor.between[1])
       faults.add(place("resistor", k, "between"), "thermal.resistor joins \"" + resistor.between[0] + "\" with itself.",

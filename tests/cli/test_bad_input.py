@@ -197,7 +197,7 @@ CROSS_REFERENCES = [
     Fault("a magnet that pushes the rotor away", '[bearings.M]\ntype = "magnet"\nnode = 9\nstiffness = »[[-1e7, 0], [0, 1e7]]\nrelease_time = ["1 ms", "1 ms"]', ("negative stiffness", "magnet and control together")),
     Fault("a thrust magnet on a rotor that is held", '[bearings.M]\ntype = "magnet"\nnode = 9\nstiffness = [[1e7, 0], [0, 1e7]]\naxial_stiffness = »1e7', ("cannot move along it", r"rotor\.axial_motion")),
     Fault("two bearings on one node", bearing("node = »2", "TB2"), (r"bearings\.TB2\.node = 2: another touchdown bearing", "TB1")),
-    Fault("an unknown material", bearing('ball = »"Si3N5"'), (r'bearings\.TB1\.ball = "Si3N5" is no material', 'Did you mean "Si3N4"', "Known in .materials.: .*steel")),
+    Fault("an unknown material", bearing('ball = »"Si3N5"'), (r'bearings\.TB1\.ball = "Si3N5" is not a known material', 'Did you mean "Si3N4"', "Known in .materials.: .*steel")),
     Fault("an unknown catalogue name", bearing('catalogue = »"6041"'), (r'bearings\.TB1\.catalogue = "6041"', "no such bearing", 'Did you mean "60\\d\\d"', "Known: .*6014")),
     Fault("a resistor to an unknown node", '[thermal]\nresistor = [{ between = »["TB1/housing", "frame"], resistance = 0.1 }]',
           ('no node "frame"', "Known: .*TB1/housing")),

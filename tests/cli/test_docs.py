@@ -1,4 +1,4 @@
-"""The documents as HTML: they build, every link leads somewhere, nothing of the program is missing. And the examples of docs/extending.md run."""
+"""The documents as HTML: they build, every link leads somewhere, nothing of the program is missing. And the examples of docs/how-to/extending.md run."""
 
 import html.parser
 import pathlib
@@ -55,8 +55,8 @@ class Site(unittest.TestCase):
         super().tearDownClass()
 
     def test_every_document_is_a_page(self):
-        self.assertGreaterEqual(len(self.pages), len(list((SOURCE / "docs").glob("*.md"))) + 3)
-        self.assertIn("User guide", self.pages["index.html"])
+        self.assertGreaterEqual(len(self.pages), len(list((SOURCE / "docs").rglob("*.md"))) + 3)
+        self.assertIn("User guide", self.pages["guide.html"])
 
     def test_internal_links_lead_somewhere(self):
         n_checked = 0
@@ -101,7 +101,7 @@ class Site(unittest.TestCase):
     def test_every_command_is_in_the_guide(self):
         names = re.findall(r"^  ([a-z]+)\s{2,}", call("--help").stdout.split("Subcommands:")[1], re.M)
         self.assertGreater(len(names), 8)
-        text = "".join(self.parsed["index.html"].text)
+        text = "".join(self.parsed["guide.html"].text)
         for name in names:
             with self.subTest(command=name):
                 self.assertIn(name, self.parsed["commands.html"].anchors)
@@ -120,10 +120,10 @@ class Site(unittest.TestCase):
             copy = pathlib.Path(folder) / "sources"
             for name in ("docs", "params", "examples"):
                 shutil.copytree(SOURCE / name, copy / name)
-            for name in ("README.md", "CHANGELOG.md", "LICENSE"):
+            for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE"):
                 shutil.copy(SOURCE / name, copy)
-            with open(copy / "docs/guide.md", "a", encoding="utf-8") as guide:
-                guide.write("\n[one](nowhere.md), [two](model.md#no-such-heading)\n")
+            with open(copy / "docs/tutorials/guide.md", "a", encoding="utf-8") as guide:
+                guide.write("\n[one](nowhere.md), [two](../theory/model.md#no-such-heading)\n")
             (copy / "docs/unlisted.md").write_text("# Unlisted\n")
             done = subprocess.run([sys.executable, copy / "docs/build.py", "--program", PROGRAM, "--output", copy / "html"], capture_output=True, text=True)
             self.assertEqual(done.returncode, 1)
@@ -173,11 +173,11 @@ class SiteInTheBrowser(Site):
 
 
 class Extending(ProgramTest):
-    """The examples of docs/extending.md, as they stand."""
+    """The examples of docs/how-to/extending.md, as they stand."""
 
     @staticmethod
     def blocks():
-        text = (SOURCE / "docs/extending.md").read_text(encoding="utf-8")
+        text = (SOURCE / "docs/how-to/extending.md").read_text(encoding="utf-8")
         return {re.match(r"# example: (.*)\n", block)[1]: block for block in re.findall(r"```toml\n(.*?)```", text, re.S)}
 
     def run_block(self, name, end_time="12 ms"):
@@ -186,7 +186,7 @@ class Extending(ProgramTest):
         return tomllib.loads((self.folder / "out/parameters.toml").read_text())
 
     def test_the_guide_runs_as_it_stands(self):
-        blocks = [block for block in re.findall(r"```sh\n(.*?)```", (SOURCE / "docs/guide.md").read_text(encoding="utf-8"), re.S) if "my-drop" in block]
+        blocks = [block for block in re.findall(r"```sh\n(.*?)```", (SOURCE / "docs/tutorials/guide.md").read_text(encoding="utf-8"), re.S) if "my-drop" in block]
         self.assertEqual(len(blocks), 2)
         (self.folder / "build/release").mkdir(parents=True)
         (self.folder / "build/release/rotordrop").symlink_to(PROGRAM)

@@ -58,7 +58,7 @@ def value_at(field, x, r, name=TEMPERATURE):
     return field["data"][name][distance.argmin()]
 
 
-@unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+@unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
 class HeatFields(ProgramTest):
     def test_times_are_those_asked_for_and_the_start_is_among_them(self):
         self.succeed("heat", self.write("disc.toml", CASE), "-o", "out", "--quiet")
@@ -129,7 +129,7 @@ field_times = ["8.5 ms"]
 """
 
 
-@unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+@unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
 class DropFields(ProgramTest):
     def fields(self, bearing, output="out"):
         return read_series(self.folder / output / f"fields/{bearing}.pvd")
@@ -200,7 +200,7 @@ class DropFields(ProgramTest):
                 self.assertEqual(left, listed | {"TB1.pvd", "TB2.pvd"})
 
 
-@unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+@unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
 class SeveralProcesses(ProgramTest):
     def mpirun(self, n, *arguments):
         program = shutil.which("mpirun")

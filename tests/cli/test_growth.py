@@ -130,7 +130,7 @@ class FaultyCases(ProgramTest):
         return " ".join(done.stderr.split())
 
     def test_elastic_growth_without_finite_elements_is_refused(self):
-        self.assertIn('thermal.expansion = "elastic" needs the finite elements, which do not run', self.fault('thermal.expansion = "elastic"\nthermal.growth_by_speed = "closed-form"\n'))
+        self.assertIn('thermal.expansion = "elastic" needs the finite elements, which are not in thermal.models', self.fault('thermal.expansion = "elastic"\nthermal.growth_by_speed = "closed-form"\n'))
 
     def test_a_clearance_needs_windows(self):
         message = self.fault(ELASTIC + 'bearings.TB2.housing_fit = "-5 um"\n')
@@ -138,7 +138,7 @@ class FaultyCases(ProgramTest):
         self.assertIn('thermal.fe.coupling = "windowed"', message)
 
     def test_a_factor_of_formulas_is_refused(self):
-        self.assertIn("thermal.plane_strain_growth changes the paper's formulas, and thermal.expansion is \"elastic\"", self.fault(ELASTIC + "thermal.plane_strain_growth = true\n"))
+        self.assertIn("thermal.plane_strain_growth applies to the paper's formulas, and thermal.expansion is \"elastic\"", self.fault(ELASTIC + "thermal.plane_strain_growth = true\n"))
 
     def test_an_interference_of_millimetres_is_refused(self):
         self.assertIn("housing_fit", self.fault(ELASTIC + 'bearings.TB1.housing_fit = "2 mm"\n'))

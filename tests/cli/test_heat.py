@@ -59,7 +59,7 @@ class FaultyCases(ProgramTest):
         self.assertIn("the axis, which has no area", self.fault(DISC.replace('"disc.outer"\ntimes', '"disc.inner"\ntimes')))
 
     def test_a_probe_must_lie_in_a_body(self):
-        self.assertIn("lies in no body", self.fault(DISC + '[[probe]]\nname = "far"\nx = 0\nr = "21 mm"\n'))
+        self.assertIn("is not inside any body", self.fault(DISC + '[[probe]]\nname = "far"\nx = 0\nr = "21 mm"\n'))
 
     def test_a_probe_is_a_point_or_a_boundary(self):
         self.assertIn("needs either x and r, or boundary", self.fault(DISC + '[[probe]]\nname = "half"\nx = 0\n'))
@@ -148,7 +148,7 @@ class RecordedHeat(ProgramTest):
             other["/time"] = [0.0, 1.0]
         self.assertIn("holds no rub heat", self.fault("drop/results.h5", "other.h5"))
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_every_joule_arrives(self):
         case = self.write("ring.toml", RECORDED)
         with h5py.File(self.folder / "drop/results.h5", "r") as drop:
@@ -161,7 +161,7 @@ class RecordedHeat(ProgramTest):
             self.assertLess(abs(energy["residual"]), 1e-10 * given, output)
         self.assertLess(self.summary("coarse")["steps"], self.summary("all")["steps"])
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_the_resolved_case_runs_from_anywhere(self):
         self.succeed("heat", self.write("ring.toml", RECORDED), "-o", "out")
         self.succeed("heat", "out/parameters.toml", "-o", "again")
@@ -187,8 +187,8 @@ class BearingFaults(ProgramTest):
 
     def test_a_drop_without_heat_is_told_what_it_needs(self):
         message = self.fault("")
-        self.assertIn("has no table [heat]", message)
-        self.assertIn("docs/heat.md", message)
+        self.assertIn("without a [heat] table", message)
+        self.assertIn("docs/how-to/heat.md", message)
 
     def test_the_bearing_is_known(self):
         self.assertIn('Did you mean "TB1"?  Known: TB1, TB2.', self.fault(BEARING.replace("TB1", "TB") + STEADY))
@@ -235,16 +235,16 @@ class BearingFaults(ProgramTest):
         probe = '[[heat.probe]]\nname = "p"\n'
         self.assertIn('Did you mean "inner_ring"?', self.fault(BEARING + STEADY + probe + 'node = "iner_ring"\n'))
         self.assertIn("does not run", self.fault(BEARING + STEADY + probe + 'node = "ball"\nmodel = "fe"\n'))
-        self.assertIn("belong to the finite elements", self.fault(BEARING + STEADY + probe + "x = 0\nr = 0.036\n"))
+        self.assertIn("need the finite elements", self.fault(BEARING + STEADY + probe + "x = 0\nr = 0.036\n"))
         self.assertIn("needs either node, or boundary, or x and r", self.fault(BEARING + STEADY + probe))
         self.assertIn("the circuit has nodes only", self.fault(BEARING + STEADY + probe + 'boundary = "inner_ring.inner"\nmodel = "lumped"\n'))
         self.assertIn("is taken", self.fault(BEARING + STEADY + 2 * (probe + 'node = "ball"\n')))
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_probes_of_the_section_lie_in_it(self):
         probe = '[[heat.probe]]\nname = "p"\n'
         case = BEARING + 'models = ["lumped", "fe"]\n' + STEADY + probe
-        self.assertIn("lies in no body", self.fault(case + 'x = 0\nr = "20 mm"\n'))
+        self.assertIn("is not inside any body", self.fault(case + 'x = 0\nr = "20 mm"\n'))
         self.assertIn("lies outside housing", self.fault(case + 'x = 0\nr = "36 mm"\nbody = "housing"\n'))
         self.assertIn('Did you mean "inner_ring.strip_1"?', self.fault(case + 'boundary = "inner_ring.strip"\n'))
         self.assertIn("both models have", self.fault(case + 'node = "inner_ring"\n'))
@@ -344,7 +344,7 @@ class HeatOfABearing(ProgramTest):
         self.assertIn("bearing TB1: models lumped; 100 J", done.stdout)
         self.assertEqual(self.call("check", self.case(BEARING.replace("TB1", "TB") + STEADY)).returncode, 2)
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_recorded_heat_gives_the_drops_own_finite_elements(self):
         """The same modes on heat that is spread evenly within rows of 50 us. Bodies exchange heat through their surfaces, the bore with the shaft at ten
         times the mean's rise, so a mean differs by ten times what the circuit's does; the surfaces themselves follow within a row and are not compared."""
@@ -365,7 +365,7 @@ class HeatOfABearing(ProgramTest):
                     self.assertAlmostEqual(summary["growth"]["fe"][name][at], value, delta=4e-6 * max(abs(growth)))
         self.assert_closed(summary)
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_the_bore_follows_the_half_space_while_its_layer_is_thin(self):
         """Flux q into the bore of radius a from t = 0, depth without end: rise = 2 q/k sqrt(D t/pi) - q D t/(2 a k), D = k/(rho c); the third term
         is below 1e-4 of it at 1 ms. The link R2 to the shaft, which stays cold, takes rise/R2: a correction of -q_1 D^0.5/k c pi t/2/pi^0.5, where c is
@@ -382,7 +382,7 @@ class HeatOfABearing(ProgramTest):
                 self.assertAlmostEqual((T_point - 293.15) / rise, 1, delta=tolerance, msg=f"{coupling} at {t} s")
             self.assert_closed(summary)
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_modes_and_mesh_agree(self):
         """Heat into a race that is twenty times a drop's: modes within 0.2 %. Means of bodies agree but for the steps' tolerance; surfaces to what modes
         leave out. The mesh carries eq. 16 with the local rise, the modes with the mean, but the housing is hardly warm yet."""
@@ -400,7 +400,7 @@ class HeatOfABearing(ProgramTest):
             for a, b in zip(reduced["probes"][name]["temperature"][1:], probe["temperature"][1:]):
                 self.assertAlmostEqual(a, b, delta=(1e-6 if is_mean else 1e-3) * largest, msg=name)
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_the_circuit_meets_the_finite_elements_under_steady_heat(self):
         """Both have the same resistances and capacities in other words: after 100 s of 20 W into both races the means differ by the few per cent that
         one temperature a body costs."""
@@ -413,7 +413,7 @@ class HeatOfABearing(ProgramTest):
             self.assertGreater(fe, 0.5)
             self.assertAlmostEqual(lumped / fe, 1, delta=0.1, msg=node)
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_a_plain_section_is_the_one_written_by_hand(self):
         """Outer ring and housing of TB1 as rectangles with fit, eq. 16 and tables of k and c, written down here; balls that conduct next to nothing to
         them. Only meshes and steps differ."""
@@ -475,7 +475,7 @@ body = "housing"
         self.assertAlmostEqual(bearing["energy"]["fe"]["lost"] / by_hand["energy"]["lost"], 1, delta=1e-4)
         self.assert_closed(bearing)
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_the_example_runs(self):
         self.succeed("heat", PARAMS / "heat/bearing.toml", "-o", "out")
         summary = self.summary()
@@ -519,12 +519,12 @@ class WithoutTheRoom(ProgramTest):
     def test_the_message_says_how_to_get_it(self):
         done = self.call("heat", EXAMPLE, "-o", "out")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("built without the finite-element room", done.stderr)
+        self.assertIn("built without the finite-element module", done.stderr)
         self.assertIn("install-dependencies", done.stderr)
         self.assertFalse((self.folder / "out").exists())
 
 
-@unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+@unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
 class WithTheRoom(ProgramTest):
     def test_the_example_runs_and_its_energy_closes(self):
         self.succeed("heat", EXAMPLE, "-o", "out")

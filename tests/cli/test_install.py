@@ -76,13 +76,13 @@ class Program(Installed):
         for path in self.prefix.rglob("rotordrop_fe.so"):
             path.rename(path.with_suffix(".away"))
         try:
-            self.assertIn("built without the finite-element room", call(self.program, *arguments, code=2))
+            self.assertIn("built without the finite-element module", call(self.program, *arguments, code=2))
         finally:
             for path in self.prefix.rglob("rotordrop_fe.away"):
                 path.rename(path.with_suffix(".so"))
 
     def test_documents_and_examples_are_there(self):
-        for name in ("share/doc/rotordrop/README.md", "share/doc/rotordrop/docs/guide.md", "share/doc/rotordrop/LICENSE", "share/rotordrop/examples/plot_drop.py", "share/rotordrop/examples/own-parts/CMakeLists.txt"):
+        for name in ("share/doc/rotordrop/README.md", "share/doc/rotordrop/docs/tutorials/guide.md", "share/doc/rotordrop/LICENSE", "share/rotordrop/examples/plot_drop.py", "share/rotordrop/examples/own-parts/CMakeLists.txt"):
             self.assertTrue((self.prefix / name).is_file(), name)
 
     def test_no_header_needs_one_that_is_not_installed(self):
@@ -236,7 +236,7 @@ class OwnParts(Installed):
 
     def test_its_report_shows_both_parts_and_results_are_not_overwritten(self):
         page = (self.folder / "out/report.html").read_text()
-        self.assertIn("SNUBBER is a support of another program's kind at the rotor's node 16.", page)
+        self.assertIn("SNUBBER is a support defined by another program at the rotor's node 16.", page)
         self.assertIn("own-parts.toml:10: source: (est.) 50 um more than the touchdown bearings'", page)
         data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
         lines = {chart["id"]: [line["name"] for line in chart["lines"]] for chart in data["charts"]}

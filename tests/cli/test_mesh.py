@@ -54,7 +54,7 @@ class FaultyCases(ProgramTest):
         self.assertIn("bearings.TB2 cannot be meshed", message)
 
     def test_the_output_is_a_msh_file(self):
-        self.assertIn("ends in .msh", self.fault("reference.toml", "-o", "m.vtu"))
+        self.assertIn("must end in .msh", self.fault("reference.toml", "-o", "m.vtu"))
 
     def test_only_known_formats_are_taken(self):
         self.assertIn("--format", self.fault("reference.toml", "-o", "m.msh", "--format", "3"))
@@ -79,12 +79,12 @@ class WithoutTheRoom(ProgramTest):
     def test_the_message_says_how_to_get_it(self):
         done = self.call("mesh", "reference.toml", "-o", "m.msh")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("built without the mesh room", done.stderr)
+        self.assertIn("built without the mesh module", done.stderr)
         self.assertIn("install-dependencies", done.stderr)
         self.assertEqual(list(self.folder.glob("*.msh")), [])
 
 
-@unittest.skipUnless(HAS_ROOM, "built without the mesh room")
+@unittest.skipUnless(HAS_ROOM, "built without the mesh module")
 class WithTheRoom(ProgramTest):
     def names(self, file):
         return set(re.findall(r'^[12] \d+ "(.*)"$', (self.folder / file).read_text(), re.MULTILINE))
@@ -184,7 +184,7 @@ class WithTheRoom(ProgramTest):
         with unittest.mock.patch.dict(os.environ, {"ROTORDROP_MODULES": str(self.folder)}):
             done = self.call("mesh", "reference.toml", "-o", "m.msh")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("built without the mesh room", done.stderr)
+        self.assertIn("built without the mesh module", done.stderr)
         self.assertIn("install-dependencies", done.stderr)
 
     @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")

@@ -106,7 +106,7 @@ class Reader(ProgramTest):
             self.assertIsNone(run.summary)
             self.assertEqual(len(run.series("/time").values), len(self.file["/time"]))
 
-    @unittest.skipUnless(HAS_ROOM, "built without the finite-element room")
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_fields_agree_with_the_surfaces_of_the_results(self):
         (start, first), (time, file) = self.run_.fields("TB1")
         self.assertEqual((start, time), (0.0, 0.01))

@@ -121,8 +121,8 @@ class Results(ProgramTest):
         # Little friction at the races: what drives the ring at 0.1 presses balls that have 0.004 to follow. 0.2 tan(12.5 deg)/0.03 = 1.48.
         slippery = self.case("bearings.TB1.race_friction_coefficient = 0.004\nbearings.TB2.race_friction_coefficient = 0.03\n", "slippery.toml")
         screen = self.succeed("run", slippery, "-o", "slippery").stdout
-        self.assertRegex(screen, r"TB1: .*\n(?:     .*\n)+?     balls of row 1 may skid: in [0-9.]+ ms, with [0-9]+ % of the ring's changes of speed, friction at the races cannot keep them rolling\nTB2")
-        found = re.search(r"balls may pivot: their gyroscopic moments ask for up to ([0-9.]+) times the friction at the outer race, beyond it for [0-9.]+ ms\n", screen)
+        self.assertRegex(screen, r"TB1: .*\n(?:     .*\n)+?     balls of row 1 may skid: for [0-9.]+ ms, with [0-9]+ % of the ring's speed changes, friction at the raceways cannot keep them rolling\nTB2")
+        found = re.search(r"balls may pivot: their gyroscopic moments require up to ([0-9.]+) times the available friction at the outer raceway and exceed it for [0-9.]+ ms\n", screen)
         self.assertAlmostEqual(float(found[1]), 1.48, delta=0.1)
         self.assertGreater(self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change_beyond"], 0.5 * self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change"])
 
@@ -296,7 +296,7 @@ class Options(ProgramTest):
         done = self.succeed("run", self.case(""), "-o", "out")
         self.assertRegex(done.stdout, r"rotordrop \d+\.\d+\.\d+ .*case drop")
         self.assertRegex(done.stdout, r"109\.7 kg at 15200 rpm; supports TB1, TB2; thermal growth fed back: lumped thermal circuit")
-        self.assertRegex(done.stdout, r"TB1: first contact 7\.\d+ ms, peak force 5\.\d+ kN")
+        self.assertRegex(done.stdout, r"TB1: first contact 7\.\d+ ms, peak contact force 5\.\d+ kN")
         self.assertRegex(done.stdout, "mean temperature rise .* K inner ring")
         self.assertRegex(done.stdout, "Energy: .* residual")
         self.assertRegex(done.stdout, "results in out")

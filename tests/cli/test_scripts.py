@@ -18,7 +18,7 @@ import h5py
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = pathlib.Path(os.environ.get("ROTORDROP_PROGRAM", ROOT / "build/release/rotordrop")).resolve()
-DOCUMENTS = [ROOT / "README.md", ROOT / "examples/README.md", *sorted((ROOT / "docs").glob("*.md"))]
+DOCUMENTS = [ROOT / "README.md", ROOT / "examples/README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 FIGURES = {"overview", "orbits", "displacements", "contact_forces", "speeds", "torques", "heat_rates", "temperatures", "energy"}
 
 
@@ -190,8 +190,8 @@ class Documents(WithAResult):
         self.assertGreater(n_found, 5)
 
     def test_the_rotor_of_the_documents_is_accepted(self):
-        """The inline geometry of docs/parameters.md, on two linear supports."""
-        (block,) = [b for b in code_blocks(ROOT / "docs/parameters.md", "toml") if "[rotor.geometry]" in b]
+        """The inline geometry of docs/how-to/parameters.md, on two linear supports."""
+        (block,) = [b for b in code_blocks(ROOT / "docs/how-to/parameters.md", "toml") if "[rotor.geometry]" in b]
         case = self.folder / "inline-rotor.toml"
         support = 'type = "linear"\nnode = {}\nstiffness = [[1e8, 0.0], [0.0, 1e8]]\n'
         case.write_text('[run]\ninitial_speed = "1000 rpm"\n' + block + "".join(f"[bearings.B{node}]\n{support.format(node)}" for node in (1, 3)), encoding="utf-8")
@@ -215,6 +215,21 @@ class Documents(WithAResult):
             for name in re.findall(pattern, document.read_text(encoding="utf-8")):
                 with self.subTest(document=document.name, file=name):
                     self.assertTrue((ROOT / name).exists())
+
+    def test_documents_that_sources_name_exist(self):
+        """Comments, messages and scripts name a document by its path from the source folder."""
+        n_named = 0
+        for folder in ("src", "params", "tests", "examples", "validation", "docs", "meshes", "benchmarks"):
+            for file in (ROOT / folder).rglob("*"):
+                if file.suffix not in (".h", ".cpp", ".py", ".toml", ".md", ".js", ".txt", ".geo"):
+                    continue
+                for name in re.findall(r"(?<![\w./-])docs/[\w/-]+\.md", file.read_text(encoding="utf-8")):
+                    if name == "docs/unlisted.md":  # made by test_docs
+                        continue
+                    n_named += 1
+                    with self.subTest(file=str(file.relative_to(ROOT)), document=name):
+                        self.assertTrue((ROOT / name).is_file())
+        self.assertGreater(n_named, 100)
 
     def test_commands_of_the_readme_run(self):
         """The block that starts a case, as it stands, in a folder that looks like the source folder."""
@@ -246,7 +261,7 @@ class Documents(WithAResult):
                     self.assertIn(path.replace("NAME", "TB1").rstrip("/"), file)
 
     def test_every_key_of_the_summary_is_documented(self):
-        text = (ROOT / "docs/results.md").read_text(encoding="utf-8").split("## summary.json")[1]
+        text = (ROOT / "docs/reference/results.md").read_text(encoding="utf-8").split("## summary.json")[1]
 
         def check(tree, path):
             for key, value in tree.items():

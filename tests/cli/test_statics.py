@@ -127,7 +127,7 @@ class Statics(ProgramTest):
 
     def test_the_table_says_what_carries_what(self):
         text = self.succeed("statics", "reference.toml").stdout
-        for word in ("TB1 (node 2)", "TB2 (node 28)", "preload left", "stiffness: axial", "s0", "Residual"):
+        for word in ("TB1 (node 2)", "TB2 (node 28)", "remaining preload", "stiffness: axial", "s0", "Residual"):
             self.assertIn(word, text)
 
     def test_faulty_requests_are_refused(self):

@@ -1,4 +1,4 @@
-"""The tables of verdicts in docs/validation.md and of errata in docs/model.md, from an actual run."""
+"""The tables of verdicts in docs/theory/validation.md and of errata in docs/theory/model.md, from an actual run."""
 
 from . import page
 
@@ -32,7 +32,7 @@ def table(data):
 
 
 def errata(data):
-    """The table of errata in docs/model.md: its effects are this run's."""
+    """The table of errata in docs/theory/model.md: its effects are this run's."""
     def cell(words):
         return words.replace("|", "\\|")
 

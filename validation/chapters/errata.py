@@ -8,7 +8,7 @@ RUN, FORMULA = "run of the program", "computed from the formulas; the program ha
 
 
 def entry(where, printed, right, how, effect, numbers, brief):
-    """`brief`: the effect in one line, for the table in docs/model.md, with its numbers from this run."""
+    """`brief`: the effect in one line, for the table in docs/theory/model.md, with its numbers from this run."""
     return {"where": where, "printed": printed, "right": right, "how": how, "effect": effect, "brief": brief, "numbers": [{"what": what, "value": value, "unit": unit} for what, value, unit in numbers]}
 
 

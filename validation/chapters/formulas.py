@@ -1,6 +1,6 @@
 """The bearing's formulas a second time, as small functions of numbers, for effects that the program offers no parameter for. SI.
 
-Independent of the program on purpose (docs/model.md has the equations). Values come from the run's parameters.toml."""
+Independent of the program on purpose (docs/theory/model.md has the equations). Values come from the run's parameters.toml."""
 
 import math
 import tomllib

@@ -1,4 +1,4 @@
-"""Numbers of one run that statements are about, from summary.json and results.h5. SI; angles and signs as in docs/results.md."""
+"""Numbers of one run that statements are about, from summary.json and results.h5. SI; angles and signs as in docs/reference/results.md."""
 
 import json
 

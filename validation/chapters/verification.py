@@ -55,8 +55,8 @@ def convergence(cache):
     key = "convergence-" + runs.hash_of_files([cache.root / "src", cache.root / "params", script, __file__, *sorted((cache.root / "params").glob("neisi*"))], cache.root)[:14]
 
     def make(folder):
-        shutil.copy(cache.root / "docs/convergence.md", folder)
-        runs.check_call([sys.executable, script, "--program", cache.program, "--write", folder, "--work", folder / "work"])
+        shutil.copy(cache.root / "docs/theory/convergence.md", folder)
+        runs.check_call([sys.executable, script, "--program", cache.program, "--write", folder, "--images", folder, "--work", folder / "work"])
         shutil.rmtree(folder / "work", ignore_errors=True)
         return tables_between_markers((folder / "convergence.md").read_text())
 

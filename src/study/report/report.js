@@ -88,7 +88,7 @@ class Figure {
     this.inner = { width: this.width - this.margin.left - this.margin.right, height: this.height - this.margin.top - this.margin.bottom };
     this.root = element("figure", { class: "chart", id: "figure-" + chart.id });
     this.svg = element("svg", { viewBox: `0 0 ${this.width} ${this.height}`, role: "img", "aria-label": `${chart.title}: ${axisLabel(chart.y)} over ${axisLabel(chart.x)}` });
-    this.reset = element("button", { hidden: "", class: "screen" }, "whole range");
+    this.reset = element("button", { hidden: "", class: "screen" }, "reset zoom");
     this.reset.onclick = () => this.show(null);
     this.root.append(element("figcaption", {}, chart.title), this.reset, this.svg, this.legend());
     if (chart.note) this.root.append(element("p", { class: "note" }, chart.note));
@@ -295,7 +295,7 @@ class Drop {
       element("path", { class: "series", d: trace, fill: "none", stroke: COLOURS[0], "stroke-width": 0.8, opacity: 0.8 }),
       this.contact, this.centre,
       element("path", { class: "axis", d: "M-165 150v-22m-3 6l3 -6l3 6M-165 150h22m-6 -3l6 3l-6 3" }), element("text", { x: -168, y: 123 }, "y"), element("text", { x: -139, y: 153 }, "z"));
-    into.append(element("figure", { class: "drop" }, element("figcaption", {}, `${bearing.name}: radial gap ${short(bearing.gap)} µm, magnified`), svg, this.caption));
+    into.append(element("figure", { class: "drop" }, element("figcaption", {}, `${bearing.name}: radial air gap ${short(bearing.gap)} µm, magnified`), svg, this.caption));
   }
 
   x(z) { return this.scale * z; }
@@ -358,8 +358,8 @@ function showDrops(animation) {
   const shortest = steps.reduce((a, b) => Math.min(a, b), Infinity), longest = steps.reduce((a, b) => Math.max(a, b), 0);
   const pace = longest > 1.5 * shortest ? `every ${short(shortest)} to ${short(longest)} ms, more often while something changes` : `every ${short(longest)} ms`;
   section("The drop", element("div", { class: "player" }, play, slider, output), drops,
-    element("p", { class: "note" }, `Seen along +x: y up, z to the right, positive spin clockwise. Gap, displacements, penetration and the bending of rings are magnified alike, the radii are not. ` +
-      `Dashed: how far the gap lets the rotor's centre (dot) go while the ring is centred; a ring with clearance, or under load, lies lower. Full dot on the bore: contact. The bars on rotor and ring turn with them. A picture ${pace}: what is faster is not seen here.`));
+    element("p", { class: "note" }, `Seen along +x: y up, z to the right, positive spin clockwise. Gap, displacements, penetration and the bending of rings share one magnification; the radii are not to that scale. ` +
+      `Dashed: limit of the rotor centre (dot) set by the air gap with the ring centred; a ring with clearance, or under load, sits lower. Filled dot on the bore: contact. The bars turn with rotor and ring. One frame ${pace}; faster motion is not visible here.`));
   const made = animation.bearings.map((bearing) => new Drop(bearing, drops));
   for (const probe of animation.probes || []) made.push(probeDrop(probe, drops));
   const show = () => {
@@ -394,7 +394,7 @@ function showOrbits(animation) {
   animation.bearings.forEach((b, i) => new Figure({
     id: "orbit-" + b.name, title: `${b.name}: orbit of the rotor's centre`, square: true, circle: b.gap,
     x: { label: "z", unit: "um" }, y: { label: "y (up)", unit: "um" },
-    note: `Dashed: radial air gap of ${short(b.gap)} µm (0-peak), at ambient temperature, about the unloaded outer ring's axis. An inner ring with clearance, or under load, lies lower.`,
+    note: `Dashed: radial air gap of ${short(b.gap)} µm (0-peak), at ambient temperature, about the axis of the unloaded outer ring. An inner ring with clearance, or under load, sits lower.`,
     lines: [{ name: "rotor centre", colour: i, dash: 0, x: b.z, y: b.y }] }, figures));
   (animation.probes || []).forEach((p, i) => new Figure({
     id: "orbit-probe-" + p.name, title: `${p.name}: orbit of the rotor's centre at the probe`, square: true, circle: p.gap,
@@ -432,8 +432,8 @@ function showBallLoads(bearing, into) {
     svg.append(element("line", { class: "axis", x1: left, x2: left + width, y1: y, y2: y }));
   }
   text(left + width / 2, 272, "middle", "time [ms]", { class: "x-label" });
-  svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "ball, load [N]"));
-  const caption = element("p", { class: "note" }, `From top to bottom the balls of each row, 1 to ${bearing.balls_per_row}; darker is more. Each point is the largest recorded load in its span of time (0-peak).`);
+  svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "ball (colour: load [N])"));
+  const caption = element("p", { class: "note" }, `Balls of each row from top to bottom, 1 to ${bearing.balls_per_row}; darker means a higher load. Each point is the largest recorded load in its time interval (0-peak).`);
   const figure = element("figure", { class: "map", id: "figure-balls-" + bearing.name }, element("figcaption", {}, `${bearing.name}: load of every ball`), svg, caption);
   svg.onpointermove = (event) => {
     const box = svg.getBoundingClientRect();
@@ -480,7 +480,7 @@ function showField(bearing, picture, into) {
   text(left + width / 2, total.height - 10, "middle", "x [mm]", { class: "x-label" });
   svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "r [mm]"),
     element("text", { class: "bar-label", "text-anchor": "middle", transform: `translate(${total.width - 8} ${top + height / 2}) rotate(-90)` }, "temperature rise [K]"));
-  const caption = element("p", { class: "note" }, `Recorded next to: ${picture.next_to.join("; ")}. From ${fixed(picture.low)} to ${fixed(picture.high)} K over the ambient temperature; means around the circumference. Colours follow the square root, so that thin hot layers and warm bodies both show.`);
+  const caption = element("p", { class: "note" }, `Recorded field nearest to: ${picture.next_to.join("; ")}. From ${fixed(picture.low)} to ${fixed(picture.high)} K above ambient; circumferential means. The colour scale follows the square root of the rise, so that thin hot layers and warm bodies are both visible.`);
   svg.onpointermove = (event) => {
     const box = svg.getBoundingClientRect(), zoom = total.width / box.width;
     const x = x0 + ((event.clientX - box.left) * zoom - left) / scale, r = r0 + (top + height - (event.clientY - box.top) * zoom) / scale;
@@ -493,7 +493,7 @@ function showField(bearing, picture, into) {
     tip.style.top = event.clientY + 12 + "px";
   };
   svg.onpointerleave = () => { tip.hidden = true; };
-  into.append(element("figure", { class: "field" }, element("figcaption", {}, `${bearing.name}: temperature rise over the section at ${short(picture.time)} ms`), svg, caption));
+  into.append(element("figure", { class: "field" }, element("figcaption", {}, `${bearing.name}: temperature rise in the section at ${short(picture.time)} ms`), svg, caption));
 }
 
 function showFields() {
@@ -523,8 +523,8 @@ function showProvenance() {
   const { facts, given, n_defaults } = data.provenance;
   const parts = [table(null, facts, ["", "code"]),
     element("h3", {}, "Parameters that differ from their defaults"),
-    element("p", { class: "note" }, `${n_defaults} further parameters are at their defaults, whose sources the command “rotordrop defaults” names. Where a value is from: file, line and what its author wrote there.`),
-    table(["parameter", "value", "default", "where the value is from", "what it is"], given, ["code name", "code", "code", "code", "note"])];
+    element("p", { class: "note" }, `The other ${n_defaults} parameters have their default values; “rotordrop defaults” lists the sources of these. The origin of a value is its file, its line and the author's comment there.`),
+    table(["parameter", "value", "default", "origin of the value", "meaning"], given, ["code name", "code", "code", "code", "note"])];
   section("Provenance", ...parts);
 }
 
@@ -550,6 +550,6 @@ if (data.comparison)
   section("Lumped circuit against finite elements", list(data.comparison.in_short), element("h3", {}, "Verdict"), list(data.comparison.verdict));
 section("Assumptions", list(data.assumptions));
 showProvenance();
-page.append(element("p", { class: "note screen" }, "Figures: move over them for values, drag to zoom, double-click for the whole range, click a name to hide its line. " +
-  "Series are thinned out to what a picture shows, with the smallest and largest sample of every span kept; results.h5 has all of them."));
+page.append(element("p", { class: "note screen" }, "Figures: hover for values, drag to zoom, double-click to reset, click a legend entry to hide its line. " +
+  "Series are thinned to what a figure can show, keeping the smallest and largest sample of each time interval; results.h5 has all samples."));
 page.dataset.ready = "yes";

@@ -38,7 +38,7 @@ TEST(JaegerShare, GivesTheRotorMostWhileTheRingRests) {
   EXPECT_NEAR(1. - law.to_ring(v, 0.), 0.8195, 1e-4);
   EXPECT_NEAR(1. - law.to_ring(v, 0.5 * v), 0.5858, 1e-4);
   EXPECT_NEAR(1. - law.to_ring(v, 0.95 * v), 0.5064, 1e-4);
-  // As docs/model.md quotes them, two digits.
+  // As docs/theory/model.md quotes them, two digits.
   EXPECT_NEAR(1. - law.to_ring(v, 0.), 0.82, 0.005);
   EXPECT_NEAR(1. - law.to_ring(v, 0.5 * v), 0.59, 0.005);
   EXPECT_NEAR(1. - law.to_ring(v, 0.95 * v), 0.51, 0.005);

@@ -401,11 +401,11 @@ Note: Google Test filter = A.Holds
         self.assertEqual(verification.tables_between_markers(text), {"steps": [["a", "b"], ["1", "2"]]})
 
     def test_the_tables_of_convergence_are_found_in_the_document(self):
-        self.assertEqual(set(verification.tables_between_markers((ROOT / "docs/convergence.md").read_text())), {"steps", "modes", "spread"})
+        self.assertEqual(set(verification.tables_between_markers((ROOT / "docs/theory/convergence.md").read_text())), {"steps", "modes", "spread"})
 
 
 class Document(unittest.TestCase):
-    TEXT = (ROOT / "docs/validation.md").read_text()
+    TEXT = (ROOT / "docs/theory/validation.md").read_text()
 
     def rows(self):
         table = self.TEXT.split(documents.BEGIN)[1].split(documents.END)[0]
@@ -430,7 +430,7 @@ class Document(unittest.TestCase):
                 claims.append(row[5])
 
     def test_the_errata_of_the_model_have_an_effect_each_from_a_run(self):
-        text = (ROOT / "docs/model.md").read_text()
+        text = (ROOT / "docs/theory/model.md").read_text()
         rows = [line.split(" | ") for line in text.split(documents.ERRATA_BEGIN)[1].split(documents.ERRATA_END)[0].splitlines()[2:]]
         without = {known["where"] for known in errata.WITHOUT_EFFECT}
         self.assertGreater(len(rows), len(without) + 12)

@@ -86,7 +86,7 @@ TEST(BallRow, InnerGrowthRaisesThePreloadOfAnXPair) {
   };
   printf("inner growth [um]  preload [N]\n");
   for (const double growth : {0., 1.4, 5.}) printf("%17.1f  %11.1f\n", growth, load(growth * um));
-  // docs/model.md quotes rounded estimates: 3 % covers their digits and the choice of Hertz constant.
+  // docs/theory/model.md quotes rounded estimates: 3 % covers their digits and the choice of Hertz constant.
   EXPECT_NEAR(load(1.4 * um), 590., 0.03 * 590.) << "N";
   EXPECT_NEAR(load(5. * um), 1630., 0.03 * 1630.) << "N";
 }

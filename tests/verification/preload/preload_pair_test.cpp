@@ -211,7 +211,7 @@ TEST(PreloadOfThePair, HeatMadeIsLostOrStoredAndIsWhatTheTorqueMakes) {
 }
 
 TEST(PreloadOfThePair, GrowsAsTheModelPageEstimates) {
-  // validation/preload_loop.py; docs/model.md estimates 590 and 1630 N.
+  // validation/preload_loop.py; docs/theory/model.md estimates 590 and 1630 N.
   const auto running = build_running_bearing(at_3000_rpm().parameters, "TB2", 0., rest_finder("TB2"));
   EXPECT_NEAR(running->at({}).preload, 290., 1e-6) << "N";
   EXPECT_NEAR(running->at({.inner_race = 1.4e-6}).preload, 593.708003, 1e-5) << "N";

@@ -1,7 +1,7 @@
 // Equilibrium of one bearing under load.
 //
 // WHAT CAN BE CHECKED WITHOUT A PEER. In equilibrium the balls' forces cancel the load: summed here by BallRow, which statics do not use.
-// The stiffness is the numerical derivative of those forces. NSK's catalogue gives the stiffness of the 15-degree pair (docs/verification.md).
+// The stiffness is the numerical derivative of those forces. NSK's catalogue gives the stiffness of the 15-degree pair (docs/theory/verification.md).
 //
 // ONE ROW UNDER AN AXIAL LOAD F moves along x only: Z K delta^1.5 sin phi = F with B_r = A cos phi_0, delta = sqrt(B_r^2 + B_x^2) - A,
 // sin phi = B_x / sqrt(B_r^2 + B_x^2).
@@ -250,7 +250,7 @@ TEST(BearingStatics, ASpringKeepsThePreloadThatGrowthWouldRaise) {
   EXPECT_NEAR(stiff.report.preload, 290. - 1e7 * stiff.report.spring_travel, 1e-6 * 290.) << "N";
   EXPECT_GT(stiff.report.preload, 300.) << "N";
   EXPECT_LT(stiff.report.preload, rigid) << "N";
-  EXPECT_NEAR(rigid, 1630., 0.03 * 1630.) << "N, docs/model.md";
+  EXPECT_NEAR(rigid, 1630., 0.03 * 1630.) << "N, docs/theory/model.md";
 }
 
 TEST(BearingStatics, ARingWithoutLoadInItsClearanceFloats) {

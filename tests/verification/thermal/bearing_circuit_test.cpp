@@ -1,4 +1,4 @@
-// The built-in circuit of a touchdown bearing (docs/model.md):
+// The built-in circuit of a touchdown bearing (docs/theory/model.md):
 //   ambient -R1- s -R2- x -R3- i -R4- ci -R5- b -R5- co -R7- o -R8- h -R9- ambient,   b -R6- ambient.
 //
 // RESISTANCES of a cylinder wall ln(d2/d1)/(2 pi k W), of a surface 1/(h area), of a rod from centre to surface 1/(4 pi k W), and of the path

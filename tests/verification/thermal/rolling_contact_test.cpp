@@ -97,7 +97,7 @@ TEST(RollingContact, ConductsWhatThePassOfABallGives) {
         const double found = contact_conduction(bearing_steel, ball, a, ellipticity, 0., 0.14).conductance(1., U);
         printf("a/b %4.0f  U b/kappa %6.1f  pass %.5f W/K  formula %.5f W/K  %+.2f %%\n", ellipticity, peclet, pass,
                found, 100. * (found / pass - 1.));
-        EXPECT_NEAR(found / pass, 1., 0.06) << "what docs/model.md, section 6, promises";
+        EXPECT_NEAR(found / pass, 1., 0.06) << "what docs/theory/model.md, section 6, promises";
       }
 }
 

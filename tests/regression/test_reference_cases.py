@@ -1,7 +1,7 @@
 """Both reference cases against an independent implementation of the same statement, and against what algebra alone says.
 
 tests/regression/peer-values.json holds the scalars of validation/peer/drop_peer.py, which shares no code with the program. Tolerance: 2e-3 of
-each value; the two agree to about 1e-4 with the case's integration settings (docs/convergence.md) and to 1e-13 with the same method and step.
+each value; the two agree to about 1e-4 with the case's integration settings (docs/theory/convergence.md) and to 1e-13 with the same method and step.
 In the "table" case the rotor bounces chaotically after 60 to 100 ms; what depends on that is only checked to lie near the peer.
 """
 import json
