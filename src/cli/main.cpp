@@ -53,8 +53,13 @@ CLI::Validator not_empty() {
 /// Options and arguments that name files or folders, by what help and completion call them.
 std::vector<std::pair<std::string, std::string>> types_of_paths(const std::string& command) {
   const bool has_folder = command == "run" || command == "heat" || command == "preload";
-  return {{"case", "CASE"},   {"directory", "DIR"}, {"results", "DIR"},
-          {"against", "DIR"}, {"shapes", "FILE"},   {"output", has_folder ? "DIR" : "FILE"}};
+  return {{"case", "CASE"},
+          {"directory", "DIR"},
+          {"results", "DIR"},
+          {"against", "DIR"},
+          {"shapes", "FILE"},
+          {"diagram", "FILE"},
+          {"output", has_folder ? "DIR" : "FILE"}};
 }
 
 /// Declarations of all keys that some command takes with --set.
@@ -98,6 +103,21 @@ int run_program(int argc, char** argv) {
   modes_app->add_flag("--json", modes.json, "Print the report as JSON");
   modes_app->add_option("--shapes", modes.shapes, "HDF5 file for the mode shapes; default out/CASE/modes.h5");
   add_overrides(*modes_app, modes.overrides);
+
+  CriticalSpeedsCommand critical;
+  auto* critical_app = app.add_subcommand(
+      "critical-speeds", "Critical speeds on the case's linear supports or on given springs; Campbell diagram.");
+  add_case(*critical_app, critical.file);
+  critical_app->add_option("--up-to", critical.up_to,
+                           "Highest spin speed, such as \"20000 rpm\"; default: twice the initial speed");
+  critical_app->add_option("--stiffness", critical.stiffness,
+                           "Isotropic springs at the linear supports, or at all bearings of a case that has none");
+  critical_app->add_option("--map", critical.map,
+                           "Critical-speed map over the springs' stiffness, such as \"1e6 N/m, 1e9 N/m\"");
+  critical_app->add_option("--diagram", critical.diagram, "SVG picture; default out/CASE/campbell.svg");
+  critical_app->add_flag("--json", critical.json, "Report as JSON, with units");
+  add_force(*critical_app, critical.force, "the picture given with --diagram");
+  add_overrides(*critical_app, critical.overrides);
 
   HeatCommand heat;
   auto* heat_app = app.add_subcommand("heat",
@@ -234,6 +254,7 @@ int run_program(int argc, char** argv) {
     if (*mesh_app) return mesh_command(mesh);
     if (*calibrate_app) return calibrate_command(calibrate);
     if (*modes_app) return modes_command(modes);
+    if (*critical_app) return critical_speeds_command(critical);
     if (*preload_app) return preload_command(preload);
     if (*statics_app) return statics_command(statics);
     if (*defaults) return defaults_command(heat_defaults);
