@@ -31,7 +31,7 @@ PAGES = [
     ("Start", [("docs/guide.md", "index"), ("README.md", "readme"), ("COMMANDS", "commands"), ("docs/parameters.md", "parameters"), ("PARAMETERS", "parameter-reference"),
                ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("params/bearings/README.md", "bearings"), ("examples/README.md", "examples"), ("docs/extending.md", "extending")]),
     ("Results", [("docs/results.md", "results"), ("docs/report.md", "report"), ("docs/compare.md", "compare"), ("docs/fields.md", "fields")]),
-    ("Methods", [("docs/model.md", "model"), ("docs/statics.md", "statics"), ("docs/ring-bending.md", "ring-bending"), ("docs/preload.md", "preload"), ("docs/coast-down.md", "coast-down"), ("docs/finite-elements.md", "finite-elements"), ("docs/growth.md", "growth"), ("docs/heat.md", "heat"), ("docs/mesh.md", "mesh")]),
+    ("Methods", [("docs/model.md", "model"), ("docs/statics.md", "statics"), ("docs/critical-speeds.md", "critical-speeds"), ("docs/ring-bending.md", "ring-bending"), ("docs/preload.md", "preload"), ("docs/coast-down.md", "coast-down"), ("docs/finite-elements.md", "finite-elements"), ("docs/growth.md", "growth"), ("docs/heat.md", "heat"), ("docs/mesh.md", "mesh")]),
     ("Trust", [("docs/reliability.md", "reliability"), ("docs/verification.md", "verification"), ("docs/validation.md", "validation"), ("docs/convergence.md", "convergence"), ("CHANGELOG.md", "changelog")]),
 ]
 

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double slow = 0.01 * 2 * std::numbers::pi;  // as whirl_modes() tells rigid-body motions from modes [rad/s]
 
-/// A root between two places of different sign, to a relative 1e-12: Illinois' form of regula falsi, with halving when
-/// that is slow.
+/// A root between two places of different sign, where |f| < 1e-10 |x|: Illinois' form of regula falsi, with halving in
+/// case that is slow. Eigenvalues carry errors of about 1e-12.
 double root_between(const std::function<double(double)>& f, double a, double f_a, double b, double f_b) {
-  for (int step = 0; step < 200 && std::abs(b - a) > 1e-12 * std::abs(b); ++step) {
-    double x = step % 3 == 2 ? 0.5 * (a + b) : (a * f_b - b * f_a) / (f_b - f_a);
+  for (int step = 0; step < 200 && std::abs(b - a) > 1e-10 * std::abs(b); ++step) {
+    double x = step % 5 == 4 ? 0.5 * (a + b) : (a * f_b - b * f_a) / (f_b - f_a);
     if (!(x > std::min(a, b) && x < std::max(a, b))) x = 0.5 * (a + b);
     const double f_x = f(x);
-    if (f_x == 0.) return x;
+    if (std::abs(f_x) < 1e-10 * std::abs(x)) return x;
     if ((f_x > 0.) == (f_b > 0.)) {
       f_a *= 0.5;
     } else {
