@@ -1,25 +1,36 @@
 # cmake --install BUILD [--prefix DIR]: the program with its modules and parameters, which find each other relative to it; the libraries
-# with their headers for find_package(rotordrop); documents and examples.
+# with their headers for find_package(rotordrop); documents and examples. Components: core, fe and dev, one Debian package each.
 set(data ${CMAKE_INSTALL_DATADIR}/rotordrop)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rotordrop)
 
-install(TARGETS rotordrop RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS rotordrop RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT core)
 if(ROTORDROP_FE)
-  install(TARGETS rotordrop_fe rotordrop_mesh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rotordrop)
+  install(TARGETS rotordrop_fe rotordrop_mesh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rotordrop COMPONENT fe)
 endif()
-install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rotordrop FILES_MATCHING PATTERN "*.h"
+install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rotordrop COMPONENT dev FILES_MATCHING PATTERN "*.h"
         PATTERN thermal/fe EXCLUDE PATTERN cli EXCLUDE PATTERN study/report EXCLUDE)
 
-install(DIRECTORY params DESTINATION ${data})
-install(DIRECTORY examples/ DESTINATION ${data}/examples PATTERN __pycache__ EXCLUDE)
-install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
-install(DIRECTORY ${ROTORDROP_HTML}/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html OPTIONAL)
+install(DIRECTORY params DESTINATION ${data} COMPONENT core)
+install(DIRECTORY examples/ DESTINATION ${data}/examples COMPONENT core PATTERN __pycache__ EXCLUDE)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+install(DIRECTORY ${ROTORDROP_HTML}/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html COMPONENT core OPTIONAL)
+
+# Completions and manual pages as the program itself prints them.
+set(texts ${CMAKE_BINARY_DIR}/texts)
+add_custom_command(OUTPUT ${texts}/done
+  COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rotordrop> -DFOLDER=${texts} -P ${CMAKE_SOURCE_DIR}/cmake/write_texts.cmake
+  DEPENDS rotordrop cmake/write_texts.cmake VERBATIM)
+add_custom_target(texts ALL DEPENDS ${texts}/done)
+install(DIRECTORY ${texts}/man1 ${texts}/man5 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT core OPTIONAL)
+install(FILES ${texts}/rotordrop.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME rotordrop COMPONENT core OPTIONAL)
+install(FILES ${texts}/rotordrop.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _rotordrop COMPONENT core OPTIONAL)
+install(FILES ${texts}/rotordrop.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT core OPTIONAL)
 
 include(CMakePackageConfigHelpers)
-install(EXPORT rotordrop NAMESPACE rotordrop:: FILE rotordropTargets.cmake DESTINATION ${package})
+install(EXPORT rotordrop NAMESPACE rotordrop:: FILE rotordropTargets.cmake DESTINATION ${package} COMPONENT dev)
 configure_package_config_file(cmake/rotordropConfig.cmake.in ${CMAKE_BINARY_DIR}/rotordropConfig.cmake INSTALL_DESTINATION ${package}
                               PATH_VARS data)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/rotordropConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/rotordropConfig.cmake ${CMAKE_BINARY_DIR}/rotordropConfigVersion.cmake cmake/RotordropLibraries.cmake
-        DESTINATION ${package})
+        DESTINATION ${package} COMPONENT dev)

@@ -22,6 +22,7 @@
 #include "study/calibration.h"
 #include "study/case.h"
 #include "study/comparison.h"
+#include "study/critical_speeds_report.h"
 #include "study/drop_run.h"
 #include "study/fe_module.h"
 #include "study/heat_run.h"
@@ -347,6 +348,27 @@ int modes_command(const ModesCommand& command) {
   write_mode_shapes(report, command.n_modes, shapes);
   // Not on standard output, where the JSON may go into another program.
   fmt::print(stderr, "mode shapes in {}\n", shapes.string());
+  return 0;
+}
+
+int critical_speeds_command(const CriticalSpeedsCommand& command) {
+  const Case c = read_case(command.file, command.overrides);
+  auto options = critical_speed_options(c, {command.up_to, command.stiffness, command.map});
+  options.n_speeds = 61;
+  if (!command.diagram.empty() && !command.force && std::filesystem::exists(command.diagram))
+    throw InputError({command.diagram.string(), 0, 0}, "the file exists already.",
+                     "Choose another with --diagram FILE, or replace it with --force.");
+  const auto report = critical_speeds(c.parameters, options);
+  const auto json = critical_speeds_json(c, report, options);
+  if (command.json)
+    fmt::print("{}\n", json.dump(2));
+  else
+    fmt::print("rotordrop {} ({})   critical speeds, case {}\n{}", version(), git_revision(), c.name,
+               critical_speeds_text(json));
+  const auto file = command.diagram.empty() ? std::filesystem::path("out") / c.name / "campbell.svg" : command.diagram;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  write_text_atomically(file, campbell_picture(report, options.up_to, json["operating_speed"].get<double>()));
+  fmt::print(stderr, "Campbell diagram in {}\n", file.string());
   return 0;
 }
 

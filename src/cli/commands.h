@@ -65,6 +65,14 @@ struct ModesCommand {
 };
 int modes_command(const ModesCommand& command);
 
+struct CriticalSpeedsCommand {
+  std::filesystem::path file, diagram;
+  std::vector<std::string> overrides;
+  std::string up_to, stiffness, map;  ///< as given; empty: default
+  bool json = false, force = false;
+};
+int critical_speeds_command(const CriticalSpeedsCommand& command);
+
 struct StaticsCommand {
   std::filesystem::path file;
   std::vector<std::string> overrides;

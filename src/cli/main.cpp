@@ -14,23 +14,14 @@
 #include "base/errors.h"
 #include "base/parameters.h"
 #include "cli/commands.h"
+#include "cli/completion.h"
+#include "cli/mistakes.h"
+#include "study/case.h"
+#include "study/heat_run.h"
 
 namespace {
 
 enum ExitCode { done = 0, run_failed = 1, bad_input = 2 };
-
-/// For mistyped options, the ones that may be meant.
-void suggest_options(const CLI::App& app) {
-  for (const auto* command : app.get_subcommands()) {
-    std::vector<std::string> known;
-    for (const auto* option : command->get_options())
-      for (const auto& name : option->get_lnames()) known.push_back("--" + name);
-    for (const auto& word : command->remaining())
-      if (const auto guess = rotordrop::closest_name(word.substr(0, word.find('=')), known);
-          word.starts_with("--") && !guess.empty())
-        fmt::print(stderr, "{}: did you mean {}?\n", word, guess);
-  }
-}
 
 // Options that several commands have.
 template <class File>
@@ -57,6 +48,25 @@ void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("--quiet", qui
 /// An empty name is most often a shell's variable that was never set.
 CLI::Validator not_empty() {
   return CLI::Validator([](std::string& word) { return word.empty() ? "the name is empty" : ""; }, "");
+}
+
+/// Options and arguments that name files or folders, by what help and completion call them.
+std::vector<std::pair<std::string, std::string>> types_of_paths(const std::string& command) {
+  const bool has_folder = command == "run" || command == "heat" || command == "preload";
+  return {{"case", "CASE"},
+          {"directory", "DIR"},
+          {"results", "DIR"},
+          {"against", "DIR"},
+          {"shapes", "FILE"},
+          {"diagram", "FILE"},
+          {"output", has_folder ? "DIR" : "FILE"}};
+}
+
+/// Declarations of all keys that some command takes with --set.
+std::vector<rotordrop::ErasedSection> sections_of_keys() {
+  auto sections = rotordrop::case_sections();
+  for (auto& section : rotordrop::heat_sections()) sections.push_back(std::move(section));
+  return sections;
 }
 
 int run_program(int argc, char** argv) {
@@ -93,6 +103,21 @@ int run_program(int argc, char** argv) {
   modes_app->add_flag("--json", modes.json, "Print the report as JSON");
   modes_app->add_option("--shapes", modes.shapes, "HDF5 file for the mode shapes; default out/CASE/modes.h5");
   add_overrides(*modes_app, modes.overrides);
+
+  CriticalSpeedsCommand critical;
+  auto* critical_app = app.add_subcommand(
+      "critical-speeds", "Critical speeds on the case's linear supports or on given springs; Campbell diagram.");
+  add_case(*critical_app, critical.file);
+  critical_app->add_option("--up-to", critical.up_to,
+                           "Highest spin speed, such as \"20000 rpm\"; default: twice the initial speed");
+  critical_app->add_option("--stiffness", critical.stiffness,
+                           "Isotropic springs at the linear supports, or at all bearings of a case that has none");
+  critical_app->add_option("--map", critical.map,
+                           "Critical-speed map over the springs' stiffness, such as \"1e6 N/m, 1e9 N/m\"");
+  critical_app->add_option("--diagram", critical.diagram, "SVG picture; default out/CASE/campbell.svg");
+  critical_app->add_flag("--json", critical.json, "Report as JSON, with units");
+  add_force(*critical_app, critical.force, "the picture given with --diagram");
+  add_overrides(*critical_app, critical.overrides);
 
   HeatCommand heat;
   auto* heat_app = app.add_subcommand("heat",
@@ -186,31 +211,64 @@ int run_program(int argc, char** argv) {
   auto* fresh = app.add_subcommand("new", "Create a folder with a case to start from.");
   fresh->add_option("directory", new_directory, "Folder")->required();
 
+  std::string shell;
+  auto* completion =
+      app.add_subcommand("completion", "Print a script that completes commands, options and keys of --set in a shell.");
+  completion->add_option("shell", shell, "Shell: bash, zsh or fish")
+      ->required()
+      ->type_name("SHELL")
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  std::string topic;
+  auto* manual = app.add_subcommand("man", "Print a manual page in the format of man(7).");
+  manual->add_option("topic", topic, "A command, or \"case\" for the parameters; default: the program")
+      ->type_name("TOPIC");
+
   for (auto* command : app.get_subcommands([](CLI::App*) { return true; }))
     for (auto* option : command->get_options())
-      for (const auto* name : {"output", "shapes", "results", "against", "case", "directory"})
-        if (option->get_single_name() == name) option->check(not_empty());
+      for (const auto& [name, type] : types_of_paths(command->get_name()))
+        if (option->get_single_name() == name) option->type_name(type)->check(not_empty());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    if (code != 0) suggest_options(app);
-    return code == 0 ? done : bad_input;
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+      return done;
+    }
+    fmt::print(stderr, "{}", explained(app, error, {argv + 1, argv + argc}, sections_of_keys()));
+    return bad_input;
   }
-  if (*run_app) return run_command(run);
-  if (*check) return check_command(check_file, check_overrides, check_strict);
-  if (*heat_app) return heat_command(heat);
-  if (*compare_app) return compare_command(compare);
-  if (*report_app) return report_command(report);
-  if (*mesh_app) return mesh_command(mesh);
-  if (*calibrate_app) return calibrate_command(calibrate);
-  if (*modes_app) return modes_command(modes);
-  if (*preload_app) return preload_command(preload);
-  if (*statics_app) return statics_command(statics);
-  if (*defaults) return defaults_command(heat_defaults);
-  if (*schema) return schema_command(heat_schema);
-  if (*fresh) return new_command(new_directory);
-  return bad_input;
+  if (*completion) {
+    fmt::print("{}", completion_script(app, shell, case_sections()));
+    return done;
+  }
+  if (*manual) {
+    fmt::print("{}", manual_page(app, topic, case_sections()));
+    return done;
+  }
+  const auto run_chosen = [&]() -> int {
+    if (*run_app) return run_command(run);
+    if (*check) return check_command(check_file, check_overrides, check_strict);
+    if (*heat_app) return heat_command(heat);
+    if (*compare_app) return compare_command(compare);
+    if (*report_app) return report_command(report);
+    if (*mesh_app) return mesh_command(mesh);
+    if (*calibrate_app) return calibrate_command(calibrate);
+    if (*modes_app) return modes_command(modes);
+    if (*critical_app) return critical_speeds_command(critical);
+    if (*preload_app) return preload_command(preload);
+    if (*statics_app) return statics_command(statics);
+    if (*defaults) return defaults_command(heat_defaults);
+    if (*schema) return schema_command(heat_schema);
+    if (*fresh) return new_command(new_directory);
+    return bad_input;
+  };
+  const auto* set = app.get_subcommands().front()->get_option_no_throw("--set");
+  const auto overrides = set ? set->results() : std::vector<std::string>{};
+  try {
+    return run_chosen();
+  } catch (const InputError& error) {
+    throw with_right_forms(error, overrides, sections_of_keys());
+  }
 }
 
 }  // namespace

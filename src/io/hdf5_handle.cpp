@@ -144,11 +144,14 @@ void write_attribute(hid_t object, const std::string& name, const std::vector<st
 }
 
 void write_text(hid_t file, const std::string& path, const std::string& text) {
-  const Handle type = text_type();
+  // Of fixed length, and ASCII where it can be: Octave stops reading a file at any other text.
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "make text type");
+  require(H5Tset_size(type.id(), text.size() + 1), "make text type");
+  const bool is_ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x80; });
+  require(H5Tset_cset(type.id(), is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), "make text type");
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make data space");
   const Handle dataset = new_dataset(file, path, type.id(), space.id());
-  const char* pointer = text.c_str();
-  require(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), "cannot write " + path);
+  require(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "cannot write " + path);
 }
 
 void write_texts(hid_t file, const std::string& path, const std::vector<std::string>& texts) {

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "io/input_file.h"
+#include "io/parameter_keys.h"
 
 namespace rotordrop {
 
@@ -186,6 +187,12 @@ void apply_override(Node& tree, std::string_view assignment) {
   const std::string text = equals == std::string_view::npos ? "" : trimmed(assignment.substr(equals + 1));
   const std::string example =
       "Write it as --set contact.friction_coefficient=0.05; quote it for the shell if it has spaces.";
+  if (const auto parts = assignments_in(assignment); parts.size() > 1) {
+    std::string each;
+    for (const auto& part : parts) each += " --set " + shell_quoted(part);
+    throw InputError({fmt::format("--set {}", assignment)},
+                     "this sets several parameters; each needs a --set of its own.", "Write it as:" + each);
+  }
   if (path.empty() || text.empty())
     throw InputError({fmt::format("--set {}", assignment)}, "this is not a parameter setting; it must be KEY=VALUE.",
                      example);

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "machine/machine_parameters.h"
@@ -18,5 +20,31 @@ RotorReport rotor_report(const RotorParameters& rotor);
 /// levitated rotor and take no part.
 /// @param spin_speeds [rad/s]
 std::vector<WhirlModes> machine_modes(const MachineParameters& parameters, const std::vector<double>& spin_speeds);
+
+/// What critical speeds are asked for.
+struct CriticalSpeedOptions {
+  double up_to = 0;  ///< [rad/s], > 0
+  /// [N/m] of isotropic springs without damping at all stations, instead of the case's linear supports
+  std::optional<double> stiffness;
+  std::vector<double> map;  ///< [N/m] stiffnesses of all stations for a critical-speed map
+  int n_speeds = 0;         ///< places of the Campbell diagram from 0 to up_to; 0: none
+};
+
+/// Critical speeds of the rotor on linear supports, and what surrounds them.
+struct CriticalSpeedReport {
+  std::vector<std::string> stations;  ///< names of the supports that hold the rotor; empty: free-free
+  bool is_on_given_stiffness = false;
+  std::vector<CriticalSpeed> speeds;
+  int n_overdamped = 0;  ///< motions without oscillation at the highest speed
+  int n_rigid_body_modes = 0;
+  std::vector<double> map_stiffness;            ///< [N/m]
+  std::vector<std::vector<double>> map_speeds;  ///< [n_stiffness][*] undamped critical speeds up to up_to [rad/s]
+  std::vector<double> diagram_speeds;           ///< [rad/s]
+  std::vector<WhirlModes> diagram_modes;        ///< [n_speeds] from a basis of modes up to five times up_to
+};
+
+/// Stations are the case's linear supports; of a case without any, and with a given stiffness, the nodes of all its
+/// bearings.
+CriticalSpeedReport critical_speeds(const MachineParameters& parameters, const CriticalSpeedOptions& options);
 
 }  // namespace rotordrop

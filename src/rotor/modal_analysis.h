@@ -46,6 +46,13 @@ struct WhirlModes {
   int n_overdamped = 0;          ///< real eigenvalues: motions that creep without oscillating; not among the modes
 };
 
+/// A spin speed that equals the damped frequency of one of the rotor's own modes: unbalance meets a resonance there.
+struct CriticalSpeed {
+  double speed = 0;  ///< [rad/s], > 0
+  Whirl whirl = Whirl::planar;
+  double damping_ratio = 0;  ///< of the mode at this speed
+};
+
 /// Steady synchronous response: displacement = Re(v exp(i omega t)), spin angle = omega t.
 struct SynchronousResponse {
   std::vector<std::complex<double>> v, w;  ///< [n_nodes] along y and z [m]
@@ -73,11 +80,27 @@ class ModalAnalysis {
   /// @param spin_speed  [rad/s]
   /// @param supports    empty: free-free
   [[nodiscard]] WhirlModes whirl_modes(double spin_speed, const std::vector<LinearSupportAtNode>& supports = {}) const;
+  /// Speeds at which an undamped rotor whirls with its own spin: K q = speed^2 (M - G) q, in one eigenvalue problem.
+  ///
+  /// Damping and the antisymmetric part of the supports' stiffness are left out. Rising; forward and backward together.
+  /// @return [rad/s], those above 0.06 rad/s (0.01 Hz)
+  [[nodiscard]] std::vector<double> undamped_critical_speeds(const std::vector<LinearSupportAtNode>& supports) const;
+  /// Speeds up to a limit at which the damped frequency of a mode equals the spin speed, found as roots to 1e-10.
+  ///
+  /// A mode that is overdamped at every speed has no critical speed and is not among them. Where forward and backward
+  /// whirl have one speed (no gyroscopic effect) it is listed once, as planar.
+  /// @param up_to  [rad/s], > 0
+  [[nodiscard]] std::vector<CriticalSpeed> critical_speeds(double up_to,
+                                                           const std::vector<LinearSupportAtNode>& supports) const;
   /// Response to unbalance at constant spin; needs supports that hold the rotor or a spin above 0.
   [[nodiscard]] SynchronousResponse unbalance_response(double spin_speed, const std::vector<Unbalance>& unbalance,
                                                        const std::vector<LinearSupportAtNode>& supports) const;
 
  private:
+  /// Damped frequencies of all coordinates [rad/s], falling; 0 for those that do not oscillate.
+  [[nodiscard]] std::vector<double> falling_frequencies(double spin_speed,
+                                                        const std::vector<LinearSupportAtNode>& supports) const;
+
   std::unique_ptr<const ModalBasis> basis_;
   ModalAnalysisOptions options_;
 };

@@ -14,8 +14,10 @@
 #include "study/fe_summary.h"
 #include "study/json_number.h"
 #include "study/local_report.h"
+#include "study/probe_summary.h"
 #include "study/recorded_drop.h"
 #include "study/shoulder_words.h"
+#include "study/support_summary.h"
 #include "study/whirl.h"
 
 namespace rotordrop {

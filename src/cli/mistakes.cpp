@@ -1,0 +1,173 @@
+#include "cli/mistakes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "io/parameter_keys.h"
+
+namespace rotordrop {
+namespace {
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const auto* option : command.get_options())
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string did_you_mean(const std::string& guess) {
+  return guess.empty() ? "" : fmt::format("Did you mean {}?  ", guess);
+}
+
+/// Of a command line without a command: the word that should have been one.
+std::string about_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const auto known = names_of_commands(app);
+  const auto word = std::find_if(arguments.begin(), arguments.end(), [](const auto& a) { return !a.starts_with("-"); });
+  if (word == arguments.end())
+    return fmt::format("error: no command is given.\n       Commands: {}.\n", fmt::join(known, ", "));
+  if (std::filesystem::path(*word).extension() == ".toml")
+    return fmt::format("error: no command is given for {}.\n       To run it: rotordrop run {}   Commands: {}.\n",
+                       *word, shell_quoted(*word), fmt::join(known, ", "));
+  // A part of a name is meant as the name: "critical" for critical-speeds.
+  std::string guess = closest_name(*word, known);
+  for (const auto& name : known)
+    if (guess.empty() && word->size() > 2 && (name.starts_with(*word) || word->starts_with(name))) guess = name;
+  return fmt::format("error: there is no command \"{}\".\n       {}Commands: {}.\n", *word, did_you_mean(guess),
+                     fmt::join(known, ", "));
+}
+
+bool ends_assignment(const std::string& word) {
+  if (word.starts_with("--") || std::filesystem::path(word).extension() == ".toml") return true;
+  return word.size() == 2 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
+}
+
+/// How the words that follow each --set belong together; only those that the shell took apart.
+std::string about_overrides(const std::vector<std::string>& arguments, const std::vector<ErasedSection>& sections) {
+  std::string text;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    std::string whole;
+    std::size_t n_words = 0;
+    if (arguments[i].starts_with("--set=")) {
+      whole = arguments[i].substr(std::string_view("--set=").size());
+      n_words = 1;
+    } else if (arguments[i] == "--set" || arguments[i] == "-set") {
+      n_words = arguments[i] == "-set" ? 1 : 0;  // worth a word even if the rest is right
+    } else {
+      continue;
+    }
+    const std::size_t first = i;
+    while (i + 1 < arguments.size() && !ends_assignment(arguments[i + 1])) {
+      whole += (whole.empty() ? "" : " ") + arguments[++i];
+      ++n_words;
+    }
+    if (n_words < 2) continue;
+    std::string forms;
+    for (const auto& part : assignments_in(whole)) {
+      // KEY = VALUE, KEY VALUE and KEY: VALUE.
+      auto end = part.find('=');
+      if (end == std::string::npos) end = part.find_first_of(" :");
+      if (end == std::string::npos) continue;
+      const std::string key = part.substr(0, part.find_last_not_of(" :", end - 1) + 1);
+      forms += (forms.empty() ? "" : " ") + right_form(sections, key, std::string_view(part).substr(end + 1));
+    }
+    if (forms.empty()) continue;
+    std::vector<std::string> given(arguments.begin() + static_cast<std::ptrdiff_t>(first),
+                                   arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    text += fmt::format(
+        "error: {}: --set takes one word for the shell, KEY=VALUE without spaces or in quotes.\n"
+        "       Write it as: {}\n",
+        fmt::join(given, " "), forms);
+  }
+  return text;
+}
+
+/// The option whose value the shell took apart at spaces, from the option to the word; empty if there is none.
+std::vector<std::string> value_around(const CLI::App& command, const std::vector<std::string>& arguments,
+                                      const std::string& word) {
+  const auto end = std::find(arguments.begin(), arguments.end(), word);
+  auto begin = end;
+  while (begin != arguments.begin() && !(begin - 1)->starts_with("-")) --begin;
+  if (begin == arguments.begin() || begin == end || end == arguments.end()) return {};
+  const auto* option = command.get_option_no_throw(*(begin - 1));
+  if (!option || option->get_items_expected_max() == 0) return {};
+  return {begin - 1, end + 1};
+}
+
+/// Words that a command does not know, each with what may be meant.
+std::string about_words(const CLI::App& command, const std::vector<std::string>& arguments) {
+  auto unknown = command.remaining();
+  const auto place = [&](const auto& word) { return std::find(arguments.begin(), arguments.end(), word); };
+  std::stable_sort(unknown.begin(), unknown.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  std::string text;
+  if (!unknown.empty() && !unknown.back().starts_with("-"))
+    if (const auto words = value_around(command, arguments, unknown.back()); !words.empty())
+      return fmt::format("error: {}: a value with spaces must be in quotes.\n       Write it as: {} {}\n",
+                         fmt::join(words, " "), words[0],
+                         shell_quoted(fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "))));
+  for (const auto& word : unknown) {
+    if (word.starts_with("-") && word.size() > 1) {
+      const auto known = names_of_options(command);
+      const std::string name = word.substr(0, word.find('='));
+      text += fmt::format("error: {} has no option {}.\n       {}Options: {}.\n", command.get_name(), name,
+                          did_you_mean(closest_name(name, known)), fmt::join(known, ", "));
+    } else if (word.find('=') != std::string::npos && command.get_option_no_throw("--set")) {
+      text += fmt::format("error: {}: a parameter is set with --set.\n       Write it as: --set {}\n", word,
+                          shell_quoted(word));
+    } else {
+      text += fmt::format("error: {}: {} does not know what to do with this word.\n       Its usage: {} --help\n", word,
+                          command.get_name(), "rotordrop " + command.get_name());
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string explained(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& arguments,
+                      const std::vector<ErasedSection>& sections) {
+  const auto chosen = app.get_subcommands();
+  if (!arguments.empty() && arguments[0].starts_with("-") && app.remaining_size() > 0)
+    return fmt::format(
+        "error: {}: options of a command stand behind it.\n       Write it as: rotordrop COMMAND CASE {} ...\n",
+        arguments[0], arguments[0]);
+  if (chosen.empty()) return about_command(app, arguments);
+  const CLI::App& command = *chosen.front();
+  if (command.get_option_no_throw("--set"))
+    if (const auto text = about_overrides(arguments, sections); !text.empty()) return text;
+  if (command.remaining_size() > 0) return about_words(command, arguments);
+  return fmt::format("error: {}: {}.\n       Its usage: rotordrop {} --help\n", command.get_name(), error.what(),
+                     command.get_name());
+}
+
+InputError with_right_forms(const InputError& error, const std::vector<std::string>& overrides,
+                            const std::vector<ErasedSection>& sections) {
+  Faults faults;
+  for (Fault fault : error.faults()) {
+    for (const auto& assignment : overrides) {
+      auto equals = assignment.find('=');
+      if (equals == std::string::npos) equals = assignment.find(':');  // KEY: VALUE
+      if (equals == std::string::npos) continue;
+      const std::string key = assignment.substr(0, equals);
+      if (fault.where.file != "--set " + key && fault.where.file != "--set " + assignment) continue;
+      if (assignment.find_first_not_of(" \t", equals + 1) == std::string::npos) continue;
+      const std::string form = right_form(sections, key, std::string_view(assignment).substr(equals + 1));
+      if (form != "--set " + shell_quoted(assignment))
+        fault.advice += (fault.advice.empty() ? "" : "\n") + fmt::format("Write it as: {}", form);
+    }
+    faults.add(fault.where, fault.message, fault.advice);
+  }
+  return InputError(faults);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,160 @@
+"""Critical speeds of the reference rotor against a finite-element model written here, with numpy alone.
+
+The element is built from its own description, not from formulas of the program: a Timoshenko beam's deflection under end
+loads is a cubic whose section rotation is phi = v' + (EI / kGA) v''', so four cubics with unit end values give stiffness,
+mass and rotary inertia by Gauss quadrature. In u = v + i w the spinning rotor on isotropic springs obeys
+M u'' - i Omega G u' + K u = 0; with u = exp(+-i Omega t): (K - Omega^2 (M -+ G)) u = 0, forward with minus."""
+
+import json
+import math
+import sys
+import tomllib
+import unittest
+import xml.etree.ElementTree
+
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PARAMS, ProgramTest  # noqa: E402
+
+RPM = math.pi / 30
+
+
+def element(length, outer, bore, material):
+    E, nu, rho = material["E"], material["nu"], material["rho"]
+    area, inertia = math.pi / 4 * (outer**2 - bore**2), math.pi / 64 * (outer**4 - bore**4)
+    m = bore / outer
+    # Cowper 1966, hollow circular section.
+    kappa = 6 * (1 + nu) * (1 + m**2) ** 2 / ((7 + 6 * nu) * (1 + m**2) ** 2 + (20 + 12 * nu) * m**2)
+    shear = kappa * E / (2 * (1 + nu)) * area
+    lag = E * inertia / shear
+    deflection = lambda x: numpy.array([1, x, x**2, x**3])  # noqa: E731
+    rotation = lambda x: numpy.array([0, 1, 2 * x, 3 * x**2 + 6 * lag])  # noqa: E731
+    ends = numpy.array([deflection(0), rotation(0), deflection(length), rotation(length)])
+    shapes = numpy.linalg.inv(ends)  # columns: coefficients for a unit value of each degree of freedom
+    K, M, G = numpy.zeros((4, 4)), numpy.zeros((4, 4)), numpy.zeros((4, 4))
+    for s, weight in zip(*numpy.polynomial.legendre.leggauss(8)):
+        x, weight = length * (s + 1) / 2, weight * length / 2
+        v, phi = deflection(x) @ shapes, rotation(x) @ shapes
+        bend = numpy.array([0, 0, 2, 6 * x]) @ shapes
+        slip = numpy.array([0, 0, 0, -6 * lag]) @ shapes  # v' - phi
+        K += weight * (E * inertia * numpy.outer(bend, bend) + shear * numpy.outer(slip, slip))
+        M += weight * rho * (area * numpy.outer(v, v) + inertia * numpy.outer(phi, phi))
+        G += weight * rho * 2 * inertia * numpy.outer(phi, phi)
+    return K, M, G
+
+
+def peer_critical_speeds(springs):
+    """(speed, direction) of the undamped reference rotor, rising; springs: stiffness by node."""
+    rotor = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
+    x = [node["x"] for node in rotor["nodes"]]
+    n = 2 * len(x)
+    K, M, G = numpy.zeros((n, n)), numpy.zeros((n, n)), numpy.zeros((n, n))
+    for e in rotor["elements"]:
+        at = slice(2 * e["n1"] - 2, 2 * e["n2"])
+        for whole, part in zip((K, M, G), element(x[e["n2"] - 1] - x[e["n1"] - 1], e["od"], e["id_"], rotor["material"])):
+            whole[at, at] += part
+    for point in rotor["mass_points"]:
+        at = 2 * point["node"] - 2
+        M[at, at] += point["mass"]
+        M[at + 1, at + 1] += point["Id"]
+        G[at + 1, at + 1] += point["Ip"]
+    for node, stiffness in springs.items():
+        K[2 * node - 2, 2 * node - 2] += stiffness
+    speeds = []
+    for direction, inertia in (("forward", M - G), ("backward", M + G)):
+        for value in numpy.linalg.eigvals(numpy.linalg.solve(K, inertia)):
+            if value.real > 0:
+                speeds.append((value.real**-0.5, direction))
+    return sorted(speeds)
+
+
+class CriticalSpeeds(ProgramTest):
+    SUPPORTS = """
+[bearings.A]
+type = "linear"
+node = 5
+stiffness = [["4e7 N/m", 0], [0, "4e7 N/m"]]
+[bearings.B]
+type = "linear"
+node = 27
+stiffness = [["7e7 N/m", 0], [0, "7e7 N/m"]]
+"""
+
+    def critical(self, *arguments):
+        return json.loads(self.succeed("critical-speeds", *arguments, "--json").stdout)
+
+    def undamped(self):
+        return self.case(self.SUPPORTS + "[rotor]\nmodal_damping = 0\n")
+
+    def test_they_are_those_of_an_independent_model(self):
+        found = self.critical(self.undamped(), "--up-to", "60000 rpm")
+        expected = [pair for pair in peer_critical_speeds({5: 4e7, 27: 7e7}) if pair[0] < 60000 * RPM]
+        self.assertGreaterEqual(len(expected), 5)
+        self.assertEqual([one["whirl"] for one in found["critical_speeds"]], [direction for _, direction in expected])
+        for one, (speed, _) in zip(found["critical_speeds"], expected):
+            # Two double-precision eigenvalue problems; the rotor's stiffness matrix spans eight orders of magnitude.
+            self.assertLess(abs(one["speed"] / speed - 1), 1e-6)
+            self.assertAlmostEqual(one["frequency"], one["speed"] / (2 * math.pi), places=9)
+
+    def test_springs_can_be_put_at_the_bearings_of_a_case_that_has_only_touchdown_bearings(self):
+        found = self.critical("reference.toml", "--stiffness", "5e7 N/m", "--set", "rotor.modal_damping=0")
+        self.assertEqual(found["stations"], ["TB1", "TB2"])
+        self.assertEqual(self.critical("reference.toml")["supports"], "free-free")
+        case = tomllib.loads((self.folder / "reference.toml").read_text())
+        springs = {case["bearings"][name]["node"]: 5e7 for name in ("TB1", "TB2")}
+        expected = [speed for speed, _ in peer_critical_speeds(springs) if speed < found["up_to"]]
+        self.assertEqual(len(found["critical_speeds"]), len(expected))
+        for one, speed in zip(found["critical_speeds"], expected):
+            self.assertLess(abs(one["speed"] / speed - 1), 1e-6)
+
+    def test_the_map_has_the_speeds_of_each_stiffness(self):
+        found = self.critical("reference.toml", "--map", "1e6 N/m, 1e9 N/m", "--up-to", "40000 rpm")
+        stiffness = [row["stiffness"] for row in found["map"]]
+        self.assertAlmostEqual(stiffness[0], 1e6)
+        self.assertAlmostEqual(stiffness[-1] / 1e9, 1)
+        for row in found["map"][::20]:
+            alone = self.critical("reference.toml", "--stiffness", f"{row['stiffness']} N/m", "--up-to", "40000 rpm", "--set", "rotor.modal_damping=0")
+            speeds = [one["speed"] for one in alone["critical_speeds"]]
+            self.assertEqual(len(speeds), len(row["speeds"]))
+            for a, b in zip(speeds, row["speeds"]):
+                self.assertLess(abs(a / b - 1), 1e-6)
+        # Stiffer supports raise every critical speed (Rayleigh).
+        for below, above in zip(found["map"], found["map"][1:]):
+            for a, b in zip(below["speeds"], above["speeds"]):
+                self.assertGreaterEqual(b, a * (1 - 1e-9))
+
+    def test_the_table_and_the_picture_show_the_same(self):
+        case = self.undamped()
+        done = self.succeed("critical-speeds", case, "--map", "1e6 N/m, 1e9 N/m", "--diagram", "picture.svg")
+        found = self.critical(case)["critical_speeds"]
+        self.assertGreater(len(found), 2)
+        for one in found:
+            self.assertRegex(done.stdout, rf"{one['speed'] / RPM:.1f} rpm +{one['frequency']:.3f} Hz +{one['whirl']}")
+        svg = xml.etree.ElementTree.parse(self.folder / "picture.svg").getroot()
+        self.assertEqual(len(svg.findall("{*}circle")), len(found))
+        self.assertGreater(len(svg.findall("{*}path")), 200)
+        _, _, width, height = map(float, svg.get("viewBox").split())
+        for circle in svg.findall("{*}circle"):
+            self.assertTrue(0 < float(circle.get("cx")) < width and 0 < float(circle.get("cy")) < height)
+
+    def test_overdamped_motions_are_kept_apart(self):
+        damped = self.SUPPORTS.replace("[bearings.B]", 'damping = [["2e6 N s/m", 0], [0, "2e6 N s/m"]]\n[bearings.B]')
+        free, held = self.critical(self.undamped()), self.critical(self.case(damped, "damped.toml"))
+        self.assertEqual(free["overdamped_modes"], 0)
+        self.assertGreater(held["overdamped_modes"], 0)
+        self.assertLess(len(held["critical_speeds"]), len(free["critical_speeds"]))
+
+    def test_bad_options_are_refused(self):
+        for option, value, message in (("--up-to", "-5 rpm", "larger than 0"), ("--stiffness", "5 mm", "N/m"), ("--map", "1e6 N/m", "Write it as"),
+                                       ("--map", "1e9 N/m, 1e6 N/m", "Exchange")):
+            done = self.call("critical-speeds", "reference.toml", option, value)
+            self.assertEqual(done.returncode, 2, value)
+            self.assertIn(message, done.stderr)
+        self.write("there.svg", "mine")
+        self.assertEqual(self.call("critical-speeds", "reference.toml", "--diagram", "there.svg").returncode, 2)
+        self.assertEqual((self.folder / "there.svg").read_text(), "mine")
+
+
+if __name__ == "__main__":
+    unittest.main()

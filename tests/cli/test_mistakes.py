@@ -1,0 +1,81 @@
+"""Command lines with a slip: what was meant, and a form that works."""
+
+import shlex
+import sys
+import unittest
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import ProgramTest  # noqa: E402
+
+
+class Mistakes(ProgramTest):
+    def refused(self, *arguments):
+        done = self.call(*arguments)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertEqual(done.stdout, "")
+        return done.stderr
+
+    def form_for(self, *words):
+        """The --set that the program proposes for `check reference.toml` and these words; it must work as it is."""
+        message = self.refused("check", "reference.toml", *words)
+        form = next(line for line in message.splitlines() if "Write it as: " in line).split("Write it as: ")[1]
+        self.succeed("check", "reference.toml", *shlex.split(form))
+        return form
+
+    def test_a_mistyped_command_is_answered_with_the_near_one(self):
+        for word, meant in (("rnu", "run"), ("statiks", "statics"), ("cehck", "check"), ("prelaod", "preload")):
+            self.assertIn(f"Did you mean {meant}?", self.refused(word, "reference.toml"))
+        self.assertNotIn("Did you mean", self.refused("xylophone"))
+
+    def test_a_case_without_a_command_is_told_how_to_be_run(self):
+        self.assertIn("rotordrop run reference.toml", self.refused("reference.toml"))
+
+    def test_a_mistyped_option_is_answered_with_the_near_one(self):
+        self.assertIn("Did you mean --force?", self.refused("run", "reference.toml", "--forse"))
+        self.assertIn("Did you mean --set?", self.refused("check", "reference.toml", "--st", "contact.friction_coefficient=0.05"))
+
+    def test_an_option_before_the_command_is_sent_behind_it(self):
+        self.assertIn("behind it", self.refused("--quiet", "run", "reference.toml"))
+
+    def test_spaces_around_a_value(self):
+        for words in (["--set", "contact.friction_coefficient", "=", "0.05"], ["--set", "contact.friction_coefficient=", "0.05"],
+                      ["--set", "contact.friction_coefficient", "0.05"], ["--set", "contact.friction_coefficient:", "0.05"],
+                      ["--set", "contact.friction_coefficient:0.05"], ["contact.friction_coefficient=0.05"], ["-set", "contact.friction_coefficient=0.05"]):
+            self.assertEqual(self.form_for(*words), "--set contact.friction_coefficient=0.05", words)
+
+    def test_a_unit_that_the_shell_took_apart(self):
+        self.assertEqual(self.form_for("--set", "run.initial_speed=8000", "rpm"), "--set 'run.initial_speed=8000 rpm'")
+        message = self.refused("check", "--set", "run.initial_speed=8000", "rpm", "reference.toml")
+        self.assertIn("Write it as: --set 'run.initial_speed=8000 rpm'\n", message)
+
+    def test_a_value_of_another_option_that_the_shell_took_apart(self):
+        self.assertIn("--speeds '0 rpm,100 rpm'", self.refused("modes", "reference.toml", "--speeds", "0", "rpm,100", "rpm"))
+
+    def test_quotes(self):
+        for value in ("'8000 rpm", "8000 rpm\"", "\u201c8000 rpm\u201d", "\u20188000 rpm\u2019"):
+            self.assertEqual(self.form_for("--set", f"run.initial_speed={value}"), "--set 'run.initial_speed=8000 rpm'", value)
+
+    def test_lists(self):
+        expected = "--set 'rotor.initial_offset=[\"1 um\", \"2 um\"]'"
+        for words in (["rotor.initial_offset=[1 um, 2 um]"], ["rotor.initial_offset=[1", "um,", "2", "um]"], ["rotor.initial_offset=1 um, 2 um"],
+                      ["rotor.initial_offset=[\"1 um\", 2 um"]):
+            self.assertEqual(self.form_for("--set", *words), expected, words)
+        self.assertEqual(self.form_for("--set", "thermal.models=[lumped]"), "--set 'thermal.models=[\"lumped\"]'")
+        self.assertEqual(self.form_for("--set", "thermal.models=lumped"), "--set 'thermal.models=[\"lumped\"]'")
+
+    def test_a_decimal_comma(self):
+        self.assertEqual(self.form_for("--set", "contact.friction_coefficient=0,05"), "--set contact.friction_coefficient=0.05")
+
+    def test_several_parameters_in_one(self):
+        both = "--set contact.friction_coefficient=0.05 --set run.end_time=1"
+        for words in (["contact.friction_coefficient=0.05,run.end_time=1"], ["contact.friction_coefficient=0.05 run.end_time=1"],
+                      ["contact.friction_coefficient=0.05", "run.end_time=1"]):
+            self.assertEqual(self.form_for("--set", *words), both, words)
+
+    def test_what_is_right_is_left_alone(self):
+        for value in ("run.initial_speed='8000 rpm'", "run.initial_speed=8000 rpm", "rotor.initial_offset=[\"1 um\", \"2 um\"]", "run.initial_speed = 8000 rpm"):
+            self.succeed("check", "reference.toml", "--set", value)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,129 @@
+"""Rotors from ROSS and from tables: frequencies that ROSS publishes, a round trip, and what cannot be taken over."""
+
+import json
+import math
+import subprocess
+import sys
+import tomllib
+import unittest
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import SOURCE, ProgramTest  # noqa: E402
+
+SCRIPT = SOURCE / "examples/rotor_files.py"
+
+# rotor_example() of ROSS (its ross/rotor_assembly.py), in the layout of its Rotor.save().
+SHAFT = """["ShaftElement_Shaft {n}"]
+L = 0.25
+idl = 0.0
+odl = 0.05
+idr = 0.0
+odr = 0.05
+n = {n}
+axial_force = 0
+torque = 0
+shear_effects = true
+rotary_inertia = true
+gyroscopic = true
+shear_method_calc = "cowper"
+tag = "Shaft {n}"
+alpha = 0.0
+beta = 0.0
+["ShaftElement_Shaft {n}".material]
+name = "Steel"
+rho = 7810.0
+E = 211000000000.0
+G_s = 81200000000.0
+color = "#525252"
+"""
+# DiskElement.from_geometry(n, steel, width=0.07, i_d=0.05, o_d=0.28), two of them, of rotor_example().
+DISK = '["DiskElement_Disk {k}"]\nn = {n}\nm = 32.58972765304033\nId = 0.17808928257067666\nIp = 0.32956362089137037\ntag = "Disk {k}"\nscale_factor = 1.0\n'
+BEARING = '["BearingElement_Bearing {k}"]\nkxx = [1e6]\nkxy = [0]\nkyx = [0]\nkyy = [8e5]\ncxx = [0]\ncxy = [0]\ncyx = [0]\ncyy = [0]\nn = {n}\ntag = "Bearing {k}"\n'
+ROSS = 'ross_version = "2.0.0"\n[parameters]\n' + "".join(SHAFT.format(n=n) for n in range(6)) + "".join(DISK.format(k=k, n=n) for k, n in enumerate((2, 4))) + "".join(
+    BEARING.format(k=k, n=n) for k, n in enumerate((0, 6)))
+# "modal.wn[:2]" at rest, in the documentation of Rotor.run_modal [rad/s].
+PUBLISHED = [91.79655318, 96.28899977]
+
+
+class RotorFiles(ProgramTest):
+    def convert(self, *arguments, code=0):
+        done = subprocess.run(["/usr/bin/python3", str(SCRIPT), *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def frequencies(self, case):
+        report = json.loads(self.succeed("modes", case, "--speeds", "0 rpm", "--json").stdout)
+        return [2 * math.pi * mode["frequency"] for mode in report["speeds"][0]["modes"]]
+
+    def test_a_rotor_of_ross_has_the_frequencies_that_ross_publishes(self):
+        self.write("rotor.toml", ROSS)
+        self.assertIn("7 nodes, 6 elements, 2 disks, 2 supports", self.convert("import", "rotor.toml", "rotor"))
+        for found, published in zip(self.frequencies("rotor/drop.toml"), PUBLISHED):
+            self.assertLess(abs(found / published - 1), 1e-9)  # published with ten digits
+
+    def test_the_way_back_gives_the_same_rotor(self):
+        self.write("rotor.toml", ROSS)
+        self.convert("import", "rotor.toml", "rotor")
+        self.convert("export", "rotor/drop.toml", "back.toml")
+        given, back = tomllib.loads(ROSS), tomllib.loads((self.folder / "back.toml").read_text())
+        for n in range(6):
+            for key, value in given[f"ShaftElement_Shaft {n}"].items():
+                self.assertEqual(json.loads(json.dumps(back[f"ShaftElement_Shaft {n}"][key]), parse_float=lambda x: round(float(x), 3)),
+                                 json.loads(json.dumps(value), parse_float=lambda x: round(float(x), 3)), key)
+        for k in range(2):
+            self.assertEqual(back[f"DiskElement_Disk {k}"], given[f"DiskElement_Disk {k}"])
+            self.assertEqual({key: value for key, value in back[f"BearingElement_Bearing_{k}"].items() if key != "tag"},
+                             {key: value for key, value in given[f"BearingElement_Bearing {k}"].items() if key != "tag"})
+        self.convert("import", "back.toml", "again")
+        for a, b in zip(self.frequencies("rotor/drop.toml"), self.frequencies("again/drop.toml")):
+            self.assertLess(abs(a / b - 1), 1e-9)
+
+    def test_cross_coupling_keeps_its_sense_of_turning(self):
+        # kxy > 0 > kyx of ROSS drives forward whirl for a spin about +z: -(F . v) on a forward circle is kxy - kyx. Here that is K_yz of the rotated axes.
+        self.write("rotor.toml", ROSS.replace("kxy = [0]", "kxy = [1e5]").replace("kyx = [0]", "kyx = [-1e5]"))
+        self.convert("import", "rotor.toml", "rotor", "--speed", "3000 rpm")
+        bearing = tomllib.loads((self.folder / "rotor/drop.toml").read_text())["bearings"]["Bearing_0"]
+        self.assertEqual(bearing["stiffness"], [[8e5, 1e5], [-1e5, 1e6]])
+        report = json.loads(self.succeed("modes", "rotor/drop.toml", "--speeds", "3000 rpm", "--json").stdout)
+        damping = {mode["whirl"]: mode["damping_ratio"] for mode in report["speeds"][0]["modes"][:2]}
+        self.assertLess(damping["forward"], 0)
+        self.assertGreater(damping["backward"], 0)
+
+    def test_tables_over_speed_are_read_at_the_speed(self):
+        self.write("rotor.toml", ROSS.replace("kxx = [1e6]", "kxx = [1e6, 3e6]\nspeed = [0.0, 200.0]").replace("kyy = [8e5]", "kyy = [8e5, 8e5]"))
+        self.convert("import", "rotor.toml", "rotor", "--speed", "50 rad/s")
+        bearing = tomllib.loads((self.folder / "rotor/drop.toml").read_text())["bearings"]["Bearing_0"]
+        self.assertAlmostEqual(bearing["stiffness"][1][1], 1.5e6)
+
+    def test_what_is_not_taken_over_is_told_and_stands_in_the_case(self):
+        self.write("rotor.toml", ROSS.replace("odr = 0.05", "odr = 0.06", 1).replace("axial_force = 0", "axial_force = 10", 1))
+        said = self.convert("import", "rotor.toml", "rotor")
+        for note in ("Shaft 0: a cone", "Shaft 0: axial_force is left out"):
+            self.assertIn(note, said)
+            self.assertIn(note, (self.folder / "rotor/drop.toml").read_text())
+
+    def test_a_table_is_the_same_rotor(self):
+        # Young's modulus and density of ROSS's steel; its Poisson's ratio from E / (2 G) - 1.
+        row = f"250, 50, 0, 211, {211 / 162.4 - 1!r}, 7810, {{}}\n"
+        disk = "32.58972765304033, 0.32956362089137037, 0.17808928257067666"
+        table = "length [mm], outer_diameter [mm], bore [mm], E [GPa], nu, rho [kg/m3], mass [kg], Ip [kg m2], Id [kg m2]\n"
+        table += "".join(row.format(disk if k in (2, 4) else ", , ") for k in range(6))
+        self.write("shaft.csv", table)
+        self.convert("import", "shaft.csv", "table")
+        case = (self.folder / "table/drop.toml").read_text()
+        for name, node in (("A", 1), ("B", 7)):
+            case += f'\n[bearings.{name}]\ntype = "linear"\nnode = {node}\nstiffness = [[8e5, 0], [0, 1e6]]\n'
+        self.write("table/drop.toml", case)
+        for found, published in zip(self.frequencies("table/drop.toml"), PUBLISHED):
+            self.assertLess(abs(found / published - 1), 1e-9)
+
+    def test_faults_of_tables_are_told(self):
+        for text, said in (("length [mm], diameter [mm]\n10, 20\n", 'unknown column "diameter [mm]"'), ("length [kg], outer_diameter [mm]\n10, 20\n", "allowed: cm, in, m, mm, um"),
+                           ("length [mm], outer_diameter [mm]\n10\n", "section 1 has 1 values"), ("length [mm], outer_diameter [mm]\nx, 20\n", "section 1"),
+                           ("length [mm]\n10\n", "outer_diameter is missing"), ("length [mm], outer_diameter [mm]\n0, 20\n10, 20\n", "larger than 0")):
+            self.write("shaft.csv", text)
+            self.assertIn(said, self.convert("import", "shaft.csv", "table", code=2))
+
+
+if __name__ == "__main__":
+    unittest.main()
