@@ -29,9 +29,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 # Source (a path from ROOT, or what makes the page), and name of the page.
 PAGES = [
     ("Start", [("docs/guide.md", "index"), ("README.md", "readme"), ("COMMANDS", "commands"), ("docs/parameters.md", "parameters"), ("PARAMETERS", "parameter-reference"),
-               ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("params/bearings/README.md", "bearings"), ("examples/README.md", "examples"), ("docs/extending.md", "extending")]),
+               ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("PARAMETERS OF STUDIES", "study-parameter-reference"), ("params/bearings/README.md", "bearings"), ("examples/README.md", "examples"), ("docs/extending.md", "extending")]),
     ("Results", [("docs/results.md", "results"), ("docs/report.md", "report"), ("docs/compare.md", "compare"), ("docs/fields.md", "fields")]),
-    ("Methods", [("docs/model.md", "model"), ("docs/statics.md", "statics"), ("docs/ring-bending.md", "ring-bending"), ("docs/preload.md", "preload"), ("docs/coast-down.md", "coast-down"), ("docs/finite-elements.md", "finite-elements"), ("docs/growth.md", "growth"), ("docs/heat.md", "heat"), ("docs/mesh.md", "mesh")]),
+    ("Methods", [("docs/model.md", "model"), ("docs/statics.md", "statics"), ("docs/ring-bending.md", "ring-bending"), ("docs/preload.md", "preload"), ("docs/coast-down.md", "coast-down"), ("docs/studies.md", "studies"), ("docs/finite-elements.md", "finite-elements"), ("docs/growth.md", "growth"), ("docs/heat.md", "heat"), ("docs/mesh.md", "mesh")]),
     ("Trust", [("docs/reliability.md", "reliability"), ("docs/verification.md", "verification"), ("docs/validation.md", "validation"), ("docs/convergence.md", "convergence"), ("CHANGELOG.md", "changelog")]),
 ]
 
@@ -139,14 +139,19 @@ class Reference:
         self.section(path, {"description": schema.get("description", ""), "properties": schema["items"]["properties"]}, "A list: one table [[…]] for each.")
 
 
-def parameters_page(program, heat):
+KINDS = {
+    "": ("Parameter reference", "a case of a drop ([parameters.md](parameters.md))"),
+    " --heat": ("Parameters of heat conduction alone", "a case of heat alone ([heat.md](heat.md))"),
+    " --study": ("Parameters of studies", "a study file ([studies.md](studies.md))"),
+}
+
+
+def parameters_page(program, flag):
     reference = Reference()
-    flags = ["--heat"] if heat else []
-    reference.section("", json.loads(call(program, "schema", *flags)))
-    title = "Parameters of heat conduction alone" if heat else "Parameter reference"
+    reference.section("", json.loads(call(program, "schema", *flag.split())))
+    title, file = KINDS[flag]
     made = [f"# {title}\n",
-            "Every key of " + ("a case of heat alone ([heat.md](heat.md))" if heat else "a case of a drop ([parameters.md](parameters.md))") +
-            f", from the declarations in the program; `rotordrop defaults{' --heat' if heat else ''}` prints the same as a commented file. Quantities are texts with a unit, or numbers in SI. A dash: no default.\n"]
+            f"Every key of {file}, from the declarations in the program; `rotordrop defaults{flag}` prints the same as a commented file. Quantities are texts with a unit, or numbers in SI. A dash: no default.\n"]
     anchors = set()
     for head, body, path in reference.sections:
         body = re.sub(r'<tr id="([^"]+)">', lambda m: m[0] if not (m[1] in anchors or anchors.add(m[1])) else "<tr>", body)  # two kinds of table may share a key
@@ -262,7 +267,8 @@ def navigation(page, pages):
 
 
 def build(program, output):
-    makers = {"COMMANDS": lambda: commands_page(program), "PARAMETERS": lambda: parameters_page(program, False), "PARAMETERS OF HEAT": lambda: parameters_page(program, True)}
+    makers = {"COMMANDS": lambda: commands_page(program), "PARAMETERS": lambda: parameters_page(program, ""), "PARAMETERS OF HEAT": lambda: parameters_page(program, " --heat"),
+              "PARAMETERS OF STUDIES": lambda: parameters_page(program, " --study")}
     pages, faults = [], []
     for group, listed in PAGES:
         for source, name in listed:

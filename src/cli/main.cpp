@@ -14,6 +14,7 @@
 #include "base/errors.h"
 #include "base/parameters.h"
 #include "cli/commands.h"
+#include "cli/study_commands.h"
 
 namespace {
 
@@ -176,12 +177,16 @@ int run_program(int argc, char** argv) {
   add_force(*preload_app, preload.force, "existing results in the directory");
   add_quiet(*preload_app, preload.quiet);
 
+  StudyCommands study(app);
+
   auto* defaults =
       app.add_subcommand("defaults", "Print every parameter with unit, range, default and source, as TOML.");
-  bool heat_defaults = false, heat_schema = false;
+  bool heat_defaults = false, heat_schema = false, study_defaults = false, study_schema = false;
   defaults->add_flag("--heat", heat_defaults, "Parameters of a heat-only case (rotordrop heat)");
+  defaults->add_flag("--study", study_defaults, "Parameters of a study file (rotordrop study)");
   auto* schema = app.add_subcommand("schema", "JSON Schema of case files, for editors.");
   schema->add_flag("--heat", heat_schema, "Schema of a heat-only case (rotordrop heat)");
+  schema->add_flag("--study", study_schema, "Schema of a study file (rotordrop study)");
   std::string new_directory;
   auto* fresh = app.add_subcommand("new", "Create a folder with a case to start from.");
   fresh->add_option("directory", new_directory, "Folder")->required();
@@ -207,8 +212,12 @@ int run_program(int argc, char** argv) {
   if (*modes_app) return modes_command(modes);
   if (*preload_app) return preload_command(preload);
   if (*statics_app) return statics_command(statics);
-  if (*defaults) return defaults_command(heat_defaults);
-  if (*schema) return schema_command(heat_schema);
+  if (study.is_asked()) return study.run();
+  const auto kind = [](bool of_heat, bool of_study) {
+    return of_heat ? InputKind::heat : of_study ? InputKind::study : InputKind::drop;
+  };
+  if (*defaults) return defaults_command(kind(heat_defaults, study_defaults));
+  if (*schema) return schema_command(kind(heat_schema, study_schema));
   if (*fresh) return new_command(new_directory);
   return bad_input;
 }
