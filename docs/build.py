@@ -31,10 +31,10 @@ PAGES = [
     ("Start", [("docs/README.md", "index"), ("README.md", "readme"), ("docs/tutorials/guide.md", "guide"), ("examples/README.md", "examples")]),
     ("How to", [("docs/how-to/parameters.md", "parameters"), ("docs/how-to/report.md", "report"), ("docs/how-to/compare.md", "compare"), ("docs/how-to/fields.md", "fields"),
                 ("docs/how-to/statics.md", "statics"), ("docs/how-to/critical-speeds.md", "critical-speeds"), ("docs/how-to/supports.md", "supports"), ("docs/how-to/preload.md", "preload"), ("docs/how-to/coast-down.md", "coast-down"), ("docs/how-to/finite-elements.md", "finite-elements"),
-                ("docs/how-to/heat.md", "heat"), ("docs/how-to/mesh.md", "mesh"), ("docs/how-to/extending.md", "extending"), ("CONTRIBUTING.md", "contributing")]),
+                ("docs/how-to/studies.md", "studies"), ("docs/how-to/heat.md", "heat"), ("docs/how-to/mesh.md", "mesh"), ("docs/how-to/extending.md", "extending"), ("CONTRIBUTING.md", "contributing")]),
     ("Theory", [("docs/theory/model.md", "model"), ("docs/theory/growth.md", "growth"), ("docs/theory/ring-bending.md", "ring-bending"), ("docs/theory/verification.md", "verification"), ("docs/theory/validation.md", "validation"),
                 ("docs/theory/convergence.md", "convergence")]),
-    ("Reference", [("COMMANDS", "commands"), ("PARAMETERS", "parameter-reference"), ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("docs/reference/results.md", "results"),
+    ("Reference", [("COMMANDS", "commands"), ("PARAMETERS", "parameter-reference"), ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("PARAMETERS OF STUDIES", "study-parameter-reference"), ("docs/reference/results.md", "results"),
                    ("params/bearings/README.md", "bearings"), ("docs/reference/reliability.md", "reliability"), ("CHANGELOG.md", "changelog")]),
 ]
 
@@ -142,7 +142,14 @@ class Reference:
         self.section(path, {"description": schema.get("description", ""), "properties": schema["items"]["properties"]}, "A list: one table [[…]] for each.")
 
 
-def parameters_page(program, heat):
+KINDS = {
+    "": ("Parameter reference", "a case of a drop ([parameters.md](parameters.md))"),
+    " --heat": ("Parameters of heat conduction alone", "a case of heat alone ([heat.md](heat.md))"),
+    " --study": ("Parameters of studies", "a study file ([studies.md](studies.md))"),
+}
+
+
+def parameters_page(program, flag):
     reference = Reference()
     flags = ["--heat"] if heat else []
     reference.section("", json.loads(call(program, "schema", *flags)))
@@ -265,7 +272,8 @@ def navigation(page, pages):
 
 
 def build(program, output):
-    makers = {"COMMANDS": lambda: commands_page(program), "PARAMETERS": lambda: parameters_page(program, False), "PARAMETERS OF HEAT": lambda: parameters_page(program, True)}
+    makers = {"COMMANDS": lambda: commands_page(program), "PARAMETERS": lambda: parameters_page(program, ""), "PARAMETERS OF HEAT": lambda: parameters_page(program, " --heat"),
+              "PARAMETERS OF STUDIES": lambda: parameters_page(program, " --study")}
     pages, faults = [], []
     for group, listed in PAGES:
         for source, name in listed:

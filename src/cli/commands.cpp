@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "base/errors.h"
 #include "base/version.h"
 #include "cli/progress_line.h"
+#include "cli/signals.h"
 #include "integrate/sundials_version.h"
 #include "io/checkpoint.h"
 #include "io/hdf5_version.h"
@@ -26,6 +28,7 @@
 #include "study/drop_run.h"
 #include "study/fe_module.h"
 #include "study/heat_run.h"
+#include "study/many/study_file.h"
 #include "study/modes_report.h"
 #include "study/new_case.h"
 #include "study/preload_run.h"
@@ -37,19 +40,6 @@
 
 namespace rotordrop {
 namespace {
-
-volatile std::sig_atomic_t caught_signal = 0;
-
-extern "C" void remember_signal(int signal) { caught_signal = signal; }
-
-// A first signal ends the run after the current step; a second one kills the program.
-void catch_signals() {
-  struct sigaction action = {};
-  action.sa_handler = remember_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 /// As a shell takes it.
 std::string quoted(const std::string& word) {
@@ -152,6 +142,11 @@ std::filesystem::path comparison_file(const CompareCommand& command) {
   return file;
 }
 
+std::vector<ErasedSection> sections_of(InputKind kind) {
+  if (kind == InputKind::heat) return heat_sections();
+  return kind == InputKind::study ? study_sections() : case_sections();
+}
+
 }  // namespace
 
 std::string version_text() {
@@ -166,7 +161,7 @@ int run_command(const RunCommand& command) {
   options.directory = command.directory.empty() ? std::filesystem::path("out") / drop_case.name : command.directory;
   options.force = command.force;
   options.resume = command.resume;
-  options.stop = &caught_signal;
+  options.stop = &caught_signal();
   options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
   ProgressLine line;
   if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
@@ -199,7 +194,7 @@ int run_command(const RunCommand& command) {
   for (const auto& assignment : command.overrides) again += " --set " + quoted(assignment);
   fmt::print(stderr, "interrupted at t = {:.6g} s; results so far are in {}. Continue with: {}\n", result.end_time,
              options.directory.string(), again);
-  return 128 + static_cast<int>(caught_signal);
+  return 128 + static_cast<int>(caught_signal());
 }
 
 int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict) {
@@ -225,13 +220,13 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   return 0;
 }
 
-int defaults_command(bool heat) {
-  fmt::print("{}", write_defaults(heat ? heat_sections() : case_sections()));
+int defaults_command(InputKind kind) {
+  fmt::print("{}", write_defaults(sections_of(kind)));
   return 0;
 }
 
-int schema_command(bool heat) {
-  fmt::print("{}", write_json_schema(heat ? heat_sections() : case_sections()));
+int schema_command(InputKind kind) {
+  fmt::print("{}", write_json_schema(sections_of(kind)));
   return 0;
 }
 
@@ -250,7 +245,7 @@ int heat_command(const HeatCommand& command) {
   options.directory =
       command.directory.empty() ? std::filesystem::path("out") / command.file.stem() : command.directory;
   options.force = command.force;
-  options.stop = &caught_signal;
+  options.stop = &caught_signal();
   nlohmann::ordered_json summary;
   const bool is_of_a_bearing = is_bearing_heat_case(command.file);
   if (is_of_a_bearing) {
@@ -270,7 +265,7 @@ int heat_command(const HeatCommand& command) {
   }
   if (summary["completed"].get<bool>()) return 0;
   fmt::print(stderr, "interrupted; results so far are in {}\n", options.directory.string());
-  return 128 + static_cast<int>(caught_signal);
+  return 128 + static_cast<int>(caught_signal());
 }
 
 int compare_command(const CompareCommand& command) {

@@ -14,9 +14,10 @@ struct RunCommand {
 int run_command(const RunCommand& command);
 /// @param strict  whether warnings about the case are faults
 int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict);
-/// @param heat  of a case of heat alone
-int defaults_command(bool heat);
-int schema_command(bool heat);
+/// Kinds of input files.
+enum class InputKind { drop, heat, study };
+int defaults_command(InputKind kind);
+int schema_command(InputKind kind);
 int new_command(const std::filesystem::path& directory);
 
 struct HeatCommand {

@@ -18,6 +18,7 @@
 #include "cli/mistakes.h"
 #include "study/case.h"
 #include "study/heat_run.h"
+#include "cli/study_commands.h"
 
 namespace {
 
@@ -201,12 +202,16 @@ int run_program(int argc, char** argv) {
   add_force(*preload_app, preload.force, "existing results in the directory");
   add_quiet(*preload_app, preload.quiet);
 
+  StudyCommands study(app);
+
   auto* defaults =
       app.add_subcommand("defaults", "Print every parameter with unit, range, default and source, as TOML.");
-  bool heat_defaults = false, heat_schema = false;
+  bool heat_defaults = false, heat_schema = false, study_defaults = false, study_schema = false;
   defaults->add_flag("--heat", heat_defaults, "Parameters of a heat-only case (rotordrop heat)");
+  defaults->add_flag("--study", study_defaults, "Parameters of a study file (rotordrop study)");
   auto* schema = app.add_subcommand("schema", "JSON Schema of case files, for editors.");
   schema->add_flag("--heat", heat_schema, "Schema of a heat-only case (rotordrop heat)");
+  schema->add_flag("--study", study_schema, "Schema of a study file (rotordrop study)");
   std::string new_directory;
   auto* fresh = app.add_subcommand("new", "Create a folder with a case to start from.");
   fresh->add_option("directory", new_directory, "Folder")->required();
@@ -245,6 +250,9 @@ int run_program(int argc, char** argv) {
     fmt::print("{}", manual_page(app, topic, case_sections()));
     return done;
   }
+  const auto kind = [](bool of_heat, bool of_study) {
+    return of_heat ? InputKind::heat : of_study ? InputKind::study : InputKind::drop;
+  };
   const auto run_chosen = [&]() -> int {
     if (*run_app) return run_command(run);
     if (*check) return check_command(check_file, check_overrides, check_strict);
@@ -257,8 +265,9 @@ int run_program(int argc, char** argv) {
     if (*critical_app) return critical_speeds_command(critical);
     if (*preload_app) return preload_command(preload);
     if (*statics_app) return statics_command(statics);
-    if (*defaults) return defaults_command(heat_defaults);
-    if (*schema) return schema_command(heat_schema);
+    if (study.is_asked()) return study.run();
+    if (*defaults) return defaults_command(kind(heat_defaults, study_defaults));
+    if (*schema) return schema_command(kind(heat_schema, study_schema));
     if (*fresh) return new_command(new_directory);
     return bad_input;
   };

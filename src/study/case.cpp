@@ -12,6 +12,7 @@
 #include "io/source_comments.h"
 #include "io/toml_reader.h"
 #include "machine/build_machine.h"
+#include "study/case_keys.h"
 #include "study/case_text.h"
 #include "study/plausibility.h"
 #include "study/program_files.h"
@@ -167,6 +168,23 @@ void load_catalogue_bearings(Node& tree, const fs::path& file) {
     for (auto& entry : bearings->entries()) load_catalogue(entry.value, entry.key, file);
 }
 
+/// Whether an override sets one entry of a list: "rotor.unbalance[0].me=...".
+bool names_entry(const std::string& assignment) {
+  return assignment.substr(0, assignment.find('=')).find('[') != std::string::npos;
+}
+void set_entry(Node& tree, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  std::string key = assignment.substr(0, equals);
+  key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
+  const std::string value = equals == std::string::npos ? "" : assignment.substr(equals + 1);
+  Node read = Node::table();
+  apply_override(read, "value=" + value);
+  Node& entry = *read.find("value");
+  const SourcePosition where{"--set " + key, 0, 0};
+  entry.set_where(where);
+  set_key(tree, key, std::move(entry), where);
+}
+
 }  // namespace
 
 std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
@@ -192,11 +210,14 @@ Case case_of(const fs::path& file, const std::vector<std::string>& overrides, co
   result.tree = read();
   Node over = Node::table(result.tree.where());
   for (const auto& assignment : overrides) {
+    if (names_entry(assignment)) continue;
     apply_override(result.tree, assignment);  // finds out whether it can be set
     apply_override(over, assignment);
   }
   load_catalogue_bearings(over, file);
   result.tree = merged(result.tree, over);
+  for (const auto& assignment : overrides)
+    if (names_entry(assignment)) set_entry(result.tree, assignment);
   Faults faults;
   load_rotor_geometry(result.tree, faults);
   complete_paths(result.tree);

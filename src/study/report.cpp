@@ -86,9 +86,11 @@ Json report_data(const RecordedDrop& drop) {
   return data;
 }
 
-std::string report_page(const Json& data) {
+std::string html_page(const Json& data, std::string_view css, std::string_view js) {
   const std::string title = escaped(data["title"].get<std::string>()), numbers = embedded(data);
-  return filled(report_html, {{"@TITLE@", title}, {"@CSS@", report_css}, {"@DATA@", numbers}, {"@JS@", report_js}});
+  return filled(report_html, {{"@TITLE@", title}, {"@CSS@", css}, {"@DATA@", numbers}, {"@JS@", js}});
 }
+
+std::string report_page(const Json& data) { return html_page(data, report_css, report_js); }
 
 }  // namespace rotordrop

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 #include "study/recorded_drop.h"
 
@@ -14,6 +15,8 @@ nlohmann::ordered_json report_data(const RecordedDrop& drop);
 
 /// The page: template, style and script are part of the program, `data` stands in it as JSON.
 std::string report_page(const nlohmann::ordered_json& data);
+/// A page with the title data["title"], drawn by a script from `data`.
+std::string html_page(const nlohmann::ordered_json& data, std::string_view css, std::string_view js);
 
 // Pieces of report_data().
 /// summary.json, comparison.json: null if the file is not there. @throws InputError if it is no JSON

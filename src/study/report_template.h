@@ -6,5 +6,8 @@ namespace rotordrop {
 extern const char* const report_html;
 extern const char* const report_css;
 extern const char* const report_js;
+// Those of src/study/many/report, the page of a study.
+extern const char* const study_css;
+extern const char* const study_js;
 
 }  // namespace rotordrop

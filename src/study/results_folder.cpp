@@ -19,8 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array results{"results.h5", "summary.json", "preload.h5", "preload.json"};
-constexpr std::array folders{"checkpoints", "failed", "fields"};
+constexpr std::array results{"results.h5",    "summary.json", "preload.h5", "preload.json",
+                             "study.journal", "study.h5",     "study.json"};
+constexpr std::array folders{"checkpoints", "failed", "fields", "scratch"};
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -32,8 +33,9 @@ bool is_there(const fs::path& path) {
 
 /// What was being written when a run was killed.
 bool is_left_over(const std::string& name) {
-  static const std::regex pattern(R"((results|comparison|preload)\.h5(\.resuming|(\.resuming)?\.[0-9]+\.new)|)"
-                                  R"(((summary|comparison|preload)\.json|parameters\.toml|report\.html)\.writing)");
+  static const std::regex pattern(
+      R"((results|comparison|preload)\.h5(\.resuming|(\.resuming)?\.[0-9]+\.new)|)"
+      R"(((summary|comparison|preload)\.json|parameters\.toml|report\.html|study\.(h5|csv|json|toml)|case\.toml)\.writing)");
   return std::regex_match(name, pattern);
 }
 
@@ -54,7 +56,8 @@ const std::regex& checkpoint_names() {
 
 void remove_results(const fs::path& directory) {
   std::error_code error;
-  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "report.html"})
+  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "report.html", "study.journal",
+                           "study.h5", "study.csv", "study.json"})
     if (!fs::is_directory(fs::symlink_status(directory / name, error))) fs::remove(directory / name, error);
   remove_files(directory / "checkpoints", checkpoint_names());
   remove_files(directory / "failed", checkpoint_names());

@@ -1,0 +1,30 @@
+#pragma once
+// Tables in HDF5: one dataset per column, written at once.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rotordrop {
+
+/// One column of a table: numbers, integers or texts, of any length.
+struct TableColumn {
+  std::string path;             ///< "/results/bearings.TB1.peak_contact_force"
+  std::string unit, long_name;  ///< attributes `units` and `long_name`; an empty one is left out
+  std::vector<double> numbers = {};
+  std::vector<std::int64_t> integers = {};
+  std::vector<std::string> texts = {};  ///< in slots of fixed length, which MATLAB and Octave read
+  std::size_t width = 1;                ///< of `numbers`: values per row
+  enum class Kind { numbers, integers, texts } kind = Kind::numbers;
+};
+
+/// Writes an HDF5 file with these columns. The same input gives the same bytes. The file appears under its name complete, or not at all.
+/// @param attributes  of the root
+/// @throws SolverError if it cannot be written
+void write_columns(const std::filesystem::path& file,
+                   const std::vector<std::pair<std::string, std::string>>& attributes,
+                   const std::vector<TableColumn>& columns);
+
+}  // namespace rotordrop

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "study/many/study_file.h"
+
+namespace rotordrop {
+
+/// The rows of a study's design, in their order.
+struct Design {
+  DesignKind kind = DesignKind::grid;
+  std::size_t n_rows = 0, n_drawn = 0;
+  std::size_t n_blocks =
+      0;  ///< of Saltelli's design: rows A, B, A with parameter 1 of B, ...; of Morris's: trajectories
+  int morris_levels = 0;
+  std::vector<double>
+      unit;  ///< [n_rows, n_drawn] coordinates in the unit cube of sampled designs; of Morris's: k / (levels - 1)
+  std::vector<double> cells;  ///< [n_rows, n_drawn] value in SI, or index into `nodes` where that is not empty
+  std::vector<std::vector<Node>> nodes;  ///< [n_drawn] values by index; empty: numbers
+
+  [[nodiscard]] Node value(std::size_t row, std::size_t drawn) const;
+};
+
+/// @throws InputError if the design would have more than 10 million drops, or its correlations contradict each other
+Design make_design(const Study& study);
+
+/// One drop of a study.
+struct StudyPoint {
+  std::size_t row = 0;  ///< of the design
+  int replicate = 0;
+  std::vector<Node> values;            ///< of each parameter, drawn or derived
+  std::vector<std::string> overrides;  ///< KEY=VALUE, as `rotordrop run --set` takes them
+};
+
+/// Number of drops: rows times replicates.
+std::size_t n_points(const Study& study, const Design& design);
+StudyPoint point_of(const Study& study, const Design& design, std::size_t index);
+
+}  // namespace rotordrop

@@ -1,0 +1,44 @@
+#pragma once
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "study/case.h"
+
+namespace rotordrop {
+
+/// One time series of a drop.
+struct PointSeries {
+  std::string path, unit, long_name;
+  std::size_t width = 1;       ///< values per instant
+  std::vector<double> time;    ///< [s]
+  std::vector<double> values;  ///< [time, width]
+};
+
+/// What is left of one drop.
+struct PointResult {
+  bool is_done = false;         ///< it came to its end
+  bool is_interrupted = false;  ///< stopped from outside: nothing of it counts
+  std::string reason;           ///< why it is not done
+  std::vector<std::pair<std::string, double>>
+      scalars;  ///< numbers of summary.json by their dotted names, SI; NaN: has not happened
+  std::vector<PointSeries> series;
+  double end_time = 0;  ///< simulated [s]
+};
+
+struct PointRequest {
+  const Case& drop_case;
+  std::filesystem::path scratch;  ///< a folder for this point alone
+  const volatile std::sig_atomic_t* stop = nullptr;
+  std::vector<std::string> series;  ///< datasets to keep
+};
+
+/// Runs one drop of a study. Never throws for what is wrong with the drop: that is the result's reason.
+PointResult evaluate_point(const PointRequest& request);
+
+using Evaluator = std::function<PointResult(const PointRequest&)>;
+
+}  // namespace rotordrop

@@ -1,0 +1,168 @@
+#include "study/many/expression.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace rotordrop {
+
+struct Expression::Term {
+  using Child = std::shared_ptr<const Term>;
+  std::function<double(const std::vector<double>&)> value;
+};
+
+namespace {
+
+using Term = Expression::Term;
+using Child = std::shared_ptr<const Term>;
+using Values = std::vector<double>;
+
+Child make(std::function<double(const Values&)> value) { return std::make_shared<const Term>(Term{std::move(value)}); }
+
+/// Recursive descent; a formula is short.
+class Parser {
+ public:
+  Parser(const std::string& text, std::vector<std::string>& names) : text_(text), names_(names) {}
+
+  Child parse() {
+    Child all = sum();
+    if (skip() != '\0') fail("unexpected \"" + text_.substr(at_, 10) + "\"");
+    return all;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw std::invalid_argument(what); }
+
+  char skip() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  bool take(char c) {
+    if (skip() != c) return false;
+    ++at_;
+    return true;
+  }
+
+  Child sum() {
+    Child left = product();
+    while (true) {
+      if (take('+'))
+        left = make([left, right = product()](const Values& v) { return left->value(v) + right->value(v); });
+      else if (take('-'))
+        left = make([left, right = product()](const Values& v) { return left->value(v) - right->value(v); });
+      else
+        return left;
+    }
+  }
+  Child product() {
+    Child left = sign();
+    while (true) {
+      if (take('*'))
+        left = make([left, right = sign()](const Values& v) { return left->value(v) * right->value(v); });
+      else if (take('/'))
+        left = make([left, right = sign()](const Values& v) { return left->value(v) / right->value(v); });
+      else
+        return left;
+    }
+  }
+  Child sign() {
+    if (take('-')) return make([inner = sign()](const Values& v) { return -inner->value(v); });
+    if (take('+')) return sign();
+    return power();
+  }
+  Child power() {
+    Child base = atom();
+    if (!take('^')) return base;
+    return make([base, exponent = sign()](const Values& v) { return std::pow(base->value(v), exponent->value(v)); });
+  }
+  Child atom() {
+    if (++depth_ > 100) fail("too many parentheses");
+    const char c = skip();
+    Child result;
+    if (take('(')) {
+      result = sum();
+      if (!take(')')) fail("a parenthesis is not closed");
+    } else if (std::isdigit(static_cast<unsigned char>(c)) || c == '.') {
+      char* end = nullptr;
+      const double number = std::strtod(text_.c_str() + at_, &end);
+      at_ = static_cast<std::size_t>(end - text_.c_str());
+      if (end == text_.c_str() || !std::isfinite(number)) fail("a number is malformed");
+      result = make([number](const Values&) { return number; });
+    } else if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') {
+      result = named(name());
+    } else {
+      fail(c == '\0' ? "it ends too early" : std::string("unexpected \"") + c + "\"");
+    }
+    --depth_;
+    return result;
+  }
+  std::string name() {
+    const auto belongs = [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == '[' || c == ']';
+    };
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && belongs(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+  Child named(const std::string& word) {
+    if (skip() == '(') return function(word);
+    if (word == "pi") return make([](const Values&) { return std::numbers::pi; });
+    const auto found = std::find(names_.begin(), names_.end(), word);
+    const auto index = static_cast<std::size_t>(found - names_.begin());
+    if (found == names_.end()) names_.push_back(word);
+    return make([index](const Values& v) { return v.at(index); });
+  }
+  Child function(const std::string& word) {
+    using F = double (*)(double);
+    static constexpr std::array<std::pair<const char*, F>, 7> functions{{{"sqrt", std::sqrt},
+                                                                         {"exp", std::exp},
+                                                                         {"log", std::log},
+                                                                         {"sin", std::sin},
+                                                                         {"cos", std::cos},
+                                                                         {"tan", std::tan},
+                                                                         {"abs", std::fabs}}};
+    take('(');
+    std::vector<Child> arguments{sum()};
+    while (take(',')) arguments.push_back(sum());
+    if (!take(')')) fail("a parenthesis is not closed");
+    if (word == "min" || word == "max")
+      return make([arguments, is_min = word == "min"](const Values& v) {
+        double result = arguments.front()->value(v);
+        for (const auto& argument : arguments) {
+          const double next = argument->value(v);
+          if (std::isnan(next)) return next;
+          result = is_min ? std::min(result, next) : std::max(result, next);
+        }
+        return result;
+      });
+    for (const auto& [name, f] : functions)
+      if (word == name) {
+        if (arguments.size() != 1) fail(word + " takes one argument");
+        return make([inner = arguments.front(), g = f](const Values& v) { return g(inner->value(v)); });
+      }
+    fail("unknown function \"" + word + "\"; known: sqrt, exp, log, sin, cos, tan, abs, min, max");
+  }
+
+  const std::string& text_;
+  std::vector<std::string>& names_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+Expression::Expression(const std::string& text) : text_(text) { root_ = Parser(text_, names_).parse(); }
+Expression::~Expression() = default;
+Expression::Expression(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&&) noexcept = default;
+Expression::Expression(const Expression& other) = default;
+Expression& Expression::operator=(const Expression& other) = default;
+
+double Expression::value(const std::vector<double>& values) const { return root_->value(values); }
+
+}  // namespace rotordrop

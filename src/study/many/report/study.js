@@ -1,0 +1,275 @@
+"use strict";
+// Draws the page of a study from the JSON in #data: answers, response, parallel coordinates, indices, worst and failed points.
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const page = document.getElementById("page");
+const tip = document.getElementById("tip");
+const SVG = "http://www.w3.org/2000/svg";
+const DRAWN = new Set(["svg", "g", "path", "line", "circle", "text", "rect", "title"]);
+
+function element(name, attributes, ...children) {
+  const made = DRAWN.has(name) ? document.createElementNS(SVG, name) : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
+  made.append(...children.filter((child) => child !== null));
+  return made;
+}
+
+function table(header, rows, classes = []) {
+  const cells = (row, name) => element("tr", {}, ...row.map((text, i) => element(name, { class: classes[i] || "" }, ...[text].flat())));
+  return element("table", {}, element("thead", {}, cells(header, "th")), element("tbody", {}, ...rows.map((row) => cells(row, "td"))));
+}
+
+function section(title, ...children) {
+  const id = title.toLowerCase().replace(/[^a-z]+/g, "-");
+  const made = element("section", { id }, element("h2", {}, title), ...children);
+  page.append(made);
+  document.querySelector("nav").append(element("a", { href: "#" + id }, title));
+  return made;
+}
+
+function short(value) {
+  if (value === null || value === undefined) return "–";
+  if (typeof value === "string") return value;
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  return size >= 1e6 || size < 1e-4 ? value.toExponential(3) : String(+value.toPrecision(4));
+}
+const unitText = (unit) => (unit && unit !== "1" ? ` ${unit}` : "");
+const label = (quantity) => quantity.name + (quantity.unit && quantity.unit !== "1" ? ` [${quantity.unit}]` : "");
+const isNumber = (value) => typeof value === "number";
+
+function ticks(low, high, n) {
+  const raw = (high - low) / n || 1;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw * 0.999);
+  const made = [];
+  for (let k = Math.ceil(low / step - 1e-9); k <= Math.floor(high / step + 1e-9); ++k) made.push(k * step);
+  return made;
+}
+
+// Positions of a quantity on an axis: numbers as they are, evenly in the logarithm if they span decades; texts one after the other.
+function scaleOf(quantity, from, to, extra = []) {
+  const numbers = quantity.values.filter(isNumber).concat(extra);
+  if (quantity.values.some((v) => typeof v === "string")) {
+    const names = [...new Set(quantity.values.filter((v) => v !== null))];
+    const at = (v) => from + ((names.indexOf(v) + 0.5) / names.length) * (to - from);
+    return { at, ticks: names.map((name) => ({ value: name, text: name })) };
+  }
+  let low = Math.min(...numbers), high = Math.max(...numbers);
+  if (!(low < high)) { low -= Math.abs(low) * 0.1 || 1; high += Math.abs(high) * 0.1 || 1; }
+  const isLog = low > 0 && high / low > 50;
+  const f = isLog ? Math.log10 : (v) => v;
+  const room = 0.04 * (f(high) - f(low)), a = f(low) - room, b = f(high) + room;
+  const at = (v) => from + ((f(v) - a) / (b - a)) * (to - from);
+  const marks = isLog ? ticks(Math.ceil(a), Math.floor(b), 6).filter((p) => Number.isInteger(p)).map((p) => 10 ** p) : ticks(low, high, 5);
+  return { at, ticks: (isLog && marks.length < 2 ? [low, high] : marks).map((value) => ({ value, text: short(value) })) };
+}
+
+function showTip(event, lines) {
+  tip.hidden = false;
+  tip.replaceChildren(...lines.map((line) => element("div", {}, line)));
+  tip.style.left = Math.min(event.clientX + 14, innerWidth - tip.offsetWidth - 8) + "px";
+  tip.style.top = Math.max(4, Math.min(event.clientY + 12, innerHeight - tip.offsetHeight - 4)) + "px";
+}
+const hideTip = () => { tip.hidden = true; };
+
+const limitsOf = (result) => data.limits.filter((limit) => limit.result === result.name);
+function isBroken(result, value) {
+  return value !== null && limitsOf(result).some((limit) => (isNumber(limit.max) && value > limit.max) || (isNumber(limit.min) && value < limit.min));
+}
+const describe = (k) => [`point ${data.points[k]}`, ...data.parameters.map((p) => `${p.name}: ${short(p.values[k])}${unitText(p.unit)}`)];
+
+function frame(width, height, x, y, xLabel, yLabel, margin) {
+  const made = [];
+  const bottom = height - margin.bottom, right = width - margin.right;
+  for (const { value, text } of x.ticks) made.push(element("line", { class: "grid", x1: x.at(value), x2: x.at(value), y1: margin.top, y2: bottom }), element("text", { x: x.at(value), y: bottom + 15, "text-anchor": "middle" }, text));
+  for (const { value, text } of y.ticks) made.push(element("line", { class: "grid", x1: margin.left, x2: right, y1: y.at(value), y2: y.at(value) }), element("text", { x: margin.left - 5, y: y.at(value) + 4, "text-anchor": "end" }, text));
+  made.push(element("path", { class: "axis", d: `M${margin.left} ${margin.top}V${bottom}H${right}` }), element("text", { x: (margin.left + right) / 2, y: height - 6, "text-anchor": "middle" }, xLabel),
+    element("text", { "text-anchor": "middle", transform: `translate(12 ${(margin.top + bottom) / 2}) rotate(-90)` }, yLabel));
+  return made;
+}
+
+const quantile = (sorted, p) => {
+  const at = p * (sorted.length - 1), i = Math.floor(at);
+  return i + 1 < sorted.length ? sorted[i] + (at - i) * (sorted[i + 1] - sorted[i]) : sorted[sorted.length - 1];
+};
+
+// One result over one parameter, with median and 5 to 95 % of bins with equally many points.
+function scatter(parameter, result) {
+  const width = 380, height = 270, margin = { left: 68, right: 10, top: 8, bottom: 40 };
+  const shown = result.values.map((v, k) => k).filter((k) => result.values[k] !== null && parameter.values[k] !== null);
+  const bounds = limitsOf(result).flatMap((limit) => [limit.max, limit.min]).filter(isNumber);
+  const x = scaleOf(parameter, margin.left, width - margin.right), y = scaleOf(result, height - margin.bottom, margin.top, bounds);
+  const parts = frame(width, height, x, y, label(parameter), label(result), margin);
+  const sorted = [...shown].sort((a, b) => x.at(parameter.values[a]) - x.at(parameter.values[b]));
+  const levels = new Set(sorted.map((k) => parameter.values[k]));
+  let bins = [];
+  if (levels.size <= 12) bins = [...levels].map((level) => sorted.filter((k) => parameter.values[k] === level));
+  else {
+    const n = Math.max(4, Math.min(12, Math.floor(sorted.length / 15)));
+    if (sorted.length >= 40) bins = Array.from({ length: n }, (_, i) => sorted.slice(Math.floor((i * sorted.length) / n), Math.floor(((i + 1) * sorted.length) / n)));
+  }
+  const lines = bins.filter((bin) => bin.length > 4).map((bin) => {
+    const values = bin.map((k) => result.values[k]).sort((a, b) => a - b);
+    return { x: bin.reduce((sum, k) => sum + x.at(parameter.values[k]), 0) / bin.length, low: y.at(quantile(values, 0.05)), mid: y.at(quantile(values, 0.5)), high: y.at(quantile(values, 0.95)) };
+  });
+  if (lines.length > 1) {
+    const path = (list, key) => list.map((p, i) => `${i ? "L" : "M"}${p.x.toFixed(1)} ${p[key].toFixed(1)}`).join("");
+    parts.push(element("path", { class: "band", d: path(lines, "high") + path([...lines].reverse(), "low").replace("M", "L") + "Z" }));
+    for (const k of shown) parts.push(dot(k));
+    parts.push(element("path", { class: "middle", d: path(lines, "mid") }));
+  } else for (const k of shown) parts.push(dot(k));
+  for (const bound of bounds) parts.push(element("line", { class: "limit", x1: margin.left, x2: width - margin.right, y1: y.at(bound), y2: y.at(bound) }));
+  function dot(k) {
+    const made = element("circle", { class: "point" + (isBroken(result, result.values[k]) ? " broken" : ""), cx: x.at(parameter.values[k]).toFixed(1), cy: y.at(result.values[k]).toFixed(1), r: shown.length > 800 ? 1.6 : 2.6 });
+    made.onpointermove = (event) => showTip(event, [...describe(k), `${result.name}: ${short(result.values[k])}${unitText(result.unit)}`]);
+    made.onpointerleave = hideTip;
+    return made;
+  }
+  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${result.name} over ${parameter.name}` }, ...parts));
+}
+
+// Cumulative share of the points below a value.
+function cumulative(result) {
+  const width = 380, height = 270, margin = { left: 56, right: 10, top: 8, bottom: 40 };
+  const values = result.values.filter(isNumber).sort((a, b) => a - b);
+  const bounds = limitsOf(result).flatMap((limit) => [limit.max, limit.min]).filter(isNumber);
+  const x = scaleOf(result, margin.left, width - margin.right, bounds);
+  const at = (p) => height - margin.bottom - p * (height - margin.bottom - margin.top);
+  const y = { at, ticks: [0, 0.25, 0.5, 0.75, 1].map((value) => ({ value, text: `${100 * value} %` })) };
+  const d = values.map((v, i) => `${i ? "L" : "M"}${x.at(v).toFixed(1)} ${at((i + 0.5) / values.length).toFixed(1)}`).join("");
+  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `share of drops below a value of ${result.name}` },
+    ...frame(width, height, x, y, label(result), "share of drops below", margin), element("path", { class: "middle", d, style: "stroke:#0072B2" }),
+    ...bounds.map((bound) => element("line", { class: "limit", x1: x.at(bound), x2: x.at(bound), y1: margin.top, y2: height - margin.bottom }))));
+}
+
+// Every drop as a line over the parameters and the result; a drag along an axis selects.
+function parallel(result, into) {
+  const width = 1180, height = 360, margin = { left: 60, right: 70, top: 40, bottom: 16 };
+  const axes = [...data.parameters, result];
+  const shown = result.values.map((_, k) => k).filter((k) => axes.every((axis) => axis.values[k] !== null)).slice(0, 3000);
+  const xs = axes.map((_, i) => margin.left + (i / (axes.length - 1)) * (width - margin.left - margin.right));
+  const scales = axes.map((axis) => scaleOf(axis, height - margin.bottom, margin.top));
+  const values = shown.map((k) => result.values[k]), low = Math.min(...values), high = Math.max(...values);
+  const colour = (v) => { const t = high > low ? (v - low) / (high - low) : 0.5; return `hsl(${230 - 215 * t} 75% ${52 - 10 * t}%)`; };
+  const lines = shown.map((k) => {
+    const line = element("path", { d: axes.map((axis, i) => `${i ? "L" : "M"}${xs[i].toFixed(1)} ${scales[i].at(axis.values[k]).toFixed(1)}`).join(""), fill: "none", stroke: colour(result.values[k]), "stroke-opacity": shown.length > 500 ? 0.35 : 0.6 });
+    line.onpointermove = (event) => showTip(event, [...describe(k), `${result.name}: ${short(result.values[k])}${unitText(result.unit)}`]);
+    line.onpointerleave = hideTip;
+    return line;
+  });
+  const count = element("p", { class: "note" });
+  const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": "parallel coordinates" }, ...lines);
+  const brushes = axes.map(() => null);
+  const select = () => {
+    let n = 0;
+    shown.forEach((k, i) => {
+      const isIn = brushes.every((brush, a) => !brush || (scales[a].at(axes[a].values[k]) >= brush[0] && scales[a].at(axes[a].values[k]) <= brush[1]));
+      lines[i].classList.toggle("dim", !isIn);
+      n += isIn;
+    });
+    count.textContent = brushes.some(Boolean) ? `${n} of ${shown.length} drops selected. A click on an axis removes its selection.` : `${shown.length} drops; drag along an axis to select.`;
+  };
+  axes.forEach((axis, i) => {
+    const mark = element("rect", { class: "brush", x: xs[i] - 7, width: 14, y: 0, height: 0 });
+    const hit = element("rect", { class: "axis-hit", x: xs[i] - 14, y: margin.top, width: 28, height: height - margin.top - margin.bottom, fill: "transparent" });
+    svg.append(element("line", { class: "axis", x1: xs[i], x2: xs[i], y1: margin.top, y2: height - margin.bottom }), mark);
+    for (const { value, text } of scales[i].ticks) svg.append(element("text", { x: xs[i] - 5, y: scales[i].at(value) + 4, "text-anchor": "end" }, text));
+    svg.append(element("text", { x: Math.max(4, Math.min(width - 4, xs[i])), y: i % 2 ? 14 : 28, "text-anchor": i === 0 ? "start" : i === axes.length - 1 ? "end" : "middle" }, label(axis)), hit);
+    const place = (event) => { const box = svg.getBoundingClientRect(); return ((event.clientY - box.top) * height) / box.height; };
+    let from = null;
+    hit.onpointerdown = (event) => { from = place(event); hit.setPointerCapture(event.pointerId); };
+    hit.onpointermove = (event) => {
+      if (from === null) return;
+      brushes[i] = [Math.min(from, place(event)), Math.max(from, place(event))];
+      mark.setAttribute("y", brushes[i][0]);
+      mark.setAttribute("height", brushes[i][1] - brushes[i][0]);
+      select();
+    };
+    hit.onpointerup = () => {
+      if (!brushes[i] || brushes[i][1] - brushes[i][0] < 3) { brushes[i] = null; mark.setAttribute("height", 0); }
+      from = null;
+      select();
+    };
+  });
+  select();
+  into.replaceChildren(element("figure", { class: "wide" }, svg), count);
+}
+
+// Bars with intervals: first and total indices, or mean magnitudes of elementary effects.
+function bars(entries, unit) {
+  const rows = entries.length, width = 760, height = 46 + 34 * rows, left = 300, right = 20;
+  const all = entries.flatMap((e) => e.bars.flatMap((b) => [b.value, b.low, b.high])).filter(isNumber);
+  const low = Math.min(0, ...all), high = Math.max(...all, unit ? 0 : 0.1) * 1.02;
+  const at = (v) => left + ((v - low) / (high - low || 1)) * (width - left - right);
+  const parts = [];
+  for (const value of ticks(low, high, 6)) parts.push(element("line", { class: "grid", x1: at(value), x2: at(value), y1: 4, y2: height - 30 }), element("text", { x: at(value), y: height - 14, "text-anchor": "middle" }, short(value)));
+  entries.forEach((entry, i) => {
+    const y = 8 + 34 * i;
+    parts.push(element("text", { x: left - 8, y: y + 17, "text-anchor": "end" }, entry.name));
+    entry.bars.forEach((bar, b) => {
+      const h = entry.bars.length > 1 ? 12 : 20, top = y + b * 13;
+      parts.push(element("rect", { class: "bar" + (b ? " second" : ""), x: Math.min(at(0), at(bar.value)), y: top, width: Math.abs(at(bar.value) - at(0)), height: h }));
+      if (isNumber(bar.low) && isNumber(bar.high)) parts.push(element("line", { class: "interval", x1: at(bar.low), x2: at(bar.high), y1: top + h / 2, y2: top + h / 2 }));
+    });
+  });
+  return element("svg", { viewBox: `0 0 ${width} ${height}`, style: `max-width:${width}px`, role: "img", "aria-label": "what matters" }, ...parts);
+}
+
+function influences(result) {
+  if (data.morris) {
+    const effects = data.morris[result.name];
+    if (!effects) return element("p", {}, "This result does not vary.");
+    const entries = Object.entries(effects).map(([name, e]) => ({ name, bars: [e.mean_magnitude] })).sort((a, b) => b.bars[0].value - a.bars[0].value);
+    const rows = Object.entries(effects).map(([name, e]) => [name, short(e.mean_magnitude.value), short(e.mean), short(e.deviation), String(e.n)]);
+    return element("div", {}, bars(entries, true), element("p", { class: "note" }, `Mean magnitude of the change of ${label(result)} over the whole range of each parameter, with 95 % intervals (bootstrap). A deviation as large as the mean magnitude tells of interaction or curvature.`),
+      table(["parameter", "mean magnitude", "mean", "deviation", "effects"], rows, ["", "number", "number", "number", "number"]));
+  }
+  const indices = data.indices && data.indices[result.name];
+  if (!indices) return element("p", {}, data.indices ? "This result does not vary." : `A ${data.design} design has no indices; latin-hypercube, sobol-sequence, monte-carlo, saltelli and morris have.`);
+  const entries = Object.entries(indices).map(([name, e]) => ({ name, bars: [e.first, ...(e.total ? [e.total] : [])] })).sort((a, b) => b.bars[b.bars.length - 1].value - a.bars[a.bars.length - 1].value);
+  const hasTotal = entries[0].bars.length > 1;
+  return element("div", {}, bars(entries, false), element("p", { class: "note" }, (hasTotal ? "Blue: first index, the part of the variance that a parameter explains by itself. Orange: total index, with its interactions. " : "First index: the part of the variance that a parameter explains by itself. ") + `Lines: 95 % intervals. Method: ${data.indices_method}.`));
+}
+
+function showAnswers() {
+  const parts = [element("p", {}, data.counts)];
+  if (data.limits.length)
+    parts.push(element("h3", {}, "Limits"), table(["result", "allowed", "broken by", "probability", "95 % interval"], data.limits.map((l) => [l.result,
+      [isNumber(l.min) ? `from ${short(l.min)}` : "", isNumber(l.max) ? `up to ${short(l.max)}` : ""].filter(Boolean).join(" ") + unitText(l.unit), `${l.broken} of ${l.n} drops`,
+      l.probability === null ? "–" : `${short(100 * l.probability)} %`, isNumber(l.low) ? `${short(100 * l.low)} to ${short(100 * l.high)} % (${l.interval})` : l.interval || "–"])));
+  if (data.choose) {
+    const c = data.choose;
+    parts.push(element("h3", {}, `${100 * c.quantile} % quantile of ${c.result} by ${c.parameter}`),
+      table([label({ name: c.parameter, unit: c.unit }), `quantile [${c.result_unit}]`, "95 % interval", "mean", "smallest", "largest", "drops"], c.levels.map((l) => {
+        const isBest = c.best && l.value === c.best.value;
+        return [element("span", {}, short(l.value) + (isBest ? "  ← smallest" : "")), short(l.quantile), `${short(l.low)} to ${short(l.high)}`, short(l.mean), short(l.smallest), short(l.largest), String(l.n)];
+      }), ["", "number", "", "number", "number", "number", "number"]));
+  }
+  section("Answers", ...parts);
+}
+
+page.append(element("h1", {}, data.title), element("div", { class: "subtitle" }, data.subtitle), element("nav", {}));
+showAnswers();
+const chooser = element("select", { id: "result", "aria-label": "result" }, ...data.results.map((r, i) => element("option", { value: i }, r.long_name ? `${r.name}: ${r.long_name}` : r.name)));
+const response = element("div", { class: "small" }), lines = element("div", {}), matter = element("div", {}), worst = element("div", {});
+section("Response", element("div", { class: "choice" }, element("label", {}, "Result: ", chooser)), response,
+  element("p", { class: "note" }, "Each point is a drop; orange ones break a limit (dashed). Line and band: median and 5 to 95 % of neighbouring drops. The last figure: share of drops below a value."));
+section("Parallel coordinates", lines);
+section("What matters", matter);
+section("Worst points", worst);
+if (data.failed.length) section("Failed points", table(["point", ...data.parameters.map(label), "reason"], data.failed.map((f) => [String(f.point), ...f.values.map(short), f.reason]), ["number"]));
+section("Provenance", table(["", ""], data.facts, ["", "code"]));
+
+function show(result) {
+  response.replaceChildren(...data.parameters.map((parameter) => scatter(parameter, result)), cumulative(result));
+  parallel(result, lines);
+  matter.replaceChildren(influences(result));
+  const isMin = limitsOf(result).some((limit) => isNumber(limit.min)) && !limitsOf(result).some((limit) => isNumber(limit.max));
+  const order = result.values.map((_, k) => k).filter((k) => result.values[k] !== null).sort((a, b) => (isMin ? 1 : -1) * (result.values[a] - result.values[b])).slice(0, 10);
+  worst.replaceChildren(element("p", {}, `The ten drops with the ${isMin ? "smallest" : "largest"} ${result.name}; the command makes the full run of one with its report.`),
+    table(["point", label(result), ...data.parameters.map(label), "command"], order.map((k) => [String(data.points[k]), short(result.values[k]), ...data.parameters.map((p) => short(p.values[k])), `${data.rerun} --point ${data.points[k]}`]), ["number", "number", ...data.parameters.map(() => "number"), "code"]));
+}
+chooser.onchange = () => show(data.results[chooser.value]);
+if (data.results.length) show(data.results[0]);
+page.dataset.ready = "yes";

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/many/study_file.h"
+
+namespace rotordrop {
+
+/// Unit and meaning of a result, derived ones included.
+std::string unit_of_result(const Study& study, const std::string& name);
+std::string long_name_of_result(const Study& study, const std::string& name);
+
+/// Whether a study keeps a result: as asked for, derived, or needed by a limit or a choice.
+bool is_kept(const Study& study, const std::string& name);
+
+/// Limits, choices, derived and kept results against the names of a drop's results: patterns of limits become names, limits SI.
+/// @param names  with the derived ones
+/// @throws InputError with all that no drop has
+void resolve_results(Study& study, const std::vector<std::string>& names);
+
+}  // namespace rotordrop

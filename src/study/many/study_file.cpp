@@ -1,0 +1,407 @@
+#include "study/many/study_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "io/input_file.h"
+#include "io/toml_reader.h"
+#include "study/many/vary_reader.h"
+#include "study/program_files.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReplicateParameters {
+  int n = 1;
+  double spread = 0;
+};
+struct CorrelationEntry {
+  Node parameters;
+  double rank = 0;
+};
+struct ChoiceEntry {
+  std::string parameter, result;
+  double quantile = 0;
+};
+struct KeepEntry {
+  Node results, series;
+};
+
+/// The file as it stands, before the case is known.
+struct StudyFile {
+  std::string case_file;
+  FailurePolicy on_failure = FailurePolicy::go_on;
+  Node vary, limits, derived;
+  DesignParameters design;
+  ReplicateParameters replicates;
+  std::vector<CorrelationEntry> correlations;
+  std::optional<ChoiceEntry> choice;
+  KeepEntry keep;
+};
+
+Section<DesignParameters> design_section() {
+  using P = DesignParameters;
+  Section<P> s("design", "Which points are computed.");
+  s.choice(
+       "kind", &P::kind,
+       {{"grid", DesignKind::grid},
+        {"list", DesignKind::list},
+        {"one-at-a-time", DesignKind::one_at_a_time},
+        {"latin-hypercube", DesignKind::latin_hypercube},
+        {"sobol-sequence", DesignKind::sobol_sequence},
+        {"saltelli", DesignKind::saltelli},
+        {"morris", DesignKind::morris},
+        {"monte-carlo", DesignKind::monte_carlo}},
+       {.fallback = "latin-hypercube",
+        .help = "grid: every combination. list: the first values of all parameters, then the second ones, and so on. "
+                "one-at-a-time: a reference point, and each parameter's values with the others at the reference. "
+                "latin-hypercube, sobol-sequence, monte-carlo: samples of the distributions. saltelli: for Sobol "
+                "indices. morris: trajectories for a screening."})
+      .integer(
+          "size", &P::size,
+          {.range = between(1, 10'000'000),
+           .help = "Points of latin-hypercube, sobol-sequence and monte-carlo; rows of each of Saltelli's two "
+                   "samples (with d parameters d + 2 times as many points); trajectories of Morris (d + 1 times as "
+                   "many points)."})
+      .integer(
+          "seed", &P::seed,
+          {.range = between(0, 2147483647), .fallback = 1, .help = "The same seed gives the same points anywhere."})
+      .integer(
+          "levels", &P::levels,
+          {.range = between(2, 100000),
+           .help = "Levels of parameters without values of their own in a grid or one-at-a-time (5), and of the grid "
+                   "of Morris (4; an even number)."})
+      .boolean("scramble", &P::scramble,
+               {.fallback = true,
+                .help = "Of sobol-sequence and saltelli: a random digital shift that follows from the seed. Without it "
+                        "the points are the published sequence, which begins with the middle of all ranges."});
+  return s;
+}
+
+Section<StudyFile> study_section() {
+  using P = StudyFile;
+  Section<ReplicateParameters> replicates("replicates", "Starts next to each other: what chaos leaves of a number.");
+  replicates
+      .integer("n", &ReplicateParameters::n,
+               {.range = between(1, 100000), .fallback = 1, .help = "Drops of each point of the design."})
+      .quantity(
+          "spread", &ReplicateParameters::spread,
+          {.unit = "m",
+           .range = positive(),
+           .fallback = "1 nm",
+           .help = "Each replicate starts by this much higher than the one before it (rotor.initial_offset[0])."});
+  Section<CorrelationEntry> correlation("correlation", "Dependence of two parameters.");
+  correlation
+      .custom("parameters", {.accepts = "two names of [vary]", .json_types = {"array"}, .required = true},
+              [](const Node& node, CorrelationEntry& entry, Faults&) { entry.parameters = node; })
+      .quantity("rank", &CorrelationEntry::rank,
+                {.range = between(-1, 1), .help = "Rank correlation (Spearman), through a normal copula."});
+  Section<ChoiceEntry> choice("choose", "Which level of a parameter makes a quantile of a result smallest.");
+  choice.text("parameter", &ChoiceEntry::parameter, {.help = "A parameter with values, by its name in [vary]."})
+      .text("result", &ChoiceEntry::result, {.help = "A result."})
+      .quantity(
+          "quantile", &ChoiceEntry::quantile,
+          {.range = between(0.01, 0.999), .fallback = "0.95", .help = "Of the result over all else that varies."});
+  Section<KeepEntry> keep("keep", "What of each drop is kept.");
+  keep.custom("results",
+              {.accepts = "names of results; * stands for any text without a dot",
+               .json_types = {"array"},
+               .help = "Numbers of summary.json; all if left out."},
+              [](const Node& node, KeepEntry& entry, Faults&) { entry.results = node; })
+      .custom("series",
+              {.accepts = "paths of datasets of results.h5",
+               .json_types = {"array"},
+               .help = "Time series, each with its own times; none if left out."},
+              [](const Node& node, KeepEntry& entry, Faults&) { entry.series = node; });
+
+  Section<P> s("", "A study: many drops of one case.");
+  s.text("case", &P::case_file, {.help = "The case, beside this file or of those that come with the program."})
+      .choice("on_failure", &P::on_failure,
+              {{"go on", FailurePolicy::go_on}, {"stop", FailurePolicy::stop}, {"retry", FailurePolicy::retry}},
+              {.fallback = "go on",
+               .help = "What follows a drop that fails. go on: its reason is recorded. stop: no further drop is begun. "
+                       "retry: once more with a tenth of integration.tolerance and integration.step, then go on."})
+      .custom(
+          "vary",
+          {.accepts = "keys of the case, each with values or a distribution",
+           .json_types = {"object"},
+           .required = true,
+           .help = "KEY = [values], or a table with range = [from, to] (scale = \"log\" evenly in the logarithm), "
+                   "distribution = \"uniform\" | \"log-uniform\" | \"normal\" | \"truncated-normal\" | "
+                   "\"triangular\" | \"discrete\" with lower, upper, mean, deviation, mode, values, weights, or "
+                   "formula = \"2 * OTHER\". keys = [KEY, ...] sets one value into several keys of the case; the table "
+                   "may then have any name."},
+          [](const Node& node, P& p, Faults&) { p.vary = node; })
+      .table<DesignParameters>("design", &P::design, design_section())
+      .table<ReplicateParameters>("replicates", &P::replicates, replicates)
+      .list("correlation", &P::correlations, correlation,
+            {.help = "Of latin-hypercube, sobol-sequence and monte-carlo."})
+      .custom("limits",
+              {.accepts = "results, each with max or min",
+               .json_types = {"object"},
+               .help = "RESULT = { max = \"6 kN\" }, { min = 1 } or both: the study tells how often it is broken."},
+              [](const Node& node, P& p, Faults&) { p.limits = node; })
+      .custom("derived",
+              {.accepts = "names, each with a formula",
+               .json_types = {"object"},
+               .help = "NAME = { formula = \"max(RESULT, RESULT)\", unit = \"N\" }: further results from those of each "
+                       "drop, in SI."},
+              [](const Node& node, P& p, Faults&) { p.derived = node; })
+      .table<ChoiceEntry>("choose", &P::choice, choice)
+      .table<KeepEntry>("keep", &P::keep, keep);
+  return s;
+}
+
+std::vector<std::string> texts_of(const Node& node, const std::string& name, Faults& faults) {
+  std::vector<std::string> texts;
+  if (node.is(Node::Kind::null)) return texts;
+  if (!node.is_array()) {
+    faults.add(node.where(), name + " must be a list of texts.", "For example [\"bearings.*.peak_contact_force\"].");
+    return texts;
+  }
+  for (const auto& item : node.items()) {
+    if (item.is_text())
+      texts.push_back(item.text());
+    else
+      faults.add(item.where(), fmt::format("{}: {} is not a text.", name, to_text(item)));
+  }
+  return texts;
+}
+
+fs::path case_of(const StudyFile& raw, const Node& tree, const fs::path& file) {
+  const fs::path beside = file.parent_path() / raw.case_file;
+  std::error_code ignored;
+  if (fs::is_regular_file(beside, ignored)) return beside;
+  const fs::path own = params_folder() / raw.case_file;
+  if (fs::is_regular_file(own, ignored)) return own;
+  throw InputError(position_of_value(tree, "case"), fmt::format("case = \"{}\": there is no such file.", raw.case_file),
+                   fmt::format("Looked for {} and {}.", beside.string(), own.string()));
+}
+
+void read_limits(const Node& table, Study& study, Faults& faults) {
+  if (table.is(Node::Kind::null)) return;
+  if (!table.is_table()) {
+    faults.add(table.where(), "limits must be a table.", "Write [limits] and below it RESULT = { max = \"6 kN\" }.");
+    return;
+  }
+  for (const auto& [name, where, node] : flattened(table, {"max", "min"})) {
+    Limit limit{name, {}, {}, {}, {}, where};
+    if (!node->is_table()) {
+      faults.add(where, fmt::format("limits.{} must be a table with max, min or both.", name),
+                 "For example { max = \"6 kN\" }.");
+      continue;
+    }
+    for (const auto& entry : node->entries()) {
+      if (entry.key != "max" && entry.key != "min") {
+        faults.add(entry.where, fmt::format("unknown key \"{}\" in limits.{}.", entry.key, name), "Known: max, min.");
+        continue;
+      }
+      auto& text = entry.key == "max" ? limit.max_text : limit.min_text;
+      if (entry.value.is_text())
+        text = entry.value.text();
+      else if (entry.value.is_number())
+        text = shortest(entry.value.number());
+      else
+        faults.add(entry.where, fmt::format("limits.{}.{} must be a number or a quantity.", name, entry.key));
+    }
+    if (limit.max_text.empty() && limit.min_text.empty())
+      faults.add(where, fmt::format("limits.{} has neither max nor min.", name), "For example { max = \"6 kN\" }.");
+    study.limits.push_back(std::move(limit));
+  }
+}
+
+void read_derived(const Node& table, Study& study, Faults& faults) {
+  if (table.is(Node::Kind::null)) return;
+  if (!table.is_table()) {
+    faults.add(table.where(), "derived must be a table.", "Write NAME = { formula = \"...\", unit = \"N\" }.");
+    return;
+  }
+  for (const auto& entry : table.entries()) {
+    const Node* formula = entry.value.find("formula");
+    const Node* unit = entry.value.find("unit");
+    if (!formula || !formula->is_text()) {
+      faults.add(entry.where, fmt::format("derived.{} has no formula.", entry.key),
+                 "Write { formula = \"max(RESULT, RESULT)\", unit = \"N\" }.");
+      continue;
+    }
+    for (const auto& other : entry.value.entries())
+      if (other.key != "formula" && other.key != "unit")
+        faults.add(other.where, fmt::format("unknown key \"{}\" in derived.{}.", other.key, entry.key),
+                   "Known: formula, unit.");
+    try {
+      study.derived.push_back(
+          {entry.key, Expression(formula->text()), unit && unit->is_text() ? unit->text() : "1", entry.where});
+    } catch (const std::invalid_argument& error) {
+      faults.add(formula->where(), fmt::format("derived.{}: {} in \"{}\".", entry.key, error.what(), formula->text()));
+    }
+  }
+}
+
+void read_correlations(const std::vector<CorrelationEntry>& entries, const SourcePosition& where, Study& study,
+                       Faults& faults) {
+  const auto drawn = study.drawn();
+  for (const auto& entry : entries) {
+    const auto names = texts_of(entry.parameters, "correlation.parameters", faults);
+    if (names.size() != 2) {
+      faults.add(where, "correlation.parameters must name two parameters of [vary].");
+      continue;
+    }
+    std::vector<std::size_t> found;
+    for (const auto& name : names)
+      for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (study.parameters[drawn[i]].name == name) found.push_back(i);
+    if (found.size() != 2 || found[0] == found[1])
+      faults.add(entry.parameters.where(),
+                 fmt::format("correlation.parameters = [{}]: these are not two parameters that [vary] draws.",
+                             fmt::join(names, ", ")));
+    else
+      study.correlations.push_back({found[0], found[1], entry.rank});
+  }
+}
+
+bool is_sample(DesignKind kind) {
+  return kind == DesignKind::latin_hypercube || kind == DesignKind::sobol_sequence || kind == DesignKind::monte_carlo;
+}
+
+void check_design(const Study& study, const Node& tree, Faults& faults) {
+  const Node* table = tree.find("design");
+  const SourcePosition where = table ? table->where() : SourcePosition{study.file.string(), 0, 0};
+  const auto& design = study.design;
+  const bool has_size =
+      is_sample(design.kind) || design.kind == DesignKind::saltelli || design.kind == DesignKind::morris;
+  const std::string kind = name_of(design.kind);
+  if (has_size && !design.size)
+    faults.add(where, fmt::format("design.kind = \"{}\" needs design.size.", kind), "For example size = 100.");
+  if (!has_size && design.size)
+    faults.add(table ? position_of_value(*table, "size") : where,
+               fmt::format("design.kind = \"{}\" takes no size: it follows from the values.", kind), "Remove size.");
+  const auto drawn = study.drawn();
+  if (drawn.empty()) faults.add(where, "[vary] draws no parameter.", "Name at least one key with values or a range.");
+  if (design.kind == DesignKind::list) {
+    std::set<std::size_t> lengths;
+    for (const auto i : drawn) {
+      const auto& p = study.parameters[i];
+      if (p.distribution.is_continuous())
+        faults.add(p.where, fmt::format("{} has no values, which design.kind = \"list\" needs.", p.name),
+                   "Write KEY = [first, second, ...].");
+      lengths.insert(p.distribution.values.size());
+    }
+    if (lengths.size() > 1)
+      faults.add(where, fmt::format("design.kind = \"list\" needs as many values of every parameter; they have {}.",
+                                    fmt::join(lengths, ", ")));
+  }
+  if (design.kind == DesignKind::morris && design.levels.value_or(4) % 2 != 0)
+    faults.add(position_of_value(*table, "levels"), "design.levels of a Morris design must be an even number.",
+               "Choose 4, 6 or 8.");
+  if (!study.correlations.empty() && !is_sample(design.kind))
+    faults.add(where,
+               fmt::format("design.kind = \"{}\" needs independent parameters, but there is a [[correlation]].", kind),
+               "Use latin-hypercube, sobol-sequence or monte-carlo, whose rank-based indices need no independence.");
+  if ((design.kind == DesignKind::sobol_sequence && drawn.size() > 3667) ||
+      (design.kind == DesignKind::saltelli && 2 * drawn.size() > 3667))
+    faults.add(where, "the Sobol sequence has 3667 dimensions.");
+}
+
+void check_choice(const Study& study, Faults& faults) {
+  if (!study.choice) return;
+  std::vector<std::string> names;
+  const VariedParameter* found = nullptr;
+  for (const auto& p : study.parameters) {
+    names.push_back(p.name);
+    if (p.name == study.choice->parameter) found = &p;
+  }
+  const std::string guess = closest_name(study.choice->parameter, names);
+  if (!found)
+    faults.add(study.choice->where, fmt::format("choose.parameter = \"{}\" is not varied.", study.choice->parameter),
+               (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
+                   fmt::format("Varied: {}.", fmt::join(names, ", ")));
+  else if (found->distribution.is_continuous() && study.design.kind != DesignKind::grid &&
+           study.design.kind != DesignKind::one_at_a_time)
+    faults.add(study.choice->where,
+               fmt::format("choose.parameter = \"{}\" needs values, between which the study chooses.", found->name),
+               fmt::format("Write {} = [first, second, ...] under [vary].", found->name));
+}
+
+}  // namespace
+
+std::string name_of(DesignKind kind) {
+  static const char* const names[] = {"grid",           "list",     "one-at-a-time", "latin-hypercube",
+                                      "sobol-sequence", "saltelli", "morris",        "monte-carlo"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+bool VariedParameter::is_numeric() const {
+  return formula || distribution.is_continuous() ||
+         std::all_of(distribution.values.begin(), distribution.values.end(),
+                     [](const Node& value) { return value.is_number(); });
+}
+
+std::vector<std::size_t> Study::drawn() const {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (!parameters[i].formula) result.push_back(i);
+  return result;
+}
+
+std::vector<ErasedSection> study_sections() { return {study_section().erased()}; }
+
+bool fits(const std::string& name, const std::string& pattern) {
+  // Greedy matching with one point to return to; a star takes no dot.
+  std::size_t n = 0, p = 0, star = std::string::npos, from = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      from = n;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++p;
+      ++n;
+    } else if (star != std::string::npos && name[from] != '.') {
+      p = star + 1;
+      n = ++from;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+Study read_study(const fs::path& file, const std::vector<std::string>& overrides, const fs::path& case_file) {
+  Study study;
+  study.file = file;
+  study.name = file.stem().string();
+  study.set = overrides;
+  study.text = read_input_file(file);
+  const Node tree = read_toml(file);
+  Faults faults;
+  const StudyFile raw = study_section().read(tree, faults);
+  faults.throw_if_any();
+  study.case_file = case_file.empty() ? case_of(raw, tree, file) : case_file;
+  study.base = read_case(study.case_file, overrides);
+  study.design = raw.design;
+  study.on_failure = raw.on_failure;
+  study.n_replicates = raw.replicates.n;
+  study.replicate_spread = raw.replicates.spread;
+  read_vary(raw.vary, study, faults);
+  read_limits(raw.limits, study, faults);
+  read_derived(raw.derived, study, faults);
+  study.keep_results = texts_of(raw.keep.results, "keep.results", faults);
+  study.keep_series = texts_of(raw.keep.series, "keep.series", faults);
+  if (raw.choice)
+    study.choice = Choice{raw.choice->parameter, raw.choice->result, raw.choice->quantile, position_of(tree, "choose")};
+  read_correlations(raw.correlations, position_of(tree, "correlation"), study, faults);
+  faults.throw_if_any();
+  check_design(study, tree, faults);
+  check_choice(study, faults);
+  faults.throw_if_any();
+  return study;
+}
+
+}  // namespace rotordrop

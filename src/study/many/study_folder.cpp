@@ -1,0 +1,140 @@
+#include "study/many/study_folder.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/version.h"
+#include "io/checkpoint.h"
+#include "io/sha256.h"
+#include "study/many/study_summary.h"
+#include "study/many/study_table.h"
+#include "study/results_folder.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string without_comments(const std::string& text) {
+  std::string result;
+  bool is_quoted = false, is_comment = false;
+  for (const char c : text) {
+    if (c == '\n') is_comment = false;
+    if (c == '"' && !is_comment) is_quoted = !is_quoted;
+    if (c == '#' && !is_quoted) is_comment = true;
+    if (!is_comment) result += c;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string digest_of(const Study& study, const Design& design) {
+  std::string text = without_comments(study.base.resolved);
+  for (const auto& d : study.derived) text += d.name + "=" + d.formula.text() + "\n";
+  for (const auto& k : study.keep_results) text += "keep " + k + "\n";
+  for (const auto& l : study.limits) text += "limit " + l.pattern + "\n";
+  for (const auto& s : study.keep_series) text += "series " + s + "\n";
+  if (study.choice) text += "choose " + study.choice->result + "\n";
+  text += fmt::format("on failure {}\n", static_cast<int>(study.on_failure));
+  std::string digest = sha256_of(text);
+  const std::size_t n = n_points(study, design);
+  std::string block;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const auto& assignment : point_of(study, design, i).overrides) block += assignment + "\n";
+    if (block.size() > 1'000'000 || i + 1 == n) {
+      digest = sha256_of(digest + block);
+      block.clear();
+    }
+  }
+  return digest;
+}
+
+std::string journal_header(const std::string& digest, std::size_t shard, std::size_t n_shards) {
+  return Json{{"study", digest},
+              {"program", std::string(version()) + " " + git_revision()},
+              {"shard", shard},
+              {"shards", n_shards}}
+      .dump();
+}
+
+void require_same_study(const fs::path& journal, const std::string& found, const std::string& expected) {
+  if (found == expected) return;
+  const Json a = Json::parse(found, nullptr, false), b = Json::parse(expected);
+  const SourcePosition where{journal.string(), 0, 0};
+  if (a.is_discarded() || a.value("study", "") != b["study"])
+    throw InputError(where, "this is the journal of another study: its case, its points or what it keeps differ.",
+                     "Choose another directory with -o DIR, or start anew with --force.");
+  if (a["program"] != b["program"])
+    throw InputError(where,
+                     fmt::format("this journal was written by rotordrop {}, but this is {}.",
+                                 a["program"].get<std::string>(), b["program"].get<std::string>()),
+                     "Results of two versions are not mixed. Go on with the same version, or start anew with --force.");
+  throw InputError(where,
+                   fmt::format("this journal is of shard {} of {}, not of shard {} of {}.", a["shard"].dump(),
+                               a["shards"].dump(), b["shard"].dump(), b["shards"].dump()),
+                   "Give each shard a directory of its own with -o DIR.");
+}
+
+void write_inputs(const Study& study, const fs::path& directory) {
+  write_text_atomically(directory / "study.toml", study.text);
+  write_text_atomically(directory / "case.toml", study.base.resolved);
+}
+
+Study read_study_of(const fs::path& directory) {
+  const fs::path file = directory / "study.toml", case_file = directory / "case.toml";
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored) || !fs::is_regular_file(case_file, ignored))
+    throw InputError({directory.string(), 0, 0}, "the directory holds no study.",
+                     "Name a directory that `rotordrop study` has written.");
+  return read_study(file, {}, case_file);
+}
+
+std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path& output, bool force) {
+  Study study = read_study_of(directories.front());
+  const Design design = make_design(study);
+  std::map<std::size_t, PointRecord> records;
+  std::vector<std::vector<std::string>> layouts;
+  std::string digest, program;
+  for (const auto& directory : directories) {
+    const fs::path file = directory / "study.journal";
+    auto content = Journal::read(file);
+    const Json header = Json::parse(content.header, nullptr, false);
+    const std::string its = header.is_discarded() ? "" : header.value("study", "");
+    if (digest.empty()) {
+      digest = its;
+      program = header.value("program", "");
+    }
+    if (its != digest || header.value("program", "") != program)
+      throw InputError({file.string(), 0, 0},
+                       its != digest ? "this shard is of another study than " + directories.front().string() + "."
+                                     : "this shard was computed by another version of the program than " +
+                                           directories.front().string() + ".");
+    const std::size_t first = layouts.size();
+    layouts.insert(layouts.end(), content.layouts.begin(), content.layouts.end());
+    for (auto& [point, record] : content.records) {
+      record.layout += first;
+      records.insert_or_assign(point, std::move(record));
+    }
+  }
+  const ResultsFolder folder(output, force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+  write_inputs(study, output);
+  const StudyTable table = make_table(study, design, records, layouts);
+  Journal joined(output / "study.journal", journal_header(digest, 1, 1));
+  for (const auto& [point, record] : records) {
+    PointResult result;
+    result.is_done = record.is_done;
+    result.reason = record.reason;
+    result.series = record.series;
+    for (std::size_t i = 0; i < record.values.size(); ++i)
+      result.scalars.emplace_back(layouts[record.layout][i], record.values[i]);
+    joined.append(point, result, record.cpu_time);
+  }
+  joined.sync();
+  write_results(output, study, design, table, digest);
+  return table.count(PointStatus::not_run);
+}
+
+}  // namespace rotordrop

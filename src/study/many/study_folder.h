@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/many/design.h"
+#include "study/many/journal.h"
+
+namespace rotordrop {
+
+// Files of a study's directory: study.toml and case.toml (as they were used), study.journal, study.h5, study.csv, study.json.
+
+/// Tells whether two studies have the same points of the same case: SHA-256 of all that decides about them.
+std::string digest_of(const Study& study, const Design& design);
+
+/// The header of a journal: digest, program, shard.
+std::string journal_header(const std::string& digest, std::size_t shard, std::size_t n_shards);
+/// @throws InputError if a journal is of another study, shard or version of the program
+void require_same_study(const std::filesystem::path& journal, const std::string& found, const std::string& expected);
+
+/// Writes study.toml and case.toml, from which the study can be read again.
+void write_inputs(const Study& study, const std::filesystem::path& directory);
+/// The study of a directory. @throws InputError if there is none
+Study read_study_of(const std::filesystem::path& directory);
+
+/// The journals of shards become the results of one study in `output`.
+/// @return number of points that no shard has finished
+/// @throws InputError if they are of different studies
+std::size_t join_shards(const std::vector<std::filesystem::path>& directories, const std::filesystem::path& output,
+                        bool force);
+
+}  // namespace rotordrop

@@ -1,0 +1,68 @@
+#pragma once
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "study/many/design.h"
+#include "study/many/evaluate_point.h"
+
+namespace rotordrop {
+
+/// Where a study stands; for the moving line.
+struct StudyProgress {
+  std::size_t done = 0, failed = 0, total = 0;  ///< of this run's points; earlier ones of a resumed run included
+  double per_second = 0;                        ///< points that this run has finished
+  double time_left = 0;                         ///< estimate [s]
+  std::string best_name;                        ///< a result whose smallest value is followed; empty: none
+  double best = 0;
+};
+
+struct StudyOptions {
+  std::filesystem::path directory;
+  unsigned n_workers = 0;               ///< 0: one per core
+  std::size_t shard = 1, n_shards = 1;  ///< this run computes every n_shards-th point from the shard's on
+  bool force = false, resume = false;
+  const volatile std::sig_atomic_t* stop = nullptr;
+  Evaluator evaluate = evaluate_point;
+  std::function<void(const StudyProgress&)> report;
+  std::function<void(const std::string&)> tell;
+};
+
+struct StudyOutcome {
+  std::size_t n_points = 0, done = 0, failed = 0, missing = 0;
+  bool is_complete = false;  ///< every point of this run (or shard) is finished
+  bool is_stopped = false;   ///< by the policy after a failure
+  double cpu_time = 0;       ///< of all drops [s]
+  double wall_time = 0;      ///< of this run [s]
+  double idle_share = 0;     ///< of the workers' time, waiting for the last drops
+};
+
+/// Reads the case of every point. @throws InputError with the first faulty points
+void check_points(const Study& study, const Design& design, unsigned n_workers);
+
+/// What a study knows of its results before it runs: the first point is begun and stopped after its first step.
+struct ProbedResults {
+  std::vector<std::string> names;  ///< results that are kept, derived ones included
+};
+/// Also resolves the limits' units. @throws InputError for limits, choices, formulas and kept results that no drop has
+ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate);
+
+/// What a dry run tells.
+struct StudyEstimate {
+  std::size_t n_rows = 0, n_points = 0;
+  double cpu_time = 0;  ///< of all drops [s]; from a few seconds of the first one
+  double bytes = 0;     ///< of the results
+};
+StudyEstimate estimate_study(const Study& study, const Design& design, const ProbedResults& results,
+                             const Evaluator& evaluate);
+
+/// Adds derived results to those of a drop and leaves out what is not kept.
+void complete_results(const Study& study, PointResult& result);
+
+/// Runs the points into a directory: study.journal, and when all are finished study.h5, study.csv, study.json (not of a shard).
+/// @throws InputError if the directory holds something else, SolverError if it cannot be written
+StudyOutcome run_study(const Study& study, const Design& design, const StudyOptions& options);
+
+}  // namespace rotordrop

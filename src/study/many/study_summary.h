@@ -1,0 +1,26 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "study/many/study_table.h"
+
+namespace rotordrop {
+
+/// study.json: what the points say together. docs/how-to/studies.md explains every key.
+nlohmann::ordered_json study_summary(const Study& study, const Design& design, const StudyTable& table);
+
+/// A few lines on the screen.
+std::string study_text(const Study& study, const nlohmann::ordered_json& summary);
+
+/// study.h5, study.csv and study.json.
+void write_results(const std::filesystem::path& directory, const Study& study, const Design& design,
+                   const StudyTable& table, const std::string& digest);
+
+/// Values of a result by rows of the design: means over the replicates that are done, NaN where none is.
+std::vector<double> row_means(const Study& study, const Design& design, const ResultColumn& column);
+
+/// Points that are a sample of the parameters' distribution; empty if the design has none (a grid).
+std::vector<std::size_t> sample_points(const Study& study, const Design& design);
+
+}  // namespace rotordrop

@@ -1,0 +1,170 @@
+#include "study/many/study_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/version.h"
+#include "io/checkpoint.h"
+#include "io/column_file.h"
+#include "study/many/result_check.h"
+
+namespace rotordrop {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A text for a table separated by commas.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' ? ' ' : c);
+  return result + "\"";
+}
+std::string cell(double value) { return std::isfinite(value) ? shortest(value) : ""; }
+std::string cell(const Node& value) {
+  return value.is_number() ? cell(value.number()) : cell(value.is_text() ? value.text() : to_text(value));
+}
+
+/// Columns of a parameter: under its name, and under each key that it sets.
+std::vector<std::string> names_of(const VariedParameter& p) {
+  std::vector<std::string> names{p.name};
+  for (const auto& key : p.keys)
+    if (key.name != p.name) names.push_back(key.name);
+  return names;
+}
+
+TableColumn parameter_column(const Study& study, const Design& design, std::size_t i, std::size_t n) {
+  const auto& p = study.parameters[i];
+  TableColumn column;
+  column.unit = p.unit();
+  column.long_name = p.keys.front().declaration.help;
+  const bool is_numeric = p.is_numeric();
+  column.kind = is_numeric ? TableColumn::Kind::numbers : TableColumn::Kind::texts;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Node value = point_of(study, design, k).values[i];
+    if (is_numeric)
+      column.numbers.push_back(value.number());
+    else
+      column.texts.push_back(value.is_text() ? value.text() : to_text(value));
+  }
+  return column;
+}
+
+void add_series(const StudyTable& table, std::vector<TableColumn>& columns) {
+  for (const auto& [point, list] : table.series)
+    for (const auto& s : list) {
+      const std::string path = fmt::format("/series/{}{}", point, s.path);
+      columns.push_back({path, s.unit, s.long_name, s.values, {}, {}, s.width, TableColumn::Kind::numbers});
+      columns.push_back({path + "_time", "s", "time", s.time, {}, {}, 1, TableColumn::Kind::numbers});
+    }
+}
+
+}  // namespace
+
+std::size_t StudyTable::count(PointStatus of) const {
+  return static_cast<std::size_t>(std::count(status.begin(), status.end(), of));
+}
+
+const ResultColumn* StudyTable::find(const std::string& name) const {
+  for (const auto& column : results)
+    if (column.name == name) return &column;
+  return nullptr;
+}
+
+StudyTable make_table(const Study& study, const Design& design, const std::map<std::size_t, PointRecord>& records,
+                      const std::vector<std::vector<std::string>>& layouts) {
+  StudyTable table;
+  table.n_points = n_points(study, design);
+  table.status.assign(table.n_points, PointStatus::not_run);
+  table.reason.assign(table.n_points, "");
+  // Names come in the order of the points, whatever the order in which these were finished.
+  std::map<std::string, std::size_t> places;
+  std::vector<std::vector<std::size_t>> columns_of(layouts.size());
+  for (const auto& [point, record] : records) {
+    if (point >= table.n_points) continue;
+    table.status[point] = record.is_done ? PointStatus::done : PointStatus::failed;
+    table.reason[point] = record.reason;
+    table.cpu_time += record.cpu_time;
+    if (!record.is_done) continue;
+    auto& columns = columns_of.at(record.layout);
+    if (columns.empty())
+      for (const auto& name : layouts[record.layout]) {
+        const auto [place, is_new] = places.emplace(name, table.results.size());
+        if (is_new)
+          table.results.push_back({name, unit_of_result(study, name), long_name_of_result(study, name),
+                                   std::vector<double>(table.n_points, nan)});
+        columns.push_back(place->second);
+      }
+    for (std::size_t i = 0; i < columns.size(); ++i) table.results[columns[i]].values[point] = record.values[i];
+    if (!record.series.empty()) table.series.emplace(point, record.series);
+  }
+  return table;
+}
+
+void write_study_hdf5(const std::filesystem::path& file, const Study& study, const Design& design,
+                      const StudyTable& table, const std::string& digest) {
+  std::vector<TableColumn> columns;
+  const std::size_t n = table.n_points;
+  for (std::size_t i = 0; i < study.parameters.size(); ++i) {
+    TableColumn column = parameter_column(study, design, i, n);
+    for (const auto& name : names_of(study.parameters[i])) {
+      column.path = "/parameters/" + name;
+      columns.push_back(column);
+    }
+  }
+  for (const auto& result : table.results)
+    columns.push_back({"/results/" + result.name,
+                       result.unit,
+                       result.long_name,
+                       result.values,
+                       {},
+                       {},
+                       1,
+                       TableColumn::Kind::numbers});
+  TableColumn status{"/status", "", "0 done, 1 failed, 2 not run"}, row{"/design_row", "", "row of the design"},
+      replicate{"/replicate", "", "replicate of that row"};
+  status.kind = row.kind = replicate.kind = TableColumn::Kind::integers;
+  for (std::size_t k = 0; k < n; ++k) {
+    status.integers.push_back(static_cast<int>(table.status[k]));
+    row.integers.push_back(static_cast<std::int64_t>(k) / study.n_replicates);
+    replicate.integers.push_back(static_cast<std::int64_t>(k) % study.n_replicates);
+  }
+  TableColumn reason{"/reason", "", "why a point failed, or what a second try changed", {}, {}, table.reason};
+  reason.kind = TableColumn::Kind::texts;
+  for (auto* column : {&status, &reason, &row, &replicate}) columns.push_back(std::move(*column));
+  add_series(table, columns);
+  write_columns(file,
+                {{"program", std::string("rotordrop ") + version()},
+                 {"git_revision", git_revision()},
+                 {"study", study.name},
+                 {"case", study.base.name},
+                 {"design", name_of(study.design.kind)},
+                 {"seed", std::to_string(study.design.seed)},
+                 {"digest", digest}},
+                columns);
+}
+
+void write_study_csv(const std::filesystem::path& file, const Study& study, const Design& design,
+                     const StudyTable& table) {
+  std::string text = "point,design_row,replicate,status,reason";
+  for (const auto& p : study.parameters)
+    for (const auto& name : names_of(p)) text += "," + cell(name);
+  for (const auto& result : table.results) text += "," + cell(result.name);
+  text += "\n";
+  for (std::size_t k = 0; k < table.n_points; ++k) {
+    const StudyPoint point = point_of(study, design, k);
+    text += fmt::format("{},{},{},{},{}", k, point.row, point.replicate, static_cast<int>(table.status[k]),
+                        cell(table.reason[k]));
+    for (std::size_t i = 0; i < study.parameters.size(); ++i)
+      for (std::size_t copy = 0; copy < names_of(study.parameters[i]).size(); ++copy)
+        text += "," + cell(point.values[i]);
+    for (const auto& result : table.results) text += "," + cell(result.values[k]);
+    text += "\n";
+  }
+  write_text_atomically(file, text);
+}
+
+}  // namespace rotordrop

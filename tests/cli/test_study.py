@@ -1,0 +1,239 @@
+"""rotordrop study: the same bits whatever the workers, shards and kills; failures as rows; reruns; what is wrong is told before anything runs."""
+
+import json
+import random
+import subprocess
+import sys
+import time
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from browser import BROWSER, DRIVER, Browser  # noqa: E402
+from program import ProgramTest, start  # noqa: E402
+
+STUDY = """
+case = "drop.toml"
+[vary]
+"contact.friction_coefficient" = { range = [0.05, 0.3] }
+damping = { keys = ["bearings.TB1.support.C_y", "bearings.TB2.support.C_y"], values = [2e3, 4e3, 8e3] }
+[design]
+kind = "latin-hypercube"
+size = 12
+[limits]
+"bearings.*.peak_contact_force" = { max = "5 kN" }
+[derived]
+peak = { formula = "max(bearings.TB1.peak_contact_force, bearings.TB2.peak_contact_force)", unit = "N" }
+[choose]
+parameter = "damping"
+result = "peak"
+"""
+
+
+class Studies(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.case("")
+        self.write("s.toml", STUDY)
+
+    def study(self, output, *arguments, code=0, file="s.toml"):
+        done = self.call("study", file, "-o", output, *arguments)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done
+
+    def bytes_of(self, output):
+        return [(self.folder / output / name).read_bytes() for name in ("study.h5", "study.csv")]
+
+    def test_any_number_of_workers_gives_the_same_bits(self):
+        self.study("one", "--jobs", "1")
+        for n in ("2", "3"):
+            self.study(n, "--jobs", n)
+            self.assertEqual(self.bytes_of(n), self.bytes_of("one"))
+        self.assertFalse((self.folder / "one/scratch").exists())
+
+    def test_kills_at_any_instant_cost_nothing_but_time(self):
+        self.study("whole")
+        chance = random.Random(4)
+        n_kills = 0
+        for attempt in range(100):
+            running = start("study", "s.toml", "-o", "killed", "--resume", "--quiet", cwd=self.folder)
+            try:
+                running.communicate(timeout=chance.uniform(0.02, 0.5))
+            except subprocess.TimeoutExpired:
+                running.kill()
+                running.communicate()
+                n_kills += 1
+                continue
+            self.assertEqual(running.returncode, 0)
+            break
+        self.assertGreater(n_kills, 1)
+        self.assertEqual(self.bytes_of("killed"), self.bytes_of("whole"))
+
+    def test_an_interrupted_study_says_how_to_go_on(self):
+        running = start("study", "s.toml", "-o", "out", cwd=self.folder)
+        journal = self.folder / "out/study.journal"
+        for _ in range(200):
+            time.sleep(0.01)
+            if journal.exists() and journal.read_text().count('"point"') > 2:
+                break
+        running.terminate()
+        _, told = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 143)
+        self.assertIn("--resume", told)
+        self.study("out", "--resume")
+        self.study("whole")
+        self.assertEqual(self.bytes_of("out"), self.bytes_of("whole"))
+
+    def test_shards_join_to_the_same_bits(self):
+        self.study("whole")
+        for i in (1, 2, 3):
+            self.study(f"shard-{i}", "--shard", f"{i}/3", "--quiet")
+        part = self.call("study", "join", "shard-1", "shard-3", "-o", "part")
+        self.assertEqual(part.returncode, 1)
+        self.assertIn("4 points are in no shard", part.stderr)
+        with h5py.File(self.folder / "part/study.h5") as h5:
+            self.assertEqual(list(h5["/status"][:]), [0, 2, 0] * 4)
+        self.succeed("study", "join", "shard-1", "shard-2", "shard-3", "-o", "joined")
+        self.assertEqual(self.bytes_of("joined"), self.bytes_of("whole"))
+
+    def test_a_journal_of_something_else_is_not_gone_on_with(self):
+        self.study("out", "--shard", "1/3")
+        self.assertIn("shard 1 of 3", self.study("out", "--resume", code=2).stderr)
+        self.write("s.toml", STUDY.replace("size = 12", "size = 13"))
+        self.assertIn("another study", self.study("out", "--resume", "--shard", "1/3", code=2).stderr)
+        self.assertIn("holds results already", self.study("out", code=2).stderr)
+
+    def test_results_are_columns_with_units_and_a_rerun_gives_a_row_again(self):
+        told = self.study("out").stdout
+        self.assertIn("95 % quantile of peak by damping", told)
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            force = h5["/results/bearings.TB1.peak_contact_force"]
+            self.assertEqual(force.attrs["units"], "N")
+            self.assertEqual(h5["/parameters/damping"].attrs["units"], "N s/m")
+            numpy.testing.assert_array_equal(h5["/parameters/damping"][:], h5["/parameters/bearings.TB2.support.C_y"][:])
+            self.assertEqual(set(h5["/status"][:]), {0})
+            forces, both = force[:], h5["/results/bearings.TB2.peak_contact_force"][:]
+            numpy.testing.assert_array_equal(h5["/results/peak"][:], numpy.maximum(forces, both))
+        summary = json.loads((self.folder / "out/study.json").read_text())
+        self.assertEqual((summary["points"], summary["done"], summary["failed"]), (12, 12, 0))
+        self.assertAlmostEqual(summary["results"]["peak"]["mean"], numpy.maximum(forces, both).mean(), places=6)
+        limit = {entry["result"]: entry for entry in summary["limits"]}["bearings.TB1.peak_contact_force"]
+        self.assertEqual(limit["broken"], (forces > 5000).sum())
+        self.assertEqual([level["n"] for level in summary["choose"]["levels"]], [4, 4, 4])
+        rows = (self.folder / "out/study.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 13)
+        self.succeed("study", "rerun", "out", "--point", "7")
+        again = json.loads((self.folder / "out/point-7/summary.json").read_text())
+        self.assertEqual(again["bearings"]["TB1"]["peak_contact_force"], forces[7])
+        self.assertTrue((self.folder / "out/point-7/report.html").is_file())
+
+    def test_a_point_is_the_case_with_its_parameters_set(self):
+        self.study("out")
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            friction, damping = float(h5["/parameters/contact.friction_coefficient"][5]), float(h5["/parameters/damping"][5])
+            force = h5["/results/bearings.TB2.peak_contact_force"][5]
+        alone = self.run_case("drop.toml", output="alone", contact__friction_coefficient=repr(friction),
+                              bearings__TB1__support__C_y=repr(damping), bearings__TB2__support__C_y=repr(damping))
+        self.assertEqual(alone["bearings"]["TB2"]["peak_contact_force"], force)
+
+    FAILING = """
+case = "drop.toml"
+on_failure = "POLICY"
+[vary]
+"integration.step" = ["5 us", "1 ms", "4 us"]
+[design]
+kind = "list"
+"""
+
+    def fixed_step(self, policy):
+        self.case('[integration]\nmethod = "runge-kutta-4"\n')
+        self.write("f.toml", self.FAILING.replace("POLICY", policy))
+
+    def test_a_failed_drop_is_a_row_with_its_reason(self):
+        self.fixed_step("go on")
+        self.study("out", file="f.toml")
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            self.assertEqual(list(h5["/status"][:]), [0, 1, 0])
+            self.assertEqual(h5["/parameters/integration.step"][1], 1e-3)
+            reason = h5["/reason"][1].decode()
+            self.assertTrue(numpy.isnan(h5["/results/bearings.TB1.peak_contact_force"][1]))
+        self.assertIn("t =", reason)
+        self.assertNotIn("scratch", reason)
+        self.assertEqual(json.loads((self.folder / "out/study.json").read_text())["failed"], 1)
+
+    def test_policies_stop_and_retry(self):
+        self.fixed_step("stop")
+        self.assertIn("stopped after a failed drop", self.study("stop", "--jobs", "1", code=1, file="f.toml").stderr)
+        self.fixed_step("retry")
+        self.study("retry", file="f.toml")
+        with h5py.File(self.folder / "retry/study.h5") as h5:
+            self.assertIn("second", h5["/reason"][1].decode())
+
+    def test_series_are_kept_by_choice(self):
+        self.write("s.toml", STUDY.replace("size = 12", "size = 2") + '[keep]\nresults = ["bearings.*.friction_heat"]\nseries = ["/bearings/TB1/contact_force"]\n')
+        self.study("out")
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            series, times = h5["/series/1/bearings/TB1/contact_force"], h5["/series/1/bearings/TB1/contact_force_time"]
+            self.assertEqual(series.attrs["units"], "N")
+            self.assertEqual(series.shape, times.shape)
+            self.assertGreater(series[:].max(), 100)
+            self.assertEqual(set(h5["/results"]), {"bearings.TB1.friction_heat", "bearings.TB2.friction_heat", "bearings.TB1.peak_contact_force", "bearings.TB2.peak_contact_force", "peak"})
+
+    def test_entries_of_lists_are_set_on_the_command_line_too(self):
+        import tomllib
+
+        self.succeed("run", "drop.toml", "-o", "out", "--set", "rotor.unbalance[1].me=3e-6 kg m", "--set", "rotor.initial_offset[0]=10 um", "--set", "run.end_time=1 ms")
+        rotor = tomllib.loads((self.folder / "out/parameters.toml").read_text())["rotor"]
+        self.assertIn("3e-06", str(rotor["unbalance"][1]["me"]).replace("3e-6", "3e-06"))
+        self.assertIn("1.07e-06", str(rotor["unbalance"][0]["me"]).replace("1.07e-6", "1.07e-06"))
+        self.assertEqual(str(rotor["initial_offset"][0]), "10 um")
+        self.assertIn("no entry 2", self.call("run", "drop.toml", "-o", "no", "--set", "rotor.unbalance[2].me=1e-6").stderr)
+
+    def test_a_dry_run_computes_and_writes_nothing(self):
+        told = self.study("out", "--dry-run").stdout
+        self.assertIn("12 drops", told)
+        self.assertRegex(told, r"about .* of CPU and .* of results")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_bad_input_is_told_before_anything_is_written(self):
+        for change, message in ((("0.05, 0.3", "0.3, 0.05"), "range is empty"), (("size = 12", "size = 1000000000000"), "size"),
+                                (("contact.friction_coefficient", "contact.friction"), "Did you mean"), (("0.05, 0.3", "-0.3, 0.3"), "no valid case"),
+                                (("peak_contact_force\" =", "peak_force\" ="), "limit is on nothing")):
+            with self.subTest(message=message):
+                self.write("bad.toml", STUDY.replace(*change))
+                self.assertIn(message, self.study("out", code=2, file="bad.toml").stderr)
+                self.assertFalse((self.folder / "out").exists())
+        self.assertIn("not a shard", self.study("out", "--shard", "0/3", code=2).stderr)
+        self.assertIn("no study file", self.call("study").stderr)
+
+    @unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
+    def test_the_report_is_drawn_and_an_axis_selects(self):
+        self.study("out")
+        self.succeed("study", "report", "out")
+        browser = Browser()
+        self.addCleanup(browser.close)
+        browser.open(self.folder / "out/report.html")
+        self.assertEqual(browser.run("return document.getElementById('page').dataset.ready"), "yes")
+        self.assertEqual([m["message"] for m in browser.log("browser")], [])
+        self.assertEqual([url for url in browser.requests() if not url.startswith(("file:", "data:"))], [])
+        self.assertEqual(browser.run("return document.querySelectorAll('#response circle').length"), 2 * 12)
+        self.assertEqual(browser.run("return document.querySelectorAll('#worst-points tbody tr').length"), 10)
+        self.assertIn("--point", browser.run("return document.querySelector('#worst-points tbody tr').textContent"))
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            worst = int(h5["/results/peak"][:].argmax())
+        self.assertEqual(browser.run("return document.querySelector('#worst-points tbody td').textContent"), str(worst))
+        # A drag over the upper half of the first axis leaves the drops in that half.
+        selected = browser.run("""const axis = document.querySelector('.axis-hit'), box = axis.getBoundingClientRect(), x = box.left + box.width / 2;
+            axis.setPointerCapture = () => {};
+            const send = (type, y) => axis.dispatchEvent(new PointerEvent(type, { clientX: x, clientY: y, bubbles: true }));
+            send('pointerdown', box.top); send('pointermove', box.top + box.height / 2); send('pointerup', box.top + box.height / 2);
+            return document.querySelector('#parallel-coordinates .note').textContent""")
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            friction = h5["/parameters/contact.friction_coefficient"][:]
+        self.assertIn(f"{(friction > (friction.min() + friction.max()) / 2).sum()} of 12 drops selected", selected)
+
+
+if __name__ == "__main__":
+    unittest.main()

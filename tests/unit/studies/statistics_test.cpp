@@ -1,0 +1,86 @@
+#include "study/many/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "study/many/distribution.h"
+#include "study/many/expression.h"
+
+using namespace rotordrop;
+
+// Clopper & Pearson's interval in closed form: none of n is [0, 1 - 0.025^(1/n)]; and as tables print it (5 of 10: 18.71 to 81.29 %).
+TEST(ClopperPearson, HasItsClosedFormsAndTabledValues) {
+  const Estimate none = probability_estimate(0., 10.);
+  EXPECT_EQ(*none.low, 0.);
+  EXPECT_NEAR(*none.high, 1. - std::pow(0.025, 0.1), 1e-12);
+  const Estimate all = probability_estimate(10., 10.);
+  EXPECT_NEAR(*all.low, std::pow(0.025, 0.1), 1e-12);
+  EXPECT_EQ(*all.high, 1.);
+  const Estimate half = probability_estimate(5., 10.);
+  EXPECT_NEAR(*half.low, 0.1871, 5e-5);
+  EXPECT_NEAR(*half.high, 0.8129, 5e-5);
+}
+
+// P(x_(r) <= median <= x_(s)) of 10 values: binomial tails P(K <= 1) = 11/1024 = 1.1 %, P(K <= 2) = 5.5 %: the interval is x_(2) to x_(9).
+TEST(QuantileInterval, IsThatOfTheOrderStatistics) {
+  const std::vector<double> sorted{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  const Estimate median = quantile_estimate(sorted, 0.5);
+  EXPECT_DOUBLE_EQ(median.value, 5.5);
+  EXPECT_EQ(*median.low, 2.);
+  EXPECT_EQ(*median.high, 9.);
+  // The largest of 10 lies below the 95 % quantile with probability 0.95^10 = 60 %: no upper end.
+  EXPECT_FALSE(quantile_estimate(sorted, 0.95).high);
+}
+
+// Quantiles against scipy.stats (truncnorm, triang, norm, uniform, loguniform), 1e-12.
+TEST(Distribution, HasTheQuantilesOfScipy) {
+  Distribution d;
+  d.kind = Distribution::Kind::normal;
+  d.mean = 2.;
+  d.deviation = 0.5;
+  EXPECT_NEAR(d.quantile(0.975), 2. + 0.5 * 1.959963984540054, 1e-12);
+  d.kind = Distribution::Kind::truncated_normal;
+  d.lower = 1.8;
+  d.upper = 3.;
+  EXPECT_NEAR(d.quantile(0.3), 2.0431420879114137, 1e-12);
+  d.lower = 6.;
+  d.upper = 7.;
+  EXPECT_NEAR(d.quantile(0.5), 6.042455502949364, 1e-10);
+  d.kind = Distribution::Kind::triangular;
+  d.lower = 1.;
+  d.upper = 5.;
+  d.mode = 2.;
+  EXPECT_NEAR(d.quantile(0.1), 1.632455532033676, 1e-12);
+  EXPECT_NEAR(d.quantile(0.8), 3.450806661517033, 1e-12);
+  d.kind = Distribution::Kind::log_uniform;
+  d.upper = 100.;
+  EXPECT_NEAR(d.quantile(0.25), std::pow(10., 0.5), 1e-12);
+}
+
+TEST(Distribution, TakesDiscreteValuesByTheirWeights) {
+  Distribution d;
+  d.values = {Node(1.), Node(2.), Node(3.)};
+  d.weights = {0.2, 0.5, 0.3};
+  EXPECT_EQ(d.index(0.19), 0U);
+  EXPECT_EQ(d.index(0.21), 1U);
+  EXPECT_EQ(d.index(0.69), 1U);
+  EXPECT_EQ(d.index(0.71), 2U);
+  EXPECT_EQ(d.index(1. - 1e-17), 2U);
+}
+
+TEST(Expression, FollowsTheRulesOfArithmetic) {
+  const auto value = [](const char* text, const std::vector<double>& values = {}) {
+    return Expression(text).value(values);
+  };
+  EXPECT_DOUBLE_EQ(value("1 + 2 * 3 ^ 2"), 19.);
+  EXPECT_DOUBLE_EQ(value("-2 ^ 2"), -4.);
+  EXPECT_DOUBLE_EQ(value("2 ^ 3 ^ 2"), 512.);
+  EXPECT_DOUBLE_EQ(value("(1 - 4) / 2 - 1"), -2.5);
+  EXPECT_DOUBLE_EQ(value("max(sqrt(16), 3, min(9, 8)) + cos(2 * pi)"), 9.);
+  const Expression e("a.b[0].c + 2 * other");
+  EXPECT_EQ(e.names(), (std::vector<std::string>{"a.b[0].c", "other"}));
+  EXPECT_DOUBLE_EQ(e.value({1., 10.}), 21.);
+  for (const char* bad : {"", "1 +", "(1", "1 2", "sin(1, 2)", "what(1)", "3 $ 4"})
+    EXPECT_THROW(Expression{bad}, std::invalid_argument) << bad;
+}

@@ -1,0 +1,127 @@
+#include "study/many/study_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/many/result_names.h"
+#include "study_inputs.h"
+
+using namespace rotordrop;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace {
+
+std::string fault_of(const std::string& text) {
+  const test::StudyFolder folder;
+  try {
+    Study study = folder.read(text);
+    const Design design = make_design(study);
+    check_points(study, design, 1);
+    probe_results(study, design, evaluate_point);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+const std::string friction = "[vary]\n\"contact.friction_coefficient\" = [0.1, 0.2]\n[design]\nkind = \"grid\"\n";
+
+}  // namespace
+
+TEST(StudyFile, TakesUnitsAsACaseDoes) {
+  const test::StudyFolder folder;
+  const Study study = folder.read(R"(
+[vary]
+contact.air_gap = { range = ["200 um", "0.3 mm"] }
+run.ambient = { distribution = "truncated-normal", mean = "20 degC", deviation = "5 degC", lower = "0 degC", upper = "40 degC" }
+"rotor.unbalance[0].angle" = { values = ["0 deg", "90 deg"], weights = [1, 3] }
+bearings.TB1.catalogue = ["6014", "6016"]
+[design]
+size = 4
+)");
+  ASSERT_EQ(study.parameters.size(), 4U);
+  EXPECT_DOUBLE_EQ(study.parameters[0].distribution.lower, 200e-6);
+  EXPECT_DOUBLE_EQ(study.parameters[0].distribution.upper, 300e-6);
+  EXPECT_DOUBLE_EQ(study.parameters[1].distribution.mean, 293.15);
+  EXPECT_DOUBLE_EQ(study.parameters[1].distribution.deviation, 5.);
+  EXPECT_DOUBLE_EQ(study.parameters[2].distribution.values[1].number(), std::acos(-1.) / 2.);
+  EXPECT_DOUBLE_EQ(study.parameters[2].distribution.weights[1], 0.75);
+  EXPECT_FALSE(study.parameters[3].is_numeric());
+}
+
+TEST(StudyFile, TellsWhatIsWrongBeforeAnythingRuns) {
+  const std::string design = "[design]\nsize = 4\n";
+  EXPECT_THAT(fault_of("[vary]\n\"contact.frction_coefficient\" = [0.1]\n" + design),
+              AllOf(HasSubstr("unknown key"), HasSubstr("Did you mean \"contact.friction_coefficient\"?"),
+                    HasSubstr("study.toml:3")));
+  EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = { range = [0.3, 0.1] }\n" + design),
+              HasSubstr("range is empty"));
+  EXPECT_THAT(fault_of("[vary]\n\"contact.air_gap\" = { range = [\"200 N\", \"300 um\"] }\n" + design),
+              HasSubstr("length"));
+  EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = []\n" + design),
+              HasSubstr("list of values is empty"));
+  EXPECT_THAT(
+      fault_of("[vary]\n\"contact.friction_coefficient\" = { range = [0.1, 0.2], distribution = \"normal\" }\n" +
+               design),
+      HasSubstr("either values, a range, a distribution or a formula"));
+  EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = { distribution = \"norml\", mean = 1 }\n" + design),
+              HasSubstr("Did you mean \"normal\"?"));
+  EXPECT_THAT(fault_of("[vary]\n\"rotor.unbalance[2].me\" = [1e-6]\n" + design), HasSubstr("no entry 2"));
+  EXPECT_THAT(fault_of("[vary]\n\"bearings.TB3.f2\" = [1]\n" + design), HasSubstr("Did you mean \"bearings.TB"));
+  EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = [0.1]\n"), HasSubstr("needs design.size"));
+  EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = { range = [0, 1], levels = 100000 }\n"
+                       "\"contact.air_gap\" = { range = [1e-4, 2e-4], levels = 100000 }\n"
+                       "\"rotor.modal_damping\" = { range = [0, 0.1], levels = 100 }\n[design]\nkind = \"grid\"\n"),
+              AllOf(HasSubstr("1e+12 drops"), HasSubstr("at most 1e+07")));
+  EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = [0.1]\n[design]\nsize = 1000000000000\n"),
+              HasSubstr("design.size"));
+  EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = [0.1, -0.1]\n[design]\nkind = \"list\"\n"),
+              AllOf(HasSubstr("point 1 is no valid case"), HasSubstr("friction_coefficient = -0.1")));
+  EXPECT_THAT(
+      fault_of(friction + "[limits]\n\"bearings.TB1.peak_contact_frce\" = { max = \"6 kN\" }\n"),
+      AllOf(HasSubstr("the limit is on nothing"), HasSubstr("Did you mean \"bearings.TB1.peak_contact_force\"?")));
+  EXPECT_THAT(fault_of(friction + "[limits]\n\"bearings.TB1.peak_contact_force\" = { max = \"6 K\" }\n"),
+              HasSubstr("force"));
+  EXPECT_THAT(fault_of(friction + "[derived.peak]\nformula = \"max(bearings.TB1.peak_force, 1)\"\n"),
+              HasSubstr("no result is called"));
+  EXPECT_THAT(fault_of(friction + "[keep]\nseries = [\"/bearings/TB1/contact_frce\"]\n"),
+              HasSubstr("Did you mean /bearings/TB1/contact_force"));
+  EXPECT_THAT(fault_of(friction + "[choose]\nparameter = \"friction\"\nresult = \"rotor_speed_end\"\n"),
+              HasSubstr("is not varied"));
+  EXPECT_THAT(
+      fault_of(
+          "[vary]\n\"contact.friction_coefficient\" = { range = [0, 1] }\n\"rotor.modal_damping\" = { range = [0, 0.1] "
+          "}\n"
+          "[design]\nsize = 4\nkind = \"saltelli\"\n[[correlation]]\nparameters = [\"contact.friction_coefficient\", "
+          "\"rotor.modal_damping\"]\nrank = 0.5\n"),
+      HasSubstr("needs independent parameters"));
+  EXPECT_EQ(fault_of(friction), "");
+}
+
+TEST(StudyFile, FitsPatternsWithinOnePartOfAName) {
+  EXPECT_TRUE(fits("bearings.TB1.peak_contact_force", "bearings.*.peak_contact_force"));
+  EXPECT_TRUE(fits("bearings.TB1.rows[1].truncation", "bearings.*.rows*.trunc*"));
+  EXPECT_FALSE(fits("bearings.TB1.preload.end", "bearings.*.end"));
+  EXPECT_FALSE(fits("bearings.TB1.peak_contact_force_time", "bearings.*.peak_contact_force"));
+}
+
+TEST(ResultNames, HaveUnitsAndMeanings) {
+  EXPECT_EQ(meaning_of("bearings.TB1.peak_contact_force").unit, "N");
+  EXPECT_EQ(meaning_of("bearings.TB1.peak_contact_force").long_name, "TB1: peak contact force of rotor on ring");
+  EXPECT_EQ(meaning_of("bearings.TB2.rows[1].largest_contact_pressure_time").unit, "s");
+  EXPECT_EQ(meaning_of("bearings.TB2.growth.bore.largest_time").unit, "s");
+  EXPECT_EQ(meaning_of("bearings.TB2.growth.bore.largest").unit, "m");
+  EXPECT_EQ(meaning_of("energy.residual").unit, "J");
+}
+
+TEST(ResultNames, CoverEveryNumberOfADropsSummary) {
+  const test::StudyFolder folder;
+  Study study = folder.read(friction);
+  const auto probed = probe_results(study, make_design(study), evaluate_point);
+  EXPECT_GT(probed.names.size(), 200U);
+  for (const auto& name : probed.names) {
+    EXPECT_NE(meaning_of(name).unit, "") << name;
+    EXPECT_NE(meaning_of(name).long_name, "") << name;
+  }
+}
