@@ -223,8 +223,8 @@ class DamagedResults(ProgramTest):
             with open(file, "wb") as out:
                 out.write(body)
             with h5py.File(file, "r+") as content:
-                del content["extras/statistics"]
-                content["extras/statistics"] = [1.0]
+                del content["extras/loop"]
+                content["extras/loop"] = [1.0]
             body = file.read_bytes()
             total = 0xCBF29CE484222325
             for byte in body:
