@@ -14,6 +14,9 @@ using namespace rotordrop::testing;
 TouchdownParameters tb2() {
   TouchdownParameters p;
   p.contact_stiffness = 1.73e9;
+  p.support.type = "linear";
+  p.support.K_y = p.support.K_z = 1e9;
+  p.support.C_y = p.support.C_z = 3e3;
   p.rows = 2;
   p.balls_per_row = 23;
   p.ball_diameter = 9.525e-3;
