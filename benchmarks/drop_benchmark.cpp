@@ -89,7 +89,8 @@ BENCHMARK_CAPTURE(inertia_ratio, ring_at_a_third, 0.33)->Unit(benchmark::kMillis
 /// 71914: 23 balls in one row.
 void ball_row(benchmark::State& state) {
   const auto* p = settling().parameters.bearings[1].touchdown();
-  const auto data = touchdown_data("TB2", *p, settling().parameters.contact, {{2e11, 0.3}, {2e11, 0.3}, 0., 0.});
+  const auto data =
+      touchdown_data("TB2", *p, settling().parameters.contact, {{2e11, 0.3}, {2e11, 0.3}, {}, 0., false, 0., {}});
   const BallRow row(data.rows[0], {});
   BallRowInput in;
   in.displacement.y = -10e-6;

@@ -1,5 +1,7 @@
 #pragma once
 // What the integrators of SUNDIALS have in common: CVODES and ARKODE have the same functions under other names.
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,7 @@ class SundialsIntegrator : public Integrator {
 
   void advance() override {
     const int code = library_.evolve(memory_, end_time_, problem_.state(), &time_, library_.one_step);
+    reached_ = time_;
     if (code >= 0) return;
     std::vector<double> error;
     if (has_error_control_)
@@ -52,7 +55,9 @@ class SundialsIntegrator : public Integrator {
   }
 
   void interpolate(double t, std::span<double> y) const override {
-    problem_.take_interpolated(library_.get_derivative(memory_, t, 0, problem_.scratch()), y);
+    // The run's end may lie a rounding beyond what the library calls its last step.
+    const double inside = t <= time_ ? std::min(t, reached_) : t;
+    problem_.take_interpolated(library_.get_derivative(memory_, inside, 0, problem_.scratch()), y);
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const override {
@@ -106,6 +111,7 @@ class SundialsIntegrator : public Integrator {
  private:
   const SundialsLibrary& library_;
   double tolerance_;
+  double reached_ = -std::numeric_limits<double>::infinity();  // time of the library's last step [s]
   bool is_good_ = true;
 };
 

@@ -16,6 +16,9 @@ namespace rotordrop {
 
 namespace {
 
+// A damping ratio above 0.995: gyroscopic moments give motions that would only creep back a frequency far below their decay.
+constexpr double barely_oscillating = 0.1;
+
 using Complex = std::complex<double>;
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -107,7 +110,7 @@ WhirlModes ModalAnalysis::whirl_modes(double spin_speed, const std::vector<Linea
     const bool only_damped_by_alpha = std::abs(lambda(k) + options_.mass_proportional_alpha) < slow;
     if (std::abs(lambda(k)) < slow || (only_damped_by_alpha && static_cast<Eigen::Index>(system.held.size()) < N))
       ++n_zero;
-    else if (std::abs(lambda(k).imag()) <= 1e-9 * std::abs(lambda(k)))
+    else if (std::abs(lambda(k).imag()) <= barely_oscillating * std::abs(lambda(k)))
       ++result.n_overdamped;
     else if (lambda(k).imag() > 0)
       oscillating.push_back(k);

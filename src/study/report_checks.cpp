@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "analysis/drop_scalars.h"
 #include "bearing/touchdown_parameters.h"
 #include "machine/statics.h"
-#include "analysis/drop_scalars.h"
 #include "study/report.h"
 
 namespace rotordrop {

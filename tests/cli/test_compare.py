@@ -129,7 +129,7 @@ class Lumped(ProgramTest):
 
     def test_a_mistyped_option_is_named_with_the_right_one(self):
         message = self.refused("a", "--agianst", "b")
-        self.assertIn("--agianst: did you mean --against?", message)
+        self.assertIn("Did you mean --against?", message)
 
     def test_only_its_own_report_is_replaced_without_force(self):
         self.succeed("compare", "a", "--against", "b", "--quiet")

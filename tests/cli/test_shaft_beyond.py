@@ -131,7 +131,7 @@ values = ["{WATTS} W"]
         case = self.case('thermal = { models = ["fe"], fe = { shaft = "beyond" } }\n')
         for coupling in ("reduced", "windowed"):
             summary = self.run_case(case, thermal__fe__coupling=coupling, output=coupling)
-            given, residual = (summary["energy"]["heat_deposited"], summary["energy"]["heat_residual"]) if coupling == "reduced" else (summary["windows"]["heat_input"], summary["windows"]["heat_residual"])
+            given, residual = (summary["energy"]["heat_deposited"], summary["energy"]["fe_heat_residual"]) if coupling == "reduced" else (summary["windows"]["heat_input"], summary["windows"]["heat_residual"])
             self.assertLess(abs(residual), 1e-8 * given)
             self.assertIn("shaft_right_1", summary["bearings"]["TB1"]["fe"]["temperature_rise_end"])
         self.write("running.toml", 'base = "reference.toml"\npreload = { speed = "3000 rpm", model = "fe", end_time = "100 s" }\nthermal = { expansion = "formula", fe = { shaft = "beyond" } }\n')

@@ -14,6 +14,9 @@ using namespace rotordrop::testing;
 TouchdownParameters tb2() {
   TouchdownParameters p;
   p.contact_stiffness = 1.73e9;
+  p.support.type = "linear";
+  p.support.K_y = p.support.K_z = 1e9;
+  p.support.C_y = p.support.C_z = 3e3;
   p.rows = 2;
   p.balls_per_row = 23;
   p.ball_diameter = 9.525e-3;
@@ -36,7 +39,7 @@ const ContactParameters contact = {.friction_coefficient = 0.1,
                                    .stribeck_speed = 0.5,
                                    .friction_over_speed = {},
                                    .friction_over_temperature = {}};
-const TouchdownSurroundings around = {steel, steel, -9.81, 0.};
+const TouchdownSurroundings around = {steel, steel, {-9.81, 0.}, 0., false, 0., {}};
 
 TEST(TouchdownData, BallStiffnessOfTheReferenceBearings) {
   EXPECT_NEAR(touchdown_data("TB2", tb2(), contact, around).rows[0].stiffness, 9.923e9, 0.001e9) << "N/m^1.5";
@@ -49,8 +52,9 @@ TEST(TouchdownData, BallStiffnessOfTheReferenceBearings) {
   p.ball_diameter = 11.906e-3;
   p.pitch_diameter = 90e-3;
   p.contact_angle = p.preload = 0.;
-  EXPECT_NEAR(touchdown_data("TB1", p, contact, {steel, silicon_nitride, -9.81, 0.}).rows[0].stiffness, 1.3439e10,
-              0.0001e10)
+  EXPECT_NEAR(
+      touchdown_data("TB1", p, contact, {steel, silicon_nitride, {-9.81, 0.}, 0., false, 0., {}}).rows[0].stiffness,
+      1.3439e10, 0.0001e10)
       << "N/m^1.5";
 }
 

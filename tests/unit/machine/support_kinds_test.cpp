@@ -13,7 +13,7 @@ struct MagnetParameters {
 };
 
 Section<MagnetParameters> magnet_section() {
-  Section<MagnetParameters> s("magnet");
+  Section<MagnetParameters> s("clamp");
   s.integer("node", &MagnetParameters::node, {.range = at_least(1)});
   s.quantity("stiffness", &MagnetParameters::stiffness, {.unit = "N/m", .range = positive()});
   return s;
@@ -33,7 +33,7 @@ Bearings read(const Node& case_node, Faults& faults) {
 Node magnet_at_node(int node) {
   return Node::table(
       {{"bearings",
-        Node::table({{"M", Node::table({{"type", "magnet"}, {"node", node}, {"stiffness", "2 kN/mm"}})}})}});
+        Node::table({{"M", Node::table({{"type", "clamp"}, {"node", node}, {"stiffness", "2 kN/mm"}})}})}});
 }
 
 // One test: the registry is the program's.
@@ -44,7 +44,7 @@ TEST(SupportKinds, OfOtherProgramsAreReadLikeOurs) {
 
   double made_stiffness = 0.;
   std::string made_name;
-  add_support_kind("magnet", magnet_section(), [&](const std::string& name, const MagnetParameters& p) {
+  add_support_kind("clamp", magnet_section(), [&](const std::string& name, const MagnetParameters& p) {
     made_name = name;
     made_stiffness = p.stiffness;
     return std::unique_ptr<Support>();
@@ -67,7 +67,7 @@ TEST(SupportKinds, OfOtherProgramsAreReadLikeOurs) {
   EXPECT_FALSE(out_of_range.empty()) << "its own ranges hold";
 
   const auto nothing = [](const std::string&, const MagnetParameters&) { return std::unique_ptr<Support>(); };
-  for (const char* taken : {"magnet", "touchdown", "linear"})
+  for (const char* taken : {"clamp", "touchdown", "linear"})
     EXPECT_THROW(add_support_kind(taken, magnet_section(), nothing), std::invalid_argument) << taken;
 }
 

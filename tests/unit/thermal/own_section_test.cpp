@@ -47,7 +47,7 @@ MeshFileContent small_mesh() {
   return m;
 }
 
-const OwnSectionWishes wishes{{"inner_ring", "outer_ring", "housing"}, 1};
+const OwnSectionWishes wishes{{"inner_ring", "outer_ring", "housing"}, 1, {}};
 
 std::string complaint(const MeshFileContent& content) {
   Faults faults;

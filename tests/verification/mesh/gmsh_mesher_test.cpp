@@ -343,7 +343,7 @@ TEST(GmshMesher, ReadsBackWhatItWrote) {
       const Scratch file("section.msh");
       const auto written = mesh_of(d);
       mesher.write(written, file.path.string(), format);
-      OwnSectionWishes wishes{written.bodies, static_cast<int>(d.rows.size())};
+      OwnSectionWishes wishes{written.bodies, static_cast<int>(d.rows.size()), {}};
       Faults faults;
       const auto read = own_section(mesher.read(file.path.string()), wishes, "section.msh", faults);
       faults.throw_if_any();
@@ -369,7 +369,7 @@ TEST(GmshMesher, ReadsAMeshThatGmshMadeFromAScript) {
   const fs::path recipe = fs::path(ROTORDROP_SOURCE_DIR) / "meshes" / "6014.geo";
   const auto content = mesher.read(recipe.string());
   Faults faults;
-  const auto mesh = own_section(content, {{"inner_ring", "outer_ring", "housing"}, 1}, recipe.string(), faults);
+  const auto mesh = own_section(content, {{"inner_ring", "outer_ring", "housing"}, 1, {}}, recipe.string(), faults);
   faults.throw_if_any();
   EXPECT_GT(mesh.cells.size(), 100U);
   EXPECT_EQ(mesh.arcs.size(), 2U);
