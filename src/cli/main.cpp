@@ -16,9 +16,9 @@
 #include "cli/commands.h"
 #include "cli/completion.h"
 #include "cli/mistakes.h"
+#include "cli/study_commands.h"
 #include "study/case.h"
 #include "study/heat_run.h"
-#include "cli/study_commands.h"
 
 namespace {
 

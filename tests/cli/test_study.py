@@ -199,7 +199,7 @@ kind = "list"
 
     def test_bad_input_is_told_before_anything_is_written(self):
         for change, message in ((("0.05, 0.3", "0.3, 0.05"), "range is empty"), (("size = 12", "size = 1000000000000"), "size"),
-                                (("contact.friction_coefficient", "contact.friction"), "Did you mean"), (("0.05, 0.3", "-0.3, 0.3"), "no valid case"),
+                                (("contact.friction_coefficient", "contact.friction_coeficient"), "Did you mean"), (("0.05, 0.3", "-0.3, 0.3"), "no valid case"),
                                 (("peak_contact_force\" =", "peak_force\" ="), "limit is on nothing")):
             with self.subTest(message=message):
                 self.write("bad.toml", STUDY.replace(*change))

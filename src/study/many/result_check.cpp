@@ -12,7 +12,8 @@ namespace {
 std::string advice_for(const std::string& name, const std::vector<std::string>& names) {
   const std::string guess = closest_name(name, names);
   return (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-         "Names are those of summary.json (docs/reference/results.md), such as bearings.TB1.peak_contact_force; * stands for any "
+         "Names are those of summary.json (docs/reference/results.md), such as bearings.TB1.peak_contact_force; * "
+         "stands for any "
          "text without a dot.";
 }
 

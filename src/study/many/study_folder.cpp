@@ -1,6 +1,7 @@
 #include "study/many/study_folder.h"
 
 #include <fmt/format.h>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -89,7 +90,14 @@ Study read_study_of(const fs::path& directory) {
   if (!fs::is_regular_file(file, ignored) || !fs::is_regular_file(case_file, ignored))
     throw InputError({directory.string(), 0, 0}, "the directory holds no study.",
                      "Name a directory that `rotordrop study` has written.");
-  return read_study(file, {}, case_file);
+  Study study = read_study(file, {}, case_file);
+  // The files have names of the folder; what study and case were called stands in the summary, if there is one yet.
+  std::ifstream in(directory / "study.json");
+  if (const Json summary = Json::parse(in, nullptr, false); summary.is_object()) {
+    study.name = summary.value("study", study.name);
+    study.base.name = summary.value("case", study.base.name);
+  }
+  return study;
 }
 
 std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path& output, bool force) {

@@ -259,7 +259,7 @@ section("Parallel coordinates", lines);
 section("What matters", matter);
 section("Worst points", worst);
 if (data.failed.length) section("Failed points", table(["point", ...data.parameters.map(label), "reason"], data.failed.map((f) => [String(f.point), ...f.values.map(short), f.reason]), ["number"]));
-section("Provenance", table(["", ""], data.facts, ["", "code"]));
+section("Provenance", table(["", ""], Object.entries(data.facts), ["", "code"]));
 
 function show(result) {
   response.replaceChildren(...data.parameters.map((parameter) => scatter(parameter, result)), cumulative(result));
