@@ -53,11 +53,10 @@ std::string digest_of(const Study& study, const Design& design) {
   return digest;
 }
 
-std::string journal_header(const std::string& digest, std::size_t shard, std::size_t n_shards) {
-  return Json{{"study", digest},
-              {"program", std::string(version()) + " " + git_revision()},
-              {"shard", shard},
-              {"shards", n_shards}}
+std::string journal_header(const Study& study, const std::string& digest, std::size_t shard, std::size_t n_shards) {
+  return Json{{"study", digest},         {"name", study.name},
+              {"case", study.base.name}, {"program", std::string(version()) + " " + git_revision()},
+              {"shard", shard},          {"shards", n_shards}}
       .dump();
 }
 
@@ -91,12 +90,12 @@ Study read_study_of(const fs::path& directory) {
     throw InputError({directory.string(), 0, 0}, "the directory holds no study.",
                      "Name a directory that `rotordrop study` has written.");
   Study study = read_study(file, {}, case_file);
-  // The files have names of the folder; what study and case were called stands in the summary, if there is one yet.
-  std::ifstream in(directory / "study.json");
-  if (const Json summary = Json::parse(in, nullptr, false); summary.is_object()) {
-    study.name = summary.value("study", study.name);
-    study.base.name = summary.value("case", study.base.name);
-  }
+  // The files have names of the folder; what study and case were called stands in the journal.
+  if (const fs::path journal = directory / "study.journal"; fs::is_regular_file(journal, ignored))
+    if (const Json header = Json::parse(Journal::read(journal).header, nullptr, false); header.is_object()) {
+      study.name = header.value("name", study.name);
+      study.base.name = header.value("case", study.base.name);
+    }
   return study;
 }
 
@@ -130,7 +129,7 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
   const ResultsFolder folder(output, force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
   write_inputs(study, output);
   const StudyTable table = make_table(study, design, records, layouts);
-  Journal joined(output / "study.journal", journal_header(digest, 1, 1));
+  Journal joined(output / "study.journal", journal_header(study, digest, 1, 1));
   for (const auto& [point, record] : records) {
     PointResult result;
     result.is_done = record.is_done;

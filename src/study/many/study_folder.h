@@ -14,7 +14,7 @@ namespace rotordrop {
 std::string digest_of(const Study& study, const Design& design);
 
 /// The header of a journal: digest, program, shard.
-std::string journal_header(const std::string& digest, std::size_t shard, std::size_t n_shards);
+std::string journal_header(const Study& study, const std::string& digest, std::size_t shard, std::size_t n_shards);
 /// @throws InputError if a journal is of another study, shard or version of the program
 void require_same_study(const std::filesystem::path& journal, const std::string& found, const std::string& expected);
 

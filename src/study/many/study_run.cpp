@@ -365,7 +365,7 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
                                                 : options.force ? ResultsFolder::Existing::replace
                                                                 : ResultsFolder::Existing::refuse);
   const std::string digest = digest_of(study, design);
-  const std::string header = journal_header(digest, options.shard, options.n_shards);
+  const std::string header = journal_header(study, digest, options.shard, options.n_shards);
   const fs::path file = options.directory / "study.journal";
   auto earlier = options.resume ? earlier_points(file, header) : std::nullopt;
   if (options.resume && !earlier && options.tell) options.tell("no point is finished yet: the study starts anew");
