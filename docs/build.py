@@ -143,20 +143,17 @@ class Reference:
 
 
 KINDS = {
-    "": ("Parameter reference", "a case of a drop ([parameters.md](parameters.md))"),
-    " --heat": ("Parameters of heat conduction alone", "a case of heat alone ([heat.md](heat.md))"),
-    " --study": ("Parameters of studies", "a study file ([studies.md](studies.md))"),
+    "": ("Parameter reference", "a case of a drop ([parameters.md](how-to/parameters.md))"),
+    " --heat": ("Parameters of a heat-only case", "a heat-only case ([heat.md](how-to/heat.md))"),
+    " --study": ("Parameters of studies", "a study file ([studies.md](how-to/studies.md))"),
 }
 
 
 def parameters_page(program, flag):
     reference = Reference()
-    flags = ["--heat"] if heat else []
-    reference.section("", json.loads(call(program, "schema", *flags)))
-    title = "Parameters of a heat-only case" if heat else "Parameter reference"
-    made = [f"# {title}\n",
-            "Every key of " + ("a heat-only case ([heat.md](how-to/heat.md))" if heat else "a case of a drop ([parameters.md](how-to/parameters.md))") +
-            f", from the declarations in the program; `rotordrop defaults{' --heat' if heat else ''}` prints the same as a commented file. Quantities are texts with a unit, or numbers in SI. A dash: no default.\n"]
+    title, of = KINDS[flag]
+    reference.section("", json.loads(call(program, "schema", *flag.split())))
+    made = [f"# {title}\n", f"Every key of {of}, from the declarations in the program; `rotordrop defaults{flag}` prints the same as a commented file. Quantities are texts with a unit, or numbers in SI. A dash: no default.\n"]
     anchors = set()
     for head, body, path in reference.sections:
         body = re.sub(r'<tr id="([^"]+)">', lambda m: m[0] if not (m[1] in anchors or anchors.add(m[1])) else "<tr>", body)  # two kinds of table may share a key

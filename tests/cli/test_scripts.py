@@ -117,6 +117,7 @@ class Documents(WithAResult):
         super().setUpClass()
         cls.keys = cls.keys_of_defaults(call(PROGRAM, "defaults"))
         cls.keys_of_heat = cls.keys_of_defaults(call(PROGRAM, "defaults", "--heat"))
+        cls.tables_of_studies = {key.split(".")[0] for key in cls.keys_of_defaults(call(PROGRAM, "defaults", "--study"))}
 
     @staticmethod
     def keys_of_defaults(text):
@@ -181,7 +182,11 @@ class Documents(WithAResult):
         n_found = 0
         for document in DOCUMENTS:
             for block in code_blocks(document, "toml"):
-                for path in leaves(tomllib.loads(block), "bearings.NAME." if block.startswith("# example: catalogue file") else ""):
+                tables = tomllib.loads(block)
+                if "design" in tables:  # a study, which gives names of its own to what it varies and derives
+                    self.assertEqual(set(tables) - self.tables_of_studies, set())
+                    continue
+                for path in leaves(tables, "bearings.NAME." if block.startswith("# example: catalogue file") else ""):
                     if path == "base":
                         continue
                     n_found += 1
