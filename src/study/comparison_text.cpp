@@ -157,7 +157,10 @@ void add_local(const Json& b, std::vector<std::string>& text) {
   if (bore.contains("first_impact") && !bore["largest_local_over_node"]["value"].is_null()) {
     const Json& first = bore["first_impact"];
     std::string line = fmt::format(
-        "Local bore temperature: the first impact ({}) sweeps {:.1f} mm of the bore while the ring turns {:.1f} deg; "
+        "Local bore temperature, upper bound by the case's heat share (consistent value: bore_rise in the drop's "
+        "summary): "
+        "the "
+        "first impact ({}) sweeps {:.1f} mm of the bore while the ring turns {:.1f} deg; "
         "the hottest point of that arc is up to {} hotter than the circuit's inner ring, at {}",
         duration(first["duration"].get<double>()), first["arc"].get<double>() * 1e3,
         first["ring_angle"].get<double>() * 180. / std::numbers::pi,
