@@ -36,7 +36,7 @@ def main():
     high = [((level["high"] if level["high"] is not None else level["quantile"]) - level["quantile"]) * 1e-3 for level in levels]
     axes[0].errorbar(x, quantile, yerr=[low, high], fmt="k_-", capsize=3, label=f"{100 * choose['quantile']:.0f} % quantile, 95 % interval")
     axes[0].set(xscale="log", xlabel="damping of each support [kN s/m]", ylabel="peak contact force [kN]")
-    axes[0].legend(loc="upper right")
+    axes[0].legend(loc="upper left")
     best = choose["best"]["value"]
     for value, colour in ((min(damping), "tab:orange"), (best, "tab:blue")):
         axes[1].plot(friction[damping == value], force[damping == value], ".", color=colour, label=f"{value * 1e-3:g} kN s/m")
