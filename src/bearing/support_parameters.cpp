@@ -290,7 +290,7 @@ RibbonSupport::Axis ribbon_axis(const RibbonParameters& p) {
                                  g.poisson_ratio, g.friction_coefficient, g.stick_length});
   } else {
     axis.stiffness = *p.stiffness;
-    axis.sliders.push_back({*p.stick_stiffness, *p.slip_force / *p.stick_stiffness});
+    axis.elements.push_back({*p.stick_stiffness, *p.slip_force / *p.stick_stiffness});
   }
   axis.damping = p.damping;
   return axis;
@@ -321,7 +321,7 @@ const std::vector<SupportLawKind>& support_law_kinds() {
        [](const P& p, const Around&) {
          const auto axis = ribbon_axis(*p.ribbon);
          std::string sliders;
-         for (const auto& s : axis.sliders)
+         for (const auto& s : axis.elements)
            sliders += fmt::format("{}{:.4g} N after {:.4g} um", sliders.empty() ? "" : ", ", s.stiffness * s.reach,
                                   s.reach * 1e6);
          std::string text = fmt::format("ribbon of {:.4g} N/m with friction of {}", axis.stiffness, sliders);

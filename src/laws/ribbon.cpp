@@ -70,7 +70,7 @@ double loop_area(const MeasuredLoop& loop) { return area_under(loop.loading) - a
 
 double steady_loop_loss(const RibbonSupport::Axis& axis, double amplitude) {
   double loss = 0.;
-  for (const auto& s : axis.sliders) loss += slider_loss(s, amplitude);
+  for (const auto& s : axis.elements) loss += slider_loss(s, amplitude);
   return loss;
 }
 
@@ -124,7 +124,7 @@ RibbonSupport::Axis ribbon_from_loop(const MeasuredLoop& loop) {
     }
     // What no reach gives, for a slider that slips at a quarter of the travel, a little more stiffness does.
     s.stiffness *= sharp / slider_loss(s, 0.5 * range);
-    axis.sliders.push_back(s);
+    axis.elements.push_back(s);
   }
   return axis;
 }
@@ -144,7 +144,7 @@ RibbonSupport::Axis ribbon_from_geometry(const RibbonGeometry& g) {
     if (!(friction > 0.)) return;
     const double slips = friction * 2. * n / std::numbers::pi, sticks = 0.5 * n * stiffness;
     const double reach = std::max(slips / sticks, g.stick_length);
-    axis.sliders.push_back({slips / reach, reach});
+    axis.elements.push_back({slips / reach, reach});
   };
   add(g.friction_coefficient * load * kappa, kappa * kappa * strip);
   add(g.friction_coefficient * load, strip);

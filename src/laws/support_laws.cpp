@@ -52,24 +52,29 @@ SupportRest SpringSupport::rest(double y, double z) const {
   return {-K_[0] * y, -K_[1] * z, K_[0], 0., 0., K_[1], 0.5 * (K_[0] * y * y + K_[1] * z * z)};
 }
 
-// ---------------------------------------------------------------------------------------------- ribbon
+// ------------------------------------------------------------------------- elements in parallel: ribbon, elastomer
 
-std::vector<SupportLaw::State> RibbonSupport::states() const {
+template <class Axis>
+std::vector<SupportLaw::State> ParallelSupport<Axis>::states() const {
   std::vector<State> all;
   for (std::size_t axis = 0; axis < 2; ++axis)
-    for (std::size_t j = 0; j < axes_[axis].sliders.size(); ++j)
-      all.push_back({"slider " + std::to_string(j + 1) + " " + axis_names[axis], "m", axes_[axis].sliders[j].reach});
+    for (std::size_t j = 0; j < axes_[axis].elements.size(); ++j) {
+      const auto& e = axes_[axis].elements[j];
+      all.push_back({e.name + (" " + std::to_string(j + 1)) + " " + axis_names[axis], "m", e.scale()});
+    }
   return all;
 }
 
-void RibbonSupport::settle(double y, double z, std::span<double> inner) const {
+template <class Axis>
+void ParallelSupport<Axis>::settle(double y, double z, std::span<double> inner) const {
   std::size_t at = 0;
   for (std::size_t axis = 0; axis < 2; ++axis)
-    for (const auto& slider : axes_[axis].sliders) inner[at++] = slider.pushed(axis == 0 ? y : z);
+    for (const auto& e : axes_[axis].elements) inner[at++] = e.pushed(axis == 0 ? y : z);
 }
 
-SupportAnswer RibbonSupport::evaluate(const SupportMotion& m, std::span<const double> inner,
-                                      std::span<double> rates) const {
+template <class Axis>
+SupportAnswer ParallelSupport<Axis>::evaluate(const SupportMotion& m, std::span<const double> inner,
+                                              std::span<double> rates) const {
   const auto x = place_of(m), v = velocity_of(m);
   std::array<double, 2> force{};
   double loss = 0.;
@@ -78,88 +83,8 @@ SupportAnswer RibbonSupport::evaluate(const SupportMotion& m, std::span<const do
     const Axis& a = axes_[axis];
     double f = a.stiffness * x[axis] + a.damping * v[axis];
     loss += a.damping * v[axis] * v[axis];
-    for (const auto& slider : a.sliders) {
-      const double z = inner[at], yielding = slider.yielding(z, v[axis]), pull = slider.stiffness * z;
-      f += pull;
-      loss += pull * v[axis] * yielding;
-      rates[at++] = v[axis] * (1. - yielding);
-    }
-    force[axis] = -f;
-  }
-  return {force[0], force[1], loss};
-}
-
-double RibbonSupport::energy(const SupportMotion& m, std::span<const double> inner) const {
-  const auto x = place_of(m);
-  double U = 0.;
-  std::size_t at = 0;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    U += 0.5 * axes_[axis].stiffness * x[axis] * x[axis];
-    for (const auto& slider : axes_[axis].sliders) {
-      U += 0.5 * slider.stiffness * inner[at] * inner[at];
-      ++at;
-    }
-  }
-  return U;
-}
-
-SupportRest RibbonSupport::rest(double y, double z) const {
-  const std::array<double, 2> x = {y, z};
-  std::array<double, 2> f{}, k{};
-  SupportRest r;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    f[axis] = axes_[axis].stiffness * x[axis];
-    k[axis] = axes_[axis].stiffness;
-    r.energy += 0.5 * axes_[axis].stiffness * x[axis] * x[axis];
-    for (const auto& slider : axes_[axis].sliders) {
-      f[axis] += slider.stiffness * slider.pushed(x[axis]);
-      k[axis] += slider.stiffness * slider.pushed_slope(x[axis]);
-      r.energy += slider.pushed_energy(x[axis]);
-    }
-  }
-  r.force_y = -f[0];
-  r.force_z = -f[1];
-  r.k_yy = k[0];
-  r.k_zz = k[1];
-  return r;
-}
-
-// ---------------------------------------------------------------------------------------------- elastomer
-
-std::array<double, 2> MaxwellModel::dynamic_stiffness(double w) const {
-  double storage = stiffness, loss = damping * w;
-  for (const auto& e : elements) {
-    const double s = w * e.time;
-    storage += e.stiffness * s * s / (1. + s * s);
-    loss += e.stiffness * s / (1. + s * s);
-  }
-  return {storage, loss};
-}
-
-std::vector<SupportLaw::State> ElastomerSupport::states() const {
-  std::vector<State> all;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    for (std::size_t j = 0; j < axes_[axis].elements.size(); ++j)
-      all.push_back({"Maxwell element " + std::to_string(j + 1) + " " + axis_names[axis], "m", 1e-5});
-  return all;
-}
-
-void ElastomerSupport::settle(double, double, std::span<double> inner) const {
-  std::fill(inner.begin(), inner.end(), 0.);  // relaxed
-}
-
-SupportAnswer ElastomerSupport::evaluate(const SupportMotion& m, std::span<const double> inner,
-                                         std::span<double> rates) const {
-  const auto x = place_of(m), v = velocity_of(m);
-  std::array<double, 2> force{};
-  double loss = 0.;
-  std::size_t at = 0;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const MaxwellModel& a = axes_[axis];
-    double f = a.stiffness * x[axis] + a.damping * v[axis];
-    loss += a.damping * v[axis] * v[axis];
     for (const auto& e : a.elements) {
-      const double q = inner[at], flow = q / e.time;
+      const double q = inner[at], flow = e.flow(q, v[axis]);
       f += e.stiffness * q;
       loss += e.stiffness * q * flow;
       rates[at++] = v[axis] - flow;
@@ -169,7 +94,8 @@ SupportAnswer ElastomerSupport::evaluate(const SupportMotion& m, std::span<const
   return {force[0], force[1], loss};
 }
 
-double ElastomerSupport::energy(const SupportMotion& m, std::span<const double> inner) const {
+template <class Axis>
+double ParallelSupport<Axis>::energy(const SupportMotion& m, std::span<const double> inner) const {
   const auto x = place_of(m);
   double U = 0.;
   std::size_t at = 0;
@@ -183,9 +109,39 @@ double ElastomerSupport::energy(const SupportMotion& m, std::span<const double> 
   return U;
 }
 
-SupportRest ElastomerSupport::rest(double y, double z) const {
-  const double k_y = axes_[0].stiffness, k_z = axes_[1].stiffness;
-  return {-k_y * y, -k_z * z, k_y, 0., 0., k_z, 0.5 * (k_y * y * y + k_z * z * z)};
+template <class Axis>
+SupportRest ParallelSupport<Axis>::rest(double y, double z) const {
+  const std::array<double, 2> x = {y, z};
+  std::array<double, 2> f{}, k{};
+  SupportRest r;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    f[axis] = axes_[axis].stiffness * x[axis];
+    k[axis] = axes_[axis].stiffness;
+    r.energy += 0.5 * axes_[axis].stiffness * x[axis] * x[axis];
+    for (const auto& e : axes_[axis].elements) {
+      f[axis] += e.stiffness * e.pushed(x[axis]);
+      k[axis] += e.stiffness * e.pushed_slope(x[axis]);
+      r.energy += e.pushed_energy(x[axis]);
+    }
+  }
+  r.force_y = -f[0];
+  r.force_z = -f[1];
+  r.k_yy = k[0];
+  r.k_zz = k[1];
+  return r;
+}
+
+template class ParallelSupport<RibbonAxis>;
+template class ParallelSupport<MaxwellModel>;
+
+std::array<double, 2> MaxwellModel::dynamic_stiffness(double w) const {
+  double storage = stiffness, loss = damping * w;
+  for (const auto& e : elements) {
+    const double s = w * e.time;
+    storage += e.stiffness * s * s / (1. + s * s);
+    loss += e.stiffness * s / (1. + s * s);
+  }
+  return {storage, loss};
 }
 
 // ---------------------------------------------------------------------------------------------- squeeze film

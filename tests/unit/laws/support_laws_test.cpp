@@ -139,9 +139,9 @@ TEST(RibbonFromLoop, HasTheAreaAndShapeOfTheLoop) {
   ASSERT_EQ(fault_of(loop), "");
   const auto axis = ribbon_from_loop(loop);
   EXPECT_NEAR(axis.stiffness, 1e7, 1e-3);
-  ASSERT_EQ(axis.sliders.size(), 1u);
+  ASSERT_EQ(axis.elements.size(), 1u);
   const double first = (1.9e3 - 1600. + 1.9e3) / 40e-6;
-  EXPECT_NEAR(axis.sliders[0].stiffness, first - 1e7, 1e-6 * first);
+  EXPECT_NEAR(axis.elements[0].stiffness, first - 1e7, 1e-6 * first);
   EXPECT_NEAR(steady_loop_loss(axis, X), loop_area(loop), 1e-9 * loop_area(loop)) << "J";
   EXPECT_NEAR(loop_area(loop), 4. * (first - 1e7) * 20e-6 * (X - 20e-6), 1e-9) << "J, of a sharp bilinear loop";
 }
@@ -163,10 +163,10 @@ TEST(RibbonFromGeometry, FollowsItsFormulas) {
   EXPECT_NEAR(wave_stiffness(g), 695398., 1.);
   const auto axis = ribbon_from_geometry(g);
   EXPECT_NEAR(axis.stiffness, 18. * 695398., 20.);
-  ASSERT_EQ(axis.sliders.size(), 2u);
+  ASSERT_EQ(axis.elements.size(), 2u);
   const double load = 69.5398, kappa = pi * pi / 32.;
-  EXPECT_NEAR(axis.sliders[0].stiffness * axis.sliders[0].reach, 0.15 * load * kappa * 72. / pi, 1e-2) << "N, feet";
-  EXPECT_NEAR(axis.sliders[1].stiffness * axis.sliders[1].reach, 0.15 * load * 72. / pi, 1e-2) << "N, crests";
+  EXPECT_NEAR(axis.elements[0].stiffness * axis.elements[0].reach, 0.15 * load * kappa * 72. / pi, 1e-2) << "N, feet";
+  EXPECT_NEAR(axis.elements[1].stiffness * axis.elements[1].reach, 0.15 * load * 72. / pi, 1e-2) << "N, crests";
 }
 
 TEST(MaxwellFit, MeetsTheTableOfItsOwnKind) {
