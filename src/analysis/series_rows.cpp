@@ -4,17 +4,13 @@
 
 namespace rotordrop {
 
-SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force)
-    : machine_(machine),
-      schedule_(std::move(schedule)),
-      n_step_(observed_size(machine.step_observables())),
-      state_(machine.layout().size()),
-      row_(n_step_ + observed_size(machine.state_observables())) {
-  found_.wants_step = true;
+ScheduledRows::ScheduledRows(const char* name, const Machine& machine, RowSchedule schedule,
+                             const GrowthHistory* growth_in_force)
+    : machine_(machine), schedule_(std::move(schedule)), name_(name), state_(machine.layout().size()) {
   found_.growth_in_force = growth_in_force;
 }
 
-void SeriesRows::step(const Step& step) {
+void ScheduledRows::step(const Step& step) {
   while (schedule_.due() < step.time && !is_same_time(schedule_.due(), step.time)) {
     const double t = schedule_.due();
     step.interpolate(t, state_);
@@ -22,9 +18,20 @@ void SeriesRows::step(const Step& step) {
   }
   if (!step.is_observed) return;
   schedule_.follow(step.time, step.found->step);
-  // At the beginning of a step that brought a change after a long interval without any.
-  if (schedule_.is_awoken(step.start)) write(step.start, step.before);
-  if (is_same_time(schedule_.due(), step.time) || step.is_last) write(step.after, *step.found);
+  if (wants_before_change() && schedule_.is_awoken(step.start)) write(step.start, step.before);
+  if (is_same_time(schedule_.due(), step.time) || step.is_last) write_end(step);
+}
+
+void ScheduledRows::give(double t, std::span<const double> row) {
+  for (RowSink* sink : sinks_) sink->row(t, row);
+  schedule_.written(t);
+}
+
+SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force)
+    : ScheduledRows("rows", machine, std::move(schedule), growth_in_force),
+      n_step_(observed_size(machine.step_observables())),
+      row_(n_step_ + observed_size(machine.state_observables())) {
+  found_.wants_step = true;
 }
 
 void SeriesRows::write(double t, std::span<const double> y) {
@@ -35,31 +42,17 @@ void SeriesRows::write(double t, std::span<const double> y) {
 void SeriesRows::write(std::span<const double> y, const Evaluation& found) {
   std::copy(found.step.begin(), found.step.end(), row_.begin());
   machine_.observe_state(y, found, std::span(row_).subspan(n_step_));
-  for (RowSink* sink : sinks_) sink->row(found.time, row_);
-  schedule_.written(found.time);
+  give(found.time, row_);
 }
 
 DetailRows::DetailRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force)
-    : machine_(machine), schedule_(std::move(schedule)), state_(machine.layout().size()) {
+    : ScheduledRows("detail rows", machine, std::move(schedule), growth_in_force) {
   found_.wants_details = true;
-  found_.growth_in_force = growth_in_force;
-}
-
-void DetailRows::step(const Step& step) {
-  while (schedule_.due() < step.time && !is_same_time(schedule_.due(), step.time)) {
-    const double t = schedule_.due();
-    step.interpolate(t, state_);
-    write(t, state_);
-  }
-  if (!step.is_observed) return;
-  schedule_.follow(step.time, step.found->step);
-  if (is_same_time(schedule_.due(), step.time) || step.is_last) write(step.time, step.after);
 }
 
 void DetailRows::write(double t, std::span<const double> y) {
   machine_.evaluate(t, y, found_);
-  for (RowSink* sink : sinks_) sink->row(t, found_.details);
-  schedule_.written(t);
+  give(t, found_.details);
 }
 
 }  // namespace rotordrop
