@@ -29,7 +29,7 @@ struct KernelInput {
   double A, radial, axial, arm, position, K, damping;  // damping = 1.5 beta
   double cage_cosine, cage_sine;
   RingDisplacement e, v;
-  Widening* bent;  // of bent rings
+  Widening* bent;  // of bent rings; of rigid ones none
 };
 
 // The two kernels differ in the tilt and axial terms only; kept apart because the short one is the hot loop of every drop.
@@ -43,11 +43,10 @@ template <bool is_bent>
   for (std::size_t j = 0; j < in.n; ++j) {
     const double c = C * in.cosine[j] - S * in.sine[j];
     const double s = S * in.cosine[j] + C * in.sine[j];
-    double Br = radial + ey * c + ez * s, Br_rate = vy * c + vz * s, Br_turn = ez * c - ey * s;
+    double Br = radial + ey * c + ez * s, Br_rate = vy * c + vz * s;
     if constexpr (is_bent) {
       Br += in.bent->width[j];
       Br_rate += in.bent->rate[j];
-      Br_turn += in.bent->slope[j];
     }
     const double distance = std::sqrt(Br * Br + Bx2);
     const double inverse = 1. / distance;
@@ -67,6 +66,8 @@ template <bool is_bent>
     elastic_radial += elastic * cos_phi;
     elastic_axial += elastic * inverse;
     elastic_normal += elastic;
+    double Br_turn = ez * c - ey * s;
+    if constexpr (is_bent) Br_turn += in.bent->slope[j];
     cage += elastic * cos_phi * Br_turn;
     largest = std::max(largest, F);
     roots += root;
@@ -375,7 +376,7 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
                           in.cage_sine,
                           in.displacement,
                           in.rate,
-                          &bent};
+                          is_bent ? &bent : nullptr};
   kernel(balls, out);
   if (is_bent) press_shapes(in, bent);
   out.inner_load_roots = out.outer_load_roots = stiffness_root_ * out.inner_load_roots;
@@ -395,12 +396,13 @@ double BallRow::centrifugal_force(const BallRowInput& in) const {
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run(in.shape.empty() ? sum_translations : sum_bent_translations, in, out, tractions);
+  run([](const KernelInput& k, BallRowOutput& o) { k.bent ? sum_bent_translations(k, o) : sum_translations(k, o); }, in,
+      out, tractions);
 }
 
 void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run(in.shape.empty() ? sum_all : sum_all_bent, in, out, tractions);
+  run([](const KernelInput& k, BallRowOutput& o) { k.bent ? sum_all_bent(k, o) : sum_all(k, o); }, in, out, tractions);
 }
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {

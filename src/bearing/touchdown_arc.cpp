@@ -248,12 +248,7 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   c.n_z = sums.z / sums.normal;
   c.tangential_speed = at.vz * c.n_y - at.vy * c.n_z;
   c.slip_speed = surfaces + c.tangential_speed;
-  c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
-  if (data_.sticking) return c;
-  const double slip_squared = c.slip_speed * c.slip_speed + c.slip_x * c.slip_x;
-  const double per_slip = data_.friction.per_speed(slip_squared, in.ring_temperature) * c.normal;
-  c.friction = per_slip * c.slip_speed;
-  c.friction_x = per_slip * c.slip_x;
+  slide(in, at, c);
   return c;
 }
 

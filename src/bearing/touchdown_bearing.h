@@ -180,6 +180,8 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] Expansion growth(const SupportInput& input, std::span<const double> y) const;
   /// @param x  along the bore, from the ring's middle [m]
   [[nodiscard]] Bodies bodies(const Motion& journal, std::span<const double> y, double x) const;
+  /// Sliding friction of a contact whose normal force and slip around the bore are known; none where a bristle holds it.
+  void slide(const SupportInput& input, const Bodies& at, Contact& c) const;
   [[nodiscard]] Contact contact(const SupportInput& input, const Expansion& growth, std::span<const double> y,
                                 const Bodies& at) const;
   /// @param bristle_rates  [n_bristles()]

@@ -68,6 +68,15 @@ TouchdownBearing::Bodies TouchdownBearing::bodies(const Motion& j, std::span<con
   return at;
 }
 
+void TouchdownBearing::slide(const SupportInput& in, const Bodies& at, Contact& c) const {
+  c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
+  if (data_.sticking) return;
+  const double slip_squared = c.slip_speed * c.slip_speed + c.slip_x * c.slip_x;
+  const double per_slip = data_.friction.per_speed(slip_squared, in.ring_temperature) * c.normal;
+  c.friction = per_slip * c.slip_speed;
+  c.friction_x = per_slip * c.slip_x;
+}
+
 TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, const Expansion& growth,
                                                     std::span<const double> y, const Bodies& at) const {
   Contact c;
@@ -98,12 +107,7 @@ TouchdownBearing::Contact TouchdownBearing::contact(const SupportInput& in, cons
     c.damping = (c.normal - c.elastic) * c.rate;
     c.wave_power = c.elastic * c.wave_rate;
     c.lateral = -c.normal * c.bore_slope;
-    c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
-    if (data_.sticking) return c;
-    const double slip_squared = c.slip_speed * c.slip_speed + c.slip_x * c.slip_x;
-    const double per_slip = data_.friction.per_speed(slip_squared, in.ring_temperature) * c.normal;
-    c.friction = per_slip * c.slip_speed;
-    c.friction_x = per_slip * c.slip_x;
+    slide(in, at, c);
   }
   return c;
 }
