@@ -68,12 +68,11 @@ std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem
 
 FiniteElements finite_elements_of(const Case& drop_case) {
   FiniteElements elements;
-  const fs::path cache = cache_folder();
-  elements.make_solver = [cache](const HeatConductionProblem& problem) {
-    return kept_heat_solver(cache, version_of(ROTORDROP_FE_MODULE), problem, make_heat_solver);
+  elements.make_solver = [](const HeatConductionProblem& problem) {
+    return kept_heat_solver(cache_folder(), version_of(ROTORDROP_FE_MODULE), problem, make_heat_solver);
   };
-  elements.make_elastic_solver = [cache](const ElasticProblem& problem) {
-    return kept_elastic_solver(cache, version_of(ROTORDROP_FE_MODULE), problem, make_elastic_solver);
+  elements.make_elastic_solver = [](const ElasticProblem& problem) {
+    return kept_elastic_solver(cache_folder(), version_of(ROTORDROP_FE_MODULE), problem, make_elastic_solver);
   };
   elements.make_mesh = [&drop_case](const std::string& bearing) { return bearing_mesh(drop_case, bearing); };
   return elements;
