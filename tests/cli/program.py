@@ -13,6 +13,22 @@ PARAMS = SOURCE / "params"
 PROGRAM = str(pathlib.Path(os.environ.get("ROTORDROP_PROGRAM", SOURCE / "build/release/rotordrop")).resolve())
 
 
+# A disc that is heated at its outside: a case of `rotordrop heat`; times come before it.
+HEATED_DISC = """
+[run]
+ambient = "20 degC"
+[[section.rectangle]]
+name = "disc"
+x = [0, "10 mm"]
+r = ["10 mm", "20 mm"]
+material = "steel"
+[[flux]]
+boundary = "disc.outer"
+times = [0]
+values = [1e6]
+"""
+
+
 def call(*arguments, cwd=None, timeout=120):
     """Runs the program to its end; returncode, stdout and stderr as text."""
     command = [PROGRAM, *map(str, arguments)]

@@ -1,6 +1,5 @@
 """Short forms of the scripts of tests/faults: they find nothing here, and must be able to find something."""
 
-import importlib.util
 import pathlib
 import random
 import subprocess
@@ -10,13 +9,7 @@ import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from program import PROGRAM, SOURCE  # noqa: E402
-
-
-def load(name):
-    spec = importlib.util.spec_from_file_location(name, SOURCE / f"tests/faults/{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+from test_scripts import load_script  # noqa: E402
 
 
 class Faults(unittest.TestCase):
@@ -38,7 +31,7 @@ class ThePropertiesCanFail(unittest.TestCase):
     """Each property notices a machine that was changed in secret, or a program that is wrong."""
 
     def setUp(self):
-        self.properties = load("properties")
+        self.properties = load_script(SOURCE / "tests/faults/properties.py")
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.program = self.properties.Program(PROGRAM, pathlib.Path(folder.name))

@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, ProgramTest, settings, start  # noqa: E402
+from program import HEATED_DISC, PROGRAM, ProgramTest, settings, start  # noqa: E402
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "examples/plot_field.py"
 sys.path.insert(0, str(SCRIPT.parent))
@@ -27,17 +27,7 @@ CASE = """
 output_times = ["1 ms", "3 ms", "10 ms"]
 field_times = ["1 ms", "10 ms"]
 field_interval = "3 ms"
-[run]
-ambient = "20 degC"
-[[section.rectangle]]
-name = "disc"
-x = [0, "10 mm"]
-r = ["10 mm", "20 mm"]
-material = "steel"
-[[flux]]
-boundary = "disc.outer"
-times = [0]
-values = [1e6]
+""" + HEATED_DISC + """
 [[fixed]]
 boundary = "disc.left"
 temperature = "30 degC"

@@ -13,25 +13,14 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, ProgramTest  # noqa: E402
+from program import HEATED_DISC, PROGRAM, ProgramTest  # noqa: E402
 
 HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 
 FIELDS = """
 output_times = ["1 ms", "10 ms"]
 field_times = ["1 ms", "10 ms"]
-[run]
-ambient = "20 degC"
-[[section.rectangle]]
-name = "disc"
-x = [0, "10 mm"]
-r = ["10 mm", "20 mm"]
-material = "steel"
-[[flux]]
-boundary = "disc.outer"
-times = [0]
-values = [1e6]
-"""
+""" + HEATED_DISC
 
 
 @unittest.skipUnless(shutil.which("octave-cli"), "octave-cli is not installed")

@@ -38,6 +38,8 @@ def code_blocks(document, language):
 
 
 def load_script(path):
+    if str(path.parent) not in sys.path:
+        sys.path.append(str(path.parent))  # as if it were called: its neighbours can be imported
     spec = importlib.util.spec_from_file_location(path.stem, path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)

@@ -17,7 +17,7 @@
 
 #include "bearing/ring_equilibrium.h"
 #include "bearing/ring_statics.h"
-#include "numerical_derivative.h"
+#include "power_balance.h"
 #include "test_bearings.h"
 
 namespace rotordrop {
@@ -57,15 +57,11 @@ std::vector<double> at_rest(const TB& bearing) {
   return y;
 }
 
-struct Instant {
-  SupportInput in;
-  std::vector<double> y = std::vector<double>(n_with_bristles);
-};
-
 /// The ring within 2 um in its balls, the journal 275 um aside and tilted, against one shoulder or between both.
 Instant random_instant(std::mt19937& random, int kind) {
   std::uniform_real_distribution<double> one(-1, 1);
   Instant s;
+  s.y.resize(n_with_bristles);
   auto& y = s.y;
   for (const auto i : {TB::ring_y, TB::ring_z, TB::ring_x, TB::support_y, TB::support_z}) y[i] = 2 * um * one(random);
   for (const auto i : {TB::ring_vy, TB::ring_vz, TB::ring_vx, TB::support_vy, TB::support_vz}) y[i] = 0.1 * one(random);
@@ -89,21 +85,7 @@ Instant random_instant(std::mt19937& random, int kind) {
 }
 
 /// Over so short a time that no ball or shoulder comes to touch: over 0.5 us one of them does, which leaves 2e-4 W.
-double energy_rate(const TB& bearing, const Instant& s, const std::vector<double>& rates) {
-  return derivative(
-      [&](double t) {
-        Instant moved = s;
-        for (std::size_t i = 0; i < rates.size(); ++i) moved.y[i] += t * rates[i];
-        auto& j = moved.in.journal;
-        j.x += t * j.velocity_x;
-        j.y += t * j.velocity_y;
-        j.z += t * j.velocity_z;
-        j.theta_y += t * j.tilt_rate_y;
-        j.theta_z += t * j.tilt_rate_z;
-        return bearing.energy(moved.in, moved.y);
-      },
-      1e-7);
-}
+constexpr double short_time = 1e-7;  // [s]
 
 TEST(FreeRing, FindsEveryWattOfItsPowerBalance) {
   std::mt19937 random(31);
@@ -143,7 +125,7 @@ TEST(FreeRing, FindsEveryWattOfItsPowerBalance) {
                                    f.moment_y * j.tilt_rate_y - f.moment_z * j.tilt_rate_z -
                                    f.torque * s.in.rotor_spin.speed;
       const double heat = e.out.heat.rub + e.out.heat.inner + e.out.heat.outer;
-      const double dU = energy_rate(bearing, s, e.rates);
+      const double dU = energy_rate(bearing, s, e.rates, short_time);
       const double residual = dU - work_of_rotor + heat + e.out.other_dissipation - e.out.prescribed_work;
       const double scale = std::max({std::fabs(dU), std::fabs(work_of_rotor), heat});
       // Balls with inertia stop their iteration at 2e-5 of their loads, and their power is that before the last step. With 1e-10 nothing of this is left.

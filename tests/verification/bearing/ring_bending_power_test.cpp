@@ -10,7 +10,7 @@
 #include <complex>
 #include <random>
 
-#include "numerical_derivative.h"
+#include "power_balance.h"
 #include "test_bearings.h"
 
 namespace rotordrop {
@@ -39,12 +39,6 @@ BentRings bent(RingBendingModel model, int highest, bool has_outer, double gap) 
   b.arc = ArcContact(1.144e9, 10. / 9., gap);
   return b;
 }
-
-struct Instant {
-  SupportInput in;
-  std::vector<double> y;
-  Expansion growth_rate;
-};
 
 Instant random_instant(const TB& bearing, std::mt19937& random, bool in_contact) {
   std::uniform_real_distribution<double> one(-1, 1);
@@ -113,20 +107,6 @@ Evaluated evaluate(const TB& bearing, const Instant& s) {
   return e;
 }
 
-double energy_rate(const TB& bearing, const Instant& s, const std::vector<double>& rates) {
-  return derivative(
-      [&](double t) {
-        Instant moved = s;
-        for (std::size_t i = 0; i < rates.size(); ++i) moved.y[i] += t * rates[i];
-        auto& j = moved.in.journal;
-        j.y += t * j.velocity_y;
-        j.z += t * j.velocity_z;
-        for (const auto surface : growth_surfaces) moved.in.growth.*surface += t * s.growth_rate.*surface;
-        return bearing.energy(moved.in, moved.y);
-      },
-      5e-7);
-}
-
 TEST(BentTouchdownBearing, FindsEveryWattOfItsPowerBalance) {
   std::mt19937 random(5);
   for (const auto& data : bent_bearings()) {
@@ -141,7 +121,7 @@ TEST(BentTouchdownBearing, FindsEveryWattOfItsPowerBalance) {
                           e.out.force_on_rotor.torque * s.in.rotor_spin.speed;
       const double taken = e.out.heat.rub + e.out.heat.inner + e.out.heat.outer + e.out.other_dissipation;
       const double given = e.out.prescribed_work + e.out.energy_gradient.dot(s.growth_rate);
-      const double dU = energy_rate(bearing, s, e.rates);
+      const double dU = energy_rate(bearing, s, e.rates, 5e-7);
       const double scale = std::max({std::fabs(work), std::fabs(dU), std::fabs(taken), 1e3});
       worst = std::max(worst, std::fabs(dU - work + taken - given) / scale);
       largest_loss = std::max(largest_loss, e.ledger[TB::ring_bending_damping]);

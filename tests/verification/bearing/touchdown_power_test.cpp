@@ -18,7 +18,7 @@
 
 #include "laws/ball_kinematics.h"
 #include "laws/bearing_friction.h"
-#include "numerical_derivative.h"
+#include "power_balance.h"
 #include "test_bearings.h"
 
 namespace rotordrop {
@@ -26,12 +26,6 @@ namespace {
 
 using namespace rotordrop::testing;
 using TB = TouchdownBearing;
-
-struct Instant {
-  SupportInput in;
-  std::vector<double> y;
-  Expansion growth_rate;
-};
 
 struct Evaluation {
   std::vector<double> rates = std::vector<double>(TB::n_state + 1),  // with a bristle of sticking friction
@@ -117,22 +111,6 @@ std::vector<TouchdownBearingData> lively_bearings() {
   return {a, b, touchdown("plain X pair", angular_contact_pair(900.)), c, d, e, f, g};
 }
 
-double energy_rate(const TB& bearing, const Instant& s, const std::vector<double>& rates) {
-  return derivative(
-      [&](double t) {
-        Instant moved = s;
-        for (std::size_t i = 0; i < rates.size(); ++i) moved.y[i] += t * rates[i];
-        auto& j = moved.in.journal;
-        j.y += t * j.velocity_y;
-        j.z += t * j.velocity_z;
-        auto& g = moved.in.growth;
-        const auto& v = s.growth_rate;
-        for (const auto surface : growth_surfaces) g.*surface += t * v.*surface;
-        return bearing.energy(moved.in, moved.y);
-      },
-      5e-7);
-}
-
 TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
   std::mt19937 random(3);
   auto bearings = lively_bearings();
@@ -153,7 +131,7 @@ TEST(TouchdownBearing, FindsEveryWattOfItsPowerBalance) {
                                    e.out.force_on_rotor.torque * s.in.rotor_spin.speed;
       const double heat = e.out.heat.rub + e.out.heat.inner + e.out.heat.outer,
                    growth = e.out.energy_gradient.dot(s.growth_rate);
-      const double dU = energy_rate(bearing, s, e.rates);
+      const double dU = energy_rate(bearing, s, e.rates, 5e-7);
       const double residual = dU - work_of_rotor + heat + e.out.other_dissipation - e.out.prescribed_work - growth;
       double scale = std::fabs(dU);
       for (const double P : {work_of_rotor, heat, e.out.other_dissipation, e.out.prescribed_work, growth})
@@ -190,7 +168,7 @@ TEST(TouchdownBearing, BalancesItsPowerWithFreeBallsToo) {
     s.in.journal.z += dz;
     const auto e = evaluate(bearing, s.in, s.y);
     const auto& j = s.in.journal;
-    const double balance = energy_rate(bearing, s, e.rates) + e.out.force_on_rotor.y * j.velocity_y +
+    const double balance = energy_rate(bearing, s, e.rates, 5e-7) + e.out.force_on_rotor.y * j.velocity_y +
                            e.out.force_on_rotor.z * j.velocity_z + e.out.force_on_rotor.torque * s.in.rotor_spin.speed +
                            e.out.heat.rub + e.out.heat.inner + e.out.heat.outer + e.out.other_dissipation -
                            e.out.prescribed_work - e.out.energy_gradient.dot(s.growth_rate);

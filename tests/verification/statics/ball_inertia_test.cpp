@@ -33,10 +33,27 @@ BallRowGeometry harris_218() {
   return g;
 }
 
+/// What the peer found at a speed.
+struct Line {
+  double rpm, Q_i, Q_o, phi_i, phi_o, omega_m, F_c, M_g, x;
+};
+
+struct Rest {
+  EquilibriumResult result;
+  RingReport report;
+  BallBalance balance;  // of the ball at the bottom; under thrust all are alike
+};
+Rest under_thrust(const BallRowGeometry& g, double rpm) {
+  RingSurroundings around;
+  around.has_inertia = true;
+  around.speed = rpm * pi / 30.;
+  BearingEquilibrium system(RingStatics({g}, around), {.x = 17800.});
+  std::vector<double> x(system.size());
+  const auto result = find_equilibrium(system, x);
+  return {result, report_ring(system.ring(), system.place(x)), system.ring().balls(system.place(x))[0][3].balance};
+}
+
 TEST(BallInertia, JonesBalanceIsThatOfRollingAndMomentumAlone) {
-  struct Line {
-    double rpm, Q_i, Q_o, phi_i, phi_o, omega_m, F_c, M_g, x;
-  };
   const std::array<Line, 5> peer = {
       {{1., 1677.9514034, 1677.9514077, 41.529904218, 41.529904034, 0.045403532, 0.0000058, 0.00000002, 36.786792},
        {5000., 1607.8232307, 1716.4737331, 43.783024252, 39.151462651, 228.628897131, 146.8778368, 0.41229821,
@@ -50,16 +67,9 @@ TEST(BallInertia, JonesBalanceIsThatOfRollingAndMomentumAlone) {
   const auto g = harris_218();
   printf("   rpm   Q_i [N]   Q_o [N]  phi_i, phi_o [deg]   F_c [N]  p_i, p_o [GPa]   K_xx [N/um]\n");
   for (const auto& p : peer) {
-    RingSurroundings around;
-    around.has_inertia = true;
-    around.speed = p.rpm * pi / 30.;
-    BearingEquilibrium system(RingStatics({g}, around), {.x = 17800.});
-    std::vector<double> x(system.size());
-    const auto result = find_equilibrium(system, x);
+    const auto [result, report, balance] = under_thrust(g, p.rpm);
     ASSERT_TRUE(result.found) << result.residual;
-    const auto report = report_ring(system.ring(), system.place(x));
     const auto& ball = report.rows[0].balls[3];
-    const auto balance = system.ring().balls(system.place(x))[0][3].balance;
     printf("%6.0f %9.2f %9.2f  %8.3f %8.3f  %9.2f  %6.3f %6.3f   %10.2f\n", p.rpm, ball.inner.load, ball.outer.load,
            ball.inner.angle / deg, ball.outer.angle / deg, ball.centrifugal_force, ball.inner.pressure * 1e-9,
            ball.outer.pressure * 1e-9, report.stiffness[0][0] * 1e-6);
@@ -78,9 +88,6 @@ TEST(BallInertia, JonesBalanceIsThatOfRollingAndMomentumAlone) {
 
 TEST(BallInertia, HalfTheGyroscopicMomentAtEachRaceIsThatOfMomentumAndFrictionAlone) {
   // The same peer, share 0.5 at the inner race: there friction also pushes the ring along the axis.
-  struct Line {
-    double rpm, Q_i, Q_o, phi_i, phi_o, omega_m, F_c, M_g, x;
-  };
   const std::array<Line, 4> peer = {
       {{1., 1677.9514034, 1677.9514077, 41.529904192, 41.529904061, 0.045403532, 0.0000058, 0.00000002, 36.786792},
        {5000., 1606.3173467, 1714.7855573, 43.162906564, 39.820316348, 228.103667280, 146.2037661, 0.41626241,
@@ -92,16 +99,9 @@ TEST(BallInertia, HalfTheGyroscopicMomentAtEachRaceIsThatOfMomentumAndFrictionAl
   auto g = harris_218();
   g.inner_gyroscopic_share = 0.5;
   for (const auto& p : peer) {
-    RingSurroundings around;
-    around.has_inertia = true;
-    around.speed = p.rpm * pi / 30.;
-    BearingEquilibrium system(RingStatics({g}, around), {.x = 17800.});
-    std::vector<double> x(system.size());
-    const auto result = find_equilibrium(system, x);
+    const auto [result, report, balance] = under_thrust(g, p.rpm);
     ASSERT_TRUE(result.found) << result.residual;
-    const auto report = report_ring(system.ring(), system.place(x));
     const auto& ball = report.rows[0].balls[3];
-    const auto balance = system.ring().balls(system.place(x))[0][3].balance;
     // The peer's digits; its fsolve ends at 1e-9 of the loads.
     EXPECT_NEAR(ball.inner.load, p.Q_i, 4e-6) << "N";
     EXPECT_NEAR(ball.outer.load, p.Q_o, 4e-6) << "N";
