@@ -6,17 +6,16 @@
 One run for each line of VARIANTS, minutes each; results that are there already are read, not computed again. Without --update the tables are printed.
 """
 
-import argparse
 import json
 import math
 import pathlib
 import subprocess
 
+import document_tables
 import h5py
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENT = pathlib.Path(__file__).parent / "how-to/coast-down.md"
-CASE = ROOT / "params/neisi2019-coast-down.toml"
+DOCUMENT = document_tables.ROOT / "docs/how-to/coast-down.md"
+CASE = document_tables.ROOT / "params/neisi2019-coast-down.toml"
 BEGIN, END = "<!-- results: made by docs/coast_down.py -->\n", "<!-- end of results -->\n"
 BOTH = ("thermal.models=[\"lumped\", \"fe\"]",)
 VARIANTS = {  # name: (what it is, settings)
@@ -74,18 +73,12 @@ def lines(results):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rotordrop")
-    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "out/coast-down")
-    parser.add_argument("--only", nargs="+", choices=list(VARIANTS), default=list(VARIANTS))
-    parser.add_argument("--update", action="store_true", help="put the tables into docs/how-to/coast-down.md")
-    options = parser.parse_args()
+    options = document_tables.options(__doc__, "out/coast-down", VARIANTS, DOCUMENT)
     text = lines({name: run(options.program, name, options.output) for name in options.only})
     if not options.update:
         print(text)
         return
-    before, rest = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)
-    DOCUMENT.write_text(before + BEGIN + text + END + rest.split(END)[1], encoding="utf-8")
+    document_tables.put_between(DOCUMENT, BEGIN, END, text)
 
 
 if __name__ == "__main__":

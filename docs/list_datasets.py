@@ -11,9 +11,10 @@ import argparse
 import pathlib
 import re
 
+import document_tables
 import h5py
 
-DOCUMENT = pathlib.Path(__file__).parent / "reference/results.md"
+DOCUMENT = document_tables.ROOT / "docs/reference/results.md"
 BEGIN, END = "<!-- datasets: made by docs/list_datasets.py -->\n", "<!-- end of datasets -->\n"
 
 
@@ -70,8 +71,7 @@ def main():
     if not arguments.update:
         print(text, end="")
         return
-    before, rest = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)
-    DOCUMENT.write_text(before + BEGIN + text + END + rest.split(END)[1], encoding="utf-8")
+    document_tables.put_between(DOCUMENT, BEGIN, END, text)
 
 
 if __name__ == "__main__":

@@ -6,15 +6,15 @@
 Results that are there already are read, not computed again. Without --update the tables are printed. The pair TB2 only.
 """
 
-import argparse
 import json
 import math
 import pathlib
 import subprocess
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENT = pathlib.Path(__file__).parent / "how-to/preload.md"
-CASE = ROOT / "params/neisi2019-preload.toml"
+import document_tables
+
+DOCUMENT = document_tables.ROOT / "docs/how-to/preload.md"
+CASE = document_tables.ROOT / "params/neisi2019-preload.toml"
 QUICK = ("preload.map.growth=[]", "preload.map.interference=[]", "preload.map.inner_rise=[]", "preload.critical_values=false")
 LUMP, PUBLISHED = ("thermal.shaft=lump",), ("thermal.shaft=lump", "thermal.contact_conduction=fixed", "thermal.spreading=none")
 FE = ("preload.model=fe", 'thermal.models=["lumped", "fe"]')
@@ -145,20 +145,14 @@ def table(kind, results):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/rotordrop")
-    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "out/preload-tables")
-    parser.add_argument("--only", nargs="+", choices=list(TABLES), default=list(TABLES))
-    parser.add_argument("--update", action="store_true", help="put the tables into docs/how-to/preload.md")
-    options = parser.parse_args()
+    options = document_tables.options(__doc__, "out/preload-tables", TABLES, DOCUMENT)
     for kind in options.only:
         results = {name: run(options.program, name, settings, options.output) for name, (_, settings) in TABLES[kind].items()}
         text = table(kind, results)
         print(text, flush=True)
         if options.update:
             begin, end = f"<!-- {kind}: made by docs/preload_tables.py -->\n", f"<!-- end of {kind} -->\n"
-            before, rest = DOCUMENT.read_text(encoding="utf-8").split(begin)
-            DOCUMENT.write_text(before + begin + text + end + rest.split(end)[1], encoding="utf-8")
+            document_tables.put_between(DOCUMENT, begin, end, text)
 
 
 if __name__ == "__main__":
