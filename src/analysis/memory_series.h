@@ -32,6 +32,7 @@ class MemorySeries {
   /// An observable that is kept, and where it stands in a row.
   struct Kept {
     std::string path;
+    std::string unit, long_name;
     std::size_t first = 0, size = 1;
     std::vector<double> values;  ///< row after row
   };

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 
+#include "base/cpu_time.h"
 #include "base/errors.h"
 #include "io/checkpoint.h"
 #include "study/drop_checkpoints.h"
@@ -39,7 +41,35 @@ bool is_in_summary(const std::string& path) {
   throw SolverError(text);
 }
 
+/// Adds the summary of a drop that has come to its end.
+void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteElements* elements, MemorySeries series,
+               const std::filesystem::path& directory, FinishedDrop& result) {
+  result.recorded = std::make_shared<const RecordedDrop>(c, std::move(series), directory);
+  auto& summary = result.summary = summarise(c, machine, drop.scalars(), result, elements, *result.recorded);
+  summary["input_warnings"] = nlohmann::ordered_json::array();
+  for (const auto& warning : c.warnings)
+    summary["input_warnings"].push_back(
+        {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
+}
+
 }  // namespace
+
+FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, FiniteElements* elements,
+                                const volatile std::sig_atomic_t* stop, const std::vector<std::string>& kept) {
+  const auto& p = c.parameters;
+  Drop drop(machine, p, p.integration, p.output, elements);
+  MemorySeries series(machine, drop, [&](const std::string& path) {
+    return is_in_summary(path) || std::find(kept.begin(), kept.end(), path) != kept.end();
+  });
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = cpu_seconds();
+  drop.run([&] { return stop && *stop; });
+  FinishedDrop result{drop.result(), {}, nullptr};
+  result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.cpu_time = cpu_seconds() - cpu_start;
+  summarise(c, machine, drop, elements, std::move(series), {}, result);
+  return result;
+}
 
 FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& options) {
   const auto& p = c.parameters;
@@ -80,13 +110,8 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   result.wall_time = checkpoints.wall_time();
   result.cpu_time = checkpoints.cpu_time();
 
-  result.recorded = std::make_shared<const RecordedDrop>(c, std::move(series), options.directory);
-  auto& summary = result.summary = summarise(c, machine, drop.scalars(), result, options.elements, *result.recorded);
-  summary["input_warnings"] = nlohmann::ordered_json::array();
-  for (const auto& warning : c.warnings)
-    summary["input_warnings"].push_back(
-        {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
-  write_text_atomically(options.directory / "summary.json", summary.dump(2) + "\n");
+  summarise(c, machine, drop, options.elements, std::move(series), options.directory, result);
+  write_text_atomically(options.directory / "summary.json", result.summary.dump(2) + "\n");
   if (result.completed) folder.remove_checkpoints();
   return result;
 }

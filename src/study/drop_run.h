@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "analysis/drop.h"
 #include "study/case.h"
@@ -23,7 +24,7 @@ struct RunOptions {
   std::function<void(const std::string&)> tell;      ///< called with what a user should know
 };
 
-/// A drop that was run into a directory, with what was written there.
+/// A finished or interrupted drop with its summary.
 struct FinishedDrop : DropResult {
   nlohmann::ordered_json summary;  ///< as in summary.json
   std::shared_ptr<const RecordedDrop>
@@ -34,5 +35,11 @@ struct FinishedDrop : DropResult {
 /// @throws InputError if the directory holds results and neither force nor resume is set
 /// @throws SolverError if the integration fails; the last good state is saved as a checkpoint in DIRECTORY/failed
 FinishedDrop run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options);
+
+/// Runs a case without a file: no checkpoints, no temperature fields.
+/// @param kept  paths of series to keep beside those that the summary needs
+/// @throws SolverError if the integration fails
+FinishedDrop run_drop_in_memory(const Case& drop_case, const Machine& machine, FiniteElements* elements,
+                                const volatile std::sig_atomic_t* stop, const std::vector<std::string>& kept);
 
 }  // namespace rotordrop

@@ -47,10 +47,10 @@ RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, const fs:
     datasets_.push_back(group.path);
     for (auto& kept : group.kept) {
       datasets_.push_back(kept.path);
-      tables_[kept.path] = {std::move(kept.values), kept.size, group.path};
+      tables_[kept.path] = {std::move(kept.values), kept.size, group.path, kept.unit, kept.long_name};
     }
     is_windowed_ = is_windowed_ || group.path == "/windows/time";
-    tables_[group.path] = {std::move(group.times), 1, {}};
+    tables_[group.path] = {std::move(group.times), 1, {}, "s", "time"};
   }
   std::sort(datasets_.begin(), datasets_.end());
 }
@@ -102,7 +102,7 @@ const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const
   std::string time_path;
   if (!dataset.ends_with("/time")) time_path = read_attribute(file_, dataset, "time");
   const std::size_t n_columns = raw.shape.size() > 1 ? raw.shape[1] : 1;
-  return tables_[dataset] = {std::move(raw.values), n_columns, time_path};
+  return tables_[dataset] = {std::move(raw.values), n_columns, time_path, {}, {}};
 }
 
 TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) const {

@@ -39,6 +39,7 @@ class RecordedDrop {
     std::vector<double> values;  ///< row after row
     std::size_t n_columns = 1;
     std::string time_path;
+    std::string unit, long_name;  ///< of a drop in memory
   };
   [[nodiscard]] const Table& table(const std::string& dataset) const;
   /// One column of a dataset. @throws InputError if it is not there, has no rows, or a value that is no number

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array results{"results.h5",    "summary.json", "preload.h5", "preload.json",
                              "study.journal", "study.h5",     "study.json"};
-constexpr std::array folders{"checkpoints", "failed", "fields", "scratch"};
+constexpr std::array folders{"checkpoints", "failed", "fields"};
 
 std::string reason(int error) { return std::generic_category().message(error); }
 

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "io/recorded_series.h"
 #include "machine/build_machine.h"
 #include "study/drop_run.h"
 #include "study/fe_module.h"
@@ -38,29 +36,17 @@ void collect(const Json& value, const std::string& path, std::vector<std::pair<s
   }
 }
 
-/// The message without the place of the saved state, which is removed with the scratch folder.
-std::string reason_of(const std::exception& error) {
-  std::string text = error.what();
-  for (const char* end : {"\n       The last good state", "\n       The state could not be saved"})
-    if (const auto at = text.find(end); at != std::string::npos) text.resize(at);
-  return text;
-}
-
-PointSeries series_of(const std::filesystem::path& file, const std::string& path) {
-  const auto known = list_datasets(file);
-  if (std::find(known.begin(), known.end(), path) == known.end()) {
-    const std::string guess = closest_name(path, known);
-    throw InputError({"keep.series", 0, 0}, fmt::format("a drop of this case has no series {}.", path),
-                     guess.empty() ? "docs/reference/results.md lists them." : fmt::format("Did you mean {}?", guess));
+PointSeries series_of(const Machine& machine, const RecordedDrop& drop, const std::string& path) {
+  if (drop.has(path)) {
+    const auto& table = drop.table(path);
+    return {path, table.unit, table.long_name, table.n_columns, drop.table(table.time_path).values, table.values};
   }
-  PointSeries series;
-  series.path = path;
-  series.unit = read_attribute(file, path, "units");
-  series.long_name = read_attribute(file, path, "long_name");
-  series.time = read_series(file, read_attribute(file, path, "time")).values;
-  series.values = read_series(file, path).values;
-  series.width = series.time.empty() ? 1 : series.values.size() / series.time.size();
-  return series;
+  std::vector<std::string> known = drop.datasets();
+  for (const auto* list : {&machine.step_observables(), &machine.state_observables(), &machine.detail_observables()})
+    for (const Observable& o : *list) known.push_back(o.name);
+  const std::string guess = closest_name(path, known);
+  throw InputError({"keep.series", 0, 0}, fmt::format("a drop of this case has no series {}.", path),
+                   guess.empty() ? "docs/reference/results.md lists them." : fmt::format("Did you mean {}?", guess));
 }
 
 /// Meshes come from one generator for the whole process.
@@ -83,23 +69,15 @@ PointResult evaluate_point(const PointRequest& request) {
       elements = finite_elements_of(c);
       machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
     }
-    RunOptions options;
-    options.directory = request.scratch;
-    options.force = true;
-    options.stop = request.stop;
-    options.elements = &elements;
-    const DropResult run = run_drop(c, *machine, options);
+    const FinishedDrop run = run_drop_in_memory(c, *machine, &elements, request.stop, request.series);
     result.is_done = run.completed;
     result.is_interrupted = !run.completed;
     result.end_time = run.end_time;
-    std::ifstream file(request.scratch / "summary.json");
-    collect(Json::parse(file), "", result.scalars);
-    if (!request.series.empty()) {
-      for (const auto& path : request.series) result.series.push_back(series_of(request.scratch / "results.h5", path));
-    }
+    collect(run.summary, "", result.scalars);
+    for (const auto& path : request.series) result.series.push_back(series_of(*machine, *run.recorded, path));
   } catch (const std::exception& error) {
     result = {};
-    result.reason = reason_of(error);
+    result.reason = error.what();
   }
   return result;
 }

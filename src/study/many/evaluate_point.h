@@ -1,6 +1,5 @@
 #pragma once
 #include <csignal>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -31,7 +30,6 @@ struct PointResult {
 
 struct PointRequest {
   const Case& drop_case;
-  std::filesystem::path scratch;  ///< a folder for this point alone
   const volatile std::sig_atomic_t* stop = nullptr;
   std::vector<std::string> series;  ///< datasets to keep
 };

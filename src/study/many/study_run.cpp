@@ -42,34 +42,6 @@ unsigned workers_of(unsigned asked, std::size_t n_tasks) {
   return static_cast<unsigned>(std::clamp<std::size_t>(n, 1, std::max<std::size_t>(n_tasks, 1)));
 }
 
-/// Folder for files that no one sees; removed at the end.
-class Scratch {
- public:
-  explicit Scratch(fs::path path) : path_(std::move(path)) {
-    std::error_code error;
-    fs::remove_all(path_, error);  // of a killed run
-    fs::create_directories(path_, error);
-    if (error) throw SolverError(path_.string() + " cannot be made: " + error.message());
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-/// A folder of its own in the system's place for temporary files.
-fs::path temporary_name() {
-  std::string name = (fs::temp_directory_path() / "rotordrop-study-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw SolverError("there is no place for temporary files: " + name);
-  return name;
-}
-
 /// Second try of a failed drop.
 std::vector<std::string> with_smaller_step(const Case& c, std::vector<std::string> overrides) {
   const auto& integration = c.parameters.integration;
@@ -94,7 +66,6 @@ class StudyRun {
         options_(options),
         journal_(journal),
         waiting_(std::move(waiting)),
-        scratch_(options.directory / "scratch"),
         progress_(std::move(start)),
         first_done_(progress_.done + progress_.failed) {}
 
@@ -106,7 +77,7 @@ class StudyRun {
       std::vector<std::jthread> pool;
       for (unsigned k = 0; k < n; ++k)
         pool.emplace_back([this, k, &finished] {
-          work(k);
+          work();
           finished[k] = seconds_since(start_);
           const std::scoped_lock lock(lock_);
           ++n_ended_;
@@ -143,10 +114,9 @@ class StudyRun {
     return p;
   }
 
-  void work(unsigned worker) {
-    const fs::path scratch = scratch_.path() / fmt::format("worker-{}", worker);
+  void work() {
     try {
-      for (std::size_t i; !is_over() && (i = next_.fetch_add(1)) < waiting_.size();) compute(waiting_[i], scratch);
+      for (std::size_t i; !is_over() && (i = next_.fetch_add(1)) < waiting_.size();) compute(waiting_[i]);
     } catch (...) {
       const std::scoped_lock lock(lock_);
       if (!error_) error_ = std::current_exception();
@@ -154,15 +124,15 @@ class StudyRun {
     }
   }
 
-  void compute(std::size_t index, const fs::path& scratch) {
+  void compute(std::size_t index) {
     const double cpu = thread_seconds();
     const StudyPoint point = point_of(study_, design_, index);
     const auto overrides = overrides_of(study_, point);
-    PointResult result = evaluate(overrides, scratch);
+    PointResult result = evaluate(overrides);
     if (!result.is_interrupted && !result.is_done && study_.on_failure == FailurePolicy::retry && !is_over()) {
       const std::string reason = result.reason;
       const Case c = read_case(study_.case_file, overrides);
-      result = evaluate(with_smaller_step(c, overrides), scratch);
+      result = evaluate(with_smaller_step(c, overrides));
       result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
                                      : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
     }
@@ -176,11 +146,10 @@ class StudyRun {
     if (!result.is_done && study_.on_failure == FailurePolicy::stop) is_stopped_by_failure_ = true;
   }
 
-  PointResult evaluate(const std::vector<std::string>& overrides, const fs::path& scratch) const {
+  PointResult evaluate(const std::vector<std::string>& overrides) const {
     try {
-      fs::remove_all(scratch);
       const Case c = read_case(study_.case_file, overrides);
-      return options_.evaluate({c, scratch, options_.stop, study_.keep_series});
+      return options_.evaluate({c, options_.stop, study_.keep_series});
     } catch (const InputError& error) {
       PointResult result;
       result.reason = error.what();
@@ -193,7 +162,6 @@ class StudyRun {
   const StudyOptions& options_;
   Journal& journal_;
   std::vector<std::size_t> waiting_;
-  Scratch scratch_;
   StudyProgress progress_;
   std::size_t first_done_;
   std::atomic<std::size_t> next_{0};
@@ -297,10 +265,9 @@ void complete_results(const Study& study, PointResult& result) {
 }
 
 ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate) {
-  const Scratch scratch(temporary_name());
   const Case c = read_case(study.case_file, overrides_of(study, point_of(study, design, 0)));
   const volatile std::sig_atomic_t at_once = 1;
-  PointResult result = evaluate({c, scratch.path() / "probe", &at_once, study.keep_series});
+  PointResult result = evaluate({c, &at_once, study.keep_series});
   if (result.scalars.empty())
     throw InputError({study.file.string(), 0, 0}, "the first point cannot even begin: " + result.reason);
   std::vector<std::string> names;
@@ -329,7 +296,6 @@ StudyEstimate estimate_study(const Study& study, const Design& design, const Pro
   StudyEstimate estimate;
   estimate.n_rows = design.n_rows;
   estimate.n_points = n_points(study, design);
-  const Scratch scratch(temporary_name());
   const Case c = read_case(study.case_file, overrides_of(study, point_of(study, design, 0)));
   volatile std::sig_atomic_t stop = 0;
   PointResult result;
@@ -340,7 +306,7 @@ StudyEstimate estimate_study(const Study& study, const Design& design, const Pro
     bool has_ended = false;
     const std::jthread drop([&] {
       const double start = thread_seconds();
-      result = evaluate({c, scratch.path() / "probe", &stop, study.keep_series});
+      result = evaluate({c, &stop, study.keep_series});
       cpu = thread_seconds() - start;
       const std::scoped_lock guard(lock);
       has_ended = true;
