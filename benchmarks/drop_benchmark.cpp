@@ -7,9 +7,9 @@
 #include <ctime>
 #include <vector>
 
+#include "case/case.h"
 #include "integrate/integrator.h"
 #include "machine/build_machine.h"
-#include "study/case.h"
 
 namespace {
 

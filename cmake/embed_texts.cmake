@@ -1,5 +1,5 @@
 # cmake -DFILES="a/report.html|..." -DOUTPUT=... -P embed_texts.cmake: a source file with the texts of these files as strings, report_html for report.html.
-set(code "#include \"study/report_template.h\"\n\nnamespace rotordrop {\n")
+set(code "#include \"study/report/report_template.h\"\n\nnamespace rotordrop {\n")
 string(REPLACE "|" ";" FILES "${FILES}")
 foreach(file IN LISTS FILES)
   file(READ ${file} text)

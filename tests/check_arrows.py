@@ -7,8 +7,8 @@
 The rules:
 - A room may include its own headers and those of the rooms that ROOMS gives it, written "room/header.h".
 - rotor, bearing and thermal never include each other; they meet in machine.
-- study and cli see machine, integrate, io and the contracts, and of the parts only headers named *_parameters.h: what can be
-  asked of a part goes through machine.
+- case, study and cli see machine, integrate, io and the contracts, and of the parts only headers named *_parameters.h: what can be
+  asked of a part goes through machine and analysis.
 - A room may lie in another's folder: thermal/fe. Nobody else includes its headers; it is loaded at run time.
 - A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5 and toml++: only io; zlib: io and cache. deal.II, UMFPACK,
   CHOLMOD, PETSc, MPI and gmsh: only thermal/fe.
@@ -35,11 +35,12 @@ ROOMS = {
     "thermal/fe": {"base", "model", "laws"},
     "machine": {"base", "model", "laws", "rotor", "bearing", "thermal"},
     "integrate": {"base", "model"},
-    "analysis": {"base", "model", "machine", "integrate"} | PARAMETERS_OF_PARTS,
+    "analysis": {"base", "model", "laws", "rotor", "bearing", "thermal", "machine", "integrate"},
     "io": {"base", "model"},
     "cache": {"base", "model", "io"},
-    "study": {"base", "model", "machine", "integrate", "analysis", "io", "cache"} | PARAMETERS_OF_PARTS,
-    "cli": {"base", "model", "machine", "integrate", "analysis", "io", "study"} | PARAMETERS_OF_PARTS,
+    "case": {"base", "model", "machine", "integrate", "analysis", "io", "cache"} | PARAMETERS_OF_PARTS,
+    "study": {"base", "model", "machine", "integrate", "analysis", "io", "case"} | PARAMETERS_OF_PARTS,
+    "cli": {"base", "model", "machine", "integrate", "analysis", "io", "case", "study"} | PARAMETERS_OF_PARTS,
 }
 
 # Library, how its headers begin, and who may include them. Libraries that are not listed are free for all.
@@ -48,7 +49,7 @@ LIBRARIES = [
     ("HDF5", r"(hdf5(_hl)?\.h|H5)", {"io"}),
     ("zlib", r"zlib", {"io", "cache"}),
     ("toml++", r"(toml\+\+/|toml\.hpp)", {"io"}),
-    ("nlohmann-json", r"nlohmann/", {"io", "study", "cli"}),
+    ("nlohmann-json", r"nlohmann/", {"io", "case", "study", "cli"}),
     ("UDUNITS", r"udunits", {"base"}),
     ("CLI11", r"CLI/", {"cli"}),
     ("deal.II", r"deal\.II/", {"thermal/fe"}),
@@ -134,28 +135,29 @@ def find_faults(source):
 
 # Files of a tree with one fault each, what the message must say; None: no fault.
 PROOFS = [
-    ("rotor/a.cpp", '#include "bearing/ball_row.h"\n', "rotor -> bearing"),
-    ("bearing/a.cpp", '#include "thermal/thermal_network.h"\n', "bearing -> thermal"),
+    ("rotor/a.cpp", '#include "bearing/row/ball_row.h"\n', "rotor -> bearing"),
+    ("bearing/a.cpp", '#include "thermal/circuit/thermal_network.h"\n', "bearing -> thermal"),
     ("thermal/a.h", '  #  include "rotor/geometry.h"  // with blanks\n', "thermal -> rotor"),
-    ("thermal/fe/a.h", "#include <bearing/ball_row.h>\n", "thermal/fe -> bearing"),
+    ("thermal/fe/a.h", "#include <bearing/row/ball_row.h>\n", "thermal/fe -> bearing"),
     ("model/a.h", '#include "laws/hertz.h"\n', "model -> laws"),
     ("base/a.h", '#include "model/ports.h"\n', "base -> model"),
     ("thermal/fe/a.h", '#include "rotor/geometry.h"\n', "thermal/fe -> rotor"),
-    ("thermal/fe/a.h", '#include "thermal/thermal_network.h"\n', "thermal/fe -> thermal "),
+    ("thermal/fe/a.h", '#include "thermal/circuit/thermal_network.h"\n', "thermal/fe -> thermal "),
     ("thermal/fe/a.h", '#include "thermal/fe/b.h"\n#include "model/heat_conduction.h"\n#include <deal.II/base/point.h>\n', None),
     ("thermal/a.cpp", '#include "thermal/fe/a.h"\n', "thermal -> thermal/fe"),
     ("study/a.cpp", '#include "thermal/fe/a_parameters.h"\n', "study -> thermal/fe"),
     ("thermal/a.cpp", "#include <deal.II/base/point.h>\n", "thermal includes deal.II"),
     ("thermal/fe/a.cpp", "#include <hdf5.h>\n", "thermal/fe includes HDF5"),
     ("machine/a.cpp", '#include "integrate/integrator.h"\n', "machine -> integrate"),
-    ("io/a.cpp", '#include "study/case.h"\n', "io -> study"),
+    ("io/a.cpp", '#include "case/case.h"\n', "io -> case"),
     ("study/a.cpp", '#include "cli/commands.h"\n', "study -> cli"),
-    ("study/a.cpp", '#include "bearing/ball_row.h"\n', "study -> bearing"),
+    ("study/a.cpp", '#include "bearing/row/ball_row.h"\n', "study -> bearing"),
     ("study/a.cpp", '#include "bearing/touchdown_parameters.h"\n', None),
-    ("analysis/a.cpp", '#include "io/recorder.h"\n', "analysis -> io"),
+    ("analysis/a.cpp", '#include "io/hdf5/recorder.h"\n', "analysis -> io"),
     ("analysis/a.cpp", "#include <nlohmann/json.hpp>\n", "analysis includes nlohmann-json"),
     ("machine/a.cpp", '#include "analysis/drop.h"\n', "machine -> analysis"),
     ("study/a.cpp", '#include "analysis/drop.h"\n', None),
+    ("case/a.cpp", '#include "study/drop/drop_run.h"\n', "case -> study"),
     ("machine/a.cpp", "#include <cvodes/cvodes.h>\n", "machine includes SUNDIALS"),
     ("integrate/a.cpp", "#include <cvodes/cvodes.h>\n", None),
     ("study/a.cpp", "#include <hdf5.h>\n", "study includes HDF5"),
@@ -170,7 +172,7 @@ PROOFS = [
     ("magnets/a.cpp", "\n", "magnets is no room"),
     ("bearing/CMakeLists.txt", "rotordrop_room(bearing\n  SOURCES a.cpp\n  DEPENDS model rotor\n  LIBRARIES fmt::fmt)\n", "bearing -> rotor"),
     ("rotor/CMakeLists.txt", "target_link_libraries(rotordrop_rotor PUBLIC rotordrop_thermal)\n", "rotor -> thermal"),
-    ("rotor/a.cpp", '// #include "bearing/ball_row.h"\n#include <vector>\n#include "rotor/geometry.h"\n#include "model/ports.h"\n', None),
+    ("rotor/a.cpp", '// #include "bearing/row/ball_row.h"\n#include <vector>\n#include "rotor/geometry.h"\n#include "model/ports.h"\n', None),
 ]
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Conductance of a rolling contact: the formula of src/laws/rolling_conduction.h against a computation of the pass.
+"""Conductance of a rolling contact: the formula of src/laws/heat/rolling_conduction.h against a computation of the pass.
 
     /usr/bin/python3 validation/rolling_conduction.py            # makes validation/rolling_conduction.json, minutes
     /usr/bin/python3 validation/rolling_conduction.py --check    # a few entries of it again, on a coarser mesh

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "analysis/memory_series.h"
+#include "case/case_text.h"
+#include "case/fe_module.h"
 #include "machine/build_machine.h"
-#include "study/case_text.h"
-#include "study/fe_module.h"
 #include "study/time_series.h"
 
 using namespace rotordrop;

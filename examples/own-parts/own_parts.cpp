@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "case/case.h"
 #include "machine/build_machine.h"
 #include "ring_wall.h"
 #include "snubber.h"
-#include "study/case.h"
-#include "study/drop_run.h"
-#include "study/report.h"
+#include "study/drop/drop_run.h"
+#include "study/report/report.h"
 
 using namespace rotordrop;
 

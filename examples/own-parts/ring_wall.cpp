@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "laws/heat_flow.h"
+#include "laws/heat/heat_flow.h"
 
 using namespace rotordrop;
 

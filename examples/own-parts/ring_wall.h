@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/thermal_model.h"
-#include "thermal/bearing_circuit.h"
+#include "thermal/circuit/bearing_circuit.h"
 
 /// Third thermal model, between the lumped circuit and the finite elements: the wall of every inner ring as thin shells from bore to race, which
 /// conduct radially, between two lumps, the shaft and everything outside (outer ring with housing).

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "analysis/contact_impulse.h"
 #include "analysis/drop_loop.h"
 #include "analysis/drop_scalars.h"
-#include "analysis/fit_watch.h"
-#include "analysis/kelvin_check.h"
 #include "analysis/output_parameters.h"
 #include "analysis/section_coupling.h"
 #include "analysis/series_rows.h"
+#include "analysis/watch/contact_impulse.h"
+#include "analysis/watch/fit_watch.h"
+#include "analysis/watch/kelvin_check.h"
 
 namespace rotordrop {
 

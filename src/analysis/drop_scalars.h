@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/probe_watch.h"
-#include "analysis/support_watch.h"
+#include "analysis/watch/probe_watch.h"
+#include "analysis/watch/support_watch.h"
 #include "bearing/touchdown_parameters.h"
 #include "machine/machine.h"
 #include "model/observer.h"

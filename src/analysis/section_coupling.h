@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/row_schedule.h"
-#include "machine/finite_elements.h"
+#include "machine/heat/finite_elements.h"
 #include "machine/machine.h"
 #include "model/observer.h"
 #include "thermal/thermal_parameters.h"

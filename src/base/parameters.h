@@ -18,7 +18,7 @@
 
 /// Parameters are declared next to the code that uses them: a Section<T> binds keys of an input table to the members of
 /// a plain struct T, with unit, range, default, source and a sentence. From the same declarations come the reader
-/// (Section::read), the annotated defaults, the schema and the resolved parameters (io/parameter_writers.h).
+/// (Section::read), the annotated defaults, the schema and the resolved parameters (io/text/parameter_writers.h).
 namespace rotordrop {
 
 // ----------------------------------------------------------------------------------------------------------------

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "bearing/ring_equilibrium.h"
-#include "bearing/steady_friction.h"
+#include "bearing/statics/ring_equilibrium.h"
+#include "bearing/statics/steady_friction.h"
 #include "bearing/touchdown_touch.h"
 #include "laws/ball_kinematics.h"
 #include "laws/skidding.h"

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "bearing/ball_row.h"
 #include "bearing/bent_rings.h"
+#include "bearing/row/ball_row.h"
 #include "laws/bearing_friction.h"
 #include "laws/contact.h"
-#include "laws/rolling_conduction.h"
+#include "laws/heat/rolling_conduction.h"
 #include "laws/sticking.h"
-#include "laws/support_law.h"
+#include "laws/support/support_law.h"
 #include "model/support.h"
 
 namespace rotordrop {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/parameters.h"
-#include "bearing/support_parameters.h"
+#include "bearing/support/support_parameters.h"
 #include "bearing/touchdown_bearing.h"
 #include "laws/hertz.h"
 #include "model/circuit_factors.h"

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "io/parameter_keys.h"
+#include "io/text/parameter_keys.h"
 
 namespace rotordrop {
 namespace {

@@ -13,12 +13,12 @@
 
 #include "base/errors.h"
 #include "base/parameters.h"
+#include "case/case.h"
 #include "cli/commands.h"
 #include "cli/completion.h"
 #include "cli/mistakes.h"
 #include "cli/study_commands.h"
-#include "study/case.h"
-#include "study/heat_run.h"
+#include "study/heat/heat_run.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include "base/errors.h"
 #include "base/version.h"
 #include "cli/completion.h"
-#include "io/parameter_keys.h"
-#include "io/parameter_writers.h"
+#include "io/text/parameter_keys.h"
+#include "io/text/parameter_writers.h"
 
 namespace rotordrop {
 namespace {

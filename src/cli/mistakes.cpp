@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/parameter_keys.h"
+#include "io/text/parameter_keys.h"
 
 namespace rotordrop {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "study/drop_run.h"
+#include "study/drop/drop_run.h"
 
 namespace rotordrop {
 

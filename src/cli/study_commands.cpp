@@ -14,10 +14,10 @@
 #include "cli/commands.h"
 #include "cli/signals.h"
 #include "io/checkpoint.h"
+#include "study/many/answers/study_report.h"
+#include "study/many/answers/study_summary.h"
 #include "study/many/study_folder.h"
-#include "study/many/study_report.h"
 #include "study/many/study_run.h"
-#include "study/many/study_summary.h"
 
 namespace rotordrop {
 namespace {

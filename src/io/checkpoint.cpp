@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "io/hdf5_handle.h"
+#include "io/hdf5/hdf5_handle.h"
 #include "io/sha256.h"
 
 // A checkpoint is an HDF5 file (any HDF5 tool shows what is in it) followed by a line with a check sum of all bytes before it,

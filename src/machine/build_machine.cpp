@@ -8,13 +8,13 @@
 #include <limits>
 #include <map>
 
-#include "bearing/linear_support.h"
+#include "bearing/support/linear_support.h"
 #include "machine/magnets.h"
 #include "machine/probes.h"
 #include "machine/shaft_geometry.h"
 #include "machine/speed_growth.h"
-#include "machine/statics.h"
-#include "thermal/reduced_sections.h"
+#include "machine/static_growth.h"
+#include "thermal/section/reduced_sections.h"
 
 namespace rotordrop {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "machine/finite_elements.h"
+#include "machine/heat/finite_elements.h"
 #include "machine/machine.h"
 #include "machine/machine_parameters.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "laws/heat_flow.h"
-#include "machine/growth_history.h"
-#include "machine/place_energy.h"
+#include "laws/heat/heat_flow.h"
+#include "machine/heat/growth_history.h"
+#include "machine/heat/place_energy.h"
 #include "model/evaluation.h"
 #include "model/ode_system.h"
 #include "model/probe.h"

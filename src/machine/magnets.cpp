@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bearing/magnet_support.h"
+#include "bearing/support/magnet_support.h"
 
 namespace rotordrop {
 

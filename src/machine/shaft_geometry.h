@@ -1,6 +1,6 @@
 #pragma once
 #include "machine/machine_parameters.h"
-#include "thermal/bearing_circuit.h"
+#include "thermal/circuit/bearing_circuit.h"
 
 namespace rotordrop {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "laws/ring_growth.h"
-#include "machine/statics.h"
+#include "machine/static_growth.h"
 
 namespace rotordrop {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/parameters.h"
-#include "bearing/linear_support_parameters.h"
-#include "bearing/magnet_support.h"
+#include "bearing/support/linear_support_parameters.h"
+#include "bearing/support/magnet_support.h"
 #include "bearing/touchdown_parameters.h"
 #include "model/support.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "io/recorded_series.h"
+#include "io/hdf5/recorded_series.h"
 #include "machine/build_machine.h"
 
 namespace rotordrop {

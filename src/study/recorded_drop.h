@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/memory_series.h"
-#include "study/case.h"
+#include "case/case.h"
 #include "study/time_series.h"
 
 namespace rotordrop {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/parameters.h"
-#include "thermal/bearing_circuit.h"
+#include "thermal/circuit/bearing_circuit.h"
 #include "thermal/fe_parameters.h"
 
 namespace rotordrop {

@@ -1,5 +1,5 @@
 // Case files: TOML, declarations, checks of the whole machine. The seeds' rotor lies beside the input.
-#include "study/case.h"
+#include "case/case.h"
 #include "input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,7 +1,7 @@
 // Geometry of rotors: JSON.
+#include "case/case.h"
 #include "input.h"
-#include "io/json_reader.h"
-#include "study/case.h"
+#include "io/text/json_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace rotordrop;

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "io/parameter_writers.h"
+#include "io/text/parameter_writers.h"
 #include "study/many/random_bits.h"
 
 namespace rotordrop {

@@ -7,10 +7,10 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "case/fe_module.h"
+#include "case/recorded_growth.h"
 #include "machine/build_machine.h"
-#include "study/drop_run.h"
-#include "study/fe_module.h"
-#include "study/recorded_growth.h"
+#include "study/drop/drop_run.h"
 
 namespace rotordrop {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "study/case.h"
+#include "case/case.h"
 
 namespace rotordrop {
 

@@ -8,10 +8,10 @@
 #include <fstream>
 #include <set>
 
-#include "io/input_file.h"
-#include "io/toml_reader.h"
+#include "case/program_files.h"
+#include "io/text/input_file.h"
+#include "io/text/toml_reader.h"
 #include "study/many/vary_reader.h"
-#include "study/program_files.h"
 
 namespace rotordrop {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "study/case.h"
-#include "study/case_keys.h"
+#include "case/case.h"
+#include "case/case_keys.h"
 #include "study/many/distribution.h"
 #include "study/many/expression.h"
 

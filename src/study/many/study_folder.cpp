@@ -7,10 +7,10 @@
 
 #include "base/version.h"
 #include "io/checkpoint.h"
+#include "io/results_folder.h"
 #include "io/sha256.h"
-#include "study/many/study_summary.h"
+#include "study/many/answers/study_summary.h"
 #include "study/many/study_table.h"
-#include "study/results_folder.h"
 
 namespace rotordrop {
 namespace {

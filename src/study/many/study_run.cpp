@@ -15,12 +15,12 @@
 #include <optional>
 #include <thread>
 
+#include "io/results_folder.h"
+#include "study/many/answers/result_check.h"
+#include "study/many/answers/study_summary.h"
 #include "study/many/journal.h"
-#include "study/many/result_check.h"
 #include "study/many/study_folder.h"
-#include "study/many/study_summary.h"
 #include "study/many/study_table.h"
-#include "study/results_folder.h"
 
 namespace rotordrop {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "base/version.h"
 #include "io/checkpoint.h"
-#include "io/column_file.h"
-#include "study/many/result_check.h"
+#include "io/hdf5/column_file.h"
+#include "study/many/answers/result_check.h"
 
 namespace rotordrop {
 namespace {

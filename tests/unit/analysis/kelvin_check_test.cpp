@@ -1,4 +1,4 @@
-#include "analysis/kelvin_check.h"
+#include "analysis/watch/kelvin_check.h"
 
 #include <gtest/gtest.h>
 

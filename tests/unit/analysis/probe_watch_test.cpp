@@ -1,5 +1,5 @@
 // A clearance c(t) = c_0 + k (t - t_0)^2 sampled at steps that miss t_0: the parabola through three samples is the function itself.
-#include "analysis/probe_watch.h"
+#include "analysis/watch/probe_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "../../verification/bearing/test_bearings.h"
-#include "bearing/ring_statics.h"
+#include "bearing/statics/ring_statics.h"
 #include "laws/ball_kinematics.h"
 
 namespace rotordrop {

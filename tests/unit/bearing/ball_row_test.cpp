@@ -1,5 +1,5 @@
 // Ball rows: properties that hold at any state.
-#include "bearing/ball_row.h"
+#include "bearing/row/ball_row.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Friction of a ring at rest in its balls. A drop's bearing (TouchdownBearing) has the same law in its own code: the same ring in the same place
 // turning with the same speed must make the same heat.
-#include "bearing/steady_friction.h"
+#include "bearing/statics/steady_friction.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/field_series.h"
+#include "io/hdf5/field_series.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

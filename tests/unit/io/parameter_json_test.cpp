@@ -1,4 +1,4 @@
-#include "io/json_reader.h"
+#include "io/text/json_reader.h"
 
 #include "base/errors.h"
 

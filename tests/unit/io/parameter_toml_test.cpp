@@ -1,4 +1,4 @@
-#include "io/toml_reader.h"
+#include "io/text/toml_reader.h"
 
 #include "base/errors.h"
 

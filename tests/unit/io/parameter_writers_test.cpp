@@ -1,6 +1,6 @@
-#include "io/parameter_writers.h"
+#include "io/text/parameter_writers.h"
 
-#include "io/toml_reader.h"
+#include "io/text/toml_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Result files: what is written is what is read, at any moment, also after a SIGKILL or with a full disk.
 
-#include "io/recorded_series.h"
-#include "io/recorder.h"
-#include "io/resumed_recording.h"
+#include "io/hdf5/recorder.h"
+#include "io/hdf5/recorded_series.h"
+#include "io/hdf5/resumed_recording.h"
 
 #include <algorithm>
 #include <chrono>

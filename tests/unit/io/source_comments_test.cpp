@@ -1,4 +1,4 @@
-#include "io/source_comments.h"
+#include "io/text/source_comments.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -7,7 +7,7 @@
 //   q_ring sqrt(t_ring)/e_ring = q_rotor sqrt(t_rotor)/e_rotor.
 // With equal materials, a band of 5.9 mm, 2.2 ms of contact, rotor surface 1591.74 * 34.75 mm = 55.31 m/s: t_rotor = 0.10667 ms, sqrt(2.2/0.10667)
 // = 4.5414: rotor : ring = 0.8195 : 0.1805. With the ring at half speed sqrt(2): 0.5858. At 0.95 of the rotor's 0.5064.
-#include "laws/heat_flow.h"
+#include "laws/heat/heat_flow.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 //   T = q/k sqrt(kappa/pi) integral_0^t erf(b/sqrt(4 kappa s)) s^(-1/2) ds = q/k sqrt(kappa/pi) [2 sqrt(t) erf(b/sqrt(4 kappa t)) + b/sqrt(pi kappa) E1(b^2/(4 kappa t))]
 //   by parts; Carslaw & Jaeger 10.5.
 // SLOW BAND for ever (L small): K0(u) = -ln(u/2) - gamma there, so its middle has T = (q b/k)(2/pi)(1 - gamma + ln(2/L)).
-#include "laws/moving_band.h"
+#include "laws/heat/moving_band.h"
 
 #include <gtest/gtest.h>
 

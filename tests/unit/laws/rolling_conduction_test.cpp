@@ -8,7 +8,7 @@
 //   q_0 r/(5 k) + sum over n >= 1 of q_n r P_n/(k n)
 // (q_0: T = q_0 rho^2/(2 k r) + const, mean over the volume 3/5 of the surface's; n: T ~ rho^n). A band of half width a around the equator: flux on |x| < sin(a/r).
 // STRIPS. A strip as wide as the slab spreads nothing. Others: finite differences of the slab, cell-centred.
-#include "laws/rolling_conduction.h"
+#include "laws/heat/rolling_conduction.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "laws/strip_spreading.h"
+#include "laws/heat/strip_spreading.h"
 
 namespace rotordrop {
 namespace {

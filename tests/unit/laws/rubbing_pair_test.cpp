@@ -6,7 +6,7 @@
 //      T(s) = 2 q sqrt(s/(pi v))/e,  s from the edge at which the rotor's material enters.
 //  - At once, the ring takes nearly all: T = 2 q sqrt(t/pi)/e.
 //  - Both pass in steady state in one direction: share of the ring 1/(1 + (e_rotor/e_ring) sqrt(v_rotor/v_ring)) (Jaeger), 1/2 in synchrony.
-#include "laws/rubbing_pair.h"
+#include "laws/heat/rubbing_pair.h"
 
 #include <gtest/gtest.h>
 

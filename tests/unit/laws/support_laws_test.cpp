@@ -8,7 +8,7 @@
 // SHORT SQUEEZE FILM, b = mu R L^3 / c^3, s = e/c (San Andres, notes 13; Ocvirk):
 //   2 pi film: C_rr = b pi (1 + 2 s^2)/(1 - s^2)^(5/2), C_tt = b pi/(1 - s^2)^(3/2); pi film in circular motion: F_t = -b V pi/(2 (1 - s^2)^(3/2)),
 //   F_r = -b V 2 s/(1 - s^2)^2.
-#include "laws/support_laws.h"
+#include "laws/support/support_laws.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@
 #include <functional>
 #include <numbers>
 
-#include "laws/maxwell_fit.h"
-#include "laws/ribbon.h"
+#include "laws/support/maxwell_fit.h"
+#include "laws/support/ribbon.h"
 
 namespace rotordrop {
 namespace {

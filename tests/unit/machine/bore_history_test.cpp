@@ -1,6 +1,6 @@
 // Local temperature of a bore under prescribed motions: swept arc, turns, and Carslaw & Jaeger's half space under constant heat,
 //   T(t) = 2 q sqrt(t/(pi k rho c)).
-#include "machine/bore_history.h"
+#include "machine/heat/bore_history.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "laws/moving_band.h"
+#include "laws/heat/moving_band.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // A circuit fitted to the response of a circuit: what was changed must be found again.
-#include "machine/circuit_fit.h"
+#include "analysis/facts/circuit_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "machine/growth_history.h"
+#include "machine/heat/growth_history.h"
 
 #include <gtest/gtest.h>
 

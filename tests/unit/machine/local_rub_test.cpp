@@ -1,5 +1,5 @@
 // Local temperature and wear from a rub under prescribed motions. Archard: a surface loses k integral F |v| dt; spread over what passes the band.
-#include "machine/local_rub.h"
+#include "machine/heat/local_rub.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "laws/moving_band.h"
+#include "laws/heat/moving_band.h"
 
 namespace {
 

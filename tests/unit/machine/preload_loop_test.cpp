@@ -10,16 +10,16 @@
 //
 // TWO NODES that do not touch, inner and outer, with shares s and 1 - s of the heat, growths k_i x_i and k_o x_o that work against each other:
 //   gain L = a (k_i s R_i - k_o (1 - s) R_o), matrix [[-1/t_i + p_i, -p_o'], ...] of 2 x 2. With a fast inner node L < 1 may still be unstable.
-#include "machine/preload_loop.h"
+#include "analysis/preload/preload_loop.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "analysis/preload/build_preload.h"
 #include "integrate/integrator.h"
-#include "machine/build_preload.h"
-#include "study/preload_steady.h"
-#include "thermal/network_part.h"
+#include "study/preload/preload_steady.h"
+#include "thermal/circuit/network_part.h"
 
 namespace rotordrop {
 namespace {

@@ -4,7 +4,7 @@
 //   -v.K_s x - v.K_a x - v.C v,   the first of which is minus the rate of x.K_s x / 2. So
 //   d(energy of rotor + support)/dt = prescribed_work - other_dissipation with prescribed_work = -v.K_a x,
 //   other_dissipation = v.C v.
-#include "bearing/linear_support.h"
+#include "bearing/support/linear_support.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/column_file.h"
+#include "io/hdf5/column_file.h"
 #include "study_inputs.h"
 
 using namespace rotordrop;

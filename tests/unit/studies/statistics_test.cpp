@@ -1,4 +1,4 @@
-#include "study/many/statistics.h"
+#include "study/many/answers/statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "study/comparison.h"
+#include "study/compare/comparison.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // What a decimated series keeps: ends, extremes of every span at their own times, order; and how much.
-#include "study/decimation.h"
+#include "study/report/decimation.h"
 
 #include <gtest/gtest.h>
 

@@ -2,15 +2,15 @@
 //   steady heat P from 0:    rise = P R (1 - exp(-t/tau))
 //   heat growing as a t:     rise = a R (t - tau (1 - exp(-t/tau)))
 //   after the heat stops at s: rise(t) = rise(s) exp(-(t - s)/tau)
-#include "study/heated_bearing.h"
+#include "study/heat/heated_bearing.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "thermal/heat_history.h"
-#include "thermal/thermal_network.h"
+#include "thermal/circuit/thermal_network.h"
+#include "thermal/heating/heat_history.h"
 
 namespace rotordrop {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/section_picture.h"
+#include "study/report/section_picture.h"
 
 #include <gtest/gtest.h>
 

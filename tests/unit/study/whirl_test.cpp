@@ -6,7 +6,7 @@
 // against the whirl: inward m c W^2 = N + k c, along the path m c W' = mu N - b c W. So W' > 0 where b W < mu (m W^2 - k): with w^2 = k/m and
 // zeta = b/(2 m w) beyond W = w (zeta/mu + sqrt((zeta/mu)^2 + 1)).
 // Loop the loop: without friction u = c a'^2 / g = u_0 - 2 (1 - cos a), and u + cos a > 0 at the top asks for u_0 > 5.
-#include "study/whirl.h"
+#include "study/drop/whirl.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The plan of a bearing's section, before any mesh generator sees it.
-#include "thermal/bearing_section.h"
+#include "thermal/section/bearing_section.h"
 
 #include <gtest/gtest.h>
 

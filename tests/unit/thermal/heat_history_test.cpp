@@ -1,7 +1,7 @@
 // Steps of heat flux from pulses and from recorded heat.
 //
 // PULSES: n pulses bring n height width [J/m2]. RECORDED: flux times duration times area, summed up, is share times the ledger's difference, to roundoff.
-#include "thermal/heat_history.h"
+#include "thermal/heating/heat_history.h"
 
 #include <gtest/gtest.h>
 

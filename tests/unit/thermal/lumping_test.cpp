@@ -1,5 +1,5 @@
 // Numbers of Biot and Fourier against their closed forms.
-#include "thermal/lumping.h"
+#include "thermal/circuit/lumping.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A user's mesh is taken only if it is a section: each fault has its words.
-#include "thermal/own_section.h"
+#include "thermal/section/own_section.h"
 
 #include <gtest/gtest.h>
 

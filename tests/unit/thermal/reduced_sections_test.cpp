@@ -1,11 +1,11 @@
 // Sections in coordinates of their modes: two modes solved by hand, and what heat does before it is conducted on.
-#include "thermal/reduced_sections.h"
+#include "thermal/section/reduced_sections.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "thermal/adiabatic_rises.h"
+#include "thermal/circuit/adiabatic_rises.h"
 
 namespace rotordrop {
 namespace {

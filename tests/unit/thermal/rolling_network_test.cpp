@@ -8,9 +8,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "thermal/bearing_circuit.h"
-#include "thermal/network_part.h"
-#include "thermal/reduced_sections.h"
+#include "thermal/circuit/bearing_circuit.h"
+#include "thermal/circuit/network_part.h"
+#include "thermal/section/reduced_sections.h"
 
 namespace rotordrop {
 namespace {

@@ -2,7 +2,7 @@
 //
 // STEADY. Section A, perimeter p, far end insulated: conductance sqrt(h p k A) tanh(m L), m = sqrt(h p/(k A)).
 // IN TIME. Near a step of its root's temperature a long fin without convection takes k A (T/sqrt(pi D t)) per time, that is 2 k A T sqrt(t/(pi D)) until t, D = k/(rho c).
-#include "thermal/shaft_fin.h"
+#include "thermal/circuit/shaft_fin.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "integrate/integrator.h"
-#include "machine/heated_model.h"
-#include "thermal/thermal_network.h"
+#include "machine/heat/heated_model.h"
+#include "thermal/circuit/thermal_network.h"
 
 namespace rotordrop {
 namespace {

@@ -1,5 +1,5 @@
 // The thermal network: small circuits solved by hand.
-#include "thermal/thermal_network.h"
+#include "thermal/circuit/thermal_network.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@
 // THE DEEP-GROOVE RING under its weight W hangs on the one ball below it: K (s - clearance)^1.5 = W.
 #include <gtest/gtest.h>
 
-#include "bearing/ring_equilibrium.h"
+#include "bearing/statics/ring_equilibrium.h"
 #include "numerical_derivative.h"
 #include "test_bearings.h"
 

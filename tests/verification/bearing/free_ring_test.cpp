@@ -15,8 +15,8 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "bearing/ring_equilibrium.h"
-#include "bearing/ring_statics.h"
+#include "bearing/statics/ring_equilibrium.h"
+#include "bearing/statics/ring_statics.h"
 #include "power_balance.h"
 #include "test_bearings.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "bearing/ring_statics.h"
+#include "bearing/statics/ring_statics.h"
 #include "laws/skidding.h"
 #include "test_bearings.h"
 

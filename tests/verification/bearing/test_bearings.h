@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/ball_row.h"
+#include "bearing/row/ball_row.h"
 #include "bearing/touchdown_bearing.h"
 #include "laws/hertz.h"
 

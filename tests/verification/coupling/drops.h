@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "io/recorded_series.h"
+#include "case/case.h"
+#include "case/fe_module.h"
+#include "io/hdf5/recorded_series.h"
 #include "machine/build_machine.h"
-#include "study/case.h"
-#include "study/drop_run.h"
-#include "study/fe_module.h"
+#include "study/drop/drop_run.h"
 
 namespace rotordrop::testing {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drops.h"
-#include "thermal/bearing_heat.h"
+#include "thermal/heating/bearing_heat.h"
 
 namespace rotordrop::testing {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "analysis/preload/build_preload.h"
 #include "drops.h"
-#include "machine/build_preload.h"
-#include "study/preload_tables.h"
+#include "study/preload/preload_tables.h"
 
 namespace rotordrop {
 namespace {

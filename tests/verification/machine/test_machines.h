@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bearing/touchdown_bearing.h"
+#include "case/case.h"
 #include "machine/build_machine.h"
-#include "study/case.h"
 
 namespace rotordrop::testing {
 

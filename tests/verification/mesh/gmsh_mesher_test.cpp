@@ -18,12 +18,12 @@
 #include <set>
 
 #include "base/errors.h"
-#include "machine/bearing_mesh_data.h"
+#include "case/case.h"
+#include "machine/heat/bearing_mesh_data.h"
 #include "model/section_quality.h"
-#include "study/case.h"
-#include "thermal/bearing_section.h"
 #include "thermal/fe/gmsh_mesher.h"
-#include "thermal/own_section.h"
+#include "thermal/section/bearing_section.h"
+#include "thermal/section/own_section.h"
 
 extern "C" rotordrop::SectionMesher* rotordrop_section_mesher();
 

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "machine/build_preload.h"
-#include "study/preload_course.h"
+#include "analysis/preload/build_preload.h"
+#include "study/preload/preload_course.h"
 
 namespace rotordrop {
 namespace {

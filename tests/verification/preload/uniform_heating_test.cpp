@@ -17,12 +17,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "analysis/preload/build_preload.h"
+#include "analysis/preload/preload_criterion.h"
+#include "analysis/statics/statics.h"
 #include "machine/build_machine.h"
-#include "machine/build_preload.h"
-#include "machine/preload_criterion.h"
-#include "machine/statics.h"
-#include "study/preload_maps.h"
-#include "study/preload_tables.h"
+#include "study/preload/preload_maps.h"
+#include "study/preload/preload_tables.h"
 
 namespace rotordrop {
 namespace {

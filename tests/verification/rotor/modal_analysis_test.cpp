@@ -16,7 +16,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bearing/linear_support.h"
+#include "bearing/support/linear_support.h"
 #include "test_rotors.h"
 
 namespace rotordrop {

@@ -9,7 +9,7 @@
 
 #include "../bearing/numerical_derivative.h"
 #include "../bearing/test_bearings.h"
-#include "bearing/bearing_statics.h"
+#include "bearing/statics/bearing_statics.h"
 #include "integrate/equilibrium.h"
 #include "laws/ball_kinematics.h"
 

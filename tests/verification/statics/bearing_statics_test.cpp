@@ -15,8 +15,8 @@
 
 #include "../bearing/numerical_derivative.h"
 #include "../bearing/test_bearings.h"
-#include "bearing/bearing_statics.h"
-#include "bearing/ring_equilibrium.h"
+#include "bearing/statics/bearing_statics.h"
+#include "bearing/statics/ring_equilibrium.h"
 #include "integrate/equilibrium.h"
 
 namespace rotordrop {

@@ -9,11 +9,11 @@
 #include <fstream>
 
 #include "../rotor/test_rotors.h"
+#include "analysis/statics/statics.h"
+#include "case/case.h"
 #include "integrate/equilibrium.h"
-#include "machine/statics.h"
 #include "rotor/static_rotor.h"
 #include "rotor/timoshenko.h"
-#include "study/case.h"
 
 namespace rotordrop {
 namespace {

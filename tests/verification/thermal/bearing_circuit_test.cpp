@@ -15,7 +15,7 @@
 //
 // GROWTH. Free rings: alpha r times the volume-mean rise of a linear profile, here by quadrature; inner ring from the i node (bore) to ci (race), outer ring with housing
 // from o (race) to h (outside). ci's temperature without its own heat is the mean of i and b weighted by 1/R4 and 1/R5.
-#include "thermal/bearing_circuit.h"
+#include "thermal/circuit/bearing_circuit.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "laws/rolling_conduction.h"
+#include "laws/heat/rolling_conduction.h"
 
 namespace rotordrop {
 namespace {

@@ -1,0 +1,89 @@
+#include "analysis/facts/rotor_report.h"
+
+#include <numbers>
+
+#include "rotor/modal_rotor.h"
+
+namespace rotordrop {
+
+RotorReport rotor_report(const RotorParameters& parameters) {
+  const ModalRotor rotor(parameters.geometry, rotor_settings(parameters, {}), {});
+  RotorReport report;
+  report.body = rotor.body();
+  for (const double f : rotor.mode_frequencies())
+    if (f > 0.) report.free_free_frequencies.push_back(f);
+  return report;
+}
+
+namespace {
+
+std::vector<LinearSupportAtNode> linear_supports(const MachineParameters& p) {
+  std::vector<LinearSupportAtNode> supports;
+  for (const auto& entry : p.bearings)
+    if (const auto* l = entry.linear()) supports.push_back({l->node, l->stiffness, l->damping});
+  for (const auto& entry : p.bearings)
+    if (const auto* m = entry.magnet()) supports.push_back({m->node, m->stiffness, m->damping});
+  return supports;
+}
+
+/// The same isotropic spring at every node.
+std::vector<LinearSupportAtNode> springs(const std::vector<int>& nodes, double stiffness) {
+  std::vector<LinearSupportAtNode> supports;
+  for (const int node : nodes) supports.push_back({node, {{{stiffness, 0.}, {0., stiffness}}}, {}});
+  return supports;
+}
+
+}  // namespace
+
+std::vector<WhirlModes> machine_modes(const MachineParameters& p, const std::vector<double>& spin_speeds) {
+  const auto supports = linear_supports(p);
+  const ModalAnalysis analysis(p.rotor.geometry, {.modal_damping = p.rotor.modal_damping,
+                                                  .mass_proportional_alpha = p.rotor.mass_proportional_alpha});
+  std::vector<WhirlModes> all;
+  for (const double speed : spin_speeds) all.push_back(analysis.whirl_modes(speed, supports));
+  return all;
+}
+
+CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSpeedOptions& options) {
+  CriticalSpeedReport report;
+  auto supports = linear_supports(p);
+  std::vector<int> nodes;
+  const bool has_linear = !supports.empty();
+  std::vector<std::string> stations;
+  for (const auto& entry : p.bearings)
+    if (!has_linear || entry.linear()) {
+      nodes.push_back(entry.node());
+      stations.push_back(entry.name);
+    }
+  if (options.stiffness) {
+    supports = springs(nodes, *options.stiffness);
+    report.is_on_given_stiffness = true;
+  }
+  if (!supports.empty()) report.stations = stations;
+  ModalAnalysisOptions damped{.modal_damping = p.rotor.modal_damping,
+                              .mass_proportional_alpha = p.rotor.mass_proportional_alpha};
+  const ModalAnalysis analysis(p.rotor.geometry, damped);
+  report.speeds = analysis.critical_speeds(options.up_to, supports);
+  const auto at_end = analysis.whirl_modes(options.up_to, supports);
+  report.n_overdamped = at_end.n_overdamped;
+  report.n_rigid_body_modes = at_end.n_rigid_body_modes;
+  for (const double stiffness : options.map) {
+    report.map_stiffness.push_back(stiffness);
+    report.map_speeds.emplace_back();
+    for (const double speed : analysis.undamped_critical_speeds(springs(nodes, stiffness)))
+      if (speed <= options.up_to) report.map_speeds.back().push_back(speed);
+  }
+  if (options.n_speeds > 1) {
+    // A picture needs no modes far above it; the supports' nodes keep their flexibility.
+    damped.cut_off_frequency = 5. * options.up_to / (2. * std::numbers::pi);
+    damped.attachment_nodes = nodes;
+    const ModalAnalysis coarse(p.rotor.geometry, damped);
+    for (int k = 0; k < options.n_speeds; ++k) {
+      report.diagram_speeds.push_back(options.up_to * k / (options.n_speeds - 1));
+      report.diagram_modes.push_back(coarse.whirl_modes(report.diagram_speeds.back(), supports));
+    }
+  }
+  return report;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,49 @@
+#include "analysis/facts/thermal_report.h"
+
+#include <limits>
+
+#include "laws/hertz.h"
+#include "machine/build_machine.h"
+
+namespace rotordrop {
+
+std::vector<LumpedBody> lumped_bodies(const MachineParameters& parameters, const std::string& name,
+                                      const TouchdownParameters& bearing) {
+  return lumped_bodies(circuit_data(parameters, name, bearing));
+}
+
+RubSurfaces rub_surfaces(const MachineParameters& parameters, const std::string& name,
+                         const TouchdownParameters& bearing, double band_length) {
+  const auto c = circuit_data(parameters, name, bearing);
+  const double capacity = c.ring.density * c.ring.heat_capacity;
+  RubSurfaces s;
+  s.bore = {bore_radius(bearing, parameters.contact), c.ring.conductivity, capacity,
+            0.5 * (c.inner_outside - c.inner_bore)};
+  s.rotor_radius = c.journal_radius;
+  s.rotor_conductivity = c.ring.conductivity;
+  s.rotor_capacity = capacity;
+  s.half_width = 0.5 * band_length;
+  s.axial_width = c.width;
+  return s;
+}
+
+LocalRubSettings local_rub_settings(const MachineParameters& parameters, const std::string& name,
+                                    const TouchdownParameters& bearing) {
+  LocalRubSettings s;
+  s.surfaces = rub_surfaces(parameters, name, bearing, parameters.thermal.rub_band_length);
+  s.hertz_width_per_root = rub_half_width(parameters, bearing, 1.);
+  s.by_hertz = parameters.thermal.rub_band == RubBand::hertz;
+  s.is_one_temperature = parameters.thermal.local_share == LocalShare::one_temperature;
+  s.bore_wear = parameters.contact.wear_coefficient_bore;
+  s.rotor_wear = parameters.contact.wear_coefficient_rotor;
+  return s;
+}
+
+double rub_half_width(const MachineParameters& parameters, const TouchdownParameters& bearing, double force) {
+  const double r_b = bore_radius(bearing, parameters.contact), gap = air_gap(bearing, parameters.contact);
+  const auto& m = material_of(parameters, bearing.ring);
+  return line_contact_half_width(force / bearing.width, r_b * (r_b - gap) / gap,
+                                 effective_modulus({m.E, m.nu}, {m.E, m.nu}));
+}
+
+}  // namespace rotordrop

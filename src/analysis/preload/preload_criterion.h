@@ -1,0 +1,72 @@
+#pragma once
+// Where a running bearing can stay, and whether it does.
+//
+// A bearing's friction is one number, its heat Q. Steady temperatures T(Q) follow from the thermal model, growth and ball loads from them,
+// and from these the heat that friction makes, Phi(Q). Operating points are Phi(Q) = Q. The loop gain of docs/how-to/preload.md,
+// (dHeat/dPreload)(dPreload/du)(du/dT) R_thermal, with every surface, every port and the thermal model's own derivatives is
+//   L = dPhi/dQ = - c^T J^-1 b,
+// J = d rates / dT, b = d rates / dQ, c = dHeat/dT through growth. Perturbations follow dT/dt = (J + b c^T) T, and
+// det(J + b c^T) = det(J) (1 - L): at L = 1 an eigenvalue passes zero. L < 1 alone is not enough where the inner ring warms before the
+// outer one does; hence the eigenvalues themselves.
+#include <complex>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "analysis/preload/preload_loop.h"
+
+namespace rotordrop {
+
+struct PreloadLimits {
+  double temperature = 0;  ///< [K]
+  double pressure = 0;     ///< [Pa]
+};
+enum class LimitMet { none, temperature, pressure };
+LimitMet limit_met(const PreloadLoop& loop, const PreloadLimits& limits, std::span<const double> T,
+                   const RunningState& state);
+
+/// How a loop responds near a state.
+struct LoopResponse {
+  double gain = 0;                      ///< L
+  double heat_per_preload = 0;          ///< along the response [W/N]
+  double preload_per_heat = 0;          ///< [N/W]; with the former the gain, where there is a preload
+  Expansion growth_per_heat;            ///< steady [m/W]
+  std::complex<double> eigenvalue = 0;  ///< of the largest real part [1/s]
+  double largest_gain = 0;              ///< of perturbations that grow as exp(s t), over s >= 0
+  double largest_gain_time = 0;         ///< 1/s there [s]; 0: at s = 0
+  [[nodiscard]] bool is_stable() const { return eigenvalue.real() < 0.; }
+};
+LoopResponse response_at(const PreloadLoop& loop, std::span<const double> T);
+
+struct OperatingPoint {
+  double heat = 0;                 ///< Q = Phi(Q) [W]
+  std::vector<double> T;           ///< of the thermal model's states
+  double highest_temperature = 0;  ///< of any node [K]
+  RunningState state;
+  Expansion growth;  ///< by heat
+  LoopResponse response;
+};
+
+/// All operating points within the limits, by rising heat, and what was looked at.
+struct OperatingPoints {
+  std::vector<OperatingPoint> points;
+  std::vector<double> heat, made;  ///< Q and Phi(Q) of the search [W]
+  LimitMet ended_by = LimitMet::none;
+  [[nodiscard]] const OperatingPoint* first_stable() const;
+};
+OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimits& limits);
+
+/// How far a loop may change until no stable operating point is left.
+struct CriticalFactor {
+  double factor = 0;                            ///< last one with a stable operating point
+  double gain = 0;                              ///< at that point
+  enum class By { loop, limit } by = By::loop;  ///< what ends it: loop gain (or eigenvalue), or a limit met first
+};
+/// @param loop_with  the loop with something `factor` times as large
+/// @param towards    a factor in the direction in which it becomes worse: 2 or 0.5
+/// @returns nothing if none was found within a factor of 64 both ways
+std::optional<CriticalFactor> find_critical_factor(
+    const std::function<std::unique_ptr<PreloadLoop>(double factor)>& loop_with, double towards,
+    const PreloadLimits& limits);
+
+}  // namespace rotordrop

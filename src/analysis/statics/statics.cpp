@@ -1,0 +1,290 @@
+#include "analysis/statics/statics.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.h"
+#include "machine/build_machine.h"
+#include "rotor/geometry.h"
+
+namespace rotordrop {
+namespace {
+
+bool leans_both_ways(const std::vector<BallRowGeometry>& rows) {
+  const auto leans = [&](double side) {
+    return std::any_of(rows.begin(), rows.end(), [&](const auto& g) { return g.direction == side; });
+  };
+  return leans(1.) && leans(-1.);
+}
+
+/// The outer ring's support under a slow push from its unloaded place.
+SupportRest rest_of_support(const TouchdownBearingData& d, const Eigen::Vector2d& place) {
+  if (d.support_law) return d.support_law->rest(place[0], place[1]);
+  const double k_y = d.support_stiffness_y, k_z = d.support_stiffness_z;
+  return {-k_y * place[0],
+          -k_z * place[1],
+          k_y,
+          0.,
+          0.,
+          k_z,
+          0.5 * (k_y * place[0] * place[0] + k_z * place[1] * place[1])};
+}
+
+struct RingSetup {
+  BentRingStatics ring;
+  double axial_preload;  // force from outside that presses rows which all lean one way [N]
+};
+
+RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, const TouchdownBearingData& data,
+                     const Expansion& growth, double speed) {
+  auto rows = data.rows;
+  RingSurroundings around;
+  around.radial_growth = growth.inner_race - growth.outer_race;
+  around.ball_growth = growth.ball;
+  around.inner_strain = growth.inner_width / b.width;
+  around.outer_strain = growth.outer_width / b.width;
+  around.cage_angle = data.cage_angle;
+  around.speed = speed;
+  around.has_inertia = data.ball_model == BallModel::inertial;
+  std::optional<PreloadSpring> spring;
+  double axial = 0.;
+  const bool opposed = leans_both_ways(rows);
+  if (!opposed || s.preload_by == PreloadBy::spring)
+    for (auto& g : rows) g.preload_offset = 0.;
+  if (!opposed)
+    axial = b.preload * static_cast<double>(rows.size()) * rows.front().direction;
+  else if (s.preload_by == PreloadBy::spring)
+    spring = PreloadSpring{b.preload, s.preload_stiffness};
+  return {{RingStatics(std::move(rows), around, spring), data.bending}, axial};
+}
+
+// Radial displacement of a bent bore where it lies nearest to a rotor at e from its centre [m].
+double bent_outwards(const Eigen::VectorXd& shapes, const Eigen::Vector2d& e) {
+  return shapes.size() == 0 ? 0. : shape_values(shapes.size(), std::atan2(e[1], e[0])).dot(shapes);
+}
+
+}  // namespace
+
+BearingEquilibrium bearing_equilibrium(const StaticsParameters& statics, const TouchdownParameters& b,
+                                       const TouchdownBearingData& data, const BearingState& state) {
+  auto [ring, axial] = ring_setup(statics, b, data, state.growth, state.speed);
+  Force load = state.load;
+  load.x += axial;
+  const double gap = data.air_gap + state.growth.bore - state.growth.shaft;
+  return BearingEquilibrium(std::move(ring), load, {data.contact, gap});
+}
+
+BearingEquilibrium bearing_equilibrium(const MachineParameters& p, const std::string& name,
+                                       const TouchdownParameters& b) {
+  const auto& s = p.statics;
+  return bearing_equilibrium(
+      s, b, touchdown_data_of(p, name, b),
+      {static_growth(p, b), s.speed, {s.force[0], s.force[1], s.force[2], s.moment[0], s.moment[1], 0.}});
+}
+
+// ----------------------------------------------------------------------------------------------------------------
+// the rotor on its supports
+
+// Unknowns: y of all stations, z of all stations; then of every touchdown bearing the outer ring's y, z and the inner ring's six (five
+// without a spring) and the coefficients of bent rings, the inner ring's relative to the outer ring.
+struct ShaftEquilibrium::Touchdown {
+  std::string name;
+  Eigen::Index station, offset;
+  TouchdownBearingData data;
+  BentRingStatics ring;
+  double axial_preload, gap;
+  [[nodiscard]] Eigen::Index n_ring() const { return ring.size(); }
+  [[nodiscard]] Eigen::VectorXd shapes(const Eigen::VectorXd& q) const {
+    return q.segment(ring.n_place(), ring.n_inner());
+  }
+};
+
+struct ShaftEquilibrium::Linear {
+  std::string name;
+  Eigen::Index station;
+  Eigen::Matrix2d stiffness;
+};
+
+struct ShaftEquilibrium::Sum {
+  Eigen::VectorXd force;
+  Eigen::MatrixXd stiffness;
+  double potential = 0;
+};
+
+ShaftEquilibrium::~ShaftEquilibrium() = default;
+
+ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_node)
+    : node_x_(p.rotor.geometry.node_x) {
+  // Magnets have let go.
+  for (const auto& entry : p.bearings)
+    if (!entry.magnet()) stations_.push_back(entry.node());
+  std::sort(stations_.begin(), stations_.end());
+  stations_.erase(std::unique(stations_.begin(), stations_.end()), stations_.end());
+  if (stations_.size() < 2)
+    throw InputError(position_of(case_node, "bearings"),
+                     "a rotor held at a single node has no equilibrium: it would tip over.",
+                     "Give it a second support, or ask for the bearing by itself: statics.subject = \"bearings\".");
+  const std::array<double, 2> gravity = {p.run.gravity[1], p.run.gravity[2]};
+  rotor_ = std::make_unique<StaticRotor>(p.rotor.geometry, stations_, gravity, p.statics.loads);
+
+  const double length = 1e-6;
+  scales_.assign(2 * stations_.size(), length);
+  double preload = 0.;
+  for (const auto& entry : p.bearings) {
+    if (entry.magnet()) continue;
+    const auto station =
+        static_cast<Eigen::Index>(std::find(stations_.begin(), stations_.end(), entry.node()) - stations_.begin());
+    if (const auto* b = entry.touchdown()) {
+      const auto growth = static_growth(p, *b);
+      auto data = touchdown_data_of(p, entry.name, *b);
+      auto [ring, axial] = ring_setup(p.statics, *b, data, growth, p.statics.speed);
+      Touchdown t{entry.name,      station, static_cast<Eigen::Index>(scales_.size()),          std::move(data),
+                  std::move(ring), axial,   air_gap(*b, p.contact) + growth.bore - growth.shaft};
+      scales_.insert(scales_.end(), 2, length);
+      const Eigen::VectorXd own = t.ring.scales();
+      scales_.insert(scales_.end(), own.begin(), own.end());
+      preload = std::max(preload, b->preload);
+      is_circulatory_ = is_circulatory_ || (t.ring.ring().surroundings().has_inertia && p.statics.speed != 0.);
+      touchdowns_.push_back(std::move(t));
+    } else if (entry.other()) {
+      throw InputError(
+          {}, "the static solution does not include " + entry.name + ", a kind of support added by another program",
+          "Leave it out, or let the rotor settle in a drop.");
+    } else {
+      const auto& K = entry.linear()->stiffness;
+      linears_.push_back({entry.name, station, Eigen::Matrix2d{{K[0][0], K[0][1]}, {K[1][0], K[1][1]}}});
+      is_circulatory_ = is_circulatory_ || K[0][1] != K[1][0];
+    }
+  }
+  weight_ = rigid_body(p.rotor.geometry).mass * std::hypot(gravity[0], gravity[1]);
+  double loads = 0.;
+  for (const auto& load : p.statics.loads) loads += std::hypot(load.force[0], load.force[1]);
+  force_scale_ = std::max({1., weight_ + loads, preload});
+}
+
+ShaftEquilibrium::Sum ShaftEquilibrium::sum(std::span<const double> unknowns, double share) const {
+  const auto n = static_cast<Eigen::Index>(size()), n_s = static_cast<Eigen::Index>(stations_.size());
+  const Eigen::Map<const Eigen::VectorXd> x(unknowns.data(), n);
+  Sum s{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, n), 0.};
+  const auto& K = rotor_->stiffness();
+  for (Eigen::Index plane = 0; plane < 2; ++plane) {
+    const auto v = x.segment(plane * n_s, n_s);
+    const auto& load = rotor_->load(static_cast<std::size_t>(plane));
+    s.force.segment(plane * n_s, n_s) += load - K * v;
+    s.stiffness.block(plane * n_s, plane * n_s, n_s, n_s) += K;
+    s.potential += 0.5 * v.dot(K * v) - load.dot(v);
+  }
+  for (const auto& l : linears_) {
+    const std::array<Eigen::Index, 2> at = {l.station, n_s + l.station};
+    const Eigen::Vector2d v(x[at[0]], x[at[1]]);
+    const Eigen::Matrix2d even = 0.5 * (l.stiffness + l.stiffness.transpose()), odd = l.stiffness - even;
+    const Eigen::Matrix2d acting = even + share * odd;
+    const Eigen::Vector2d f = acting * v;
+    for (std::size_t i = 0; i < 2; ++i) {
+      s.force[at[i]] -= f[static_cast<Eigen::Index>(i)];
+      for (std::size_t j = 0; j < 2; ++j)
+        s.stiffness(at[i], at[j]) += acting(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+    s.potential += 0.5 * v.dot(even * v);
+  }
+  for (const auto& t : touchdowns_) {
+    const Eigen::Index outer = t.offset, ring = t.offset + 2, m = t.n_ring();
+    const Eigen::VectorXd q = x.segment(ring, m);
+    const BentReaction r = t.ring.reaction(q, share);
+    s.force.segment(ring, m) += r.force;
+    s.stiffness.block(ring, ring, m, m) += r.stiffness;
+    s.potential += r.energy;
+    s.force[ring] += t.axial_preload;
+    s.potential -= t.axial_preload * q[0];
+    // Rotor against bore: the inner ring's place is the outer ring's and its own.
+    const Eigen::Vector2d ring_place = x.segment<2>(outer) + x.segment<2>(ring + 1);
+    const Eigen::Vector2d e(x[t.station] - ring_place[0], x[n_s + t.station] - ring_place[1]);
+    const BoreReaction bore = bore_reaction(t.data.contact, t.data.bending, t.gap, e, t.shapes(q));
+    // What moves rotor less ring along y, z, and what bends the bore.
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(2 + t.ring.n_inner(), n);
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      by(i, i == 0 ? t.station : n_s + t.station) = 1.;
+      by(i, outer + i) = by(i, ring + 1 + i) = -1.;
+    }
+    by.block(2, ring + t.ring.n_place(), t.ring.n_inner(), t.ring.n_inner()).setIdentity();
+    s.force -= by.transpose() * bore.gradient;
+    s.stiffness += by.transpose() * bore.hessian * by;
+    s.potential += bore.energy;
+    const Eigen::Vector2d ring_weight(t.data.ring_mass * t.data.gravity_y, t.data.ring_mass * t.data.gravity_z);
+    const Eigen::Vector2d place = x.segment<2>(outer);
+    const SupportRest carried = rest_of_support(t.data, place);
+    s.force.segment<2>(outer) += ring_weight + Eigen::Vector2d(carried.force_y, carried.force_z);
+    s.force.segment<2>(ring + 1) += ring_weight;
+    s.stiffness.block<2, 2>(outer, outer) +=
+        Eigen::Matrix2d{{carried.k_yy, carried.k_yz}, {carried.k_zy, carried.k_zz}};
+    s.potential += carried.energy - ring_weight.dot(ring_place);
+  }
+  return s;
+}
+
+void ShaftEquilibrium::forces(std::span<const double> x, std::span<double> f) const {
+  const auto s = sum(x, share_);
+  std::copy_n(s.force.data(), size(), f.begin());
+}
+
+void ShaftEquilibrium::stiffness(std::span<const double> x, std::span<double> K) const {
+  const auto s = sum(x, share_);
+  std::copy_n(s.stiffness.data(), size() * size(), K.begin());
+}
+
+double ShaftEquilibrium::potential(std::span<const double> x) const { return sum(x, 0.).potential; }
+
+ShaftReport ShaftEquilibrium::report(std::span<const double> unknowns) const {
+  const auto n_s = static_cast<Eigen::Index>(stations_.size());
+  const Eigen::Map<const Eigen::VectorXd> x(unknowns.data(), static_cast<Eigen::Index>(size()));
+  ShaftReport report;
+  report.weight = weight_;
+  report.node_x = node_x_;
+  for (std::size_t plane = 0; plane < 2; ++plane)
+    report.axis[plane] = rotor_->deflections(plane, x.segment(static_cast<Eigen::Index>(plane) * n_s, n_s));
+  const auto node_of = [&](Eigen::Index station) { return stations_[static_cast<std::size_t>(station)]; };
+  for (const auto& l : linears_) {
+    SupportReaction r;
+    r.name = l.name;
+    r.node = node_of(l.station);
+    const Eigen::Vector2d v(x[l.station], x[n_s + l.station]), f = -l.stiffness * v;
+    r.journal = {v[0], v[1]};
+    r.force_on_rotor = {f[0], f[1]};
+    report.supports.push_back(std::move(r));
+  }
+  for (const auto& t : touchdowns_) {
+    SupportReaction r;
+    r.name = t.name;
+    r.node = node_of(t.station);
+    r.is_touchdown = true;
+    r.journal = {x[t.station], x[n_s + t.station]};
+    r.outer_ring = {x[t.offset], x[t.offset + 1]};
+    const Eigen::VectorXd q = x.segment(t.offset + 2, t.n_ring());
+    const Eigen::Vector2d e(r.journal[0] - r.outer_ring[0] - q[1], r.journal[1] - r.outer_ring[1] - q[2]);
+    const BoreReaction bore = bore_reaction(t.data.contact, t.data.bending, t.gap, e, t.shapes(q));
+    r.force_on_rotor = {-bore.gradient[0], -bore.gradient[1]};
+    r.clearance = t.gap - e.norm() + bent_outwards(t.shapes(q), e);
+    r.ring = report_ring(t.ring, q, 1e-6 * force_scale_);
+    report.supports.push_back(std::move(r));
+  }
+  const auto first = static_cast<std::size_t>(stations_.front() - 1),
+             last = static_cast<std::size_t>(stations_.back() - 1);
+  for (std::size_t k = first; k <= last; ++k) {
+    const double part = (node_x_[k] - node_x_[first]) / (node_x_[last] - node_x_[first]);
+    const auto off = [&](std::size_t plane) {
+      const auto& v = report.axis[plane];
+      return v[k] - (1. - part) * v[first] - part * v[last];
+    };
+    if (const double distance = std::hypot(off(0), off(1)); distance > report.sag) {
+      report.sag = distance;
+      report.sag_x = node_x_[k];
+    }
+  }
+  return report;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,188 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "bearing/row/inertial_balls.h"
+
+namespace rotordrop {
+
+struct RowTractions;  // laws/skidding.h
+struct Widening;      // bearing/row/ball_row_bending.h
+
+/// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
+struct RingDisplacement {
+  double x = 0, y = 0, z = 0;   ///< [m] ([m/s])
+  double psi_y = 0, psi_z = 0;  ///< [rad] ([rad/s])
+};
+
+/// Hertz constants of the balls on one race.
+struct RaceContact {
+  double stiffness = 0;    ///< K of Q = K delta^1.5 [N/m^1.5]
+  double axis_factor = 0;  ///< semi-major axis of the contact ellipse over Q^(1/3) [m/N^(1/3)]
+  double ellipticity = 1;  ///< semi-major over semi-minor axis
+  // Edge of the raceway on either side, where the groove's circle reaches the shoulder.
+  double groove_radius = 0;               ///< [m]; 0: no edge
+  double edge_sine = 0, edge_cosine = 1;  ///< of its angle about the groove's centre, from the radial direction
+  [[nodiscard]] bool has_edge() const { return groove_radius > 0.; }
+  /// Distance of the edge from the centre of a contact, in the contact's tangent plane [m]; infinite without an edge.
+  [[nodiscard]] double edge_distance(double sine, double cosine) const;
+  /// Part of the contact ellipse's length that lies beyond the edge, 0 to 1. The ellipse is that of an endless groove.
+  /// @param load [N]; @param sine, cosine  of the contact angle
+  [[nodiscard]] double truncation(double load, double sine, double cosine) const;
+  /// Largest pressure in the contact ellipse under a load [N], 3 Q / (2 pi a b) [Pa]; 0 without load.
+  [[nodiscard]] double largest_pressure(double load) const;
+};
+
+/// One row of balls between two races.
+struct BallRowGeometry {
+  int n_balls = 0;              ///< Z
+  double ball_diameter = 0;     ///< d [m]
+  double pitch_diameter = 0;    ///< d_m [m]
+  double inner_conformity = 0;  ///< f_in, groove radius over d
+  double outer_conformity = 0;  ///< f_out
+  double contact_angle = 0;     ///< phi_0 [rad]
+  double radial_clearance = 0;  ///< of a deep-groove bearing, half the diametral one [m]
+  double stiffness = 0;         ///< K_b, inner and outer contact in series [N/m^1.5]
+  double damping_beta = 0;      ///< beta, damping over tangent stiffness [s]
+  double direction = 1;         ///< +1: loaded by an inner ring moving towards +x; -1 the opposite
+  double position = 0;          ///< axial position of the row in the ring's frame [m]
+  double phase = 0;             ///< azimuth of the first ball at cage angle zero [rad]
+  double preload_offset = 0;    ///< axial approach of the races at rest [m]
+  RaceContact inner, outer;     ///< each contact by itself; `stiffness` is both in series
+  double ball_mass = 0;         ///< [kg]; for the balls' inertia
+  bool conducts = false;        ///< a row of balls with inertia sums the cube roots of its loads too
+  bool has_inertia = false;     ///< each ball in balance with its centrifugal force and gyroscopic moment
+  int highest_harmonic = 0;     ///< of the rings' bending; 0: rigid rings
+  double inner_gyroscopic_share =
+      0;  ///< part of the gyroscopic traction at the inner race; the rest is at the outer one
+};
+
+/// How a row's grooves move and widen with the axial strain of a ring, the growth of its width over its width. With s the row's direction and
+/// x its position, the contact points lie at x -+ s (d/2) sin phi_0; a groove's centre is its radius f d away from them along the normal, and
+/// that radius grows with the ring.
+struct GrooveStrain {
+  double axial = 0;   ///< growth of B_x per strain [m]
+  double radial = 0;  ///< growth of B_r per strain, besides that of the contact points' radii [m]
+  double groove = 0;  ///< growth of the groove's radius per strain; what the contact's deflection loses [m]
+};
+struct RowStrains {
+  GrooveStrain inner, outer;
+};
+RowStrains row_strains(const BallRowGeometry& geometry);
+
+/// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (eqs. 11, 12).
+struct RaceWave {
+  bool on_inner_race = true;  ///< argument b_j - theta_i; on the outer race b_j
+  int order = 1;              ///< m, >= 1
+  double amplitude = 0;       ///< A [m]
+  double phase = 0;           ///< [rad]
+};
+
+/// Instantaneous input of a row.
+struct BallRowInput {
+  RingDisplacement displacement;
+  RingDisplacement rate;
+  double cage_angle = 0, cage_cosine = 1, cage_sine = 0;
+  double cage_speed = 0;     ///< [rad/s], for the work of the prescribed cage
+  double ring_angle = 0;     ///< theta_i [rad]
+  double ring_speed = 0;     ///< omega_i [rad/s]
+  double radial_growth = 0;  ///< eps_in - eps_out, radial displacements of the contact points [m]
+  double ball_growth = 0;    ///< eps_b, growth of a ball's radius [m]
+  double inner_strain = 0;   ///< axial strain of the inner ring
+  double outer_strain = 0;   ///< of the outer ring
+  /// Bent rings: coefficients a_2, b_2, a_3, b_3, ... of u_r of the inner raceway less the outer one [m], and their rates [m/s]; empty: rigid rings.
+  std::span<const double> shape, shape_rate;
+  std::span<double> shape_force;  ///< the balls' forces on the inner ring's shapes are added here [N]
+};
+
+/// What a row does to the inner ring, and the sums that energy and heat need. Evaluation writes every member.
+struct BallRowOutput {
+  double force_x, force_y, force_z;  ///< on the inner ring [N]
+  double moment_y, moment_z;         ///< on the inner ring [N m]
+  double damping_power;              ///< dissipated in the contacts [W]
+  double elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
+  double elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
+  double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
+  double
+      elastic_outer_surplus;  ///< by how much that of the outer contacts exceeds it; the inner ones fall short by as much [N]
+  double cage_power;          ///< work rate of the prescribed cage motion [W]
+  double waviness_power;      ///< work rate of the prescribed travel of the waves [W]
+  double largest_load;        ///< of the row's balls on the inner race [N]
+  double largest_outer_load;  ///< on the outer race [N]; the same without inertia
+  /// Sums of the loads and of their cube roots on either race, without damping [N], [N^(1/3)]: what conducts heat. Loads of balls without inertia are
+  /// the same on both.
+  double inner_load_roots, outer_load_roots, inner_loads, outer_loads;
+  double inertia_power;      ///< work rate of the balls' forces of inertia on the balls, at constant speed [W]
+  double inertia_per_speed;  ///< and more per acceleration of the ring [W s^2/rad]
+};
+
+/// Forces of a row of balls after Sopanen & Mikkola (2003), without trigonometry per ball. With b the azimuth of a ball,
+///   e_r = e_y cos b + e_z sin b + x_row (psi_z cos b - psi_y sin b),   e_t = e_x + R_c (psi_y sin b - psi_z cos b),
+///   B_r = A cos phi_0 - clearance + e_r + eps_in - eps_out + g cos phi_0,   B_x = s (A sin phi_0 + offset) + e_t + u_x,in - u_x,out + s g sin phi_0,
+///   delta = sqrt(B_r^2 + B_x^2) - A - g + 2 eps_b + waves,                 F = K delta^0.5 (delta + 1.5 beta delta') >= 0,
+/// u_x the axial displacements of the contact points and g the growth of both groove radii (row_strains()), delta' being the ring's rate along the contact normal (B_r, B_x), without cage motion. The tilts' terms are those of u = psi x r with the
+/// one arm R_c, so the elastic forces are the gradient of an energy. With inertia and a turning ring each ball has its own balance
+/// (inertial_balls.h); F is then its load on the inner race, along the inner contact's normal, damped with the same beta.
+/// Corrects Neisi 2019, eqs. (2)-(6), (12); see docs/theory/model.md.
+class BallRow {
+ public:
+  static constexpr int max_balls = 256;
+
+  /// @throws std::invalid_argument for more than max_balls balls
+  BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves);
+
+  [[nodiscard]] const BallRowGeometry& geometry() const { return geometry_; }
+  /// Axial and tilting motion of the ring taken as zero: the cheap form for rings that only translate.
+  /// @param tractions  if given, what skidding needs besides, F_c being that of the cage's speed; with inertia of the
+  ///                   balls' own balance, without their damping
+  void evaluate_translations(const BallRowInput& input, BallRowOutput& out, RowTractions* tractions = nullptr) const;
+  void evaluate(const BallRowInput& input, BallRowOutput& out, RowTractions* tractions = nullptr) const;
+  /// Load of every ball on the inner race [n_balls] [N]; with inertia without its damping.
+  void ball_loads(const BallRowInput& input, std::span<double> load) const;
+  /// Elastic energy sum 2/5 K delta^2.5 [J], of both contacts.
+  [[nodiscard]] double energy(const BallRowInput& input) const;
+  /// Axial approach of the races [m] at which an undisplaced row carries an axial load [N] with this geometry's contact.
+  static double offset_for_axial_load(const BallRowGeometry& geometry, double axial_load);
+  /// dU/d(inner_strain) and dU/d(outer_strain) [J] of an evaluation.
+  [[nodiscard]] std::pair<double, double> strain_gradient(const BallRowOutput& out) const;
+
+ private:
+  struct Wave {
+    RaceWave wave;
+    std::vector<double> cosine, sine;  // of order * azimuth at cage angle zero, [n_padded]
+  };
+  struct Constants {
+    double A, radial, axial, arm;  // A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
+  };
+  [[nodiscard]] Constants grown(const BallRowInput& input) const;
+  template <class Kernel>
+  void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
+  void fill_added(const BallRowInput& input, double* added) const;
+  void widen(const BallRowInput& input, Widening& widening) const;
+  void press_shapes(const BallRowInput& input, Widening& widening) const;
+  [[nodiscard]] double inertia_force(const BallRowInput& input) const;
+  void place_balls(const BallRowInput& input, InertialBalls& balls, Widening& widening) const;
+  BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls, Widening& widening) const;
+  void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out, RowTractions* tractions) const;
+  [[nodiscard]] double centrifugal_force(const BallRowInput& input) const;
+  [[nodiscard]] double penetration(const BallRowInput& input, const Constants& grown, int ball, double added,
+                                   double widening) const;
+  [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added, const double* widening) const;
+
+  BallRowGeometry geometry_;
+  Constants constants_{};
+  RowStrains strains_;
+  InertialRow inertial_;
+  std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
+  std::vector<double> cosine_,
+      sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
+  std::size_t n_padded_ = 0;
+  double stiffness_root_ = 0;  // K^(1/3)
+  std::vector<Wave> waves_;
+  std::vector<double>
+      shapes_;  // cos, sin of n times the azimuths at cage angle zero, n = 2 ...: [2 (highest - 1)][n_padded]
+};
+
+}  // namespace rotordrop

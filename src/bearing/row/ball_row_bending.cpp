@@ -1,0 +1,101 @@
+// A row of balls between bent rings: the shapes at the balls, and the balls' forces on the shapes. The cage's angle turns coefficients, not
+// tables: cos n (beta + cage) of every ball follows from cos n beta at cage angle zero.
+#include "bearing/row/ball_row_bending.h"
+
+#include <array>
+
+#include "base/wide_vectors.h"
+
+namespace rotordrop {
+namespace {
+
+/// Per harmonic: coefficients of the shape, of its rate and of its slope, in the cage's frame.
+struct Turned {
+  double a, b, a_rate, b_rate, n;
+};
+
+constexpr std::size_t lane = 8;            // rows are filled up to a multiple of it
+constexpr std::size_t max_harmonics = 40;  // 2 to 41
+
+/// @param table  cos, sin of every harmonic at the balls: [2 n_harmonics][n]
+ROTORDROP_WIDE_VECTORS
+void add_shapes(Turned* turned, std::size_t n_harmonics, const double* table, std::size_t n, Widening& w) {
+  for (std::size_t j = 0; j < n; j += lane) {
+    double width[lane] = {}, rate[lane] = {}, slope[lane] = {};
+    for (std::size_t k = 0; k < n_harmonics; ++k) {
+      const Turned t = turned[k];
+      const double a_slope = t.n * t.b, b_slope = -t.n * t.a;
+      const double *cosine = table + 2 * k * n + j, *sine = cosine + n;
+#pragma omp simd
+      for (std::size_t i = 0; i < lane; ++i) {
+        width[i] += t.a * cosine[i] + t.b * sine[i];
+        rate[i] += t.a_rate * cosine[i] + t.b_rate * sine[i];
+        slope[i] += a_slope * cosine[i] + b_slope * sine[i];
+      }
+    }
+#pragma omp simd
+    for (std::size_t i = 0; i < lane; ++i) {
+      w.width[j + i] = width[i];
+      w.rate[j + i] = rate[i];
+      w.slope[j + i] = slope[i];
+    }
+  }
+}
+
+/// @param sums  of force times table [n_rows]
+ROTORDROP_WIDE_VECTORS
+void project(const double* force, const double* table, std::size_t n_rows, std::size_t n, double* sums) {
+  for (std::size_t k = 0; k < n_rows; ++k) {
+    const double* row = table + k * n;
+    double sum = 0.;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t j = 0; j < n; ++j) sum += force[j] * row[j];
+    sums[k] = sum;
+  }
+}
+
+/// cos and sin of n times the cage's angle, n = 2, 3, ...
+class Turn {
+ public:
+  Turn(double cosine, double sine) : c_(cosine), s_(sine), cosine_(c_ * c_ - s_ * s_), sine_(2. * s_ * c_) {}
+  [[nodiscard]] double cosine() const { return cosine_; }
+  [[nodiscard]] double sine() const { return sine_; }
+  void next() {
+    const double c = cosine_ * c_ - sine_ * s_;
+    sine_ = sine_ * c_ + cosine_ * s_;
+    cosine_ = c;
+  }
+
+ private:
+  double c_, s_, cosine_, sine_;
+};
+
+}  // namespace
+
+void BallRow::widen(const BallRowInput& in, Widening& w) const {
+  std::array<Turned, max_harmonics> turned;
+  Turn turn(in.cage_cosine, in.cage_sine);
+  const std::size_t n_harmonics = in.shape.size() / 2;
+  for (std::size_t k = 0; k < n_harmonics; ++k, turn.next()) {
+    const double C = turn.cosine(), S = turn.sine();
+    const double *a = &in.shape[2 * k], *rate = &in.shape_rate[2 * k];
+    turned[k] = {a[0] * C + a[1] * S, a[1] * C - a[0] * S, rate[0] * C + rate[1] * S, rate[1] * C - rate[0] * S,
+                 2. + static_cast<double>(k)};
+  }
+  add_shapes(turned.data(), n_harmonics, shapes_.data(), n_padded_, w);
+}
+
+// Balls press the inner ring inwards.
+void BallRow::press_shapes(const BallRowInput& in, Widening& w) const {
+  std::array<double, 2 * max_harmonics> sums;
+  const std::size_t n_harmonics = in.shape_force.size() / 2;
+  project(w.force.data(), shapes_.data(), 2 * n_harmonics, n_padded_, sums.data());
+  Turn turn(in.cage_cosine, in.cage_sine);
+  for (std::size_t k = 0; k < n_harmonics; ++k, turn.next()) {
+    const double a = sums[2 * k], b = sums[2 * k + 1];
+    in.shape_force[2 * k] -= a * turn.cosine() - b * turn.sine();
+    in.shape_force[2 * k + 1] -= a * turn.sine() + b * turn.cosine();
+  }
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,369 @@
+#include "bearing/row/inertial_balls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/wide_vectors.h"
+#include "laws/ball_balance.h"
+
+// Loops over the balls of a row, compiled for several kinds of machine as the row kernels of ball_row.cpp are.
+#define ROTORDROP_INLINE inline __attribute__((always_inline))
+
+namespace rotordrop {
+namespace {
+
+// By value: references to temporaries keep the compiler from making vectors.
+ROTORDROP_INLINE double larger(double a, double b) { return a > b ? a : b; }
+ROTORDROP_INLINE double limited(double value, double low, double high) {
+  const double above = value > low ? value : low;
+  return above < high ? above : high;
+}
+/// n is a multiple of 8: the compiler needs no loops for what is left over.
+ROTORDROP_INLINE std::size_t whole_vectors(std::size_t n) { return n & ~std::size_t{7}; }
+
+struct Row {
+  double K_i, K_o, l_i, l_o, g, F_0;
+  double k;  // 0.4 sigma
+  Row(const InertialRow& r, double force)
+      : K_i(1. / (r.c_i * std::sqrt(r.c_i))),
+        K_o(1. / (r.c_o * std::sqrt(r.c_o))),
+        l_i(r.l_i),
+        l_o(r.l_o),
+        g(r.g),
+        F_0(force),
+        k(0.4 * r.inner_gyroscopic_share) {}
+};
+
+/// The ball's centre: deflection of the outer contact, outer normal.
+struct Place {
+  double delta_o, x, r;
+};
+struct Surroundings {
+  double B_x, B_r, added_i, added_o;
+};
+
+/// Turns a unit vector by about an angle; its length stays one to the digits when the angle is small, and comes back to one later when it is not.
+struct Normal {
+  double x, r;
+};
+ROTORDROP_INLINE Normal turned(double angle, double x, double r) {
+  const double a2 = angle * angle, shrink = 1. - a2 * (0.5 - 0.375 * a2);
+  const double new_x = (x + angle * r) * shrink, new_r = (r - angle * x) * shrink;
+  const double fix = 1.5 - 0.5 * (new_x * new_x + new_r * new_r);
+  return {new_x * fix, new_r * fix};
+}
+
+/// What acts on a ball along (n) and across (t) the outer normal, and how that changes as the outer normal turns (a) and the outer length
+/// grows (x).
+/// @tparam is_split  part of the gyroscopic traction acts at the inner race
+template <bool is_split>
+struct Balance {
+  double L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, F, F_by_i, F_by_o, inverse_L_i;
+  double h_n, h_t, force_n, force_t;
+  double angle_a, angle_x, stretch_a, stretch_x;  // of the inner contact
+  double R_n_a, R_t_a, R_n_x, R_t_x, inverse_det;
+
+  ROTORDROP_INLINE Balance(const Row& row, const Place& p, const Surroundings& at) {
+    L_o = row.l_o + p.delta_o - at.added_o;
+    const double v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r, square = v_x * v_x + v_r * v_r + 1e-18,
+                 L_i = std::sqrt(square);
+    inverse_L_i = 1. / L_i;
+    delta_i = L_i - row.l_i + at.added_i;
+    i_x = v_x * inverse_L_i;
+    i_r = v_r * inverse_L_i;
+    c = i_x * p.x + i_r * p.r;
+    s = i_x * p.r - i_r * p.x;
+    // Two divisions in one.
+    const double above = 1. - row.g * i_r, below = larger(1. + c, 1e-3), both = 1. / (above * below);
+    const double inverse_above = both * below, inverse_below = both * above, ratio = above * inverse_below;
+    F = row.F_0 * ratio * ratio;
+    F_by_i = 2. * F * (row.g * i_x * inverse_above + s * inverse_below);
+    F_by_o = -2. * F * s * inverse_below;
+
+    const double reached = larger(delta_i, 0.), root_i = std::sqrt(reached), root_o = std::sqrt(p.delta_o);
+    S_i = 1.5 * row.K_i * root_i;
+    S_o = 1.5 * row.K_o * root_o;
+    Q_i = row.K_i * root_i * reached;
+    Q_o = row.K_o * root_o * p.delta_o;
+    h_n = p.r;
+    h_t = -1.4 * p.x;
+    if constexpr (is_split) {
+      h_n -= row.k * p.x * s;
+      h_t += row.k * p.x * (1. + c);
+    }
+    force_n = Q_i * c - Q_o + F * h_n;
+    force_t = Q_i * s + F * h_t;
+
+    angle_a = -L_o * c * inverse_L_i;
+    angle_x = s * inverse_L_i;
+    stretch_a = -L_o * s;
+    stretch_x = -c;
+    const double F_a = F_by_i * angle_a + F_by_o, F_x = F_by_i * angle_x;
+    // The force of inertia, F (-0.4 o_x o_r, 1 + 0.4 o_x^2), turns with the outer angle: (-0.4 (o_r^2 - o_x^2), 0.8 o_x o_r) F.
+    const double turn_x = -0.4 * (p.r * p.r - p.x * p.x), turn_r = 0.8 * p.x * p.r;
+    R_n_a = S_i * stretch_a * c - Q_i * s * angle_a + F_a * h_n + F * (turn_x * p.x + turn_r * p.r);
+    R_t_a = S_i * stretch_a * s + Q_i * c * angle_a - Q_o + F_a * h_t + F * (turn_x * p.r - turn_r * p.x);
+    R_n_x = S_i * stretch_x * c - Q_i * s * angle_x - S_o + F_x * h_n;
+    R_t_x = S_i * stretch_x * s + Q_i * c * angle_x + F_x * h_t;
+    if constexpr (is_split) {
+      // From F (-0.4 x t) at the outer race to F (-(0.4 - k) x t + k x t_i), t_i = (i_r, -i_x) across the inner normal.
+      const double T = F * row.k * p.x;
+      R_n_a += F * row.k * (-p.x - p.r * s) - T * angle_a * c;
+      R_t_a += F * row.k * (p.r + p.r * c) - T * angle_a * s;
+      R_n_x -= T * angle_x * c;
+      R_t_x -= T * angle_x * s;
+    }
+    inverse_det = 1. / (R_n_a * R_t_x - R_t_a * R_n_x);
+  }
+  /// Turn and growth of the outer length that cancel the forces.
+  [[nodiscard]] ROTORDROP_INLINE double turn() const { return (force_t * R_n_x - force_n * R_t_x) * inverse_det; }
+  [[nodiscard]] ROTORDROP_INLINE double growth() const { return (force_n * R_t_a - force_t * R_n_a) * inverse_det; }
+  /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more; or if the ball got past the inner groove's centre, where
+  /// forces balance, too, under loads of no meaning.
+  [[nodiscard]] ROTORDROP_INLINE double is_left(double enough) const {
+    const double past = Q_i > 0. ? larger(-c, 0.) : 0.;
+    return std::abs(force_n) + std::abs(force_t) <= enough * (Q_o + F) && past == 0. ? 0. : 1.;
+  }
+};
+
+/// Between the ball without inertia and the ball in the bottom of the outer groove: the moment of its forces about the outer groove's centre
+/// shares B_x out to the two normals, what remains of B_r is compression.
+ROTORDROP_INLINE Place guess(const Row& row, double c_i, double c_o, double bottom, const Surroundings& at) {
+  const double distance = std::sqrt(at.B_x * at.B_x + at.B_r * at.B_r), added = at.added_i + at.added_o;
+  const double delta = larger(distance - row.l_i - row.l_o + added, 0.), soft = c_i + c_o;
+  const double Q = delta * std::sqrt(delta) / (soft * std::sqrt(soft));
+  const double ratio = 0.5 * (1. - row.g * at.B_r / distance);
+  const double F = row.F_0 * ratio * ratio;
+  const double Q_guess = Q + 0.7 * F;
+  const double share = Q_guess / (2. * Q_guess + 1.4 * F);
+  const double o_x = limited(at.B_x * share / row.l_o, -0.95, 0.95);
+  const double i_x = limited(at.B_x * (1. - share) / row.l_i, -0.95, 0.95);
+  const double o_r = std::sqrt(1. - o_x * o_x), i_r = std::sqrt(1. - i_x * i_x);
+  const double both = (at.B_r - row.l_o * o_r - row.l_i * i_r) * 2. / (o_r + i_r) + added;
+  return {larger(both * c_o / soft, bottom), o_x, o_r};
+}
+
+ROTORDROP_WIDE_VECTORS
+void guess_all(const Row& constants, double c_i, double c_o, double bottom, InertialBalls& w) {
+  const Row row = constants;  // a copy that no store can change
+#pragma omp simd
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const auto p = guess(row, c_i, c_o, bottom, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
+    w.delta_o[j] = p.delta_o;
+    w.o_x[j] = p.x;
+    w.o_r[j] = p.r;
+  }
+}
+
+/// Places by straight lines in a table over B_r, from its first to its last entry.
+ROTORDROP_WIDE_VECTORS
+void look_up(const float* delta_o, const float* o_x, double first, double per_step, double last, InertialBalls& w) {
+#pragma omp simd simdlen(8)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const auto at = static_cast<float>(limited((w.B_r[j] + w.added_i[j] + w.added_o[j] - first) * per_step, 0., last));
+    const auto k = static_cast<std::int32_t>(at);
+    const float part = at - static_cast<float>(k);
+    const float x = o_x[k] + part * (o_x[k + 1] - o_x[k]);
+    w.delta_o[j] = delta_o[k] + part * (delta_o[k + 1] - delta_o[k]);
+    w.o_x[j] = x;
+    w.o_r[j] = std::sqrt(1.f - x * x);
+  }
+}
+
+template <bool is_split>
+ROTORDROP_INLINE double step_all(const Row row, double enough, InertialBalls& w) {
+  double n_left = 0.;
+#pragma omp simd reduction(+ : n_left)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const Place p{w.delta_o[j], w.o_x[j], w.o_r[j]};
+    const Balance<is_split> b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
+    n_left += b.is_left(enough);
+    const auto next = turned(limited(b.turn(), -0.5, 0.5), p.x, p.r);
+    w.delta_o[j] = larger(p.delta_o + b.growth(), 0.1 * p.delta_o);
+    w.o_x[j] = next.x;
+    w.o_r[j] = next.r;
+  }
+  return n_left;
+}
+
+template <bool is_split>
+ROTORDROP_INLINE double finish_all(const Row row, double u_per_root_i, double enough, InertialBalls& w,
+                                   BallWork& sums) {
+  double n_left = 0., power = 0., per_radial = 0., per_axial = 0., per_ball_growth = 0., per_outer = 0., per_force = 0.;
+#pragma omp simd reduction(+ : n_left, power, per_radial, per_axial, per_ball_growth, per_outer, per_force)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const Place p{w.delta_o[j], w.o_x[j], w.o_r[j]};
+    const Balance<is_split> b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
+    n_left += b.is_left(enough);
+    const double a = b.turn(), x = b.growth();
+    w.u_i[j] = u_per_root_i * std::sqrt(larger(b.delta_i + b.stretch_a * a + b.stretch_x * x, 0.));
+    w.Q_o[j] = b.Q_o + b.S_o * x;
+    const auto i = turned(b.angle_a * a + b.angle_x * x, b.i_x, b.i_r);
+    w.i_x[j] = i.x;
+    w.i_r[j] = i.r;
+
+    // The forces of inertia and the gyroscopic tractions work on the ball's motion, the inner one on what the ring moves past it. What a force along n or t would make of it, by the transposed matrix; then what moves the
+    // groove along and across the inner normal makes such forces.
+    const double f_n = b.F * b.h_n, f_t = b.F * b.h_t;
+    const double by_n = (f_n * b.R_t_a - f_t * b.L_o * b.R_t_x) * b.inverse_det;
+    const double by_t = (f_t * b.L_o * b.R_n_x - f_n * b.R_n_a) * b.inverse_det;
+    const double gap_n = b.S_i * (b.c * by_n + b.s * by_t);
+    double T = 0., push_n = b.F_by_i * b.h_n - b.Q_i * b.s, push_t = b.F_by_i * b.h_t + b.Q_i * b.c;
+    if constexpr (is_split) {
+      T = b.F * row.k * p.x;
+      push_n -= T * b.c;
+      push_t -= T * b.s;
+      w.T_i[j] = T + row.k * ((b.F_by_i * (b.angle_a * a + b.angle_x * x) + b.F_by_o * a) * p.x + b.F * a * p.r);
+    }
+    const double gap_t = b.inverse_L_i * (push_n * by_n + push_t * by_t);
+    const double B_x = w.B_x_rate[j], B_r = w.B_r_rate[j], outer = w.added_o_rate[j], is_ball = w.is_ball[j];
+    if constexpr (is_split) {
+      power -= is_ball * T * (B_x * b.i_r - B_r * b.i_x);
+      per_radial += is_ball * T * b.i_x;
+      per_axial -= is_ball * T * b.i_r;
+    }
+    power += is_ball * (gap_n * (B_x * b.i_x + B_r * b.i_r + outer * b.c + w.added_i_rate[j]) +
+                        gap_t * (B_x * b.i_r - B_r * b.i_x - outer * b.s) - f_n * outer);
+    per_radial += is_ball * (gap_n * b.i_r - gap_t * b.i_x);
+    per_axial += is_ball * (gap_n * b.i_x + gap_t * b.i_r);
+    per_ball_growth += is_ball * (gap_n * (1. + b.c) - gap_t * b.s - f_n);
+    per_outer += is_ball * (gap_n * b.c - gap_t * b.s - f_n);
+    per_force += is_ball * (f_n * by_n + f_t * by_t);
+  }
+  sums = {power, per_radial, per_axial, per_ball_growth, per_outer, per_force};
+  return n_left;
+}
+
+/// One step of Newton's method. @return balls that had more than `enough` left over before the step
+ROTORDROP_WIDE_VECTORS
+double step(const Row& row, double enough, InertialBalls& w) {
+  return row.k != 0. ? step_all<true>(row, enough, w) : step_all<false>(row, enough, w);
+}
+
+/// The last step: what comes out of the balance, and the work. @return balls that had more than `enough` left over before it
+ROTORDROP_WIDE_VECTORS
+double finish(const Row& row, double u_per_root_i, double enough, InertialBalls& w, BallWork& sums) {
+  return row.k != 0. ? finish_all<true>(row, u_per_root_i, enough, w, sums)
+                     : finish_all<false>(row, u_per_root_i, enough, w, sums);
+}
+
+BallContacts contacts(const InertialRow& row, double added_i, double added_o, double force_per_speed2) {
+  return {1. / (row.c_i * std::sqrt(row.c_i)),
+          1. / (row.c_o * std::sqrt(row.c_o)),
+          row.l_i - added_i,
+          row.l_o - added_o,
+          2. * force_per_speed2,
+          row.g,
+          1.,
+          row.inner_gyroscopic_share};
+}
+
+/// The careful law for one ball; where contacts carry next to nothing, the vectors' start is too far off now and then.
+void place_one(const InertialRow& row, double F_0, std::size_t j, InertialBalls& w) {
+  const BallBalance b = ball_balance(contacts(row, w.added_i[j], w.added_o[j], F_0), w.B_x[j], w.B_r[j], 0., 1.);
+  w.delta_o[j] = row.c_o * std::cbrt(b.load_o * b.load_o);
+  w.o_x[j] = b.sin_o;
+  w.o_r[j] = b.cos_o;
+}
+
+/// Least and largest B_r of a row, with what adds to the deflections, which is nearly a shift of B_r.
+struct Reach {
+  double least, largest;
+};
+ROTORDROP_WIDE_VECTORS
+Reach reach(const InertialBalls& w) {
+  double least = 1e300, largest = -1e300;
+#pragma omp simd reduction(min : least) reduction(max : largest)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const double radius = w.B_r[j] + w.added_i[j] + w.added_o[j];
+    least = std::min(least, radius);
+    largest = std::max(largest, radius);
+  }
+  return {least, largest};
+}
+
+/// Between three tables one step apart, by a parabola: centrifugal forces go with the square of the speed.
+ROTORDROP_WIDE_VECTORS
+void blend(const float* t_0, const float* t_1, const float* t_2, float part, std::size_t first, std::size_t last,
+           float* out) {
+  const float w_0 = 0.5f * (1.f - part) * (2.f - part), w_1 = part * (2.f - part), w_2 = 0.5f * part * (part - 1.f);
+#pragma omp simd simdlen(8)
+  for (std::size_t k = whole_vectors(first); k < whole_vectors(last); ++k)
+    out[k] = w_0 * t_0[k] + w_1 * t_1[k] + w_2 * t_2[k];
+}
+
+/// Places from the row's table. @return false if the table does not have them
+bool start_from(const InertialStarts& starts, double F_0, InertialBalls& w) {
+  const auto [least, largest] = reach(w);
+  const double per_step = 1. / starts.radius_step(), end = static_cast<double>(InertialStarts::n_radii) - 1.001;
+  const double low = (least - starts.first_radius()) * per_step, high = (largest - starts.first_radius()) * per_step;
+  // Below the first entry balls are free, or nearly so.
+  if (!(high <= end && low <= end)) return false;
+  const auto entry = [&](double at) { return static_cast<std::size_t>(std::max(at, 0.)); };
+  InertialStarts::Table table;
+  if (!starts.at_speed(F_0, entry(low) / 8 * 8, (entry(high) + 2 + 7) / 8 * 8, table)) return false;
+  look_up(table[0].data(), table[1].data(), starts.first_radius(), per_step, end, w);
+  return true;
+}
+
+}  // namespace
+
+InertialStarts::InertialStarts(const InertialRow& row, double B_x, double B_r, double force_per_speed2)
+    : force_per_speed2_(force_per_speed2) {
+  // 50 um to either side, more than rings move in their balls; speeds to 2500 rad/s. Beyond, the closed guess serves.
+  const double reach = 50e-6;
+  radius_step_ = 2. * reach / static_cast<double>(n_radii - 1);
+  first_radius_ = B_r - reach;
+  speed_step_ = 2500. / static_cast<double>(n_speeds - 1);
+  const auto ball = contacts(row, 0., 0., force_per_speed2);
+  for (std::size_t s = 0; s < n_speeds; ++s)
+    for (std::size_t k = 0; k < n_radii; ++k) {
+      const double speed = std::max(speed_step_ * static_cast<double>(s), 1.);
+      const BallBalance b = ball_balance(ball, B_x, first_radius_ + radius_step_ * static_cast<double>(k), 0., speed);
+      tables_[s][0][k] = static_cast<float>(row.c_o * std::cbrt(b.load_o * b.load_o));
+      tables_[s][1][k] = static_cast<float>(b.sin_o);
+    }
+}
+
+bool InertialStarts::at_speed(double F_0, std::size_t first, std::size_t last, Table& places) const {
+  const double at = std::sqrt(F_0 / force_per_speed2_) / speed_step_;
+  if (!(at < static_cast<double>(n_speeds - 2))) return false;
+  const auto s = static_cast<std::size_t>(at);
+  for (std::size_t q = 0; q < 2; ++q)
+    blend(tables_[s][q].data(), tables_[s + 1][q].data(), tables_[s + 2][q].data(),
+          static_cast<float>(at - static_cast<double>(s)), first, last, places[q].data());
+  return true;
+}
+
+BallWork balance_balls(const InertialRow& constants, double F_0, InertialBalls& w, const InertialStarts* starts) {
+  const Row row(constants, F_0);
+  if (!(starts && start_from(*starts, F_0, w))) {
+    const double least = 0.5 * constants.c_o * std::cbrt(0.0625 * F_0 * F_0);
+    guess_all(row, constants.c_i, constants.c_o, least, w);
+  }
+  // Newton's method squares what is left at each step.
+  constexpr double nearly = 6e-3, enough = 2e-5;
+  constexpr int most = 20;
+  w.steps = 1;
+  while (step(row, nearly, w) > 0. && w.steps < most) ++w.steps;
+  BallWork work;
+  const double u_per_root_i = 1. / std::sqrt(constants.c_i);
+  const auto is_left = [&] {
+    ++w.steps;
+    return finish(row, u_per_root_i, enough, w, work) > 0.;
+  };
+  bool has_more = is_left();
+  while (has_more && w.steps < most) {
+    step(row, enough, w);
+    has_more = is_left();
+  }
+  w.is_by_scalar_law = has_more;
+  if (has_more) {
+    for (std::size_t j = 0; j < w.n; ++j) place_one(constants, F_0, j, w);
+    finish(row, u_per_root_i, enough, w, work);
+  }
+  return work;
+}
+
+}  // namespace rotordrop

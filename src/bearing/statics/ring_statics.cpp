@@ -1,0 +1,117 @@
+#include "bearing/statics/ring_statics.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace rotordrop {
+
+// The plane of a ball: centre of the inner groove from that of the outer one, and how it moves with the unknowns. As BallRow has it.
+struct RingStatics::Plane {
+  double azimuth = 0;
+  Eigen::Vector2d B;                                   // (B_x, B_r) [m]
+  Eigen::Matrix<double, 2, n_ring_unknowns> by_place;  // dB / d unknowns
+};
+
+RingStatics::RingStatics(std::vector<BallRowGeometry> rows, const RingSurroundings& surroundings,
+                         std::optional<PreloadSpring> spring)
+    : rows_(std::move(rows)), surroundings_(surroundings), spring_(spring) {
+  for (const auto& g : rows_) {
+    const auto [inner, outer] = row_strains(g);
+    contacts_.push_back({g.inner.stiffness, g.outer.stiffness,
+                         (g.inner_conformity - 0.5) * g.ball_diameter + surroundings_.inner_strain * inner.groove,
+                         (g.outer_conformity - 0.5) * g.ball_diameter + surroundings_.outer_strain * outer.groove,
+                         g.ball_mass, g.ball_diameter / g.pitch_diameter, g.pitch_diameter, g.inner_gyroscopic_share});
+  }
+}
+
+double RingStatics::azimuth(std::size_t row, int ball) const {
+  const auto& g = rows_[row];
+  return g.phase + 2. * std::numbers::pi * ball / g.n_balls + surroundings_.cage_angle;
+}
+
+RingStatics::Plane RingStatics::plane(std::size_t row, int ball, const RingVector& q) const {
+  const auto& g = rows_[row];
+  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
+  const double arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  Plane p;
+  p.azimuth = azimuth(row, ball);
+  const double c = std::cos(p.azimuth), s = std::sin(p.azimuth), at = g.position;
+  const double travel = spring_ && row + 1 == rows_.size() ? g.direction : 0.;
+  p.by_place << 1., 0., 0., arm * s, -arm * c, travel,  //
+      0., c, s, -at * s, at * c, 0.;
+  const auto [inner, outer] = row_strains(g);
+  const auto strained = [&](double GrooveStrain::*part) {
+    return surroundings_.inner_strain * inner.*part + surroundings_.outer_strain * outer.*part;
+  };
+  const Eigen::Vector2d rest(
+      g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial),
+      A * std::cos(g.contact_angle) - g.radial_clearance + surroundings_.radial_growth +
+          strained(&GrooveStrain::radial));
+  p.B = rest + p.by_place * q;
+  return p;
+}
+
+BallBalance RingStatics::balance(std::size_t row, const Plane& plane, double share) const {
+  const double speed = surroundings_.has_inertia ? surroundings_.speed : 0.;
+  return ball_balance(contacts_[row], plane.B[0], plane.B[1], surroundings_.ball_growth, speed, share);
+}
+
+BallReaction RingStatics::ball_reaction(std::size_t row, int ball, const RingVector& q, double widening,
+                                        double share) const {
+  Plane p = plane(row, ball, q);
+  p.B[1] += widening;
+  BallReaction r{balance(row, p, share), {}, {}, p.by_place};
+  r.pull = {r.balance.pull_x(), r.balance.pull_r()};
+  r.stiffness << r.balance.stiffness[0], r.balance.stiffness[1], r.balance.stiffness[2], r.balance.stiffness[3];
+  return r;
+}
+
+RingReaction RingStatics::spring_reaction(const RingVector& q) const {
+  RingReaction r;
+  if (!spring_) return r;
+  const double w = q[5];
+  r.force[5] = spring_->force - spring_->stiffness * w;
+  r.stiffness(5, 5) = spring_->stiffness;
+  r.energy = 0.5 * spring_->stiffness * w * w - spring_->force * w;
+  return r;
+}
+
+RingReaction RingStatics::reaction(const RingVector& q, double share) const {
+  RingReaction sum = spring_reaction(q);
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    for (int ball = 0; ball < rows_[row].n_balls; ++ball) {
+      const BallReaction r = ball_reaction(row, ball, q, 0., share);
+      sum.force -= r.by_place.transpose() * r.pull;
+      sum.stiffness += r.by_place.transpose() * r.stiffness * r.by_place;
+      sum.energy += r.balance.energy;
+    }
+  return sum;
+}
+
+std::vector<std::vector<BallInPlace>> RingStatics::balls(const RingVector& q) const {
+  std::vector<std::vector<BallInPlace>> all(rows_.size());
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    for (int ball = 0; ball < rows_[row].n_balls; ++ball) {
+      const Plane p = plane(row, ball, q);
+      all[row].push_back({p.azimuth, balance(row, p, 1.)});
+    }
+  return all;
+}
+
+Eigen::Matrix<double, 5, 5> RingStatics::stiffness(const RingVector& q) const {
+  const RingMatrix K = reaction(q).stiffness;
+  Eigen::Matrix<double, 5, 5> ring = K.topLeftCorner<5, 5>();
+  // An outer ring that is pressed by a force alone and touches no ball follows nothing.
+  if (spring_ && K(5, 5) > 0.) ring -= K.topRightCorner<5, 1>() * K.bottomLeftCorner<1, 5>() / K(5, 5);
+  return ring;
+}
+
+RingVector RingStatics::scales() const {
+  const double length = 1e-6, arm = 0.5 * rows_.front().pitch_diameter;
+  RingVector s;
+  s << length, length, length, length / arm, length / arm, length;
+  return s;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,443 @@
+#include "bearing/support/support_parameters.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotordrop {
+namespace {
+
+Section<RibbonLoopParameters> loop_section() {
+  using P = RibbonLoopParameters;
+  Section<P> s("loop", "A measured loop of force over displacement, between two turns.");
+  s.function("loading", &P::loading,
+             {.unit = "N",
+              .argument_unit = "m",
+              .help = "[displacement, force] pairs on the way of rising displacement, all around."});
+  s.function("unloading", &P::unloading,
+             {.unit = "N",
+              .argument_unit = "m",
+              .help = "The same of the way back, also listed with rising displacement: it lies below the loading "
+                      "branch, and the area between is the loss of a turn."});
+  return s;
+}
+
+Section<RibbonGeometryParameters> ribbon_geometry_section() {
+  using P = RibbonGeometryParameters;
+  Section<P> s("geometry", "A ring of corrugations, pressed between outer ring and housing.");
+  s.integer("waves", &P::waves, {.range = between(6, 1000), .help = "Number of waves around the circumference."});
+  s.quantity("pitch", &P::pitch,
+             {.unit = "m", .range = positive(), .help = "Length of a wave around the circumference."});
+  s.quantity("height", &P::height, {.unit = "m", .range = positive(), .help = "Of a wave's crest above its feet."});
+  s.quantity("thickness", &P::thickness,
+             {.unit = "m", .range = positive(), .help = "Of the strip; the stiffness grows with its cube."});
+  s.quantity("strip_width", &P::strip_width,
+             {.unit = "m", .range = positive(), .help = "Of the strip along the axis."});
+  s.quantity("interference", &P::interference,
+             {.unit = "m",
+              .range = positive(),
+              .help = "By which mounting presses every wave, radially. Beyond this travel waves lift off."});
+  s.quantity("modulus", &P::modulus,
+             {.unit = "Pa",
+              .range = positive(),
+              .fallback = "206 GPa",
+              .source = "spring steel",
+              .help = "Young's modulus of the strip."});
+  s.quantity("poisson_ratio", &P::poisson_ratio,
+             {.range = between(0, 0.499), .fallback = "0.3", .source = "steel", .help = "Of the strip."});
+  s.quantity("friction_coefficient", &P::friction_coefficient,
+             {.range = between(0, 1),
+              .fallback = "0.15",
+              .source = "estimate: steel on steel",
+              .help = "Of crests and feet."});
+  s.quantity("stick_length", &P::stick_length,
+             {.unit = "m",
+              .range = between(1e-7, 1e-4),
+              .fallback = "2 um",
+              .source = "estimate: rough surfaces slide within a few micrometres",
+              .help = "Travel within which friction builds up, at least. Shorter values shorten the time step."});
+  return s;
+}
+
+Section<RibbonParameters> ribbon_section() {
+  using P = RibbonParameters;
+  Section<P> s("ribbon", "Corrugated ribbon: springs and friction, by numbers, by a measured loop or by geometry.");
+  s.quantity(
+      "stiffness", &P::stiffness,
+      {.unit = "N/m", .range = positive(), .help = "While its friction slips; of a bilinear ribbon given by numbers."});
+  s.quantity("slip_force", &P::slip_force,
+             {.unit = "N", .range = positive(), .help = "Friction force at which it slips."});
+  s.quantity("stick_stiffness", &P::stick_stiffness,
+             {.unit = "N/m", .range = positive(), .help = "By which it is stiffer before it slips."});
+  s.quantity("damping", &P::damping,
+             {.unit = "N s/m", .range = at_least(0), .fallback = "0 N s/m", .help = "Besides friction."});
+  s.table("loop", &P::loop, loop_section(),
+          {.help = "Instead of numbers: sliders with the shape and the area of a measured loop."});
+  s.table("geometry", &P::geometry, ribbon_geometry_section(),
+          {.help = "Instead of numbers: an estimate from the corrugation."});
+  s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
+    const bool by_numbers = p.stiffness || p.slip_force || p.stick_stiffness;
+    if ((by_numbers ? 1 : 0) + (p.loop ? 1 : 0) + (p.geometry ? 1 : 0) != 1)
+      return faults.add(table.where(),
+                        fmt::format("{} must be given in one way, and {}.", path,
+                                    by_numbers || p.loop || p.geometry ? "it is given in several" : "it is empty"),
+                        "Give stiffness, slip_force and stick_stiffness, or a measured loop, or the geometry.");
+    if (by_numbers && !(p.stiffness && p.slip_force && p.stick_stiffness))
+      faults.add(table.where(), fmt::format("{} needs stiffness, slip_force and stick_stiffness together.", path),
+                 "The loop of a bilinear ribbon has these three numbers.");
+    if (p.loop)
+      if (const std::string fault = fault_of({p.loop->loading, p.loop->unloading}); !fault.empty())
+        faults.add(position_of_value(table, "loop"),
+                   fmt::format("{}.loop is no loop of a passive ribbon: {}.", path, fault),
+                   "The loading branch lies above the unloading one, both rise, over the same displacements. Are they "
+                   "exchanged?");
+    if (p.geometry && p.geometry->height >= 0.5 * p.geometry->pitch)
+      faults.add(position_of_value(table, "geometry"),
+                 fmt::format("{}.geometry has waves of height {:.4g} mm on a pitch of {:.4g} mm: they are not shallow.",
+                             path, p.geometry->height * 1e3, p.geometry->pitch * 1e3),
+                 "The formulas hold for waves lower than half their pitch; measure a loop instead.");
+  });
+  return s;
+}
+
+Section<ElastomerParameters> elastomer_section() {
+  using P = ElastomerParameters;
+  Section<P> s("elastomer", "Elastomer ring, by its storage and loss moduli over frequency.");
+  s.choice("model", &P::model, {{"maxwell", ElastomerModel::maxwell}, {"kelvin-voigt", ElastomerModel::kelvin_voigt}},
+           {.fallback = "maxwell",
+            .help = "maxwell: springs and dampers that have the whole table (generalised Maxwell). kelvin-voigt: one "
+                    "spring and one damper, with the table's values at `frequency`."});
+  s.function("storage", &P::storage,
+             {.unit = "Pa", .argument_unit = "Hz", .range = positive(), .help = "[frequency, storage modulus] pairs."});
+  s.function("loss", &P::loss,
+             {.unit = "Pa",
+              .argument_unit = "Hz",
+              .range = at_least(0),
+              .help = "[frequency, loss modulus] pairs at the same frequencies."});
+  s.quantity("shape_factor", &P::shape_factor,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Radial stiffness of the ring over its modulus: of a measured stiffness, or by its form."});
+  s.quantity("frequency", &P::frequency,
+             {.unit = "Hz", .range = positive(), .help = "At which model = \"kelvin-voigt\" has the table's values."});
+  s.quantity("fit_tolerance", &P::fit_tolerance,
+             {.range = between(1e-12, 1),
+              .fallback = "0.01",
+              .help = "Largest deviation of model = \"maxwell\" from the table, over the magnitude there. A table that "
+                      "a passive material can have is met to "
+                      "about 1e-8."});
+  s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
+    const auto same = [](const auto& a, const auto& b) { return std::fabs(a[0] - b[0]) <= 1e-9 * std::fabs(a[0]); };
+    if (p.storage.size() != p.loss.size() || !std::equal(p.storage.begin(), p.storage.end(), p.loss.begin(), same))
+      return faults.add(position_of_value(table, "loss"),
+                        fmt::format("{}.storage and .loss are not given at the same frequencies.", path),
+                        "Give both at each frequency.");
+    if (p.storage.empty() || p.storage.front()[0] <= 0.)
+      return faults.add(position_of_value(table, "storage"), fmt::format("{}.storage begins at 0 Hz.", path),
+                        "Begin at a frequency above zero.");
+    if (p.model == ElastomerModel::kelvin_voigt) {
+      if (!p.frequency)
+        faults.add(
+            table.where(),
+            fmt::format("{}.frequency is missing: model = \"kelvin-voigt\" has the table's values at one frequency.",
+                        path),
+            "Give the frequency of the largest motion.");
+      return;
+    }
+    if (p.storage.size() < 2)
+      return faults.add(position_of_value(table, "storage"),
+                        fmt::format("{} has one frequency; model = \"maxwell\" needs two or more.", path),
+                        "Give more rows, or set model = \"kelvin-voigt\".");
+    const MaxwellFit fit = fit_maxwell(stiffness_table(p));
+    if (fit.largest_error > p.fit_tolerance)
+      faults.add(position_of_value(table, "storage"),
+                 fmt::format("{}: no springs and dampers have this table; the nearest are {:.3g} % off at {:.4g} Hz.",
+                             path, 100. * fit.largest_error, fit.worst_frequency),
+                 "In a passive material storage rises where loss is high. Check the table, or raise fit_tolerance.");
+    else if (!(fit.model.stiffness > 1e-9 * p.storage.front()[1] * p.shape_factor))
+      faults.add(position_of_value(table, "storage"),
+                 fmt::format("{}: by its table the elastomer flows away at rest.", path),
+                 "Give rows at lower frequencies, where the storage modulus becomes constant.");
+  });
+  return s;
+}
+
+Section<SqueezeFilmParameters> squeeze_film_section() {
+  using P = SqueezeFilmParameters;
+  Section<P> s("squeeze_film", "Oil film around an outer ring that does not turn; short bearing with open ends.");
+  s.quantity("viscosity", &P::viscosity,
+             {.unit = "Pa s", .range = positive(), .help = "Dynamic viscosity of the oil."});
+  s.quantity("clearance", &P::clearance,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Radial thickness of the film when centred. Damping falls with its cube."});
+  s.quantity(
+      "radius", &P::radius,
+      {.unit = "m", .range = positive(), .help = "Of the film; half the outer ring's outside diameter if not given."});
+  s.quantity("length", &P::length,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Of the film along the axis; the bearing's width if not given. Damping grows with its cube."});
+  s.boolean(
+      "cavitates", &P::cavitates,
+      {.fallback = true, .help = "Whether the film breaks where it would pull (pi film); else it pulls (2 pi film)."});
+  return s;
+}
+
+Section<StopParameters> stop_section() {
+  using P = StopParameters;
+  Section<P> s("stop", "Round stop behind a gap.");
+  s.quantity("gap", &P::gap,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Travel of the outer ring, in any direction, until it meets the stop."});
+  s.quantity("stiffness", &P::stiffness,
+             {.unit = "N/m", .range = positive(), .help = "Of the stop, beside the support's own."});
+  s.quantity("lambda", &P::lambda,
+             {.unit = "s/m",
+              .range = at_least(0),
+              .fallback = "0.08 s/m",
+              .source = "Neisi, Heikkinen & Sopanen 2019, of a rotor in its bearing",
+              .help = "Damping: a slow impact at the speed v rebounds with 1 - lambda v of it."});
+  return s;
+}
+
+/// A member of a law as one of P.
+template <class P, class M>
+M P::*of(M SupportLawParameters::*member) {
+  return member;
+}
+
+template <class P>
+void add_law_keys(Section<P>& s) {
+  using L = SupportLawParameters;
+  std::vector<std::string> types;
+  for (const auto& kind : support_law_kinds()) types.push_back(kind.type);
+  s.choice("type", of<P>(&L::type), std::move(types),
+           {.fallback = "linear",
+            .help = "linear: springs and dampers. ribbon: corrugated strip with friction. elastomer: ring of rubber. "
+                    "squeeze-film: oil film beside springs. bump-stop: springs and a stop behind a gap, which every "
+                    "other type may have too."});
+  s.quantity("K_y", of<P>(&L::K_y),
+             {.unit = "N/m", .range = positive(), .help = "Vertical stiffness; of types with springs."});
+  s.quantity("K_z", of<P>(&L::K_z), {.unit = "N/m", .range = positive(), .help = "Horizontal stiffness."});
+  s.quantity("C_y", of<P>(&L::C_y),
+             {.unit = "N s/m", .range = at_least(0), .help = "Vertical damping; of types with springs."});
+  s.quantity("C_z", of<P>(&L::C_z), {.unit = "N s/m", .range = at_least(0), .help = "Horizontal damping."});
+  s.table("ribbon", of<P>(&L::ribbon), ribbon_section(), {.help = "Of type = \"ribbon\"."});
+  s.table("elastomer", of<P>(&L::elastomer), elastomer_section(), {.help = "Of type = \"elastomer\"."});
+  s.table("squeeze_film", of<P>(&L::squeeze_film), squeeze_film_section(), {.help = "Of type = \"squeeze-film\"."});
+  s.table("stop", of<P>(&L::stop), stop_section(),
+          {.help = "Of type = \"bump-stop\", and by choice of every other type."});
+}
+
+void missing(const Node& table, const std::string& path, const std::string& key, const std::string& type,
+             Faults& faults) {
+  faults.add(table.where(), fmt::format("{}.{} is missing.", path, key), fmt::format("type = \"{}\" needs it.", type));
+}
+
+/// Along one axis at least; support_section() asks for both where one law holds for both.
+void check_springs(const SupportLawParameters& p, const Node& table, const std::string& path, Faults& faults) {
+  if (!p.K_y && !p.K_z) missing(table, path, "K_y", p.type, faults);
+  if (!p.C_y && !p.C_z) missing(table, path, "C_y", p.type, faults);
+}
+
+// An axis without a value of its own is not asked for its force.
+std::array<double, 2> pair_of(const std::optional<double>& y, const std::optional<double>& z) {
+  return {y ? *y : *z, z ? *z : *y};
+}
+std::array<double, 2> K(const SupportLawParameters& p) { return pair_of(p.K_y, p.K_z); }
+std::array<double, 2> C(const SupportLawParameters& p) { return pair_of(p.C_y, p.C_z); }
+
+std::string springs_text(const SupportLawParameters& p) {
+  return fmt::format("springs of {:.4g} and {:.4g} N/m, dampers of {:.4g} and {:.4g} N s/m along y and z", K(p)[0],
+                     K(p)[1], C(p)[0], C(p)[1]);
+}
+
+SqueezeFilm film_of(const SqueezeFilmParameters& p, const SupportSurroundings& around) {
+  return {p.viscosity, p.radius.value_or(around.outer_radius), p.length.value_or(around.width), p.clearance,
+          p.cavitates};
+}
+
+std::shared_ptr<const SupportLaw> with_stop(std::shared_ptr<const SupportLaw> law,
+                                            const std::optional<StopParameters>& stop) {
+  if (!stop) return law;
+  return std::make_shared<StoppedSupport>(std::move(law), stop->gap, HuntCrossley{stop->stiffness, 1., stop->lambda});
+}
+
+MaxwellModel maxwell_of(const ElastomerParameters& p) {
+  if (p.model == ElastomerModel::kelvin_voigt) return kelvin_voigt(stiffness_table(p), *p.frequency);
+  return fit_maxwell(stiffness_table(p)).model;
+}
+
+const SupportLawKind* kind_of(const std::string& type) {
+  for (const auto& kind : support_law_kinds())
+    if (kind.type == type) return &kind;
+  return nullptr;
+}
+
+}  // namespace
+
+RibbonSupport::Axis ribbon_axis(const RibbonParameters& p) {
+  RibbonSupport::Axis axis;
+  if (p.loop) {
+    axis = ribbon_from_loop({p.loop->loading, p.loop->unloading});
+  } else if (p.geometry) {
+    const auto& g = *p.geometry;
+    axis = ribbon_from_geometry({g.waves, g.pitch, g.height, g.thickness, g.strip_width, g.interference, g.modulus,
+                                 g.poisson_ratio, g.friction_coefficient, g.stick_length});
+  } else {
+    axis.stiffness = *p.stiffness;
+    axis.elements.push_back({*p.stick_stiffness, *p.slip_force / *p.stick_stiffness});
+  }
+  axis.damping = p.damping;
+  return axis;
+}
+
+std::vector<DynamicStiffness> stiffness_table(const ElastomerParameters& p) {
+  std::vector<DynamicStiffness> table;
+  for (std::size_t k = 0; k < p.storage.size(); ++k)
+    table.push_back({p.storage[k][0], p.storage[k][1] * p.shape_factor, p.loss[k][1] * p.shape_factor});
+  return table;
+}
+
+const std::vector<SupportLawKind>& support_law_kinds() {
+  using P = SupportLawParameters;
+  using Around = SupportSurroundings;
+  static const std::vector<SupportLawKind> kinds = {
+      {"linear", true, check_springs,
+       [](const P& p, const Around&) { return with_stop(std::make_shared<SpringSupport>(K(p), C(p)), p.stop); },
+       [](const P& p, const Around&) { return springs_text(p); }},
+      {"ribbon", false,
+       [](const P& p, const Node& table, const std::string& path, Faults& faults) {
+         if (!p.ribbon) missing(table, path, "ribbon", p.type, faults);
+       },
+       [](const P& p, const Around&) {
+         const auto axis = ribbon_axis(*p.ribbon);
+         return with_stop(std::make_shared<RibbonSupport>(std::array{axis, axis}), p.stop);
+       },
+       [](const P& p, const Around&) {
+         const auto axis = ribbon_axis(*p.ribbon);
+         std::string sliders;
+         for (const auto& s : axis.elements)
+           sliders += fmt::format("{}{:.4g} N after {:.4g} um", sliders.empty() ? "" : ", ", s.stiffness * s.reach,
+                                  s.reach * 1e6);
+         std::string text = fmt::format("ribbon of {:.4g} N/m with friction of {}", axis.stiffness, sliders);
+         if (p.ribbon->loop)
+           text += fmt::format(
+               "; a turn between {:.4g} um loses {:.4g} J, the measured loop {:.4g} J",
+               0.5e6 * (p.ribbon->loop->loading.back()[0] - p.ribbon->loop->loading.front()[0]),
+               steady_loop_loss(axis, 0.5 * (p.ribbon->loop->loading.back()[0] - p.ribbon->loop->loading.front()[0])),
+               loop_area({p.ribbon->loop->loading, p.ribbon->loop->unloading}));
+         if (p.ribbon->geometry)
+           text += fmt::format("; by geometry, an estimate for travel below {:.4g} um",
+                               p.ribbon->geometry->interference * 1e6);
+         return text;
+       }},
+      {"elastomer", false,
+       [](const P& p, const Node& table, const std::string& path, Faults& faults) {
+         if (!p.elastomer) missing(table, path, "elastomer", p.type, faults);
+       },
+       [](const P& p, const Around&) {
+         const auto axis = maxwell_of(*p.elastomer);
+         return with_stop(std::make_shared<ElastomerSupport>(std::array{axis, axis}), p.stop);
+       },
+       [](const P& p, const Around&) {
+         if (p.elastomer->model == ElastomerModel::kelvin_voigt) {
+           const auto m = maxwell_of(*p.elastomer);
+           return fmt::format("elastomer (Kelvin-Voigt) of {:.4g} N/m and {:.4g} N s/m", m.stiffness, m.damping);
+         }
+         const auto fit = fit_maxwell(stiffness_table(*p.elastomer));
+         return fmt::format(
+             "elastomer of {} Maxwell elements, {:.4g} N/m at rest; off its table by {:.2g} at most, at {:.4g} Hz",
+             fit.model.elements.size(), fit.model.stiffness, fit.largest_error, fit.worst_frequency);
+       }},
+      {"squeeze-film", true,
+       [](const P& p, const Node& table, const std::string& path, Faults& faults) {
+         if (!p.squeeze_film) missing(table, path, "squeeze_film", p.type, faults);
+         check_springs(p, table, path, faults);
+         if (p.squeeze_film && p.stop && p.stop->gap > p.squeeze_film->clearance)
+           faults.add(position_of_value(table, "stop"),
+                      fmt::format("{}.stop.gap = {:.4g} um is beyond the film's clearance of {:.4g} um.", path,
+                                  p.stop->gap * 1e6, p.squeeze_film->clearance * 1e6),
+                      "Metal meets metal where the film is used up.");
+       },
+       [](const P& p, const Around& around) {
+         const SqueezeFilm film = film_of(*p.squeeze_film, around);
+         // Without a stop of its own the ring meets its housing where the film ends.
+         const StopParameters metal{(1. - SqueezeFilm::thinnest) * film.clearance, 1e9, 0.08};
+         return with_stop(std::make_shared<SqueezeFilmSupport>(K(p), C(p), film),
+                          p.stop ? p.stop : std::optional(metal));
+       },
+       [](const P& p, const Around& around) {
+         const SqueezeFilm film = film_of(*p.squeeze_film, around);
+         const double slow = 1e-6;
+         const auto centred = film.force({0., 0., slow, 0.});
+         return fmt::format("{}; squeeze film with {:.4g} N s/m when centred", springs_text(p), -centred[0] / slow);
+       }},
+      {"bump-stop", true,
+       [](const P& p, const Node& table, const std::string& path, Faults& faults) {
+         check_springs(p, table, path, faults);
+         if (!p.stop) missing(table, path, "stop", p.type, faults);
+       },
+       [](const P& p, const Around&) { return with_stop(std::make_shared<SpringSupport>(K(p), C(p)), p.stop); },
+       [](const P& p, const Around&) { return springs_text(p); }}};
+  return kinds;
+}
+
+Section<SupportParameters> support_section() {
+  using P = SupportParameters;
+  Section<SupportLawParameters> z("z", "The law along z, if it is another one than along y.");
+  add_law_keys(z);
+  Section<P> s("support", "What carries the outer ring in its housing: effective mass on a law of force over travel.");
+  s.quantity("mass", &P::mass,
+             {.unit = "kg",
+              .range = positive(),
+              .help = "Effective mass that moves with the outer ring: of the housing on springs, of the ring in a "
+                      "ribbon. Gravity does not act on it."});
+  add_law_keys(s);
+  s.table("z", &P::z, z, {.help = "Another law along z; the other keys are then of the law along y."});
+  s.quantity("travel_limit", &P::travel_limit,
+             {.unit = "m",
+              .range = positive(),
+              .help = "Travel of the outer ring above which results warn; none if not given."});
+  s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
+    const auto* kind = kind_of(p.type);
+    if (!kind) return;  // a fault of its own
+    const std::size_t n_before = faults.size();
+    kind->check(p, table, path, faults);
+    if (p.z) {
+      const Node* own = table.find("z");
+      if (const auto* other = kind_of(p.z->type)) other->check(*p.z, own ? *own : table, path + ".z", faults);
+    } else if (faults.size() == n_before && kind->has_springs) {
+      for (const auto& [key, value] :
+           {std::pair{"K_y", &p.K_y}, std::pair{"K_z", &p.K_z}, std::pair{"C_y", &p.C_y}, std::pair{"C_z", &p.C_z}})
+        if (!*value) missing(table, path, key, p.type, faults);
+    }
+  });
+  return s;
+}
+
+bool is_plain(const SupportParameters& s) { return s.type == "linear" && !s.stop && !s.z; }
+
+std::shared_ptr<const SupportLaw> support_law(const SupportParameters& s, const SupportSurroundings& around) {
+  if (is_plain(s)) return nullptr;
+  auto law = kind_of(s.type)->make(s, around);
+  if (!s.z) return law;
+  return std::make_shared<SplitSupport>(std::move(law), kind_of(s.z->type)->make(*s.z, around));
+}
+
+std::string support_words(const SupportParameters& s, const SupportSurroundings& around) {
+  if (is_plain(s)) return {};
+  const auto one = [&](const SupportLawParameters& p) {
+    std::string text = kind_of(p.type)->describe(p, around);
+    if (p.stop) text += fmt::format("; stop of {:.4g} N/m behind {:.4g} um", p.stop->stiffness, p.stop->gap * 1e6);
+    return text;
+  };
+  if (!s.z) return one(s);
+  return "along y " + one(s) + "; along z " + one(*s.z);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,99 @@
+#pragma once
+// bearings.NAME.support: what carries the outer ring, by kinds of law that register themselves here.
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/parameters.h"
+#include "laws/support/maxwell_fit.h"
+#include "laws/support/ribbon.h"
+#include "laws/support/support_law.h"
+
+namespace rotordrop {
+
+struct RibbonGeometryParameters {
+  int waves = 0;
+  double pitch = 0, height = 0, thickness = 0, strip_width = 0, interference = 0, modulus = 0, poisson_ratio = 0,
+         friction_coefficient = 0, stick_length = 0;
+};
+struct RibbonLoopParameters {
+  std::vector<std::array<double, 2>> loading, unloading;
+};
+/// By numbers, by a measured loop or by geometry: one of the three.
+struct RibbonParameters {
+  std::optional<double> stiffness, slip_force, stick_stiffness;
+  double damping = 0;
+  std::optional<RibbonLoopParameters> loop;
+  std::optional<RibbonGeometryParameters> geometry;
+};
+
+enum class ElastomerModel { maxwell, kelvin_voigt };
+struct ElastomerParameters {
+  ElastomerModel model = ElastomerModel::maxwell;
+  std::vector<std::array<double, 2>> storage, loss;  ///< frequency [Hz], modulus [Pa]
+  double shape_factor = 0;
+  std::optional<double> frequency;
+  double fit_tolerance = 0;
+};
+
+struct SqueezeFilmParameters {
+  double viscosity = 0, clearance = 0;
+  std::optional<double> radius, length;
+  bool cavitates = true;
+};
+
+struct StopParameters {
+  double gap = 0, stiffness = 0, lambda = 0;
+};
+
+/// A law, along both axes or along one.
+struct SupportLawParameters {
+  std::string type;
+  std::optional<double> K_y, K_z, C_y, C_z;
+  std::optional<RibbonParameters> ribbon;
+  std::optional<ElastomerParameters> elastomer;
+  std::optional<SqueezeFilmParameters> squeeze_film;
+  std::optional<StopParameters> stop;
+};
+struct SupportParameters : SupportLawParameters {
+  double mass = 0;
+  std::optional<double> travel_limit;
+  std::optional<SupportLawParameters> z;  ///< the law along z, if it is another one
+};
+Section<SupportParameters> support_section();
+
+/// What a law takes from the bearing around it.
+struct SupportSurroundings {
+  double outer_radius = 0, width = 0;  ///< of the outer ring [m]
+};
+
+/// A kind of law: what type = "..." stands for.
+struct SupportLawKind {
+  std::string type;
+  bool has_springs = false;  ///< needs K_y to C_z
+  /// Faults of the parameters; `path` is the table's name for messages.
+  std::function<void(const SupportLawParameters&, const Node& table, const std::string& path, Faults&)> check;
+  std::function<std::shared_ptr<const SupportLaw>(const SupportLawParameters&, const SupportSurroundings&)> make;
+  /// A sentence for `check` and the report.
+  std::function<std::string(const SupportLawParameters&, const SupportSurroundings&)> describe;
+};
+/// Those known, in the order in which messages list them.
+const std::vector<SupportLawKind>& support_law_kinds();
+
+/// Whether springs and dampers alone, K_y to C_z, carry the outer ring.
+[[nodiscard]] bool is_plain(const SupportParameters& support);
+/// The law; none for a plain support.
+[[nodiscard]] std::shared_ptr<const SupportLaw> support_law(const SupportParameters& support,
+                                                            const SupportSurroundings& around);
+/// What a law is, in a sentence; empty for a plain support.
+[[nodiscard]] std::string support_words(const SupportParameters& support, const SupportSurroundings& around);
+
+/// The axis of a ribbon by whatever of the three is given.
+[[nodiscard]] RibbonSupport::Axis ribbon_axis(const RibbonParameters& ribbon);
+/// The rows of an elastomer's tables, as stiffnesses.
+[[nodiscard]] std::vector<DynamicStiffness> stiffness_table(const ElastomerParameters& elastomer);
+
+}  // namespace rotordrop

@@ -1,0 +1,265 @@
+#include "case/case.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+
+#include "case/case_keys.h"
+#include "case/case_text.h"
+#include "case/plausibility.h"
+#include "case/program_files.h"
+#include "io/text/json_reader.h"
+#include "io/text/parameter_writers.h"
+#include "io/text/source_comments.h"
+#include "io/text/toml_reader.h"
+#include "machine/build_machine.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+Section<OutputParameters> output_section() {
+  using P = OutputParameters;
+  Section<P> s("output", "What is written, and how often.");
+  s.quantity("interval", &P::interval,
+             {.unit = "s",
+              .range = at_least(1e-7),
+              .fallback = "50 us",
+              .help = "Time between rows of the series in results.h5. Peaks in the summary are taken at every step."});
+  s.quantity("detail_interval", &P::detail_interval,
+             {.unit = "s",
+              .range = at_least(1e-7),
+              .fallback = "1 ms",
+              .help = "Time between rows of the detailed series: the load of every ball."});
+  s.quantity(
+      "longest_interval", &P::longest_interval,
+      {.unit = "s",
+       .range = positive(),
+       .help = "Time between rows of the series while nothing changes; detailed series become coarse in the same "
+               "ratio. A 20000th of the latest end if not given, so that long runs keep files of sensible size; "
+               "never less than output.interval, so that runs up to 1 s have evenly spaced rows by default. Set "
+               "it to output.interval for evenly spaced rows in any run."});
+  s.quantity("change", &P::change,
+             {.range = between(0, 1),
+              .fallback = "0.02",
+              .source = "estimate: two line widths of a figure",
+              .help = "A contact force, rotor position or ring speed has changed if it differs from its value in the "
+                      "last row by more than this part of its largest magnitude so far. While something changes rows "
+                      "come every output.interval."});
+  s.quantity("checkpoint_interval", &P::checkpoint_interval,
+             {.unit = "s",
+              .range = positive(),
+              .fallback = "10 s",
+              .help = "Wall time between checkpoints; `rotordrop run --resume` continues from the last one."});
+  return s;
+}
+
+Section<CaseParameters> case_section() {
+  using P = CaseParameters;
+  Section<P> s("", "A rotor drop.");
+  s.table<RunParameters>("run", &P::run, run_section());
+  s.table<RotorParameters>("rotor", &P::rotor, rotor_section());
+  s.table<ContactParameters>("contact", &P::contact, contact_section());
+  declare_bearings<P>(s, &P::bearings);
+  s.tables<MaterialParameters>(
+      "materials", &P::materials, material_section(),
+      {.source = "Neisi, Heikkinen & Sopanen 2019, table 3, Poisson columns swapped back",
+       .help = "Materials by name. Those given here add to, or replace, the built-in steel (E 200 GPa, nu 0.30, "
+               "rho 7800 kg/m3, k 70 W/(m K), c 510 J/(kg K), alpha 11.8e-6 1/K) and Si3N4 (315 GPa, 0.26, 3200, 35, "
+               "673, 3.2e-6)."});
+  s.table<ThermalParameters>("thermal", &P::thermal, thermal_section());
+  s.table<StaticsParameters>("statics", &P::statics, statics_section());
+  s.table<PreloadParameters>("preload", &P::preload, preload_section());
+  s.table<PrescribedHeatParameters>("heat", &P::heat, prescribed_heat_section());
+  s.table<IntegrationParameters>("integration", &P::integration, integration_section());
+  s.table<OutputParameters>("output", &P::output, output_section());
+  return s;
+}
+
+/// Where a file named in the parameters is: beside the file that names it, or in the working folder for the command line.
+fs::path resolve_path(const Node& text) {
+  const fs::path given = text.text();
+  const auto& where = text.where();
+  if (given.is_absolute() || where.line == 0) return given;
+  return fs::path(where.file).parent_path() / given;
+}
+
+/// Stands for a geometry that cannot be read, so that the faults of everything else are found, too: it has every node that a case may name.
+Node any_geometry() {
+  constexpr int n_nodes = 1000;
+  Node::Array nodes, elements;
+  for (int id = 1; id <= n_nodes; ++id) nodes.push_back(Node::table({{"id", id}, {"x", 0.01 * id}}));
+  for (int id = 1; id < n_nodes; ++id) elements.push_back(Node::table({{"n1", id}, {"n2", id + 1}, {"od", 0.1}}));
+  return Node::table({{"material", Node::table({{"E", 2e11}, {"nu", 0.3}, {"rho", 7800.}})},
+                      {"nodes", Node::array(std::move(nodes))},
+                      {"elements", Node::array(std::move(elements))}});
+}
+
+void load_rotor_geometry(Node& tree, Faults& faults) {
+  Node* rotor = tree.find("rotor");
+  if (!rotor || !rotor->is_table()) return;
+  const Node* geometry = rotor->find("geometry");
+  if (!geometry || !geometry->is_text()) return;
+  const fs::path path = resolve_path(*geometry);
+  const SourcePosition key = position_of(*rotor, "geometry");
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    faults.add(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file.", geometry->text()),
+               fmt::format("Looked for {}{}.", path.string(),
+                           status.type() == fs::file_type::none ? " (" + error.message() + ")" : ""));
+    rotor->set("geometry", any_geometry(), key);
+    return;
+  }
+  try {
+    rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
+  } catch (const InputError& fault) {
+    for (const auto& one : fault.faults()) faults.add(one.where, one.message, one.advice);
+    rotor->set("geometry", any_geometry(), key);
+  }
+}
+
+/// A file is beside the one that names it, wherever the case is read from later.
+void complete_path(Node* table, const char* key) {
+  const Node* file = table && table->is_table() ? table->find(key) : nullptr;
+  if (!file || !file->is_text()) return;
+  const SourcePosition where = position_of(*table, key);
+  table->set(key, Node(fs::absolute(resolve_path(*file)).lexically_normal().string(), file->where()), where);
+}
+void complete_paths(Node& tree) {
+  Node* thermal = tree.find("thermal");
+  complete_path(thermal, "recorded");
+  complete_path(thermal && thermal->is_table() ? thermal->find("fe") : nullptr, "mesh");
+  Node* heat = tree.find("heat");
+  Node* sources = heat && heat->is_table() ? heat->find("source") : nullptr;
+  if (sources && sources->is_array())
+    for (Node& source : sources->items()) complete_path(&source, "recorded");
+}
+
+void load_catalogue(Node& bearing, const std::string& name, const fs::path& case_file) {
+  const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
+  if (!entry || !entry->is_text()) return;
+  std::vector<std::string> known;
+  for (const auto& folder : catalogue_folders(case_file)) {
+    const fs::path file = folder / (entry->text() + ".toml");
+    std::error_code unreadable;
+    if (fs::is_regular_file(file, unreadable)) {
+      bearing = merged(read_toml(file), bearing);
+      return;
+    }
+    std::error_code ignored;
+    for (const auto& other : fs::directory_iterator(folder, ignored))
+      if (other.path().extension() == ".toml") known.push_back(other.path().stem().string());
+  }
+  std::sort(known.begin(), known.end());
+  throw InputError(
+      entry->where(),
+      fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
+      suggestion(entry->text(), known));
+}
+
+/// Puts the catalogue's data under each bearing of one file that names them, so that they go before what a base says of that bearing.
+void load_catalogue_bearings(Node& tree, const fs::path& file) {
+  if (Node* bearings = tree.find("bearings"); bearings && bearings->is_table())
+    for (auto& entry : bearings->entries()) load_catalogue(entry.value, entry.key, file);
+}
+
+/// Whether an override sets one entry of a list: "rotor.unbalance[0].me=...".
+bool names_entry(const std::string& assignment) {
+  return assignment.substr(0, assignment.find('=')).find('[') != std::string::npos;
+}
+void set_entry(Node& tree, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  std::string key = assignment.substr(0, equals);
+  key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
+  const std::string value = equals == std::string::npos ? "" : assignment.substr(equals + 1);
+  Node read = Node::table();
+  apply_override(read, "value=" + value);
+  Node& entry = *read.find("value");
+  const SourcePosition where{"--set " + key, 0, 0};
+  entry.set_where(where);
+  set_key(tree, key, std::move(entry), where);
+}
+
+}  // namespace
+
+std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
+  std::vector<fs::path> folders;
+  if (const char* chosen = std::getenv("ROTORDROP_PARAMS")) folders.push_back(fs::path(chosen) / "bearings");
+  folders.push_back(case_file.parent_path() / "bearings");
+  folders.push_back(params_folder() / "bearings");
+  return folders;
+}
+
+std::vector<ErasedSection> case_sections() { return {case_section().erased()}; }
+
+namespace {
+
+/// @param read  the tree of `file` with its bases
+Case case_of(const fs::path& file, const std::vector<std::string>& overrides, const std::function<Node()>& read) {
+  Case result;
+  result.file = file;
+  result.name = file.stem().string();
+  if (std::any_of(result.name.begin(), result.name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+    throw InputError({file.string(), 0, 0}, "the name of this file holds a control character, such as a line break.",
+                     "The case is called as the file: use letters, digits, - and _.");
+  result.tree = read();
+  Node over = Node::table(result.tree.where());
+  for (const auto& assignment : overrides) {
+    if (names_entry(assignment)) continue;
+    apply_override(result.tree, assignment);  // finds out whether it can be set
+    apply_override(over, assignment);
+  }
+  load_catalogue_bearings(over, file);
+  result.tree = merged(result.tree, over);
+  for (const auto& assignment : overrides)
+    if (names_entry(assignment)) set_entry(result.tree, assignment);
+  Faults faults;
+  load_rotor_geometry(result.tree, faults);
+  complete_paths(result.tree);
+  // Built-in materials lie under those that the case gives.
+  const Node* materials = result.tree.find("materials");
+  if (!materials)
+    result.tree.set("materials", default_materials());
+  else if (materials->is_table())
+    result.tree.set("materials", merged(default_materials(), *materials), position_of(result.tree, "materials"));
+
+  const auto section = case_section();
+  result.parameters = section.read(result.tree, faults);
+  // What follows looks at several sections together, and so needs each of them sound.
+  faults.throw_if_any();
+  check_machine(result.parameters, result.tree, faults);
+  check_output(result.parameters, result.tree, faults);
+  faults.throw_if_any();
+  result.warnings = look_for_slips(result.parameters, result.tree);
+  SourceComments comments;
+  result.resolved = write_resolved({section.erased()}, result.tree,
+                                   [&comments](const SourcePosition& where) { return comments.at(where); });
+  return result;
+}
+
+}  // namespace
+
+Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
+  return case_of(file, overrides, [&] { return read_toml(file, load_catalogue_bearings); });
+}
+
+Case read_case_text(std::string_view text, const fs::path& folder, const std::string& name,
+                    const std::vector<std::string>& overrides) {
+  const fs::path file = folder / (name + ".toml");
+  return case_of(file, overrides, [&] { return read_toml_text(text, file, load_catalogue_bearings); });
+}
+
+std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {
+  const auto known = touchdown_names(c.parameters);
+  if (bearing.empty()) return known;
+  if (std::find(known.begin(), known.end(), bearing) != known.end()) return {bearing};
+  throw InputError({"--bearing", 0, 0}, fmt::format("the case has no touchdown bearing \"{}\".", bearing),
+                   suggestion(bearing, known, fmt::format("Its touchdown bearings: {}.", fmt::join(known, ", "))));
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,92 @@
+#include "case/fe_module.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+
+#include "base/errors.h"
+#include "base/version.h"
+#include "cache/kept_elastic_solver.h"
+#include "cache/kept_heat_solver.h"
+#include "cache/kept_mesh.h"
+#include "cache/kept_values.h"
+#include "case/bearing_mesh.h"
+#include "case/program_files.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A shared library that is loaded when a case asks for it.
+struct Module {
+  std::string file;    ///< empty: the program was built without it
+  std::string room;    ///< for messages
+  std::string needed;  ///< who needs it, for messages
+};
+
+template <class Function>
+Function* load(const Module& module, const char* function) {
+  const fs::path file = module.file.empty() ? fs::path() : module_file(module.file);
+  if (file.empty() || !fs::exists(file))
+    throw InputError({}, "this program was built without " + module.room + ", which " + module.needed + " needs",
+                     "Install its libraries with ./install-dependencies, then build with\n"
+                     "cmake --preset release -DROTORDROP_FE=ON && cmake --build build/release");
+  // Local symbols: the rooms bring libraries of their own, among them another build of HDF5 than ours.
+  void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (!handle) throw SolverError(module.room + " cannot be loaded: " + std::string(dlerror()));
+  auto* const found = reinterpret_cast<Function*>(dlsym(handle, function));
+  if (!found) throw SolverError(module.room + " " + file.string() + " belongs to another version of the program");
+  return found;
+}
+
+/// Tells one build of a module from another, without loading it.
+std::string version_of(const std::string& module) {
+  std::error_code error;
+  const fs::path file = module_file(module);
+  const auto size = fs::file_size(file, error);
+  if (module.empty() || error) return {};
+  return fmt::format("{} {} {} {}", version(), module, size,
+                     fs::last_write_time(file, error).time_since_epoch().count());
+}
+
+}  // namespace
+
+std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem) {
+  static auto* const make = load<MakeHeatSolver>({ROTORDROP_FE_MODULE, "the finite-element module", "`rotordrop heat`"},
+                                                 make_heat_solver_name);
+  return std::unique_ptr<HeatConductionSolver>(make(problem));
+}
+
+std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem) {
+  static auto* const make = load<MakeElasticSolver>(
+      {ROTORDROP_FE_MODULE, "the finite-element module", "thermal.expansion = \"elastic\""}, make_elastic_solver_name);
+  return std::unique_ptr<ElasticSolver>(make(problem));
+}
+
+FiniteElements finite_elements_of(const Case& drop_case) {
+  FiniteElements elements;
+  elements.make_solver = [](const HeatConductionProblem& problem) {
+    return kept_heat_solver(cache_folder(), version_of(ROTORDROP_FE_MODULE), problem, make_heat_solver);
+  };
+  elements.make_elastic_solver = [](const ElasticProblem& problem) {
+    return kept_elastic_solver(cache_folder(), version_of(ROTORDROP_FE_MODULE), problem, make_elastic_solver);
+  };
+  elements.make_mesh = [&drop_case](const std::string& bearing) { return bearing_mesh(drop_case, bearing); };
+  return elements;
+}
+
+SectionMesh section_mesh_of(const SectionPlan& plan) {
+  return kept_mesh(cache_folder(), version_of(ROTORDROP_MESH_MODULE), plan,
+                   [](const SectionPlan& p) { return section_mesher().mesh(p); });
+}
+
+SectionMesher& section_mesher() {
+  static auto* const get = load<GetSectionMesher>({ROTORDROP_MESH_MODULE, "the mesh module", "the mesh of a bearing"},
+                                                  get_section_mesher_name);
+  return *get();
+}
+
+}  // namespace rotordrop

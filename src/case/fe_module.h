@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+
+#include "case/case.h"
+#include "machine/heat/finite_elements.h"
+#include "model/heat_conduction.h"
+#include "model/section_mesher.h"
+#include "model/thermo_elasticity.h"
+
+namespace rotordrop {
+
+/// Entry points of the finite-element modules for a case with finite elements, which must outlive them. What was computed before comes from the cache; the module is
+/// loaded when something new is asked.
+FiniteElements finite_elements_of(const Case& drop_case);
+
+/// Loads the finite-element room, a module beside the program, and makes its solver. The module stays loaded.
+/// @throws InputError if the program was built without it
+std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem);
+
+/// Loads its elasticity solver. @throws InputError likewise
+std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem);
+
+/// The mesh of a plan, from the cache or from the mesh room. @throws InputError if it is needed and the program was built without it
+SectionMesh section_mesh_of(const SectionPlan& plan);
+
+/// Loads the mesh room, another module beside the program. It keeps its one generator, and stays loaded.
+/// @throws InputError if the program was built without it
+SectionMesher& section_mesher();
+
+}  // namespace rotordrop

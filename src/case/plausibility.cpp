@@ -1,0 +1,236 @@
+#include "case/plausibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "machine/probes.h"
+
+namespace rotordrop {
+namespace {
+
+/// Above it rings of steel burst: rho v^2 is 1.25 GPa at 400 m/s.
+constexpr double fastest_surface = 400.;                      // [m/s]
+constexpr double lightest_rotor = 0.1, heaviest_rotor = 1e5;  // [kg]
+
+void warn(std::vector<Fault>& warnings, const SourcePosition& where, std::string message, std::string advice) {
+  Fault warning{where, std::move(message), std::move(advice)};
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(std::move(warning));
+}
+
+double mm(double metres) { return metres * 1e3; }
+
+const Node& table_at(const Node& tree, std::string_view a, std::string_view b = "") {
+  const Node* first = tree.find(a);
+  if (!first || !first->is_table()) return tree;
+  const Node* second = b.empty() ? nullptr : first->find(b);
+  return second && second->is_table() ? *second : *first;
+}
+
+/// Largest outer diameter of the shaft's elements at a node; 0 if there are none.
+double shaft_diameter(const RotorGeometry& rotor, int node) {
+  double diameter = 0.;
+  for (const auto& element : rotor.elements)
+    if (element.n1 <= node && node <= element.n2) diameter = std::max(diameter, element.od);
+  return diameter;
+}
+
+/// Single values outside the range that is usual in the field.
+void look_at_values(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const auto look = [&](const Node& table, const std::string& path, const std::string& key, double value,
+                        const Range& usual, const std::string& unit, const std::string& slip) {
+    if (usual.contains(value)) return;
+    const Node* given = table.find(key);
+    warn(warnings, position_of_value(table, key),
+         fmt::format("{}.{} = {} is unusual: it is most often {}.", path, key,
+                     given ? to_text(*given) : fmt::format("{:.6g}", value), to_string(usual, unit)),
+         slip);
+  };
+  const std::string gap_slip = "A bare number is in metres: 250 micrometres are \"250 um\".";
+  const Range gaps = between(0.05e-3, 1e-3);
+  const Node &run = table_at(tree, "run"), &contact = table_at(tree, "contact"), &rotor = table_at(tree, "rotor");
+  const double speed = p.run.initial_speed;
+  look(run, "run", "initial_speed", speed, between(-6500, 6500), "rad/s",
+       fmt::format("A bare number is in rad/s: {:.6g} rad/s is {:.0f} rpm. If rpm is meant, write \"{:.6g} rpm\".",
+                   speed, speed * 30. / std::numbers::pi, speed));
+  look(run, "run", "end_time", p.run.end_time, between(1e-5, 1e4), "s", "A bare number is in seconds.");
+  look(run, "run", "ambient", p.run.ambient, between(200, 500), "K",
+       "A bare number is in kelvin: if degrees Celsius are meant, write \"20 degC\".");
+  look(contact, "contact", "air_gap", p.contact.air_gap, gaps, "m", gap_slip);
+  for (std::size_t i = 0; i < p.rotor.geometry.elements.size(); ++i) {
+    const double od = p.rotor.geometry.elements[i].od;
+    if (od > 3. || od < 2e-3)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("element {} of the rotor has od = {:.6g} m; it is most often between 0.002 and 3 m.", i + 1, od),
+           "A bare number is in metres: 90 millimetres are 0.09 or \"90 mm\".");
+  }
+  for (std::size_t i = 0; i < p.rotor.unbalance.size(); ++i)
+    if (p.rotor.unbalance[i].me > 0.1)
+      warn(warnings, position_of(rotor, "unbalance"),
+           fmt::format("rotor.unbalance#{}.me = {:.6g} kg m is unusual: it is most often <= 0.1 kg m.", i + 1,
+                       p.rotor.unbalance[i].me),
+           "A bare number is in kg m, and 1 g mm is 1e-6 kg m.");
+  for (const auto& entry : p.bearings) {
+    const Node& table = table_at(tree, "bearings", entry.name);
+    const std::string path = "bearings." + entry.name;
+    if (const auto* touchdown = entry.touchdown()) {
+      if (touchdown->air_gap) look(table, path, "air_gap", *touchdown->air_gap, gaps, "m", gap_slip);
+      if (touchdown->contact_stiffness)
+        look(table, path, "contact_stiffness", *touchdown->contact_stiffness, between(1e6, 1e14), "N/m^n",
+             "K of a journal in a bore is some 1e8 to 1e12 N/m^n; above, steps become very short.");
+    }
+    if (const auto* linear = entry.linear())
+      for (const auto& row : linear->stiffness)
+        for (const double k : row)
+          look(table, path, "stiffness", k, between(-1e12, 1e12), "N/m", "Supports of rotors have 1e4 to 1e10 N/m.");
+  }
+}
+
+/// A rotor is not thinner than a disc: Ip <= 2 Id of every body, equal for a plane one.
+void look_at_rotor(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node& rotor = table_at(tree, "rotor");
+  const RigidBody body = rigid_body(p.rotor.geometry);
+  if (body.mass < lightest_rotor || body.mass > heaviest_rotor)
+    warn(warnings, position_of(rotor, "geometry"),
+         fmt::format("the rotor's mass is {:.4g} kg; most often it is {} to {} kg.", body.mass, lightest_rotor,
+                     heaviest_rotor),
+         "Check the units of its dimensions (bare numbers are in metres) and of its density (kg/m3).");
+  if (body.Ip > 2. * body.Id * (1. + 1e-9))
+    warn(warnings, position_of(rotor, "geometry"),
+         fmt::format("the rotor's Ip = {:.4g} kg m2 is more than 2 Id = {:.4g} kg m2, which no rigid body has.",
+                     body.Ip, 2. * body.Id),
+         "Check Ip and Id of its mass points; they may be exchanged.");
+  for (std::size_t i = 0; i < p.rotor.geometry.mass_points.size(); ++i) {
+    const auto& point = p.rotor.geometry.mass_points[i];
+    if (point.Ip > 2. * point.Id * (1. + 1e-9) && point.Ip > 0. && point.Id > 0.)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("mass point {} at node {} has Ip = {:.4g} kg m2, more than 2 Id = {:.4g} kg m2, which no "
+                       "rigid body has.",
+                       i + 1, point.node, point.Ip, 2. * point.Id),
+           "Ip is about the rotor's axis, Id about a diameter; they may be exchanged.");
+  }
+}
+
+void look_at_bearing(const std::string& name, const TouchdownParameters& b, const CaseParameters& p, const Node& tree,
+                     std::vector<Fault>& warnings) {
+  const Node& table = table_at(tree, "bearings", name);
+  const double bore = 2. * bore_radius(b, p.contact), gap = air_gap(b, p.contact), journal = bore - 2. * gap;
+  const double speed = 0.5 * journal * std::fabs(p.run.initial_speed);
+  if (speed > fastest_surface)
+    warn(
+        warnings, position_of_value(table_at(tree, "run"), "initial_speed"),
+        fmt::format("the rotor's surface runs at {:.0f} m/s in bearings.{} ({:.0f} rpm, diameter {:.4g} mm); most "
+                    "often it is below {:.0f} m/s.",
+                    speed, name, std::fabs(p.run.initial_speed) * 30. / std::numbers::pi, mm(journal), fastest_surface),
+        "A bare speed is in rad/s: if rpm is meant, write for example \"15200 rpm\".");
+  // The journal is the shaft, perhaps with a sleeve on it; a shaft that does not pass the bore is another machine's.
+  if (const double shaft = shaft_diameter(p.rotor.geometry, b.node); shaft > 0.) {
+    if (shaft > bore)
+      warn(warnings, position_of_value(table, "node"),
+           fmt::format("the shaft at node {} has a diameter of {:.4g} mm; it does not pass the bore of bearings.{}, "
+                       "{:.4g} mm.",
+                       b.node, mm(shaft), name, mm(bore)),
+           "Check the node, the bearing's size and the units of the rotor's od.");
+    else if (shaft < 0.5 * journal)
+      warn(warnings, position_of_value(table, "node"),
+           fmt::format("the shaft at node {} has a diameter of {:.4g} mm, less than half that of the journal in "
+                       "bearings.{}, {:.4g} mm.",
+                       b.node, mm(shaft), name, mm(journal)),
+           "Check the node, the bearing's size and the units of the rotor's od.");
+  }
+  if (b.bore_diameter && std::fabs(*b.bore_diameter - b.inner_ring_diameters[0]) > 0.02 * *b.bore_diameter)
+    warn(warnings, position_of_value(table, "inner_ring_diameters"),
+         fmt::format("bearings.{} has inner_ring_diameters from {:.4g} mm, but its bore_diameter is {:.4g} mm.", name,
+                     mm(b.inner_ring_diameters[0]), mm(*b.bore_diameter)),
+         "One of them may belong to another size.");
+  if (b.outside_diameter && std::fabs(*b.outside_diameter - b.outer_ring_diameters[1]) > 0.02 * *b.outside_diameter)
+    warn(warnings, position_of_value(table, "outer_ring_diameters"),
+         fmt::format("bearings.{} has outer_ring_diameters up to {:.4g} mm, but its outside_diameter is {:.4g} mm.",
+                     name, mm(b.outer_ring_diameters[1]), mm(*b.outside_diameter)),
+         "One of them may belong to another size.");
+  if (b.rows > 1 && b.width < b.rows * b.ball_diameter)
+    warn(warnings, position_of_value(table, "width"),
+         fmt::format("bearings.{} is {:.4g} mm wide, but its {} rows of balls of {:.4g} mm need {:.4g} mm.", name,
+                     mm(b.width), b.rows, mm(b.ball_diameter), mm(b.rows * b.ball_diameter)),
+         "A catalogue entry describes one bearing: of a pair, width, ring_mass, ring_spin_inertia and C0 are those "
+         "of both together.");
+  if (b.row_spacing && b.rows > 1 && *b.row_spacing < b.ball_diameter)
+    warn(warnings, position_of_value(table, "row_spacing"),
+         fmt::format("the rows of bearings.{} are {:.4g} mm apart, but its balls are {:.4g} mm thick: rows overlap.",
+                     name, mm(*b.row_spacing), mm(b.ball_diameter)),
+         "row_spacing is from centre to centre of neighbouring rows.");
+  if (b.housing_length > 20. * b.outer_ring_diameters[1])
+    warn(warnings, position_of_value(table, "housing_length"),
+         fmt::format("the housing of bearings.{} is {:.4g} mm long, more than 20 times the bearing's diameter.", name,
+                     mm(b.housing_length)),
+         "A bare number is in metres.");
+  if (b.width > b.outer_ring_diameters[1])
+    warn(warnings, position_of_value(table, "width"),
+         fmt::format("bearings.{} is {:.4g} mm wide, more than its diameter, {:.4g} mm.", name, mm(b.width),
+                     mm(b.outer_ring_diameters[1])),
+         "A bare number is in metres.");
+}
+
+/// A stationary part that the rotor reaches before, or while, its touchdown bearings hold it.
+void look_at_probes(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node* tables = table_at(tree, "rotor").find("probes");
+  for (const auto& [name, probe] : p.rotor.probes) {
+    const double reach = reachable_displacement(p, probe.node);
+    const double left = probe.clearance - std::hypot(probe.centre[0], probe.centre[1]);
+    if (!std::isfinite(reach) || left > reach) continue;
+    const Node* own = tables ? tables->find(name) : nullptr;
+    warn(warnings, position_of_value(own ? *own : table_at(tree, "rotor"), "clearance"),
+         fmt::format("rotor.probes.{}.clearance leaves {:.4g} um at node {}, not more than the {:.4g} um by which the "
+                     "gaps of the touchdown bearings let a straight rotor move there: it touches.",
+                     name, left * 1e6, probe.node, reach * 1e6),
+         "Touchdown bearings are there to be touched first: check the clearance, its centre, the node and "
+         "contact.air_gap.");
+  }
+}
+
+/// What the case has but its laws leave out.
+void look_at_laws(const std::string& name, const TouchdownParameters& b, const CaseParameters& p, const Node& tree,
+                  std::vector<Fault>& warnings) {
+  if (p.rotor.axial_motion != AxialFreedom::free || b.load_law != FrictionLoadLaw::radial) return;
+  warn(
+      warnings, position_of_value(table_at(tree, "bearings", name), "load_law"),
+      fmt::format("{} takes axial load (rotor.axial_motion = \"free\"), but with load_law = \"radial\" thrust makes no "
+                  "friction and no heat in it.",
+                  name),
+      fmt::format("Set bearings.{}.load_law = \"equivalent\".", name));
+}
+
+}  // namespace
+
+std::vector<Fault> look_for_slips(const CaseParameters& p, const Node& tree) {
+  std::vector<Fault> warnings;
+  look_at_values(p, tree, warnings);
+  look_at_rotor(p, tree, warnings);
+  look_at_probes(p, tree, warnings);
+  for (const auto& entry : p.bearings)
+    if (const auto* touchdown = entry.touchdown()) {
+      look_at_bearing(entry.name, *touchdown, p, tree, warnings);
+      look_at_laws(entry.name, *touchdown, p, tree, warnings);
+    }
+  return warnings;
+}
+
+void check_output(const CaseParameters& p, const Node& tree, Faults& faults) {
+  // Rows of some hundred numbers each: 100 GB if all are written. Where rows become coarse while nothing changes, most are not.
+  const auto& longest = p.output.longest_interval;
+  const double most_rows = longest && *longest <= p.output.interval ? 1e8 : 1e10;
+  const Node& table = table_at(tree, "output");
+  for (const auto& [key, interval] :
+       {std::pair{"interval", p.output.interval}, std::pair{"detail_interval", p.output.detail_interval}})
+    if (p.run.latest_end() / interval > most_rows)
+      faults.add(
+          position_of_value(table, key),
+          fmt::format("output.{} = {:.4g} s and run.end_time = {:.6g} s make {:.3g} rows of results; at most {:.0e} "
+                      "are written.",
+                      key, interval, p.run.latest_end(), p.run.latest_end() / interval, most_rows),
+          "Make the interval longer or the run shorter.");
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,13 @@
+#pragma once
+#include "case/case.h"
+
+namespace rotordrop {
+
+/// Looks for what single values cannot show: dimensions that do not fit each other, a rotor that cannot be, a surface that is too fast.
+/// All of it can be computed, and most often is a slip: warnings, each with its reason.
+[[nodiscard]] std::vector<Fault> look_for_slips(const CaseParameters& parameters, const Node& tree);
+
+/// Faults of what the case asks to be written.
+void check_output(const CaseParameters& parameters, const Node& tree, Faults& faults);
+
+}  // namespace rotordrop

@@ -1,0 +1,25 @@
+#include "case/program_files.h"
+
+#include <cstdlib>
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+}  // namespace
+
+fs::path params_folder() {
+  const fs::path installed = program_folder() / ROTORDROP_RELATIVE_DATA / "params";
+  return fs::is_directory(installed) ? installed.lexically_normal() : fs::path(ROTORDROP_PARAMS_DIRECTORY);
+}
+
+fs::path module_file(const std::string& name) {
+  if (const char* chosen = std::getenv("ROTORDROP_MODULES")) return fs::path(chosen) / name;
+  const fs::path beside = program_folder() / name;
+  return fs::exists(beside) ? beside : (program_folder() / ROTORDROP_RELATIVE_MODULES / name).lexically_normal();
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,268 @@
+#include "io/hdf5/hdf5_driver.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/errors.h"
+
+namespace rotordrop::hdf5 {
+
+namespace {
+
+// Superblock of version 3, as HDF5 1.10 writes it with offsets and lengths of 8 bytes (HDF5 File Format Specification 3.0, II.A).
+constexpr std::size_t superblock_size = 48, flags_at = 11, end_of_file_at = 28, check_sum_at = 44;
+constexpr std::array<unsigned char, 11> superblock_begin{0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n', 3, 8, 8};
+using Superblock = std::array<unsigned char, superblock_size>;
+
+/// Length of a file whose first `end` bytes are in use: half as much again, so that it seldom changes under a reader.
+haddr_t length_ahead(haddr_t end) { return std::max(haddr_t{4} << 20, end + end / 2); }
+
+std::uint32_t rotated(std::uint32_t x, int k) { return (x << k) | (x >> (32 - k)); }
+
+/// The check sum of HDF5's metadata: lookup3 by Bob Jenkins (public domain), of `n` > 0 bytes.
+std::uint32_t lookup3(const unsigned char* bytes, std::size_t n) {
+  std::uint32_t a = 0xdeadbeefU + static_cast<std::uint32_t>(n), b = a, c = a;
+  const auto add = [&](std::size_t at, std::size_t count) {
+    std::array<std::uint32_t, 3> words{};
+    for (std::size_t i = 0; i < count; ++i) words[i / 4] += static_cast<std::uint32_t>(bytes[at + i]) << (8 * (i % 4));
+    a += words[0];
+    b += words[1];
+    c += words[2];
+  };
+  std::size_t at = 0;
+  for (; n - at > 12; at += 12) {
+    add(at, 12);
+    a -= c, a ^= rotated(c, 4), c += b;
+    b -= a, b ^= rotated(a, 6), a += c;
+    c -= b, c ^= rotated(b, 8), b += a;
+    a -= c, a ^= rotated(c, 16), c += b;
+    b -= a, b ^= rotated(a, 19), a += c;
+    c -= b, c ^= rotated(b, 4), b += a;
+  }
+  add(at, n - at);
+  c ^= b, c -= rotated(b, 14);
+  a ^= c, a -= rotated(c, 11);
+  b ^= a, b -= rotated(a, 25);
+  c ^= b, c -= rotated(b, 16);
+  a ^= c, a -= rotated(c, 4);
+  b ^= a, b -= rotated(a, 14);
+  c ^= b, c -= rotated(b, 24);
+  return c;
+}
+
+void put(Superblock& block, std::size_t at, std::uint64_t value, std::size_t n_bytes) {
+  for (std::size_t i = 0; i < n_bytes; ++i) block[at + i] = static_cast<unsigned char>(value >> (8 * i));
+}
+
+struct File {
+  H5FD_t pub{};  // first: HDF5 sees this part
+  int descriptor = -1;
+  haddr_t eoa = 0;        ///< what HDF5 has given out
+  haddr_t eof = 0;        ///< size of the file
+  haddr_t announced = 0;  ///< end of file in the superblock on disk
+  dev_t device = 0;
+  ino_t inode = 0;
+  bool is_closing = false;
+  bool has_superblock = false;
+  Superblock superblock{};
+};
+
+File& as_file(H5FD_t* file) { return *reinterpret_cast<File*>(file); }
+const File& as_file(const H5FD_t* file) { return *reinterpret_cast<const File*>(file); }
+
+/// For HDF5's error stack, where last_error() looks for it.
+herr_t failed(const char* call) {
+  H5Epush2(H5E_DEFAULT, __FILE__, call, __LINE__, H5E_ERR_CLS, H5E_IO, H5E_WRITEERROR,
+           "%s failed: errno = %d, error message = '%s'", call, errno, std::strerror(errno));
+  return -1;
+}
+
+bool write_bytes(int descriptor, haddr_t address, std::size_t size, const void* bytes) {
+  const char* from = static_cast<const char*>(bytes);
+  while (size > 0) {
+    const ssize_t n = ::pwrite(descriptor, from, size, static_cast<off_t>(address));
+    if (n < 0 && errno == EINTR) continue;
+    if (n == 0) errno = ENOSPC;
+    if (n <= 0) return false;
+    from += n;
+    size -= static_cast<std::size_t>(n);
+    address += static_cast<haddr_t>(n);
+  }
+  return true;
+}
+
+/// The superblock as readers may see it.
+bool write_superblock(File& file) {
+  Superblock block = file.superblock;
+  block[flags_at] = 0;
+  if (!file.is_closing) put(block, end_of_file_at, file.announced, 8);
+  put(block, check_sum_at, lookup3(block.data(), check_sum_at), 4);
+  return write_bytes(file.descriptor, 0, superblock_size, block.data());
+}
+
+/// Makes the file, and what its superblock says of its length, long enough for `end`.
+bool reach(File& file, haddr_t end) {
+  if (end <= file.announced || file.is_closing) return true;
+  // Where the file may not become that long (a limit of the system), it need not be ahead.
+  for (const haddr_t size : {length_ahead(end), end})
+    if (file.eof >= size || ::ftruncate(file.descriptor, static_cast<off_t>(size)) == 0) {
+      file.eof = std::max(file.eof, size);
+      file.announced = size;
+      return !file.has_superblock || write_superblock(file);
+    }
+  return false;
+}
+
+H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
+  const int descriptor = ::open(name,
+                                O_RDWR | O_CLOEXEC | (flags & H5F_ACC_CREAT ? O_CREAT : 0) |
+                                    (flags & H5F_ACC_TRUNC ? O_TRUNC : 0) | (flags & H5F_ACC_EXCL ? O_EXCL : 0),
+                                0666);
+  struct stat status {};
+  if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
+    failed("open");
+    if (descriptor >= 0) ::close(descriptor);
+    return nullptr;
+  }
+  auto* file = new File;
+  file->descriptor = descriptor;
+  file->eof = file->announced = static_cast<haddr_t>(status.st_size);
+  file->device = status.st_dev;
+  file->inode = status.st_ino;
+  return &file->pub;
+}
+
+herr_t close_file(H5FD_t* opened) {
+  File* file = &as_file(opened);
+  const int status = ::close(file->descriptor);
+  delete file;
+  return status == 0 ? 0 : failed("close");
+}
+
+int compare(const H5FD_t* a, const H5FD_t* b) {
+  const File &x = as_file(a), &y = as_file(b);
+  if (x.device != y.device) return x.device < y.device ? -1 : 1;
+  return x.inode == y.inode ? 0 : x.inode < y.inode ? -1 : 1;
+}
+
+herr_t query(const H5FD_t*, unsigned long* flags) {
+  if (flags)
+    *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
+             H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_SUPPORTS_SWMR_IO | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
+  return 0;
+}
+
+haddr_t end_given_out(const H5FD_t* file, H5FD_mem_t) { return as_file(file).eoa; }
+herr_t give_out(H5FD_t* file, H5FD_mem_t, haddr_t address) {
+  as_file(file).eoa = address;
+  return 0;
+}
+haddr_t end_of_file(const H5FD_t* file, H5FD_mem_t) { return as_file(file).eof; }
+
+herr_t handle_of(H5FD_t* file, hid_t, void** handle) {
+  *handle = &as_file(file).descriptor;
+  return 0;
+}
+
+herr_t read_bytes(H5FD_t* opened, H5FD_mem_t, hid_t, haddr_t address, size_t size, void* buffer) {
+  char* to = static_cast<char*>(buffer);
+  while (size > 0) {
+    const ssize_t n = ::pread(as_file(opened).descriptor, to, size, static_cast<off_t>(address));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return failed("read");
+    if (n == 0) {  // behind the end of the file are zeros
+      std::memset(to, 0, size);
+      return 0;
+    }
+    to += n;
+    size -= static_cast<std::size_t>(n);
+    address += static_cast<haddr_t>(n);
+  }
+  return 0;
+}
+
+herr_t write_to_file(H5FD_t* opened, H5FD_mem_t, hid_t, haddr_t address, size_t size, const void* buffer) {
+  File& file = as_file(opened);
+  if (!reach(file, std::max(file.eoa, address + size))) return failed("write");
+  const auto* bytes = static_cast<const unsigned char*>(buffer);
+  if (address == 0 && size >= superblock_size && std::equal(superblock_begin.begin(), superblock_begin.end(), bytes)) {
+    std::copy_n(bytes, superblock_size, file.superblock.begin());
+    file.has_superblock = true;
+    if (!write_superblock(file)) return failed("write");
+    address += superblock_size;
+    bytes += superblock_size;
+    size -= superblock_size;
+  }
+  if (!write_bytes(file.descriptor, address, size, bytes)) return failed("write");
+  file.eof = std::max(file.eof, address + size);
+  return 0;
+}
+
+herr_t truncate_at_the_end(H5FD_t* opened, hid_t, hbool_t closing) {
+  File& file = as_file(opened);
+  if (!closing || file.eof == file.eoa) return 0;
+  // The superblock first: a file that is shorter than it says cannot be opened.
+  file.is_closing = true;
+  put(file.superblock, end_of_file_at, file.eoa, 8);
+  if (file.has_superblock && !write_superblock(file)) return failed("write");
+  if (::ftruncate(file.descriptor, static_cast<off_t>(file.eoa)) != 0) return failed("truncate");
+  file.eof = file.announced = file.eoa;
+  return 0;
+}
+
+herr_t no_lock(H5FD_t*, hbool_t) { return 0; }
+herr_t no_unlock(H5FD_t*) { return 0; }
+
+hid_t driver() {
+  static const hid_t id = [] {
+    H5FD_class_t c{};
+    c.name = "rotordrop";
+    c.maxaddr = (haddr_t{1} << 63) - 1;
+    c.fc_degree = H5F_CLOSE_WEAK;
+    c.open = open_file;
+    c.close = close_file;
+    c.cmp = compare;
+    c.query = query;
+    c.get_eoa = end_given_out;
+    c.set_eoa = give_out;
+    c.get_eof = end_of_file;
+    c.get_handle = handle_of;
+    c.read = read_bytes;
+    c.write = write_to_file;
+    c.truncate = truncate_at_the_end;
+    c.lock = no_lock;
+    c.unlock = no_unlock;
+    constexpr std::array<H5FD_mem_t, H5FD_MEM_NTYPES> two_lists = H5FD_FLMAP_DICHOTOMY;
+    std::copy(two_lists.begin(), two_lists.end(), c.fl_map);
+    return H5FDregister(&c);
+  }();
+  return id;
+}
+
+}  // namespace
+
+Handle access_for_writing() {
+  be_quiet();
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");
+  require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "set file format");
+  require(H5Pset_driver(access.id(), driver(), nullptr), "set file driver");
+  return access;
+}
+
+void sync(hid_t file, std::string_view what) {
+  int* descriptor = nullptr;
+  require(H5Fget_vfd_handle(file, H5P_DEFAULT, reinterpret_cast<void**>(&descriptor)), what);
+  // EINVAL: not a file that can be synchronised, such as on some network file systems; there is nothing better to do.
+  if (::fsync(*descriptor) != 0 && errno != EINVAL && errno != ENOSYS)
+    throw SolverError(std::string(what) + ": " + std::generic_category().message(errno));
+}
+
+}  // namespace rotordrop::hdf5

@@ -1,0 +1,385 @@
+#include "io/hdf5/recorder.h"
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "base/errors.h"
+#include "io/half_made_file.h"
+#include "io/hdf5/hdf5_driver.h"
+#include "io/hdf5/hdf5_handle.h"
+
+namespace rotordrop {
+
+namespace fs = std::filesystem;
+using hdf5::Handle;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+/// Extendible dataset of which the recorder adds rows at the end.
+struct Column {
+  Handle dataset;
+  std::string path;
+  std::size_t size = 1;          ///< values per row
+  bool is_flat = true;           ///< [time], not [time, size]
+  std::vector<double> buffered;  ///< rows not yet written [n, size]
+
+  [[nodiscard]] int rank() const { return is_flat ? 1 : 2; }
+};
+
+struct Group {
+  Column time;
+  std::vector<Column> columns;
+  std::size_t row_size = 0;
+  std::size_t n_written = 0;
+  double last_time = -std::numeric_limits<double>::infinity();
+  std::uint64_t check_sum = 0;  ///< of all rows so far, times included
+
+  [[nodiscard]] std::size_t n_buffered() const { return time.buffered.size(); }
+};
+
+Handle chunked(std::size_t chunk_rows, std::size_t size, int rank) {
+  Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make property list");
+  const hsize_t chunk[2] = {chunk_rows, size};
+  hdf5::require(H5Pset_chunk(list.id(), rank, chunk), "set chunk size");
+  // Rows that were never written must not look like zeros.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  hdf5::require(H5Pset_fill_value(list.id(), H5T_NATIVE_DOUBLE, &nan), "set fill value");
+  return list;
+}
+
+Handle small_cache(std::size_t chunk_bytes) {
+  // Rows are written once, in order: two chunks are enough, where HDF5 would take 1 MB for each of some hundred datasets.
+  Handle list(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "make property list");
+  hdf5::require(H5Pset_chunk_cache(list.id(), 17, 2 * chunk_bytes, 1.0), "set chunk cache");
+  return list;
+}
+
+Column make_column(hid_t file, const Channel& channel, const std::string& time_path, std::size_t chunk_rows) {
+  Column column;
+  column.path = channel.path;
+  column.size = channel.size;
+  column.is_flat = channel.size == 1;
+  const hsize_t now[2] = {0, channel.size};
+  const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
+  const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
+  const std::size_t chunk_bytes = chunk_rows * channel.size * sizeof(double);
+  column.dataset =
+      Handle(H5Dcreate2(file, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), hdf5::with_missing_groups().id(),
+                        chunked(chunk_rows, channel.size, column.rank()).id(), small_cache(chunk_bytes).id()),
+             H5Dclose, "cannot make dataset " + channel.path);
+  hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
+  hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
+  if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);
+  if (!channel.columns.empty()) hdf5::write_attribute(column.dataset.id(), "columns", channel.columns);
+  return column;
+}
+
+/// Mixes a value's bits into a check sum: one multiplication for each, for every row of a run passes here.
+std::uint64_t mixed(std::uint64_t sum, double value) {
+  sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
+  return sum ^ (sum >> 32);
+}
+
+/// Writes the buffered rows behind the first `from`.
+void write_buffered(Column& column, std::size_t from) {
+  const std::string what = "dataset " + column.path;
+  const std::size_t n = column.buffered.size() / column.size;
+  const hsize_t extent[2] = {from + n, column.size};
+  hdf5::require(H5Dset_extent(column.dataset.id(), extent), what);
+  const Handle in_file(H5Screate_simple(column.rank(), extent, nullptr), H5Sclose, what);
+  const hsize_t start[2] = {from, 0};
+  const hsize_t count[2] = {n, column.size};
+  hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start, nullptr, count, nullptr), what);
+  const Handle in_memory(H5Screate_simple(column.rank(), count, nullptr), H5Sclose, what);
+  hdf5::require(H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT,
+                         column.buffered.data()),
+                what);
+  column.buffered.clear();
+}
+
+void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups,
+                    const RecorderOptions& options) {
+  if (options.rows_per_flush == 0 || options.rows_per_chunk == 0)
+    throw std::invalid_argument("Recorder: rows_per_flush and rows_per_chunk must be 1 or more");
+  std::set<std::string> known;
+  const auto add = [&](const std::string& path) {
+    if (path.size() < 2 || path.front() != '/' || path.back() == '/')
+      throw std::invalid_argument("Recorder: \"" + path +
+                                  "\" is not a dataset's path; it must look like \"/group/name\"");
+    if (!known.insert(path).second) throw std::invalid_argument("Recorder: two datasets are called " + path);
+  };
+  for (const auto& text : header.texts) add(text.first);
+  for (const auto& group : groups) {
+    add(group.time_path);
+    for (const auto& channel : group.channels) {
+      add(channel.path);
+      if (channel.size == 0) throw std::invalid_argument("Recorder: channel " + channel.path + " has size 0");
+      if (!channel.columns.empty() && channel.columns.size() != channel.size)
+        throw std::invalid_argument("Recorder: channel " + channel.path + " has " + std::to_string(channel.size) +
+                                    " values per row but " + std::to_string(channel.columns.size()) + " column names");
+    }
+  }
+}
+
+/// Puts `from` in the place of `to`; refuses to replace an existing file unless told so, even if it appeared just now.
+void give_name(const fs::path& from, const fs::path& to, bool may_replace) {
+  if (!may_replace) {
+    if (::link(from.c_str(), to.c_str()) == 0) {
+      ::unlink(from.c_str());
+      return;
+    }
+    if (errno == EEXIST)
+      throw InputError({to.string()}, "this result file already exists.",
+                       "Choose another directory, or allow it to be overwritten.");
+    // Some file systems have no links; there the rename below has to do.
+  }
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw SolverError("cannot make " + to.string() + ": " + error.message());
+}
+
+}  // namespace
+
+struct Recorder::Implementation {
+  fs::path path;
+  RecorderOptions options;
+  std::vector<SeriesGroup> series;
+  Handle file;  // before the groups: their datasets close first
+  std::vector<Group> groups;
+  Clock::time_point last_flush = Clock::now();
+  std::string failure;  ///< why writing failed; empty while all is well
+  bool is_closed = false;
+
+  void create(const RecordHeader& header);
+  void make_datasets(const RecordHeader& header);
+  void flush();
+  void close();
+  /// Leaves the file as it is, as if the program had been killed. Closing a file after a failed write crashes HDF5 1.10.8 or
+  /// makes the file unreadable.
+  void abandon() noexcept;
+  void require_open() const;
+};
+
+void Recorder::Implementation::create(const RecordHeader& header) {
+  std::error_code ignored;
+  if (!options.overwrite && fs::exists(path, ignored))
+    throw InputError({path.string()}, "this result file already exists.",
+                     "Choose another directory, or allow it to be overwritten.");
+  // Made under another name first: nobody ever opens a file whose datasets are still being made, and an older one stays until
+  // the new one is sound.
+  const fs::path beside = path.string() + "." + std::to_string(::getpid()) + ".new";
+  const Handle access = hdf5::access_for_writing();
+  HalfMadeFile half_made(beside);
+  try {
+    file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
+    make_datasets(header);
+    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "cannot write it");
+    hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
+  } catch (const SolverError& error) {
+    abandon();
+    throw SolverError("the result file " + path.string() + " could not be made: " + error.what() + ".");
+  }
+  try {
+    give_name(beside, path, options.overwrite);
+  } catch (...) {
+    abandon();
+    throw;
+  }
+  half_made.keep();
+}
+
+void Recorder::Implementation::make_datasets(const RecordHeader& header) {
+  for (const auto& [name, text] : header.attributes) hdf5::write_attribute(file.id(), name, text);
+  for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
+  for (const auto& description : series) {
+    Group group;
+    group.time = make_column(file.id(), {description.time_path, description.unit, description.long_name, 1, {}},
+                             description.time_path, options.rows_per_chunk);
+    for (const auto& channel : description.channels) {
+      group.columns.push_back(make_column(file.id(), channel, description.time_path, options.rows_per_chunk));
+      group.row_size += channel.size;
+    }
+    groups.push_back(std::move(group));
+  }
+}
+
+void Recorder::Implementation::flush() {
+  last_flush = Clock::now();
+  if (std::all_of(groups.begin(), groups.end(), [](const Group& group) { return group.n_buffered() == 0; })) return;
+  hdf5::be_quiet();
+  try {
+    for (auto& group : groups)
+      if (group.n_buffered() > 0)
+        for (auto& column : group.columns) write_buffered(column, group.n_written);
+    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL),
+                  "flush");  // the values are out before the times that announce them
+    for (auto& group : groups) {
+      const std::size_t n = group.n_buffered();
+      if (n == 0) continue;
+      write_buffered(group.time, group.n_written);
+      hdf5::require(H5Dflush(group.time.dataset.id()), "flush");
+      group.n_written += n;
+    }
+  } catch (const SolverError& error) {
+    failure = "the result file " + path.string() + " could not be written (" + error.what() + ").\n" +
+              "       Its rows up to the last successful write can be read. Is the disk full?";
+    abandon();
+    throw SolverError(failure);
+  }
+}
+
+void Recorder::Implementation::close() {
+  if (is_closed) return;
+  require_open();
+  flush();
+  is_closed = true;
+  bool is_sound = true;
+  for (auto& group : groups) {
+    is_sound = group.time.dataset.reset() && is_sound;
+    for (auto& column : group.columns) is_sound = column.dataset.reset() && is_sound;
+  }
+  is_sound = file.reset() && is_sound;
+  if (!is_sound) {
+    failure = "the result file " + path.string() + " could not be closed: " + hdf5::last_error() + ".";
+    throw SolverError(failure);
+  }
+}
+
+void Recorder::Implementation::abandon() noexcept {
+  for (auto& group : groups) {
+    group.time.dataset.leak();
+    for (auto& column : group.columns) column.dataset.leak();
+  }
+  groups.clear();
+  file.leak();
+}
+
+void Recorder::Implementation::require_open() const {
+  if (!failure.empty()) throw SolverError(failure);
+  if (is_closed) throw std::logic_error("Recorder: the file " + path.string() + " is closed");
+}
+
+Recorder::Recorder(const fs::path& path, const RecordHeader& header, std::vector<SeriesGroup> groups,
+                   const RecorderOptions& options)
+    : implementation_(std::make_unique<Implementation>()) {
+  check_channels(header, groups, options);
+  hdf5::be_quiet();
+  implementation_->path = path;
+  implementation_->options = options;
+  implementation_->series = std::move(groups);
+  implementation_->create(header);
+}
+
+Recorder::Recorder(Recorder&&) noexcept = default;
+Recorder& Recorder::operator=(Recorder&&) noexcept = default;
+
+Recorder::~Recorder() {
+  if (!implementation_) return;
+  try {
+    close();
+  } catch (...) {  // a destructor has nobody to tell
+  }
+}
+
+void Recorder::append(std::size_t group_index, double time, std::span<const double> row) {
+  implementation_->require_open();
+  Group& group = implementation_->groups.at(group_index);
+  if (row.size() != group.row_size)
+    throw std::invalid_argument("Recorder: a row of " + group.time.path + " has " + std::to_string(group.row_size) +
+                                " values, given were " + std::to_string(row.size()));
+  if (!(time >= group.last_time))
+    throw std::invalid_argument("Recorder: times of " + group.time.path + " must not decrease");
+  group.last_time = time;
+  group.time.buffered.push_back(time);
+  group.check_sum = mixed(group.check_sum, time);
+  for (const double value : row) group.check_sum = mixed(group.check_sum, value);
+  auto next = row.begin();
+  for (auto& column : group.columns) {
+    const auto end = next + static_cast<std::ptrdiff_t>(column.size);
+    column.buffered.insert(column.buffered.end(), next, end);
+    next = end;
+  }
+  const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
+  if (group.n_buffered() >= implementation_->options.rows_per_flush ||
+      waited.count() >= implementation_->options.seconds_per_flush)
+    implementation_->flush();
+}
+
+void Recorder::flush() {
+  implementation_->require_open();
+  implementation_->flush();
+}
+
+RecordedRows Recorder::sync() {
+  flush();
+  RecordedRows rows;
+  for (const Group& group : implementation_->groups) {
+    rows.n_rows.push_back(group.n_written);
+    rows.check_sums.push_back(group.check_sum);
+  }
+  try {
+    hdf5::require(H5Fflush(implementation_->file.id(), H5F_SCOPE_GLOBAL), "flush");
+    hdf5::sync(implementation_->file.id(), "sync");
+  } catch (const SolverError& error) {
+    implementation_->failure =
+        "the result file " + implementation_->path.string() + " could not be written (" + error.what() + ").";
+    implementation_->abandon();
+    throw SolverError(implementation_->failure);
+  }
+  return rows;
+}
+
+void Recorder::close() { implementation_->close(); }
+
+namespace {
+constexpr double half = 4294967296.;  // 2^32: a double holds half a check sum exactly
+}  // namespace
+
+std::vector<double> RecordedRows::packed() const {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < n_rows.size(); ++i) {
+    numbers.push_back(static_cast<double>(n_rows[i]));
+    numbers.push_back(static_cast<double>(check_sums.at(i) >> 32));
+    numbers.push_back(static_cast<double>(check_sums.at(i) & 0xffffffffU));
+  }
+  return numbers;
+}
+
+RecordedRows RecordedRows::unpacked(const std::vector<double>& numbers) {
+  RecordedRows rows;
+  if (numbers.size() % 3 != 0) return rows;
+  for (const double number : numbers)
+    if (!(number >= 0. && number < half * half)) return rows;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) {
+    rows.n_rows.push_back(static_cast<std::size_t>(numbers[i]));
+    rows.check_sums.push_back(static_cast<std::uint64_t>(numbers[i + 1]) << 32 |
+                              static_cast<std::uint64_t>(numbers[i + 2]));
+  }
+  return rows;
+}
+
+void Recorder::move_to(const fs::path& path) {
+  give_name(implementation_->path, path, true);
+  implementation_->path = path;
+}
+
+const fs::path& Recorder::path() const { return implementation_->path; }
+const std::vector<SeriesGroup>& Recorder::groups() const { return implementation_->series; }
+std::size_t Recorder::row_size(std::size_t group) const { return implementation_->groups.at(group).row_size; }
+std::size_t Recorder::n_rows(std::size_t group) const {
+  const Group& asked = implementation_->groups.at(group);
+  return asked.n_written + asked.n_buffered();
+}
+
+}  // namespace rotordrop

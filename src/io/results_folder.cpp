@@ -1,0 +1,128 @@
+#include "io/results_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <regex>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/errors.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array results{"results.h5",    "summary.json", "preload.h5", "preload.json",
+                             "study.journal", "study.h5",     "study.json"};
+constexpr std::array folders{"checkpoints", "failed", "fields"};
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+/// Whether there is something by this name, be it a link that leads nowhere.
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
+}
+
+/// What was being written when a run was killed.
+bool is_left_over(const std::string& name) {
+  static const std::regex pattern(
+      R"((results|comparison|preload)\.h5(\.resuming|(\.resuming)?\.[0-9]+\.new)|)"
+      R"(((summary|comparison|preload)\.json|parameters\.toml|report\.html|study\.(h5|csv|json|toml)|case\.toml)\.writing)");
+  return std::regex_match(name, pattern);
+}
+
+/// Files of a folder whose names match; the folder too if that leaves it empty. A link to a folder is not followed.
+void remove_files(const fs::path& folder, const std::regex& names) {
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(folder, error))) return;
+  for (const auto& file : fs::directory_iterator(folder, error))
+    if (std::regex_match(file.path().filename().string(), names) && !fs::is_directory(file.symlink_status(error)))
+      fs::remove(file.path(), error);
+  fs::remove(folder, error);  // of a directory: only if it is empty
+}
+
+const std::regex& checkpoint_names() {
+  static const std::regex names(R"(checkpoint-[0-9]+\.h5(\.writing)?)");
+  return names;
+}
+
+void remove_results(const fs::path& directory) {
+  std::error_code error;
+  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "report.html", "study.journal",
+                           "study.h5", "study.csv", "study.json"})
+    if (!fs::is_directory(fs::symlink_status(directory / name, error))) fs::remove(directory / name, error);
+  remove_files(directory / "checkpoints", checkpoint_names());
+  remove_files(directory / "failed", checkpoint_names());
+  remove_files(directory / "fields", std::regex(R"(.+(\.pvd(\.writing)?|-[0-9]+\.vtu(\.part)?))"));
+}
+
+void remove_left_over(const fs::path& directory) {
+  std::error_code error;
+  for (const auto& file : fs::directory_iterator(directory, error))
+    if (is_left_over(file.path().filename().string()) && file.is_regular_file(error)) fs::remove(file.path(), error);
+}
+
+}  // namespace
+
+bool holds_results(const fs::path& directory) {
+  return std::any_of(results.begin(), results.end(), [&](const char* file) { return is_there(directory / file); });
+}
+
+ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_(std::move(directory)) {
+  const SourcePosition where{directory_.string(), 0, 0};
+  const bool has_results = holds_results(directory_);
+  if (has_results && existing == Existing::refuse)
+    throw InputError(
+        where, "the directory holds results already",
+        "Choose another with -o DIR, replace them with --force, or go on with --resume if the run was interrupted.");
+  std::error_code error;
+  fs::create_directories(directory_, error);
+  if (error) throw InputError(where, "the directory cannot be made: " + error.message());
+  lock_ = ::open(directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0 || ::access(directory_.c_str(), W_OK | X_OK) != 0) {
+    const int why = errno;
+    if (lock_ >= 0) ::close(lock_);
+    throw InputError(where, "the directory cannot be written into: " + reason(why), "Choose another with -o DIR.");
+  }
+  // File systems without locks are used without.
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    throw InputError(where, "another run is writing into the directory",
+                     "Choose another with -o DIR, or wait for its end.");
+  }
+  try {
+    if (!has_results)
+      for (const char* name : folders)
+        if (is_there(directory_ / name) && existing != Existing::resume)
+          throw InputError(where, std::string("the directory holds \"") + name + "\", but no results of this program",
+                           "It is left as it is. Choose another directory with -o DIR.");
+    if (has_results && existing == Existing::replace) remove_results(directory_);
+    remove_left_over(directory_);
+  } catch (...) {
+    ::close(lock_);
+    throw;
+  }
+}
+
+ResultsFolder::~ResultsFolder() { ::close(lock_); }
+
+void ResultsFolder::require_there() const {
+  struct stat mine {
+  }, there{};
+  if (::fstat(lock_, &mine) != 0 || ::stat(directory_.c_str(), &there) != 0 || mine.st_ino != there.st_ino ||
+      mine.st_dev != there.st_dev)
+    throw SolverError("the directory " + directory_.string() +
+                      " was removed or replaced while results were written into it; they are lost.");
+}
+
+void ResultsFolder::remove_checkpoints() const { remove_files(directory_ / "checkpoints", checkpoint_names()); }
+
+}  // namespace rotordrop

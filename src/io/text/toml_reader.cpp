@@ -1,0 +1,214 @@
+#include "io/text/toml_reader.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <tuple>
+
+#include "io/text/input_file.h"
+#include "io/text/parameter_keys.h"
+
+namespace rotordrop {
+
+namespace {
+
+/// How positions are made from toml++'s: in a file as they are, for an option of the command line all the same.
+struct PositionsOf {
+  std::string file;
+  bool has_lines = true;
+
+  SourcePosition operator()(const toml::source_region& region) const {
+    if (!has_lines) return {file, 0, 0};
+    return {file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+  }
+};
+
+Node converted(const toml::node& from, const PositionsOf& position);
+
+Node converted_table(const toml::table& from, const PositionsOf& position) {
+  struct Item {
+    const toml::key* key;
+    const toml::node* value;
+  };
+  std::vector<Item> items;
+  require_table_size(from.size(), position(from.source()));
+  for (const auto& [key, value] : from) items.push_back({&key, &value});
+  // toml++ sorts keys by name; we keep the order of the file.
+  std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+    const auto place = [](const Item& item) {
+      return std::tuple(item.key->source().begin.line, item.key->source().begin.column);
+    };
+    return place(a) < place(b);
+  });
+  Node table = Node::table(position(from.source()));
+  for (const Item& item : items) {
+    const SourcePosition where = position(item.key->source());
+    require_printable_key(item.key->str(), where);
+    table.set(std::string(item.key->str()), converted(*item.value, position), where);
+  }
+  return table;
+}
+
+Node converted(const toml::node& from, const PositionsOf& position) {
+  const SourcePosition where = position(from.source());
+  if (const auto* table = from.as_table()) return converted_table(*table, position);
+  if (const auto* array = from.as_array()) {
+    Node::Array items;
+    for (const toml::node& item : *array) items.push_back(converted(item, position));
+    return Node::array(std::move(items), where);
+  }
+  if (const auto* text = from.as_string()) {
+    if (text->get().find('\0') != std::string::npos)
+      throw InputError(where, "this text holds a NUL character.", "Take out \\u0000.");
+    return Node(text->get(), where);
+  }
+  if (const auto* integer = from.as_integer()) return Node(integer->get(), where);
+  if (const auto* real = from.as_floating_point()) return Node(real->get(), where);
+  if (const auto* boolean = from.as_boolean()) return Node(boolean->get(), where);
+  throw InputError(where, "dates and times have no meaning here.", "If it is meant as text, put it in quotes.");
+}
+
+SourcePosition position_of_error(const toml::parse_error& error, const std::string& file) {
+  return PositionsOf{file}(error.source());
+}
+
+std::string syntax_message(const toml::parse_error& error) {
+  std::string description(error.description());
+  if (description.starts_with("Error")) description.front() = 'e';
+  return fmt::format("this is not valid TOML: {}.", description);
+}
+
+Node parsed_toml(std::string_view text, const PositionsOf& position) {
+  require_shallow_toml(text, position.file);
+  return converted_table(toml::parse(text, position.file), position);
+}
+
+/// @param text       of the file at `path`
+/// @param including  the files from the first one to the one that names this
+Node read_with_bases(std::string_view text, const std::filesystem::path& path,
+                     std::vector<std::filesystem::path> including,
+                     const std::function<void(Node&, const std::filesystem::path&)>& complete) {
+  Node tree = parse_toml(text, path.string());
+  if (complete) complete(tree, path);
+  const Node* base = tree.find("base");
+  if (!base) return tree;
+  if (!base->is_text())
+    throw InputError(base->where(),
+                     fmt::format("base is {}; it must be the name of a file in quotes.", kind_name(*base)));
+
+  const std::filesystem::path base_path = (path.parent_path() / base->text()).lexically_normal();
+  const SourcePosition where_base = base->where();
+  including.push_back(std::filesystem::weakly_canonical(path));
+  const auto again = std::find(including.begin(), including.end(), std::filesystem::weakly_canonical(base_path));
+  if (again != including.end()) {
+    std::string chain;
+    for (auto file = again; file != including.end(); ++file) chain += file->filename().string() + " -> ";
+    throw InputError(where_base,
+                     fmt::format("base \"{}\" refers back to a file that is already being read.", base->text()),
+                     fmt::format("The chain of bases is {}{}.", chain, again->filename().string()));
+  }
+  tree.erase("base");
+  return merged(read_with_bases(read_input_file(base_path, where_base), base_path, std::move(including), complete),
+                tree);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// overrides
+
+/// The keys of "a.b.'c d'"; nothing if it is no key of TOML.
+std::optional<std::vector<std::string>> keys_of_path(const std::string& path) {
+  if (path.find('\n') != std::string::npos) return {};
+  require_shallow_toml(path, "--set");
+  try {
+    const toml::table parsed = toml::parse(path + " = 0");
+    std::vector<std::string> keys;
+    const toml::table* table = &parsed;
+    while (table) {
+      if (table->size() != 1) return {};
+      const auto only = table->begin();  // must outlive what it points to: it holds the pair itself
+      keys.emplace_back(only->first.str());
+      table = only->second.as_table();
+    }
+    return keys;
+  } catch (const toml::parse_error&) {
+    return {};
+  }
+}
+
+Node override_value(const std::string& text, const std::string& name) {
+  try {
+    const Node tree = parsed_toml("value = " + text, {name, false});
+    if (tree.entries().size() == 1 && tree.has("value")) return *tree.find("value");
+  } catch (const toml::parse_error& error) {
+    // What looks like a list, a table or a quoted text is meant as one: its mistake must not become a text.
+    if (std::string_view("[{\"'").find(text.front()) != std::string_view::npos)
+      throw InputError({name}, syntax_message(error), fmt::format("The value was: {}", text));
+  } catch (const InputError&) {
+    // A date: here it is a text.
+  }
+  return Node(text, {name});
+}
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string_view::npos ? ""
+                                         : std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+}  // namespace
+
+Node parse_toml(std::string_view text, const std::string& file) {
+  try {
+    return parsed_toml(text, {file});
+  } catch (const toml::parse_error& error) {
+    const bool is_after_a_value =
+        error.description().find("expected a comment or whitespace") != std::string_view::npos;
+    throw InputError(position_of_error(error, file), syntax_message(error),
+                     is_after_a_value ? "Write a value with a unit in quotes: \"15200 rpm\"." : "");
+  }
+}
+
+Node read_toml(const std::filesystem::path& path,
+               const std::function<void(Node&, const std::filesystem::path& file)>& complete) {
+  return read_with_bases(read_input_file(path), path, {}, complete);
+}
+
+Node read_toml_text(std::string_view text, const std::filesystem::path& path,
+                    const std::function<void(Node&, const std::filesystem::path& file)>& complete) {
+  return read_with_bases(text, path, {}, complete);
+}
+
+void apply_override(Node& tree, std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  const std::string path = trimmed(assignment.substr(0, equals));
+  const std::string text = equals == std::string_view::npos ? "" : trimmed(assignment.substr(equals + 1));
+  const std::string example =
+      "Write it as --set contact.friction_coefficient=0.05; quote it for the shell if it has spaces.";
+  if (const auto parts = assignments_in(assignment); parts.size() > 1) {
+    std::string each;
+    for (const auto& part : parts) each += " --set " + shell_quoted(part);
+    throw InputError({fmt::format("--set {}", assignment)},
+                     "this sets several parameters; each needs a --set of its own.", "Write it as:" + each);
+  }
+  if (path.empty() || text.empty())
+    throw InputError({fmt::format("--set {}", assignment)}, "this is not a parameter setting; it must be KEY=VALUE.",
+                     example);
+  const SourcePosition where{fmt::format("--set {}", path)};
+  const auto keys = keys_of_path(path);
+  if (!keys) throw InputError(where, fmt::format("\"{}\" is not the name of a parameter.", path), example);
+
+  Node* table = &tree;
+  for (std::size_t i = 0; i + 1 < keys->size(); ++i) {
+    Node* next = table->find((*keys)[i]);
+    table = next ? next : &table->set((*keys)[i], Node::table(where), where);
+    if (!table->is_table())
+      throw InputError(where, fmt::format("\"{}\" is {}, so nothing can be set in it.", (*keys)[i], kind_name(*table)),
+                       table->where().is_known() ? fmt::format("It is given at {}.", to_string(table->where())) : "");
+  }
+  table->set(keys->back(), override_value(text, where.file), where);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,186 @@
+#include "machine/heat/local_rub.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+#include <numeric>
+
+#include "laws/arc_cells.h"
+#include "laws/heat/heat_flow.h"
+#include "laws/heat/rubbing_pair.h"
+
+namespace rotordrop {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t n_ring_cells = 720, n_rotor_cells = 180, n_wear_cells = 720;
+
+/// One interval in which rotor and bore touch, or one without.
+struct Interval {
+  double end = 0, step = 0;
+  double heat = 0, heat_into_ring = 0;                        // [J]
+  double sliding_work = 0;                                    // [J]
+  double force = 0;                                           // mean [N]; 0: no contact
+  double contact_angle = 0, ring_angle = 0, rotor_angle = 0;  // at the end
+  double turned = 0, ring_turned = 0, rotor_turned = 0;       // in it: line of centres, ring, rotor
+};
+
+std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
+  const auto rows = rows_to_follow(r, most_rows);
+  std::vector<Interval> list;
+  double largest_heat = 0.;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const std::size_t i = rows[k - 1], j = rows[k];
+    Interval v;
+    v.end = r.times[j];
+    v.step = r.times[j] - r.times[i];
+    if (!(v.step > 0.)) continue;
+    v.heat_into_ring = r.joules_into_ring[j] - r.joules_into_ring[i];
+    v.heat = v.heat_into_ring + r.joules_into_rotor[j] - r.joules_into_rotor[i];
+    for (std::size_t m = i; m < j; ++m)
+      v.sliding_work +=
+          (r.impulse[m + 1] - r.impulse[m]) * 0.5 * (std::fabs(r.slip_speed[m]) + std::fabs(r.slip_speed[m + 1]));
+    v.force = (r.impulse[j] - r.impulse[i]) / v.step;
+    v.contact_angle = r.contact_angle[j];
+    v.ring_angle = r.ring_angle[j];
+    v.rotor_angle = r.rotor_angle[j];
+    v.turned = std::remainder(r.contact_angle[j] - r.contact_angle[i], 2. * pi);
+    v.ring_turned = r.ring_angle[j] - r.ring_angle[i];
+    v.rotor_turned = r.rotor_angle[j] - r.rotor_angle[i];
+    largest_heat = std::max(largest_heat, v.heat);
+    list.push_back(v);
+  }
+  // What a ledger gains by rounding is no contact.
+  for (auto& v : list)
+    if (v.heat <= 1e-9 * largest_heat || !(v.force > 0.)) v.force = 0.;
+  return list;
+}
+
+double largest_force(const std::vector<Interval>& list) {
+  double largest = 0.;
+  for (const auto& v : list) largest = std::max(largest, v.force);
+  return largest;
+}
+
+enum class Share { one_temperature, recorded, by_speeds };
+
+class Replay {
+ public:
+  Replay(const RubRecord& r, const std::vector<Interval>& list, const LocalRubSettings& s)
+      : list_(list), s_(s), start_(r.times.empty() ? 0. : r.times.front()) {
+    // Under a hundredth of the largest width the flux of so small a force is no matter; a point would have no area.
+    least_force_ = 1e-4 * largest_force(list);
+  }
+
+  [[nodiscard]] double half_width(bool hertz, double force) const {
+    return hertz ? s_.hertz_width_per_root * std::sqrt(std::max(force, least_force_)) : s_.surfaces.half_width;
+  }
+
+  [[nodiscard]] LocalRise run(bool hertz, Share share) const {
+    LocalRise rise;
+    if (list_.empty()) return rise;
+    const RubbedBody ring = {s_.surfaces.bore.radius, s_.surfaces.bore.conductivity, s_.surfaces.bore.capacity};
+    const RubbedBody rotor = {s_.surfaces.rotor_radius, s_.surfaces.rotor_conductivity, s_.surfaces.rotor_capacity};
+    RubbingPair::Options options;
+    options.division = share == Share::one_temperature ? RubDivision::one_temperature : RubDivision::given;
+    // Under an even flux fewer pieces say the same.
+    if (options.division == RubDivision::given) options.n_nodes = 6;
+    options.axial_width = s_.surfaces.axial_width;
+    options.shortest_interval = list_.front().step;
+    options.duration = std::max(list_.back().end - start_, 2. * list_.front().step);
+    options.ring_cells = n_ring_cells;
+    options.rotor_cells = n_rotor_cells;
+    RubbingPair pair(ring, rotor, options, start_);
+    double touched_at = start_;
+    for (const auto& v : list_) {
+      if (v.force == 0.) {
+        pair.advance(v.end, v.ring_angle, v.rotor_angle);
+        touched_at = v.end;
+        continue;
+      }
+      const double b = half_width(hertz, v.force);
+      double given = 0.;
+      if (share == Share::recorded) given = v.heat_into_ring / v.heat;
+      if (share == Share::by_speeds) {
+        const JaegerShare law{2. * b, v.end - touched_at, rotor.effusivity() / ring.effusivity()};
+        given = law.to_ring((v.turned - v.rotor_turned) * rotor.radius / v.step,
+                            (v.turned - v.ring_turned) * ring.radius / v.step);
+      }
+      pair.advance(v.end, {v.heat, b, v.contact_angle, v.ring_angle, v.rotor_angle, given});
+      rise.heat += v.heat;
+      const auto& now = pair.state();
+      rise.rotor = std::max(rise.rotor, now.rotor_rise);
+      if (now.ring_rise > rise.bore) {
+        rise.bore = now.ring_rise;
+        rise.time = v.end;
+        rise.share_then = now.share_to_ring;
+        rise.half_width = b;
+        rise.difference_then = now.largest_difference;
+      }
+    }
+    rise.heat_into_ring = pair.heat_into_ring();
+    rise.heat_into_rotor = pair.heat_into_rotor();
+    rise.share_to_ring = rise.heat > 0. ? rise.heat_into_ring / rise.heat : 0.;
+    return rise;
+  }
+
+  [[nodiscard]] Wear wear() const {
+    std::vector<double> on_ring(n_wear_cells, 0.), on_rotor(n_wear_cells, 0.);
+    Wear w;
+    const auto spread = [&](std::vector<double>& cells, double place, double way, double half_angle, double work) {
+      spread_over_cells(n_wear_cells, place - way, place, half_angle,
+                        [&](std::size_t cell, double share) { cells[cell] += share * work; });
+    };
+    const double r_b = s_.surfaces.bore.radius, r_r = s_.surfaces.rotor_radius;
+    for (const auto& v : list_) {
+      if (v.sliding_work <= 0.) continue;
+      w.sliding_work += v.sliding_work;
+      const double b = half_width(s_.by_hertz, v.force);
+      spread(on_ring, v.contact_angle - v.ring_angle, v.turned - v.ring_turned, b / r_b, v.sliding_work);
+      spread(on_rotor, v.contact_angle - v.rotor_angle, v.turned - v.rotor_turned, b / r_r, v.sliding_work);
+    }
+    const auto depth = [&](const std::vector<double>& cells, double k, double radius, double& largest, double& mean,
+                           double& volume) {
+      const double area = 2. * pi * radius * s_.surfaces.axial_width / static_cast<double>(n_wear_cells);
+      largest = k * *std::max_element(cells.begin(), cells.end()) / area;
+      volume = k * std::accumulate(cells.begin(), cells.end(), 0.);
+      mean = volume / (area * static_cast<double>(n_wear_cells));
+    };
+    depth(on_ring, s_.bore_wear, r_b, w.bore_depth, w.bore_mean_depth, w.bore_volume);
+    depth(on_rotor, s_.rotor_wear, r_r, w.rotor_depth, w.rotor_mean_depth, w.rotor_volume);
+    return w;
+  }
+
+ private:
+  const std::vector<Interval>& list_;
+  const LocalRubSettings& s_;
+  double start_ = 0, least_force_ = 0;
+};
+
+}  // namespace
+
+LocalRub local_rub(const RubRecord& r, const LocalRubSettings& s, std::size_t most_rows) {
+  LocalRub result;
+  const auto& bore = s.surfaces.bore;
+  result.valid_until = 0.25 * bore.wall_thickness * bore.wall_thickness * bore.capacity / bore.conductivity;
+  const auto list = intervals_of(r, most_rows);
+  const Replay replay(r, list, s);
+  result.wear = replay.wear();
+  if (largest_force(list) == 0.) return result;
+  const Share stated = s.is_one_temperature ? Share::one_temperature : Share::recorded;
+  const Share other = s.is_one_temperature ? Share::recorded : Share::one_temperature;
+  result.stated = replay.run(s.by_hertz, stated);
+  result.other_share = replay.run(s.by_hertz, other);
+  result.other_band = replay.run(!s.by_hertz, stated);
+  result.other_both = replay.run(!s.by_hertz, other);
+  result.by_speeds = replay.run(s.by_hertz, Share::by_speeds);
+  const auto bounds = std::minmax({result.stated.bore, result.other_share.bore, result.other_band.bore,
+                                   result.other_both.bore, result.by_speeds.bore});
+  result.bore_rise_low = bounds.first;
+  result.bore_rise_high = bounds.second;
+  return result;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,108 @@
+#include "study/compare/calibration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "base/version.h"
+#include "case/fe_module.h"
+#include "io/text/parameter_writers.h"
+#include "machine/build_machine.h"
+
+namespace rotordrop {
+
+std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSettings& settings) {
+  CaseParameters p = c.parameters;
+  p.thermal.has_fe = true;
+  p.thermal.driver = GrowthDriver::automatic;
+  p.thermal.fe.coupling = FeCoupling::reduced;
+  p.thermal.contact_conduction = BallConductionModel::fixed;  // there are no loads
+  // Speed is of no matter here.
+  p.thermal.fe.response_tolerance = std::min(p.thermal.fe.response_tolerance, 2e-3);
+  // What a user adds to the circuit is not fitted.
+  p.thermal.nodes.clear();
+  p.thermal.resistors.clear();
+  Faults faults;
+  check_machine(p, c.tree, faults);
+  faults.throw_if_any();
+  FiniteElements elements = finite_elements_of(c);
+  build_machine(p, c.tree, &elements);
+  std::vector<CalibratedBearing> bearings;
+  CaseParameters spreading = p;
+  spreading.thermal.spreading = RacewaySpreading::strip;
+  for (const auto& section : elements.sections) {
+    const auto circuit = [&](const CaseParameters& of) {
+      return circuit_data(of, section.name, touchdown_of(of, section.name));
+    };
+    bearings.push_back(fit_circuit(circuit(p), section.reduced, p.run.ambient, settings,
+                                   uncertain_resistances(circuit(p), circuit(spreading))));
+  }
+  if (bearings.empty())
+    throw InputError({c.file.string(), 0, 0},
+                     "the case has no touchdown bearing, so there is no circuit to calibrate.");
+  return bearings;
+}
+
+namespace {
+
+/// Behind a factor in the file: its bounds, and whether it is at one.
+std::string bounds_text(const CalibratedBearing::Resistance& r) {
+  const auto& u = r.uncertain;
+  return fmt::format("{}, {:.3g} to {:.3g}{}", u.words, u.lowest, u.highest,
+                     r.is_at_lowest    ? ": AT ITS LOWER BOUND"
+                     : r.is_at_highest ? ": AT ITS UPPER BOUND"
+                                       : "");
+}
+
+}  // namespace
+
+std::string calibration_file(const Case& c, const std::filesystem::path& file,
+                             const std::vector<CalibratedBearing>& bearings, const CalibrationSettings& s) {
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  std::string text = fmt::format(
+      "# source: factors of the circuit's uncertain resistances are fitted to the finite elements of this case by "
+      "rotordrop {} ({}): responses of mean\n"
+      "# temperatures to steps of heat into each port, from {:g} s to {:g} s. Capacities and convection stay. Set the "
+      "factors to 1 for the circuit without calibration.\n"
+      "base = {}\n",
+      version(), git_revision(), s.from, s.until, toml_value(Node(std::filesystem::relative(c.file, folder).string())));
+  for (const auto& b : bearings) {
+    text += fmt::format("\n[bearings.{}.circuit]  # error of responses: rms {:.2g} % before, {:.2g} % after\n", b.name,
+                        100. * b.before.rms, 100. * b.after.rms);
+    for (const auto& r : b.resistances)
+      text += fmt::format("{} = {:.4f}  # {}\n", r.uncertain.name, b.factors.*r.uncertain.member, bounds_text(r));
+  }
+  return text;
+}
+
+std::string calibration_text(const std::vector<CalibratedBearing>& bearings) {
+  std::string text;
+  for (const auto& b : bearings) {
+    text += fmt::format(
+        "{}: error of the circuit's responses, rms {:.3g} % -> {:.3g} %, largest {:.3g} % -> {:.3g} %: the fit removes "
+        "{:.0f} %\n",
+        b.name, 100. * b.before.rms, 100. * b.after.rms, 100. * b.before.largest, 100. * b.after.largest,
+        100. * (1. - b.after.rms / b.before.rms));
+    for (const auto& [node, e] : b.nodes)
+      text += fmt::format("    {:<12} rms {:8.3f} % -> {:8.3f} %   largest {:8.3f} % -> {:8.3f} %\n", node,
+                          100. * e[0].rms, 100. * e[1].rms, 100. * e[0].largest, 100. * e[1].largest);
+    for (const auto& r : b.resistances)
+      text += fmt::format("    factor {:<10} {:6.3f}   rms {:6.3f} % without it   {}\n", r.uncertain.name,
+                          b.factors.*r.uncertain.member, 100. * r.rms_without, bounds_text(r));
+    if (const auto* most = b.carrier())
+      text += fmt::format("    Of the error that the fit removes, {} carries most (factor {} = {:.3f}).\n",
+                          most->uncertain.words, most->uncertain.name, b.factors.*most->uncertain.member);
+    for (const auto& r : b.resistances)
+      if (r.is_at_lowest || r.is_at_highest)
+        text += fmt::format(
+            "    The factor {} is at its {} bound, {:.3g}: the error that is left is not one of this resistance, but "
+            "of "
+            "what one node per body cannot represent.\n",
+            r.uncertain.name, r.is_at_lowest ? "lower" : "upper",
+            r.is_at_lowest ? r.uncertain.lowest : r.uncertain.highest);
+  }
+  return text;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,57 @@
+#include "study/compare/comparison_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "base/units.h"
+
+namespace rotordrop {
+namespace {
+
+double positive_si(const std::string& text, const char* unit, QuantityKind kind, const std::string& option,
+                   const char* name) {
+  const auto value = convert_to_si(text, unit, kind, name);
+  if (!value) throw InputError({option, 0, 0}, value.error, value.advice);
+  if (!(value.value > 0.)) throw InputError({option, 0, 0}, fmt::format("\"{}\" must be above zero", text));
+  return value.value;
+}
+
+}  // namespace
+
+TemperatureTolerance parse_temperature_tolerance(const std::string& text) {
+  const auto percent = text.find('%');
+  if (percent != std::string::npos) {
+    std::string before = text.substr(0, percent);
+    before.erase(before.find_last_not_of(' ') + 1);
+    const auto value = bare_number(before);
+    if (!value || !(*value > 0.) || !std::isfinite(*value) ||
+        text.find_first_not_of(' ', percent + 1) != std::string::npos)
+      throw InputError({"--tolerance", 0, 0}, fmt::format("\"{}\" is not a percentage above zero", text),
+                       "Write \"5 %\" of the rise at the time, or \"0.5 K\".");
+    return {*value / 100., true};
+  }
+  return {positive_si(text, "K", QuantityKind::temperature_difference, "--tolerance", "a tolerance"), false};
+}
+
+double parse_floor(const std::string& text) {
+  return positive_si(text, "K", QuantityKind::temperature_difference, "--floor", "a tolerance");
+}
+
+double parse_length(const std::string& text, const std::string& option) {
+  return positive_si(text, "m", QuantityKind::plain, option, "it");
+}
+
+std::vector<double> parse_instants(const std::string& text) {
+  std::vector<double> instants;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    instants.push_back(positive_si(text.substr(from, comma - from), "s", QuantityKind::plain, "--times", "a time"));
+    from = comma + 1;
+  }
+  return instants;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,33 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/heat/bore_history.h"
+#include "study/drop/impact.h"
+
+namespace rotordrop {
+
+/// Temperatures of one bore, for series [K]; NaN where there is none.
+struct BoreTemperatures {
+  std::string bearing;
+  BoreHistory history;
+  std::vector<double> node, mean, local, flash, rotor_flash;  ///< [n_rows]
+};
+
+struct BoreReport {
+  nlohmann::ordered_json report;  ///< docs/reference/results.md
+  BoreTemperatures temperatures;
+};
+/// The rub of a bearing as recorded by a drop.
+RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing);
+
+/// Local temperatures of a bearing's bore from the rub that a drop recorded.
+/// @param lumped, fe   runs that give the circuit's inner ring and the mean around the bore; may be none
+/// @param band_length  of the rub along the surface [m]; none: the case's
+BoreReport report_bore(const std::string& bearing, const TouchdownParameters& parameters, const RecordedDrop& drop,
+                       const RecordedDrop* lumped, const RecordedDrop* fe, const std::optional<double>& band_length,
+                       const Impact& impact, const std::vector<Instant>& instants);
+
+}  // namespace rotordrop

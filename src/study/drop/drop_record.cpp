@@ -1,0 +1,56 @@
+#include "study/drop/drop_record.h"
+
+#include "base/version.h"
+#include "integrate/sundials_version.h"
+#include "io/hdf5/hdf5_version.h"
+#include "io/hdf5/recorded_series.h"
+#include "io/hdf5/resumed_recording.h"
+
+namespace rotordrop {
+namespace {
+
+RecordHeader record_header(const Case& drop_case) {
+  return {{{"program", std::string("rotordrop ") + version()},
+           {"git_revision", git_revision()},
+           {"sundials_version", sundials_version()},
+           {"hdf5_version", hdf5_version()},
+           {"case", drop_case.name},
+           {"frame",
+            "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y "
+            "towards +z"}},
+          {{"/parameters", drop_case.resolved}}};
+}
+
+}  // namespace
+
+DropRecord::DropRecord(const std::filesystem::path& directory, const Case& drop_case, const Machine& machine,
+                       Drop& drop)
+    : file_(directory / "results.h5"), case_(drop_case) {
+  drop.rows().add(add_group("/time", {&machine.step_observables(), &machine.state_observables()}));
+  if (!machine.detail_observables().empty())
+    drop.detail_rows().add(add_group("/detail/time", {&machine.detail_observables()}));
+  if (const auto own = drop.sections().observables(); !own.empty())
+    drop.sections().add(add_group("/windows/time", {&own}));
+}
+
+RowSink& DropRecord::add_group(const std::string& times, std::initializer_list<const std::vector<Observable>*> lists) {
+  SeriesGroup group{times, {}};
+  for (const auto* list : lists)
+    for (const auto& o : *list) group.channels.push_back({o.name, o.unit, o.long_name, o.size, o.columns});
+  groups_.push_back(std::move(group));
+  return sinks_.emplace_back(*this, groups_.size() - 1);
+}
+
+void DropRecord::open(bool overwrite) {
+  RecorderOptions options;
+  options.overwrite = overwrite;
+  recorder_.emplace(file_, record_header(case_), groups_, options);
+}
+
+void DropRecord::resume(double time, const RecordedRows& recorded, MemorySeries& series) {
+  recorder_.emplace(resume_recording(file_, time, record_header(case_), groups_, {}, recorded).recorder);
+  recorder_->flush();
+  series.restore([&](const std::string& path) { return read_series(file_, path).values; });
+}
+
+}  // namespace rotordrop

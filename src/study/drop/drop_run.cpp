@@ -1,0 +1,119 @@
+#include "study/drop/drop_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "base/cpu_time.h"
+#include "base/errors.h"
+#include "io/checkpoint.h"
+#include "io/results_folder.h"
+#include "study/drop/drop_checkpoints.h"
+#include "study/drop/drop_fields.h"
+#include "study/drop/drop_record.h"
+#include "study/drop/summary.h"
+
+namespace rotordrop {
+namespace {
+
+/// Series of which the summary tells: orbits and rubs of the bearings, and all of finite elements.
+bool is_in_summary(const std::string& path) {
+  if (path.starts_with("/fe/") || path.starts_with("/windows/") || path.starts_with("/rotor/")) return true;
+  if (path.starts_with("/ledger/")) return path.find('/', std::string_view("/ledger/").size()) != std::string::npos;
+  if (!path.starts_with("/bearings/")) return false;
+  const std::string name = path.substr(path.rfind('/') + 1);
+  const auto names = {"orbit", "penetration", "ring_position", "ring_speed", "slip_speed"};
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+[[noreturn]] void fail(const SolverError& error, const Drop& drop, DropCheckpoints& checkpoints, DropRecord& record) {
+  std::string text = error.what();
+  try {
+    const auto file = checkpoints.save_failed();
+    text += fmt::format("\n       The last good state, at t = {:.6g} ms, is saved in {}.", drop.loop().time() * 1e3,
+                        file.string());
+    record.close();
+  } catch (const std::exception& other) {
+    text += fmt::format("\n       The state could not be saved: {}", other.what());
+  }
+  throw SolverError(text);
+}
+
+/// Adds the summary of a drop that has come to its end.
+void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteElements* elements, MemorySeries series,
+               const std::filesystem::path& directory, FinishedDrop& result) {
+  result.recorded = std::make_shared<const RecordedDrop>(c, std::move(series), directory);
+  auto& summary = result.summary = summarise(c, machine, drop.scalars(), result, elements, *result.recorded);
+  summary["input_warnings"] = nlohmann::ordered_json::array();
+  for (const auto& warning : c.warnings)
+    summary["input_warnings"].push_back(
+        {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
+}
+
+}  // namespace
+
+FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, FiniteElements* elements,
+                                const volatile std::sig_atomic_t* stop, const std::vector<std::string>& kept) {
+  const auto& p = c.parameters;
+  Drop drop(machine, p, p.integration, p.output, elements);
+  MemorySeries series(machine, drop, [&](const std::string& path) {
+    return is_in_summary(path) || std::find(kept.begin(), kept.end(), path) != kept.end();
+  });
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = cpu_seconds();
+  drop.run([&] { return stop && *stop; });
+  FinishedDrop result{drop.result(), {}, nullptr};
+  result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.cpu_time = cpu_seconds() - cpu_start;
+  summarise(c, machine, drop, elements, std::move(series), {}, result);
+  return result;
+}
+
+FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& options) {
+  const auto& p = c.parameters;
+  ResultsFolder folder(options.directory, options.resume  ? ResultsFolder::Existing::resume
+                                          : options.force ? ResultsFolder::Existing::replace
+                                                          : ResultsFolder::Existing::refuse);
+  Drop drop(machine, p, p.integration, p.output, options.elements, options.tell);
+  DropRecord record(options.directory, c, machine, drop);
+  const bool are_two = p.thermal.has_lumped && p.thermal.has_fe;
+  MemorySeries series(machine, drop, are_two ? MemorySeries::Choice{} : is_in_summary);
+  DropCheckpoints checkpoints(options.directory, c, machine, drop, record, series, folder, options.tell);
+  DropProgress progress(machine, drop, drop.sections().growth_in_force(), options.report);
+  drop.loop().add(progress);
+  drop.loop().add(checkpoints);
+  if (options.resume)
+    checkpoints.resume();
+  else
+    record.open(options.force);
+  std::optional<DropFields> fields;
+  if (options.elements) {
+    fields.emplace(options.directory, *options.elements, p.thermal.fe, drop.loop().time());
+    drop.sections().set_fields(*fields);
+  }
+  write_text_atomically(options.directory / "parameters.toml", c.resolved);
+
+  checkpoints.start_clocks();
+  progress.begin(drop.loop().time());
+  try {
+    drop.run([&] { return options.stop && *options.stop; });
+  } catch (const SolverError& error) {
+    fail(error, drop, checkpoints, record);
+  }
+  FinishedDrop result{drop.result(), {}, nullptr};
+  if (!result.completed) checkpoints.save();
+  progress.tell(result.end_time, result.state);
+  record.close();
+  folder.require_there();
+  result.wall_time = checkpoints.wall_time();
+  result.cpu_time = checkpoints.cpu_time();
+
+  summarise(c, machine, drop, options.elements, std::move(series), options.directory, result);
+  write_text_atomically(options.directory / "summary.json", result.summary.dump(2) + "\n");
+  if (result.completed) folder.remove_checkpoints();
+  return result;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,45 @@
+#pragma once
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/drop.h"
+#include "case/case.h"
+#include "study/drop/drop_progress.h"
+#include "study/recorded_drop.h"
+
+namespace rotordrop {
+
+struct RunOptions {
+  std::filesystem::path directory;
+  bool force = false;                                ///< replace results that are there
+  bool resume = false;                               ///< go on from the newest checkpoint there
+  const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the current step, as if interrupted
+  FiniteElements* elements = nullptr;                ///< those that the machine was built with, if any
+  std::function<void(const Progress&)> report;       ///< called a few times a second
+  std::function<void(const std::string&)> tell;      ///< called with what a user should know
+};
+
+/// A finished or interrupted drop with its summary.
+struct FinishedDrop : DropResult {
+  nlohmann::ordered_json summary;  ///< as in summary.json
+  std::shared_ptr<const RecordedDrop>
+      recorded;  ///< series that its summary needs; all if two thermal models can be compared
+};
+
+/// Runs a case into a directory: results.h5, parameters.toml, checkpoints and summary.json.
+/// @throws InputError if the directory holds results and neither force nor resume is set
+/// @throws SolverError if the integration fails; the last good state is saved as a checkpoint in DIRECTORY/failed
+FinishedDrop run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options);
+
+/// Runs a case without a file: no checkpoints, no temperature fields.
+/// @param kept  paths of series to keep beside those that the summary needs
+/// @throws SolverError if the integration fails
+FinishedDrop run_drop_in_memory(const Case& drop_case, const Machine& machine, FiniteElements* elements,
+                                const volatile std::sig_atomic_t* stop, const std::vector<std::string>& kept);
+
+}  // namespace rotordrop

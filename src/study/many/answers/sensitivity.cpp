@@ -1,0 +1,178 @@
+#include "study/many/answers/sensitivity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "study/many/random_bits.h"
+
+namespace rotordrop {
+namespace {
+
+/// Percentile interval of resampled values.
+void take_interval(Estimate& estimate, std::vector<double>& resampled) {
+  std::erase_if(resampled, [](double v) { return !std::isfinite(v); });
+  if (resampled.size() < 40) return;
+  std::sort(resampled.begin(), resampled.end());
+  estimate.low = quantile_of(resampled, 0.025);
+  estimate.high = quantile_of(resampled, 0.975);
+}
+
+std::size_t pick(std::uint64_t seed, std::size_t resample, std::size_t k, std::size_t n) {
+  return std::min(n - 1, static_cast<std::size_t>(uniform_number(seed, resample, k) * static_cast<double>(n)));
+}
+
+/// First and total index of every parameter from chosen blocks. Values are centred: that leaves the formulas and saves digits.
+void indices_of(const std::vector<const double*>& blocks, std::size_t d, std::vector<double>& first,
+                std::vector<double>& total) {
+  const auto n = static_cast<double>(blocks.size());
+  double mean = 0., variance = 0.;
+  for (const double* y : blocks) mean += y[0] + y[1];
+  mean /= 2. * n;
+  for (const double* y : blocks) variance += (y[0] - mean) * (y[0] - mean) + (y[1] - mean) * (y[1] - mean);
+  variance /= 2. * n - 1.;
+  for (std::size_t j = 0; j < d; ++j) {
+    double s = 0., t = 0.;
+    for (const double* y : blocks) {
+      s += (y[1] - mean) * (y[2 + j] - y[0]);
+      t += (y[0] - y[2 + j]) * (y[0] - y[2 + j]);
+    }
+    first[j] = s / n / variance;
+    total[j] = t / (2. * n) / variance;
+  }
+}
+
+}  // namespace
+
+SobolResult sobol_indices(const std::vector<double>& y, std::size_t d, std::uint64_t seed, std::size_t n_resamples) {
+  SobolResult result;
+  const std::size_t width = d + 2, n_all = y.size() / width;
+  std::vector<const double*> blocks;
+  for (std::size_t k = 0; k < n_all; ++k) {
+    const double* block = y.data() + k * width;
+    if (std::all_of(block, block + width, [](double v) { return std::isfinite(v); })) blocks.push_back(block);
+  }
+  result.n_blocks = blocks.size();
+  result.n_left_out = n_all - blocks.size();
+  if (blocks.size() < 2) return result;
+  std::vector<double> first(d), total(d);
+  indices_of(blocks, d, first, total);
+  result.parameters.resize(d);
+  for (std::size_t j = 0; j < d; ++j) result.parameters[j] = {{first[j], {}, {}}, {total[j], {}, {}}};
+  std::vector<std::vector<double>> firsts(d), totals(d);
+  std::vector<const double*> chosen(blocks.size());
+  for (std::size_t b = 0; b < n_resamples; ++b) {
+    for (std::size_t k = 0; k < blocks.size(); ++k) chosen[k] = blocks[pick(seed, b, k, blocks.size())];
+    indices_of(chosen, d, first, total);
+    for (std::size_t j = 0; j < d; ++j) {
+      firsts[j].push_back(first[j]);
+      totals[j].push_back(total[j]);
+    }
+  }
+  for (std::size_t j = 0; j < d; ++j) {
+    take_interval(result.parameters[j].first, firsts[j]);
+    take_interval(result.parameters[j].total, totals[j]);
+  }
+  return result;
+}
+
+RankIndices::RankIndices(std::vector<std::vector<double>> x, std::uint64_t seed, std::size_t n_halves) {
+  const std::size_t n = x.empty() ? 0 : x.front().size();
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    auto& order = orders_.emplace_back(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // Equal values are in random order.
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return x[j][a] != x[j][b] ? x[j][a] < x[j][b] : bits_of(seed, a, j) < bits_of(seed, b, j);
+    });
+  }
+  std::vector<std::pair<std::uint64_t, std::size_t>> drawn(n);
+  for (std::size_t h = 0; h < n_halves; ++h) {
+    for (std::size_t k = 0; k < n; ++k) drawn[k] = {bits_of(seed + 1, h, k), k};
+    std::nth_element(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(n / 2), drawn.end());
+    auto& half = halves_.emplace_back(n, std::uint8_t{0});
+    for (std::size_t k = 0; k < n / 2; ++k) half[drawn[k].second] = 1;
+  }
+}
+
+namespace {
+
+/// Over the points that count, in an order: sum of products of neighbours over sum of squares, both around the mean.
+double rank_index(const std::vector<std::size_t>& order, const std::vector<double>& y, const std::uint8_t* counts) {
+  double sum = 0., squares = 0., products = 0., first = 0., last = 0.;
+  std::size_t n = 0;
+  for (const std::size_t k : order)
+    if (!counts || counts[k]) sum += y[k], ++n;
+  if (n < 3) return std::nan("");
+  const double mean = sum / static_cast<double>(n);
+  bool is_first = true;
+  for (const std::size_t k : order) {
+    if (counts && !counts[k]) continue;
+    const double value = y[k] - mean;
+    squares += value * value;
+    if (is_first)
+      first = value;
+    else
+      products += last * value;
+    last = value;
+    is_first = false;
+  }
+  return (products + last * first) / squares;  // the last point's neighbour is the first one
+}
+
+}  // namespace
+
+std::vector<Estimate> RankIndices::first(const std::vector<double>& y) const {
+  std::vector<Estimate> result;
+  for (const auto& all : orders_) {
+    std::vector<std::size_t> order;
+    for (const std::size_t k : all)
+      if (std::isfinite(y[k])) order.push_back(k);
+    Estimate estimate{rank_index(order, y, nullptr), {}, {}};
+    std::vector<double> halves;
+    if (order.size() >= 20)
+      for (const auto& half : halves_) halves.push_back(rank_index(order, y, half.data()));
+    if (halves.size() > 1) {
+      const double width = 1.959963984540054 * deviation_of(halves);
+      estimate.low = estimate.value - width;
+      estimate.high = estimate.value + width;
+    }
+    result.push_back(estimate);
+  }
+  return result;
+}
+
+std::vector<MorrisEffects> morris_effects(const std::vector<double>& unit, const std::vector<double>& y, std::size_t d,
+                                          std::uint64_t seed, std::size_t n_resamples) {
+  std::vector<std::vector<double>> effects(d);
+  for (std::size_t row = 0; row + 1 < y.size(); ++row) {
+    if (row % (d + 1) == d || !std::isfinite(y[row]) || !std::isfinite(y[row + 1])) continue;
+    for (std::size_t j = 0; j < d; ++j) {
+      const double step = unit[(row + 1) * d + j] - unit[row * d + j];
+      if (step != 0.) effects[j].push_back((y[row + 1] - y[row]) / step);
+    }
+  }
+  std::vector<MorrisEffects> result(d);
+  for (std::size_t j = 0; j < d; ++j) {
+    const auto& e = effects[j];
+    auto& r = result[j];
+    r.n = e.size();
+    if (e.empty()) continue;
+    std::vector<double> magnitudes(e.size());
+    std::transform(e.begin(), e.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
+    r.mean = mean_of(e);
+    r.deviation = deviation_of(e);
+    r.mean_magnitude.value = mean_of(magnitudes);
+    if (e.size() < 4) continue;
+    std::vector<double> means;
+    for (std::size_t b = 0; b < n_resamples; ++b) {
+      double sum = 0.;
+      for (std::size_t k = 0; k < e.size(); ++k) sum += magnitudes[pick(seed + j, b, k, e.size())];
+      means.push_back(sum / static_cast<double>(e.size()));
+    }
+    take_interval(r.mean_magnitude, means);
+  }
+  return result;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "study/many/answers/statistics.h"
+
+namespace rotordrop {
+
+/// Sobol indices of one parameter.
+struct SobolIndices {
+  Estimate first, total;
+};
+/// Answers of Saltelli's design, blocks in rows: A, B, A with parameter 1 of B, ... A block with a NaN is left out.
+/// First order by Saltelli et al. 2010 (table 2 b), total by Jansen 1999; percentile intervals of `n_resamples` bootstrap samples of blocks.
+struct SobolResult {
+  std::vector<SobolIndices> parameters;
+  std::size_t n_blocks = 0, n_left_out = 0;
+};
+SobolResult sobol_indices(const std::vector<double>& y, std::size_t n_parameters, std::uint64_t seed,
+                          std::size_t n_resamples = 500);
+
+/// First indices from any sample by ranks (Gamboa, Gremaud, Klein & Lagnoux 2022); points with a NaN drop out. Intervals: value +- 1.96
+/// standard errors by the delete-half jackknife, since repeated points of a bootstrap would be each other's neighbours.
+class RankIndices {
+ public:
+  /// @param x  [parameters][points]
+  RankIndices(std::vector<std::vector<double>> x, std::uint64_t seed, std::size_t n_halves = 200);
+  /// @param y  [points]
+  [[nodiscard]] std::vector<Estimate> first(const std::vector<double>& y) const;
+
+ private:
+  std::vector<std::vector<std::size_t>> orders_;   ///< points by each parameter
+  std::vector<std::vector<std::uint8_t>> halves_;  ///< points in each half
+};
+
+/// Elementary effects of one parameter (Morris 1991, Campolongo et al. 2007), per range of the parameter.
+struct MorrisEffects {
+  double mean = 0;
+  Estimate mean_magnitude;  ///< mu*
+  double deviation = 0;     ///< sigma
+  std::size_t n = 0;        ///< effects whose both ends are there
+};
+/// @param unit  [rows, parameters] of the design; @param y [rows], NaN where there is none
+std::vector<MorrisEffects> morris_effects(const std::vector<double>& unit, const std::vector<double>& y,
+                                          std::size_t n_parameters, std::uint64_t seed, std::size_t n_resamples = 500);
+
+}  // namespace rotordrop

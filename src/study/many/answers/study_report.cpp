@@ -1,0 +1,125 @@
+#include "study/many/answers/study_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "study/json_number.h"
+#include "study/many/answers/result_check.h"
+#include "study/many/answers/study_summary.h"
+#include "study/many/study_folder.h"
+#include "study/report/report.h"
+#include "study/report/report_template.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_shown = 400'000;  // numbers on the page
+
+/// Six digits are more than a picture shows.
+Json rounded(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::stod(fmt::format("{:.6g}", value));
+}
+
+Json value_of(const Node& value) {
+  if (value.is_number()) return rounded(value.number());
+  return value.is_text() ? value.text() : to_text(value);
+}
+
+/// Results in the order of interest: chosen, limited, derived, then the others that vary.
+std::vector<const ResultColumn*> shown_results(const Study& study, const StudyTable& table) {
+  std::vector<const ResultColumn*> shown;
+  const auto add = [&](const ResultColumn* column) {
+    if (column && std::find(shown.begin(), shown.end(), column) == shown.end()) shown.push_back(column);
+  };
+  if (study.choice) add(table.find(study.choice->result));
+  for (const auto& limit : study.limits) add(table.find(limit.pattern));
+  for (const auto& derived : study.derived) add(table.find(derived.name));
+  const std::size_t n_rows = std::max<std::size_t>(table.count(PointStatus::done), 1);
+  for (const auto& column : table.results) {
+    double low = INFINITY, high = -INFINITY;
+    for (const double v : column.values)
+      if (std::isfinite(v)) {
+        low = std::min(low, v);
+        high = std::max(high, v);
+      }
+    if (low < high && shown.size() * n_rows < most_shown) add(&column);
+  }
+  return shown;
+}
+
+}  // namespace
+
+Json study_report_data(const std::filesystem::path& directory) {
+  Study study = read_study_of(directory);
+  const Design design = make_design(study);
+  const auto content = Journal::read(directory / "study.journal");
+  const StudyTable table = make_table(study, design, content.records, content.layouts);
+  if (table.count(PointStatus::done) == 0)
+    throw InputError({directory.string(), 0, 0}, "no point of this study is done, so there is nothing to report.");
+  std::vector<std::string> names;
+  for (const auto& column : table.results) names.push_back(column.name);
+  resolve_results(study, names);
+  const Json summary = study_summary(study, design, table);
+
+  Json data;
+  data["title"] = "Study " + study.name;
+  data["subtitle"] = fmt::format("case {}, {} design", study.base.name, name_of(study.design.kind));
+  data["design"] = name_of(study.design.kind);
+  data["counts"] =
+      fmt::format("{} drops: {} done, {} failed, {} not run.", table.n_points, table.count(PointStatus::done),
+                  table.count(PointStatus::failed), table.count(PointStatus::not_run));
+  data["limits"] = summary["limits"];
+  for (const char* key : {"choose", "indices", "morris", "indices_method"})
+    if (summary.contains(key)) data[key] = summary[key];
+  std::vector<std::size_t> done;
+  data["points"] = Json::array();
+  data["failed"] = Json::array();
+  for (std::size_t k = 0; k < table.n_points; ++k) {
+    if (table.status[k] == PointStatus::done) {
+      done.push_back(k);
+      data["points"].push_back(k);
+    } else if (table.status[k] == PointStatus::failed && data["failed"].size() < 200) {
+      Json values = Json::array();
+      for (const auto& value : point_of(study, design, k).values) values.push_back(value_of(value));
+      data["failed"].push_back({{"point", k}, {"values", values}, {"reason", table.reason[k]}});
+    }
+  }
+  data["parameters"] = Json::array();
+  for (const auto& p : study.parameters)
+    data["parameters"].push_back({{"name", p.name}, {"unit", p.unit()}, {"values", Json::array()}});
+  for (const auto k : done) {
+    const StudyPoint point = point_of(study, design, k);
+    for (std::size_t i = 0; i < study.parameters.size(); ++i)
+      data["parameters"][i]["values"].push_back(value_of(point.values[i]));
+  }
+  data["results"] = Json::array();
+  for (const auto* column : shown_results(study, table)) {
+    Json values = Json::array();
+    for (const auto k : done) values.push_back(rounded(column->values[k]));
+    data["results"].push_back(
+        {{"name", column->name}, {"unit", column->unit}, {"long_name", column->long_name}, {"values", values}});
+  }
+  data["rerun"] = "rotordrop study rerun " + directory.string();
+  const Json header = Json::parse(content.header, nullptr, false);
+  data["facts"] = {
+      {"program", "rotordrop " + (header.is_discarded() ? std::string("?") : header.value("program", "?"))},
+      {"case", study.base.name},
+      {"design", fmt::format("{}, {} rows, seed {}, {} replicates", name_of(study.design.kind), design.n_rows,
+                             study.design.seed, study.n_replicates)},
+      {"digest of case and points", header.is_discarded() ? "?" : header.value("study", "?")},
+      {"CPU time", fmt::format("{:.4g} s", table.cpu_time)},
+      {"study file", study.text}};
+  return data;
+}
+
+std::string study_report_page(const Json& data) {
+  return html_page(data, std::string(report_css) + study_css, study_js);
+}
+
+}  // namespace rotordrop

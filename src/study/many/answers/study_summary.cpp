@@ -1,0 +1,416 @@
+#include "study/many/answers/study_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/checkpoint.h"
+#include "study/json_number.h"
+#include "study/many/answers/sensitivity.h"
+#include "study/many/study_folder.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double told_quantiles[] = {0.05, 0.25, 0.5, 0.75, 0.95};
+
+Json to_json(const Estimate& e) {
+  return {{"value", json_number(e.value)}, {"low", json_number(e.low)}, {"high", json_number(e.high)}};
+}
+
+Json to_json(const Node& node) {
+  if (node.is_number()) return node.number();
+  if (node.is(Node::Kind::boolean)) return node.boolean();
+  return node.is_text() ? node.text() : to_text(node);
+}
+
+std::vector<double> finite_of(const ResultColumn& column, const std::vector<std::size_t>& points) {
+  std::vector<double> values;
+  for (const auto k : points)
+    if (std::isfinite(column.values[k])) values.push_back(column.values[k]);
+  return values;
+}
+
+std::vector<std::size_t> all_points(const StudyTable& table) {
+  std::vector<std::size_t> points(table.n_points);
+  for (std::size_t k = 0; k < points.size(); ++k) points[k] = k;
+  return points;
+}
+
+/// Part of a result's variance that lies between starts next to each other.
+std::optional<double> replicate_share(const Study& study, const Design& design, const ResultColumn& column) {
+  const auto n = static_cast<std::size_t>(study.n_replicates);
+  double within = 0.;
+  std::size_t n_within = 0;
+  std::vector<double> all;
+  for (std::size_t row = 0; row < design.n_rows; ++row) {
+    std::vector<double> values;
+    for (std::size_t r = 0; r < n; ++r)
+      if (const double v = column.values[row * n + r]; std::isfinite(v)) values.push_back(v);
+    all.insert(all.end(), values.begin(), values.end());
+    if (values.size() < 2) continue;
+    const double s = deviation_of(values);
+    within += s * s * static_cast<double>(values.size() - 1);
+    n_within += values.size() - 1;
+  }
+  const double total = deviation_of(all);
+  if (n_within == 0 || !(total > 0.)) return {};
+  return within / static_cast<double>(n_within) / (total * total);
+}
+
+Json result_summary(const Study& study, const Design& design, const ResultColumn& column,
+                    const std::vector<std::size_t>& points) {
+  auto values = finite_of(column, points);
+  Json j{{"unit", column.unit}, {"long_name", column.long_name}, {"n", values.size()}};
+  if (values.empty()) {
+    j["mean"] = nullptr;
+    return j;
+  }
+  std::sort(values.begin(), values.end());
+  j["mean"] = mean_of(values);
+  j["standard_deviation"] = deviation_of(values);
+  j["smallest"] = values.front();
+  j["largest"] = values.back();
+  const bool is_sample = !sample_points(study, design).empty();
+  for (const double p : told_quantiles) {
+    const auto q = quantile_estimate(values, p);
+    const std::string name = fmt::format("{:.2f}", p);
+    j["quantiles"][name] = q.value;
+    if (!is_sample || study.n_replicates > 1) continue;
+    j["quantiles_low"][name] = json_number(q.low);
+    j["quantiles_high"][name] = json_number(q.high);
+  }
+  if (study.n_replicates > 1) j["replicate_share"] = json_number(replicate_share(study, design, column));
+  return j;
+}
+
+Json limit_summary(const Study& study, const Design& design, const StudyTable& table, const Limit& limit) {
+  Json j{{"result", limit.pattern}, {"max", json_number(limit.max)}, {"min", json_number(limit.min)}};
+  const ResultColumn* column = table.find(limit.pattern);
+  auto points = sample_points(study, design);
+  const bool is_sample = !points.empty();
+  if (!is_sample) points = all_points(table);
+  const auto n_replicates = static_cast<std::size_t>(study.n_replicates);
+  double rows = 0., hits = 0.;
+  std::size_t n = 0, broken = 0, n_undefined = 0;
+  std::map<std::size_t, std::pair<double, double>> of_row;
+  for (const auto k : points) {
+    if (table.status[k] != PointStatus::done) continue;
+    const double value = column ? column->values[k] : std::nan("");
+    if (!std::isfinite(value)) {
+      ++n_undefined;
+      continue;
+    }
+    const bool is_broken = (limit.max && value > *limit.max) || (limit.min && value < *limit.min);
+    ++n;
+    broken += is_broken;
+    auto& row = of_row[k / n_replicates];
+    row.first += is_broken;
+    row.second += 1.;
+  }
+  for (const auto& [row, counts] : of_row) {
+    rows += 1.;
+    hits += counts.first / counts.second;
+  }
+  j["unit"] = column ? column->unit : "";
+  j["n"] = n;
+  j["broken"] = broken;
+  j["undefined"] = n_undefined;
+  if (rows == 0.) {
+    j["probability"] = nullptr;
+    return j;
+  }
+  // Replicates of a row are not independent: the interval counts each row once.
+  const Estimate p = probability_estimate(hits, rows);
+  j["probability"] = p.value;
+  j["low"] = is_sample ? json_number(p.low) : Json(nullptr);
+  j["high"] = is_sample ? json_number(p.high) : Json(nullptr);
+  j["interval"] =
+      is_sample ? "Clopper-Pearson, 95 %" : "none: the design is not a sample, so this is a share of its points";
+  return j;
+}
+
+Json choice_summary(const Study& study, const Design& design, const StudyTable& table) {
+  const Choice& choice = *study.choice;
+  std::size_t index = 0;
+  while (study.parameters[index].name != choice.parameter) ++index;
+  const ResultColumn* column = table.find(choice.result);
+  struct Level {
+    Json value;
+    std::vector<double> results;
+    std::size_t n_failed = 0;
+  };
+  std::vector<Level> levels;
+  for (std::size_t k = 0; k < table.n_points; ++k) {
+    const Json value = to_json(point_of(study, design, k).values[index]);
+    auto level = std::find_if(levels.begin(), levels.end(), [&](const Level& l) { return l.value == value; });
+    if (level == levels.end()) level = levels.insert(levels.end(), {value, {}, 0});
+    if (column && std::isfinite(column->values[k]))
+      level->results.push_back(column->values[k]);
+    else
+      ++level->n_failed;
+  }
+  std::stable_sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) {
+    return a.value.is_number() && b.value.is_number() && a.value.get<double>() < b.value.get<double>();
+  });
+  Json j{{"parameter", choice.parameter}, {"unit", study.parameters[index].unit()},
+         {"result", choice.result},       {"result_unit", column ? column->unit : ""},
+         {"quantile", choice.quantile},   {"levels", Json::array()}};
+  std::optional<std::size_t> best;
+  for (auto& level : levels) {
+    Json one{{"value", level.value}, {"n", level.results.size()}, {"without_result", level.n_failed}};
+    if (!level.results.empty()) {
+      std::sort(level.results.begin(), level.results.end());
+      const Estimate q = quantile_estimate(level.results, choice.quantile);
+      one["quantile"] = q.value;
+      one["low"] = json_number(q.low);
+      one["high"] = json_number(q.high);
+      one["mean"] = mean_of(level.results);
+      one["smallest"] = level.results.front();
+      one["largest"] = level.results.back();
+      if (!best || q.value < j["levels"][*best]["quantile"].get<double>()) best = j["levels"].size();
+    }
+    j["levels"].push_back(std::move(one));
+  }
+  j["best"] = best ? j["levels"][*best] : Json(nullptr);
+  return j;
+}
+
+std::vector<std::vector<double>> drawn_columns(const Study& study, const Design& design) {
+  const auto drawn = study.drawn();
+  std::vector<std::vector<double>> x(drawn.size(), std::vector<double>(design.n_rows));
+  for (std::size_t row = 0; row < design.n_rows; ++row)
+    for (std::size_t j = 0; j < drawn.size(); ++j) x[j][row] = design.cells[row * drawn.size() + j];
+  return x;
+}
+
+bool varies(const std::vector<double>& y) {
+  double low = INFINITY, high = -INFINITY;
+  std::size_t n = 0;
+  for (const double v : y)
+    if (std::isfinite(v)) {
+      low = std::min(low, v);
+      high = std::max(high, v);
+      ++n;
+    }
+  // Less than this is roundoff.
+  return n >= 8 && high - low > 1e-12 * std::max(std::abs(low), std::abs(high));
+}
+
+void add_indices(Json& j, const Study& study, const Design& design, const StudyTable& table) {
+  const auto drawn = study.drawn();
+  const auto seed = static_cast<std::uint64_t>(study.design.seed);
+  const auto name = [&](std::size_t i) { return study.parameters[drawn[i]].name; };
+  const bool is_saltelli = design.kind == DesignKind::saltelli, is_morris = design.kind == DesignKind::morris;
+  const bool is_sample = !is_saltelli && !sample_points(study, design).empty();
+  if (!is_saltelli && !is_morris && !is_sample) return;
+  j["indices_method"] =
+      is_saltelli ? "Sobol indices: first by Saltelli et al. 2010, total by Jansen 1999; bootstrap of blocks, 95 %"
+      : is_morris ? "elementary effects per range (Morris 1991); bootstrap of effects, 95 %"
+                  : "first indices by ranks (Gamboa et al. 2022); delete-half jackknife, 95 %";
+  std::optional<RankIndices> ranks;
+  if (is_sample) ranks.emplace(drawn_columns(study, design), seed);
+  Json& to = j[is_morris ? "morris" : "indices"];
+  to = Json::object();
+  for (const auto& column : table.results) {
+    const auto y = row_means(study, design, column);
+    if (!varies(y)) continue;
+    Json of_result = Json::object();
+    if (is_saltelli) {
+      const auto sobol = sobol_indices(y, drawn.size(), seed);
+      for (std::size_t i = 0; i < sobol.parameters.size(); ++i)
+        of_result[name(i)] = {{"first", to_json(sobol.parameters[i].first)},
+                              {"total", to_json(sobol.parameters[i].total)}};
+      j["blocks_left_out"][column.name] = sobol.n_left_out;
+    } else if (is_morris) {
+      const auto effects = morris_effects(design.unit, y, drawn.size(), seed);
+      for (std::size_t i = 0; i < effects.size(); ++i)
+        of_result[name(i)] = {{"mean", effects[i].mean},
+                              {"mean_magnitude", to_json(effects[i].mean_magnitude)},
+                              {"deviation", effects[i].deviation},
+                              {"n", effects[i].n}};
+    } else {
+      const auto first = ranks->first(y);
+      for (std::size_t i = 0; i < first.size(); ++i) of_result[name(i)] = {{"first", to_json(first[i])}};
+    }
+    to[column.name] = std::move(of_result);
+  }
+}
+
+Json parameter_summary(const VariedParameter& p) {
+  Json j{{"unit", p.unit()}, {"keys", Json::array()}};
+  for (const auto& key : p.keys) j["keys"].push_back(key.name);
+  if (p.formula) {
+    j["formula"] = p.formula->text();
+    return j;
+  }
+  const auto& d = p.distribution;
+  j["distribution"] = name_of(d.kind);
+  using K = Distribution::Kind;
+  if (d.kind == K::values)
+    for (const auto& value : d.values) j["values"].push_back(to_json(value));
+  if (!d.weights.empty()) j["weights"] = d.weights;
+  if (d.kind != K::values && d.kind != K::normal) {
+    j["lower"] = d.lower;
+    j["upper"] = d.upper;
+  }
+  if (d.kind == K::normal || d.kind == K::truncated_normal) {
+    j["mean"] = d.mean;
+    j["deviation"] = d.deviation;
+  }
+  if (d.kind == K::triangular) j["mode"] = d.mode;
+  return j;
+}
+
+}  // namespace
+
+std::vector<double> row_means(const Study& study, const Design& design, const ResultColumn& column) {
+  const auto n = static_cast<std::size_t>(study.n_replicates);
+  std::vector<double> means(design.n_rows, std::nan(""));
+  for (std::size_t row = 0; row < design.n_rows; ++row) {
+    double sum = 0., count = 0.;
+    for (std::size_t r = 0; r < n; ++r)
+      if (const double v = column.values[row * n + r]; std::isfinite(v)) {
+        sum += v;
+        count += 1.;
+      }
+    if (count > 0.) means[row] = sum / count;
+  }
+  return means;
+}
+
+std::vector<std::size_t> sample_points(const Study& study, const Design& design) {
+  std::vector<std::size_t> points;
+  const auto n = static_cast<std::size_t>(study.n_replicates);
+  const bool is_saltelli = design.kind == DesignKind::saltelli;
+  if (!is_saltelli && design.kind != DesignKind::latin_hypercube && design.kind != DesignKind::sobol_sequence &&
+      design.kind != DesignKind::monte_carlo)
+    return points;
+  for (std::size_t row = 0; row < design.n_rows; ++row) {
+    if (is_saltelli && row % (design.n_drawn + 2) > 1) continue;  // A and B are samples
+    for (std::size_t r = 0; r < n; ++r) points.push_back(row * n + r);
+  }
+  return points;
+}
+
+Json study_summary(const Study& study, const Design& design, const StudyTable& table) {
+  Json j{{"study", study.name},
+         {"case", study.base.name},
+         {"points", table.n_points},
+         {"done", table.count(PointStatus::done)},
+         {"failed", table.count(PointStatus::failed)},
+         {"not_run", table.count(PointStatus::not_run)},
+         {"cpu_time", table.cpu_time}};
+  j["design"] = {{"kind", name_of(study.design.kind)},
+                 {"rows", design.n_rows},
+                 {"replicates", study.n_replicates},
+                 {"seed", study.design.seed}};
+  if (study.design.size) j["design"]["size"] = *study.design.size;
+  j["parameters"] = Json::object();
+  for (const auto& p : study.parameters) j["parameters"][p.name] = parameter_summary(p);
+  j["limits"] = Json::array();
+  for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, limit));
+  if (study.choice) j["choose"] = choice_summary(study, design, table);
+  auto points = sample_points(study, design);
+  if (points.empty()) points = all_points(table);
+  j["results"] = Json::object();
+  for (const auto& column : table.results) j["results"][column.name] = result_summary(study, design, column, points);
+  add_indices(j, study, design, table);
+  return j;
+}
+
+void write_results(const std::filesystem::path& directory, const Study& study, const Design& design,
+                   const StudyTable& table, const std::string& digest) {
+  write_study_hdf5(directory / "study.h5", study, design, table, digest);
+  write_study_csv(directory / "study.csv", study, design, table);
+  write_text_atomically(directory / "study.json", study_summary(study, design, table).dump(2) + "\n");
+}
+
+namespace {
+
+std::string number(const Json& value, const std::string& unit) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_number()) return "?";
+  return fmt::format("{:.4g}{}", value.get<double>(), unit.empty() || unit == "1" ? "" : " " + unit);
+}
+
+std::string percent(const Json& value) {
+  return value.is_number() ? fmt::format("{:.3g}", 100. * value.get<double>()) : std::string("?");
+}
+
+std::string choice_text(const Json& choice) {
+  const std::string unit = choice["result_unit"], own = choice["unit"];
+  const std::string quantile = percent(choice["quantile"]) + " %";
+  std::string text = fmt::format("{} quantile of {} by {}:\n", quantile, choice["result"].get<std::string>(),
+                                 choice["parameter"].get<std::string>());
+  for (const auto& level : choice["levels"]) {
+    if (!level.contains("quantile")) continue;
+    text += fmt::format("  {:>16}: {:>12}, 95 % interval {} to {}; mean {}, {} drops{}\n", number(level["value"], own),
+                        number(level["quantile"], unit), number(level["low"], ""), number(level["high"], unit),
+                        number(level["mean"], unit), level["n"].get<std::size_t>(),
+                        level["value"] == choice["best"]["value"] ? "  <- smallest" : "");
+  }
+  return text;
+}
+
+std::string influence_text(const Json& j, const std::string& result) {
+  const bool is_morris = j.contains("morris");
+  const char* table = is_morris ? "morris" : "indices";
+  if (!j.contains(table) || !j[table].contains(result)) return "";
+  const char* key = is_morris ? "mean_magnitude" : j[table][result].front().contains("total") ? "total" : "first";
+  std::vector<std::pair<double, std::string>> sorted;
+  for (const auto& [name, index] : j[table][result].items())
+    if (index[key]["value"].is_number()) sorted.emplace_back(-index[key]["value"].get<double>(), name);
+  std::sort(sorted.begin(), sorted.end());
+  std::string text;
+  for (std::size_t i = 0; i < sorted.size() && i < 4; ++i)
+    text += fmt::format("{}{} {:.3g}", i ? ", " : "", sorted[i].second, -sorted[i].first);
+  return fmt::format("  {} by {}: {}\n", result,
+                     is_morris                     ? "mean magnitude of effects"
+                     : std::string(key) == "total" ? "total Sobol index"
+                                                   : "first index by ranks",
+                     text);
+}
+
+}  // namespace
+
+std::string study_text(const Study& study, const Json& j) {
+  std::string text = fmt::format(
+      "{} drops: {} done, {} failed{}; {:.4g} s of CPU, {:.3g} s each\n", j["points"].get<std::size_t>(),
+      j["done"].get<std::size_t>(), j["failed"].get<std::size_t>(),
+      j["not_run"].get<std::size_t>() > 0 ? fmt::format(", {} not run", j["not_run"].get<std::size_t>()) : "",
+      j["cpu_time"].get<double>(),
+      j["cpu_time"].get<double>() / std::max(1., j["done"].get<double>() + j["failed"].get<double>()));
+  for (const auto& limit : j["limits"]) {
+    const std::string unit = limit["unit"];
+    std::string bounds;
+    if (limit["max"].is_number()) bounds += " above " + number(limit["max"], unit);
+    if (limit["min"].is_number()) bounds += (bounds.empty() ? " below " : " or below ") + number(limit["min"], unit);
+    text +=
+        fmt::format("{}{}: {} of {} drops, {} %{}\n", limit["result"].get<std::string>(), bounds,
+                    limit["broken"].get<std::size_t>(), limit["n"].get<std::size_t>(), percent(limit["probability"]),
+                    limit.contains("low") && limit["low"].is_number()
+                        ? fmt::format(" (95 % interval {} to {} %)", percent(limit["low"]), percent(limit["high"]))
+                        : "");
+  }
+  if (j.contains("choose")) text += choice_text(j["choose"]);
+  std::vector<std::string> asked;
+  if (study.choice) asked.push_back(study.choice->result);
+  for (const auto& limit : study.limits) asked.push_back(limit.pattern);
+  for (const auto& derived : study.derived) asked.push_back(derived.name);
+  std::vector<std::string> told;
+  std::string influences;
+  for (const auto& name : asked) {
+    if (std::find(told.begin(), told.end(), name) != told.end() || told.size() >= 6) continue;
+    told.push_back(name);
+    influences += influence_text(j, name);
+  }
+  if (!influences.empty()) text += "What matters:\n" + influences;
+  return text;
+}
+
+}  // namespace rotordrop

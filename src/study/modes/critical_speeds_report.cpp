@@ -1,0 +1,120 @@
+#include "study/modes/critical_speeds_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "base/units.h"
+
+namespace rotordrop {
+namespace {
+
+constexpr double to_rpm = 30. / std::numbers::pi;
+
+double positive_quantity(const std::string& text, const char* option, const std::string& unit, QuantityKind kind,
+                         const std::string& what) {
+  const auto read = convert_to_si(text, unit, kind, what);
+  if (!read) throw InputError({option, 0, 0}, read.error, read.advice);
+  if (!(read.value > 0.)) throw InputError({option, 0, 0}, fmt::format("{} must be larger than 0.", what));
+  return read.value;
+}
+
+std::vector<double> map_of(const std::string& text) {
+  const auto comma = text.find(',');
+  if (comma == std::string::npos)
+    throw InputError({"--map", 0, 0}, fmt::format("\"{}\" is no range of stiffness.", text),
+                     "Write it as: --map '1e6 N/m, 1e9 N/m'");
+  const double from = positive_quantity(text.substr(0, comma), "--map", "N/m", QuantityKind::plain, "a stiffness");
+  const double to = positive_quantity(text.substr(comma + 1), "--map", "N/m", QuantityKind::plain, "a stiffness");
+  if (!(to > from))
+    throw InputError({"--map", 0, 0}, "the second stiffness is not larger than the first.", "Exchange them.");
+  std::vector<double> stiffness;
+  constexpr int n = 61;
+  for (int k = 0; k < n; ++k) stiffness.push_back(from * std::pow(to / from, static_cast<double>(k) / (n - 1)));
+  return stiffness;
+}
+
+}  // namespace
+
+CriticalSpeedOptions critical_speed_options(const Case& rotor_case, const CriticalSpeedQuestion& question) {
+  CriticalSpeedOptions options;
+  const double operating = std::abs(rotor_case.parameters.run.initial_speed);
+  if (!question.up_to.empty())
+    options.up_to = positive_quantity(question.up_to, "--up-to", "rad/s", QuantityKind::angular_speed, "a speed");
+  else if (operating > 0.)
+    options.up_to = 2. * operating;
+  else
+    throw InputError({"--up-to", 0, 0}, "the case's run.initial_speed is 0, so the range of speeds is open.",
+                     "Give it: --up-to '20000 rpm'");
+  if (!question.stiffness.empty())
+    options.stiffness = positive_quantity(question.stiffness, "--stiffness", "N/m", QuantityKind::plain, "a stiffness");
+  if (!question.map.empty()) options.map = map_of(question.map);
+  return options;
+}
+
+nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const CriticalSpeedReport& report,
+                                            const CriticalSpeedOptions& options) {
+  const double operating = std::abs(rotor_case.parameters.run.initial_speed);
+  nlohmann::ordered_json j;
+  j["case"] = rotor_case.name;
+  j["units"] = {{"speed", "rad/s"},   {"frequency", "Hz"}, {"damping_ratio", "1"},      {"separation", "1"},
+                {"stiffness", "N/m"}, {"up_to", "rad/s"},  {"operating_speed", "rad/s"}};
+  j["supports"] = report.stations.empty()        ? "free-free"
+                  : report.is_on_given_stiffness ? "isotropic springs of --stiffness"
+                                                 : "the case's linear supports";
+  j["stations"] = report.stations;
+  if (options.stiffness) j["stiffness"] = *options.stiffness;
+  j["up_to"] = options.up_to;
+  j["operating_speed"] = operating;
+  j["critical_speeds"] = nlohmann::ordered_json::array();
+  for (const auto& one : report.speeds) {
+    nlohmann::ordered_json entry = {{"speed", one.speed},
+                                    {"frequency", one.speed / (2. * std::numbers::pi)},
+                                    {"whirl", std::string(to_string(one.whirl))},
+                                    {"damping_ratio", one.damping_ratio}};
+    if (operating > 0.) entry["separation"] = one.speed / operating - 1.;
+    j["critical_speeds"].push_back(std::move(entry));
+  }
+  j["overdamped_modes"] = report.n_overdamped;
+  j["rigid_body_modes"] = report.n_rigid_body_modes;
+  if (!report.map_stiffness.empty()) {
+    j["map"] = nlohmann::ordered_json::array();
+    for (std::size_t k = 0; k < report.map_stiffness.size(); ++k)
+      j["map"].push_back({{"stiffness", report.map_stiffness[k]}, {"speeds", report.map_speeds[k]}});
+  }
+  return j;
+}
+
+std::string critical_speeds_text(const nlohmann::ordered_json& j) {
+  std::string text = fmt::format("Critical speeds up to {:.6g} rpm; supports: {}", j["up_to"].get<double>() * to_rpm,
+                                 j["supports"].get<std::string>());
+  if (j.contains("stiffness")) text += fmt::format(" {:.4g} N/m", j["stiffness"].get<double>());
+  for (std::size_t k = 0; k < j["stations"].size(); ++k)
+    text += (k ? ", " : " at ") + j["stations"][k].get<std::string>();
+  text += "\n";
+  if (j["critical_speeds"].empty())
+    text += "  none in this range\n";
+  else
+    text += fmt::format("  {:>12}  {:>12}  {:<8}  {:>10}  {}\n", "speed", "frequency", "whirl", "damping",
+                        j["operating_speed"].get<double>() > 0. ? "from the operating speed" : "");
+  for (const auto& one : j["critical_speeds"]) {
+    text += fmt::format("  {:>8.1f} rpm  {:>9.3f} Hz  {:<8}  {:>8.4f} %", one["speed"].get<double>() * to_rpm,
+                        one["frequency"].get<double>(), one["whirl"].get<std::string>(),
+                        100. * one["damping_ratio"].get<double>());
+    if (one.contains("separation")) text += fmt::format("  {:+8.1f} %", 100. * one["separation"].get<double>());
+    text += "\n";
+  }
+  if (j["overdamped_modes"].get<int>() > 0)
+    text += fmt::format("Overdamped at the highest speed: {} motions, which have no critical speed.\n",
+                        j["overdamped_modes"].get<int>());
+  if (j["rigid_body_modes"].get<int>() > 0)
+    text += fmt::format("Rigid-body motions at 0 Hz: {}, which have no critical speed.\n",
+                        j["rigid_body_modes"].get<int>());
+  if (j["supports"] == "free-free")
+    text += "The case has no linear supports. --stiffness \"5e7 N/m\" puts springs at its bearings.\n";
+  return text;
+}
+
+}  // namespace rotordrop

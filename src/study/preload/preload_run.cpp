@@ -1,0 +1,67 @@
+#include "study/preload/preload_run.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/errors.h"
+#include "base/version.h"
+#include "io/checkpoint.h"
+#include "io/results_folder.h"
+#include "study/preload/preload_history.h"
+#include "study/preload/preload_maps.h"
+#include "study/preload/preload_steady.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void check_directory(const PreloadOptions& options) {
+  const fs::path& directory = options.directory;
+  for (const char* name : {"preload.h5", "preload.json"})
+    if (!options.force && fs::exists(directory / name))
+      throw InputError({directory.string(), 0, 0}, fmt::format("the directory holds a {} already", name),
+                       "Choose another with -o DIR, or replace it with --force.");
+  // Parameters beside the results of a drop are that drop's.
+  for (const char* name : {"results.h5", "summary.json"})
+    if (fs::exists(directory / name))
+      throw InputError({directory.string(), 0, 0},
+                       fmt::format("the directory holds results of another kind ({})", name),
+                       "Choose another with -o DIR.");
+}
+
+}  // namespace
+
+Json run_preload(const Case& c, const PreloadOptions& options) {
+  const auto bearings = chosen_touchdowns(c, options.bearing);
+  if (bearings.empty())
+    throw InputError(position_of(c.tree, "bearings"),
+                     "the case has no touchdown bearing, so there is no preload to compute.");
+  std::optional<RecordedDrop> drop;
+  if (!options.results.empty()) drop.emplace(options.results);
+  check_directory(options);
+  const ResultsFolder folder(options.directory,
+                             options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+
+  Json report = {{"program", std::string("rotordrop ") + version()},
+                 {"git_revision", git_revision()},
+                 {"case", c.name},
+                 {"ambient", c.parameters.run.ambient},
+                 {"bearings", Json::object()}};
+  std::vector<PreloadTable> tables;
+  for (const auto& name : bearings) {
+    Json& one = report["bearings"][name];
+    one["running"] = run_preload_loop(c, name, tables);
+    one["maps"] = make_preload_maps(c, name, tables);
+    if (drop) one["history"] = make_preload_history(c, name, *drop, tables);
+  }
+  write_tables(options.directory / "preload.h5", c, tables, options.force);
+  write_text_atomically(options.directory / "parameters.toml", c.resolved);
+  write_text_atomically(options.directory / "preload.json", report.dump(2) + "\n");
+  return report;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "case/case.h"
+
+namespace rotordrop {
+
+struct PreloadOptions {
+  std::filesystem::path directory;  ///< for preload.h5, preload.json and parameters.toml
+  std::string bearing;              ///< only this touchdown bearing; empty: all
+  std::filesystem::path results;    ///< directory of a drop for histories; empty: none
+  bool force = false;               ///< replace what is in the directory
+};
+
+/// Maps, histories and steady running of touchdown bearings by themselves, into a directory; returns what preload.json has.
+/// See docs/how-to/preload.md for every key and dataset.
+/// @throws InputError for an unknown bearing, results that cannot be read or would be replaced; SolverError
+nlohmann::ordered_json run_preload(const Case& preload_case, const PreloadOptions& options);
+
+/// For the screen.
+std::string preload_text(const nlohmann::ordered_json& report);
+
+}  // namespace rotordrop

@@ -1,0 +1,96 @@
+#include "study/report/report.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "base/errors.h"
+#include "study/report/report_template.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The template with its marks replaced, each once; what is put in is not searched again, for a case may be called "@DATA@".
+std::string filled(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> parts) {
+  std::string result;
+  for (const auto& [mark, text] : parts) {
+    const auto at = page.find(mark);
+    if (at == std::string_view::npos) throw std::logic_error(fmt::format("the report's template lacks {}", mark));
+    result.append(page.substr(0, at)).append(text);
+    page.remove_prefix(at + mark.size());
+  }
+  return result.append(page);
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+/// JSON that cannot end the script element it stands in.
+std::string embedded(const Json& data) {
+  std::string result;
+  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace))
+    if (c == '<')
+      result += "\\u003c";
+    else
+      result += c;
+  return result;
+}
+
+}  // namespace
+
+Json read_json_of(const RecordedDrop& drop, const std::string& name) {
+  const auto path = drop.directory() / name;
+  if (!std::filesystem::exists(path)) return nullptr;
+  std::ifstream file(path);
+  try {
+    return Json::parse(file);
+  } catch (const Json::exception&) {
+    throw InputError({path.string(), 0, 0}, "the file is not valid JSON", "Run the case again, or remove the file.");
+  }
+}
+
+Json report_data(const RecordedDrop& drop) {
+  const Json summary = read_json_of(drop, "summary.json"), comparison = read_json_of(drop, "comparison.json");
+  Json data;
+  data["title"] = "Drop " + drop.case_name();
+  data["words"] = report_words(drop);
+  data["numbers"] = report_numbers(drop, summary);
+  data["checks"] = report_checks(drop, summary);
+  data["animation"] = report_animation(drop);
+  data["charts"] = report_charts(drop);
+  data["fields"] = report_fields(drop);
+  data["ball_loads"] = report_ball_loads(drop);
+  if (!comparison.is_null())
+    data["comparison"] = {{"in_short", comparison.value("in_short", Json::array())},
+                          {"verdict", comparison.value("verdict", Json::array())}};
+  data["assumptions"] = report_assumptions(drop);
+  data["provenance"] = report_provenance(drop);
+  return data;
+}
+
+std::string html_page(const Json& data, std::string_view css, std::string_view js) {
+  const std::string title = escaped(data["title"].get<std::string>()), numbers = embedded(data);
+  return filled(report_html, {{"@TITLE@", title}, {"@CSS@", css}, {"@DATA@", numbers}, {"@JS@", js}});
+}
+
+std::string report_page(const Json& data) { return html_page(data, report_css, report_js); }
+
+}  // namespace rotordrop

@@ -1,0 +1,477 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "io/hdf5/recorded_series.h"
+#include "study/drop/whirl.h"
+#include "study/report/decimation.h"
+#include "study/report/report.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr double rpm = 30. / std::numbers::pi;
+
+/// Five digits are more than a picture shows; times get one more, since they grow while their differences do not.
+Json rounded(std::span<const double> values, double scale, int digits = 5) {
+  Json list = Json::array();
+  for (const double v : values)
+    list.push_back(std::isfinite(v) ? Json(std::strtod(fmt::format("{:.{}g}", v * scale, digits).c_str(), nullptr))
+                                    : Json(nullptr));
+  return list;
+}
+
+/// To a hundred-thousandth of their range, which may be small beside the values themselves (an air gap).
+Json rounded_to_range(const std::vector<double>& values, double scale) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double range = (*high - *low) * std::fabs(scale);
+  if (!(range > 0.)) return rounded(values, scale);
+  const double quantum = std::pow(10., std::floor(std::log10(range)) - 4.);
+  std::vector<double> list;
+  for (const double v : values) list.push_back(std::round(v * scale / quantum) * quantum);
+  return rounded(list, 1., 10);
+}
+
+/// How a line is drawn: the page has a palette and dash patterns, each taken from the beginning again at its end.
+struct Style {
+  std::size_t colour = 0, dash = 0;
+};
+
+class Charts {
+ public:
+  explicit Charts(const RecordedDrop& drop) : drop_(drop) {
+    for (const auto& entry : drop.parameters().bearings) names_.push_back(entry.name);
+    end_ = drop.series("/energy/mechanical").times.back();
+    // Points of all lines together stay near 10^5, a few megabytes.
+    n_buckets_ = std::clamp<std::size_t>(3000 / std::max<std::size_t>(names_.size(), 1), 100, 500);
+  }
+
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] Json take() { return std::move(charts_); }
+
+  /// Begins a figure; one that gets no line is left out.
+  Charts& figure(const std::string& id, const std::string& section, const std::string& title,
+                 const std::string& quantity, const std::string& unit, const std::string& note = "") {
+    drop_empty();
+    const bool is_short = end_ < 2.;
+    charts_.push_back({{"id", id},
+                       {"section", section},
+                       {"title", title},
+                       {"x", {{"label", "time"}, {"unit", is_short ? "ms" : "s"}}},
+                       {"y", {{"label", quantity}, {"unit", unit}}},
+                       {"note", note},
+                       {"lines", Json::array()}});
+    time_scale_ = is_short ? 1e3 : 1.;
+    return *this;
+  }
+
+  void line(const std::string& name, TimeSeries s, double scale, Style style, double offset = 0.) {
+    for (double& v : s.values) v -= offset;
+    const TimeSeries few = decimated(s, n_buckets_);
+    charts_.back()["lines"].push_back({{"name", name},
+                                       {"colour", style.colour},
+                                       {"dash", style.dash},
+                                       {"x", rounded(few.times, time_scale_, 6)},
+                                       {"y", rounded_to_range(few.values, scale)}});
+  }
+
+  /// A recorded quantity, if the run has it.
+  void recorded(const std::string& path, const std::string& name, double scale, Style style, std::size_t column = 0,
+                double offset = 0.) {
+    if (drop_.has(path)) line(name, drop_.series(path, column), scale, style, offset);
+  }
+
+  /// The same quantity of every support, each in its colour.
+  void of_supports(const std::string& dataset, const std::string& name, double scale, std::size_t dash = 0,
+                   std::size_t column = 0, double offset = 0.) {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      recorded("/bearings/" + names_[i] + "/" + dataset, names_[i] + (name.empty() ? "" : " ") + name, scale, {i, dash},
+               column, offset);
+  }
+
+  /// Between two columns of a surface's table, behind the lines.
+  void band(const std::string& path, Style style, double scale, double offset) {
+    Json band = {{"colour", style.colour}};
+    for (const auto& [key, column] : {std::pair{"low", 1}, std::pair{"high", 2}}) {
+      TimeSeries s = drop_.series(path, static_cast<std::size_t>(column));
+      for (double& v : s.values) v -= offset;
+      const TimeSeries few = decimated(s, n_buckets_ / 2);
+      band[key] = {{"x", rounded(few.times, time_scale_, 6)}, {"y", rounded(few.values, scale)}};
+    }
+    charts_.back()["bands"].push_back(std::move(band));
+  }
+
+  /// Begins a figure of force over travel.
+  void over_itself(const std::string& id, const std::string& section, const std::string& title,
+                   const std::string& note) {
+    figure(id, section, title, "force", "kN", note);
+    charts_.back()["x"] = {{"label", "travel"}, {"unit", "um"}};
+  }
+  void pairs(const std::string& name, const TimeSeries& travel, const TimeSeries& force, Style style) {
+    constexpr std::size_t most = 4000;
+    std::vector<double> x, y;
+    const std::size_t n = std::min(travel.values.size(), force.values.size());
+    for (std::size_t k = 0; k < n; k += std::max<std::size_t>(n / most, 1)) {
+      x.push_back(travel.values[k]);
+      y.push_back(force.values[k]);
+    }
+    charts_.back()["lines"].push_back({{"name", name},
+                                       {"colour", style.colour},
+                                       {"dash", style.dash},
+                                       {"x", rounded(x, 1e6)},
+                                       {"y", rounded(y, 1e-3)}});
+  }
+
+  void drop_empty() {
+    if (!charts_.empty() && charts_.back()["lines"].empty()) charts_.erase(charts_.size() - 1);
+  }
+
+ private:
+  const RecordedDrop& drop_;
+  std::vector<std::string> names_;
+  Json charts_ = Json::array();
+  double end_ = 0, time_scale_ = 1;
+  std::size_t n_buckets_ = 500;
+};
+
+void add_motion(Charts& c, const RecordedDrop& drop) {
+  const std::string instantaneous =
+      "Instantaneous displacement from the axis of the unloaded bearing. Peaks are 0-peak; top to bottom is "
+      "peak-to-peak.";
+  c.figure("displacement-y", "Motion", "Vertical displacement of the rotor", "y (up)", "um", instantaneous);
+  c.of_supports("orbit", "", 1e6, 0, 0);
+  c.figure("displacement-z", "Motion", "Horizontal displacement of the rotor", "z", "um", instantaneous);
+  c.of_supports("orbit", "", 1e6, 0, 1);
+  c.figure("ring-position", "Motion", "Displacement of inner ring and support", "displacement", "um", instantaneous);
+  c.of_supports("ring_position", "ring y", 1e6, 0, 0);
+  c.of_supports("ring_position", "ring z", 1e6, 1, 1);
+  c.of_supports("support_position", "support y", 1e6, 2, 0);
+  c.figure("whirl", "Motion", "Whirl in contact", "whirl frequency", "Hz",
+           "Mean over 5 ms of contact; positive from +y towards +z. Lines bridge phases without contact.");
+  for (std::size_t i = 0; i < c.names().size(); ++i) {
+    const std::string& name = c.names()[i];
+    if (!drop.has("/bearings/" + name + "/ball_force")) continue;
+    const ContactWhirl whirl = recorded_whirl(drop, name);
+    const TimeSeries orbit = drop.series("/bearings/" + name + "/orbit");
+    TimeSeries speed;
+    for (std::size_t k = 0; k < std::min(whirl.speed.size(), orbit.times.size()); ++k)
+      if (std::isfinite(whirl.speed[k])) {
+        speed.times.push_back(orbit.times[k]);
+        speed.values.push_back(whirl.speed[k]);
+      }
+    if (!speed.empty()) c.line(name, speed, 0.5 / std::numbers::pi, {i, 0});
+  }
+}
+
+void add_probes(Charts& c, const RecordedDrop& drop) {
+  const auto& probes = drop.parameters().rotor.probes;
+  c.figure("probe-clearance", "Motion", "Clearance left at the probes", "radial clearance left", "um",
+           "Below zero the rotor is beyond the clearance there.");
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    c.recorded("/probes/" + probes[i].first + "/clearance", probes[i].first, 1e6, {i, 0});
+  c.figure("probe-position", "Motion", "Displacement of the rotor at the probes", "displacement", "um");
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    c.recorded("/probes/" + probes[i].first + "/position", probes[i].first + " y", 1e6, {i, 0}, 0);
+    c.recorded("/probes/" + probes[i].first + "/position", probes[i].first + " z", 1e6, {i, 1}, 1);
+  }
+  c.figure("probe-force", "Forces", "Normal force where the rotor touches at a probe", "contact force", "kN");
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    c.recorded("/probes/" + probes[i].first + "/contact_force", probes[i].first, 1e-3, {i, 0});
+}
+
+/// Force over travel of a support with a law of its own: the area of its loops is what it dissipates.
+void add_support_loop(Charts& c, const RecordedDrop& drop, const std::string& name) {
+  const std::string force = "/bearings/" + name + "/support_force", place = "/bearings/" + name + "/support_position";
+  if (!drop.has(force)) return;
+  c.over_itself("support-loop-" + name, "Forces", name + ": force of the support on the outer ring over its travel",
+                "Springs give lines, friction and damping loops; the area is what the support dissipates.");
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    c.pairs(axis == 0 ? "y" : "z", drop.series(place, axis), drop.series(force, axis), {axis, 0});
+}
+
+void add_forces(Charts& c, const RecordedDrop& drop) {
+  c.figure("contact-force", "Forces", "Normal force between rotor and inner ring", "contact force", "kN",
+           "Instantaneous samples; peaks are 0-peak. The peaks in the table of main numbers are taken at every "
+           "integration step.");
+  c.of_supports("contact_force", "", 1e-3);
+  c.figure("friction-force", "Forces", "Friction force on the inner ring", "friction force", "kN",
+           "Positive about +x, the direction of positive spin.");
+  c.of_supports("friction_force", "", 1e-3);
+  c.figure("bearing-force", "Forces", "Resultant of the ball forces on the inner ring", "force", "kN");
+  c.of_supports("bearing_force", "y", 1e-3, 0, 0);
+  c.of_supports("bearing_force", "z", 1e-3, 1, 1);
+  c.figure("support-force", "Forces", "Force of linear supports on the rotor, of other supports on the outer ring",
+           "force", "kN");
+  c.of_supports("support_force", "y", 1e-3, 0, 0);
+  c.of_supports("support_force", "z", 1e-3, 1, 1);
+  for (const auto& [name, parameters] : drop.bearings()) add_support_loop(c, drop, name);
+  c.figure("magnet-force", "Forces", "Force of magnets on the rotor", "force", "kN");
+  c.of_supports("magnet_force", "y", 1e-3, 0, 1);
+  c.of_supports("magnet_force", "z", 1e-3, 1, 2);
+  c.of_supports("magnet_force", "x", 1e-3, 2, 0);
+}
+
+void add_speeds(Charts& c) {
+  c.figure("speeds", "Speeds and torques", "Spin speeds", "spin speed", "rpm");
+  c.recorded("/rotor/spin_speed", "rotor", rpm, {7, 1});
+  c.of_supports("ring_speed", "ring", rpm);
+  c.figure("slip", "Speeds and torques", "Slip between rotor surface and bore", "slip speed", "m/s");
+  c.of_supports("slip_speed", "", 1.);
+  c.figure("torques", "Speeds and torques", "Friction torque inside the bearings", "torque", "N m",
+           "Load: eq. 21 of the source paper; drag: eq. 22; spin: the most loaded ball's spin moment, eq. 23.");
+  c.of_supports("load_torque", "load", 1., 0);
+  c.of_supports("drag_torque", "drag", 1., 1);
+  c.of_supports("spin_torque", "spin", 1., 2);
+}
+
+void add_heat(Charts& c) {
+  c.figure("rub-heat", "Heat", "Rub heat rate", "heat rate", "kW");
+  c.of_supports("rub_heat_rate", "", 1e-3);
+  c.figure("inner-heat", "Heat", "Bearing friction heat rate", "heat rate", "W");
+  c.of_supports("inner_heat_rate", "inner raceway", 1., 0);
+  c.of_supports("outer_heat_rate", "outer raceway", 1., 1);
+  c.figure("heat-given", "Heat", "Cumulative heat", "heat", "J");
+  for (std::size_t i = 0; i < c.names().size(); ++i) {
+    const std::string ledger = "/ledger/" + c.names()[i] + "/";
+    c.recorded(ledger + "rub_heat", c.names()[i] + " rub", 1., {i, 0});
+    c.recorded(ledger + "rub_heat_into_ring", c.names()[i] + " rub, into ring", 1., {i, 1});
+    c.recorded(ledger + "inner_heat", c.names()[i] + " inner raceway", 1., {i, 2});
+    c.recorded(ledger + "outer_heat", c.names()[i] + " outer raceway", 1., {i, 3});
+  }
+}
+
+void add_temperatures(Charts& c, const RecordedDrop& drop) {
+  const double ambient = drop.parameters().run.ambient;
+  const std::pair<const char*, const char*> nodes[] = {{"shaft", "shaft"},
+                                                       {"inner_ring", "inner ring"},
+                                                       {"ball", "balls"},
+                                                       {"outer_ring", "outer ring"},
+                                                       {"housing", "housing"}};
+  const std::pair<const char*, const char*> surfaces[] = {{"bore", "bore"},
+                                                          {"inner_raceway", "inner raceway"},
+                                                          {"outer_raceway", "outer raceway"},
+                                                          {"housing_surface", "housing surface"}};
+  const std::string above = fmt::format("Temperature rise above ambient ({:.2f} K). ", ambient);
+  const bool both = drop.has(ThermalModelKind::lumped) && drop.has(ThermalModelKind::fe);
+  for (const auto& [name, parameters] : drop.bearings()) {
+    c.figure("temperature-" + name, "Temperatures", name + ": bodies", "temperature rise", "K",
+             above + (both ? "Solid: lumped circuit; dashed: volume means of the finite elements." : ""));
+    for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
+      for (std::size_t k = 0; k < std::size(nodes); ++k)
+        c.recorded(drop.node_path(kind, name, nodes[k].first),
+                   std::string(nodes[k].second) + (kind == ThermalModelKind::fe ? " (FE)"
+                                                   : both                       ? " (lumped)"
+                                                                                : ""),
+                   1., {k, kind == ThermalModelKind::fe ? 1u : 0u}, 0, ambient);
+    c.figure("surfaces-" + name, "Temperatures", name + ": surfaces, finite elements", "temperature rise", "K",
+             above + "Lines: mean; bands: lowest to highest across the width. All values are circumferential means.");
+    for (std::size_t k = 0; k < std::size(surfaces); ++k) {
+      const std::string path = drop.surface_path(name, surfaces[k].first);
+      if (!drop.has(path)) continue;
+      c.recorded(path, surfaces[k].second, 1., {k, 0}, 0, ambient);
+      c.band(path, {k, 0}, 1., ambient);
+    }
+  }
+}
+
+void add_growth(Charts& c, const RecordedDrop& drop) {
+  const char* const surfaces[] = {"shaft", "bore", "inner raceway", "outer raceway", "ball radius"};
+  const bool both = drop.has(ThermalModelKind::lumped) && drop.has(ThermalModelKind::fe);
+  for (const auto& [name, parameters] : drop.bearings()) {
+    c.figure("growth-" + name, "Growth and clearance", name + ": thermal growth", "radial growth", "um",
+             both ? "Solid: lumped circuit; dashed: finite elements." : "");
+    for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
+      for (std::size_t k = 0; k < std::size(surfaces); ++k)
+        c.recorded(drop.growth_path(kind, name),
+                   std::string(surfaces[k]) + (kind == ThermalModelKind::fe ? " (FE)"
+                                               : both                       ? " (lumped)"
+                                                                            : ""),
+                   1e6, {k, kind == ThermalModelKind::fe ? 1u : 0u}, k);
+  }
+  c.figure("clearance", "Growth and clearance", "Air gap between rotor and bore", "radial clearance", "um",
+           "With rotor and ring concentric, as used in the drop.");
+  c.of_supports("clearance", "", 1e6);
+}
+
+void add_balls(Charts& c, const RecordedDrop& drop) {
+  c.figure("ball-loads", "Balls", "Load of the most heavily loaded ball in each row", "ball load", "N");
+  for (std::size_t i = 0; i < c.names().size(); ++i) {
+    const std::string path = "/bearings/" + c.names()[i] + "/ball_force";
+    if (!drop.has(path)) continue;
+    const auto rows = read_attribute_list(drop.directory() / "results.h5", path, "columns");
+    for (std::size_t row = 0; row < std::max<std::size_t>(rows.size(), 1); ++row)
+      c.recorded(path, c.names()[i] + " row " + std::to_string(row + 1), 1., {i, row}, row);
+  }
+  c.figure("pressures", "Balls", "Contact pressures", "pressure", "GPa", "Static limit of ISO 76: 4.2 GPa.");
+  for (std::size_t i = 0; i < c.names().size(); ++i) {
+    std::size_t dash = 0;
+    for (const auto& path : drop.pressure_paths(c.names()[i])) c.recorded(path, path.substr(10), 1e-9, {i, dash++});
+  }
+}
+
+void add_energy(Charts& c) {
+  c.figure("energy", "Energy", "Cumulative energy", "energy", "J");
+  c.recorded("/energy/dissipated", "dissipated", 1., {1, 0});
+  c.recorded("/energy/heat_deposited", "heat deposited", 1., {4, 1});
+  c.recorded("/energy/heat_stored", "heat stored", 1., {0, 0});
+  c.recorded("/energy/heat_lost", "heat lost", 1., {5, 2});
+  c.recorded("/energy/growth_work", "work of thermal growth", 1., {2, 0});
+  c.recorded("/energy/prescribed_work", "work of prescribed cage and waviness motion", 1., {3, 0});
+  c.recorded("/energy/unbalance_work", "work of the unbalance", 1., {6, 1});
+  c.recorded("/energy/drive_work", "work of the drive", 1., {7, 3});
+  c.figure("residuals", "Energy", "Energy-balance residual", "residual", "uJ",
+           "Error of the time integration, from independent balances.");
+  c.recorded("/energy/residual", "mechanical", 1e6, {0, 0});
+  c.recorded("/energy/heat_residual", "heat, lumped", 1e6, {1, 1});
+  c.recorded("/energy/fe_heat_residual", "heat, finite elements", 1e6, {2, 2});
+}
+
+}  // namespace
+
+Json report_charts(const RecordedDrop& drop) {
+  Charts c(drop);
+  add_motion(c, drop);
+  add_probes(c, drop);
+  add_forces(c, drop);
+  add_speeds(c);
+  add_heat(c);
+  add_temperatures(c, drop);
+  add_growth(c, drop);
+  add_balls(c, drop);
+  add_energy(c);
+  c.drop_empty();
+  return c.take();
+}
+
+Json report_ball_loads(const RecordedDrop& drop) {
+  constexpr std::size_t n_spans = 400;
+  Json all = Json::array();
+  for (const auto& [name, parameters] : drop.bearings()) {
+    const std::string path = "/bearings/" + name + "/ball_loads";
+    if (!drop.has(path)) continue;
+    const auto balls = read_attribute_list(drop.directory() / "results.h5", path, "columns");
+    Json loads = Json::array();
+    double largest = 0., end = 0.;
+    for (std::size_t ball = 0; ball < balls.size(); ++ball) {
+      const TimeSeries s = drop.series(path, ball);
+      end = s.times.back();
+      const std::size_t n = s.values.size(), stride = (n + n_spans - 1) / n_spans;
+      std::vector<double> peaks;
+      for (std::size_t k = 0; k < n; k += stride)
+        peaks.push_back(*std::max_element(s.values.begin() + static_cast<std::ptrdiff_t>(k),
+                                          s.values.begin() + static_cast<std::ptrdiff_t>(std::min(k + stride, n))));
+      largest = std::max(largest, *std::max_element(peaks.begin(), peaks.end()));
+      loads.push_back(rounded(peaks, 1., 3));
+    }
+    if (!(largest > 0.)) continue;
+    all.push_back({{"name", name},
+                   {"end", 1e3 * end},
+                   {"largest", largest},
+                   {"balls_per_row", parameters.balls_per_row},
+                   {"loads", std::move(loads)}});
+  }
+  return all;
+}
+
+namespace {
+
+/// Shape of a bent inner ring: times [ms] and at each the coefficients of cos and sin [um]; null for rigid rings.
+Json ring_shape(const RecordedDrop& drop, const std::string& bearing) {
+  constexpr std::size_t n_frames = 1000;
+  const std::string path = "/bearings/" + bearing + "/inner_ring_shape";
+  if (!drop.has(path)) return nullptr;
+  Json shape = {{"time", Json::array()}, {"coefficients", Json::array()}};
+  const std::size_t n_columns = read_attribute_list(drop.directory() / "results.h5", path, "columns").size();
+  for (std::size_t column = 0; column < n_columns; ++column) {
+    const TimeSeries s = drop.series(path, column);
+    const std::size_t stride = (s.times.size() + n_frames - 1) / n_frames;
+    std::vector<double> times, values;
+    for (std::size_t k = 0; k < s.times.size(); k += stride) {
+      times.push_back(s.times[k]);
+      values.push_back(std::round(s.values[k] * 1e8) * 1e-8);  // to 0.01 um
+    }
+    if (column == 0) shape["time"] = rounded(times, 1e3, 6);
+    shape["coefficients"].push_back(rounded(values, 1e6, 4));
+  }
+  return shape;
+}
+
+/// Probes, drawn as the rotor in a bore that stands still.
+void add_probe_frames(const RecordedDrop& drop, std::size_t n_frames, Json& animation) {
+  animation["probes"] = Json::array();
+  for (const auto& [name, probe] : drop.parameters().rotor.probes) {
+    const std::string prefix = "/probes/" + name + "/";
+    if (!drop.has(prefix + "position")) continue;
+    const TimeSeries y = drop.series(prefix + "position", 0), z = drop.series(prefix + "position", 1),
+                     left = drop.series(prefix + "clearance"), spin = drop.series("/rotor/spin_angle");
+    const std::size_t n = std::min({y.times.size(), z.times.size(), left.times.size(), spin.times.size()});
+    const std::size_t stride = (n + n_frames - 1) / n_frames;
+    std::vector<double> times, at_y, at_z, clearance, angle;
+    for (std::size_t k = 0; k < n; k += stride) {
+      times.push_back(y.times[k]);
+      at_y.push_back(y.values[k] - probe.centre[0]);
+      at_z.push_back(z.values[k] - probe.centre[1]);
+      clearance.push_back(left.values[k]);
+      angle.push_back(std::fmod(spin.values[k], 2. * std::numbers::pi));
+    }
+    animation["probes"].push_back({{"name", name},
+                                   {"gap", 1e6 * probe.clearance},
+                                   {"time", rounded(times, 1e3, 6)},
+                                   {"y", rounded(at_y, 1e6)},
+                                   {"z", rounded(at_z, 1e6)},
+                                   {"clearance", rounded(clearance, 1e6, 4)},
+                                   {"rotor_angle", rounded(angle, 1., 3)}});
+  }
+}
+
+}  // namespace
+
+Json report_animation(const RecordedDrop& drop) {
+  constexpr std::size_t n_frames = 3000;
+  Json animation = {{"bearings", Json::array()}};
+  for (const auto& [name, parameters] : drop.bearings()) {
+    const std::string prefix = "/bearings/" + name + "/";
+    const TimeSeries y = drop.series(prefix + "orbit", 0), z = drop.series(prefix + "orbit", 1),
+                     ring_y = drop.series(prefix + "ring_position", 0),
+                     ring_z = drop.series(prefix + "ring_position", 1),
+                     penetration = drop.series(prefix + "penetration"), force = drop.series(prefix + "contact_force"),
+                     spin = drop.series("/rotor/spin_angle"), speed = drop.series(prefix + "ring_speed");
+    const TimeSeries angle = integral_of(speed);
+    const std::size_t n = std::min({y.times.size(), z.times.size(), penetration.times.size(), force.times.size(),
+                                    spin.times.size(), angle.times.size(), ring_y.times.size(), ring_z.times.size()});
+    const std::size_t stride = (n + n_frames - 1) / n_frames;
+    const auto frames = [&](const TimeSeries& s, double scale, int digits = 5) {
+      std::vector<double> values;
+      for (std::size_t k = 0; k < n; k += stride) values.push_back(s.values[k]);
+      return rounded(values, scale, digits);
+    };
+    const auto turned = [&](TimeSeries s) {
+      for (double& v : s.values) v = std::fmod(v, 2. * std::numbers::pi);
+      return frames(s, 1., 3);
+    };
+    std::vector<double> times;
+    for (std::size_t k = 0; k < n; k += stride) times.push_back(y.times[k]);
+    animation["bearings"].push_back({{"name", name},
+                                     {"gap", 1e6 * air_gap(parameters, drop.parameters().contact)},
+                                     {"time", rounded(times, 1e3, 6)},
+                                     {"y", frames(y, 1e6)},
+                                     {"z", frames(z, 1e6)},
+                                     {"ring_y", frames(ring_y, 1e6, 4)},
+                                     {"ring_z", frames(ring_z, 1e6, 4)},
+                                     {"penetration", frames(penetration, 1e6, 3)},
+                                     {"force", frames(force, 1e-3, 3)},
+                                     {"rotor_angle", turned(spin)},
+                                     {"ring_angle", turned(angle)}});
+    if (Json shape = ring_shape(drop, name); !shape.is_null()) animation["bearings"].back()["shape"] = std::move(shape);
+    if (!animation.contains("start")) animation["start"] = largest_of(force).time * 1e3;
+  }
+  add_probe_frames(drop, n_frames, animation);
+  return animation;
+}
+
+}  // namespace rotordrop

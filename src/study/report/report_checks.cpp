@@ -1,0 +1,306 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "analysis/drop_scalars.h"
+#include "analysis/statics/statics.h"
+#include "bearing/touchdown_parameters.h"
+#include "study/report/report.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Up to here catalogue bearings' steel keeps its dimensions (stabilisation S0) [K].
+constexpr double steel_limit = 423.15;
+/// Energy not accounted for, over that dissipated: more says that the step or the tolerance is too coarse.
+constexpr double residual_limit = 1e-3;
+
+class Checks {
+ public:
+  void add(const std::string& name, bool is_good, const std::string& text) {
+    list_.push_back({{"name", name}, {"state", is_good ? "ok" : "warning"}, {"text", text}});
+  }
+  void unknown(const std::string& name, const std::string& text) {
+    list_.push_back({{"name", name}, {"state", "unknown"}, {"text", text}});
+  }
+  /// The stated value is within its limit, its bounds are not.
+  void uncertain(const std::string& name, const std::string& text) {
+    list_.push_back({{"name", name}, {"state", "uncertain"}, {"text", text}});
+  }
+  [[nodiscard]] Json take() { return std::move(list_); }
+
+ private:
+  Json list_ = Json::array();
+};
+
+/// A number of a JSON object by its path, NaN if it is not there or null.
+double at(const Json& j, const std::string& pointer) {
+  const Json::json_pointer p(pointer);
+  if (j.is_null() || !j.contains(p) || !j.at(p).is_number()) return std::numeric_limits<double>::quiet_NaN();
+  return j.at(p).get<double>();
+}
+
+void check_clearance(Checks& checks, const RecordedDrop& drop, const std::string& name) {
+  const std::string path = "/bearings/" + name + "/clearance";
+  if (!drop.has(path)) return;
+  const TimeSeries s = drop.series(path);
+  const auto least = std::min_element(s.values.begin(), s.values.end()) - s.values.begin();
+  const double value = s.values[static_cast<std::size_t>(least)], time = s.times[static_cast<std::size_t>(least)];
+  checks.add(name + ": air gap", value > 0.,
+             value > 0. ? fmt::format("stays open: smallest {:.4g} µm, at {:.4g} ms", value * 1e6, time * 1e3)
+                        : fmt::format("CLOSED by thermal growth: {:.4g} µm at {:.4g} ms", value * 1e6, time * 1e3));
+}
+
+void check_load(Checks& checks, const RecordedDrop& drop, const std::string& name, const TouchdownParameters& b,
+                const std::vector<std::string>& pressure_paths) {
+  const std::string force = "/bearings/" + name + "/bearing_force";
+  if (drop.has(force) && b.C0 > 0.) {
+    const TimeSeries y = drop.series(force, 0), z = drop.series(force, 1);
+    double largest = 0.;
+    for (std::size_t k = 0; k < y.values.size(); ++k) largest = std::max(largest, std::hypot(y.values[k], z.values[k]));
+    checks.add(name + ": static load rating", largest < b.C0,
+               fmt::format("largest radial load {:.4g} kN, C0 = {:.4g} kN; their ratio, {:.3g}, is the static safety "
+                           "factor of ISO 76 against permanent indentation",
+                           largest * 1e-3, b.C0 * 1e-3, b.C0 / largest));
+  }
+  double pressure = 0.;
+  for (const auto& path : pressure_paths) pressure = std::max(pressure, largest_of(drop.series(path)).value);
+  if (pressure > 0.)
+    checks.add(
+        name + ": contact pressure", pressure < static_pressure_limit,
+        fmt::format("largest {:.3g} GPa; limit {:.1f} GPa (ISO 76){}", pressure * 1e-9, static_pressure_limit * 1e-9,
+                    b.ring_bending == RingBendingModel::none ? "; rigid rings understate it" : ""));
+}
+
+void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name + "/whirl/";
+  const Json::json_pointer direction(key + "direction");
+  if (!summary.contains(direction)) {
+    checks.unknown(name + ": whirl", "not assessed in this run");
+    return;
+  }
+  const double speed = at(summary, key + "largest_backward_speed");
+  const double resolved = at(summary, key + "fastest_resolved");
+  const bool is_full = summary.at(Json::json_pointer(key + "full_rub")) == "yes";
+  if (std::isfinite(speed)) {
+    checks.add(name + ": backward whirl", false,
+               fmt::format("sustained, up to {:.4g} Hz, during {:.3g} % of the contact time{}",
+                           speed / (2. * std::numbers::pi), 100. * at(summary, key + "backward_whirl_share"),
+                           is_full ? "; full rub" : ""));
+    checks.add(
+        name + ": whirl resolved by the recording", speed < resolved,
+        fmt::format("the recording interval resolves whirl up to {:.4g} Hz", resolved / (2. * std::numbers::pi)));
+  } else {
+    checks.add(
+        name + ": backward whirl", true,
+        fmt::format("none sustained for a full turn (longest whirl: {})", summary.at(direction).get<std::string>()));
+  }
+}
+
+void check_skidding(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name;
+  const double all = at(summary, key + "/skid/speed_change"), beyond = at(summary, key + "/skid/speed_change_beyond");
+  if (!std::isfinite(beyond)) {
+    checks.unknown(name + ": skidding", "not assessed in this run");
+    return;
+  }
+  const bool is_rolling = beyond <= relevant_speed_share * all;
+  checks.add(name + ": skidding", is_rolling,
+             fmt::format("{}: for {:.4g} ms in total (longest stretch {:.4g} ms) friction at the raceways cannot keep "
+                         "all rows rolling; {:.3g} % of the ring's speed changes occur in that time{}",
+                         is_rolling ? "the balls can be assumed to roll"
+                         : std::isfinite(at(summary, key + "/skid/row"))
+                             ? fmt::format("balls of row {:.0f} may skid", at(summary, key + "/skid/row"))
+                             : "balls may skid",
+                         1e3 * at(summary, key + "/skid/time_beyond"), 1e3 * at(summary, key + "/skid/longest_beyond"),
+                         all > 0. ? 100. * beyond / all : 0.,
+                         is_rolling ? "" : ", although the program assumes pure rolling"));
+  const double pivoting = at(summary, key + "/gyroscopic/largest_demand");
+  if (pivoting > 0.)
+    checks.add(name + ": gyroscopic pivoting of balls", pivoting <= 1.,
+               fmt::format("gyroscopic moments require up to {:.3g} times the available friction at the outer raceway "
+                           "and exceed it for {:.4g} ms",
+                           pivoting, 1e3 * at(summary, key + "/gyroscopic/time_beyond")));
+}
+
+/// Where contact ellipses leave the raceway, and what balls without inertia leave out.
+void check_balls(Checks& checks, const Json& summary, const std::string& name) {
+  const Json::json_pointer path("/bearings/" + name + "/rows");
+  if (!summary.contains(path)) return;
+  double truncation = 0., centrifugal = 0.;
+  std::size_t worst = 0, number = 0;
+  for (const auto& row : summary.at(path)) {
+    ++number;
+    if (!row.contains("truncation")) return;
+    if (row["truncation"].get<double>() > truncation) {
+      truncation = row["truncation"].get<double>();
+      worst = number;
+    }
+    centrifugal = std::max(centrifugal, row["centrifugal_over_load"].get<double>());
+  }
+  checks.add(name + ": contact ellipses on the raceway", worst == 0,
+             worst == 0 ? "none extends beyond the raceway's edge"
+                        : fmt::format("those of row {} extend beyond the raceway's edge by up to {:.0f} % of their "
+                                      "length: pressure and static safety are not valid there",
+                                      worst, 100. * truncation));
+  if (summary.at(Json::json_pointer("/bearings/" + name)).value("ball_model", "") == "quasi-static" && centrifugal > 0.)
+    checks.add(name + ": centrifugal forces of the balls", centrifugal <= relevant_centrifugal_share,
+               fmt::format("{:.2g} times the mean ball load; ball_model = \"quasi-static\" ignores them", centrifugal));
+}
+
+/// The rubbed surfaces, by the replay of the moving band in summary.json.
+void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Json& summary, const std::string& name) {
+  const std::string title = name + ": local temperature where rotor and bore rub",
+                    key = "/bearings/" + name + "/local/";
+  const double rise = at(summary, key + "bore_rise"), low = at(summary, key + "bore_rise_low"),
+               high = at(summary, key + "bore_rise_high"), time = at(summary, key + "bore_rise_time");
+  if (!std::isfinite(rise)) {
+    checks.unknown(title, "not assessed: there is no summary.json with it");
+    return;
+  }
+  if (!std::isfinite(time)) {
+    checks.add(title, true, "rotor and bore never rub");
+    return;
+  }
+  const double ambient = drop.parameters().run.ambient;
+  const std::string verdict = ambient + rise >= steel_limit   ? "above"
+                              : ambient + high >= steel_limit ? "below, but the upper bound is above,"
+                                                              : "below";
+  const std::string text = fmt::format(
+      "the bore reaches {:.0f} K at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving heat band, lasting some "
+      "milliseconds); {} the 423 K up to which bearing steel is dimensionally stable",
+      ambient + rise, time * 1e3, ambient + low, ambient + high, verdict);
+  if (ambient + rise < steel_limit && ambient + high >= steel_limit)
+    checks.uncertain(title, text);
+  else
+    checks.add(title, ambient + rise < steel_limit, text);
+}
+
+void check_wear(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name + "/wear/";
+  const double bore = at(summary, key + "bore_depth"), drops = at(summary, key + "drops_until_limit");
+  if (!std::isfinite(bore)) {
+    checks.unknown(name + ": wear", "not assessed: there is no summary.json with it");
+    return;
+  }
+  if (!std::isfinite(drops)) {
+    checks.add(name + ": wear", true, "none: nothing rubs, or the wear coefficients are zero");
+    return;
+  }
+  checks.add(
+      name + ": wear", drops >= 1.,
+      fmt::format("largest depth {:.2g} um in the bore and {:.2g} um in the rotor after this drop; {:.2g} such drops "
+                  "at the same position until {:.3g} um. Wear coefficients are known to a factor of ten at best",
+                  bore * 1e6, at(summary, key + "rotor_depth") * 1e6, drops, at(summary, key + "depth_limit") * 1e6));
+}
+
+void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name) {
+  double warmest = 0.;
+  for (const char* node : {"inner_ring", "ball", "outer_ring"})
+    for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
+      if (const auto path = drop.node_path(kind, name, node); drop.has(path))
+        warmest = std::max(warmest, largest_of(drop.series(path)).value);
+  const std::string title = name + ": mean temperature of rings and balls";
+  if (warmest > 0.)
+    checks.add(
+        title, warmest < steel_limit,
+        fmt::format("up to {:.4g} K; bearing steel is dimensionally stable up to 423 K. Surfaces that rub are hotter",
+                    warmest));
+  else
+    checks.unknown(title, "not assessed: no thermal model ran");
+}
+
+/// Travel of the outer ring in its support.
+void check_support(Checks& checks, const Json& summary, const std::string& name) {
+  const std::string key = "/bearings/" + name + "/support/";
+  const double travel = at(summary, key + "largest_travel"), limit = at(summary, key + "travel_limit");
+  if (!std::isfinite(travel) || (!std::isfinite(limit) && summary.at(Json::json_pointer(key + "type")) == "linear"))
+    return;
+  const std::string text =
+      fmt::format("the outer ring moves by up to {:.4g} µm, at {:.4g} ms; its support ({}) dissipates {:.4g} J",
+                  travel * 1e6, at(summary, key + "largest_travel_time") * 1e3,
+                  summary.at(Json::json_pointer(key + "type")).get<std::string>(), at(summary, key + "loss"));
+  if (std::isfinite(limit))
+    checks.add(name + ": travel of the support", travel <= limit, text + fmt::format("; limit {:.4g} µm", limit * 1e6));
+  else
+    checks.add(name + ": travel of the support", true, text + "; no limit is given");
+}
+
+/// Whether the rotor keeps off magnets, seals and the like.
+void check_probes(Checks& checks, const RecordedDrop& drop, const Json& summary) {
+  for (const auto& [name, probe] : drop.parameters().rotor.probes) {
+    const std::string key = "/probes/" + name + "/", title = name + ": clearance at the probe";
+    const double left = at(summary, key + "smallest_clearance"), time = at(summary, key + "smallest_clearance_time");
+    if (!std::isfinite(left))
+      checks.unknown(title, "not assessed: there is no summary.json with it");
+    else
+      checks.add(title, left > 0.,
+                 left > 0.
+                     ? fmt::format("the rotor does not touch: smallest clearance {:.4g} of {:.4g} µm, at {:.4g} ms",
+                                   left * 1e6, probe.clearance * 1e6, time * 1e3)
+                     : fmt::format("the rotor TOUCHES, first at {:.4g} ms, {:.4g} µm beyond the clearance of {:.4g} µm "
+                                   "at {:.4g} ms, for {:.4g} ms in all{}",
+                                   at(summary, key + "first_touch_time") * 1e3, -left * 1e6, probe.clearance * 1e6,
+                                   time * 1e3, at(summary, key + "time_touching") * 1e3,
+                                   probe.contact ? fmt::format("; contact force up to {:.4g} kN",
+                                                               at(summary, key + "contact/peak_contact_force") * 1e-3)
+                                                 : "; it goes on as if nothing were there"));
+  }
+}
+
+void check_residual(Checks& checks, const Json& summary, const std::string& name, const std::string& residual,
+                    const std::string& whole) {
+  const double r = at(summary, residual), all = at(summary, whole);
+  if (!std::isfinite(r)) return;
+  checks.add(
+      name, std::fabs(r) <= residual_limit * std::max(std::fabs(all), 1e-3),
+      fmt::format("{:.2g} J of {:.5g} J; more than 0.1 % would mean that the time steps are too coarse", r, all));
+}
+
+}  // namespace
+
+Json report_checks(const RecordedDrop& drop, const Json& summary) {
+  Checks checks;
+  const double end = drop.parameters().run.latest_end();
+  if (summary.is_null()) {
+    checks.add("complete", false,
+               "there is no summary.json: the run is still going, was killed, or failed; the table below omits values "
+               "that only the summary contains");
+  } else {
+    const bool completed = summary.contains("run") && summary["run"].value("completed", false);
+    checks.add("complete", completed,
+               completed
+                   ? "the run reached its end"
+                   : fmt::format("INTERRUPTED at {:.6g} ms of {:.6g} ms: peak and end values cover this part only",
+                                 1e3 * at(summary, "/run/end_time"), 1e3 * end));
+  }
+  for (const auto& [name, b] : drop.bearings()) {
+    check_clearance(checks, drop, name);
+    check_load(checks, drop, name, b, drop.pressure_paths(name));
+    if (!summary.is_null()) {
+      check_balls(checks, summary, name);
+      check_skidding(checks, summary, name);
+      check_whirl(checks, summary, name);
+      check_support(checks, summary, name);
+    }
+    check_temperatures(checks, drop, name);
+    check_local_temperature(checks, drop, summary, name);
+    check_wear(checks, summary, name);
+  }
+  check_probes(checks, drop, summary);
+  if (!summary.is_null()) {
+    check_residual(checks, summary, "mechanical energy", "/energy/residual", "/energy/dissipated");
+    check_residual(checks, summary, "heat", "/energy/heat_residual", "/energy/heat_deposited");
+    check_residual(checks, summary, "heat, finite elements", "/energy/fe_heat_residual", "/energy/heat_deposited");
+    check_residual(checks, summary, "heat, windows", "/windows/heat_residual", "/windows/heat_input");
+  }
+  return checks.take();
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "study/report/report.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr double rpm = 30. / std::numbers::pi;
+
+/// One row: what, unit, and a text for each bearing.
+class Rows {
+ public:
+  explicit Rows(std::size_t n_columns) : n_columns_(n_columns) {}
+  void set(std::size_t column, const std::string& name, const std::string& unit, const std::string& text) {
+    const auto same = [&](const Json& row) { return row["name"] == name; };
+    auto found = std::find_if(rows_.begin(), rows_.end(), same);
+    if (found == rows_.end()) {
+      rows_.push_back({{"name", name}, {"unit", unit}, {"values", Json::array()}});
+      for (std::size_t i = 0; i < n_columns_; ++i) rows_.back()["values"].push_back("");
+      found = rows_.end() - 1;
+    }
+    (*found)["values"][column] = text;
+  }
+  [[nodiscard]] Json take() { return std::move(rows_); }
+
+ private:
+  std::size_t n_columns_;
+  Json rows_ = Json::array();
+};
+
+void add_summary(Rows& rows, std::size_t column, const Json& b) {
+  struct Row {
+    const char *key, *name, *unit;
+    double scale;
+  };
+  constexpr double hertz = 0.5 / std::numbers::pi;
+  for (const Row& r :
+       {Row{"/first_contact_time", "first contact", "ms", 1e3},
+        {"/peak_contact_force", "peak contact force (0-peak)", "kN", 1e-3},
+        {"/peak_contact_force_time", "time of peak contact force", "ms", 1e3},
+        {"/mean_contact_force_end", "mean contact force, last 50 ms", "N", 1.},
+        {"/largest_ball_force", "largest ball load", "N", 1.},
+        {"/first_bounce_apex", "apex of first bounce (y)", "um", 1e6},
+        {"/peak_friction_heat_rate", "peak rub heat rate", "kW", 1e-3},
+        {"/friction_heat", "rub heat", "J", 1.},
+        {"/inner_heat", "bearing friction heat, inner raceway", "J", 1.},
+        {"/outer_heat", "bearing friction heat, outer raceway", "J", 1.},
+        {"/catch_up_time", "end of spin-up (ring within 1 % of rotor surface speed)", "ms", 1e3},
+        {"/ring_speed_end", "ring speed at end", "rpm", rpm},
+        {"/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, lumped", "K", 1.},
+        {"/fe/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, FE mean", "K", 1.},
+        {"/fe/surface_rise/bore/highest", "largest bore temperature rise, FE (circumferential mean)", "K", 1.},
+        {"/local/bore_rise", "local temperature rise of the bore where it rubs", "K", 1.},
+        {"/local/bore_rise_low", "… lower bound", "K", 1.},
+        {"/local/bore_rise_high", "… upper bound", "K", 1.},
+        {"/local/bore_rise_time", "… reached at", "ms", 1e3},
+        {"/local/rotor_rise", "local temperature rise of the rotor where it rubs", "K", 1.},
+        {"/wear/bore_depth", "largest wear depth of the bore, estimated", "um", 1e6},
+        {"/wear/rotor_depth", "largest wear depth of the rotor, estimated", "um", 1e6},
+        {"/wear/drops_until_limit", "number of such drops until the permitted wear depth", "", 1.},
+        {"/whirl/frequency", "mean frequency of longest whirl", "Hz", 1.},
+        {"/whirl/largest_backward_speed", "fastest sustained backward whirl", "Hz", hertz},
+        {"/whirl/full_rub_condition/speed_at_bottom", "whirl speed at bottom required for full backward rub", "Hz",
+         hertz}}) {
+    const Json::json_pointer pointer(r.key);
+    if (!b.contains(pointer)) continue;
+    const Json& value = b.at(pointer);
+    rows.set(column, r.name, r.unit,
+             value.is_number()
+                 ? fmt::format("{:.{}g}", value.get<double>() * r.scale, r.unit == std::string("rpm") ? 5 : 4)
+                 : std::string("—"));
+  }
+  if (b.contains("whirl")) {
+    rows.set(column, "direction of longest whirl", "", b["whirl"]["direction"].get<std::string>());
+    rows.set(column, "full backward rub", "", b["whirl"]["full_rub"].get<std::string>());
+  }
+}
+
+void add_range(Rows& rows, std::size_t column, const TimeSeries& s, const std::string& name) {
+  const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end());
+  rows.set(column, name + ", peak-to-peak", "um", fmt::format("{:.4g}", (*high - *low) * 1e6));
+}
+
+}  // namespace
+
+Json report_numbers(const RecordedDrop& drop, const Json& summary) {
+  const auto bearings = drop.bearings();
+  Rows rows(bearings.size());
+  Json names = Json::array();
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    const std::string& name = bearings[i].first;
+    names.push_back(name);
+    if (!summary.is_null() && summary.contains("bearings") && summary["bearings"].contains(name))
+      add_summary(rows, i, summary["bearings"][name]);
+    add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 0), "vertical displacement");
+    add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 1), "horizontal displacement");
+  }
+  Json whole = Json::array();
+  if (!summary.is_null()) {
+    const auto fact = [&](const char* name, const Json& value, const char* unit, double scale) {
+      if (value.is_number()) whole.push_back({name, fmt::format("{:.5g} {}", value.get<double>() * scale, unit)});
+    };
+    fact("rotor speed at the end", summary["rotor_speed_end"], "rpm", rpm);
+    const Json& e = summary["energy"];
+    fact("mechanical energy dissipated", e["dissipated"], "J", 1.);
+    fact("heat input to each thermal model", e["heat_deposited"], "J", 1.);
+    fact("mechanical energy residual", e["residual"], "J", 1.);
+    fact("simulated time", summary["run"]["end_time"], "ms", 1e3);
+    fact("computing time", summary["run"]["wall_time"], "s", 1.);
+  }
+  return {{"bearings", names}, {"rows", rows.take()}, {"whole", whole}};
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "analysis/facts/rotor_report.h"
+#include "base/version.h"
+#include "case/given_values.h"
+#include "io/hdf5/recorded_series.h"
+#include "io/sha256.h"
+#include "study/report/report.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string driver_words(const std::string& driver) {
+  if (driver == "lumped") return "the lumped thermal circuit";
+  if (driver == "fe") return "the finite elements";
+  if (driver == "recorded") return "thermal growth recorded by an earlier run";
+  return "no model: thermal growth, if computed, is not fed back";
+}
+
+std::string bearing_words(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact) {
+  return fmt::format(
+      "{} is a touchdown bearing at the rotor's node {}: {} row{} of {} {} balls of {:.4g} mm on a pitch diameter of "
+      "{:.4g} mm, contact angle {:.3g}°, {}; radial air gap {:.4g} µm.",
+      name, b.node, b.rows, b.rows == 1 ? "" : "s", b.balls_per_row, b.ball, b.ball_diameter * 1e3,
+      b.pitch_diameter * 1e3, b.contact_angle * 180. / std::numbers::pi,
+      b.preload > 0. ? fmt::format("preload {:.4g} N", b.preload)
+                     : fmt::format("radial clearance {:.3g} µm", b.radial_clearance * 1e6),
+      air_gap(b, contact) * 1e6);
+}
+
+}  // namespace
+
+Json report_words(const RecordedDrop& drop) {
+  const auto& p = drop.parameters();
+  const RotorReport rotor = rotor_report(p.rotor);
+  Json words = Json::array();
+  const auto touchdown = drop.bearings();
+  words.push_back(
+      fmt::format("A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) spins at {:.6g} rpm {} "
+                  "The simulation covers {:.6g} ms at an ambient temperature of {:.2f} K.",
+                  rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * 30. / std::numbers::pi,
+                  touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.",
+                  p.run.latest_end() * 1e3, p.run.ambient));
+  if (p.run.until != EndCondition::time)
+    words.push_back(fmt::format("The run ends before that with run.until = \"{}\".", name_of(p.run.until)));
+  if (p.rotor.windage)
+    words.push_back(p.rotor.windage->law == WindageLaw::geometry
+                        ? "Windage of the surrounding gas brakes the rotor; it is computed from the smooth cylinders "
+                          "and faces of the rotor's geometry."
+                        : "Windage of the surrounding gas brakes the rotor; its torque follows a power of the speed.");
+  for (const auto& entry : p.bearings)
+    if (const auto* b = entry.touchdown()) {
+      words.push_back(bearing_words(entry.name, *b, p.contact));
+      if (const std::string carried = support_words(b->support, support_surroundings(*b)); !carried.empty())
+        words.push_back(fmt::format("The outer ring of {} stands on a {}.", entry.name, carried));
+    } else
+      words.push_back(fmt::format("{} is a {} at the rotor's node {}.", entry.name,
+                                  entry.linear()   ? "linear support"
+                                  : entry.magnet() ? "magnet, which holds the rotor until its release,"
+                                                   : "support defined by another program",
+                                  entry.node()));
+  if (!touchdown.empty()) {
+    const auto& over_speed = p.contact.friction_over_speed;
+    words.push_back(fmt::format(
+        "The friction coefficient between rotor and inner rings is {}{}.",
+        over_speed
+            ? fmt::format("given over slip speed, {:.3g} at {:.3g} m/s to {:.3g} at {:.3g} m/s", over_speed->front()[1],
+                          over_speed->front()[0], over_speed->back()[1], over_speed->back()[0])
+            : fmt::format("{:.3g}", p.contact.friction_coefficient),
+        p.contact.friction_over_temperature ? ", times a factor over the inner ring's mean temperature" : ""));
+    words.push_back(fmt::format("Thermal models: {}{}{}. The clearances follow {}.",
+                                p.thermal.has_lumped ? "lumped circuit" : "",
+                                p.thermal.has_lumped && p.thermal.has_fe ? " and " : "",
+                                p.thermal.has_fe ? "axisymmetric finite elements" : "", driver_words(drop.driver())));
+  }
+  return words;
+}
+
+Json report_assumptions(const RecordedDrop& drop) {
+  const auto& p = drop.parameters();
+  Json list = Json::array();
+  list.push_back(fmt::format("The rotor is a Timoshenko beam with gyroscopic effect ({}), {} axial motion.",
+                             p.rotor.model == RotorRepresentation::modal
+                                 ? fmt::format("free-free modes up to {:.4g} Hz, damping ratio {:.3g}",
+                                               p.rotor.cut_off_frequency, p.rotor.modal_damping)
+                             : p.rotor.model == RotorRepresentation::full ? std::string("all degrees of freedom")
+                                                                          : std::string("rigid"),
+                             p.rotor.axial_motion == AxialFreedom::free ? "with rigid" : "without"));
+  if (drop.bearings().empty()) return list;
+  list.push_back(
+      fmt::format("Contact between rotor and inner ring follows a Hunt-Crossley law with exponent {:.4g} (never "
+                  "tensile); friction follows Coulomb's law, smoothed below {:.3g} m/s.",
+                  p.contact.exponent, p.contact.regularisation_speed));
+  for (const auto& [name, b] : drop.bearings())
+    list.push_back(fmt::format("{}: the inner ring {}; the outer ring moves radially with its support.", name,
+                               b.ring_motion == RingMotion::free ? "moves radially and along its axis, tilts and spins"
+                                                                 : "moves radially and spins"));
+  for (const auto& [name, b] : drop.bearings())
+    list.push_back(fmt::format("{}: the load-dependent friction torque uses the {} load; bearing friction heat is {}.",
+                               name, b.load_law == FrictionLoadLaw::radial ? "radial" : "equivalent (preload included)",
+                               b.internal_heat == InternalHeat::energy_consistent
+                                   ? "friction torque times ring speed (energy-consistent)"
+                               : b.internal_heat == InternalHeat::ball_speed
+                                   ? "friction torque times ball speed, more than the work done (for comparison)"
+                                   : "friction torque times ring speed, plus the heat of the balls' spin moments"));
+  if (p.thermal.heat_share == HeatShare::constant)
+    list.push_back(
+        fmt::format("Heat partition in the thermal models: a constant share of {:.3g} of the rub heat enters the inner "
+                    "ring, the rest enters the rotor.",
+                    p.thermal.share_to_ring));
+  else
+    list.push_back(
+        "Heat partition in the thermal models: the rub heat is divided between ring and rotor according to their "
+        "surface speeds (Jaeger, Blok).");
+  if (p.thermal.has_lumped)
+    list.push_back("The lumped circuit has one temperature per body; it does not resolve surface temperatures.");
+  if (p.thermal.has_fe)
+    list.push_back("The finite elements are axisymmetric: all their temperatures are circumferential means.");
+  list.push_back(
+      fmt::format("During an impact the surfaces that rub are locally much hotter for milliseconds than any of these "
+                  "temperatures. Their local temperature is that of a moving heat band, {}, whose heat is divided {}; "
+                  "it has no effect on the motion.",
+                  p.thermal.rub_band == RubBand::hertz ? "with the length of the Hertz line contact"
+                                                       : fmt::format("{:.3g} mm long", p.thermal.rub_band_length * 1e3),
+                  p.thermal.local_share == LocalShare::one_temperature
+                      ? "so that rotor and bore have one temperature where they touch"
+                      : "as in the thermal models"));
+  list.push_back(
+      fmt::format("Wear follows Archard's law, {:.2g} m2/N for the bore and {:.2g} m2/N for the rotor times force and "
+                  "sliding distance; it does not change the clearances.",
+                  p.contact.wear_coefficient_bore, p.contact.wear_coefficient_rotor));
+  return list;
+}
+
+Json report_provenance(const RecordedDrop& drop) {
+  const auto results = drop.directory() / "results.h5", parameters = drop.directory() / "parameters.toml";
+  Json facts = Json::array();
+  const auto fact = [&](const std::string& name, const std::string& value) { facts.push_back({name, value}); };
+  fact("case", drop.case_name());
+  fact("run by",
+       read_attribute(results, "/", "program") + ", revision " + read_attribute(results, "/", "git_revision"));
+  fact("with", "SUNDIALS " + read_attribute(results, "/", "sundials_version") + ", HDF5 " +
+                   read_attribute(results, "/", "hdf5_version"));
+  fact("report by", std::string("rotordrop ") + version() + ", revision " + git_revision());
+  fact("frame", read_attribute(results, "/", "frame"));
+  fact("SHA-256 of results.h5", sha256_of_file(results));
+  fact("SHA-256 of parameters.toml", sha256_of_file(parameters));
+
+  const GivenValues values = given_values(parameters);
+  Json given = Json::array();
+  for (const auto& v : values.list) given.push_back({v.name, v.value, v.fallback, v.source, v.help});
+  return {{"facts", facts}, {"given", given}, {"n_defaults", values.n_defaults}};
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,129 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "laws/heat/heat_flow.h"
+#include "model/thermal_model.h"
+#include "thermal/heating/rolling_exchange.h"
+
+namespace rotordrop {
+
+/// A thermal network as data: named nodes, resistors between them, heat ports, and the growth that temperatures cause.
+struct ThermalNetworkData {
+  struct Node {
+    std::string name;     ///< "TB1/inner_ring"
+    double capacity = 0;  ///< [J/K]; 0: massless, eliminated
+    std::string long_name;
+  };
+  /// How a resistor's flow depends on more than the difference of temperatures.
+  enum class Law {
+    constant,            ///< q = (T_a - T_b) / R
+    housing_convection,  ///< q = h(T_a - T_b) area (T_a - T_b), eq. (16)
+    contact              ///< q = (T_a - T_b) / R while rotor and ring of `place` touch, else / R_apart
+  };
+  struct Resistor {
+    std::string between;  ///< node names; "ambient" is the surroundings
+    std::string and_node;
+    double resistance = 0;  ///< R [K/W]
+    Law law = Law::constant;
+    double area = 0;        ///< of housing_convection [m^2]
+    double R_apart = 0;     ///< of contact [K/W]
+    std::size_t place = 0;  ///< of contact
+  };
+  /// Where the heat of one place enters.
+  struct Place {
+    std::string shaft_node, ring_node;         ///< take the rub heat
+    std::string inner_contact, outer_contact;  ///< take the bearing's internal heat
+    std::string balls = {};                    ///< join both contacts by HeatInput::balls; empty: resistors do
+    double ball_factor = 1;                    ///< calibration: multiplies their resistances
+  };
+  /// One linear term of a place's growth: coefficient times the rise of a node.
+  struct Growth {
+    std::size_t place = 0;
+    double Expansion::*surface = nullptr;
+    std::string node;
+    double coefficient = 0;  ///< [m/K]
+  };
+
+  double ambient = 293.15;  ///< [K]
+  std::vector<Node> nodes;
+  std::vector<Resistor> resistors;
+  std::vector<Place> places;
+  std::vector<Growth> growths;
+};
+
+inline constexpr const char* ambient_node = "ambient";
+
+/// Lumped thermal network. Massless nodes are eliminated when it is built (their resistors must be constant), so that heat flows between
+/// pairs of nodes with capacity and what leaves one enters the other exactly. What rolling balls pass between contacts and their bulk is solved for at each
+/// evaluation, since their conductances change. Growth sees a massless node's temperature without its own instantaneous heat, rolling balls' included: no
+/// feedthrough.
+class ThermalNetwork final : public ThermalModel {
+ public:
+  /// @throws std::invalid_argument for unknown node names, a massless node on a resistor that is not constant, or one without resistors,
+  ///   contacts of rolling balls of two places that are joined by massless nodes alone
+  explicit ThermalNetwork(const ThermalNetworkData& data);
+
+  [[nodiscard]] std::vector<StateEntry> state_entries() const override;
+  void initial_state(std::span<double> temperature) const override;
+  void growth(std::span<const double> temperature, std::span<Expansion> out) const override;
+  void growth_rates(std::span<const double> temperature_rate, std::span<Expansion> out) const override;
+  double rates(std::span<const double> temperature, std::span<const HeatInput> heat,
+               std::span<double> dydt) const override;
+  [[nodiscard]] std::vector<Observable> observables() const override;
+  void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
+               std::span<double> out) const override;
+  [[nodiscard]] double stored_energy(std::span<const double> temperature) const override;
+  /// Of each place the state that is its ring's temperature [n_places].
+  [[nodiscard]] std::vector<std::size_t> ring_states() const;
+
+ private:
+  struct Link {  // between two nodes with capacity, or one and the surroundings (b = ambient_index)
+    std::size_t a, b;
+    double conductance;
+  };
+  struct LawLink {
+    std::size_t a, b;
+    ThermalNetworkData::Resistor resistor;
+  };
+  struct Term {  // of heat into a node, or of growth
+    std::size_t node;
+    double factor;
+  };
+  struct Port {
+    std::vector<Term> ring, shaft, inner, outer;           // how a watt at each port spreads over nodes with capacity
+    double ring_lost, shaft_lost, inner_lost, outer_lost;  // and what of it goes straight to the surroundings
+  };
+  /// Rolling balls of a place, by what its contacts' temperatures follow from.
+  struct Rolling {
+    std::size_t place, balls;
+    double factor;
+    double inner_of_ambient, outer_of_ambient;
+    std::vector<Term> inner_of, outer_of;          // temperatures with capacity [K/K]
+    double inner_inner, inner_outer, outer_outer;  // rises by heat into the contacts [K/W]
+    [[nodiscard]] ContactHeat heat(std::span<const double> T, double ambient, const HeatInput& input) const;
+  };
+  struct GrowthTerm {
+    std::size_t place;
+    double Expansion::*surface;
+    std::size_t node;
+    double coefficient;
+  };
+  struct Shown {  // a massless node: weights of temperatures [K/K] and of the ports' heats [K/W]
+    double of_ambient = 0;
+    std::vector<Term> of_temperature;
+    std::vector<double> of_heat;  // [4 n_places]: ring, shaft, inner, outer
+  };
+
+  ThermalNetworkData data_;
+  std::vector<std::size_t> with_capacity_;  // state index -> node index
+  std::vector<double> inverse_capacity_;
+  std::vector<Link> links_;
+  std::vector<LawLink> law_links_;
+  std::vector<Port> ports_;
+  std::vector<Rolling> rolling_;
+  std::vector<GrowthTerm> growth_terms_;
+  std::vector<Shown> shown_;  // one per node
+};
+
+}  // namespace rotordrop
