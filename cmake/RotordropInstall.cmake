@@ -8,7 +8,7 @@ if(ROTORDROP_FE)
   install(TARGETS rotordrop_fe rotordrop_mesh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rotordrop COMPONENT fe)
 endif()
 install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rotordrop COMPONENT dev FILES_MATCHING PATTERN "*.h"
-        PATTERN thermal/fe EXCLUDE PATTERN cli EXCLUDE PATTERN study/report EXCLUDE)
+        PATTERN thermal/fe EXCLUDE PATTERN cli EXCLUDE)
 
 install(DIRECTORY params DESTINATION ${data} COMPONENT core)
 install(DIRECTORY examples/ DESTINATION ${data}/examples COMPONENT core PATTERN __pycache__ EXCLUDE)
