@@ -1,8 +1,47 @@
 #pragma once
-/// Compiles a function for several widths of vectors; the machine chooses when the program starts. For plain loops, marked "omp simd" if they
-/// are to be reordered. Levels, not names of processors: those match the models of one maker only.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define ROTORDROP_WIDE_VECTORS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define ROTORDROP_WIDE_VECTORS
+#include <string>
+
+// Plain loops compiled for several widths of vectors; which of them runs is chosen when the program starts. Loops are marked "omp simd" if they
+// are to be reordered. Levels of x86-64, not names of processors: those match the models of one maker only.
+
+namespace rotordrop {
+
+enum class VectorLevel { base, v3, v4 };
+
+/// Level of this process: the highest that the machine has, or that of the environment's ROTORDROP_ISA (base | v3 | v4).
+extern const VectorLevel vector_level;
+
+/// "base", "v3" or "v4".
+std::string name_of(VectorLevel level);
+
+/// @throws InputError for a ROTORDROP_ISA that is no level, or one that this machine does not have
+void check_vector_level();
+
+/// Marks a function that wide<> calls: it must be inlined into each level's version.
+#define ROTORDROP_KERNEL [[gnu::always_inline]] inline
+
+template <auto kernel>
+struct Wide;
+
+template <class Result, class... Arguments, Result (*kernel)(Arguments...)>
+struct Wide<kernel> {
+#if defined(__x86_64__)
+  [[gnu::target("arch=x86-64-v4"), gnu::noinline]] static Result v4(Arguments... a) { return kernel(a...); }
+  [[gnu::target("arch=x86-64-v3"), gnu::noinline]] static Result v3(Arguments... a) { return kernel(a...); }
 #endif
+  [[gnu::noinline]] static Result base(Arguments... a) { return kernel(a...); }
+
+  Result operator()(Arguments... a) const {
+#if defined(__x86_64__)
+    if (vector_level == VectorLevel::v4) return v4(a...);
+    if (vector_level == VectorLevel::v3) return v3(a...);
+#endif
+    return base(a...);
+  }
+};
+
+/// wide<kernel>(arguments...) calls the kernel at this process's level.
+template <auto kernel>
+inline constexpr Wide<kernel> wide{};
+
+}  // namespace rotordrop

@@ -46,8 +46,7 @@ struct ArcOutput {
 };
 
 // Sums are kept by lane until the end; blocks of points without overlap are passed over.
-ROTORDROP_WIDE_VECTORS
-void press(const ArcInput& in, ArcOutput& out) {
+ROTORDROP_KERNEL void press(const ArcInput& in, ArcOutput& out) {
   double y[lane] = {}, z[lane] = {}, normal[lane] = {}, elastic[lane] = {}, dissipated[lane] = {};
   double by_shape[TouchdownBearing::max_shapes * lane];
   for (std::size_t k = 0; k < in.n_shapes * lane; ++k) by_shape[k] = 0.;
@@ -228,7 +227,7 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
                      step * f[3],
                      1.5 * data_.contact.lambda};
   ArcOutput sums;
-  press(arc, sums);
+  wide<press>(arc, sums);
   c.penetration = sums.deepest;
   c.elastic = sums.elastic;
   c.normal = sums.normal;

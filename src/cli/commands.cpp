@@ -10,6 +10,7 @@
 #include "analysis/facts/rotor_report.h"
 #include "base/errors.h"
 #include "base/version.h"
+#include "base/wide_vectors.h"
 #include "case/bearing_mesh.h"
 #include "case/case.h"
 #include "case/fe_module.h"
@@ -148,8 +149,8 @@ std::vector<ErasedSection> sections_of(InputKind kind) {
 }  // namespace
 
 std::string version_text() {
-  return fmt::format("rotordrop {} (revision {}; SUNDIALS {}, HDF5 {})", version(), git_revision(), sundials_version(),
-                     hdf5_version());
+  return fmt::format("rotordrop {} (revision {}; SUNDIALS {}, HDF5 {}; instruction set {})", version(), git_revision(),
+                     sundials_version(), hdf5_version(), name_of(vector_level));
 }
 
 int run_command(const RunCommand& command) {

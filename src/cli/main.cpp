@@ -13,6 +13,7 @@
 
 #include "base/errors.h"
 #include "base/parameters.h"
+#include "base/wide_vectors.h"
 #include "case/case.h"
 #include "cli/commands.h"
 #include "cli/completion.h"
@@ -72,6 +73,7 @@ std::vector<rotordrop::ErasedSection> sections_of_keys() {
 
 int run_program(int argc, char** argv) {
   using namespace rotordrop;
+  check_vector_level();
   CLI::App app("Drop of a magnetically levitated rotor onto its touchdown bearings.", "rotordrop");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());

@@ -64,9 +64,8 @@ auto& at(List& list, int i) {
 }
 
 /// out = y + sum_j factor_j k_j on the entries [from, to).
-ROTORDROP_WIDE_VECTORS
-void combine(std::size_t from, std::size_t to, const double* y, const double* factor, const double* const* k, int n,
-             double* out) {
+ROTORDROP_KERNEL void combine(std::size_t from, std::size_t to, const double* y, const double* factor,
+                              const double* const* k, int n, double* out) {
   if (out != y) std::copy(y + from, y + to, out + from);
   for (int j = 0; j < n; ++j) {
     if (factor[j] == 0.) continue;
@@ -78,9 +77,8 @@ void combine(std::size_t from, std::size_t to, const double* y, const double* fa
 }
 
 /// Sum of (error / (tolerance (scale + largest magnitude of both states)))^2.
-ROTORDROP_WIDE_VECTORS
-double squared_error(std::size_t n, const double* error, const double* before, const double* after, const double* scale,
-                     double tolerance) {
+ROTORDROP_KERNEL double squared_error(std::size_t n, const double* error, const double* before, const double* after,
+                                      const double* scale, double tolerance) {
   double sum = 0.;
 #pragma omp simd reduction(+ : sum)
   for (std::size_t i = 0; i < n; ++i) {
@@ -164,7 +162,7 @@ class EmbeddedPair final : public Integrator {
       at(factor, i) = last_step_ * value;
       at(k, i) = at(k_, i).data();
     }
-    combine(0, n_, before_.data(), factor.data(), k.data(), pair_.n_stages, y.data());
+    wide<combine>(0, n_, before_.data(), factor.data(), k.data(), pair_.n_stages, y.data());
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const override { return statistics_; }
@@ -190,11 +188,11 @@ class EmbeddedPair final : public Integrator {
               stage_.begin() + static_cast<std::ptrdiff_t>(n_controlled_));
     const int last = pair_.n_stages - 1;
     for (int i = 1; i < last; ++i) {
-      combine(0, n_controlled_, y_.data(), scaled(at(pair_.a, i)), k.data(), i, stage_.data());
+      wide<combine>(0, n_controlled_, y_.data(), scaled(at(pair_.a, i)), k.data(), i, stage_.data());
       evaluate(time_ + at(pair_.c, i) * step, stage_, at(k_, i));
       if (!all_finite(at(k_, i))) return not_finite(i);
     }
-    combine(0, n_, y_.data(), scaled(at(pair_.a, last)), k.data(), last, stage_.data());
+    wide<combine>(0, n_, y_.data(), scaled(at(pair_.a, last)), k.data(), last, stage_.data());
     if (is_observed()) {
       ++statistics_.rhs_evaluations;
       end_evaluation_(target, stage_, at(k_, last));
@@ -203,8 +201,9 @@ class EmbeddedPair final : public Integrator {
     }
     if (!all_finite(at(k_, last))) return not_finite(last);
     std::fill(error_.begin(), error_.end(), 0.);
-    combine(0, n_controlled_, error_.data(), scaled(pair_.e), k.data(), pair_.n_stages, error_.data());
-    const double sum = squared_error(n_controlled_, error_.data(), y_.data(), stage_.data(), scale_.data(), tolerance_);
+    wide<combine>(0, n_controlled_, error_.data(), scaled(pair_.e), k.data(), pair_.n_stages, error_.data());
+    const double sum =
+        wide<squared_error>(n_controlled_, error_.data(), y_.data(), stage_.data(), scale_.data(), tolerance_);
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
   }
 

@@ -88,10 +88,8 @@ template <bool is_bent>
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
-ROTORDROP_WIDE_VECTORS
-void sum_translations(const KernelInput& in, BallRowOutput& out) { translations<false>(in, out); }
-ROTORDROP_WIDE_VECTORS
-void sum_bent_translations(const KernelInput& in, BallRowOutput& out) { translations<true>(in, out); }
+ROTORDROP_KERNEL void sum_translations(const KernelInput& in, BallRowOutput& out) { translations<false>(in, out); }
+ROTORDROP_KERNEL void sum_bent_translations(const KernelInput& in, BallRowOutput& out) { translations<true>(in, out); }
 
 template <bool is_bent>
 [[gnu::always_inline]] inline void all_motions(const KernelInput& in, BallRowOutput& out) {
@@ -153,10 +151,8 @@ template <bool is_bent>
   out.inertia_power = out.inertia_per_speed = 0;
 }
 
-ROTORDROP_WIDE_VECTORS
-void sum_all(const KernelInput& in, BallRowOutput& out) { all_motions<false>(in, out); }
-ROTORDROP_WIDE_VECTORS
-void sum_all_bent(const KernelInput& in, BallRowOutput& out) { all_motions<true>(in, out); }
+ROTORDROP_KERNEL void sum_all(const KernelInput& in, BallRowOutput& out) { all_motions<false>(in, out); }
+ROTORDROP_KERNEL void sum_all_bent(const KernelInput& in, BallRowOutput& out) { all_motions<true>(in, out); }
 
 // Raceways' edges as sum_tractions() needs them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.
 struct Edge {
@@ -216,12 +212,12 @@ template <bool is_bent>
   out = {inner, outer, (1. - inner_share) * gyroscopic, largest, inner_share * gyroscopic};
   out.truncation = std::min(truncation, 1.);
 }
-ROTORDROP_WIDE_VECTORS
-void sum_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+ROTORDROP_KERNEL void sum_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges,
+                                    RowTractions& out) {
   tractions_of<false>(in, F_c, inner_share, edges, out);
 }
-ROTORDROP_WIDE_VECTORS
-void sum_bent_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+ROTORDROP_KERNEL void sum_bent_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges,
+                                         RowTractions& out) {
   tractions_of<true>(in, F_c, inner_share, edges, out);
 }
 
@@ -396,13 +392,15 @@ double BallRow::centrifugal_force(const BallRowInput& in) const {
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run([](const KernelInput& k, BallRowOutput& o) { k.bent ? sum_bent_translations(k, o) : sum_translations(k, o); }, in,
-      out, tractions);
+  run([](const KernelInput& k,
+         BallRowOutput& o) { k.bent ? wide<sum_bent_translations>(k, o) : wide<sum_translations>(k, o); },
+      in, out, tractions);
 }
 
 void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run([](const KernelInput& k, BallRowOutput& o) { k.bent ? sum_all_bent(k, o) : sum_all(k, o); }, in, out, tractions);
+  run([](const KernelInput& k, BallRowOutput& o) { k.bent ? wide<sum_all_bent>(k, o) : wide<sum_all>(k, o); }, in, out,
+      tractions);
 }
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {

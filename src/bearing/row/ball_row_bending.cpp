@@ -18,8 +18,8 @@ constexpr std::size_t lane = 8;            // rows are filled up to a multiple o
 constexpr std::size_t max_harmonics = 40;  // 2 to 41
 
 /// @param table  cos, sin of every harmonic at the balls: [2 n_harmonics][n]
-ROTORDROP_WIDE_VECTORS
-void add_shapes(Turned* turned, std::size_t n_harmonics, const double* table, std::size_t n, Widening& w) {
+ROTORDROP_KERNEL void add_shapes(Turned* turned, std::size_t n_harmonics, const double* table, std::size_t n,
+                                 Widening& w) {
   for (std::size_t j = 0; j < n; j += lane) {
     double width[lane] = {}, rate[lane] = {}, slope[lane] = {};
     for (std::size_t k = 0; k < n_harmonics; ++k) {
@@ -43,8 +43,8 @@ void add_shapes(Turned* turned, std::size_t n_harmonics, const double* table, st
 }
 
 /// @param sums  of force times table [n_rows]
-ROTORDROP_WIDE_VECTORS
-void project(const double* force, const double* table, std::size_t n_rows, std::size_t n, double* sums) {
+ROTORDROP_KERNEL void project(const double* force, const double* table, std::size_t n_rows, std::size_t n,
+                              double* sums) {
   for (std::size_t k = 0; k < n_rows; ++k) {
     const double* row = table + k * n;
     double sum = 0.;
@@ -82,14 +82,14 @@ void BallRow::widen(const BallRowInput& in, Widening& w) const {
     turned[k] = {a[0] * C + a[1] * S, a[1] * C - a[0] * S, rate[0] * C + rate[1] * S, rate[1] * C - rate[0] * S,
                  2. + static_cast<double>(k)};
   }
-  add_shapes(turned.data(), n_harmonics, shapes_.data(), n_padded_, w);
+  wide<add_shapes>(turned.data(), n_harmonics, shapes_.data(), n_padded_, w);
 }
 
 // Balls press the inner ring inwards.
 void BallRow::press_shapes(const BallRowInput& in, Widening& w) const {
   std::array<double, 2 * max_harmonics> sums;
   const std::size_t n_harmonics = in.shape_force.size() / 2;
-  project(w.force.data(), shapes_.data(), 2 * n_harmonics, n_padded_, sums.data());
+  wide<project>(w.force.data(), shapes_.data(), 2 * n_harmonics, n_padded_, sums.data());
   Turn turn(in.cage_cosine, in.cage_sine);
   for (std::size_t k = 0; k < n_harmonics; ++k, turn.next()) {
     const double a = sums[2 * k], b = sums[2 * k + 1];

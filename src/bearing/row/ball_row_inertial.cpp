@@ -38,10 +38,12 @@ template <bool is_bent>
     }
   }
 }
-ROTORDROP_WIDE_VECTORS
-void place_grooves(const Place& p, double cage_speed, InertialBalls& w) { place_all<false>(p, cage_speed, w); }
-ROTORDROP_WIDE_VECTORS
-void place_bent_grooves(const Place& p, double cage_speed, InertialBalls& w) { place_all<true>(p, cage_speed, w); }
+ROTORDROP_KERNEL void place_grooves(const Place& p, double cage_speed, InertialBalls& w) {
+  place_all<false>(p, cage_speed, w);
+}
+ROTORDROP_KERNEL void place_bent_grooves(const Place& p, double cage_speed, InertialBalls& w) {
+  place_all<true>(p, cage_speed, w);
+}
 
 /// @param hardness  K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is hardness * u
 template <bool is_split, bool is_bent>
@@ -106,17 +108,15 @@ template <bool is_split, bool is_bent>
   out.largest_outer_load = largest_outer;
 }
 
-ROTORDROP_WIDE_VECTORS
-void sum_forces(const Place& p, const InertialBalls& w, bool is_split, double damping, double hardness,
-                double cage_speed, BallRowOutput& out) {
+ROTORDROP_KERNEL void sum_forces(const Place& p, const InertialBalls& w, bool is_split, double damping, double hardness,
+                                 double cage_speed, BallRowOutput& out) {
   if (is_split)
     sum_all<true, false>(p, w, damping, hardness, cage_speed, out);
   else
     sum_all<false, false>(p, w, damping, hardness, cage_speed, out);
 }
-ROTORDROP_WIDE_VECTORS
-void sum_bent_forces(const Place& p, const InertialBalls& w, bool is_split, double damping, double hardness,
-                     double cage_speed, BallRowOutput& out) {
+ROTORDROP_KERNEL void sum_bent_forces(const Place& p, const InertialBalls& w, bool is_split, double damping,
+                                      double hardness, double cage_speed, BallRowOutput& out) {
   if (is_split)
     sum_all<true, true>(p, w, damping, hardness, cage_speed, out);
   else
@@ -133,8 +133,7 @@ inline double cube_root(double Q) {
   return y;
 }
 
-ROTORDROP_WIDE_VECTORS
-void sum_load_roots(const InertialBalls& w, BallRowOutput& out) {
+ROTORDROP_KERNEL void sum_load_roots(const InertialBalls& w, BallRowOutput& out) {
   double inner_roots = 0, outer_roots = 0, inner = 0, outer = 0;
 #pragma omp simd reduction(+ : inner_roots, outer_roots, inner, outer)
   for (std::size_t j = 0; j < w.n; ++j) {
@@ -221,7 +220,7 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   out.elastic_normal += 0.5 * work.per_ball_growth;
   out.elastic_outer_surplus += work.per_outer - 0.5 * work.per_ball_growth;
 
-  if (geometry_.conducts) sum_load_roots(w, out);
+  if (geometry_.conducts) wide<sum_load_roots>(w, out);
 
   if (!tractions) return;
   *tractions = {};

@@ -144,8 +144,7 @@ ROTORDROP_INLINE Place guess(const Row& row, double c_i, double c_o, double bott
   return {larger(both * c_o / soft, bottom), o_x, o_r};
 }
 
-ROTORDROP_WIDE_VECTORS
-void guess_all(const Row& constants, double c_i, double c_o, double bottom, InertialBalls& w) {
+ROTORDROP_KERNEL void guess_all(const Row& constants, double c_i, double c_o, double bottom, InertialBalls& w) {
   const Row row = constants;  // a copy that no store can change
 #pragma omp simd
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
@@ -157,8 +156,8 @@ void guess_all(const Row& constants, double c_i, double c_o, double bottom, Iner
 }
 
 /// Places by straight lines in a table over B_r, from its first to its last entry.
-ROTORDROP_WIDE_VECTORS
-void look_up(const float* delta_o, const float* o_x, double first, double per_step, double last, InertialBalls& w) {
+ROTORDROP_KERNEL void look_up(const float* delta_o, const float* o_x, double first, double per_step, double last,
+                              InertialBalls& w) {
 #pragma omp simd simdlen(8)
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
     const auto at = static_cast<float>(limited((w.B_r[j] + w.added_i[j] + w.added_o[j] - first) * per_step, 0., last));
@@ -236,14 +235,12 @@ ROTORDROP_INLINE double finish_all(const Row row, double u_per_root_i, double en
 }
 
 /// One step of Newton's method. @return balls that had more than `enough` left over before the step
-ROTORDROP_WIDE_VECTORS
-double step(const Row& row, double enough, InertialBalls& w) {
+ROTORDROP_KERNEL double step(const Row& row, double enough, InertialBalls& w) {
   return row.k != 0. ? step_all<true>(row, enough, w) : step_all<false>(row, enough, w);
 }
 
 /// The last step: what comes out of the balance, and the work. @return balls that had more than `enough` left over before it
-ROTORDROP_WIDE_VECTORS
-double finish(const Row& row, double u_per_root_i, double enough, InertialBalls& w, BallWork& sums) {
+ROTORDROP_KERNEL double finish(const Row& row, double u_per_root_i, double enough, InertialBalls& w, BallWork& sums) {
   return row.k != 0. ? finish_all<true>(row, u_per_root_i, enough, w, sums)
                      : finish_all<false>(row, u_per_root_i, enough, w, sums);
 }
@@ -271,8 +268,7 @@ void place_one(const InertialRow& row, double F_0, std::size_t j, InertialBalls&
 struct Reach {
   double least, largest;
 };
-ROTORDROP_WIDE_VECTORS
-Reach reach(const InertialBalls& w) {
+ROTORDROP_KERNEL Reach reach(const InertialBalls& w) {
   double least = 1e300, largest = -1e300;
 #pragma omp simd reduction(min : least) reduction(max : largest)
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
@@ -284,9 +280,8 @@ Reach reach(const InertialBalls& w) {
 }
 
 /// Between three tables one step apart, by a parabola: centrifugal forces go with the square of the speed.
-ROTORDROP_WIDE_VECTORS
-void blend(const float* t_0, const float* t_1, const float* t_2, float part, std::size_t first, std::size_t last,
-           float* out) {
+ROTORDROP_KERNEL void blend(const float* t_0, const float* t_1, const float* t_2, float part, std::size_t first,
+                            std::size_t last, float* out) {
   const float w_0 = 0.5f * (1.f - part) * (2.f - part), w_1 = part * (2.f - part), w_2 = 0.5f * part * (part - 1.f);
 #pragma omp simd simdlen(8)
   for (std::size_t k = whole_vectors(first); k < whole_vectors(last); ++k)
@@ -295,7 +290,7 @@ void blend(const float* t_0, const float* t_1, const float* t_2, float part, std
 
 /// Places from the row's table. @return false if the table does not have them
 bool start_from(const InertialStarts& starts, double F_0, InertialBalls& w) {
-  const auto [least, largest] = reach(w);
+  const auto [least, largest] = wide<reach>(w);
   const double per_step = 1. / starts.radius_step(), end = static_cast<double>(InertialStarts::n_radii) - 1.001;
   const double low = (least - starts.first_radius()) * per_step, high = (largest - starts.first_radius()) * per_step;
   // Below the first entry balls are free, or nearly so.
@@ -303,7 +298,7 @@ bool start_from(const InertialStarts& starts, double F_0, InertialBalls& w) {
   const auto entry = [&](double at) { return static_cast<std::size_t>(std::max(at, 0.)); };
   InertialStarts::Table table;
   if (!starts.at_speed(F_0, entry(low) / 8 * 8, (entry(high) + 2 + 7) / 8 * 8, table)) return false;
-  look_up(table[0].data(), table[1].data(), starts.first_radius(), per_step, end, w);
+  wide<look_up>(table[0].data(), table[1].data(), starts.first_radius(), per_step, end, w);
   return true;
 }
 
@@ -331,8 +326,8 @@ bool InertialStarts::at_speed(double F_0, std::size_t first, std::size_t last, T
   if (!(at < static_cast<double>(n_speeds - 2))) return false;
   const auto s = static_cast<std::size_t>(at);
   for (std::size_t q = 0; q < 2; ++q)
-    blend(tables_[s][q].data(), tables_[s + 1][q].data(), tables_[s + 2][q].data(),
-          static_cast<float>(at - static_cast<double>(s)), first, last, places[q].data());
+    wide<blend>(tables_[s][q].data(), tables_[s + 1][q].data(), tables_[s + 2][q].data(),
+                static_cast<float>(at - static_cast<double>(s)), first, last, places[q].data());
   return true;
 }
 
@@ -340,28 +335,28 @@ BallWork balance_balls(const InertialRow& constants, double F_0, InertialBalls& 
   const Row row(constants, F_0);
   if (!(starts && start_from(*starts, F_0, w))) {
     const double least = 0.5 * constants.c_o * std::cbrt(0.0625 * F_0 * F_0);
-    guess_all(row, constants.c_i, constants.c_o, least, w);
+    wide<guess_all>(row, constants.c_i, constants.c_o, least, w);
   }
   // Newton's method squares what is left at each step.
   constexpr double nearly = 6e-3, enough = 2e-5;
   constexpr int most = 20;
   w.steps = 1;
-  while (step(row, nearly, w) > 0. && w.steps < most) ++w.steps;
+  while (wide<step>(row, nearly, w) > 0. && w.steps < most) ++w.steps;
   BallWork work;
   const double u_per_root_i = 1. / std::sqrt(constants.c_i);
   const auto is_left = [&] {
     ++w.steps;
-    return finish(row, u_per_root_i, enough, w, work) > 0.;
+    return wide<finish>(row, u_per_root_i, enough, w, work) > 0.;
   };
   bool has_more = is_left();
   while (has_more && w.steps < most) {
-    step(row, enough, w);
+    wide<step>(row, enough, w);
     has_more = is_left();
   }
   w.is_by_scalar_law = has_more;
   if (has_more) {
     for (std::size_t j = 0; j < w.n; ++j) place_one(constants, F_0, j, w);
-    finish(row, u_per_root_i, enough, w, work);
+    wide<finish>(row, u_per_root_i, enough, w, work);
   }
   return work;
 }

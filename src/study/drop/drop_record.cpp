@@ -1,6 +1,7 @@
 #include "study/drop/drop_record.h"
 
 #include "base/version.h"
+#include "base/wide_vectors.h"
 #include "integrate/sundials_version.h"
 #include "io/hdf5/hdf5_version.h"
 #include "io/hdf5/recorded_series.h"
@@ -14,6 +15,7 @@ RecordHeader record_header(const Case& drop_case) {
            {"git_revision", git_revision()},
            {"sundials_version", sundials_version()},
            {"hdf5_version", hdf5_version()},
+           {"instruction_set", name_of(vector_level)},
            {"case", drop_case.name},
            {"frame",
             "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y "

@@ -1,0 +1,53 @@
+#include "base/wide_vectors.h"
+
+#include <cstdlib>
+#include <optional>
+
+#include "base/errors.h"
+
+namespace rotordrop {
+namespace {
+
+constexpr VectorLevel levels[] = {VectorLevel::base, VectorLevel::v3, VectorLevel::v4};
+
+bool machine_has(VectorLevel level) {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (level == VectorLevel::v4) return __builtin_cpu_supports("x86-64-v4");
+  if (level == VectorLevel::v3) return __builtin_cpu_supports("x86-64-v3");
+#endif
+  return level == VectorLevel::base;
+}
+
+std::optional<VectorLevel> level_called(const std::string& name) {
+  for (const VectorLevel level : levels)
+    if (name_of(level) == name) return level;
+  return {};
+}
+
+VectorLevel chosen() {
+  if (const char* asked = std::getenv("ROTORDROP_ISA"))
+    if (const auto level = level_called(asked); level && machine_has(*level)) return *level;
+  if (machine_has(VectorLevel::v4)) return VectorLevel::v4;
+  return machine_has(VectorLevel::v3) ? VectorLevel::v3 : VectorLevel::base;
+}
+
+}  // namespace
+
+const VectorLevel vector_level = chosen();
+
+std::string name_of(VectorLevel level) {
+  return level == VectorLevel::v4 ? "v4" : level == VectorLevel::v3 ? "v3" : "base";
+}
+
+void check_vector_level() {
+  const char* asked = std::getenv("ROTORDROP_ISA");
+  if (!asked) return;
+  const auto level = level_called(asked);
+  if (!level) throw InputError({"ROTORDROP_ISA", 0, 0}, "\"" + std::string(asked) + "\" is no instruction set.", "Allowed: base, v3, v4.");
+  if (!machine_has(*level))
+    throw InputError({"ROTORDROP_ISA", 0, 0}, "this machine does not have the instruction set " + name_of(*level) + ".",
+                     "It has " + name_of(chosen()) + "; leave ROTORDROP_ISA out to have the best there is.");
+}
+
+}  // namespace rotordrop

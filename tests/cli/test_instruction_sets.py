@@ -1,0 +1,76 @@
+"""The kernels' instruction sets: chosen at the start, by ROTORDROP_ISA, and what differs between them."""
+
+import json
+import os
+import platform
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from tests.cli.program import PARAMS, PROGRAM, ProgramTest
+
+X86 = platform.machine() == "x86_64"
+
+
+def at_level(level, *arguments):
+    return subprocess.run([PROGRAM, *arguments], env={**os.environ, "ROTORDROP_ISA": level}, capture_output=True, text=True)
+
+
+def levels():
+    """Those that this machine has, lowest first."""
+    return [level for level in ("base", "v3", "v4") if at_level(level, "--version").returncode == 0]
+
+
+class InstructionSets(ProgramTest):
+    def test_version_names_the_level_that_was_asked_for(self):
+        found = levels()
+        self.assertIn("base", found)
+        for level in found:
+            self.assertIn(f"; instruction set {level})", at_level(level, "--version").stdout)
+
+    def test_default_is_the_highest_level(self):
+        environment = {key: value for key, value in os.environ.items() if key != "ROTORDROP_ISA"}
+        text = subprocess.run([PROGRAM, "--version"], env=environment, capture_output=True, text=True).stdout
+        self.assertEqual(re.search(r"instruction set (\w+)", text)[1], levels()[-1])
+
+    def test_unknown_level_is_an_input_error(self):
+        result = at_level("avx2", "--version")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("base, v3, v4", result.stderr)
+
+    def test_levels_agree_until_roundoff_grows(self):
+        """Over the first impact (12 ms) roundoff of 1e-16 has not grown: peak force, orbit and heat agree to 1e-9."""
+        forces, heats = [], []
+        for level in levels():
+            with tempfile.TemporaryDirectory() as folder:
+                result = at_level(level, "run", str(PARAMS / "neisi2019-settling.toml"), "-o", f"{folder}/out", "--set", "run.end_time=12 ms")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                with open(f"{folder}/out/summary.json", encoding="utf-8") as file:
+                    summary = json.load(file)
+            forces.append([b["peak_contact_force"] for b in summary["bearings"].values()])
+            heats.append(summary["energy"]["lumped_heat_stored"])
+        self.assertGreater(forces[0][0], 1000)
+        for other, heat in zip(forces[1:], heats[1:]):
+            for a, b in zip(forces[0], other):
+                self.assertAlmostEqual(a, b, delta=1e-9 * a)
+            self.assertAlmostEqual(heats[0], heat, delta=1e-9 * heats[0])
+
+    @unittest.skipUnless(X86 and shutil.which("qemu-x86_64"), "takes an emulator of old processors (qemu-user)")
+    def test_runs_on_a_processor_without_avx(self):
+        """Nehalem (2008) ends with an illegal instruction at the first one of a higher level."""
+        def emulated(processor, *arguments, **environment):
+            return subprocess.run(["qemu-x86_64", "-cpu", processor, PROGRAM, *arguments], env={**os.environ, **environment},
+                                  capture_output=True, text=True)
+
+        self.assertIn("; instruction set base)", emulated("Nehalem", "--version").stdout)
+        self.assertEqual(emulated("Nehalem", "--version", ROTORDROP_ISA="v3").returncode, 2)
+        with tempfile.TemporaryDirectory() as folder:
+            result = emulated("Nehalem", "run", str(PARAMS / "neisi2019-settling.toml"), "-o", f"{folder}/out", "--set", "run.end_time=9 ms",
+                              "--set", "bearings.ball_model=inertial")
+            self.assertEqual(result.returncode, 0, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
