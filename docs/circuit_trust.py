@@ -24,7 +24,7 @@ AMBIENT, WATTS, FLOOR = 293.15, 100.0, 0.01  # K, W, K
 TIMES = np.logspace(-3, 3, 25)
 PORTS = {"rub": "rub heat", "inner": "inner race", "outer": "outer race"}
 NODES = ("shaft", "inner_ring", "ball", "outer_ring", "housing")
-SURFACES = ("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width")
+SURFACES = ("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width", "row_difference")
 VARIANTS = {  # name: settings of the circuit
     "published": {"spreading": "none", "shaft": "lump"},
     "spreading": {"spreading": "strip", "shaft": "lump"},

@@ -21,6 +21,7 @@ struct TouchdownBearing::BallForces {
   double force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
   double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
   double by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
+  double by_row_difference = 0;                     // dU/d(Expansion::row_difference) [N]
   double inertia_power = 0, inertia_per_speed = 0;
 };
 
@@ -148,6 +149,7 @@ BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<cons
   in.ring_angle = y[ring_angle];
   in.ring_speed = y[ring_spin];
   in.radial_growth = growth.inner_race - growth.outer_race;
+  in.row_difference = growth.row_difference;
   in.ball_growth = growth.ball;
   in.inner_strain = strain_per_growth_ * growth.inner_width;
   in.outer_strain = strain_per_growth_ * growth.outer_width;
@@ -170,6 +172,7 @@ TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& i
     sum.force_z += row.force_z;
     sum.damping_power += row.damping_power;
     sum.elastic_radial += row.elastic_radial;
+    sum.by_row_difference += rows_[i].geometry().difference_share * row.elastic_radial;
     sum.elastic_normal += row.elastic_normal;
     const auto [by_inner, by_outer] = rows_[i].strain_gradient(row);
     sum.by_inner_strain += by_inner;
@@ -321,7 +324,8 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
                          -balls.elastic_radial,
                          2. * balls.elastic_normal,
                          strain_per_growth_ * balls.by_inner_strain,
-                         strain_per_growth_ * balls.by_outer_strain};
+                         strain_per_growth_ * balls.by_outer_strain,
+                         balls.by_row_difference};
   // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
   const double centrifugal_work = out.energy_gradient.dot(data_.centrifugal_growth) * 2. * ring_speed * dydt[ring_spin];
   out.prescribed_work = balls.cage_power + wave_work + inertia_work + centrifugal_work;

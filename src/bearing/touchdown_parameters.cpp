@@ -597,6 +597,7 @@ std::vector<RowPlace> row_places(const TouchdownParameters& b) {
   for (int i = 0; i < b.rows; ++i) {
     RowPlace place;
     place.position = (i - 0.5 * (b.rows - 1)) * spacing;
+    place.difference_share = b.rows > 1 ? static_cast<double>(i) / (b.rows - 1) - 0.5 : 0.;
     const double inwards =
         place.position > 0. ? 1. : -1.;  // in an X set each row's inner ring is loaded away from the other row
     place.direction = b.rows == 1 || b.arrangement == RowArrangement::tandem ? 1.
@@ -685,6 +686,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   const auto places = row_places(b);
   for (int i = 0; i < b.rows; ++i) {
     row.position = places[static_cast<std::size_t>(i)].position;
+    row.difference_share = places[static_cast<std::size_t>(i)].difference_share;
     row.direction = places[static_cast<std::size_t>(i)].direction;
     row.phase = i * b.row_phase * 2. * std::numbers::pi / b.balls_per_row;
     d.rows.push_back(row);

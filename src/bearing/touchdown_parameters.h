@@ -143,8 +143,9 @@ SupportSurroundings support_surroundings(const TouchdownParameters& bearing);
 
 /// Where a row of balls sits, and which way it leans.
 struct RowPlace {
-  double position = 0;   ///< along the axis, from the middle of the bearing [m]
-  double direction = 1;  ///< side to which the outer contact leans
+  double position = 0;          ///< along the axis, from the middle of the bearing [m]
+  double direction = 1;         ///< side to which the outer contact leans
+  double difference_share = 0;  ///< of Expansion::row_difference, beyond the mean of the rows
 };
 /// Of all rows, with rising position.
 std::vector<RowPlace> row_places(const TouchdownParameters& bearing);

@@ -24,6 +24,8 @@ std::vector<std::string> recorded_bearings(const std::filesystem::path& file) {
 
 /// Columns of results from before widths were among the surfaces: growth was radial then, so their widths' is zero.
 constexpr std::size_t surfaces_without_widths = 5;
+/// From before rows grew apart: all rows' raceways grew alike.
+constexpr std::size_t surfaces_without_rows = 7;
 
 std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
                                            const std::vector<std::string>& bearings) {
@@ -39,7 +41,8 @@ std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
     times = read_series(file, read_attribute(file, dataset, "time")).values;
     growth.push_back(read_series(file, dataset));
     const auto& shape = growth.back().shape;
-    if (shape.size() != 2 || (shape[1] != growth_surfaces.size() && shape[1] != surfaces_without_widths))
+    if (shape.size() != 2 || (shape[1] != growth_surfaces.size() && shape[1] != surfaces_without_rows &&
+                              shape[1] != surfaces_without_widths))
       throw InputError(
           {},
           fmt::format("its growth of {} has {} columns instead of {}: {}.", name, shape.size() == 2 ? shape[1] : 1,

@@ -39,28 +39,32 @@ struct Expansion {
   double ball = 0;         ///< radius of a ball
   double inner_width = 0;  ///< width of the inner ring(s)
   double outer_width = 0;  ///< width of the outer ring(s)
+  /// How much more the last row's inner raceway grows, less its outer one, than the first row's; inner_race and outer_race are means over
+  /// the rows. Rows between them have their part of it by place.
+  double row_difference = 0;
 
   /// Sum of products; of a generalised force [N] with a growth rate [m/s] it is a power [W].
   [[nodiscard]] double dot(const Expansion& other) const {
     return shaft * other.shaft + bore * other.bore + inner_race * other.inner_race + outer_race * other.outer_race +
-           ball * other.ball + inner_width * other.inner_width + outer_width * other.outer_width;
+           ball * other.ball + inner_width * other.inner_width + outer_width * other.outer_width +
+           row_difference * other.row_difference;
   }
 };
 /// Its surfaces, in the order in which results list them.
-inline constexpr std::array<double Expansion::*, 7> growth_surfaces = {
-    &Expansion::shaft, &Expansion::bore,        &Expansion::inner_race, &Expansion::outer_race,
-    &Expansion::ball,  &Expansion::inner_width, &Expansion::outer_width};
+inline constexpr std::array<double Expansion::*, 8> growth_surfaces = {
+    &Expansion::shaft, &Expansion::bore,        &Expansion::inner_race,  &Expansion::outer_race,
+    &Expansion::ball,  &Expansion::inner_width, &Expansion::outer_width, &Expansion::row_difference};
 inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_names = {
-    "shaft", "bore", "inner race", "outer race", "ball radius", "inner width", "outer width"};
+    "shaft", "bore", "inner race", "outer race", "ball radius", "inner width", "outer width", "row difference"};
 /// The same as keys of reports.
 inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_keys = {
-    "shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width"};
+    "shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width", "row_difference"};
 inline std::array<double, growth_surfaces.size()> growth_values(const Expansion& e) {
-  return {e.shaft, e.bore, e.inner_race, e.outer_race, e.ball, e.inner_width, e.outer_width};
+  return {e.shaft, e.bore, e.inner_race, e.outer_race, e.ball, e.inner_width, e.outer_width, e.row_difference};
 }
 /// @param values [growth_surfaces.size()]
 inline Expansion expansion_of(std::span<const double> values) {
-  return {values[0], values[1], values[2], values[3], values[4], values[5], values[6]};
+  return {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7]};
 }
 /// f a + g b
 inline Expansion combined(double f, const Expansion& a, double g, const Expansion& b) {

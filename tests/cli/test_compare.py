@@ -20,7 +20,7 @@ from program import PROGRAM, SOURCE, ProgramTest, content_of, settings  # noqa: 
 
 HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 NODES = ["shaft", "inner_ring", "ball", "outer_ring", "housing"]
-GROWTH = ["shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width"]
+GROWTH = ["shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width", "row_difference"]
 # The first contact lasts from 7.4 to 10.6 ms. Plain rectangles: the quickest section.
 
 

@@ -281,7 +281,7 @@ class HeatOfABearing(ProgramTest):
                     for row, T in zip(rows, summary["probes"][n]["temperature"]):
                         self.assertAlmostEqual(T, results[f"/thermal/{bearing}/{n}"][row], delta=2e-7 * largest, msg=f"{bearing} {n}")
                 growth = results[f"/growth/lumped/{bearing}"][rows[-1]]
-                for name, value in zip(("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width"), growth):
+                for name, value in zip(("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width", "row_difference"), growth):
                     self.assertAlmostEqual(summary["growth"]["lumped"][name][-1], value, delta=1e-6 * max(abs(growth)))
                 given = sum(results[f"/ledger/{bearing}/{heat}_heat"][-1] for heat in ("rub", "inner", "outer"))
                 self.assertAlmostEqual(summary["energy"]["lumped"]["input"], given, delta=1e-12 * given)
@@ -361,7 +361,7 @@ class HeatOfABearing(ProgramTest):
                 for n in nodes:
                     self.assertAlmostEqual(summary["probes"][n]["temperature"][at], results[f"/fe/TB1/{n}"][row], delta=2e-6 * largest, msg=n)
                 growth = results["/growth/fe/TB1"][row]
-                for name, value in zip(("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width"), growth):
+                for name, value in zip(("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width", "row_difference"), growth):
                     self.assertAlmostEqual(summary["growth"]["fe"][name][at], value, delta=4e-6 * max(abs(growth)))
         self.assert_closed(summary)
 

@@ -154,7 +154,7 @@ class Preload(ProgramTest):
         self.assertAlmostEqual(history["preload"]["start"], 290, delta=1e-3)
         self.assertGreater(history["preload"]["end"], 291)
         with h5py.File(self.folder / "drop/results.h5", "r") as drop:
-            shaft, bore, inner, outer, ball, inner_width, outer_width = drop["/bearings/TB2/expansion"][-1]
+            shaft, bore, inner, outer, ball, inner_width, outer_width, row_difference = drop["/bearings/TB2/expansion"][-1]
             rest = self.statics("--set", f"statics.inner_growth={inner}", "--set", f"statics.outer_growth={outer}", "--set", f"statics.ball_rise={ball / (11.8e-6 * 9.525e-3 / 2)}")
             self.assertAlmostEqual(self.file()["/TB2/history/preload"][-1], rest["preload"], delta=1e-6)
             # Under the recorded force a single row's balls carry what they did.

@@ -86,6 +86,7 @@ class RowsUnderThrust(ProgramTest):
         half, side = 8e-3, 4.7625e-3 * numpy.sin(numpy.radians(25))
         spread = ((half - side) * growth[:, 5] - (half + side) * growth[:, 6]) / 32e-3
         numpy.testing.assert_allclose((rows[:, 3] - rows[:, 1]) / 2, spread, rtol=1e-3, atol=1e-13, err_msg="strips lie at their mean position, not at the nominal contact")
+        numpy.testing.assert_allclose(rows[:, 2] - rows[:, 0], growth[:, 7], rtol=0, atol=1e-15, err_msg="the eighth surface, fed back where elasticity drives")
         self.assertGreater(abs(rows[-1, 2] - rows[-1, 0]), 1e-12)
         strips = [file[f"fe/TB2/inner_raceway_row_{row}"][-1, 0] for row in (1, 2)]
         self.assertEqual(rows[-1, 2] > rows[-1, 0], strips[1] > strips[0], "the warmer strip's row grows more")

@@ -136,7 +136,7 @@ class Results(ProgramTest):
             self.assertGreater(pair["preload"]["largest"], 300)
             rows = file["bearings/TB2/row_axial_force"][()]
             numpy.testing.assert_allclose(series["preload"], numpy.abs(rows).min(axis=1), rtol=1e-12)
-            for found, values in [(pair[key], series[key]) for key in series] + [(pair["growth"][key], growth[:, k]) for k, key in enumerate(("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width"))]:
+            for found, values in [(pair[key], series[key]) for key in series] + [(pair["growth"][key], growth[:, k]) for k, key in enumerate(("shaft", "bore", "inner_race", "outer_race", "ball_radius", "inner_width", "outer_width", "row_difference"))]:
                 self.assertEqual((found["start"], found["end"]), (values[0], values[-1]))
                 roundoff = 1e-9 * numpy.abs(values).max() + 1e-18  # records are evaluated anew
                 self.assertLessEqual(found["smallest"], values.min() + roundoff)

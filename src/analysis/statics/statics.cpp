@@ -44,6 +44,7 @@ RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, c
   auto rows = data.rows;
   RingSurroundings around;
   around.radial_growth = growth.inner_race - growth.outer_race;
+  around.row_difference = growth.row_difference;
   around.ball_growth = growth.ball;
   around.inner_strain = growth.inner_width / b.width;
   around.outer_strain = growth.outer_width / b.width;

@@ -307,7 +307,8 @@ BallRow::Constants BallRow::grown(const BallRowInput& in) const {
   const auto& [inner, outer] = strains_;
   Constants c = constants_;
   c.A += in.inner_strain * inner.groove + in.outer_strain * outer.groove;
-  c.radial += in.radial_growth + (in.inner_strain * inner.radial + in.outer_strain * outer.radial);
+  c.radial += in.radial_growth + geometry_.difference_share * in.row_difference +
+              (in.inner_strain * inner.radial + in.outer_strain * outer.radial);
   c.axial += in.inner_strain * inner.axial + in.outer_strain * outer.axial;
   return c;
 }

@@ -48,13 +48,15 @@ struct BallRowGeometry {
   double damping_beta = 0;      ///< beta, damping over tangent stiffness [s]
   double direction = 1;         ///< +1: loaded by an inner ring moving towards +x; -1 the opposite
   double position = 0;          ///< axial position of the row in the ring's frame [m]
-  double phase = 0;             ///< azimuth of the first ball at cage angle zero [rad]
-  double preload_offset = 0;    ///< axial approach of the races at rest [m]
-  RaceContact inner, outer;     ///< each contact by itself; `stiffness` is both in series
-  double ball_mass = 0;         ///< [kg]; for the balls' inertia
-  bool conducts = false;        ///< a row of balls with inertia sums the cube roots of its loads too
-  bool has_inertia = false;     ///< each ball in balance with its centrifugal force and gyroscopic moment
-  int highest_harmonic = 0;     ///< of the rings' bending; 0: rigid rings
+  double difference_share =
+      0;             ///< of Expansion::row_difference that the row grows beyond the rows' mean: -1/2 first, +1/2 last
+  double phase = 0;  ///< azimuth of the first ball at cage angle zero [rad]
+  double preload_offset = 0;  ///< axial approach of the races at rest [m]
+  RaceContact inner, outer;   ///< each contact by itself; `stiffness` is both in series
+  double ball_mass = 0;       ///< [kg]; for the balls' inertia
+  bool conducts = false;      ///< a row of balls with inertia sums the cube roots of its loads too
+  bool has_inertia = false;   ///< each ball in balance with its centrifugal force and gyroscopic moment
+  int highest_harmonic = 0;   ///< of the rings' bending; 0: rigid rings
   double inner_gyroscopic_share =
       0;  ///< part of the gyroscopic traction at the inner race; the rest is at the outer one
 };
@@ -85,13 +87,14 @@ struct BallRowInput {
   RingDisplacement displacement;
   RingDisplacement rate;
   double cage_angle = 0, cage_cosine = 1, cage_sine = 0;
-  double cage_speed = 0;     ///< [rad/s], for the work of the prescribed cage
-  double ring_angle = 0;     ///< theta_i [rad]
-  double ring_speed = 0;     ///< omega_i [rad/s]
-  double radial_growth = 0;  ///< eps_in - eps_out, radial displacements of the contact points [m]
-  double ball_growth = 0;    ///< eps_b, growth of a ball's radius [m]
-  double inner_strain = 0;   ///< axial strain of the inner ring
-  double outer_strain = 0;   ///< of the outer ring
+  double cage_speed = 0;      ///< [rad/s], for the work of the prescribed cage
+  double ring_angle = 0;      ///< theta_i [rad]
+  double ring_speed = 0;      ///< omega_i [rad/s]
+  double radial_growth = 0;   ///< eps_in - eps_out, radial displacements of the contact points [m]
+  double row_difference = 0;  ///< of it, last row less first [m]
+  double ball_growth = 0;     ///< eps_b, growth of a ball's radius [m]
+  double inner_strain = 0;    ///< axial strain of the inner ring
+  double outer_strain = 0;    ///< of the outer ring
   /// Bent rings: coefficients a_2, b_2, a_3, b_3, ... of u_r of the inner raceway less the outer one [m], and their rates [m/s]; empty: rigid rings.
   std::span<const double> shape, shape_rate;
   std::span<double> shape_force;  ///< the balls' forces on the inner ring's shapes are added here [N]

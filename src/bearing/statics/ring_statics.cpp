@@ -47,7 +47,7 @@ RingStatics::Plane RingStatics::plane(std::size_t row, int ball, const RingVecto
   const Eigen::Vector2d rest(
       g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial),
       A * std::cos(g.contact_angle) - g.radial_clearance + surroundings_.radial_growth +
-          strained(&GrooveStrain::radial));
+          g.difference_share * surroundings_.row_difference + strained(&GrooveStrain::radial));
   p.B = rest + p.by_place * q;
   return p;
 }

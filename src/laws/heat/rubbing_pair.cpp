@@ -5,13 +5,29 @@
 #include <numbers>
 #include <utility>
 
+#include "base/wide_vectors.h"
 #include "laws/arc_cells.h"
 #include "laws/root_kernel.h"
 
 namespace rotordrop {
 namespace {
+
 using std::numbers::pi;
+
+ROTORDROP_KERNEL double sum_of_products(const double* a, const double* b, std::size_t n) {
+  double sum = 0.;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
+  return sum;
 }
+
+/// y <- decay y + gain flux. What has died away must not become denormal, which is slow to compute with.
+ROTORDROP_KERNEL void go_on(const double* decay, const double* gain, double flux, std::size_t n, double* y) {
+#pragma omp simd
+  for (std::size_t i = 0; i < n; ++i) y[i] = decay[i] * y[i] + gain[i] * flux + 1e-250;
+}
+
+}  // namespace
 
 double RubbedBody::effusivity() const { return std::sqrt(conductivity * capacity); }
 
@@ -61,12 +77,7 @@ const double* TrackMemory::decay_over(double lag) const {
 double TrackMemory::rise(double angle, double t) const {
   const std::size_t cell = cell_at(angle);
   if (heat_[cell] == 0.) return 0.;
-  const double* const decay = decay_over(t - heated_at_[cell]);
-  const double* const y = &memory_[cell * rate_.size()];
-  double sum = 0.;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t l = 0; l < rate_.size(); ++l) sum += decay[l] * y[l];
-  return sum;
+  return wide<sum_of_products>(decay_over(t - heated_at_[cell]), &memory_[cell * rate_.size()], rate_.size());
 }
 
 void TrackMemory::add(double from, double to, double half_angle, double heat) {
@@ -85,10 +96,7 @@ void TrackMemory::commit(double t, double step) {
   }
   for (const std::size_t cell : fresh_cells_) {
     const double heat = fresh_[cell], flux = heat / (step * cell_area_);
-    double* const y = &memory_[cell * rate_.size()];
-    const double* const decay = decay_over(t - heated_at_[cell]);
-    // What has died away must not become denormal, which is slow to compute with.
-    for (std::size_t l = 0; l < rate_.size(); ++l) y[l] = decay[l] * y[l] + gain_[l] * flux + 1e-250;
+    wide<go_on>(decay_over(t - heated_at_[cell]), gain_.data(), flux, rate_.size(), &memory_[cell * rate_.size()]);
     heated_at_[cell] = t;
     heat_[cell] += heat;
     fresh_[cell] = 0.;

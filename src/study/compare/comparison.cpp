@@ -114,7 +114,11 @@ bool is_elastic(const Side& side, const std::string& bearing) {
 TimeSeries growth_series(const Side& side, const std::string& bearing, std::size_t surface) {
   const std::string judged = side.drop.node_path(side.kind, bearing, "elastic_growth");
   const bool has_judged = side.kind == Kind::fe && side.drop.has(judged);
-  return side.drop.series(has_judged ? judged : side.drop.growth_path(side.kind, bearing), surface);
+  const std::string path = has_judged ? judged : side.drop.growth_path(side.kind, bearing);
+  if (surface < side.drop.table(path).n_columns) return side.drop.series(path, surface);
+  TimeSeries none = side.drop.series(path, 0);  // results of a version that did not know this surface
+  std::fill(none.values.begin(), none.values.end(), 0.);
+  return none;
 }
 
 Json growth_json(const Side& a, const Side& b, const std::string& bearing, const Tolerance& tolerance,
@@ -152,9 +156,10 @@ std::vector<RowFactors> row_factors(const TouchdownParameters& p) {
     // The normal from the inner point to the outer one has the parts s sin phi and cos phi.
     const double s = row.direction, inner = (row.position - s * half) / p.width,
                  outer = (row.position + s * half) / p.width;
-    rows.push_back({{0., 0., 1., -1., 0., 0., 0.},
-                    {0., 0., 0., 0., 0., inner, -outer},
-                    {0., 0., lean, -lean, 2., s * side * inner, -s * side * outer}});
+    const double share = row.difference_share;
+    rows.push_back({{0., 0., 1., -1., 0., 0., 0., share},
+                    {0., 0., 0., 0., 0., inner, -outer, 0.},
+                    {0., 0., lean, -lean, 2., s * side * inner, -s * side * outer, share * lean}});
   }
   return rows;
 }

@@ -36,7 +36,8 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
                      fmt::format("the drop recorded no growth for a touchdown bearing \"{}\"", bearing),
                      "Choose a recorded bearing with --bearing.");
   std::array<TimeSeries, growth_surfaces.size()> growth;
-  for (std::size_t i = 0; i < growth.size(); ++i) growth[i] = drop.series(from + "expansion", i);
+  const std::size_t n_surfaces = std::min(growth.size(), drop.table(from + "expansion").n_columns);
+  for (std::size_t i = 0; i < n_surfaces; ++i) growth[i] = drop.series(from + "expansion", i);
   const auto speed = drop.series(from + "ring_speed");
   const auto force_y = drop.series(from + "bearing_force", 0), force_z = drop.series(from + "bearing_force", 1);
 
@@ -71,14 +72,14 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   const bool under_load = p.preload.history_under_load;
   // Of a drop that is being written, some series may be longer than others.
   std::size_t n = std::min({speed.values.size(), force_y.values.size(), force_z.values.size()});
-  for (const auto& series : growth) n = std::min(n, series.values.size());
+  n = std::min(n, growth.front().values.size());
   for (const auto& series : axial) n = std::min(n, series.values.size());
   const std::size_t every = under_load ? 1 : (n + most_instants - 1) / most_instants;
   for (std::size_t i = 0; i < n; i = i + every < n || i + 1 == n ? i + every : n - 1) {
     BearingState state;
     state.speed = speed.values[i];
-    std::array<double, growth_surfaces.size()> recorded;
-    for (std::size_t k = 0; k < recorded.size(); ++k) recorded[k] = growth[k].values[i];
+    std::array<double, growth_surfaces.size()> recorded{};
+    for (std::size_t k = 0; k < n_surfaces; ++k) recorded[k] = growth[k].values[i];
     state.growth = combined(1., expansion_of(recorded), 1., cold_growth(cold_parameters, b, state.speed));
     // The balls' force on the ring is what a ring at rest answers with.
     if (under_load) {

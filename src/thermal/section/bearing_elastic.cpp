@@ -95,7 +95,9 @@ ElasticGrowth::ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& probl
     auto& terms = sums_[s].terms;
     const auto n = static_cast<double>(terms.size());
     const auto surface = growth_surfaces[s];
-    if (surface == &Expansion::inner_width || surface == &Expansion::outer_width) {
+    if (surface == &Expansion::row_difference) {
+      terms = row_difference_terms();
+    } else if (surface == &Expansion::inner_width || surface == &Expansion::outer_width) {
       double middle = 0., square = 0.;
       for (const auto& term : terms) middle += position[term.output] / n;
       for (const auto& term : terms) square += (position[term.output] - middle) * (position[term.output] - middle);
@@ -138,6 +140,19 @@ ElasticGrowth::ElasticGrowth(ElasticSolver& elastic, const ElasticProblem& probl
   for (auto& node : housing_fit_.node) node.weights.resize(n_unknowns, 0.);
   housing_fit_.mean.weights.resize(n_unknowns, 0.);
   housing_fit_.share = elastic.node_shares(0);
+}
+
+// Of the raceways' strips, last less first; their factors give means over the rows.
+std::vector<ElasticGrowth::Sum::Term> ElasticGrowth::row_difference_terms() const {
+  std::vector<Sum::Term> difference;
+  for (const auto& [race, sign] : {std::pair{2, 1.}, std::pair{3, -1.}}) {
+    const auto& strips = sums_.at(static_cast<std::size_t>(race)).terms;
+    if (strips.size() < 2) return {};
+    const auto n = static_cast<double>(strips.size());
+    difference.push_back({strips.back().output, sign * n * strips.back().factor});
+    difference.push_back({strips.front().output, -sign * n * strips.front().factor});
+  }
+  return difference;
 }
 
 Expansion ElasticGrowth::linear(std::span<const double> T) const {

@@ -86,6 +86,8 @@ class ElasticGrowth {
     std::vector<Term> terms;
     double at_rest = 0;
   };
+  [[nodiscard]] std::vector<Sum::Term> row_difference_terms() const;
+
   ElasticSolver& elastic_;
   double zero_;
   std::array<Sum, growth_surfaces.size()> sums_;

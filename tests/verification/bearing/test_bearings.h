@@ -51,6 +51,8 @@ inline std::vector<BallRowGeometry> pair(BallRowGeometry one, double preload, Pa
   std::vector<BallRowGeometry> rows(2, one);
   rows[0].position = -0.5 * spacing;
   rows[1].position = 0.5 * spacing;
+  rows[0].difference_share = -0.5;
+  rows[1].difference_share = 0.5;
   // X: face to face, the inner rings are pressed apart by their balls' reaction: the row at +x is loaded by motion towards +x.
   rows[0].direction = arrangement == Pair::X ? -1. : 1.;
   rows[1].direction = arrangement == Pair::O ? -1. : 1.;

@@ -66,9 +66,9 @@ Instant random_instant(std::mt19937& random, bool in_contact) {
   s.in.ring_temperature = 340.;
   y[TB::n_state] = 2 * um * std::sin(1e6 * y[TB::ring_y]);
   s.in.growth = {1 * um * one(random),   1 * um * one(random),   0.5 * um * one(random), 0.5 * um * one(random),
-                 0.2 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random)};
+                 0.2 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random), 0.5 * um * one(random)};
   s.growth_rate = {3e-3 * one(random), 3e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random),
-                   1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random)};
+                   1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random), 1e-3 * one(random)};
   return s;
 }
 
