@@ -12,13 +12,13 @@ namespace rotordrop {
 /// What the balls feel besides the ring's place.
 struct RingSurroundings {
   double radial_growth = 0;   ///< eps_in - eps_out of the contact points, thermal growth and fits [m]
-  double row_difference = 0;  ///< of it, last row less first [m]
   double ball_growth = 0;     ///< of a ball's radius [m]
   double speed = 0;           ///< of the inner ring [rad/s]; matters to the inertia of the balls alone
   bool has_inertia = false;   ///< balls with centrifugal force and gyroscopic moment (laws/ball_balance.h)
   double cage_angle = 0;      ///< turns all balls [rad]
   double inner_strain = 0;    ///< axial strain of the inner ring
   double outer_strain = 0;    ///< of the outer ring
+  double row_difference = 0;  ///< of radial_growth, last row less first [m]
 };
 
 /// Outer ring of the last row free to slide along the axis, pressed on by a spring with the preload at the mounted place.
