@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "bearing/support/support_parameters.h"
 #include "bearing/touchdown_bearing.h"
 #include "laws/hertz.h"

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "base/parameters/suggestion.h"
 #include "case/case_keys.h"
 #include "case/case_text.h"
 #include "case/plausibility.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/output_parameters.h"
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
 #include "integrate/integration_parameters.h"
 #include "machine/machine_parameters.h"
 #include "thermal/heating/prescribed_heat_parameters.h"

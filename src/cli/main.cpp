@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
 #include "base/wide_vectors.h"
 #include "case/case.h"
 #include "cli/commands.h"

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "base/parameters/suggestion.h"
 #include "bearing/support/linear_support.h"
 #include "machine/magnets.h"
 #include "machine/probes.h"

@@ -1,5 +1,8 @@
 #include "machine/machine_parameters.h"
 
+#include "base/parameters/suggestion.h"
+#include "base/parameters/value_reader.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "bearing/touchdown_parameters.h"
 #include "machine/preload_parameters.h"
 #include "machine/statics_parameters.h"

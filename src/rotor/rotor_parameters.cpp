@@ -1,5 +1,7 @@
 #include "rotor/rotor_parameters.h"
 
+#include "base/parameters/suggestion.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

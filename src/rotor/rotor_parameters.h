@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 #include "base/node.h"
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "rotor/geometry.h"
 #include "rotor/modal_rotor.h"
 #include "rotor/probe_parameters.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "laws/support/maxwell_fit.h"
 #include "laws/support/ribbon.h"
 #include "laws/support/support_law.h"

@@ -1,5 +1,8 @@
 #include "io/text/parameter_writers.h"
 
+#include "base/parameters/declaration.h"
+#include "base/parameters/wording.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

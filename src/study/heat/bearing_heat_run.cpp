@@ -9,6 +9,7 @@
 #include "analysis/facts/given_conduction.h"
 #include "base/cpu_time.h"
 #include "base/errors.h"
+#include "base/parameters/suggestion.h"
 #include "base/version.h"
 #include "case/bearing_mesh.h"
 #include "case/fe_module.h"

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "base/parameters/suggestion.h"
 #include "case/fe_module.h"
 #include "case/recorded_growth.h"
 #include "machine/build_machine.h"

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 
+#include "base/parameters/suggestion.h"
 #include "case/program_files.h"
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"

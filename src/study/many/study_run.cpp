@@ -15,6 +15,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/parameters/suggestion.h"
 #include "io/results_folder.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/study_summary.h"

@@ -1,5 +1,8 @@
 #include "study/many/vary_reader.h"
 
+#include "base/parameters/suggestion.h"
+#include "base/parameters/value_reader.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/parameters/suggestion.h"
 #include "thermal/heating/heat_parameters.h"
 
 // From the parameters of a case of heat alone to the problem that they state.

@@ -1,4 +1,6 @@
-#include "base/parameters.h"
+#include "base/parameters/section.h"
+#include "base/parameters/suggestion.h"
+#include "base/parameters/value_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

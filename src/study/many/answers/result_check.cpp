@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/parameters/suggestion.h"
 #include "study/many/answers/result_names.h"
 
 namespace rotordrop {

@@ -2,16 +2,18 @@
 
 #include "base/errors.h"
 #include "base/node.h"
-#include "base/units.h"
+#include "base/parameters/declaration.h"
+#include "base/parameters/declare.h"
+#include "base/parameters/options.h"
+#include "base/parameters/table_reader.h"
+#include "base/parameters/value_reader.h"
 
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,251 +23,7 @@
 /// (Section::read), the annotated defaults, the schema and the resolved parameters (io/text/parameter_writers.h).
 namespace rotordrop {
 
-// ----------------------------------------------------------------------------------------------------------------
-// ranges
-
-/// Allowed values, in SI.
-struct Range {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  bool lower_is_open = false;
-  bool upper_is_open = false;
-
-  bool contains(double value) const;
-  bool is_any() const;
-  /// The same range without its lower or upper end: between(0, 1).without_upper() is [0, 1).
-  Range without_lower() const;
-  Range without_upper() const;
-};
-Range any();
-Range positive();                   ///< > 0
-Range at_least(double a);           ///< >= a
-Range above(double a);              ///< > a
-Range at_most(double b);            ///< <= b
-Range below(double b);              ///< < b
-Range between(double a, double b);  ///< a <= . <= b
-
-/// "> 0 m", "between 0 and 1", ">= 0 and < 1", "any value".
-std::string to_string(const Range& range, std::string_view unit = "1");
-
-// -------------------------------------------------------------------------------------------- what a declaration can
-// say
-
-// Options of the member functions of Section. A missing `fallback` makes a key required, unless the member is a
-// std::optional (then the key may be absent). Fallbacks are written as a user would write them: "250 um", "0.1".
-
-struct Quantity {
-  std::string unit = "1";
-  std::optional<QuantityKind> kind = {};  ///< default: kind_of(unit); needed for a temperature difference only
-  Range range = {};
-  std::optional<std::string> fallback = {};
-  std::string source = {};
-  std::string help = {};
-};
-struct QuantityList {
-  std::string unit = "1";
-  std::optional<QuantityKind> kind = {};
-  Range range = {};                        ///< of every entry
-  std::vector<std::string> fallback = {};  ///< {"0.52", "0.52"}
-  std::size_t min_count = 0;  ///< of a std::vector; if 0, an absent key without fallback means an empty list
-  std::string source = {};
-  std::string help = {};
-};
-struct QuantityMatrix {
-  std::string unit = "1";
-  std::optional<QuantityKind> kind = {};
-  Range range = {};                                     ///< of every entry
-  std::vector<std::vector<std::string>> fallback = {};  ///< {{"1", "0"}, {"0", "1"}}
-  std::string source = {};
-  std::string help = {};
-};
-/// Pairs [argument, value] with rising arguments; a single value stands for a constant and is read as one pair at
-/// argument 0.
-struct QuantityFunction {
-  std::string unit = "1";
-  std::optional<QuantityKind> kind = {};
-  std::string argument_unit = "s";
-  Range range = {};                                       ///< of every value
-  std::vector<std::array<std::string, 2>> fallback = {};  ///< {{"0 s", "0 N m"}, {"1 s", "2 N m"}}
-  std::string source = {};
-  std::string help = {};
-};
-struct Integer {
-  Range range = {};
-  std::optional<int> fallback = {};
-  std::string source = {};
-  std::string help = {};
-};
-struct Boolean {
-  std::optional<bool> fallback = {};
-  std::string source = {};
-  std::string help = {};
-};
-struct Text {
-  std::optional<std::string> fallback = {};
-  std::string source = {};
-  std::string help = {};
-};
-/// Of lists and maps of sub-tables. They are empty when absent, unless `min_count` or `fallback` says otherwise.
-struct Nested {
-  std::size_t min_count = 0;
-  std::optional<Node> fallback = {};  ///< an array of tables, or a table of tables
-  std::string source = {};
-  std::string help = {};
-};
-struct Variants {
-  std::optional<std::string> fallback = {};  ///< the variant of a table that does not set the key which selects it
-  std::size_t min_count = 0;
-  std::string source = {};
-  std::string help = {};
-};
-/// Of a key with a reader of its own.
-struct Custom {
-  std::string unit = "";                     ///< for the documentation
-  std::string accepts = "";                  ///< for the documentation: "a number, or [x, y, z]"
-  std::vector<std::string> json_types = {};  ///< "number", "string", "array", "object", "boolean"; empty: any
-  std::optional<Node> fallback = {};
-  bool required = false;  ///< without a fallback: whether it is a fault to leave the key out
-  std::string source = {};
-  std::string help = {};
-};
-
-// ------------------------------------------------------------------------------------------- declarations without a
-// type
-
-struct SectionDeclaration;
-using ErasedSection = std::shared_ptr<const SectionDeclaration>;
-
-struct VariantDeclaration {
-  std::string tag;  ///< "touchdown"
-  ErasedSection section;
-  bool takes_defaults = false;  ///< keys directly in the parent table are defaults for tables of this variant
-};
-
-/// What is declared about one key; all that the writers of defaults, schema and resolved parameters need.
-struct Declaration {
-  enum class Kind {
-    quantity,
-    integer,
-    boolean,
-    text,
-    choice,
-    quantities,  ///< a list of quantities, min_count..max_count of them
-    matrix,      ///< 2 x 2 quantities
-    function,    ///< pairs [argument, quantity]
-    list,        ///< array of tables, each as `nested`
-    table,       ///< one table as `nested`
-    tables,      ///< named tables, each as `nested`
-    variants,    ///< named tables, each as the variant that its key `tag_key` selects
-    custom
-  };
-  std::string key;
-  Kind kind = Kind::custom;
-  std::string unit = {};
-  std::string argument_unit = {};
-  QuantityKind quantity_kind = QuantityKind::plain;
-  Range range = {};
-  bool required = false;
-  std::optional<Node> fallback = {};
-  std::string source = {};
-  std::string help = {};
-  std::vector<std::string> choices = {};
-  std::size_t min_count = 0;
-  std::size_t max_count = std::numeric_limits<std::size_t>::max();
-  ErasedSection nested = {};
-  std::string tag_key = {};
-  std::optional<std::string> fallback_tag = {};
-  std::vector<VariantDeclaration> variants = {};
-  std::string accepts = {};
-  std::vector<std::string> json_types = {};
-};
-
-struct SectionDeclaration {
-  std::string name;  ///< key of its table; empty for the top level of a file
-  std::string help;
-  std::vector<Declaration> declarations;
-
-  const Declaration* find(std::string_view key) const;
-};
-
-/// "length, > 0 m", "integer, >= 1", "radial | equivalent": unit and range as documentation shows them.
-std::string type_text(const Declaration& declaration);
-
-/// The name closest to `word` among `names`, if it is close enough to be meant (Damerau-Levenshtein distance);
-/// otherwise empty.
-std::string closest_name(std::string_view word, const std::vector<std::string>& names);
-
-/// Advice on a word that is none of `known`: `Did you mean "x"?` if one of them is close, then `rest`.
-std::string suggestion(std::string_view word, const std::vector<std::string>& known, const std::string& rest);
-/// Advice that ends with the list of all that is known.
-std::string suggestion(std::string_view word, const std::vector<std::string>& known);
-
-/// Of a table of variants (`[bearings]`): whether an entry is a default for the named tables, rather than one of them.
-bool is_variant_default(const Declaration& variants, const Node::Entry& entry);
-/// The keys directly in a table of variants that are defaults for its named tables of the chosen variant.
-Node variant_defaults(const Node& table, const VariantDeclaration& chosen);
-/// Which variant a named table is, or nullptr; looks at its tag key, then at the declared fallback.
-const VariantDeclaration* variant_of(const Declaration& variants, const Node& named_table);
-
-// ------------------------------------------------------------------------------- reading single values, for custom
-// readers
-
-/// Reads one quantity in SI; on a fault adds it and returns nothing. `name` is the full name for messages
-/// ("run.gravity").
-std::optional<double> read_quantity(const Node& node, const Quantity& quantity, const std::string& name,
-                                    Faults& faults);
-/// Reads an array of quantities with min_count to max_count entries.
-std::optional<std::vector<double>> read_quantities(const Node& node, const Quantity& quantity, std::size_t min_count,
-                                                   std::size_t max_count, const std::string& name, Faults& faults);
-
-/// Where a reader stands in the input.
-struct ReadContext {
-  std::string path = {};                        ///< "bearings.TB1"; empty at the top level
-  const SectionDeclaration* root = nullptr;     ///< searched for keys that are known elsewhere
-  const std::string* also_known_key = nullptr;  ///< a key that the table may have besides those of its section
-
-  std::string name_of(std::string_view key) const;  ///< "bearings.TB1.rows"
-};
-
 namespace detail {
-// The readers of one value each report a fault and return nothing, or return the value.
-std::optional<double> read_quantity(const Node&, const Declaration&, const std::string& name, Faults&);
-std::optional<int> read_integer(const Node&, const Declaration&, const std::string& name, Faults&);
-std::optional<bool> read_boolean(const Node&, const std::string& name, Faults&);
-std::optional<std::string> read_text(const Node&, const Declaration&, const std::string& name, Faults&);
-std::optional<std::vector<double>> read_quantities(const Node&, const Declaration&, const std::string& name, Faults&);
-std::optional<std::array<std::array<double, 2>, 2>> read_matrix(const Node&, const Declaration&,
-                                                                const std::string& name, Faults&);
-std::optional<std::vector<std::array<double, 2>>> read_function(const Node&, const Declaration&,
-                                                                const std::string& name, Faults&);
-// Whether a node is an array (list) or a table (tables, variants) with enough entries.
-bool is_readable_list(const Node&, const Declaration&, const std::string& name, Faults&);
-bool is_readable_map(const Node&, const Declaration&, const std::string& name, Faults&);
-
-bool is_readable_table(const Node&, const std::string& path, Faults&);
-void report_unknown_keys(const Node& table, const SectionDeclaration&, const ReadContext&, Faults&);
-void report_missing_key(const Node& table, const Declaration&, const ReadContext&, Faults&);
-void report_unknown_defaults(const Node& table, const Declaration&, const ReadContext&, Faults&);
-void report_unknown_variant(const Node::Entry&, const Declaration&, const ReadContext&, Faults&);
-// Faults about a value that [bearings] gives to every bearing are named after [bearings], once.
-void add_without_repeating_defaults(const Faults& from_one_table, const Node& defaults,
-                                    const std::string& path_of_table, const std::string& path_of_defaults, Faults&);
-
-// Checks a new declaration (unit known, fallback readable, key new) and completes it. A mistake here is ours:
-// std::logic_error.
-void add_declaration(SectionDeclaration&, Declaration);
-
-Declaration declare(std::string key, const Quantity&, bool is_optional);
-Declaration declare(std::string key, const QuantityList&, std::optional<std::size_t> fixed_count, bool is_optional);
-Declaration declare(std::string key, const QuantityMatrix&, bool is_optional);
-Declaration declare(std::string key, const QuantityFunction&, bool is_optional);
-Declaration declare(std::string key, const Integer&, bool is_optional);
-Declaration declare(std::string key, const Boolean&, bool is_optional);
-Declaration declare(std::string key, const Text&, std::vector<std::string> choices, bool is_optional);
-Declaration declare(std::string key, Declaration::Kind, const Nested&, ErasedSection nested);
-Declaration declare(std::string key, const Variants&, std::string tag_key, std::vector<VariantDeclaration>);
-Declaration declare(std::string key, const Custom&);
-
 template <class M>
 struct IsOptional : std::false_type {};
 template <class M>
@@ -292,9 +50,6 @@ void assign(const std::vector<double>& from, std::optional<M>& to) {
 }
 }  // namespace detail
 
-// ---------------------------------------------------------------------------------------------------------------
-// variants
-
 template <class T>
 class Section;
 
@@ -316,9 +71,6 @@ Variant<T> variant(std::string tag, std::vector<std::pair<std::string, U>> T::*m
 template <class T, class U, class Add>
 requires std::is_invocable_v<Add, T&, const std::string&, U> Variant<T> variant(std::string tag, Section<U> section,
                                                                                 Add add, VariantOptions options = {});
-
-// ----------------------------------------------------------------------------------------------------------------
-// section
 
 /// The keys of one input table and the members of T that they fill.
 template <class T>
