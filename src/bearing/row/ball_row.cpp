@@ -83,7 +83,7 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
 void BallRow::fill_added(const BallRowInput& in, double* added) const {
   const auto n = static_cast<std::size_t>(geometry_.n_balls);
   std::fill_n(added, n, 2. * in.ball_growth);
-  std::fill_n(added + n, n_padded_ - n, idle);
+  std::fill_n(added + n, n_padded_ - n, idle_penetration);
   for (const auto& w : waves_) {
     const double ring = w.wave.on_inner_race ? in.ring_angle : 0.;
     const double argument = w.wave.order * (in.cage_angle - ring) + w.wave.phase;
@@ -170,7 +170,7 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data(), is_bent ? bent.width.data() : nullptr);
   if (!tractions) return;
   const double F_c = centrifugal_force(in);
-  const Edges edges{{geometry_.inner, stiffness_root_}, {geometry_.outer, stiffness_root_}};
+  const RaceEdges edges{{geometry_.inner, stiffness_root_}, {geometry_.outer, stiffness_root_}};
   (is_bent ? sum_bent_tractions : sum_tractions)(balls, F_c, geometry_.inner_gyroscopic_share, edges, *tractions);
   tractions->centrifugal = F_c;
   tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;

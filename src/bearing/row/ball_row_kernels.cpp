@@ -130,11 +130,11 @@ ROTORDROP_KERNEL void all_motions(const KernelInput& in, BallRowOutput& out) {
 }
 
 template <bool is_bent>
-ROTORDROP_KERNEL void tractions_of(const KernelInput& in, double F_c, double inner_share, const Edges& edges,
+ROTORDROP_KERNEL void tractions_of(const KernelInput& in, double F_c, double inner_share, const RaceEdges& edges,
                                    RowTractions& out) {
   double inner = 0, outer = 0, gyroscopic = 0, largest = 0, truncation = 0;
   constexpr double nothing = 1e-100;  // [N]
-  const Edge inner_edge = edges.inner, outer_edge = edges.outer;
+  const RaceEdge inner_edge = edges.inner, outer_edge = edges.outer;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e, v = in.v;
 #pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : largest, truncation)
@@ -179,10 +179,11 @@ void sum_translations(const KernelInput& in, BallRowOutput& out) { wide<translat
 void sum_bent_translations(const KernelInput& in, BallRowOutput& out) { wide<translations<true>>(in, out); }
 void sum_all(const KernelInput& in, BallRowOutput& out) { wide<all_motions<false>>(in, out); }
 void sum_all_bent(const KernelInput& in, BallRowOutput& out) { wide<all_motions<true>>(in, out); }
-void sum_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+void sum_tractions(const KernelInput& in, double F_c, double inner_share, const RaceEdges& edges, RowTractions& out) {
   wide<tractions_of<false>>(in, F_c, inner_share, edges, out);
 }
-void sum_bent_tractions(const KernelInput& in, double F_c, double inner_share, const Edges& edges, RowTractions& out) {
+void sum_bent_tractions(const KernelInput& in, double F_c, double inner_share, const RaceEdges& edges,
+                        RowTractions& out) {
   wide<tractions_of<true>>(in, F_c, inner_share, edges, out);
 }
 
