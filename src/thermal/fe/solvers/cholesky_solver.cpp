@@ -1,4 +1,4 @@
-#include "thermal/fe/cholesky_solver.h"
+#include "thermal/fe/solvers/cholesky_solver.h"
 
 #include <cholmod.h>
 #include <fmt/format.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
-#include "thermal/fe/sorted_rows.h"
+#include "thermal/fe/solvers/sorted_rows.h"
 
 namespace rotordrop {
 

@@ -1,4 +1,4 @@
-#include "thermal/fe/petsc_solver.h"
+#include "thermal/fe/solvers/petsc_solver.h"
 
 #include <fmt/format.h>
 #include <petscksp.h>

@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "thermal/fe/linear_solver.h"
-#include "thermal/fe/sorted_rows.h"
+#include "thermal/fe/solvers/linear_solver.h"
+#include "thermal/fe/solvers/sorted_rows.h"
 
 namespace rotordrop {
 

@@ -1,8 +1,8 @@
-#include "thermal/fe/linear_solver.h"
+#include "thermal/fe/solvers/linear_solver.h"
 
-#include "thermal/fe/cholesky_solver.h"
-#include "thermal/fe/lu_solver.h"
-#include "thermal/fe/petsc_solver.h"
+#include "thermal/fe/solvers/cholesky_solver.h"
+#include "thermal/fe/solvers/lu_solver.h"
+#include "thermal/fe/solvers/petsc_solver.h"
 
 namespace rotordrop {
 

@@ -1,4 +1,4 @@
-#include "thermal/fe/sorted_rows.h"
+#include "thermal/fe/solvers/sorted_rows.h"
 
 #include <algorithm>
 #include <utility>

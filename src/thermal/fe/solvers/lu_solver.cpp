@@ -1,4 +1,4 @@
-#include "thermal/fe/lu_solver.h"
+#include "thermal/fe/solvers/lu_solver.h"
 
 #include <fmt/format.h>
 #include <umfpack.h>
@@ -26,7 +26,8 @@ const double* control() {
 
 void check(long status, const char* what) {
   if (status != UMFPACK_OK)
-    throw SolverError(fmt::format("the matrix of the finite elements could not be {} (UMFPACK status {})", what, status));
+    throw SolverError(
+        fmt::format("the matrix of the finite elements could not be {} (UMFPACK status {})", what, status));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "thermal/fe/linear_solver.h"
+#include "thermal/fe/solvers/linear_solver.h"
 
 namespace rotordrop {
 
