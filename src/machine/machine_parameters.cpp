@@ -2,6 +2,7 @@
 
 #include "base/parameters/suggestion.h"
 #include "base/parameters/value_reader.h"
+#include "model/material_keys.h"
 
 #include <algorithm>
 #include <cctype>
@@ -110,27 +111,8 @@ Section<RunParameters> run_section() {
 }
 
 Section<MaterialParameters> material_section() {
-  using P = MaterialParameters;
-  Section<P> s("material", "A material of rings, balls, housing and shaft lumps.");
-  s.quantity("E", &P::E, {.unit = "Pa", .range = between(1e8, 2e12), .help = "Young's modulus."});
-  s.quantity("nu", &P::nu, {.range = between(0, 0.499), .help = "Poisson's ratio."});
-  s.quantity("rho", &P::rho, {.unit = "kg/m3", .range = between(10, 3e4), .help = "Density."});
-  s.quantity("k", &P::k, {.unit = "W/(m K)", .range = positive(), .help = "Thermal conductivity."});
-  s.quantity("c", &P::c, {.unit = "J/(kg K)", .range = positive(), .help = "Specific heat capacity."});
-  s.function("k_table", &P::k_table,
-             {.unit = "W/(m K)",
-              .argument_unit = "K",
-              .range = positive(),
-              .help = "Conductivity over temperature, instead of k: linear between the pairs, constant outside. Meshed "
-                      "rings and housing use it at their temperature (thermal.fe.coupling = \"windowed\"); parts "
-                      "without a mesh use its value at run.ambient."});
-  s.function("c_table", &P::c_table,
-             {.unit = "J/(kg K)",
-              .argument_unit = "K",
-              .range = positive(),
-              .help = "Specific heat capacity over temperature, instead of c; used like k_table."});
-  s.quantity("alpha", &P::alpha,
-             {.unit = "1/K", .range = between(-1e-3, 1e-3), .help = "Linear thermal expansion coefficient."});
+  Section<MaterialParameters> s("material", "A material of rings, balls, housing and shaft lumps.");
+  add_material_keys(s, 10.);
   return s;
 }
 
