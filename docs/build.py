@@ -35,7 +35,7 @@ PAGES = [
     ("Theory", [("docs/theory/model.md", "model"), ("docs/theory/growth.md", "growth"), ("docs/theory/ring-bending.md", "ring-bending"), ("docs/theory/verification.md", "verification"), ("docs/theory/validation.md", "validation"),
                 ("docs/theory/convergence.md", "convergence")]),
     ("Reference", [("COMMANDS", "commands"), ("PARAMETERS", "parameter-reference"), ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("PARAMETERS OF STUDIES", "study-parameter-reference"), ("docs/reference/results.md", "results"),
-                   ("params/bearings/README.md", "bearings"), ("docs/reference/reliability.md", "reliability"), ("CHANGELOG.md", "changelog")]),
+                   ("params/bearings/README.md", "bearings"), ("docs/reference/reliability.md", "reliability"), ("docs/reference/source-layout.md", "source-layout"), ("CHANGELOG.md", "changelog")]),
 ]
 
 

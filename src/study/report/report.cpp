@@ -91,6 +91,6 @@ std::string html_page(const Json& data, std::string_view css, std::string_view j
   return filled(report_html, {{"@TITLE@", title}, {"@CSS@", css}, {"@DATA@", numbers}, {"@JS@", js}});
 }
 
-std::string report_page(const Json& data) { return html_page(data, report_css, report_js); }
+std::string report_page(const Json& data) { return html_page(data, report_css, std::string(figures_js) + report_js); }
 
 }  // namespace rotordrop
