@@ -176,6 +176,7 @@ class TouchdownBearing final : public Support {
   struct BallForces;   // sums over the rows
   struct ShapeForces;  // on the shapes of bent rings
   struct ArcTable;     // shapes at the points around the bore
+  struct Arc;          // of points where rotor and bore may overlap
   /// Thermal and centrifugal.
   [[nodiscard]] Expansion growth(const SupportInput& input, std::span<const double> y) const;
   /// @param x  along the bore, from the ring's middle [m]
@@ -198,6 +199,8 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] double arc_energy(const SupportInput& input, const Expansion& growth, std::span<const double> y,
                                   const Bodies& at) const;
   [[nodiscard]] std::shared_ptr<const ArcTable> make_arc_table() const;
+  void find_arc(std::span<const double> y, const Bodies& at, double distance, double gap, double bound, Arc& arc) const;
+  [[nodiscard]] double farthest_bend(std::span<const double> y) const;
   void lend_shapes(ShapeForces& shapes, BallRowInput& input) const;
   void fill_ball_shapes(std::span<const double> y, ShapeForces& shapes) const;
   struct ShapeMotion {

@@ -71,12 +71,11 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
     w.sine.resize(n_padded_, 0.);
     waves_.push_back(std::move(w));
   }
-  for (int n = 2; n <= g.highest_harmonic; ++n)
-    for (const bool is_cosine : {true, false}) {
-      for (int j = 0; j < g.n_balls; ++j)
-        shapes_.push_back(is_cosine ? std::cos(n * azimuth(j)) : std::sin(n * azimuth(j)));
-      shapes_.resize(shapes_.size() + n_padded_ - static_cast<std::size_t>(g.n_balls), 0.);
-    }
+  if (g.highest_harmonic > 0) {
+    std::vector<double> azimuths;
+    for (int j = 0; j < g.n_balls; ++j) azimuths.push_back(azimuth(j));
+    tabulate_shapes(azimuths);
+  }
 }
 
 // What is added to every penetration besides the races' approach: 2 eps_b and the waves. One sine and cosine per wave.

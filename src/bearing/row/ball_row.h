@@ -163,6 +163,7 @@ class BallRow {
   template <class Kernel>
   void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
   void fill_added(const BallRowInput& input, double* added) const;
+  void tabulate_shapes(const std::vector<double>& azimuth);
   void widen(const BallRowInput& input, Widening& widening) const;
   void press_shapes(const BallRowInput& input, Widening& widening) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
@@ -186,6 +187,7 @@ class BallRow {
   std::vector<Wave> waves_;
   std::vector<double>
       shapes_;  // cos, sin of n times the azimuths at cage angle zero, n = 2 ...: [2 (highest - 1)][n_padded]
+  std::vector<double> shapes_by_ball_;  // the same, [n_padded][2 (highest - 1), filled up to whole vectors]
 };
 
 }  // namespace rotordrop

@@ -13,9 +13,24 @@ namespace rotordrop {
 
 namespace {
 
+/// The arrays of bent rings, which overlap with nothing else that a kernel reads.
+struct BentArrays {
+  const double* __restrict width;
+  const double* __restrict rate;
+  const double* __restrict slope;
+  double* __restrict force;
+};
+template <bool is_bent>
+ROTORDROP_KERNEL BentArrays bent_arrays(const KernelInput& in) {
+  if constexpr (is_bent)
+    return {in.bent->width.data(), in.bent->rate.data(), in.bent->slope.data(), in.bent->force.data()};
+  return {};
+}
+
 // The two kernels differ in the tilt and axial terms only; kept apart because the short one is the hot loop of every drop.
 template <bool is_bent>
 ROTORDROP_KERNEL void translations(const KernelInput& in, BallRowOutput& out) {
+  const BentArrays bent = bent_arrays<is_bent>(in);
   double fy = 0, fz = 0, fx = 0, dissipated = 0, elastic_radial = 0, elastic_axial = 0, elastic_normal = 0, cage = 0;
   double largest = 0, roots = 0;
   const double C = in.cage_cosine, S = in.cage_sine, ey = in.e.y, ez = in.e.z, vy = in.v.y, vz = in.v.z;
@@ -26,8 +41,8 @@ ROTORDROP_KERNEL void translations(const KernelInput& in, BallRowOutput& out) {
     const double s = S * in.cosine[j] + C * in.sine[j];
     double Br = radial + ey * c + ez * s, Br_rate = vy * c + vz * s;
     if constexpr (is_bent) {
-      Br += in.bent->width[j];
-      Br_rate += in.bent->rate[j];
+      Br += bent.width[j];
+      Br_rate += bent.rate[j];
     }
     const double distance = std::sqrt(Br * Br + Bx2);
     const double inverse = 1. / distance;
@@ -39,7 +54,7 @@ ROTORDROP_KERNEL void translations(const KernelInput& in, BallRowOutput& out) {
     const double elastic = stiffness * delta;
     const double F = std::max(stiffness * (delta + damping * rate), 0.);
     const double F_radial = F * cos_phi;
-    if constexpr (is_bent) in.bent->force[j] = F_radial;
+    if constexpr (is_bent) bent.force[j] = F_radial;
     fy -= F_radial * c;
     fz -= F_radial * s;
     fx -= F * inverse;
@@ -48,7 +63,7 @@ ROTORDROP_KERNEL void translations(const KernelInput& in, BallRowOutput& out) {
     elastic_axial += elastic * inverse;
     elastic_normal += elastic;
     double Br_turn = ez * c - ey * s;
-    if constexpr (is_bent) Br_turn += in.bent->slope[j];
+    if constexpr (is_bent) Br_turn += bent.slope[j];
     cage += elastic * cos_phi * Br_turn;
     largest = std::max(largest, F);
     roots += root;
@@ -71,6 +86,7 @@ ROTORDROP_KERNEL void translations(const KernelInput& in, BallRowOutput& out) {
 
 template <bool is_bent>
 ROTORDROP_KERNEL void all_motions(const KernelInput& in, BallRowOutput& out) {
+  const BentArrays bent = bent_arrays<is_bent>(in);
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
   double elastic_axial = 0, largest = 0, roots = 0;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
@@ -83,9 +99,9 @@ ROTORDROP_KERNEL void all_motions(const KernelInput& in, BallRowOutput& out) {
     double Br_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
     double Br_turn = (e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s;
     if constexpr (is_bent) {
-      Br += in.bent->width[j];
-      Br_rate += in.bent->rate[j];
-      Br_turn += in.bent->slope[j];
+      Br += bent.width[j];
+      Br_rate += bent.rate[j];
+      Br_turn += bent.slope[j];
     }
     const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
     const double distance = std::sqrt(Br * Br + Bx * Bx);
@@ -98,7 +114,7 @@ ROTORDROP_KERNEL void all_motions(const KernelInput& in, BallRowOutput& out) {
     const double elastic = stiffness * delta;
     const double F = std::max(stiffness * (delta + in.damping * rate), 0.);
     const double F_radial = F * cos_phi, F_axial = F * sin_phi;
-    if constexpr (is_bent) in.bent->force[j] = F_radial;
+    if constexpr (is_bent) bent.force[j] = F_radial;
     fy -= F_radial * c;
     fz -= F_radial * s;
     fx -= F_axial;
@@ -132,6 +148,7 @@ ROTORDROP_KERNEL void all_motions(const KernelInput& in, BallRowOutput& out) {
 template <bool is_bent>
 ROTORDROP_KERNEL void tractions_of(const KernelInput& in, double F_c, double inner_share, const RaceEdges& edges,
                                    RowTractions& out) {
+  const BentArrays bent = bent_arrays<is_bent>(in);
   double inner = 0, outer = 0, gyroscopic = 0, largest = 0, truncation = 0;
   constexpr double nothing = 1e-100;  // [N]
   const RaceEdge inner_edge = edges.inner, outer_edge = edges.outer;
@@ -144,8 +161,8 @@ ROTORDROP_KERNEL void tractions_of(const KernelInput& in, double F_c, double inn
     double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
     double Br_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
     if constexpr (is_bent) {
-      Br += in.bent->width[j];
-      Br_rate += in.bent->rate[j];
+      Br += bent.width[j];
+      Br_rate += bent.rate[j];
     }
     const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
     const double distance = std::sqrt(Br * Br + Bx * Bx);
