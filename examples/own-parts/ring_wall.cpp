@@ -32,6 +32,16 @@ double mean_over_shells(std::span<const double> capacity, std::span<const double
 
 }  // namespace
 
+Section<RingWallParameters> ring_wall_section() {
+  Section<RingWallParameters> s("wall", "Walls of the inner rings as shells that conduct radially.");
+  s.integer("shells", &RingWallParameters::shells,
+            {.range = between(2, 100),
+             .fallback = 16,
+             .source = "estimate: the first one is a hundredth of the wall",
+             .help = "Shells of every ring, each 1.2 times as thick as the one inside it."});
+  return s;
+}
+
 RingWall::RingWall(const std::vector<BearingCircuitData>& bearings, double ambient, std::size_t n_shells)
     : ambient_(ambient), n_shells_(n_shells), n_states_(n_shells + 2) {
   using std::numbers::pi;

@@ -2,8 +2,15 @@
 #include <string>
 #include <vector>
 
+#include "base/parameters/section.h"
 #include "model/thermal_model.h"
 #include "thermal/circuit/bearing_circuit.h"
+
+/// [thermal.wall].
+struct RingWallParameters {
+  int shells = 0;  ///< of every ring
+};
+rotordrop::Section<RingWallParameters> ring_wall_section();
 
 /// Third thermal model, between the lumped circuit and the finite elements: the wall of every inner ring as thin shells from bore to race, which
 /// conduct radially, between two lumps, the shaft and everything outside (outer ring with housing).
@@ -19,7 +26,7 @@ class RingWall final : public rotordrop::ThermalModel {
  public:
   /// @param bearings  in the order of the machine's thermal places
   /// @param ambient   [K], also of everything at the start
-  RingWall(const std::vector<rotordrop::BearingCircuitData>& bearings, double ambient, std::size_t n_shells = 16);
+  RingWall(const std::vector<rotordrop::BearingCircuitData>& bearings, double ambient, std::size_t n_shells);
 
   [[nodiscard]] std::vector<rotordrop::StateEntry> state_entries() const override;
   void initial_state(std::span<double> temperature) const override;

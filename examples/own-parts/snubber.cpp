@@ -51,6 +51,14 @@ Section<SnubberParameters> snubber_section() {
               .fallback = "0.05 m/s",
               .source = "as the touchdown bearings'",
               .help = "Friction fades below this slip speed."});
+  s.text("heats", &P::heats,
+         {.help = "Node of a thermal model that a share of the friction heat enters, such as one of [[thermal.node]]; "
+                  "none: no model is heated."});
+  s.quantity("heat_share", &P::heat_share,
+             {.range = between(0, 1),
+              .fallback = "0.5",
+              .source = "estimate: equal bodies; the rotor's half stays in the shaft, far from every bearing",
+              .help = "Part of the friction heat that enters this node."});
   return s;
 }
 
@@ -106,6 +114,7 @@ void Snubber::evaluate(const SupportInput& input, std::span<const double> y, std
   out.prescribed_work = 0.;
   const double mount = p_.damping * (v_y * v_y + v_z * v_z);
   out.other_dissipation = F_t * slip + (F_n - elastic) * delta_rate + mount;
+  out.heat_into_port = p_.heat_share * F_t * slip;
   ledger_rates[0] = F_t * slip;
 
   dydt[bush_y] = v_y;

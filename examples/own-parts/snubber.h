@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "base/parameters/section.h"
@@ -12,6 +13,8 @@ struct SnubberParameters {
   double gap = 0, radius = 0;                   ///< radial, cold; rotor's radius there [m]
   double contact_stiffness = 0, exponent = 0, lambda = 0;
   double friction_coefficient = 0, regularisation_speed = 0;
+  std::optional<std::string> heats;  ///< node of a thermal model
+  double heat_share = 0;             ///< part of the friction heat that enters it
 };
 rotordrop::Section<SnubberParameters> snubber_section();
 
@@ -22,7 +25,8 @@ rotordrop::Section<SnubberParameters> snubber_section();
 ///   v_s = omega r + (v_rotor - v_bush) . t,   m x_bush'' = F_n n + F_t t - k x_bush - c x_bush'
 ///
 /// with n from the bush's centre to the rotor's and t = x cross n. Contact: Hunt & Crossley (1975). The bush's position counts from where
-/// it rests under its own weight. Axial forces, tilts and thermal growth are left out; heat of the rub goes to no thermal model.
+/// it rests under its own weight. Axial forces, tilts and thermal growth are left out. A share of the friction heat enters a node of
+/// a thermal model, if `heats` names one.
 class Snubber final : public rotordrop::Support {
  public:
   enum State : std::size_t { bush_y, bush_z, bush_velocity_y, bush_velocity_z, n_state };
@@ -32,6 +36,7 @@ class Snubber final : public rotordrop::Support {
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] std::vector<rotordrop::StateEntry> state_entries() const override;
   [[nodiscard]] std::vector<rotordrop::StateEntry> ledger_entries() const override;
+  [[nodiscard]] std::string heat_port() const override { return p_.heats.value_or(""); }
   [[nodiscard]] std::vector<rotordrop::Observable> observables() const override;
   void initial_state(std::span<double> y) const override;
   void evaluate(const rotordrop::SupportInput& input, std::span<const double> y, std::span<double> dydt,

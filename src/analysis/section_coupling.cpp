@@ -133,7 +133,11 @@ class SectionsInWindows final : public SectionCoupling {
 void lift_sections(FiniteElements& elements, const Machine& machine, std::span<const double> y,
                    const Evaluation& found) {
   std::size_t model = 0;
-  while (machine.thermal_name(model) != "fe") ++model;
+  const auto meshes = [&](std::size_t k) {
+    const ThermalKind* kind = thermal_kind(machine.thermal_name(k));
+    return kind && kind->meshes_sections;
+  };
+  while (!meshes(model)) ++model;
   const auto states = machine.thermal_state(model, y);
   std::size_t first = 0;
   for (std::size_t k = 0; k < elements.sections.size(); ++k) {

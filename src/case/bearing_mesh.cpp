@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 SectionMesh read_own_mesh(const Case& c, const std::string& bearing) {
   const std::string file = own_mesh_file(*c.parameters.thermal.fe.mesh, bearing);
   const Node* thermal = c.tree.find("thermal");
-  const Node* fe = thermal ? thermal->find("fe") : nullptr;
+  const Node* fe = thermal ? thermal->find(fe_name) : nullptr;
   if (!fs::is_regular_file(file))
     throw InputError(
         fe ? position_of_value(*fe, "mesh") : SourcePosition{},

@@ -10,6 +10,7 @@
 #include "base/parameters/suggestion.h"
 #include "case/case_keys.h"
 #include "case/case_text.h"
+#include "case/parts_modules.h"
 #include "case/plausibility.h"
 #include "case/program_files.h"
 #include "io/text/json_reader.h"
@@ -17,6 +18,7 @@
 #include "io/text/source_comments.h"
 #include "io/text/toml_reader.h"
 #include "machine/build_machine.h"
+#include "machine/check_machine.h"
 
 namespace rotordrop {
 namespace {
@@ -60,6 +62,7 @@ Section<OutputParameters> output_section() {
 }
 
 Section<CaseParameters> case_section() {
+  load_parts_of_environment();
   using P = CaseParameters;
   Section<P> s("", "A rotor drop.");
   s.table<RunParameters>("run", &P::run, run_section());
@@ -134,7 +137,7 @@ void complete_path(Node* table, const char* key) {
 void complete_paths(Node& tree) {
   Node* thermal = tree.find("thermal");
   complete_path(thermal, "recorded");
-  complete_path(thermal && thermal->is_table() ? thermal->find("fe") : nullptr, "mesh");
+  complete_path(thermal && thermal->is_table() ? thermal->find(fe_name) : nullptr, "mesh");
   Node* heat = tree.find("heat");
   Node* sources = heat && heat->is_table() ? heat->find("source") : nullptr;
   if (sources && sources->is_array())
@@ -217,6 +220,7 @@ Case case_of(const fs::path& file, const std::vector<std::string>& overrides, co
   }
   load_catalogue_bearings(over, file);
   result.tree = merged(result.tree, over);
+  load_parts_of_case(result.tree);  // before the keys are declared, which are theirs, too
   for (const auto& assignment : overrides)
     if (names_entry(assignment)) set_entry(result.tree, assignment);
   Faults faults;

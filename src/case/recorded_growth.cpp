@@ -70,7 +70,7 @@ std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
 
 std::shared_ptr<const GrowthHistory> recorded_growth(const Case& c) {
   const auto& thermal = c.parameters.thermal;
-  if (driver_of(thermal) != GrowthDriver::recorded) return nullptr;
+  if (driver_of(thermal) != recorded_driver) return nullptr;
   try {
     return read_growth(*thermal.recorded, touchdown_names(c.parameters));
   } catch (const InputError& error) {

@@ -25,7 +25,6 @@
 #include "machine/build_machine.h"
 #include "study/compare/comparison.h"
 #include "study/drop/drop_run.h"
-#include "study/drop/summary.h"
 #include "study/heat/bearing_heat_run.h"
 #include "study/heat/heat_run.h"
 #include "study/many/study_file.h"
@@ -45,16 +44,10 @@ std::string quoted(const std::string& word) {
 
 std::string driver_in_words(const ThermalParameters& t) {
   if (!t.growth) return "none (thermal.growth = false)";
-  switch (driver_of(t)) {
-    case GrowthDriver::lumped:
-      return "lumped thermal circuit";
-    case GrowthDriver::fe:
-      return "finite elements";
-    case GrowthDriver::recorded:
-      return "recorded by an earlier run";
-    default:
-      return "none (thermal.driver = \"none\")";
-  }
+  const std::string driver = driver_of(t);
+  if (driver == recorded_driver) return "recorded by an earlier run";
+  const ThermalKind* kind = thermal_kind(driver);
+  return kind ? kind->title : fmt::format("none (thermal.driver = \"{}\")", driver);
 }
 
 std::string header(const Case& c) {
@@ -88,11 +81,10 @@ int check_heat_case(const std::filesystem::path& file, const std::vector<std::st
   return 0;
 }
 
-/// Of a run with both thermal models: the comparison beside its results.
+/// The comparison beside the results of a run with several thermal models.
 void compare_after_run(const Case& drop_case, const RunCommand& command, const std::filesystem::path& directory,
                        const RecordedDrop& drop) {
-  const auto& thermal = drop_case.parameters.thermal;
-  if (!thermal.has_lumped || !thermal.has_fe || drop.bearings().empty()) return;
+  if (drop_case.parameters.thermal.models.size() < 2 || drop.bearings().empty()) return;
   Comparison comparison;
   try {
     comparison = compare_models(drop, nullptr, {});

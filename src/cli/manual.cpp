@@ -106,7 +106,7 @@ std::string page_of_program(const CLI::App& app) {
   text += exit_status;
   text +=
       ".SH ENVIRONMENT\n.TP\n.B ROTORDROP_PARAMS\na folder whose bearings/ is searched before the program's own "
-      "catalogue\n";
+      "catalogue\n.TP\n.B ROTORDROP_PARTS\nmodules with supports and thermal models of others, with : between them\n";
   return text + ".SH SEE ALSO\n.BR rotordrop\\-case (5)\n";
 }
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/errors.h"
+#include "base/parameters/suggestion.h"
+
 namespace rotordrop {
 namespace {
 
@@ -29,7 +32,7 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   }
   for (const auto& part : parts_.thermal) {
     const std::size_t start = layout_.size();
-    layout_.add_block(part.name == "lumped" ? "temperature" : part.name + " temperature", part.model->state_entries());
+    layout_.add_block(part.is_unmarked ? "temperature" : part.name + " temperature", part.model->state_entries());
     thermal_.push_back({start, layout_.size() - start, 0});
   }
   if (parts_.immediate_growth) {
@@ -56,6 +59,10 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
       for (const std::string race : {"inner", "outer"})
         entries.push_back({"row " + std::to_string(row) + " " + race + " heat", "J", 10.,
                            "friction heat of the balls of row " + std::to_string(row) + " and " + race + " race"});
+    if (const std::string port = parts_.supports[i]->heat_port(); !port.empty()) {
+      places_[i].heats_port = true;
+      entries.push_back({"heat into port", "J", 10., "heat that enters the thermal models at " + port});
+    }
     layout_.add_block(parts_.supports[i]->name() + " ledger", entries);
   }
   machine_ledger_ = layout_.size();
@@ -63,9 +70,9 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
                                      {"unbalance work", "J", 1., "work of the unbalance forces on the rotor"},
                                      {"drive work", "J", 1., "work of motor or brake on the rotor"}};
   for (const auto& part : parts_.thermal)
-    entries.push_back(part.name == "lumped" ? StateEntry{"heat lost", "J", 1., "heat lost to ambient"}
-                                            : StateEntry{part.name + " heat lost", "J", 1.,
-                                                         "heat lost to ambient by model " + part.name});
+    entries.push_back(
+        part.is_unmarked ? StateEntry{"heat lost", "J", 1., "heat lost to ambient"}
+                         : StateEntry{part.name + " heat lost", "J", 1., "heat lost to ambient by model " + part.name});
   if (parts_.rotor->has_windage())
     entries.push_back({"windage", "J", 100., "energy dissipated by the gas around the rotor, which warms no bearing"});
   n_machine_ledger_ = entries.size();
@@ -77,6 +84,7 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
       ledger_of_place_[*place] = {places_[i].ledger, places_[i].ledger + n_support_ledger + places_[i].n_own,
                                   places_[i].n_rows};
     }
+  connect_heat_ports();
   const std::size_t n_places = ledger_of_place_.size();
   if (parts_.rub_share.size() != n_places)
     throw std::invalid_argument("a machine needs one share of the rub heat per thermal place");
@@ -92,70 +100,26 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   initial_mechanical_ = mechanical_energy(0., y);
 }
 
-void Machine::list_observables() {
-  const auto add = [](std::vector<Observable>& list, const std::string& prefix, const std::vector<Observable>& more,
-                      const std::string& place = {}) {
-    std::size_t size = 0;
-    for (Observable o : more) {
-      o.name = prefix + o.name;
-      if (o.place.empty()) o.place = place;
-      size += o.size;
-      list.push_back(std::move(o));
-    }
-    return size;
-  };
+void Machine::connect_heat_ports() {
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    const auto& support = *parts_.supports[i];
-    const std::string prefix = support.results_path() + "/";
-    places_[i].n_step = add(step_observables_, prefix, support.observables(), support.name());
-    places_[i].n_detail = add(detail_observables_, prefix, support.detailed_observables(), support.name());
-  }
-  for (const Probe& probe : parts_.probes)
-    add(step_observables_, "/probes/" + probe.name + "/",
-        {{"position", "m", "rotor centre at the probe, from the unloaded outer rings' axis", 2, {"y", "z"}},
-         {"clearance", "m", "radial clearance left at the probe; negative: the rotor is beyond it", 1, {}}});
-  add(state_observables_, "/rotor/",
-      {{"spin_speed", "rad/s", "spin speed of the rotor", 1, {}},
-       {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
-  for (std::size_t i = 0; i < thermal_.size(); ++i) {
-    auto observables = parts_.thermal[i].model->observables();
-    for (auto& o : observables)
-      if (o.unit == "K" && o.kind == Observed::other) o.kind = Observed::temperature;
-    thermal_[i].n_observed = add(state_observables_, parts_.thermal[i].place, observables);
-  }
-  for (const auto& part : parts_.thermal)
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      if (parts_.thermal_place[i])
-        add(state_observables_, "/growth/" + part.name + "/",
-            {growth_observable(parts_.supports[i]->name(), "thermal growth by model " + part.name)});
-  add(state_observables_, "/energy/",
-      {{"mechanical", "J", "kinetic, elastic and gravitational energy", 1, {}},
-       {"dissipated", "J", "mechanical energy dissipated since the start", 1, {}},
-       {"growth_work", "J", "work of thermal growth on the machine", 1, {}},
-       {"prescribed_work", "J", "work of prescribed cage and waviness motion on the machine", 1, {}},
-       {"unbalance_work", "J", "work of the unbalance forces on the rotor", 1, {}},
-       {"drive_work", "J", "work of motor or brake on the rotor", 1, {}},
-       {"residual", "J", "mechanical energy not accounted for", 1, {}},
-       {"heat_deposited", "J", "heat given to each thermal model since the start", 1, {}}});
-  for (const auto& part : parts_.thermal) {
-    const bool is_lumped = part.name == "lumped";
-    const std::string prefix = is_lumped ? "" : part.name + "_", of = is_lumped ? "" : " by model " + part.name;
-    add(state_observables_, "/energy/",
-        {{prefix + "heat_stored", "J", "heat stored over ambient" + of, 1, {}},
-         {prefix + "heat_lost", "J", "heat lost to ambient since the start" + of, 1, {}},
-         {prefix + "heat_residual", "J", "heat not accounted for" + of, 1, {}}});
-  }
-  for (std::size_t i = first_ledger_; i < layout_.size(); ++i) {
-    const auto& entry = layout_.entries()[i];
-    // "TB1 ledger/rub heat" becomes /ledger/TB1/rub_heat, "energy/heat lost" /ledger/heat_lost.
-    std::string path = entry.name;
-    if (const auto at = path.find(" ledger/"); at != std::string::npos)
-      path.erase(at, 7);
-    else
-      path.erase(0, path.find('/') + 1);
-    std::replace(path.begin(), path.end(), ' ', '_');
-    Observable o{"/ledger/" + path, entry.unit, entry.long_name, 1, {}};
-    state_observables_.push_back(std::move(o));
+    if (!places_[i].heats_port) continue;
+    const std::string wanted = parts_.supports[i]->heat_port();
+    std::vector<std::string> known;
+    bool is_found = false;
+    for (std::size_t k = 0; k < thermal_.size(); ++k) {
+      const auto ports = parts_.thermal[k].model->heat_ports();
+      for (std::size_t port = 0; port < ports.size(); ++port) {
+        if (std::find(known.begin(), known.end(), ports[port]) == known.end()) known.push_back(ports[port]);
+        if (ports[port] != wanted) continue;
+        heated_ports_.push_back({i, k, port});
+        is_found = true;
+      }
+    }
+    if (!is_found)
+      throw InputError({},
+                       "bearings." + parts_.supports[i]->name() + " heats \"" + wanted +
+                           "\", and no thermal model that runs has a place of that name that can be heated.",
+                       suggestion(wanted, known));
   }
 }
 
@@ -209,16 +173,6 @@ void Machine::prepare_inputs(double t, std::span<const double> y, Evaluation& e)
   }
 }
 
-void Machine::observe_probes(std::span<const double> y, std::span<double> out) const {
-  std::size_t at = 0;
-  for (const Probe& probe : parts_.probes) {
-    const Motion motion = parts_.rotor->node_motion(probe.node, rotor_part(y));
-    out[at++] = motion.y;
-    out[at++] = motion.z;
-    out[at++] = probe.clearance - std::hypot(motion.y - probe.centre[0], motion.z - probe.centre[1]);
-  }
-}
-
 void Machine::evaluate(double t, std::span<const double> y, Evaluation& found) const {
   found.rates.resize(layout_.size());
   evaluate(t, y, found.rates, found);
@@ -258,6 +212,9 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
     const auto rates = dydt.subspan(thermal_[k].state, thermal_[k].n_state);
     machine_ledger[heat_lost + k] = parts_.thermal[k].model->rates(thermal_part(k, y), e.heats, rates);
+    for (const auto& heated : heated_ports_)
+      if (heated.model == k)
+        parts_.thermal[k].model->add_heat(heated.port, e.outputs[heated.support].heat_into_port, rates);
     if (parts_.driver == k) parts_.thermal[k].model->growth_rates(rates, e.growth_rate);
   }
   if (!parts_.driver) {
@@ -288,6 +245,7 @@ void Machine::evaluate(double t, std::span<const double> y, std::span<double> dy
                                                         e.inputs[i].rotor_spin.speed * power.spin_acceleration;
     ledger[rub_heat_into_ring] = place ? e.heats[*place].rub_into_ring : 0.;
     ledger[growth_work] = place ? out.energy_gradient.dot(e.growth_rate[*place]) : 0.;
+    if (places_[i].heats_port) dydt[places_[i].port_ledger()] = out.heat_into_port;
     if (out.heat.rows.empty()) continue;
     const auto of_rows =
         dydt.subspan(places_[i].ledger + n_support_ledger + places_[i].n_own, 2 * out.heat.rows.size());
@@ -344,34 +302,12 @@ EnergyBalance Machine::energy_balance(std::span<const double> y, std::span<const
                b.unbalance_work + b.drive_work;
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
     const double stored = parts_.thermal[k].model->stored_energy(thermal_part(k, y)), lost = ledger[heat_lost + k];
-    b.heat.push_back({stored, lost, b.heat_deposited - stored - lost});
+    double deposited = b.heat_deposited;
+    for (const auto& heated : heated_ports_)
+      if (heated.model == k) deposited += y[places_[heated.support].port_ledger()];
+    b.heat.push_back({stored, lost, deposited, deposited - stored - lost});
   }
   return b;
-}
-
-void Machine::observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const {
-  const Spin spin = parts_.rotor->spin(rotor_part(y));
-  out[0] = spin.speed;
-  out[1] = spin.angle;
-  std::size_t at = 2;
-  for (std::size_t k = 0; k < thermal_.size(); ++k) {
-    parts_.thermal[k].model->observe(thermal_part(k, y), found.heats, out.subspan(at, thermal_[k].n_observed));
-    at += thermal_[k].n_observed;
-  }
-  std::vector<Expansion> growth(found.heats.size());
-  for (std::size_t k = 0; k < thermal_.size(); ++k) {
-    parts_.thermal[k].model->growth(thermal_part(k, y), growth);
-    for (const auto& place : parts_.thermal_place)
-      if (place)
-        for (const double value : growth_values(growth[*place])) out[at++] = value;
-  }
-  const EnergyBalance b = energy_balance(y, found.inputs);
-  for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work,
-                             b.drive_work, b.residual, b.heat_deposited})
-    out[at++] = value;
-  for (const auto& heat : b.heat)
-    for (const double value : {heat.stored, heat.lost, heat.residual}) out[at++] = value;
-  for (std::size_t i = first_ledger_; i < y.size(); ++i) out[at++] = y[i];
 }
 
 PlaceEnergy Machine::heat_given(std::size_t place, std::span<const double> y) const {
@@ -385,7 +321,7 @@ PlaceEnergy Machine::heat_given(std::size_t place, std::span<const double> y) co
 double Machine::ledger(std::size_t support, const std::string& name, std::span<const double> y) const {
   const std::string full = parts_.supports[support]->name() + " ledger/" + name;
   const Place& p = places_[support];
-  const std::size_t n = n_support_ledger + p.n_own + 2 * p.n_rows;
+  const std::size_t n = p.port_ledger() - p.ledger + (p.heats_port ? 1 : 0);
   for (std::size_t i = p.ledger; i < p.ledger + n; ++i)
     if (layout_.entries()[i].name == full) return y[i];
   throw std::out_of_range("no ledger named " + full);

@@ -29,7 +29,8 @@ struct EnergyBalance {
   double heat_deposited = 0;
   struct Heat {
     double stored = 0, lost = 0;
-    double residual = 0;  ///< deposited - stored - lost
+    double deposited = 0;  ///< heat_deposited, and what supports gave into ports of this model
+    double residual = 0;   ///< deposited - stored - lost
   };
   std::vector<Heat> heat;  ///< of each thermal model in the state vector
 };
@@ -44,9 +45,12 @@ class Machine final {
     std::unique_ptr<RotorModel> rotor;
     std::vector<std::unique_ptr<Support>> supports;  ///< one per station of the rotor, in their order
     struct Thermal {
-      std::string name;   ///< "lumped", "fe"
-      std::string place;  ///< of its datasets, "/thermal/"
+      std::string name;   ///< of its kind
+      std::string group;  ///< of its datasets, "/thermal/"
       std::unique_ptr<ThermalModel> model;
+      bool is_unmarked = false;  ///< its ledgers and keys carry no name
+      /// Before what results call its heat: "", "fe_".
+      [[nodiscard]] std::string prefix() const { return is_unmarked ? "" : name + "_"; }
     };
     std::vector<Thermal> thermal;                           ///< all take the same heat; may be none
     std::vector<std::optional<std::size_t>> thermal_place;  ///< of each support, if it gives off heat
@@ -103,6 +107,7 @@ class Machine final {
                                              const GrowthHistory* growth_in_force = nullptr) const;
   [[nodiscard]] std::size_t n_thermal_places() const { return ledger_of_place_.size(); }
   [[nodiscard]] std::size_t n_thermal_models() const { return parts_.thermal.size(); }
+  [[nodiscard]] const Parts::Thermal& thermal(std::size_t i) const { return parts_.thermal[i]; }
   [[nodiscard]] const std::string& thermal_name(std::size_t i) const { return parts_.thermal[i].name; }
   /// Heat that a thermal place has been given since the start.
   [[nodiscard]] PlaceEnergy heat_given(std::size_t place, std::span<const double> y) const;
@@ -139,6 +144,8 @@ class Machine final {
     std::size_t ledger = 0, n_own = 0;     // its ledgers: n_support_ledger common ones, then its own
     std::size_t n_rows = 0;                // heated apart: two ledgers each, after its own
     std::size_t n_step = 0, n_detail = 0;  // sizes of what it reports
+    bool heats_port = false;               // the last of its ledgers is the heat into its port
+    [[nodiscard]] std::size_t port_ledger() const { return ledger + n_support_ledger + n_own + 2 * n_rows; }
   };
   [[nodiscard]] std::span<const double> rotor_part(std::span<const double> y) const { return y.subspan(0, n_rotor_); }
   struct ThermalBlock {
@@ -159,12 +166,18 @@ class Machine final {
   [[nodiscard]] double mechanical_energy(std::span<const double> y, std::span<const SupportInput> inputs) const;
   [[nodiscard]] EnergyBalance energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const;
   void list_observables();
+  void connect_heat_ports();
   void observe_probes(std::span<const double> y, std::span<double> out) const;
 
   Parts parts_;
   StateLayout layout_;
   std::size_t n_rotor_ = 0, first_ledger_ = 0, machine_ledger_ = 0, n_machine_ledger_ = 0;
   std::vector<ThermalBlock> thermal_;
+  /// A support whose heat enters a port of a thermal model.
+  struct HeatedPort {
+    std::size_t support = 0, model = 0, port = 0;
+  };
+  std::vector<HeatedPort> heated_ports_;
   ThermalBlock immediate_;  // of the immediate growth
   std::vector<Place> places_;
   struct PlaceLedger {

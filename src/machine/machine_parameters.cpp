@@ -106,6 +106,21 @@ Section<RunParameters> run_section() {
               .fallback = "293.15 K",
               .source = "estimate: the paper's plots start near 293 K",
               .help = "Temperature of the surroundings and of everything at the start."});
+  s.custom("parts",
+           {.accepts = "a list of files",
+            .json_types = {"array"},
+            .help = "Modules with supports and thermal models of others, shared objects that are loaded when the case "
+                    "is read (docs/how-to/extending.md). A name without a folder means a file beside the case, or in "
+                    "the folder of the program's modules. Loading a module runs its code: name only those you trust."},
+           [](const Node& node, P& target, Faults& faults) {
+             bool is_good = node.is_array();
+             if (is_good)
+               for (const Node& file : node.items()) {
+                 is_good = is_good && file.is_text() && !file.text().empty();
+                 if (is_good) target.parts.push_back(file.text());
+               }
+             if (!is_good) faults.add(node.where(), "run.parts must be a list of files, such as [\"snubber.so\"].");
+           });
   s.check(check_until);
   return s;
 }
@@ -122,6 +137,12 @@ Node default_materials() {
         Node::table({{"E", 2.0e11}, {"nu", 0.30}, {"rho", 7800.}, {"k", 70.}, {"c", 510.}, {"alpha", 11.8e-6}})},
        {"Si3N4",
         Node::table({{"E", 3.15e11}, {"nu", 0.26}, {"rho", 3200.}, {"k", 35.}, {"c", 673.}, {"alpha", 3.2e-6}})}});
+}
+
+const Node& table_of(const Node& case_node, const char* section) {
+  static const Node empty = Node::table();
+  const Node* found = case_node.find(section);
+  return found ? *found : empty;
 }
 
 const MaterialParameters* find_material(const MachineParameters& p, const std::string& name) {

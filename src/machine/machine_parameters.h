@@ -32,6 +32,7 @@ struct RunParameters {
   double end_time = 0, initial_speed = 0;
   std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
   double ambient = 0;               ///< [K]
+  std::vector<std::string> parts;   ///< modules with parts of others, full paths; loaded when the case is read
   [[nodiscard]] double latest_end() const { return until_time.value_or(end_time); }
 };
 Section<RunParameters> run_section();
@@ -66,6 +67,8 @@ struct MachineParameters {
   SingleBearing single;
 };
 
+/// A section of a case as given; an empty table if there is none.
+[[nodiscard]] const Node& table_of(const Node& case_node, const char* section);
 /// nullptr if the case has no material of that name.
 [[nodiscard]] const MaterialParameters* find_material(const MachineParameters& parameters, const std::string& name);
 /// Of a case that was checked. @throws std::invalid_argument for an unknown name

@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "thermal/thermal_kinds.h"
+
 namespace rotordrop {
 namespace {
 
@@ -54,6 +56,14 @@ Section<PreloadMapParameters> map_section() {
   return s;
 }
 
+/// Thermal models that follow a bearing that runs by itself.
+std::vector<std::string> models_of_running_bearings() {
+  std::vector<std::string> names;
+  for (const auto* kind : thermal_kinds())
+    if (kind->is_circuit || kind->meshes_sections) names.push_back(kind->name);
+  return names;
+}
+
 }  // namespace
 
 Section<PreloadParameters> preload_section() {
@@ -61,8 +71,8 @@ Section<PreloadParameters> preload_section() {
   Section<P> s("preload",
                "Settings of `rotordrop preload` for each touchdown bearing on its own; a drop ignores them.");
   s.choice(
-      "model", &P::model, {{"lumped", PreloadModel::lumped}, {"fe", PreloadModel::fe}},
-      {.fallback = "lumped",
+      "model", &P::model, models_of_running_bearings(),
+      {.fallback = models_of_running_bearings().front(),
        .help = "Thermal model of the running bearing: its circuit with the nodes and resistors that the case adds, or "
                "finite elements of its section with thermal.fe.modes modes; independent of thermal.models."});
   s.quantity("speed", &P::speed,

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/parameters/section.h"
@@ -14,12 +15,6 @@ enum class PreloadGrowthBySpeed {
   thin_disc  ///< closed form of a spinning ring of rectangular section (laws/ring_growth.h)
 };
 
-/// Thermal model of a running bearing.
-enum class PreloadModel {
-  lumped,  ///< its circuit
-  fe       ///< its section by finite elements, on few modes
-};
-
 /// [preload.map]: axes of the maps.
 struct PreloadMapParameters {
   std::vector<double> growth;                  ///< of the inner raceway over the outer one [m]
@@ -30,10 +25,10 @@ struct PreloadMapParameters {
 
 /// [preload]: one touchdown bearing by itself, running steadily.
 struct PreloadParameters {
-  PreloadModel model = PreloadModel::lumped;
-  std::optional<double> speed;                ///< [rad/s]; run.initial_speed if not given
-  std::array<double, 3> force{};              ///< on the inner ring, x, y, z [N]
-  std::array<double, 2> moment{};             ///< about y, z [N m]
+  std::string model;               ///< thermal model of the running bearing: its circuit, or its section on few modes
+  std::optional<double> speed;     ///< [rad/s]; run.initial_speed if not given
+  std::array<double, 3> force{};   ///< on the inner ring, x, y, z [N]
+  std::array<double, 2> moment{};  ///< about y, z [N m]
   double inner_growth = 0, outer_growth = 0;  ///< of the raceways besides heat and speed [m]
   double interference = 0;                    ///< of outer ring and housing, more than as mounted [m]
   PreloadGrowthBySpeed growth_by_speed = PreloadGrowthBySpeed::as_drop;  ///< in maps, histories and running alike

@@ -29,22 +29,27 @@ struct SupportKind {
 };
 
 /// Those added so far, in their order.
-const std::vector<SupportKind>& support_kinds();
+std::vector<SupportKind> support_kinds();
 
 /// @throws std::invalid_argument if the type is known already
 void add_support_kind(SupportKind kind);
 
-/// Lets cases say `type = "..."` in a table of [bearings]. Call it before a case is read, from one thread.
+/// A kind from its keys and what makes it.
 /// @param section  the table's keys; P has a member `int node`, filled from a key of its own
 /// @param make     (const std::string& name, const P&) -> std::unique_ptr<Support>; called once for each machine
+template <class P, class Make>
+SupportKind support_kind_of(const std::string& type, const Section<P>& section, Make make) {
+  return {type, section.erased(), [section, make](const Node& table, const ReadContext& here, Faults& faults) {
+            const P p = section.read(table, faults, here);
+            return OtherSupport{p.node, [make, p](const std::string& name) { return make(name, p); }};
+          }};
+}
+
+/// Lets cases say `type = "..."` in a table of [bearings]. Call it before a case is read. Arguments as of support_kind_of().
 /// @throws std::invalid_argument if the type is known already
 template <class P, class Make>
 void add_support_kind(const std::string& type, const Section<P>& section, Make make) {
-  add_support_kind(
-      {type, section.erased(), [section, make](const Node& table, const ReadContext& here, Faults& faults) {
-         const P p = section.read(table, faults, here);
-         return OtherSupport{p.node, [make, p](const std::string& name) { return make(name, p); }};
-       }});
+  add_support_kind(support_kind_of(type, section, std::move(make)));
 }
 
 /// One table of [bearings].

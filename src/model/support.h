@@ -24,6 +24,7 @@ struct SupportOutput {
   HeatInput heat;
   double other_dissipation =
       0;                       ///< dissipated but not given to the thermal model: contact, ball and support damping [W]
+  double heat_into_port = 0;   ///< part of other_dissipation that enters Support::heat_port() [W]
   double prescribed_work = 0;  ///< done on the machine by cage, waves and growth by speed [W]
   Expansion energy_gradient;   ///< dU/d(growth) [N]: times the growth rate it is the work of thermal growth
   std::span<double> observed;  ///< where to write the observables, in their order; empty: do not
@@ -47,6 +48,9 @@ class Support {
   /// What evaluate() writes on request, in order; the detailed ones are many and sampled more coarsely.
   [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
   [[nodiscard]] virtual std::vector<Observable> detailed_observables() const { return {}; }
+  /// Place of the thermal models that SupportOutput::heat_into_port enters, by its name there: "bush", "TB1/housing"; empty: none. Of the models that run at
+  /// least one must have it among its heat_ports(); it enters all that have.
+  [[nodiscard]] virtual std::string heat_port() const { return {}; }
   /// Rows of balls whose heat evaluate() tells apart, in HeatInput::rows, which has their size; 0: none.
   [[nodiscard]] virtual std::size_t n_heated_rows() const { return 0; }
   /// @param y [state_entries().size()] in static equilibrium without the rotor

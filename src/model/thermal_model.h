@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 #include <vector>
 
 #include "model/observable.h"
@@ -25,10 +26,19 @@ class ThermalModel {
   /// Rates of the temperatures [K/s]; returns the heat lost to ambient [W].
   virtual double rates(std::span<const double> temperature, std::span<const HeatInput> heat,
                        std::span<double> dydt) const = 0;
+  /// Names of places that the heat of supports other than bearings can enter, "TB1/housing"; such heat is not among HeatInput.
+  [[nodiscard]] virtual std::vector<std::string> heat_ports() const { return {}; }
+  /// Adds to the rates of rates() what heat into one of these does; all of it is stored.
+  /// @param port   index among heat_ports()
+  /// @param watts  [W]
+  virtual void add_heat([[maybe_unused]] std::size_t port, [[maybe_unused]] double watts,
+                        [[maybe_unused]] std::span<double> dydt) const {}
   /// What observe() writes, in order; names such as "TB1/inner_ring" become dataset names. What is in kelvin is an absolute temperature.
   [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
   virtual void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                        std::span<double> out) const = 0;
+  /// States that are the mean temperatures of the inner rings [n_places]; empty if there are none such.
+  [[nodiscard]] virtual std::vector<std::size_t> ring_states() const { return {}; }
   /// Heat stored over ambient [J].
   [[nodiscard]] virtual double stored_energy(std::span<const double> temperature) const = 0;
 };

@@ -64,18 +64,7 @@ void RecordedDrop::open() {
   is_windowed_ = has("/windows/time");
 }
 
-std::string RecordedDrop::driver() const {
-  switch (driver_of(parameters_.thermal)) {
-    case GrowthDriver::lumped:
-      return "lumped";
-    case GrowthDriver::fe:
-      return "fe";
-    case GrowthDriver::recorded:
-      return "recorded";
-    default:
-      return "none";
-  }
-}
+std::string RecordedDrop::driver() const { return driver_of(parameters_.thermal); }
 
 std::vector<std::pair<std::string, TouchdownParameters>> RecordedDrop::bearings() const {
   std::vector<std::pair<std::string, TouchdownParameters>> list;
@@ -89,10 +78,16 @@ bool RecordedDrop::has(const std::string& dataset) const {
   return std::binary_search(datasets_.begin(), datasets_.end(), dataset);
 }
 
-bool RecordedDrop::has(ThermalModelKind model) const {
+bool RecordedDrop::has(const ThermalKind& model) const {
   return std::any_of(parameters_.bearings.begin(), parameters_.bearings.end(), [&](const SupportEntry& entry) {
     return entry.touchdown() && has(node_path(model, entry.name, "inner_ring"));
   });
+}
+
+std::vector<const ThermalKind*> RecordedDrop::models() const {
+  auto kinds = thermal_kinds();
+  std::erase_if(kinds, [&](const ThermalKind* kind) { return !has(*kind); });
+  return kinds;
 }
 
 const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const {
@@ -133,18 +128,15 @@ TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) 
   return result;
 }
 
-std::string RecordedDrop::node_path(ThermalModelKind model, const std::string& bearing, const std::string& node) const {
-  const char* group = model == ThermalModelKind::lumped ? "thermal" : is_windowed_ ? "windows" : "fe";
-  return fmt::format("/{}/{}/{}", group, bearing, node);
+std::string RecordedDrop::node_path(const ThermalKind& model, const std::string& bearing,
+                                    const std::string& node) const {
+  const std::string group = model.meshes_sections && is_windowed_ ? "/windows/" : model.group;
+  return group + bearing + "/" + node;
 }
 
-std::string RecordedDrop::surface_path(const std::string& bearing, const std::string& surface) const {
-  return node_path(ThermalModelKind::fe, bearing, surface);
-}
-
-std::string RecordedDrop::growth_path(ThermalModelKind model, const std::string& bearing) const {
-  if (model == ThermalModelKind::fe && is_windowed_) return "/windows/" + bearing + "/growth";
-  return fmt::format("/growth/{}/{}", model == ThermalModelKind::lumped ? "lumped" : "fe", bearing);
+std::string RecordedDrop::growth_path(const ThermalKind& model, const std::string& bearing) const {
+  if (model.meshes_sections && is_windowed_) return "/windows/" + bearing + "/growth";
+  return "/growth/" + model.name + "/" + bearing;
 }
 
 std::vector<std::string> RecordedDrop::pressure_paths(const std::string& bearing) const {

@@ -10,8 +10,6 @@
 
 namespace rotordrop {
 
-enum class ThermalModelKind { lumped, fe };
-
 /// A finished drop: parameters, and series as they are asked for, from its directory or from memory.
 class RecordedDrop {
  public:
@@ -25,13 +23,15 @@ class RecordedDrop {
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
   [[nodiscard]] const CaseParameters& parameters() const { return parameters_; }
   [[nodiscard]] const std::string& case_name() const { return case_name_; }
-  /// "lumped", "fe", "recorded" or "none": whose growth the drop felt.
+  /// As of driver_of(): whose growth the drop felt.
   [[nodiscard]] std::string driver() const;
   /// Touchdown bearings with their parameters.
   [[nodiscard]] std::vector<std::pair<std::string, TouchdownParameters>> bearings() const;
 
   [[nodiscard]] bool has(const std::string& dataset) const;
-  [[nodiscard]] bool has(ThermalModelKind model) const;
+  [[nodiscard]] bool has(const ThermalKind& model) const;
+  /// Thermal models with temperatures of a touchdown bearing, in the order of thermal_kinds().
+  [[nodiscard]] std::vector<const ThermalKind*> models() const;
   /// Paths of all datasets, in alphabetical order.
   [[nodiscard]] const std::vector<std::string>& datasets() const { return datasets_; }
   /// A dataset as it is, numbers that are none included.
@@ -46,13 +46,11 @@ class RecordedDrop {
   [[nodiscard]] TimeSeries series(const std::string& dataset, std::size_t column = 0) const;
 
   // Paths of a model's series, as the coupling of the finite elements makes them.
-  /// Volume mean of a body or temperature of a node: "inner_ring", "ball".
-  [[nodiscard]] std::string node_path(ThermalModelKind model, const std::string& bearing,
+  /// Volume mean of a body or temperature of a node, "inner_ring", "ball"; of a model that meshes sections also a surface, "bore", with columns mean, lowest, highest.
+  [[nodiscard]] std::string node_path(const ThermalKind& model, const std::string& bearing,
                                       const std::string& node) const;
-  /// Columns mean, lowest, highest; of the finite elements only.
-  [[nodiscard]] std::string surface_path(const std::string& bearing, const std::string& surface) const;
   /// Columns in the order of growth_surfaces.
-  [[nodiscard]] std::string growth_path(ThermalModelKind model, const std::string& bearing) const;
+  [[nodiscard]] std::string growth_path(const ThermalKind& model, const std::string& bearing) const;
   /// Series of a bearing in pascal whose names speak of pressure.
   [[nodiscard]] std::vector<std::string> pressure_paths(const std::string& bearing) const;
 

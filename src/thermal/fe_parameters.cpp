@@ -7,7 +7,8 @@ namespace rotordrop {
 
 Section<FeParameters> fe_section() {
   using P = FeParameters;
-  Section<P> s("fe", "Finite elements of every touchdown bearing: the mesh of rings and housing (docs/how-to/mesh.md).");
+  Section<P> s(fe_name,
+               "Finite elements of every touchdown bearing: the mesh of rings and housing (docs/how-to/mesh.md).");
   s.quantity("surface_cell", &P::surface_cell,
              {.unit = "m",
               .range = between(1e-7, 1e-2),

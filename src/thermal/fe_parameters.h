@@ -9,6 +9,9 @@
 
 namespace rotordrop {
 
+/// What cases and results call the finite elements: in thermal.models, [thermal.fe], [fe] of heat alone, /fe.
+inline constexpr const char* fe_name = "fe";
+
 /// Races with their grooves, or rectangles of the rings' diameters.
 enum class FeSection { grooved, plain };
 /// How the finite elements take part in a drop: on few modes in the state vector, in windows beside it, or with all modes of the mesh in it.

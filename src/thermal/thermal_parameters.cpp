@@ -41,40 +41,99 @@ Section<ExtraResistor> resistor_section() {
 
 }  // namespace
 
-ThermalModelChoice read_thermal_models(const Node& node, const std::string& name, Faults& faults) {
-  ThermalModelChoice models;
+std::string list_of_thermal_models() {
+  const auto names = thermal_kind_names();
+  std::string text = "a list of ";
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "\"" : i + 1 < names.size() ? ", \"" : " and \"") + names[i] + "\"";
+  return text;
+}
+
+std::vector<std::string> driver_words() {
+  std::vector<std::string> words = {automatic_driver};
+  for (const auto& name : thermal_kind_names()) words.push_back(name);
+  words.insert(words.end(), {no_driver, recorded_driver});
+  return words;
+}
+
+bool is_group_of_results(const std::string& name) {
+  const auto taken = {"bearings", "rotor",   "probes", "growth",     "energy",  "ledger",       "windows", "time",
+                      "thermal",  "support", "whirl",  "shoulder",   "spin_up", "clearance",    "preload", "local",
+                      "wear",     "rows",    "skid",   "gyroscopic", "axial",   "static_safety"};
+  return std::find(taken.begin(), taken.end(), name) != taken.end();
+}
+
+std::vector<std::string> read_thermal_models(const Node& node, const std::string& name, Faults& faults) {
+  const auto known = thermal_kind_names();
+  std::vector<std::string> given, models;
   bool is_good = node.is_array();
+  std::string advice;
   for (const Node& item : is_good ? node.items() : std::vector<Node>{}) {
-    const bool is_lumped = item.is_text() && item.text() == "lumped", is_fe = item.is_text() && item.text() == "fe";
-    is_good = is_good && (is_lumped || is_fe);
-    models.has_lumped = models.has_lumped || is_lumped;
-    models.has_fe = models.has_fe || is_fe;
+    const bool is_known = item.is_text() && std::find(known.begin(), known.end(), item.text()) != known.end();
+    if (is_known)
+      given.push_back(item.text());
+    else if (advice.empty() && item.is_text())
+      advice = suggestion(item.text(), known);
+    is_good = is_good && is_known;
   }
-  if (!is_good || (!models.has_lumped && !models.has_fe))
-    faults.add(node.where(), name + " must be a list of \"lumped\" and \"fe\", such as [\"lumped\", \"fe\"].");
+  for (const auto& model : known)
+    if (std::find(given.begin(), given.end(), model) != given.end()) models.push_back(model);
+  if (!is_good || models.empty())
+    faults.add(
+        node.where(),
+        name + " must be " + list_of_thermal_models() + ", such as [\"" + known[0] + "\", \"" + known[1] + "\"].",
+        advice);
   return models;
+}
+
+bool ThermalParameters::runs(const std::string& model) const {
+  return std::find(models.begin(), models.end(), model) != models.end();
+}
+
+bool ThermalParameters::runs_circuit() const {
+  const auto chosen = chosen_kinds(*this);
+  return std::any_of(chosen.begin(), chosen.end(), [](const ThermalKind* kind) { return kind->is_circuit; });
+}
+
+bool ThermalParameters::runs_sections() const { return section_kind(*this) != nullptr; }
+
+const ThermalKind* section_kind(const ThermalParameters& p) {
+  for (const auto* kind : chosen_kinds(p))
+    if (kind->meshes_sections) return kind;
+  return nullptr;
+}
+
+std::vector<const ThermalKind*> chosen_kinds(const ThermalParameters& p) {
+  auto kinds = thermal_kinds();
+  std::erase_if(kinds, [&](const ThermalKind* kind) { return !p.runs(kind->name); });
+  return kinds;
+}
+
+std::string driver_of(const ThermalParameters& p) {
+  if (!p.growth) return no_driver;
+  if (p.driver != automatic_driver) return p.driver;
+  const auto chosen = chosen_kinds(p);
+  return chosen.empty() ? no_driver : chosen.front()->name;
+}
+
+MakeThermalModel maker_of(const ThermalParameters& p, const ThermalKind& kind, Faults& faults) {
+  if (const auto given = p.makers.find(kind.name); given != p.makers.end()) return given->second;
+  return kind.read ? kind.read(Node::table(), {.path = "thermal." + kind.name}, faults) : kind.make;
 }
 
 Section<ThermalParameters> thermal_section() {
   using P = ThermalParameters;
   Section<P> s("thermal", "Lumped thermal circuit of every touchdown bearing.");
   s.custom("models",
-           {.accepts = "a list of \"lumped\" and \"fe\"",
+           {.accepts = list_of_thermal_models(),
             .json_types = {"array"},
-            .fallback = Node::array({Node("lumped")}),
+            .fallback = Node::array({Node(thermal_kinds().front()->name)}),
             .help = "Thermal models that run: the lumped circuit, the finite elements, or both on the same heat."},
            [](const Node& node, P& target, Faults& faults) {
-             const auto models = read_thermal_models(node, "thermal.models", faults);
-             target.has_lumped = models.has_lumped;
-             target.has_fe = models.has_fe;
+             target.models = read_thermal_models(node, "thermal.models", faults);
            });
-  s.choice("driver", &P::driver,
-           {{"automatic", GrowthDriver::automatic},
-            {"lumped", GrowthDriver::lumped},
-            {"fe", GrowthDriver::fe},
-            {"none", GrowthDriver::none},
-            {"recorded", GrowthDriver::recorded}},
-           {.fallback = "automatic",
+  s.choice("driver", &P::driver, driver_words(),
+           {.fallback = automatic_driver,
             .help = "Source of the thermal growth that is fed back: a thermal model, none, or the record of an earlier "
                     "run. automatic: lumped if it runs, otherwise fe."});
   s.text("recorded", &P::recorded,
@@ -212,7 +271,14 @@ Section<ThermalParameters> thermal_section() {
                     "expansion = \"elastic\" and growth driver fe, the rings' growth comes from the elasticity of "
                     "their section. Independent of the source of thermal growth, but with driver = \"recorded\" "
                     "nothing is added to the growth that the earlier run recorded."});
-  s.table("fe", &P::fe, fe_section(), {.help = "Finite elements of every touchdown bearing."});
+  s.table(fe_name, &P::fe, fe_section(), {.help = "Finite elements of every touchdown bearing."});
+  for (const auto* kind : thermal_kinds())
+    if (kind->section)
+      s.table(kind->name, kind->section,
+              [kind](const Node& table, const ReadContext& here, P& target, Faults& faults) {
+                target.makers[kind->name] = kind->read(table, here, faults);
+              },
+              {.help = "Keys of the thermal model \"" + kind->name + "\": " + kind->title + "."});
   s.list("node", &P::nodes, node_section(), {.help = "Additional nodes."});
   s.list("resistor", &P::resistors, resistor_section(), {.help = "Additional resistors."});
   return s;

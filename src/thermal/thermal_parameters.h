@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "base/parameters/section.h"
 #include "thermal/circuit/bearing_circuit.h"
 #include "thermal/fe_parameters.h"
+#include "thermal/thermal_kinds.h"
 
 namespace rotordrop {
 
@@ -15,9 +17,6 @@ enum class HeatShare { constant, jaeger };
 enum class RubBand { hertz, fixed };
 /// Share of the heat in the replay of the rub: so that both surfaces have one temperature, or that of the thermal models.
 enum class LocalShare { one_temperature, as_heated };
-
-/// Whose growth is fed back into clearances and ball loads.
-enum class GrowthDriver { automatic, lumped, fe, none, recorded };
 
 /// Where growth comes from.
 enum class GrowthSource {
@@ -53,18 +52,25 @@ struct ExtraResistor {
   double resistance = 0;
 };
 
-/// Which thermal models run.
-struct ThermalModelChoice {
-  bool has_lumped = false, has_fe = false;
-};
+/// Names of registered thermal models, each once, in the order of thermal_kinds().
 /// @param name  of the key, for messages: "thermal.models"
-ThermalModelChoice read_thermal_models(const Node& node, const std::string& name, Faults& faults);
+std::vector<std::string> read_thermal_models(const Node& node, const std::string& name, Faults& faults);
+/// What a key with them accepts: a list of all that are registered.
+std::string list_of_thermal_models();
+
+/// Words of thermal.driver besides the models' names: the first model that runs, none, the record of an earlier run.
+inline constexpr const char *automatic_driver = "automatic", *no_driver = "none", *recorded_driver = "recorded";
+/// All words of thermal.driver.
+std::vector<std::string> driver_words();
+/// Whether results of a drop have a group, or a bearing's summary a key, of that name besides those of thermal models.
+bool is_group_of_results(const std::string& name);
 
 /// [thermal]: the lumped circuit of every touchdown bearing, and what a user adds to it.
 struct ThermalParameters {
-  bool has_lumped = true, has_fe = false;  ///< models
-  GrowthDriver driver = GrowthDriver::automatic;
-  std::optional<std::string> recorded;  ///< results.h5 of an earlier run
+  std::vector<std::string> models = {thermal_kinds().front()->name};
+  std::string driver = automatic_driver;           ///< as given: see driver_of()
+  std::map<std::string, MakeThermalModel> makers;  ///< of models whose table [thermal.NAME] is given
+  std::optional<std::string> recorded;             ///< results.h5 of an earlier run
   bool growth = true;
   HeatShare heat_share = HeatShare::constant;
   double share_to_ring = 0;
@@ -85,8 +91,21 @@ struct ThermalParameters {
   FeParameters fe;
   std::vector<ExtraNode> nodes;
   std::vector<ExtraResistor> resistors;
+
+  [[nodiscard]] bool runs(const std::string& model) const;
+  [[nodiscard]] bool runs_circuit() const;   ///< one that has the case's own nodes and resistors
+  [[nodiscard]] bool runs_sections() const;  ///< one that meshes the bearings' sections
 };
 Section<ThermalParameters> thermal_section();
+
+/// The model whose growth is fed back; no_driver without thermal.growth; recorded_driver.
+std::string driver_of(const ThermalParameters& parameters);
+/// Models that run, in the order of thermal_kinds().
+std::vector<const ThermalKind*> chosen_kinds(const ThermalParameters& parameters);
+/// The model that runs and meshes sections, or nullptr.
+const ThermalKind* section_kind(const ThermalParameters& parameters);
+/// What makes a model, with its keys as given or by default; missing keys become faults.
+MakeThermalModel maker_of(const ThermalParameters& parameters, const ThermalKind& kind, Faults& faults);
 
 /// The user's nodes and resistors; names that do not exist become faults.
 void add_extra_parts(const ThermalParameters& parameters, const Node& thermal_table, ThermalNetworkData& network,

@@ -104,7 +104,7 @@ class OwnParts(Installed):
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         call("cmake", "-S", EXAMPLE, "-B", build, f"-DCMAKE_PREFIX_PATH={cls.prefix}", *launcher)
         call("cmake", "--build", build, "--parallel", "2")
-        cls.own = build / "own-parts"
+        cls.own, cls.module = build / "own-parts", build / "own-parts.so"
         cls.case = cls.prefix / "share/rotordrop/examples/own-parts/own-parts.toml"
         cls.fine = cls.folder / "fine.toml"
         cls.fine.write_text(f'base = "{cls.case}"\n[output]\ninterval = "5 us"\n')
@@ -237,7 +237,7 @@ class OwnParts(Installed):
     def test_its_report_shows_both_parts_and_results_are_not_overwritten(self):
         page = (self.folder / "out/report.html").read_text()
         self.assertIn("SNUBBER is a support defined by another program at the rotor's node 16.", page)
-        self.assertIn("own-parts.toml:10: source: (est.) 50 um more than the touchdown bearings'", page)
+        self.assertIn("own-parts.toml:11: source: (est.) 50 um more than the touchdown bearings'", page)
         data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
         lines = {chart["id"]: [line["name"] for line in chart["lines"]] for chart in data["charts"]}
         self.assertIn("SNUBBER", lines["displacement-y"])
@@ -246,6 +246,75 @@ class OwnParts(Installed):
         before = (self.folder / "out/summary.json").read_bytes()
         self.assertIn("the directory holds results already", call(self.own, self.case, self.folder / "out", code=2))
         self.assertEqual((self.folder / "out/summary.json").read_bytes(), before)
+
+    def run_module(self, name, *settings, case=None):
+        """Runs a case with the module by the installed program."""
+        directory = self.folder / name
+        if not directory.exists():
+            words = [word for setting in settings for word in ("--set", setting)]
+            said = call(self.program, "run", case or self.case, "-o", directory, "--set", f'run.parts=["{self.module}"]', *words)
+            (directory / "said.txt").write_text(said)
+        return directory
+
+    def test_as_a_module_it_is_the_same_drop(self):
+        directory = self.run_module("module", "thermal.driver=wall", case=self.fine)
+        with Results(directory) as run:
+            for path in ("/bearings/SNUBBER/normal_force", "/wall/TB1/bore", "/bearings/TB1/expansion", "/energy/wall_heat_stored"):
+                # The same machine code or nearly so: roundoff.
+                expected = self.run_.series(path).values
+                np.testing.assert_allclose(run.series(path).values, expected, rtol=1e-9, atol=1e-9 * abs(expected).max(), err_msg=path)
+
+    def test_the_installed_program_shows_the_foreign_thermal_model_like_its_own(self):
+        directory = self.run_module("module", "thermal.driver=wall", case=self.fine)
+        said = (directory / "said.txt").read_text()
+        self.assertIn("thermal growth fed back: ring walls", said)
+        self.assertRegex(said, r"balls; ring walls \d+\.\d\d K inner ring")
+        self.assertRegex(said, r"ring walls residual \S+ J")
+        summary = json.loads((directory / "summary.json").read_text())
+        with Results(directory) as run:
+            rise = run.series("/wall/TB1/inner_ring").values[-1] - AMBIENT
+            self.assertAlmostEqual(summary["bearings"]["TB1"]["wall"]["temperature_rise_end"]["inner_ring"], rise, delta=1e-9)
+        self.assertIn("wall_heat_residual", summary["energy"])
+
+        comparison = json.loads((directory / "comparison.json").read_text())
+        pair = comparison["bearings"]["TB1"]
+        self.assertEqual((pair["models"], comparison["wall_from"]), (["lumped", "wall"], str(directory)))
+        self.assertEqual(set(pair["temperatures"]), {"shaft", "inner_ring"}, "what both have")
+        end = pair["temperatures"]["inner_ring"]["at"][-1]
+        self.assertAlmostEqual(end["wall"] - AMBIENT, rise, delta=1e-9)
+        self.assertAlmostEqual(end["difference"], end["wall"] - end["lumped"], delta=1e-9)
+        self.assertIn("of those of the ring walls", comparison["in_short"][0])
+
+        for command in (("report", directory, "-o", directory / "page.html"), ("compare", directory, "-o", directory / "again.json", "--quiet")):
+            call(self.program, *command)
+        self.assertEqual(json.loads((directory / "again.json").read_text())["bearings"], comparison["bearings"], "from the files as from memory")
+        page = (directory / "page.html").read_text()
+        self.assertIn("Thermal models: lumped thermal circuit and ring walls. The clearances follow the ring walls.", page)
+        data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+        lines = {chart["id"]: [line["name"] for line in chart["lines"]] for chart in data["charts"]}
+        for chart in ("temperature-TB1", "growth-TB1"):
+            self.assertTrue(any(name.endswith("(walls)") for name in lines[chart]), lines[chart])
+
+    def test_friction_heat_of_the_snubber_warms_a_node_of_the_circuit(self):
+        node = 'thermal.node=[{name="bush", capacity="100 J/K"}]'
+        directory = self.run_module("heated", node, "bearings.SNUBBER.heats=bush")
+        with Results(directory) as run:
+            given = run.series("/ledger/SNUBBER/heat_into_port").values[-1]
+            self.assertGreater(given, 0.5, "J")
+            # Half of the friction heat; all of it stays in a node without resistors. Roundoff of 293 K.
+            self.assertAlmostEqual(given, 0.5 * run.series("/ledger/SNUBBER/bush_friction_heat").values[-1], delta=1e-9 * given)
+            self.assertAlmostEqual(run.series("/thermal/bush").values[-1] - AMBIENT, given / 100, delta=1e-10)
+            self.assertLess(abs(run.series("/energy/heat_residual").values[-1]), 1e-6, "J, roundoff")
+        done = call(self.program, "check", self.case, "--set", f'run.parts=["{self.module}"]', "--set", "bearings.SNUBBER.heats=TB1/shat", code=2)
+        self.assertIn('bearings.SNUBBER heats "TB1/shat"', done)
+        self.assertIn('Did you mean "TB1/shaft"?', done)
+
+    def test_keys_of_a_module_are_listed(self):
+        environment = {key: value for key, value in os.environ.items() if not key.startswith("ROTORDROP_")}
+        environment["ROTORDROP_PARTS"] = str(self.module)
+        said = subprocess.run([str(self.program), "defaults"], capture_output=True, text=True, env=environment, check=True).stdout
+        self.assertIn("[thermal.wall]", said)
+        self.assertIn("shells = 16", said)
 
     def test_faults_of_its_keys_are_explained(self):
         wrong = self.folder / "wrong.toml"

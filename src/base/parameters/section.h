@@ -188,6 +188,15 @@ class Section {
           target.*member = section.read(node, faults, {.path = here.name_of(d.key), .root = here.root});
         });
   }
+  /// One table that may be absent, whose keys are declared elsewhere: read(table, here, target, faults).
+  Section& table(std::string key, ErasedSection section,
+                 std::function<void(const Node&, const ReadContext&, T&, Faults&)> read, Nested options = {}) {
+    return add(detail::declare(std::move(key), Declaration::Kind::table, options, std::move(section)),
+               [read = std::move(read)](const Node& node, const Declaration& d, const ReadContext& here, T& target,
+                                        Faults& faults) {
+                 read(node, {.path = here.name_of(d.key), .root = here.root}, target, faults);
+               });
+  }
   /// Named tables, in the order of the file.
   template <class U>
   Section& tables(std::string key, std::vector<std::pair<std::string, U>> T::*member, Section<U> section,

@@ -9,13 +9,15 @@
 #include "case/fe_module.h"
 #include "io/text/parameter_writers.h"
 #include "machine/build_machine.h"
+#include "machine/check_machine.h"
 
 namespace rotordrop {
 
 std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSettings& settings) {
   CaseParameters p = c.parameters;
-  p.thermal.has_fe = true;
-  p.thermal.driver = GrowthDriver::automatic;
+  for (const auto* kind : thermal_kinds())
+    if (kind->meshes_sections && !p.thermal.runs(kind->name)) p.thermal.models.push_back(kind->name);
+  p.thermal.driver = automatic_driver;
   p.thermal.fe.coupling = FeCoupling::reduced;
   p.thermal.contact_conduction = BallConductionModel::fixed;  // there are no loads
   // Speed is of no matter here.

@@ -85,34 +85,48 @@ std::string trusted(const Json& group) {
   return fmt::format("until {} ({})", ms(first), which);
 }
 
-/// What stands for the finite elements' growth.
-const char* growth_words(const Json& b) {
-  return b["growth_by"] == "elasticity" ? "judged by elasticity"
-                                        : "judged by the formula on the finite elements' means";
+/// Kinds of the two models of a pair.
+struct Kinds {
+  const ThermalKind &first, &second;
+};
+Kinds kinds_of(const Json& b) {
+  return {*thermal_kind(b["models"][0].get<std::string>()), *thermal_kind(b["models"][1].get<std::string>())};
+}
+
+/// What stands for the second model's growth.
+std::string growth_words(const Json& b) {
+  if (b["growth_by"] == "elasticity") return "judged by elasticity";
+  const auto& second = kinds_of(b).second;
+  return second.meshes_sections ? "judged by the formula on the finite elements' means"
+                                : "judged by the growth of the " + second.word;
 }
 
 /// "290 and 301 N at 10 ms": preload of opposed rows under each model's growth.
-std::string effect_words(const Json& effect) {
+std::string effect_words(const Json& b) {
   std::vector<std::string> at;
-  for (const auto& e : effect) {
-    const Json &lumped = e["lumped"], &fe = e["fe"];
-    if (lumped["preload"].is_null() || fe["preload"].is_null()) continue;
+  const auto [a, c] = kinds_of(b);
+  for (const auto& e : b["effect"]) {
+    const Json &first = e[a.name], &second = e[c.name];
+    if (first["preload"].is_null() || second["preload"].is_null()) continue;
     at.push_back(fmt::format("{:.4g} and {:.4g} N at {} (largest ball load {:.3g} and {:.3g} N)",
-                             lumped["preload"].get<double>(), fe["preload"].get<double>(), ms(e["time"].get<double>()),
-                             lumped["largest_ball_load"].get<double>(), fe["largest_ball_load"].get<double>()));
+                             first["preload"].get<double>(), second["preload"].get<double>(),
+                             ms(e["time"].get<double>()), first["largest_ball_load"].get<double>(),
+                             second["largest_ball_load"].get<double>()));
   }
   return fmt::format("{}", fmt::join(at, "; "));
 }
 
 void add_summary(const Json& b, std::vector<std::string>& text) {
+  const auto [first, second] = kinds_of(b);
   Json approach = Json::object();
   approach["balls"] = b["ball_approach"];
   text.push_back(
-      fmt::format("In short: the circuit's mean temperatures stay within {} {}; its growth, {}, within {} {}, its "
+      fmt::format("In short: the {}'s mean temperatures stay within {}{} {}; its growth, {}, within {} {}, its "
                   "clearances {}, the approach of its races to the balls {}.",
-                  tolerance_text(b["temperatures"].front(), kelvin), trusted(b["temperatures"]), growth_words(b),
-                  tolerance_text(b["growth"].front(), micrometres), trusted(b["growth"]), trusted(b["clearances"]),
-                  trusted(approach)));
+                  first.word, tolerance_text(b["temperatures"].front(), kelvin),
+                  second.meshes_sections ? "" : " of those of the " + second.word, trusted(b["temperatures"]),
+                  growth_words(b), tolerance_text(b["growth"].front(), micrometres), trusted(b["growth"]),
+                  trusted(b["clearances"]), trusted(approach)));
   std::vector<std::string> each, surfaces;
   for (const auto& [name, d] : b["temperatures"].items())
     if (!d["beyond_from"].is_null())
@@ -124,12 +138,15 @@ void add_summary(const Json& b, std::vector<std::string>& text) {
   const auto list = [](const std::vector<std::string>& parts) {
     return parts.empty() ? std::string("none") : fmt::format("{}", fmt::join(parts, ", "));
   };
-  text.push_back(fmt::format("Beyond the tolerance from: means: {}; surfaces (which the circuit has no nodes for): {}.",
-                             list(each), list(surfaces)));
+  text.push_back(fmt::format("Beyond the tolerance from: means: {}{}.", list(each),
+                             b["surfaces"].empty() ? ""
+                                                   : fmt::format("; surfaces (which the {} has no nodes for): {}",
+                                                                 first.word, list(surfaces))));
 }
 
 /// What the finite elements know and the circuit does not, when a mean temperature leaves its tolerance.
 void add_reasons(const Json& b, std::vector<std::string>& text) {
+  const auto [circuit, section] = kinds_of(b);
   for (const auto& [name, r] : b["reasons"].items()) {
     std::vector<std::string> reasons;
     if (r.contains("bore_over_ring"))
@@ -138,8 +155,8 @@ void add_reasons(const Json& b, std::vector<std::string>& text) {
     for (const char* side : {"inner", "outer"})
       if (const std::string key = std::string(side) + "_contact_over_ring"; r.contains(key))
         reasons.push_back(fmt::format("spreading: {} raceway {} above its ring's mean, the circuit's contact {}", side,
-                                      in(kelvin, r[key]["fe"].get<double>()),
-                                      in(kelvin, r[key]["lumped"].get<double>())));
+                                      in(kelvin, r[key][section.name].get<double>()),
+                                      in(kelvin, r[key][circuit.name].get<double>())));
     if (r.contains("fourier") && r["fourier"].get<double>() < 0.3)
       reasons.push_back(fmt::format("temperatures inside the body not equalised yet (Fourier number {:.2g})",
                                     r["fourier"].get<double>()));
@@ -184,18 +201,19 @@ void add_models(const Json& b, std::vector<std::string>& text) {
   }
   add_agreements(b["temperatures"], kelvin, "Mean temperature of", text);
   add_reasons(b, text);
-  add_agreements(b["growth"], micrometres, std::string("Growth (") + growth_words(b) + ") of", text);
+  add_agreements(b["growth"], micrometres, "Growth (" + growth_words(b) + ") of", text);
   text.push_back(fmt::format("Approach of the races to the balls: {}.", agreement(b["ball_approach"], micrometres)));
   for (const auto& row : b["row_growth"])
     if (b["row_growth"].size() > 1)
       text.push_back(fmt::format("The same of row {} by itself: {}.", row["row"].get<int>(),
                                  agreement(row["ball_approach"], micrometres)));
-  if (const std::string effect = effect_words(b["effect"]); !effect.empty())
-    text.push_back(
-        fmt::format("Preload of the ring without load under the growth of circuit and finite elements: {}.", effect));
+  if (const std::string effect = effect_words(b); !effect.empty())
+    text.push_back(fmt::format("Preload of the ring without load under the growth of {} and {}: {}.",
+                               kinds_of(b).first.word, kinds_of(b).second.word, effect));
   text.push_back(fmt::format("Air gap: {}.", agreement(b["clearances"]["air_gap"], micrometres)));
-  text.push_back(fmt::format("Bore surface (circumferential mean) minus the circuit's inner ring: {}.",
-                             agreement(b["surfaces"]["bore"]["mean"], kelvin)));
+  if (b["surfaces"].contains("bore"))
+    text.push_back(fmt::format("Bore surface (circumferential mean) minus the circuit's inner ring: {}.",
+                               agreement(b["surfaces"]["bore"]["mean"], kelvin)));
 }
 
 void add_lumping(const Json& b, std::vector<std::string>& text) {
@@ -251,11 +269,13 @@ std::string table_head(const std::string& title, const Json& d) {
 }
 
 std::string model_tables(const Json& b) {
-  std::string text = table_head("FE - circuit [K]", b["temperatures"]["inner_ring"]);
+  const auto [first, second] = kinds_of(b);
+  const std::string difference = second.mark + " - " + first.word;
+  std::string text = table_head(difference + " [K]", b["temperatures"]["inner_ring"]);
   for (const auto& [node, d] : b["temperatures"].items()) text += table_row(words(node), d, kelvin);
   for (const auto& [surface, s] : b["surfaces"].items())
     for (const char* column : {"mean", "highest"}) text += table_row(words(surface) + " " + column, s[column], kelvin);
-  text += table_head("FE - circuit [um]", b["growth"]["bore"]);
+  text += table_head(difference + " [um]", b["growth"]["bore"]);
   for (const auto& [surface, d] : b["growth"].items()) text += table_row("growth " + words(surface), d, micrometres);
   for (const auto& [name, d] : b["clearances"].items()) text += table_row(words(name), d, micrometres);
   text += table_row("ball approach", b["ball_approach"], micrometres);
@@ -300,6 +320,12 @@ std::vector<std::string> verdict_of(const Json& report) {
     add_lumping(b, text);
     if (b.contains("runs")) add_runs(report, b, text);
     for (const auto& line : text) all.push_back(name + ": " + line);
+    if (b.contains("further"))
+      for (const auto& [model, pair] : b["further"].items()) {
+        text.clear();
+        add_models(pair, text);
+        for (const auto& line : text) all.push_back(name + ", " + model + ": " + line);
+      }
   }
   return all;
 }
@@ -311,6 +337,12 @@ std::vector<std::string> short_verdict_of(const Json& report) {
     if (b.contains("temperatures")) add_summary(b, text);
     add_local(b, text);
     for (const auto& line : text) all.push_back(name + ": " + line);
+    if (b.contains("further"))
+      for (const auto& [model, pair] : b["further"].items()) {
+        text.clear();
+        add_summary(pair, text);
+        for (const auto& line : text) all.push_back(name + ", " + model + ": " + line);
+      }
   }
   return all;
 }
@@ -320,6 +352,8 @@ std::string comparison_text(const Json& report) {
   for (const auto& [name, b] : report["bearings"].items()) {
     text += name + "\n";
     if (b.contains("temperatures")) text += model_tables(b);
+    if (b.contains("further"))
+      for (const auto& [model, pair] : b["further"].items()) text += model_tables(pair);
     text += bore_table(b["bore"]);
     if (b.contains("runs"))
       for (const auto& [model, nodes] : b["runs"]["temperatures"].items()) {

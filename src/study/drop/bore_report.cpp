@@ -98,6 +98,12 @@ Json bore_json(const BoreTemperatures& b, const RubRecord& r, const RubSurfaces&
 
 }  // namespace
 
+std::vector<std::string> series_of_rub(const std::string& bearing) {
+  const std::string at = "/bearings/" + bearing + "/", ledger = "/ledger/" + bearing + "/";
+  return {at + "orbit",        at + "ring_position",          at + "ring_speed",          at + "slip_speed",
+          ledger + "rub_heat", ledger + "rub_heat_into_ring", ledger + "contact_impulse", "/rotor/spin_angle"};
+}
+
 RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing) {
   const std::string at = "/bearings/" + bearing + "/", ledger = "/ledger/" + bearing + "/";
   const TimeSeries y = drop.series(at + "orbit", 0), z = drop.series(at + "orbit", 1);
@@ -118,11 +124,11 @@ RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing) {
 }
 
 BoreReport report_bore(const std::string& bearing, const TouchdownParameters& p, const RecordedDrop& drop,
-                       const RecordedDrop* lumped, const RecordedDrop* fe, const std::optional<double>& band_length,
+                       const ModelOfRun& circuit, const ModelOfRun& section, const std::optional<double>& band_length,
                        const Impact& impact, const std::vector<Instant>& instants) {
   std::optional<TimeSeries> node, mean;
-  if (lumped) node = lumped->series(lumped->node_path(ThermalModelKind::lumped, bearing, "inner_ring"));
-  if (fe) mean = fe->series(fe->surface_path(bearing, "bore"), 0);
+  if (circuit) node = circuit.drop->series(circuit.drop->node_path(*circuit.kind, bearing, "inner_ring"));
+  if (section) mean = section.drop->series(section.drop->node_path(*section.kind, bearing, "bore"), 0);
   const auto& parameters = drop.parameters();
   const RubRecord rub = rub_record(drop, bearing);
   const RubSurfaces surfaces =

@@ -20,14 +20,23 @@ struct BoreReport {
   nlohmann::ordered_json report;  ///< docs/reference/results.md
   BoreTemperatures temperatures;
 };
+/// One thermal model of one run, or of none.
+struct ModelOfRun {
+  const RecordedDrop* drop = nullptr;
+  const ThermalKind* kind = nullptr;
+  explicit operator bool() const { return drop != nullptr; }
+};
+
+/// Paths of the series that rub_record() reads.
+std::vector<std::string> series_of_rub(const std::string& bearing);
 /// The rub of a bearing as recorded by a drop.
 RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing);
 
 /// Local temperatures of a bearing's bore from the rub that a drop recorded.
-/// @param lumped, fe   runs that give the circuit's inner ring and the mean around the bore; may be none
+/// @param circuit, section  models that give the inner ring and the mean around the bore; may be of no run
 /// @param band_length  of the rub along the surface [m]; none: the case's
 BoreReport report_bore(const std::string& bearing, const TouchdownParameters& parameters, const RecordedDrop& drop,
-                       const RecordedDrop* lumped, const RecordedDrop* fe, const std::optional<double>& band_length,
+                       const ModelOfRun& circuit, const ModelOfRun& section, const std::optional<double>& band_length,
                        const Impact& impact, const std::vector<Instant>& instants);
 
 }  // namespace rotordrop

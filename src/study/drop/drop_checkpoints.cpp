@@ -20,13 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the files that the parameters only name, and on which the results depend: a mesh, the growth of an earlier run.
+/// Of the files that the parameters only name, and on which the results depend: a mesh, the growth of an earlier run, modules of parts.
 std::string digests_of_files(const Case& c) {
   std::string digests;
   const auto& thermal = c.parameters.thermal;
-  if (thermal.fe.mesh && thermal.has_fe)
+  if (thermal.fe.mesh && thermal.runs_sections())
     for (const auto& name : touchdown_names(c.parameters))
       digests += "\n" + sha256_of_file(own_mesh_file(*thermal.fe.mesh, name));
+  for (const auto& module : c.parameters.run.parts) digests += "\n" + sha256_of_file(module);
   return digests;
 }
 

@@ -4,29 +4,38 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/cpu_time.h"
 #include "base/errors.h"
 #include "io/checkpoint.h"
 #include "io/results_folder.h"
+#include "study/drop/bore_report.h"
 #include "study/drop/drop_checkpoints.h"
 #include "study/drop/drop_fields.h"
 #include "study/drop/drop_record.h"
-#include "study/drop/summary.h"
 
 namespace rotordrop {
 namespace {
 
-/// Series of which the summary tells: orbits and rubs of the bearings, and all of finite elements.
-bool is_in_summary(const std::string& path) {
-  if (path.starts_with("/fe/") || path.starts_with("/windows/") || path.starts_with("/rotor/")) return true;
-  if (path.starts_with("/ledger/")) return path.find('/', std::string_view("/ledger/").size()) != std::string::npos;
-  if (!path.starts_with("/bearings/")) return false;
-  const std::string name = path.substr(path.rfind('/') + 1);
-  const auto names = {"orbit", "penetration", "ring_position", "ring_speed", "slip_speed"};
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+/// Tells whether a series is one of which the summary tells: orbits and rubs of the bearings, and all of meshed sections.
+class SummarySeries {
+ public:
+  SummarySeries(const Case& c, std::vector<std::string> more = {}) : paths_(std::move(more)) {
+    for (const auto& bearing : touchdown_names(c.parameters))
+      for (const auto& series : {series_of_rub(bearing), series_of_whirl(bearing)})
+        paths_.insert(paths_.end(), series.begin(), series.end());
+    if (const ThermalKind* kind = section_kind(c.parameters.thermal)) groups_ = {kind->group, "/windows/"};
+  }
+  bool operator()(const std::string& path) const {
+    return std::find(paths_.begin(), paths_.end(), path) != paths_.end() ||
+           std::any_of(groups_.begin(), groups_.end(), [&](const auto& group) { return path.starts_with(group); });
+  }
+
+ private:
+  std::vector<std::string> paths_, groups_;
+};
 
 [[noreturn]] void fail(const SolverError& error, const Drop& drop, DropCheckpoints& checkpoints, DropRecord& record) {
   std::string text = error.what();
@@ -45,11 +54,7 @@ bool is_in_summary(const std::string& path) {
 void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteElements* elements, MemorySeries series,
                const std::filesystem::path& directory, FinishedDrop& result) {
   result.recorded = std::make_shared<const RecordedDrop>(c, std::move(series), directory);
-  auto& summary = result.summary = summarise(c, machine, drop.scalars(), result, elements, *result.recorded);
-  summary["input_warnings"] = nlohmann::ordered_json::array();
-  for (const auto& warning : c.warnings)
-    summary["input_warnings"].push_back(
-        {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
+  result.summary = summarise(c, machine, drop.scalars(), result, elements, *result.recorded);
 }
 
 }  // namespace
@@ -58,9 +63,7 @@ FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, FiniteEle
                                 const volatile std::sig_atomic_t* stop, const std::vector<std::string>& kept) {
   const auto& p = c.parameters;
   Drop drop(machine, p, p.integration, p.output, elements);
-  MemorySeries series(machine, drop, [&](const std::string& path) {
-    return is_in_summary(path) || std::find(kept.begin(), kept.end(), path) != kept.end();
-  });
+  MemorySeries series(machine, drop, SummarySeries(c, kept));
   const auto start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_seconds();
   drop.run([&] { return stop && *stop; });
@@ -78,8 +81,8 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
                                                           : ResultsFolder::Existing::refuse);
   Drop drop(machine, p, p.integration, p.output, options.elements, options.tell);
   DropRecord record(options.directory, c, machine, drop);
-  const bool are_two = p.thermal.has_lumped && p.thermal.has_fe;
-  MemorySeries series(machine, drop, are_two ? MemorySeries::Choice{} : is_in_summary);
+  const bool are_compared = p.thermal.models.size() > 1;
+  MemorySeries series(machine, drop, are_compared ? MemorySeries::Choice{} : SummarySeries(c));
   DropCheckpoints checkpoints(options.directory, c, machine, drop, record, series, folder, options.tell);
   DropProgress progress(machine, drop, drop.sections().growth_in_force(), options.report);
   drop.loop().add(progress);
@@ -111,7 +114,7 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   result.cpu_time = checkpoints.cpu_time();
 
   summarise(c, machine, drop, options.elements, std::move(series), options.directory, result);
-  write_text_atomically(options.directory / "summary.json", result.summary.dump(2) + "\n");
+  write_text_atomically(options.directory / "summary.json", summary_json(result.summary).dump(2) + "\n");
   if (result.completed) folder.remove_checkpoints();
   return result;
 }

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "analysis/drop.h"
 #include "case/case.h"
 #include "study/drop/drop_progress.h"
+#include "study/drop/drop_summary.h"
 #include "study/recorded_drop.h"
 
 namespace rotordrop {
@@ -26,7 +26,7 @@ struct RunOptions {
 
 /// A finished or interrupted drop with its summary.
 struct FinishedDrop : DropResult {
-  nlohmann::ordered_json summary;  ///< as in summary.json
+  DropSummary summary;
   std::shared_ptr<const RecordedDrop>
       recorded;  ///< series that its summary needs; all if two thermal models can be compared
 };

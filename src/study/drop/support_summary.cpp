@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "study/json_number.h"
@@ -11,39 +10,50 @@ namespace rotordrop {
 
 using Json = nlohmann::ordered_json;
 
-Json support_summary(const SupportWatch& watch, const Machine& machine, const MachineParameters& p,
-                     const std::string& bearing, std::span<const double> y) {
+std::optional<SupportSummary> support_summary(const SupportWatch& watch, const Machine& machine,
+                                              const MachineParameters& p, const std::string& bearing,
+                                              std::span<const double> y) {
   const SupportScalars* const s = watch.of(bearing);
-  if (!s) return nullptr;
+  if (!s) return {};
   for (const auto& entry : p.bearings) {
     const auto* b = entry.touchdown();
     if (!b || entry.name != bearing) continue;
-    Json j;
-    j["type"] = b->support.type;
-    j["largest_travel"] = s->travel;
-    j["largest_travel_time"] = json_number(s->time);
-    j["travel_limit"] = json_number(b->support.travel_limit.value_or(std::numeric_limits<double>::quiet_NaN()));
-    j["loss"] = machine.ledger(s->support, "support damping", y);
-    if (s->has_energy) j["largest_stored_energy"] = s->stored;
-    if (b->support.stop) j["meets_stop"] = s->travel > b->support.stop->gap;
-    return j;
+    SupportSummary summary;
+    summary.type = b->support.type;
+    summary.largest_travel = s->travel;
+    summary.largest_travel_time = s->time;
+    summary.travel_limit = b->support.travel_limit;
+    summary.loss = machine.ledger(s->support, "support damping", y);
+    if (s->has_energy) summary.largest_stored_energy = s->stored;
+    if (b->support.stop) summary.meets_stop = s->travel > b->support.stop->gap;
+    return summary;
   }
-  return nullptr;
+  return {};
 }
 
-std::string support_text(const std::string& name, const Json& s) {
-  if (s.is_null()) return {};
-  const std::string indent(name.size() + 2, ' '), type = s["type"].get<std::string>();
-  const double travel = s["largest_travel"].get<double>();
+Json support_json(const std::optional<SupportSummary>& s) {
+  if (!s) return nullptr;
+  Json j;
+  j["type"] = s->type;
+  j["largest_travel"] = s->largest_travel;
+  j["largest_travel_time"] = json_number(s->largest_travel_time);
+  j["travel_limit"] = json_number(s->travel_limit);
+  j["loss"] = s->loss;
+  if (s->largest_stored_energy) j["largest_stored_energy"] = *s->largest_stored_energy;
+  if (s->meets_stop) j["meets_stop"] = *s->meets_stop;
+  return j;
+}
+
+std::string support_text(const std::string& name, const SupportSummary& s) {
+  const std::string indent(name.size() + 2, ' ');
   std::string text;
-  if (type != "linear" || s.contains("largest_stored_energy"))
-    text += fmt::format("{}support ({}) moves by up to {:.4g} um and dissipates {:.4g} J\n", indent, type, travel * 1e6,
-                        s["loss"].get<double>());
-  if (s.contains("meets_stop") && s["meets_stop"].get<bool>())
-    text += fmt::format("{}the outer ring meets its stop\n", indent);
-  if (s["travel_limit"].is_number() && travel > s["travel_limit"].get<double>())
+  if (s.type != "linear" || s.largest_stored_energy)
+    text += fmt::format("{}support ({}) moves by up to {:.4g} um and dissipates {:.4g} J\n", indent, s.type,
+                        s.largest_travel * 1e6, s.loss);
+  if (s.meets_stop.value_or(false)) text += fmt::format("{}the outer ring meets its stop\n", indent);
+  if (s.travel_limit && s.largest_travel > *s.travel_limit)
     text += fmt::format("{}warning: the outer ring moves by {:.4g} um, beyond its travel limit of {:.4g} um\n", indent,
-                        travel * 1e6, s["travel_limit"].get<double>() * 1e6);
+                        s.largest_travel * 1e6, *s.travel_limit * 1e6);
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -8,12 +9,22 @@
 
 namespace rotordrop {
 
-/// `support` of a bearing in summary.json; null if it is no touchdown bearing of the case.
-[[nodiscard]] nlohmann::ordered_json support_summary(const SupportWatch& watch, const Machine& machine,
-                                                     const MachineParameters& parameters, const std::string& bearing,
-                                                     std::span<const double> y);
-
-/// A line for the screen, from `support` of a bearing's summary; empty for springs that are within their limit.
-[[nodiscard]] std::string support_text(const std::string& name, const nlohmann::ordered_json& support);
+/// What a summary tells of the support of a bearing's outer ring.
+struct SupportSummary {
+  std::string type;
+  double largest_travel = 0, largest_travel_time = 0;  ///< of the outer ring [m], [s]
+  std::optional<double> travel_limit;                  ///< [m]
+  double loss = 0;                                     ///< dissipated [J]
+  std::optional<double> largest_stored_energy;         ///< of a support that tells it [J]
+  std::optional<bool> meets_stop;                      ///< of a support with a stop
+};
+/// None if it is no touchdown bearing of the case.
+[[nodiscard]] std::optional<SupportSummary> support_summary(const SupportWatch& watch, const Machine& machine,
+                                                            const MachineParameters& parameters,
+                                                            const std::string& bearing, std::span<const double> y);
+/// `support` of a bearing in summary.json; null for none.
+[[nodiscard]] nlohmann::ordered_json support_json(const std::optional<SupportSummary>& support);
+/// A line for the screen; empty for springs that are within their limit.
+[[nodiscard]] std::string support_text(const std::string& name, const SupportSummary& support);
 
 }  // namespace rotordrop

@@ -197,6 +197,11 @@ double friction_that_sustains_whirl(std::complex<double> receptance) {
   return std::fabs(receptance.imag() / receptance.real());
 }
 
+std::vector<std::string> series_of_whirl(const std::string& bearing) {
+  const std::string at = "/bearings/" + bearing + "/";
+  return {"/rotor/spin_speed", at + "orbit", at + "penetration"};
+}
+
 ContactWhirl recorded_whirl(const RecordedDrop& drop, const std::string& bearing, const WhirlOptions& options) {
   const std::string prefix = "/bearings/" + bearing + "/";
   const auto& times = drop.table("/time").values;
@@ -214,39 +219,52 @@ ContactWhirl recorded_whirl(const RecordedDrop& drop, const std::string& bearing
   return find_whirl({cut(times), cut(y), cut(z), cut(penetration), cut(spin)}, options);
 }
 
-Json whirl_summary(const RecordedDrop& drop, const std::string& bearing) {
+WhirlSummary whirl_summary(const RecordedDrop& drop, const std::string& bearing) {
   const auto& p = drop.parameters();
   const ContactWhirl w = recorded_whirl(drop, bearing, {.row_interval = p.output.interval});
-  const WhirlStretch* longest = w.longest();
-  const WhirlStretch* fastest = w.fastest_backward();
+  WhirlSummary s;
+  if (const WhirlStretch* longest = w.longest()) s.longest = *longest;
+  if (const WhirlStretch* fastest = w.fastest_backward()) s.largest_backward_speed = fastest->fastest;
+  s.contact_time = w.contact_time;
+  s.forward_time = w.forward_time;
+  s.backward_time = w.backward_time;
+  s.backward_whirl_time = w.backward_whirl_time;
+  s.has_full_rub = w.has_full_backward_rub();
+  s.fastest_resolved = w.fastest_resolved;
+  s.friction_coefficient = p.contact.friction_coefficient;
+  s.friction_from_rest = full_rub_friction();
+  s.speed_at_bottom = full_rub_speed(s.friction_coefficient, air_gap(touchdown_of(p, bearing), p.contact),
+                                     std::hypot(p.run.gravity[1], p.run.gravity[2]));
+  return s;
+}
+
+Json whirl_json(const WhirlSummary& w) {
   const auto share = [&](double time) { return w.contact_time > 0. ? number(time / w.contact_time) : Json(nullptr); };
+  const auto& longest = w.longest;
   Json j;
   j["direction"] = to_string(longest ? longest->direction : WhirlDirection::none);
   j["frequency"] = longest ? number(longest->frequency()) : Json(nullptr);
   j["start"] = longest ? number(longest->start) : Json(nullptr);
   j["end"] = longest ? number(longest->end) : Json(nullptr);
   j["turns"] = longest ? number(longest->turns) : Json(0.);
-  j["largest_backward_speed"] = fastest ? number(fastest->fastest) : Json(nullptr);
+  j["largest_backward_speed"] = w.largest_backward_speed ? number(*w.largest_backward_speed) : Json(nullptr);
   j["contact_time"] = number(w.contact_time);
   j["forward_share"] = share(w.forward_time);
   j["backward_share"] = share(w.backward_time);
   j["backward_whirl_share"] = share(w.backward_whirl_time);
-  j["full_rub"] = w.has_full_backward_rub() ? "yes" : "no";
+  j["full_rub"] = w.has_full_rub ? "yes" : "no";
   j["fastest_resolved"] = number(w.fastest_resolved);
-  const double mu = p.contact.friction_coefficient, g = std::hypot(p.run.gravity[1], p.run.gravity[2]);
-  const double gap = air_gap(touchdown_of(p, bearing), p.contact);
-  j["full_rub_condition"] = {{"friction_coefficient", mu},
-                             {"friction_from_rest", full_rub_friction()},
-                             {"speed_at_bottom", full_rub_speed(mu, gap, g)}};
+  j["full_rub_condition"] = {{"friction_coefficient", w.friction_coefficient},
+                             {"friction_from_rest", w.friction_from_rest},
+                             {"speed_at_bottom", w.speed_at_bottom}};
   return j;
 }
 
-std::string whirl_text(const std::string& bearing, const Json& w) {
-  if (w["largest_backward_speed"].is_null()) return "";
-  const bool is_full = w["full_rub"] == "yes";
+std::string whirl_text(const std::string& bearing, const WhirlSummary& w) {
+  if (!w.largest_backward_speed) return "";
   return fmt::format("{}: sustained backward whirl, up to {:.4g} Hz, during {:.3g} % of the contact time{}\n", bearing,
-                     w["largest_backward_speed"].get<double>() / turn, 100. * w["backward_whirl_share"].get<double>(),
-                     is_full ? "; full rub" : "; contact lost in every turn");
+                     *w.largest_backward_speed / turn, 100. * w.backward_whirl_time / w.contact_time,
+                     w.has_full_rub ? "; full rub" : "; contact lost in every turn");
 }
 
 }  // namespace rotordrop

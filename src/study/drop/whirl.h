@@ -90,11 +90,28 @@ double full_rub_friction();
 /// Valid: circular orbit, isotropic rotor and stator, gravity and unbalance small beside the contact force.
 double friction_that_sustains_whirl(std::complex<double> receptance);
 
+/// Paths of the series that recorded_whirl() reads.
+std::vector<std::string> series_of_whirl(const std::string& bearing);
 /// Whirl in a touchdown bearing of a drop; NaN rows and live files are cut.
 ContactWhirl recorded_whirl(const RecordedDrop& drop, const std::string& bearing, const WhirlOptions& options = {});
+
+/// What a summary tells of a bearing's whirl.
+struct WhirlSummary {
+  std::optional<WhirlStretch> longest;           ///< by turns; none: no whirl over a whole turn
+  std::optional<double> largest_backward_speed;  ///< of sustained backward whirl [rad/s]
+  double contact_time = 0;                       ///< [s]
+  double forward_time = 0, backward_time = 0;    ///< of contact that moves so [s]
+  double backward_whirl_time = 0;                ///< of contact in sustained backward whirl [s]
+  bool has_full_rub = false;                     ///< backward, without losing contact over a turn
+  double fastest_resolved = 0;                   ///< [rad/s]
+  double friction_coefficient = 0;               ///< of the case
+  double friction_from_rest = 0;                 ///< with which a full rub arises from rest
+  double speed_at_bottom = 0;                    ///< with which it arises at the case's friction [rad/s]
+};
+WhirlSummary whirl_summary(const RecordedDrop& drop, const std::string& bearing);
 /// The entry `whirl` of a bearing in summary.json.
-nlohmann::ordered_json whirl_summary(const RecordedDrop& drop, const std::string& bearing);
+nlohmann::ordered_json whirl_json(const WhirlSummary& whirl);
 /// A line for the screen; empty unless the bearing saw sustained backward whirl.
-std::string whirl_text(const std::string& bearing, const nlohmann::ordered_json& whirl);
+std::string whirl_text(const std::string& bearing, const WhirlSummary& whirl);
 
 }  // namespace rotordrop

@@ -11,6 +11,7 @@
 #include "case/bearing_mesh.h"
 #include "case/fe_module.h"
 #include "io/text/toml_reader.h"
+#include "machine/check_machine.h"
 #include "study/heat/recorded_heat.h"
 
 namespace rotordrop {
@@ -51,16 +52,18 @@ void build_models(BearingHeatCase& c) {
   c.parts = build_thermal_models(p, c.drop.tree, c.bearing, c.elements, c.ball_conduction);
   FiniteElements::Section* section = c.elements.sections.empty() ? nullptr : &c.elements.sections.front();
   for (const auto& part : c.parts.models) {
-    const bool is_fe = part.name == "fe";
-    c.models.push_back({part.name, heated_model(*part.model, {.bearing = c.bearing,
-                                                              .n_places = c.parts.n_places,
-                                                              .place = c.parts.place,
-                                                              .ambient = p.run.ambient,
-                                                              .turnover = c.history.turnover(c.end_time),
-                                                              .time_tolerance = p.heat->time_tolerance,
-                                                              .section = is_fe ? section : nullptr})});
+    const ThermalKind* kind = thermal_kind(part.name);
+    c.models.push_back(
+        {part.name, heated_model(*part.model, {.bearing = c.bearing,
+                                               .n_places = c.parts.n_places,
+                                               .place = c.parts.place,
+                                               .ambient = p.run.ambient,
+                                               .turnover = c.history.turnover(c.end_time),
+                                               .time_tolerance = p.heat->time_tolerance,
+                                               .section = kind && kind->meshes_sections ? section : nullptr})});
   }
-  if (section && c.elements.coupling == FeCoupling::windowed) c.models.push_back({"fe", heated_mesh(*section)});
+  if (section && c.elements.coupling == FeCoupling::windowed)
+    c.models.push_back({section_kind(p.thermal)->name, heated_mesh(*section)});
 }
 
 /// Names and places of probes become indices; what is not there becomes faults.
@@ -95,15 +98,28 @@ class ProbeFinder {
       return;
     }
     std::size_t fe = 0;
-    while (fe < case_.models.size() && case_.models[fe].name != "fe") ++fe;
+    while (fe < case_.models.size() && !meshes_section(case_.models[fe].name)) ++fe;
     if (fe == case_.models.size()) {
       fault(p, p.boundary ? "boundary" : "x",
             "points and boundaries need the finite elements, which are not among the models.",
-            "Add \"fe\" to heat.models, or give a node of the circuit.");
+            fmt::format("Add \"{}\" to heat.models, or give a node of the circuit.", fe_name));
       return;
     }
     BearingHeatCase::Probe probe{p.name, fe, {}, {}, 0, 0., 0.};
     if (p.boundary ? find_boundary(p, probe) : find_point(p, probe)) case_.probes.push_back(probe);
+  }
+
+  /// "model = "a" or model = "b"".
+  [[nodiscard]] std::string ways_to_say(const std::vector<std::pair<std::size_t, std::size_t>>& found) const {
+    std::string text;
+    for (const auto& [model, node] : found)
+      text += fmt::format("{}model = \"{}\"", text.empty() ? "" : " or ", case_.models[model].name);
+    return text;
+  }
+
+  [[nodiscard]] static bool meshes_section(const std::string& model) {
+    const ThermalKind* kind = thermal_kind(model);
+    return kind && kind->meshes_sections;
   }
 
   void find_node(const BearingProbeParameters& p) {
@@ -124,7 +140,8 @@ class ProbeFinder {
     else if (found.empty())
       fault(p, "node", fmt::format("there is no node \"{}\".", *p.node), suggestion(*p.node, all));
     else if (found.size() > 1)
-      fault(p, "node", fmt::format("both models have a \"{}\".", *p.node), "Add model = \"lumped\" or model = \"fe\".");
+      fault(p, "node", fmt::format("{} models have a \"{}\".", found.size() == 2 ? "both" : "several", *p.node),
+            "Add " + ways_to_say(found) + ".");
     else
       case_.probes.push_back({p.name, found.front().first, found.front().second, {}, 0, 0., 0.});
   }
@@ -193,13 +210,11 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
                      "this is the case of a drop, without a [heat] table that prescribes the heat input of a bearing.",
                      "docs/how-to/heat.md shows one; params/heat/bearing.toml is an example.");
   const Node& table = *c->drop.tree.find("heat");
-  if (p.heat->models) {
-    p.thermal.has_lumped = p.heat->models->has_lumped;
-    p.thermal.has_fe = p.heat->models->has_fe;
-  }
+  if (p.heat->models) p.thermal.models = *p.heat->models;
   // Nobody's growth is fed back into anything.
-  p.thermal.driver = GrowthDriver::none;
-  if (!p.thermal.has_fe && p.thermal.expansion == GrowthSource::elastic) p.thermal.expansion = GrowthSource::formula;
+  p.thermal.driver = no_driver;
+  if (!p.thermal.runs_sections() && p.thermal.expansion == GrowthSource::elastic)
+    p.thermal.expansion = GrowthSource::formula;
   Faults faults;
   check_machine(p, c->drop.tree, faults);
   c->bearing = chosen_bearing(c->drop, *p.heat, table, faults);

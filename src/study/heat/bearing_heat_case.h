@@ -24,7 +24,7 @@ struct BearingHeatCase {
   std::optional<BallConduction> ball_conduction;  ///< given; none: R5
   ThermalParts parts;
   struct Model {
-    std::string name;  ///< "lumped", "fe"
+    std::string name;  ///< of its kind
     std::unique_ptr<HeatedBearing> heated;
   };
   std::vector<Model> models;

@@ -66,7 +66,7 @@ PointResult evaluate_point(const PointRequest& request) {
     std::unique_ptr<Machine> machine;
     {
       std::unique_lock<std::mutex> lock(mesh_lock(), std::defer_lock);
-      if (c.parameters.thermal.has_fe) lock.lock();
+      if (c.parameters.thermal.runs_sections()) lock.lock();
       elements = finite_elements_of(c);
       machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
     }
@@ -74,7 +74,7 @@ PointResult evaluate_point(const PointRequest& request) {
     result.is_done = run.completed;
     result.is_interrupted = !run.completed;
     result.end_time = run.end_time;
-    collect(run.summary, "", result.scalars);
+    collect(summary_json(run.summary), "", result.scalars);
     for (const auto& path : request.series) result.series.push_back(series_of(*machine, *run.recorded, path));
   } catch (const std::exception& error) {
     result = {};

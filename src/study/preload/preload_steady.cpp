@@ -90,24 +90,27 @@ using LoopWith = std::function<std::unique_ptr<PreloadLoop>(const PreloadVariati
 /// One bearing's section by finite elements, if the case wants that.
 std::shared_ptr<const ThermalModel> section_of(const Case& c, const std::string& bearing) {
   const auto& p = c.parameters;
-  if (p.preload.model != PreloadModel::fe) return nullptr;
+  const ThermalKind& kind = *thermal_kind(p.preload.model);
+  if (!kind.meshes_sections) return nullptr;
+  const std::string model = fmt::format("preload.model = \"{}\"", kind.name),
+                    circuit = fmt::format("preload.model = \"{}\"", preload_section().defaults().model);
   if (!p.thermal.nodes.empty() || !p.thermal.resistors.empty())
     throw InputError(position_of(c.tree, "preload"),
-                     "preload.model = \"fe\" cannot include what thermal.node and thermal.resistor add to the circuit.",
-                     "Leave them out, or take preload.model = \"lumped\".");
+                     model + " cannot include what thermal.node and thermal.resistor add to the circuit.",
+                     "Leave them out, or take " + circuit + ".");
   const auto& ring = material_of(p, touchdown_of(p, bearing).ring);
   if ((ring.k_table && !PropertyTable(*ring.k_table).is_constant()) ||
       (ring.c_table && !PropertyTable(*ring.c_table).is_constant()))
     throw InputError(position_of(c.tree, "preload"),
-                     "preload.model = \"fe\" uses the modes of a linear problem, but the ring's k_table or c_table "
-                     "makes its properties depend on temperature.",
-                     "Take constant k and c, or preload.model = \"lumped\".");
+                     model +
+                         " uses the modes of a linear problem, but the ring's k_table or c_table makes its "
+                         "properties depend on temperature.",
+                     "Take constant k and c, or " + circuit + ".");
   if (touchdown_of(p, bearing).housing_fit < 0. && p.thermal.expansion == GrowthSource::elastic)
     throw InputError(position_of(c.tree, "preload"),
-                     fmt::format("preload.model = \"fe\" takes the fit of {} in its housing as closed, and its "
-                                 "housing_fit is a clearance.",
-                                 bearing),
-                     "Give an interference, thermal.expansion = \"formula\", or preload.model = \"lumped\".");
+                     fmt::format("{} takes the fit of {} in its housing as closed, and its housing_fit is a clearance.",
+                                 model, bearing),
+                     "Give an interference, thermal.expansion = \"formula\", or " + circuit + ".");
   FiniteElements elements = finite_elements_of(c);
   return reduced_fe_model(with_single_bearing(p, bearing), elements, p.preload.end_time);
 }
@@ -180,7 +183,7 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
   Json j;
   j["verdict"] = verdict_of(end, points);
   j["speed"] = speed;
-  j["model"] = section ? "fe" : "lumped";
+  j["model"] = p.preload.model;
   j["force"] = p.preload.force;
   j["moment"] = p.preload.moment;
   j["mounted_preload"] = b.preload;

@@ -227,6 +227,23 @@ void add_heat(Charts& c) {
   }
 }
 
+using Models = std::vector<const ThermalKind*>;
+
+/// " (FE)": what tells a model's lines from another's; none for a circuit by itself.
+std::string mark_of(const Models& models, std::size_t m) {
+  return models.size() == 1 && models[m]->is_unmarked ? "" : " (" + models[m]->mark + ")";
+}
+
+/// "Solid: lumped thermal circuit; dashed: finite elements."
+std::string dashes_of(const Models& models) {
+  if (models.size() < 2) return "";
+  constexpr const char* dashes[] = {"Solid", "dashed", "dotted", "dash-dotted"};
+  std::string text;
+  for (std::size_t m = 0; m < models.size(); ++m)
+    text += (m == 0 ? "" : "; ") + (m < std::size(dashes) ? std::string(dashes[m]) : "next") + ": " + models[m]->title;
+  return text + ".";
+}
+
 void add_temperatures(Charts& c, const RecordedDrop& drop) {
   const double ambient = drop.parameters().run.ambient;
   const std::pair<const char*, const char*> nodes[] = {{"shaft", "shaft"},
@@ -239,41 +256,35 @@ void add_temperatures(Charts& c, const RecordedDrop& drop) {
                                                           {"outer_raceway", "outer raceway"},
                                                           {"housing_surface", "housing surface"}};
   const std::string above = fmt::format("Temperature rise above ambient ({:.2f} K). ", ambient);
-  const bool both = drop.has(ThermalModelKind::lumped) && drop.has(ThermalModelKind::fe);
+  const auto models = drop.models();
   for (const auto& [name, parameters] : drop.bearings()) {
     c.figure("temperature-" + name, "Temperatures", name + ": bodies", "temperature rise", "K",
-             above + (both ? "Solid: lumped circuit; dashed: volume means of the finite elements." : ""));
-    for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
+             above + dashes_of(models));
+    for (std::size_t m = 0; m < models.size(); ++m)
       for (std::size_t k = 0; k < std::size(nodes); ++k)
-        c.recorded(drop.node_path(kind, name, nodes[k].first),
-                   std::string(nodes[k].second) + (kind == ThermalModelKind::fe ? " (FE)"
-                                                   : both                       ? " (lumped)"
-                                                                                : ""),
-                   1., {k, kind == ThermalModelKind::fe ? 1u : 0u}, 0, ambient);
+        c.recorded(drop.node_path(*models[m], name, nodes[k].first), nodes[k].second + mark_of(models, m), 1., {k, m},
+                   0, ambient);
     c.figure("surfaces-" + name, "Temperatures", name + ": surfaces, finite elements", "temperature rise", "K",
              above + "Lines: mean; bands: lowest to highest across the width. All values are circumferential means.");
-    for (std::size_t k = 0; k < std::size(surfaces); ++k) {
-      const std::string path = drop.surface_path(name, surfaces[k].first);
-      if (!drop.has(path)) continue;
-      c.recorded(path, surfaces[k].second, 1., {k, 0}, 0, ambient);
-      c.band(path, {k, 0}, 1., ambient);
-    }
+    for (const ThermalKind* kind : models)
+      for (std::size_t k = 0; k < std::size(surfaces) && kind->meshes_sections; ++k) {
+        const std::string path = drop.node_path(*kind, name, surfaces[k].first);
+        if (!drop.has(path)) continue;
+        c.recorded(path, surfaces[k].second, 1., {k, 0}, 0, ambient);
+        c.band(path, {k, 0}, 1., ambient);
+      }
   }
 }
 
 void add_growth(Charts& c, const RecordedDrop& drop) {
   const char* const surfaces[] = {"shaft", "bore", "inner raceway", "outer raceway", "ball radius"};
-  const bool both = drop.has(ThermalModelKind::lumped) && drop.has(ThermalModelKind::fe);
+  const auto models = drop.models();
   for (const auto& [name, parameters] : drop.bearings()) {
     c.figure("growth-" + name, "Growth and clearance", name + ": thermal growth", "radial growth", "um",
-             both ? "Solid: lumped circuit; dashed: finite elements." : "");
-    for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
+             dashes_of(models));
+    for (std::size_t m = 0; m < models.size(); ++m)
       for (std::size_t k = 0; k < std::size(surfaces); ++k)
-        c.recorded(drop.growth_path(kind, name),
-                   std::string(surfaces[k]) + (kind == ThermalModelKind::fe ? " (FE)"
-                                               : both                       ? " (lumped)"
-                                                                            : ""),
-                   1e6, {k, kind == ThermalModelKind::fe ? 1u : 0u}, k);
+        c.recorded(drop.growth_path(*models[m], name), surfaces[k] + mark_of(models, m), 1e6, {k, m}, k);
   }
   c.figure("clearance", "Growth and clearance", "Air gap between rotor and bore", "radial clearance", "um",
            "With rotor and ring concentric, as used in the drop.");

@@ -203,8 +203,8 @@ void check_wear(Checks& checks, const Json& summary, const std::string& name) {
 void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name) {
   double warmest = 0.;
   for (const char* node : {"inner_ring", "ball", "outer_ring"})
-    for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
-      if (const auto path = drop.node_path(kind, name, node); drop.has(path))
+    for (const ThermalKind* kind : drop.models())
+      if (const auto path = drop.node_path(*kind, name, node); drop.has(path))
         warmest = std::max(warmest, largest_of(drop.series(path)).value);
   const std::string title = name + ": mean temperature of rings and balls";
   if (warmest > 0.)

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -15,11 +16,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string driver_words(const std::string& driver) {
-  if (driver == "lumped") return "the lumped thermal circuit";
-  if (driver == "fe") return "the finite elements";
-  if (driver == "recorded") return "thermal growth recorded by an earlier run";
-  return "no model: thermal growth, if computed, is not fed back";
+std::string words_of_driver(const std::string& driver) {
+  if (driver == recorded_driver) return "thermal growth recorded by an earlier run";
+  const ThermalKind* kind = thermal_kind(driver);
+  return kind ? "the " + kind->title : "no model: thermal growth, if computed, is not fed back";
+}
+
+std::string words_of_models(const ThermalParameters& thermal) {
+  std::vector<std::string> titles;
+  for (const ThermalKind* kind : chosen_kinds(thermal)) titles.push_back(kind->title);
+  return fmt::format("{}", fmt::join(titles, " and "));
 }
 
 std::string bearing_words(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact) {
@@ -73,10 +79,8 @@ Json report_words(const RecordedDrop& drop) {
                           over_speed->front()[0], over_speed->back()[1], over_speed->back()[0])
             : fmt::format("{:.3g}", p.contact.friction_coefficient),
         p.contact.friction_over_temperature ? ", times a factor over the inner ring's mean temperature" : ""));
-    words.push_back(fmt::format("Thermal models: {}{}{}. The clearances follow {}.",
-                                p.thermal.has_lumped ? "lumped circuit" : "",
-                                p.thermal.has_lumped && p.thermal.has_fe ? " and " : "",
-                                p.thermal.has_fe ? "axisymmetric finite elements" : "", driver_words(drop.driver())));
+    words.push_back(fmt::format("Thermal models: {}. The clearances follow {}.", words_of_models(p.thermal),
+                                words_of_driver(drop.driver())));
   }
   return words;
 }
@@ -117,9 +121,9 @@ Json report_assumptions(const RecordedDrop& drop) {
     list.push_back(
         "Heat partition in the thermal models: the rub heat is divided between ring and rotor according to their "
         "surface speeds (Jaeger, Blok).");
-  if (p.thermal.has_lumped)
+  if (p.thermal.runs_circuit())
     list.push_back("The lumped circuit has one temperature per body; it does not resolve surface temperatures.");
-  if (p.thermal.has_fe)
+  if (p.thermal.runs_sections())
     list.push_back("The finite elements are axisymmetric: all their temperatures are circumferential means.");
   list.push_back(
       fmt::format("During an impact the surfaces that rub are locally much hotter for milliseconds than any of these "

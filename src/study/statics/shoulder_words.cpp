@@ -2,21 +2,22 @@
 
 #include <fmt/format.h>
 
-#include "analysis/facts/shoulder_report.h"
-
 namespace rotordrop {
 
 using Json = nlohmann::ordered_json;
 
 Json shoulder_json(const MachineParameters& p, const std::string& bearing) {
   const auto report = shoulder_report(p, bearing);
-  if (!report) return nullptr;
-  Json j = {{"stiffness", report->stiffness},
-            {"stiffness_from", report->is_given ? "given" : "geometry"},
-            {"rotor_stiffness", report->rotor_stiffness},
-            {"ring_stiffness", report->ring_stiffness}};
+  return report ? shoulder_json(*report) : Json(nullptr);
+}
+
+Json shoulder_json(const ShoulderReport& report) {
+  Json j = {{"stiffness", report.stiffness},
+            {"stiffness_from", report.is_given ? "given" : "geometry"},
+            {"rotor_stiffness", report.rotor_stiffness},
+            {"ring_stiffness", report.ring_stiffness}};
   j["sides"] = Json::array();
-  for (const auto& side : report->sides)
+  for (const auto& side : report.sides)
     j["sides"].push_back(
         {{"push", side.direction > 0. ? "+x" : "-x"},
          {"gap", side.gap},

@@ -218,6 +218,16 @@ void ThermalNetwork::initial_state(std::span<double> T) const {
   for (double& value : T) value = data_.ambient;
 }
 
+std::vector<std::string> ThermalNetwork::heat_ports() const {
+  std::vector<std::string> names;
+  for (const std::size_t i : with_capacity_) names.push_back(data_.nodes[i].name);
+  return names;
+}
+
+void ThermalNetwork::add_heat(std::size_t port, double watts, std::span<double> dydt) const {
+  dydt[port] += watts * inverse_capacity_[port];
+}
+
 std::vector<std::size_t> ThermalNetwork::ring_states() const {
   std::vector<std::size_t> states;
   for (const auto& place : data_.places)

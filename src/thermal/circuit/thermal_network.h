@@ -70,12 +70,13 @@ class ThermalNetwork final : public ThermalModel {
   void growth_rates(std::span<const double> temperature_rate, std::span<Expansion> out) const override;
   double rates(std::span<const double> temperature, std::span<const HeatInput> heat,
                std::span<double> dydt) const override;
+  [[nodiscard]] std::vector<std::string> heat_ports() const override;  ///< nodes with capacity
+  void add_heat(std::size_t port, double watts, std::span<double> dydt) const override;
   [[nodiscard]] std::vector<Observable> observables() const override;
   void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                std::span<double> out) const override;
   [[nodiscard]] double stored_energy(std::span<const double> temperature) const override;
-  /// Of each place the state that is its ring's temperature [n_places].
-  [[nodiscard]] std::vector<std::size_t> ring_states() const;
+  [[nodiscard]] std::vector<std::size_t> ring_states() const override;
 
  private:
   struct Link {  // between two nodes with capacity, or one and the surroundings (b = ambient_index)

@@ -232,7 +232,7 @@ Section<HeatProbeParameters> probe_section() {
 
 Section<HeatNumericsParameters> numerics_section() {
   using P = HeatNumericsParameters;
-  Section<P> s("fe", "Mesh and accuracy of the finite-element model.");
+  Section<P> s(fe_name, "Mesh and accuracy of the finite-element model.");
   s.integer("degree", &P::degree,
             {.range = between(1, 4), .fallback = 2, .help = "Polynomial degree of the elements; 2 is quadratic."});
   s.integer("cells", &P::cells,
@@ -296,7 +296,7 @@ Section<HeatParameters> heat_section(const Node& default_materials) {
        .help = "Times at which the whole temperature field is written for ParaView; the start is always included."});
   s.quantity("field_interval", &P::field_interval,
              {.unit = "s", .range = positive(), .help = "Also write the fields at multiples of this time."});
-  s.table<HeatNumericsParameters>("fe", &P::fe, numerics_section());
+  s.table<HeatNumericsParameters>(fe_name, &P::fe, numerics_section());
   return s;
 }
 

@@ -89,7 +89,7 @@ Section<BearingProbeParameters> bearing_probe_section() {
       "A temperature that is reported: a node or mean of a model, or of the meshed section a point (x, r) or the "
       "mean of a boundary. Without any, all nodes and means are.");
   s.text("name", &P::name, {.help = "Name of the quantity in the results."});
-  s.choice("model", &P::model, {"lumped", "fe"},
+  s.choice("model", &P::model, thermal_kind_names(),
            {.help = "Model whose node it is; optional if only one model has this node."});
   s.text("node", &P::node,
          {.help = "Node of the circuit (inner_ring, inner_contact, ...); or, of the finite elements, the mean of a "
@@ -109,9 +109,11 @@ Section<BearingProbeParameters> bearing_probe_section() {
       faults.add(position_of(table, "name"),
                  path + " (\"" + p.name + "\") needs either node, or boundary, or x and r.");
     if (p.body && !is_point) faults.add(position_of(table, "body"), path + ".body belongs to a point x, r.");
-    if (p.model == "lumped" && !p.node)
-      faults.add(position_of_value(table, "model"), path + " (\"" + p.name + "\"): the circuit has nodes only.",
-                 "Give node = \"inner_ring\", or leave out model.");
+    if (const auto* kind = p.model ? thermal_kind(*p.model) : nullptr; kind && !kind->meshes_sections && !p.node)
+      faults.add(
+          position_of_value(table, "model"),
+          path + " (\"" + p.name + "\"): " + (kind->is_circuit ? "the circuit" : kind->title) + " has nodes only.",
+          "Give node = \"inner_ring\", or leave out model.");
     if (p.name.empty() || p.name.find('/') != std::string::npos)
       faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a slash in it.");
   });
@@ -230,7 +232,7 @@ Section<PrescribedHeatParameters> prescribed_heat_section() {
                "heat` (docs/how-to/heat.md). A drop ignores it.");
   s.text("bearing", &P::bearing, {.help = "Name of the bearing; optional if there is only one."});
   s.custom("models",
-           {.accepts = "a list of \"lumped\" and \"fe\"",
+           {.accepts = list_of_thermal_models(),
             .json_types = {"array"},
             .help = "Thermal models to run; thermal.models if omitted."},
            [](const Node& node, P& target, Faults& faults) {

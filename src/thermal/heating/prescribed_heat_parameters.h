@@ -33,7 +33,7 @@ struct BearingProbeParameters {
 
 struct PrescribedHeatParameters {
   std::optional<std::string> bearing;
-  std::optional<ThermalModelChoice> models;
+  std::optional<std::vector<std::string>> models;
   std::vector<double> output_times;
   std::optional<double> end_time;
   double time_tolerance = 0;

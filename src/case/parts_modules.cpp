@@ -1,0 +1,130 @@
+#include "case/parts_modules.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/errors.h"
+#include "case/program_files.h"
+#include "machine/parts_module.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* how_to_build = "docs/how-to/extending.md tells how a module of parts is made and built.";
+
+/// Collects what a module adds; the program takes it over when all of it is there.
+class Collected final : public PartsRegistry {
+ public:
+  void add(SupportKind kind) override { supports_.push_back(std::move(kind)); }
+  void add(ThermalKind kind) override { thermal_.push_back(std::move(kind)); }
+  [[nodiscard]] bool is_empty() const { return supports_.empty() && thermal_.empty(); }
+  void hand_over() {
+    for (auto& kind : supports_) add_support_kind(std::move(kind));
+    for (auto& kind : thermal_) add_thermal_kind(std::move(kind));
+  }
+
+ private:
+  std::vector<SupportKind> supports_;
+  std::vector<ThermalKind> thermal_;
+};
+
+template <class Function>
+Function* entry(void* module, const char* name) {
+  return reinterpret_cast<Function*>(dlsym(module, name));
+}
+
+std::string said_by_loader() {
+  const char* said = dlerror();
+  return said ? said : "no reason given";
+}
+
+/// Throws unless the module was built for this program; adds its parts.
+void add_parts_of(void* module, const std::string& file, const SourcePosition& where) {
+  auto* const interface = entry<PartsInterface>(module, parts_interface_name);
+  auto* const add_parts = entry<AddParts>(module, add_parts_name);
+  if (!interface || !add_parts)
+    throw InputError(where, fmt::format("{} is not a module of parts: it has no ROTORDROP_PARTS(...).", file),
+                     how_to_build);
+  if (const std::string theirs = interface(), ours = parts_interface(); theirs != ours)
+    throw InputError(
+        where, fmt::format("{} was built for another version of the program.", file),
+        fmt::format("It is for \"{}\", this is \"{}\". Build it again against this installation.", theirs, ours));
+  Collected parts;
+  try {
+    add_parts(parts);
+    if (parts.is_empty()) throw std::invalid_argument("it adds no part");
+    parts.hand_over();
+  } catch (const std::exception& error) {
+    throw InputError(where, fmt::format("{} cannot add its parts: {}.", file, error.what()), how_to_build);
+  }
+}
+
+/// The file that a name in run.parts means; none if it is not there.
+std::optional<fs::path> found(const fs::path& name, const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> places = {name.is_absolute() ? name : folder / name};
+  if (!name.has_parent_path()) places.push_back(module_file(name.string()));
+  for (const auto& place : places)
+    if (fs::is_regular_file(place, ignored)) return fs::absolute(place).lexically_normal();
+  return {};
+}
+
+}  // namespace
+
+void load_parts_module(const fs::path& file, const SourcePosition& where) {
+  static std::mutex lock;
+  static std::set<std::string> loaded;
+  const std::lock_guard guard(lock);
+  std::error_code error;
+  const fs::path real = fs::canonical(file, error);
+  if (error) throw InputError(where, fmt::format("there is no module {}: {}.", file.string(), error.message()));
+  if (loaded.count(real.string()) != 0) return;
+  // All symbols at once: what is missing is told now and not in the middle of a run. Local: the module brings libraries of its own.
+  void* const module = dlopen(real.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!module)
+    throw InputError(where, fmt::format("the module {} cannot be loaded: {}.", file.string(), said_by_loader()),
+                     how_to_build);
+  add_parts_of(module, file.string(), where);
+  loaded.insert(real.string());
+}
+
+void load_parts_of_environment() {
+  const char* listed = std::getenv("ROTORDROP_PARTS");
+  std::string rest = listed ? listed : "";
+  while (!rest.empty()) {
+    const auto end = rest.find(':');
+    if (const std::string file = rest.substr(0, end); !file.empty()) load_parts_module(file, {"ROTORDROP_PARTS", 0, 0});
+    rest = end == std::string::npos ? "" : rest.substr(end + 1);
+  }
+}
+
+void load_parts_of_case(Node& tree) {
+  Node* run = tree.find("run");
+  Node* parts = run && run->is_table() ? run->find("parts") : nullptr;
+  if (!parts || !parts->is_array()) return;  // a fault of the case, found when its keys are read
+  for (Node& name : parts->items()) {
+    if (!name.is_text() || name.text().empty()) continue;
+    const SourcePosition where = name.where();
+    const fs::path folder = where.line == 0 ? fs::path() : fs::path(where.file).parent_path();
+    const auto file = found(name.text(), folder);
+    if (!file)
+      throw InputError(
+          where, fmt::format("run.parts: there is no file \"{}\".", name.text()),
+          fmt::format("Looked for {}{}.", (folder / name.text()).string(),
+                      fs::path(name.text()).has_parent_path() ? "" : " and " + module_file(name.text()).string()));
+    load_parts_module(*file, where);
+    name = Node(file->string(), where);
+  }
+}
+
+}  // namespace rotordrop

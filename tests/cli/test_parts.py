@@ -1,0 +1,67 @@
+"""Modules with parts of others: what is said when one cannot be loaded. That they work is tested with examples/own-parts in test_install."""
+
+import os
+import shutil
+import subprocess
+import unittest
+
+from program import ProgramTest, call
+
+
+@unittest.skipUnless(shutil.which("cc"), "no compiler")
+class Modules(ProgramTest):
+    def module(self, name, text):
+        """A shared object from C."""
+        source = self.folder / f"{name}.c"
+        source.write_text(text)
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", str(self.folder / f"{name}.so"), str(source)], check=True)
+        return f"{name}.so"
+
+    def refused(self, *parts):
+        names = ", ".join(f'"{part}"' for part in parts)
+        case = self.folder / "case.toml"
+        case.write_text(f'base = "reference.toml"\n[run]\nparts = [{names}]\n')
+        done = call("check", case, cwd="/")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("case.toml:3:", done.stderr, "it says where")
+        return done.stderr
+
+    def test_a_missing_file(self):
+        text = self.refused("nothing.so")
+        self.assertIn('run.parts: there is no file "nothing.so".', text)
+        self.assertIn(str(self.folder / "nothing.so"), text)
+
+    def test_a_file_that_is_no_shared_object(self):
+        (self.folder / "text.so").write_text("not a library\n")
+        self.assertIn("cannot be loaded", self.refused("text.so"))
+
+    def test_a_library_that_is_no_module(self):
+        text = self.refused(self.module("other", "int nothing(void) { return 0; }\n"))
+        self.assertIn("is not a module of parts", text)
+        self.assertIn("docs/how-to/extending.md", text)
+
+    def test_a_module_of_another_version_is_not_called(self):
+        name = self.module("old", 'const char *rotordrop_parts_interface(void) { return "rotordrop 0.0.1"; }\nvoid rotordrop_add_parts(void *registry) { *(volatile int *)0 = 0; }\n')
+        text = self.refused(name)
+        self.assertIn("was built for another version of the program", text)
+        self.assertIn("rotordrop 0.0.1", text)
+
+    def test_symbols_that_nobody_has(self):
+        self.assertIn("nobody_has_this", self.refused(self.module("lost", "void nobody_has_this(void);\nvoid f(void) { nobody_has_this(); }\n")))
+
+    def test_what_the_environment_names_is_checked_too(self):
+        environment = dict(os.environ, ROTORDROP_PARTS="/nowhere/parts.so")
+        from program import PROGRAM
+
+        done = subprocess.run([PROGRAM, "defaults"], capture_output=True, text=True, env=environment)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("ROTORDROP_PARTS: there is no module /nowhere/parts.so", done.stderr)
+
+    def test_a_list_is_wanted(self):
+        done = call("check", self.folder / "reference.toml", "--set", 'run.parts="snubber.so"')
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("run.parts must be a list of files", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
