@@ -82,9 +82,8 @@ int check_heat_case(const std::filesystem::path& file, const std::vector<std::st
 }
 
 /// The comparison beside the results of a run with several thermal models.
-void compare_after_run(const Case& drop_case, const RunCommand& command, const std::filesystem::path& directory,
-                       const RecordedDrop& drop) {
-  if (drop_case.parameters.thermal.models.size() < 2 || drop.bearings().empty()) return;
+void compare_after_run(const RunCommand& command, const std::filesystem::path& directory, const RecordedDrop& drop) {
+  if (drop.bearings().empty() || drop.models().size() < 2) return;
   Comparison comparison;
   try {
     comparison = compare_models(drop, nullptr, {});
@@ -166,7 +165,7 @@ int run_command(const RunCommand& command) {
                options.directory.string());
   }
   if (result.completed) {
-    compare_after_run(drop_case, command, options.directory, *result.recorded);
+    compare_after_run(command, options.directory, *result.recorded);
     return 0;
   }
   std::string again =
