@@ -1,6 +1,8 @@
 // Heat of a support that is no bearing, into a node of the lumped circuit.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "../../verification/machine/test_machines.h"
 #include "base/errors.h"
 #include "case/case_text.h"
@@ -10,7 +12,7 @@ namespace {
 
 struct BrakeParameters {
   int node = 0;
-  std::string heats;
+  std::optional<std::string> heats;
 };
 
 /// Dissipates 50 W, whatever the rotor does; 20 W of that enter a node. By hand: a node of 100 J/K without resistors warms by 0.2 K/s.
@@ -38,9 +40,9 @@ void add_brake() {
   static const bool once = [] {
     Section<BrakeParameters> section("brake");
     section.integer("node", &BrakeParameters::node, {});
-    section.text("heats", &BrakeParameters::heats, {.fallback = ""});
+    section.text("heats", &BrakeParameters::heats, {});
     add_support_kind("brake", section, [](const std::string& name, const BrakeParameters& p) {
-      return std::make_unique<Brake>(name, p.heats);
+      return std::make_unique<Brake>(name, p.heats.value_or(""));
     });
     return true;
   }();
@@ -49,8 +51,9 @@ void add_brake() {
 
 testing::Example braked_machine(const std::string& heats) {
   add_brake();
-  const std::string text = "base = \"neisi2019.toml\"\n[bearings.BRAKE]\ntype = \"brake\"\nnode = 16\nheats = \"" +
-                           heats + "\"\n[[thermal.node]]\nname = \"bush\"\ncapacity = \"100 J/K\"\n";
+  const std::string key = heats.empty() ? "" : "heats = \"" + heats + "\"\n";
+  const std::string text = "base = \"neisi2019.toml\"\n[bearings.BRAKE]\ntype = \"brake\"\nnode = 16\n" + key +
+                           "[[thermal.node]]\nname = \"bush\"\ncapacity = \"100 J/K\"\n";
   testing::Example e{read_case_text(text, std::string(ROTORDROP_SOURCE_DIR) + "/params"), nullptr};
   e.machine = build_machine(e.settings.parameters, e.settings.tree);
   return e;

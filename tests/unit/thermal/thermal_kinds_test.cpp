@@ -69,7 +69,7 @@ TEST(ThermalKinds, OfOthersAreReadLikeOurs) {
 
   maker_of(chosen, *thermal_kind("plate"), faults)({});
   EXPECT_DOUBLE_EQ(made_area, 2.) << "m2, its default";
-  table.set("plate", Node::table({{"area", "50 cm2"}}));
+  table.set("plate", Node::table({{"area", Node("50 cm2")}}));
   table.set("driver", "plate");
   const ThermalParameters with_keys = read(table, faults);
   ASSERT_TRUE(faults.empty());
@@ -79,7 +79,7 @@ TEST(ThermalKinds, OfOthersAreReadLikeOurs) {
   EXPECT_EQ(thermal_kind("plate")->group, "/plate/");
 
   Faults out_of_range;
-  table.set("plate", Node::table({{"area", "-1 m2"}}));
+  table.set("plate", Node::table({{"area", Node("-1 m2")}}));
   (void)read(table, out_of_range);
   EXPECT_FALSE(out_of_range.empty()) << "its own ranges hold";
 }
