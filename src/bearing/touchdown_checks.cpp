@@ -117,6 +117,12 @@ void check_touchdown(const std::string& name, const TouchdownParameters& b, cons
                    "bearings.{}: the bore radius of {:.6g} mm is not half the inner ring's bore diameter of {:.6g} mm.",
                    name, bore * 1e3, b.inner_ring_diameters[0] * 1e3),
                "contact.bore_radius holds for all bearings; bearings.NAME.bore_radius for one.");
+  if (b.cage == CageModel::free && b.ball_model == BallModel::inertial)
+    faults.add(position_of_value(table, "cage"),
+               fmt::format("bearings.{}: a free cage goes with ball_model = \"quasi-static\"; balls with inertia "
+                           "follow the cage of rolling balls.",
+                           name),
+               "Leave cage or ball_model out.");
   if (b.preload > b.C0)
     faults.add(position_of_value(table, "preload"),
                fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating C0 = {:.6g} N.",

@@ -68,6 +68,9 @@ struct TouchdownParameters {
   std::optional<double> ring_diametral_inertia;
   ShoulderParameters shoulders;
   BallModel ball_model = BallModel::quasi_static;
+  CageModel cage = CageModel::rolling;
+  std::optional<double> cage_inertia;
+  double race_traction = 0, race_traction_slip = 0, pocket_friction = 0;
   GyroscopicSplit gyroscopic_split = GyroscopicSplit::outer;
   InternalHeat internal_heat = InternalHeat::energy_consistent;
   FrictionLoadLaw load_law = FrictionLoadLaw::radial;
