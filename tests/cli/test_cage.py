@@ -13,15 +13,20 @@ class FreeCage(ProgramTest):
         return summary, h5py.File(self.folder / output / "results.h5")
 
     def test_balls_lag_behind_a_ring_that_spins_up_and_energy_closes(self):
-        summary, file = self.drop("free", bearings__cage="free")
-        self.assertLess(abs(summary["energy"]["residual"]), 1e-5, "J")
-        self.assertLess(abs(summary["energy"]["heat_residual"]), 1e-9 * summary["energy"]["heat_deposited"])
+        largest = {}
+        for traction in ("0.07", "0.002"):
+            summary, file = self.drop(f"free-{traction}", bearings__cage="free", bearings__race_traction=traction)
+            self.assertLess(abs(summary["energy"]["residual"]), 1e-5, "J")
+            self.assertLess(abs(summary["energy"]["heat_residual"]), 1e-9 * summary["energy"]["heat_deposited"])
+            for name in ("TB1", "TB2"):
+                cage, rolling = file[f"bearings/{name}/cage_speed"][:].T
+                self.assertGreater(rolling[-1], 50, "rad/s: the ring turns")
+                largest[name, traction] = (rolling - cage).max()
+                self.assertGreater(file[f"ledger/{name}/ball_slip_heat"][-1], 0.01, "J")
         for name in ("TB1", "TB2"):
-            cage, rolling = file[f"bearings/{name}/cage_speed"][:].T
-            self.assertGreater(rolling[-1], 50, "rad/s: the ring turns")
-            self.assertGreater((rolling - cage).max(), 10, "rad/s: slip while the ring spins up")
-            self.assertGreaterEqual(file[f"ledger/{name}/ball_slip_heat"][-1], 0)
-        self.assertGreater(file["ledger/TB1/ball_slip_heat"][-1], 0.01, "J")
+            # skid_demand: loaded balls of this drop need half of what a friction coefficient of 0.1 gives, at most.
+            self.assertLess(largest[name, "0.07"], 5, "rad/s: balls roll")
+            self.assertGreater(largest[name, "0.002"], 50, "rad/s: balls that are hardly driven")
 
     def test_strong_traction_is_rolling(self):
         # The cage's contact torque acts on the cage instead of being prescribed, which leaves small differences.
@@ -36,7 +41,7 @@ class FreeCage(ProgramTest):
 
     def test_what_does_not_go_together_is_refused(self):
         for settings, words in ((("bearings.cage=free", "bearings.ball_model=inertial"), "ball_model"), (("bearings.TB1.cage=free", "bearings.TB1.cage_inertia=1 kg m2"), "ring_spin_inertia"),
-                                (("bearings.TB1.cage=fre",), "rolling, free"), (("bearings.TB1.race_traction=-1",), "race_traction")):
+                                (("bearings.TB1.cage=fre",), "\"rolling\", \"free\""), (("bearings.TB1.race_traction=-1",), "race_traction")):
             result = self.call("check", "reference.toml", *[word for setting in settings for word in ("--set", setting)])
             self.assertEqual(result.returncode, 2, settings)
             self.assertIn(words, result.stderr)
