@@ -78,6 +78,14 @@ Section<CaseParameters> case_section() {
   s.table<PrescribedHeatParameters>("heat", &P::heat, prescribed_heat_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
+  s.custom(
+      "limits",
+      {.accepts = "results, each with max or min",
+       .json_types = {"object"},
+       .help = "What a run is to stay within: RESULT = { max = \"6 kN\" }, { min = 1 } or both. RESULT is a number "
+               "of summary.json, such as bearings.TB1.peak_contact_force; * stands for any text without a dot. "
+               "The summary says which limits are met, and how much of each is used (docs/how-to/limits.md)."},
+      [](const Node& node, P& target, Faults& faults) { read_limits(node, target.limits, faults); });
   return s;
 }
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/run_warning.h"
+
 namespace rotordrop {
 
 namespace {
@@ -37,6 +39,21 @@ void read_until(const Node& node, RunParameters& target, Faults& faults) {
     }
   }
   target.until_time = read_quantity(node, {.unit = "s", .range = positive()}, "run.until", faults);
+}
+
+void read_fatal_warnings(const Node& node, RunParameters& target, Faults& faults) {
+  std::vector<std::string> known{"all"};
+  for (const auto& kind : warning_kinds) known.emplace_back(kind.code);
+  if (!node.is_array()) {
+    faults.add(node.where(), "run.fatal_warnings must be a list of codes.", "Such as [\"energy-residual\"].");
+    return;
+  }
+  for (const Node& item : node.items())
+    if (!item.is_text() || std::find(known.begin(), known.end(), item.text()) == known.end())
+      faults.add(item.where(), "run.fatal_warnings: no warning is called " + to_text(item) + ".",
+                 suggestion(item.is_text() ? item.text() : "", known));
+    else
+      target.fatal_warnings.push_back(item.text());
 }
 
 void check_until(const RunParameters& p, const Node& table, Faults& faults) {
@@ -106,6 +123,14 @@ Section<RunParameters> run_section() {
               .fallback = "293.15 K",
               .source = "estimate: the paper's plots start near 293 K",
               .help = "Temperature of the surroundings and of everything at the start."});
+  s.custom(
+      "fatal_warnings",
+      {.accepts = "a list of codes, such as [\"energy-residual\"], or [\"all\"]",
+       .json_types = {"array"},
+       .fallback = Node::array({}),
+       .help = "Warnings of the run (`warnings` in summary.json, docs/reference/warnings.md) that make it fail: at "
+               "the instant of a warning that is watched in time, at the end of the run for the others."},
+      read_fatal_warnings);
   s.check(check_until);
   return s;
 }
@@ -113,15 +138,30 @@ Section<RunParameters> run_section() {
 Section<MaterialParameters> material_section() {
   Section<MaterialParameters> s("material", "A material of rings, balls, housing and shaft lumps.");
   add_material_keys(s, 10.);
+  s.quantity("temperature_limit", &MaterialParameters::temperature_limit,
+             {.unit = "K",
+              .range = positive(),
+              .help = "Temperature up to which parts of a bearing keep their hardness and dimensions. A run in which "
+                      "rings or balls exceed it warns; without it nothing is assessed. Built in: steel 150 degC (rings "
+                      "stabilised as S0, bearing catalogues), Si3N4 800 degC (estimate: strength falls above)."});
   return s;
 }
 
 Node default_materials() {
-  return Node::table(
-      {{"steel",
-        Node::table({{"E", 2.0e11}, {"nu", 0.30}, {"rho", 7800.}, {"k", 70.}, {"c", 510.}, {"alpha", 11.8e-6}})},
-       {"Si3N4",
-        Node::table({{"E", 3.15e11}, {"nu", 0.26}, {"rho", 3200.}, {"k", 35.}, {"c", 673.}, {"alpha", 3.2e-6}})}});
+  return Node::table({{"steel", Node::table({{"E", 2.0e11},
+                                             {"nu", 0.30},
+                                             {"rho", 7800.},
+                                             {"k", 70.},
+                                             {"c", 510.},
+                                             {"alpha", 11.8e-6},
+                                             {"temperature_limit", 423.15}})},
+                      {"Si3N4", Node::table({{"E", 3.15e11},
+                                             {"nu", 0.26},
+                                             {"rho", 3200.},
+                                             {"k", 35.},
+                                             {"c", 673.},
+                                             {"alpha", 3.2e-6},
+                                             {"temperature_limit", 1073.15}})}});
 }
 
 const MaterialParameters* find_material(const MachineParameters& p, const std::string& name) {
