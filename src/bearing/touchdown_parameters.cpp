@@ -289,6 +289,12 @@ Section<TouchdownParameters> touchdown_section() {
   s.text("catalogue", &P::catalogue,
          {.help = "Name of a bearing in params/bearings, such as \"6014\"; its values apply to all keys not set in "
                   "this table."});
+  s.integer("count", &P::count,
+            {.range = between(1, 8),
+             .fallback = 1,
+             .help = "Number of catalogue bearings beside each other, such as 2 for a pair: rows, width, ring_mass, "
+                     "ring_spin_inertia and C0 of the catalogue count that many times, C by count^0.7 (ISO 281). Values "
+                     "that the case gives itself are of the whole set. arrangement and preload say how they are set."});
   s.integer("node", &P::node, {.range = at_least(1), .help = "Rotor node at which the bearing sits, numbered from 1."});
   s.quantity("contact_stiffness", &P::contact_stiffness,
              {.unit = "N/m^n",

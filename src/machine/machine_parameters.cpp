@@ -131,6 +131,12 @@ Section<RunParameters> run_section() {
        .help = "Warnings of the run (`warnings` in summary.json, docs/reference/warnings.md) that make it fail: at "
                "the instant of a warning that is watched in time, at the end of the run for the others."},
       read_fatal_warnings);
+  s.boolean("second_opinion", &P::second_opinion,
+            {.fallback = false,
+             .help = "Whether `rotordrop run` computes the drop again when it is done, to say how far its numbers are "
+                     "known: the first impacts with a tenth of the tolerance (half a fixed step), and two drops that "
+                     "start 1 nm higher and lower. Takes somewhat more than twice the drop's own time, and no memory "
+                     "on disk. Studies leave it out."});
   s.check(check_until);
   return s;
 }

@@ -33,6 +33,7 @@ struct RunParameters {
   std::array<double, 3> gravity{};          ///< along x, y, z [m/s^2]
   double ambient = 0;                       ///< [K]
   std::vector<std::string> fatal_warnings;  ///< codes of warning_kinds, or "all"
+  bool second_opinion = false;
   [[nodiscard]] double latest_end() const { return until_time.value_or(end_time); }
 };
 Section<RunParameters> run_section();

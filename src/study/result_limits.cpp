@@ -7,7 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "base/parameters.h"
+#include "base/parameters/suggestion.h"
+#include "base/units.h"
 #include "case/dotted_names.h"
 #include "study/json_number.h"
 #include "study/result_names.h"
@@ -18,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 void collect(const Json& value, const std::string& path, std::vector<std::pair<std::string, double>>& to) {
-  for (const char* other : {"run.wall_time", "run.cpu_time", "input_warnings", "warnings", "limits"})
+  for (const char* other : {"run.wall_time", "run.cpu_time", "input_warnings", "warnings", "limits", "second_opinion"})
     if (path == other) return;
   if (value.is_object()) {
     for (const auto& [key, inner] : value.items()) collect(inner, path.empty() ? key : path + "." + key, to);

@@ -15,6 +15,7 @@
 #include "study/drop/drop_record.h"
 #include "study/drop/summary.h"
 #include "study/drop/warning_summary.h"
+#include "study/opinion/second_opinion.h"
 #include "study/result_limits.h"
 
 namespace rotordrop {
@@ -125,6 +126,10 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   result.cpu_time = checkpoints.cpu_time();
 
   summarise(c, machine, drop, options.elements, std::move(series), options.directory, result);
+  if (p.run.second_opinion && result.completed) {
+    if (options.tell) options.tell("the drop is done and is computed again for a second opinion");
+    result.summary["second_opinion"] = second_opinion(c, result, options.stop);
+  }
   write_text_atomically(options.directory / "summary.json", result.summary.dump(2) + "\n");
   if (!result.completed) return result;
   folder.remove_checkpoints();

@@ -18,6 +18,7 @@
 #include "study/drop/warning_summary.h"
 #include "study/drop/whirl.h"
 #include "study/json_number.h"
+#include "study/opinion/second_opinion.h"
 #include "study/recorded_drop.h"
 #include "study/result_limits.h"
 #include "study/statics/shoulder_words.h"
@@ -283,7 +284,7 @@ std::string summary_text(const Json& j) {
         j["windows"]["heat_residual"].get<double>(), j["windows"]["count"].get<long>(),
         j["windows"]["shortest"].get<double>() * 1e3, j["windows"]["longest"].get<double>() * 1e3,
         j["windows"]["largest_growth_error"].get<double>() * 1e9, j["windows"]["largest_growth"].get<double>() * 1e9);
-  text += "\n" + warnings_text(j) + limits_text(j);
+  text += "\n" + warnings_text(j) + second_opinion_text(j) + limits_text(j);
   return text;
 }
 
