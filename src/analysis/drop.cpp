@@ -62,7 +62,8 @@ DropResult Drop::result() const {
   }
   if (const auto* growth = sections_->growth_in_force()) result.growth_in_force = *growth;
   result.warnings = guards_.found(scalars_);
-  const EndedRun ended{parameters_, machine_, scalars_, result.windows ? &*result.windows : nullptr, elements_};
+  const EndedRun ended{parameters_,           machine_, scalars_, result.windows ? &*result.windows : nullptr,
+                       result.windows_energy, elements_};
   for (auto& warning : warnings_at_end(ended)) result.warnings.push_back(std::move(warning));
   return result;
 }

@@ -81,6 +81,7 @@ Section<RunParameters> run_section() {
   s.quantity("end_time", &P::end_time,
              {.unit = "s",
               .range = positive(),
+              .usual = between(1e-5, 1e4),
               .fallback = "0.3 s",
               .source = "Neisi, Heikkinen & Sopanen 2019",
               .help = "Simulated time; with run.until the latest end of the run."});
@@ -96,6 +97,7 @@ Section<RunParameters> run_section() {
   s.quantity("initial_speed", &P::initial_speed,
              {.unit = "rad/s",
               .range = between(-2e4, 2e4),
+              .usual = between(-6500, 6500),
               .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
   s.custom("gravity",
            {.unit = "m/s2",
@@ -120,6 +122,7 @@ Section<RunParameters> run_section() {
   s.quantity("ambient", &P::ambient,
              {.unit = "K",
               .range = between(60, 2000),
+              .usual = between(200, 500),
               .fallback = "293.15 K",
               .source = "estimate: the paper's plots start near 293 K",
               .help = "Temperature of the surroundings and of everything at the start."});

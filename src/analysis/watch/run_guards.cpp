@@ -249,6 +249,9 @@ std::vector<RunWarning> warnings_at_end(const EndedRun& run) {
     warn("window-error", "", "", run.windows->largest_error, run.windows->tolerance, run.windows->largest_error_time);
     list.back().count = run.windows->beyond_tolerance;
   }
+  if (const double input = std::max(std::fabs(run.windows_energy.input), 1e-3);
+      run.windows && std::fabs(run.windows_energy.residual()) > residual_limit * input)
+    warn("heat-residual", "", "windows", std::fabs(run.windows_energy.residual()) / input, residual_limit);
   if (run.elements && run.elements->coupling != FeCoupling::windowed)
     for (const auto& section : run.elements->sections)
       if (section.reduced.response_error > response_error_limit)

@@ -88,6 +88,7 @@ struct EndedRun {
   const Machine& machine;
   const DropScalars& scalars;
   const WindowedSections::Report* windows = nullptr;
+  HeatEnergy windows_energy;
   const FiniteElements* elements = nullptr;
 };
 [[nodiscard]] std::vector<RunWarning> warnings_at_end(const EndedRun& run);

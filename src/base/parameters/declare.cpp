@@ -30,6 +30,7 @@ void set_quantity(Declaration& d, const Options& options) {
   d.unit = options.unit;
   d.quantity_kind = options.kind.value_or(kind_of(options.unit));
   d.range = options.range;
+  d.usual = options.usual;
 }
 
 /// What a user could have written: a bare number as a number, everything else as text.
