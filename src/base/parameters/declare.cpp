@@ -57,7 +57,9 @@ Node quantity_rows(const Rows& rows) {
 void check_fallback(const Declaration& d, const std::string& name, Faults& faults) {
   switch (d.kind) {
     case Kind::quantity:
-      read_quantity(*d.fallback, d, name, faults);
+      if (const auto value = read_quantity(*d.fallback, d, name, faults); value && !d.usual.contains(*value))
+        faults.add({}, fmt::format("{} is not {}, which is declared as usual", to_text(*d.fallback),
+                                   to_string(d.usual, d.unit)));
       break;
     case Kind::integer:
       read_integer(*d.fallback, d, name, faults);
