@@ -15,6 +15,7 @@
 #include "base/errors.h"
 #include "base/processor.h"
 #include "base/version.h"
+#include "base/wide_vectors.h"
 #include "case/case_text.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/sha256.h"
@@ -82,11 +83,11 @@ RecordedInput read_recorded_input(const fs::path& path) {
   input.program = attribute_or_unknown(input.file, "program");
   input.revision = attribute_or_unknown(input.file, "git_revision");
   input.processor = attribute_or_unknown(input.file, "processor");
+  input.instruction_set = attribute_or_unknown(input.file, "instruction_set");
   // Of a set of catalogue bearings the values are all there: the catalogue itself may have gone.
   const std::string text =
       std::regex_replace(read_text(input.file, "/parameters"), std::regex("(^|\n)(catalogue|count) = [^\n]*"), "$1");
-  input.drop_case = read_case_text(text, input.file.parent_path(),
-                                   read_attribute(input.file, "/", "case"));
+  input.drop_case = read_case_text(text, input.file.parent_path(), read_attribute(input.file, "/", "case"));
   return input;
 }
 
@@ -170,7 +171,13 @@ std::string rerun_text(const RecordedInput& input, const BitComparison& c) {
                         git_revision());
   if (input.processor != processor_name())
     text += fmt::format("The processor was {} and is {}.\n", input.processor, processor_name());
-  if (input.program == program && input.revision == git_revision() && input.processor == processor_name())
+  const bool has_same_set = input.instruction_set == name_of(vector_level);
+  if (!has_same_set)
+    text += fmt::format(
+        "The instruction set was {0} and is {1}; ROTORDROP_ISA={0} in the environment chooses the former.\n",
+        input.instruction_set, name_of(vector_level));
+  if (has_same_set && input.program == program && input.revision == git_revision() &&
+      input.processor == processor_name())
     text +=
         "Program and processor are the same. A run that was interrupted and resumed with an error-controlled method "
         "chooses its steps anew; otherwise please report this with the file.\n";

@@ -14,7 +14,7 @@ namespace rotordrop {
 struct RecordedInput {
   std::filesystem::path file;
   Case drop_case;
-  std::string program, revision, processor;  ///< "unknown" in files from before they were recorded
+  std::string program, revision, processor, instruction_set;  ///< "unknown" in files from before they were recorded
 };
 /// @param path  a results.h5, or the directory that holds one
 /// @throws InputError if it holds no drop, or a file that its case names has changed
