@@ -16,8 +16,8 @@ void read_limits(const Node& table, std::vector<Limit>& limits, Faults& faults) 
   for (const auto& [name, where, node] : flattened(table, {"max", "min"})) {
     Limit limit{name, {}, {}, {}, {}, where};
     if (!node->is_table()) {
-      faults.add(where, fmt::format("limits.{} must be a table with max, min or both.", name),
-                 "For example { max = \"6 kN\" }.");
+      faults.add(where, fmt::format("limits.{} is neither a max nor a min of a result.", name),
+                 "Write RESULT.max = \"6 kN\" or RESULT = { max = \"6 kN\", min = 0 }. Known: max, min.");
       continue;
     }
     for (const auto& entry : node->entries()) {

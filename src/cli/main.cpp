@@ -86,14 +86,6 @@ int run_program(int argc, char** argv) {
   run_app->add_flag("--accept", run.accept, "End with exit code 3 if a limit of the case is not met, or not assessed");
   add_quiet(*run_app, run.quiet);
 
-  RerunCommand rerun;
-  auto* rerun_app = app.add_subcommand(
-      "rerun", "Run a recorded drop once more, from its result file alone, and compare the two bit by bit.");
-  rerun_app->add_option("results", rerun.file, "results.h5 of a drop, or its directory")->required();
-  rerun_app->add_option("-o,--output", rerun.directory, "Directory for the results; default out/CASE-rerun");
-  add_force(*rerun_app, rerun.force, "existing results in the directory");
-  add_quiet(*rerun_app, rerun.quiet);
-
   std::string check_file;
   std::vector<std::string> check_overrides;
   auto* check = app.add_subcommand("check", "Read and check a case (a drop or heat only) without running it.");
@@ -163,6 +155,14 @@ int run_program(int argc, char** argv) {
   report_app->add_option("-o,--output", report.output, "File; default DIR/report.html");
   add_force(*report_app, report.force, "an existing file");
   add_quiet(*report_app, report.quiet);
+
+  RerunCommand rerun;
+  auto* rerun_app = app.add_subcommand(
+      "rerun", "Run a recorded drop once more, from its result file alone, and compare the two bit by bit.");
+  rerun_app->add_option("results", rerun.file, "results.h5 of a drop, or its directory")->required();
+  rerun_app->add_option("-o,--output", rerun.directory, "Directory for the results; default out/CASE-rerun");
+  add_force(*rerun_app, rerun.force, "existing results in the directory");
+  add_quiet(*rerun_app, rerun.quiet);
 
   MeshCommand mesh;
   auto* mesh_app = app.add_subcommand("mesh", "Mesh the sections of the touchdown bearings; write a gmsh .msh file.");

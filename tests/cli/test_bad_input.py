@@ -240,8 +240,8 @@ GEOMETRY_OF_ROTORS = [
 FILES = [
     Fault("a value with a unit but no quotes", "[run]\nend_time = 10 »ms", ("not valid TOML", 'a value with a unit is in quotes', 'Write it as: end_time = "10 ms"')),
     Fault("a bracket that is not closed", "[run\n»end_time = 1", ("not valid TOML: the name of a section has no closing bracket", r"Write it as: \[run\]"), place=("drop.toml",)),
-    Fault("a key twice", '[run]\nend_time = 1\nend_time = »2', ("not valid TOML", "end_time is given twice, first in line 2")),
-    Fault("a section twice", '[run]\nend_time = 1\n[run]\ninitial_speed = 2', ("not valid TOML", r"the section \[run\] is there twice, first in line 1"), place=("drop.toml",)),
+    Fault("a key twice", '[run]\nend_time = 1\nend_time = »2', ("not valid TOML", "end_time is given twice, first in line 3")),
+    Fault("a section twice", '[run]\nend_time = 1\n[run]\ninitial_speed = 2', ("not valid TOML", r"the section \[run\] is there twice, first in line 2"), place=("drop.toml",)),
     Fault("a base that is missing", 'base = »"nowhere.toml"\n', ('"nowhere.toml" cannot be read', "Check its name"), whole=True),
     Fault("a base that is a number", "base = »5\n", ("base is an integer", "name of a file in quotes"), whole=True),
     Fault("a base that leads back", 'base = "other.toml"\n', ("refers back", "drop.toml -> other.toml -> drop.toml"), files={"other.toml": 'base = »"drop.toml"\n'}, whole=True),

@@ -92,7 +92,7 @@ class Limits(ProgramTest):
     def test_a_study_takes_the_limits_of_its_case(self):
         self.limited(f'{PEAK}.max = "1 kN"\n{HEAT}.max = "1 kJ"\n')
         self.write("study.toml", f'case = "drop.toml"\n[vary]\n"contact.friction_coefficient" = [0.05, 0.1]\n[design]\nkind = "grid"\n[limits]\n"{PEAK}" = {{ max = "50 kN" }}\n')
-        self.succeed("study", "run", "study.toml", "-o", "s")
+        self.succeed("study", "study.toml", "-o", "s")
         limits = {limit["result"]: limit for limit in json.loads((self.folder / "s/study.json").read_text())["limits"]}
         self.assertEqual((limits[PEAK]["max"], limits[PEAK]["broken"]), (50e3, 0), "the study's own")
         self.assertEqual((limits[HEAT]["max"], limits[HEAT]["broken"], limits[HEAT]["n"]), (1e3, 0, 2), "the case's")

@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -367,13 +368,13 @@ class Slips(ProgramTest):
 
     def test_usual_ranges_stand_beside_the_keys(self):
         # Declared with the key, shown by defaults, schema and manual, and warned of with the unit that may be meant.
-        defaults = self.succeed("defaults").stdout
-        self.assertRegex(defaults, r"rotor and bore[^\[]*\[length in m, > 0; usually between 5e-05 and 0.001\]|\[length in m, > 0; usually between 5e-05 and 0.001\]")
+        defaults = re.sub(r"\s*#?\s+", " ", self.succeed("defaults").stdout)
+        self.assertIn("[length in m, > 0; usually between 5e-05 and 0.001]", defaults)
         self.assertIn("usually between -6500 and 6500", self.succeed("schema").stdout)
         said = self.warnings("[bearings.TB1]\nC0 = 31\n")
-        self.assertRegex(said, r"warning: drop.toml:3:6: bearings.TB1.C0 = 31 N is unusual: it is most often between 100 and 1e\+08 N")
+        self.assertRegex(said, r"warning: drop.toml:3:6: bearings.TB1.C0 = 31 N is unusual: it is most often between 100 and 100000000 N")
         self.assertIn('31 N is 0.031 kN. If kN is meant, write "31 kN".', said)
-        for text in ('[bearings.TB1]\ncontact_stiffness = 1e300\n', '[bearings]\nring_mass = "1 g"\n[bearings.TB1]\nring_mass = "0.5 g"\n', '[materials.steel]\nk = 7000\n', '[rotor]\nunbalance = [{ node = 3, me = 1 }]\n'):
+        for text in ("[bearings.TB1]\ncontact_stiffness = 1e300\n", "[bearings]\ncontact_stiffness = 1e15\n", "[materials.steel]\nk = 7000\n", "[rotor]\nunbalance = [{ node = 3, me = 1 }]\n"):
             with self.subTest(text):
                 self.assertIn("is unusual", self.warnings(text))
         self.assertEqual(self.call("check", "drop.toml", "--strict").returncode, 2)

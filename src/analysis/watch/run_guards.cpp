@@ -37,6 +37,15 @@ bool is_of_bearing(const std::string& part) {
   return false;
 }
 
+/// Names in checkpoints have no empty parts: "guards/ball-load/TB1/row 1", "guards/step-collapse".
+std::string key_of(const std::string& name) {
+  std::string key;
+  for (const char c : name)
+    if (c != '/' || (!key.empty() && key.back() != '/')) key += c;
+  while (key.ends_with('/')) key.pop_back();
+  return key;
+}
+
 bool is_fatal(const MachineParameters& p, std::string_view code) {
   const auto& fatal = p.run.fatal_warnings;
   return std::any_of(fatal.begin(), fatal.end(), [&](const auto& named) { return named == code || named == "all"; });
@@ -179,14 +188,14 @@ void RunGuards::Rows::row(double time, std::span<const double> values) {
 void RunGuards::pack(PackedValues& to) const {
   for (const Guard& guard : guards_) {
     Exceedance seen = guard.seen;
-    auto& values = to[guard.name()];
+    auto& values = to[key_of(guard.name())];
     for (const double* x : seen.numbers()) values.push_back(*x);
   }
 }
 
 void RunGuards::unpack(const PackedValues& from) {
   for (Guard& guard : guards_) {
-    const auto& values = from.at(guard.name());
+    const auto& values = from.at(key_of(guard.name()));
     const auto numbers = guard.seen.numbers();
     if (values.size() != numbers.size()) throw std::invalid_argument("guards of another kind");
     for (std::size_t k = 0; k < values.size(); ++k) *numbers[k] = values[k];

@@ -102,7 +102,8 @@ std::optional<Guess> about_value(const std::string& key, const std::string& valu
     return Guess{"a table in braces is on one line, from { to }", ""};
   if (value[0] == '[' && std::count(value.begin(), value.end(), '[') > std::count(value.begin(), value.end(), ']'))
     return Guess{"a list is not closed with ]", ""};
-  if (std::regex_search(value, m, std::regex(R"(^[\[{].*?[\[,=]\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?\s*[A-Za-z%/][^,\]}"]*))")))
+  if (std::regex_search(value, m,
+                        std::regex(R"(^[\[{](?:.*?[\[,=])?\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?\s*[A-Za-z%/][^,\]}"]*))")))
     return Guess{"a value with a unit is in quotes, in lists, too",
                  fmt::format("{} = {}", key, replaced(value, m.str(1), '"' + trimmed(m.str(1)) + '"'))};
   return {};
@@ -121,7 +122,8 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
     }
   if (description.find("cannot redefine existing table") != std::string_view::npos &&
       std::regex_match(bare, m, std::regex(R"(\[\s*([^\[\]]+?)\s*\])"))) {
-    const int first = earlier_line(lines, number, std::regex("^\\s*\\[\\s*" + escaped_for_pattern(m.str(1)) + "\\s*\\]"));
+    const int first =
+        earlier_line(lines, number, std::regex("^\\s*\\[\\s*" + escaped_for_pattern(m.str(1)) + "\\s*\\]"));
     return Guess{fmt::format("the section [{}] is there twice{}", m.str(1),
                              first > 0 ? fmt::format(", first in line {}: move its keys there", first) : ""),
                  ""};
@@ -134,7 +136,8 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
                  ""};
   }
   if (std::regex_search(line, std::regex(R"(^\s*(//|;|%|--))")))
-    return Guess{"a comment begins with #", "# " + trimmed(std::regex_replace(line, std::regex(R"(^\s*(//|;|%|--)+\s*)"), ""))};
+    return Guess{"a comment begins with #",
+                 "# " + trimmed(std::regex_replace(line, std::regex(R"(^\s*(//|;|%|--)+\s*)"), ""))};
   if (description.find("escape") != std::string_view::npos && line.find('\\') != std::string::npos)
     return Guess{"a backslash has a meaning of its own in double quotes; in the name of a file write /",
                  replaced(trimmed(line), "\\", "/")};
@@ -143,12 +146,12 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
   if (const auto open = open_quote(line)) {
     const std::string text = trimmed(line.substr(*open + 1));
     const bool is_simple = text.find_first_of("\"',[]{}#=") == std::string::npos;
-    return Guess{"a text has no closing quote",
-                 is_simple ? trimmed(line.substr(0, *open)) + " \"" + text + "\"" : ""};
+    return Guess{"a text has no closing quote", is_simple ? trimmed(line.substr(0, *open)) + " \"" + text + "\"" : ""};
   }
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(:=?\s*(.*)$)")))
     return Guess{"a value follows an equals sign", fmt::format("{} = {}", m.str(1), m.str(2))};
-  if (std::regex_match(bare, m, std::regex(key_pattern + R"(=\s*(.*)$)"))) return about_value(m.str(1), trimmed(m.str(2)));
+  if (std::regex_match(bare, m, std::regex(key_pattern + R"(=\s*(.*)$)")))
+    return about_value(m.str(1), trimmed(m.str(2)));
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(([+-]?[\d"'].*)$)")))
     return Guess{"there is no equals sign between key and value", fmt::format("{} = {}", m.str(1), m.str(2))};
   return {};

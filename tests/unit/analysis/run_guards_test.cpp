@@ -103,9 +103,9 @@ TEST(RunGuards, AreSilentInASoundRun) {
 }
 
 TEST(RunGuards, FindEnergyThatCoarseStepsLose) {
-  // Fixed steps as long as the period of the stiffest contact's oscillation over six lose energy at every impact.
-  const auto machine =
-      reference_machine({"integration.method=runge-kutta-4", "integration.step=60 us", "run.end_time=30 ms"});
+  // Far too loose a tolerance, and no bound on the step: the impacts cost some thousandths of the energy.
+  const auto machine = reference_machine({"integration.method=tsitouras", "integration.tolerance=1e-2",
+                                          "integration.step=1 ms", "run.end_time=20 ms"});
   Drop drop = drop_of(machine);
   drop.run();
   const auto result = drop.result();
@@ -196,7 +196,7 @@ TEST(RunGuards, FindStepsThatCollapse) {
   };
   take(15, 1e-12);  // the start, when the method finds its step
   take(50, 20e-6);
-  take(10, 5e-8);  // at the limit: a thousandth of 50 us
+  take(10, 5.1e-8);  // just above the limit, a thousandth of 50 us
   EXPECT_TRUE(guards.found(DropScalars(*machine)).empty());
   take(3, 2e-8);
   take(5, 20e-6);
