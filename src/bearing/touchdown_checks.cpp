@@ -41,7 +41,9 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
             "same drawing.");
     if (b.housing_diameters[1] <= b.outer_ring_diameters[1])
       fault("housing_diameters", fmt::format("the housing's outside diameter {} is not larger than the outer ring's {}",
-                                             mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])));
+                                             mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])),
+            fmt::format("Give the housing of this bearing: housing_diameters = [\"{}\", \"...\"], its bore and outside.",
+                        mm(b.outer_ring_diameters[1])));
     else if (std::abs(b.housing_diameters[0] - b.outer_ring_diameters[1]) > 0.01 * b.outer_ring_diameters[1])
       fault("housing_diameters",
             fmt::format("the housing's bore {} does not fit the outer ring's outside diameter {}",

@@ -48,6 +48,7 @@ enum class HousingFit { frictionless, bonded };
 /// bearings.NAME with type = "touchdown".
 struct TouchdownParameters {
   std::optional<std::string> catalogue;
+  int count = 1;  ///< of catalogue bearings beside each other
   int node = 0;
   std::optional<double> contact_stiffness, contact_width, crown_radius;
   std::optional<double> bore_radius, air_gap;

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "base/parameters/suggestion.h"
+#include "case/bearing_sets.h"
 #include "case/case_keys.h"
 #include "case/case_text.h"
 #include "case/plausibility.h"
@@ -78,6 +79,14 @@ Section<CaseParameters> case_section() {
   s.table<PrescribedHeatParameters>("heat", &P::heat, prescribed_heat_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
+  s.custom(
+      "limits",
+      {.accepts = "results, each with max or min",
+       .json_types = {"object"},
+       .help = "What a run is to stay within: RESULT = { max = \"6 kN\" }, { min = 1 } or both. RESULT is a number "
+               "of summary.json, such as bearings.TB1.peak_contact_force; * stands for any text without a dot. "
+               "The summary says which limits are met, and how much of each is used (docs/how-to/limits.md)."},
+      [](const Node& node, P& target, Faults& faults) { read_limits(node, target.limits, faults); });
   return s;
 }
 
@@ -110,7 +119,14 @@ void load_rotor_geometry(Node& tree, Faults& faults) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (!fs::exists(status)) {
-    faults.add(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file.", geometry->text()),
+    const std::string& name = geometry->text();
+    if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20; })) {
+      faults.add(geometry->where(), "rotor.geometry is not the name of a file: it holds a line break or the like.",
+                 "In double quotes \\n and \\r mean one. In names of files write / for \\.");
+      rotor->set("geometry", any_geometry(), key);
+      return;
+    }
+    faults.add(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file.", name),
                fmt::format("Looked for {}{}.", path.string(),
                            status.type() == fs::file_type::none ? " (" + error.message() + ")" : ""));
     rotor->set("geometry", any_geometry(), key);
@@ -220,6 +236,7 @@ Case case_of(const fs::path& file, const std::vector<std::string>& overrides, co
   for (const auto& assignment : overrides)
     if (names_entry(assignment)) set_entry(result.tree, assignment);
   Faults faults;
+  make_sets(result.tree, faults);
   load_rotor_geometry(result.tree, faults);
   complete_paths(result.tree);
   // Built-in materials lie under those that the case gives.
@@ -237,6 +254,7 @@ Case case_of(const fs::path& file, const std::vector<std::string>& overrides, co
   check_output(result.parameters, result.tree, faults);
   faults.throw_if_any();
   result.warnings = look_for_slips(result.parameters, result.tree);
+  look_for_single_entries(result.tree, result.warnings);
   SourceComments comments;
   result.resolved = write_resolved({section.erased()}, result.tree,
                                    [&comments](const SourcePosition& where) { return comments.at(where); });

@@ -10,6 +10,7 @@
 
 #include "io/text/input_file.h"
 #include "io/text/parameter_keys.h"
+#include "io/text/toml_mistakes.h"
 
 namespace rotordrop {
 
@@ -73,12 +74,6 @@ Node converted(const toml::node& from, const PositionsOf& position) {
 
 SourcePosition position_of_error(const toml::parse_error& error, const std::string& file) {
   return PositionsOf{file}(error.source());
-}
-
-std::string syntax_message(const toml::parse_error& error) {
-  std::string description(error.description());
-  if (description.starts_with("Error")) description.front() = 'e';
-  return fmt::format("this is not valid TOML: {}.", description);
 }
 
 Node parsed_toml(std::string_view text, const PositionsOf& position) {
@@ -145,7 +140,8 @@ Node override_value(const std::string& text, const std::string& name) {
   } catch (const toml::parse_error& error) {
     // What looks like a list, a table or a quoted text is meant as one: its mistake must not become a text.
     if (std::string_view("[{\"'").find(text.front()) != std::string_view::npos)
-      throw InputError({name}, syntax_message(error), fmt::format("The value was: {}", text));
+      throw InputError({name}, toml_mistake("value = " + text, 1, error.description()).message,
+                       fmt::format("The value was: {}", text));
   } catch (const InputError&) {
     // A date: here it is a text.
   }
@@ -164,10 +160,8 @@ Node parse_toml(std::string_view text, const std::string& file) {
   try {
     return parsed_toml(text, {file});
   } catch (const toml::parse_error& error) {
-    const bool is_after_a_value =
-        error.description().find("expected a comment or whitespace") != std::string_view::npos;
-    throw InputError(position_of_error(error, file), syntax_message(error),
-                     is_after_a_value ? "Write a value with a unit in quotes: \"15200 rpm\"." : "");
+    const auto mistake = toml_mistake(text, static_cast<int>(error.source().begin.line), error.description());
+    throw InputError(position_of_error(error, file), mistake.message, mistake.advice);
   }
 }
 

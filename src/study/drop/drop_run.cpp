@@ -14,6 +14,9 @@
 #include "study/drop/drop_fields.h"
 #include "study/drop/drop_record.h"
 #include "study/drop/summary.h"
+#include "study/drop/warning_summary.h"
+#include "study/opinion/second_opinion.h"
+#include "study/result_limits.h"
 
 namespace rotordrop {
 namespace {
@@ -50,6 +53,10 @@ void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteEl
   for (const auto& warning : c.warnings)
     summary["input_warnings"].push_back(
         {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
+  for (auto& warning : warnings_in_summary(c.parameters, summary)) result.warnings.push_back(std::move(warning));
+  summary["warnings"] = warnings_json(result.warnings);
+  summary["run"]["warnings"] = result.warnings.size();
+  add_limits(c.parameters.limits, result.completed, summary);
 }
 
 }  // namespace
@@ -68,11 +75,19 @@ FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, FiniteEle
   result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.cpu_time = cpu_seconds() - cpu_start;
   summarise(c, machine, drop, elements, std::move(series), {}, result);
+  if (result.completed) stop_at_fatal_warnings(p.run, result.warnings);
   return result;
+}
+
+void require_known_limits(const Case& c, const Machine& machine, FiniteElements* elements) {
+  if (c.parameters.limits.empty()) return;
+  const volatile std::sig_atomic_t at_once = 1;
+  run_drop_in_memory(c, machine, elements, &at_once, {});
 }
 
 FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& options) {
   const auto& p = c.parameters;
+  require_known_limits(c, machine, options.elements);
   ResultsFolder folder(options.directory, options.resume  ? ResultsFolder::Existing::resume
                                           : options.force ? ResultsFolder::Existing::replace
                                                           : ResultsFolder::Existing::refuse);
@@ -111,8 +126,14 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   result.cpu_time = checkpoints.cpu_time();
 
   summarise(c, machine, drop, options.elements, std::move(series), options.directory, result);
+  if (p.run.second_opinion && result.completed) {
+    if (options.tell) options.tell("the drop is done and is computed again for a second opinion");
+    result.summary["second_opinion"] = second_opinion(c, result, options.stop);
+  }
   write_text_atomically(options.directory / "summary.json", result.summary.dump(2) + "\n");
-  if (result.completed) folder.remove_checkpoints();
+  if (!result.completed) return result;
+  folder.remove_checkpoints();
+  stop_at_fatal_warnings(p.run, result.warnings);
   return result;
 }
 

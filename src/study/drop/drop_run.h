@@ -31,6 +31,9 @@ struct FinishedDrop : DropResult {
       recorded;  ///< series that its summary needs; all if two thermal models can be compared
 };
 
+/// Finds limits on results that a drop of the case does not have, by its first step. @throws InputError
+void require_known_limits(const Case& drop_case, const Machine& machine, FiniteElements* elements);
+
 /// Runs a case into a directory: results.h5, parameters.toml, checkpoints and summary.json.
 /// @throws InputError if the directory holds results and neither force nor resume is set
 /// @throws SolverError if the integration fails; the last good state is saved as a checkpoint in DIRECTORY/failed
