@@ -66,6 +66,7 @@ WORDS = {
     "case": "from a file to a machine",
     "study": "the work of the commands",
     "cli": "the commands",
+    "python": "the package for Python",
 }
 
 # Files over 400 lines that may stay, and why.

@@ -177,16 +177,13 @@ void set_entry(Node& tree, const Setting& setting) {
   set_key(tree, key, setting.value, {setting.value.where().file, 0, 0});
 }
 
-/// The same faults with the parameters that they are about, where a place tells them.
-InputError with_keys(const InputError& error, const Node& tree) {
-  std::vector<Fault> faults = error.faults();
+/// Adds the parameters that faults are about, where a place tells them.
+void add_keys(std::vector<Fault>& faults, const Node& tree) {
   constexpr std::string_view set = "--set ";
-  for (Fault& fault : faults) {
-    if (!fault.key.empty()) continue;
-    fault.key = path_at(tree, fault.where);
-    if (fault.key.empty() && fault.where.file.starts_with(set)) fault.key = fault.where.file.substr(set.size());
-  }
-  return InputError::with(std::move(faults));
+  for (Fault& fault : faults)
+    // Tables that a setting has made stand at its place, too.
+    if (fault.key.empty())
+      fault.key = fault.where.file.starts_with(set) ? fault.where.file.substr(set.size()) : path_at(tree, fault.where);
 }
 
 }  // namespace
@@ -245,12 +242,15 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     check_output(result.parameters, result.tree, faults);
     faults.throw_if_any();
     result.warnings = look_for_slips(result.parameters, result.tree);
+    add_keys(result.warnings, result.tree);
     SourceComments comments;
     result.resolved = write_resolved({section.erased()}, result.tree,
                                      [&comments](const SourcePosition& where) { return comments.at(where); });
     return result;
   } catch (const InputError& error) {
-    throw with_keys(error, result.tree);
+    std::vector<Fault> faults = error.faults();
+    add_keys(faults, result.tree);
+    throw InputError::with(std::move(faults));
   }
 }
 

@@ -99,11 +99,12 @@ class Faults(PackageTest):
     def test_what_is_unusual_is_a_warning(self):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            case = rd.Case(SETTLING, {"contact.air_gap": "25 mm"})
+            case = rd.Case(SETTLING, {"rotor.unbalance[0].me": "1 kg m"})
         self.assertGreater(len(case.warnings), 0)
         self.assertEqual([w.category for w in caught], [rd.CaseWarning] * len(case.warnings))
         self.assertEqual(caught[0].filename, __file__)
-        self.assertIn("air_gap", str(caught[0].message))
+        self.assertIn("rotor.unbalance[0].me", str(caught[0].message))
+        self.assertEqual(case.warnings[0].key, "rotor.unbalance[0].me")
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             self.assertEqual(rd.Case(SETTLING).warnings, ())

@@ -7,9 +7,9 @@ from . import _core
 _package = pathlib.Path(__file__).resolve().parent
 
 
-def _first(*folders: pathlib.Path) -> pathlib.Path:
-    """The first one that exists; an empty path if none does, for which the program's own rule holds."""
-    return next((folder for folder in folders if folder.is_dir()), pathlib.Path())
+def _first(*folders: pathlib.Path) -> str:
+    """The first one that exists; empty if none does: then the program's own rule holds."""
+    return next((str(folder) for folder in folders if folder.is_dir()), "")
 
 
 def _set_folders() -> None:
@@ -17,8 +17,7 @@ def _set_folders() -> None:
     build = _package.parent.parent  # BUILD/python/rotordrop
     modules = _first(_package / "modules", *(folder / _core.relative_modules for folder in _package.parents))
     if (build / "rotordrop_fe.so").is_file():
-        modules = build
-        params = pathlib.Path()
+        modules, params = str(build), ""
     _core.set_program_folders(params, modules)
 
 
