@@ -10,6 +10,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PARAMS = SOURCE / "params"
 PROGRAM = str(pathlib.Path(os.environ.get("ROTORDROP_PROGRAM", SOURCE / "build/release/rotordrop")).resolve())
 PACKAGE = pathlib.Path(os.environ.get("ROTORDROP_PYTHON_PACKAGE", pathlib.Path(PROGRAM).parent / "python"))
+HAS_FE = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 sys.path.insert(0, str(PACKAGE))
 sys.path.insert(0, str(SOURCE / "tests/cli"))
 

@@ -10,10 +10,9 @@ import tempfile
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from package import PACKAGE, PROGRAM, SOURCE  # noqa: E402
+from package import HAS_FE, PACKAGE, SOURCE  # noqa: E402
 
 NOTEBOOKS = sorted((SOURCE / "examples/notebooks").glob("*.ipynb"))
-HAS_FE = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(PACKAGE), "MPLBACKEND": "agg"}
 
 # Runs the cells of a notebook one after the other in one place, as a kernel would.
