@@ -124,8 +124,11 @@ class Commands(PackageTest):
         same = {key: value for key, value in flat(here) if not key.startswith(("run", "drop", "against"))}
         self.assertEqual(same, {key: value for key, value in flat(program) if key in same})
         self.assertGreater(len(same), 100)
-        strict = rd.compare(result, tolerance="0.001 K", instants=["5 ms"])
-        self.assertNotEqual(strict["verdict"], here["verdict"])
+        strict = rd.compare(result, tolerance="0.001 K", growth_tolerance="1 nm", instants=["5 ms"])
+        self.assertEqual((strict["tolerances"]["temperature"], strict["tolerances"]["temperature_unit"]), (0.001, "K"))
+        self.assertAlmostEqual(strict["bearings"]["TB1"]["temperatures"]["shaft"]["tolerance"], 0.001)
+        times = [at["time"] for at in strict["bearings"]["TB1"]["temperatures"]["shaft"]["at"]]
+        self.assertTrue(any(abs(time - 5e-3) < 1e-9 for time in times), times)
         memory = rd.compare(rd.Case(SETTLING, overrides).run())
         self.assertEqual(memory["in_short"], here["in_short"])
         alone = rd.Case(SETTLING, {"run.end_time": "5 ms"}).run()
