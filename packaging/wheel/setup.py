@@ -46,6 +46,9 @@ class Compiled(Distribution):
         return True
 
 
+# Nothing is left among the sources.
+scratch = BUILD / "wheel"
+scratch.mkdir(parents=True, exist_ok=True)
 version = re.search(r"project\(rotordrop VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 setup(version=version, packages=["rotordrop"], package_dir={"rotordrop": os.path.relpath(ROOT / "src/python/rotordrop", pathlib.Path(__file__).parent)},
-      cmdclass={"build_py": Package}, distclass=Compiled)
+      cmdclass={"build_py": Package}, distclass=Compiled, options={"build": {"build_base": str(scratch)}, "egg_info": {"egg_base": str(scratch)}})
