@@ -12,8 +12,8 @@ if typing.TYPE_CHECKING:
     import numpy.typing as npt
     import xarray
 
-GROWTH = ("shaft", "bore", "inner race", "outer race", "ball radius", "inner width", "outer width")
-SHARED = {("y", "z"): "axis", GROWTH: "surface", ("mean", "lowest", "highest"): "statistic"}
+SHARED = {("y", "z"): "axis", ("mean", "lowest", "highest"): "statistic"}
+GROWTH = ("shaft", "bore")  # how the surfaces of growth begin
 
 
 def name_of(path: str) -> str:
@@ -35,6 +35,8 @@ def column_dimension(path: str, columns: tuple[str, ...], n_columns: int) -> str
     """The second dimension: one of those that all bearings share, else the bearing's own rows or balls, else the series' own."""
     if shared := SHARED.get(columns):
         return shared
+    if columns[:2] == GROWTH:
+        return "surface"
     place = path.split("/")[2] if path.count("/") > 2 else ""
     if columns and place and all(re.fullmatch(r"row \d+", column) for column in columns):
         return f"{place}.row"
