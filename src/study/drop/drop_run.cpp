@@ -61,28 +61,34 @@ void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteEl
 
 }  // namespace
 
-FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, FiniteElements* elements,
-                                const volatile std::sig_atomic_t* stop, const std::vector<std::string>& kept) {
+FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, const MemoryRunOptions& options) {
   const auto& p = c.parameters;
-  Drop drop(machine, p, p.integration, p.output, elements);
-  MemorySeries series(machine, drop, [&](const std::string& path) {
-    return is_in_summary(path) || std::find(kept.begin(), kept.end(), path) != kept.end();
-  });
+  Drop drop(machine, p, p.integration, p.output, options.elements, options.tell);
+  MemorySeries::Choice is_kept;
+  if (options.is_kept) is_kept = [&](const std::string& path) { return is_in_summary(path) || options.is_kept(path); };
+  MemorySeries series(machine, drop, is_kept);
+  DropProgress progress(machine, drop, drop.sections().growth_in_force(), options.report);
+  if (options.report) drop.loop().add(progress);
+  progress.begin(drop.loop().time());
   const auto start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_seconds();
-  drop.run([&] { return stop && *stop; });
+  drop.run(options.is_stopped);
   FinishedDrop result{drop.result(), {}, nullptr};
   result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.cpu_time = cpu_seconds() - cpu_start;
-  summarise(c, machine, drop, elements, std::move(series), {}, result);
+  progress.tell(result.end_time, result.state);
+  summarise(c, machine, drop, options.elements, std::move(series), {}, result);
   if (result.completed) stop_at_fatal_warnings(p.run, result.warnings);
   return result;
 }
 
 void require_known_limits(const Case& c, const Machine& machine, FiniteElements* elements) {
   if (c.parameters.limits.empty()) return;
-  const volatile std::sig_atomic_t at_once = 1;
-  run_drop_in_memory(c, machine, elements, &at_once, {});
+  MemoryRunOptions options;
+  options.elements = elements;
+  options.is_stopped = [] { return true; };
+  options.is_kept = [](const std::string&) { return false; };
+  run_drop_in_memory(c, machine, options);
 }
 
 FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& options) {

@@ -29,12 +29,6 @@ PointSeries series_of(const Machine& machine, const RecordedDrop& drop, const st
                    guess.empty() ? "docs/reference/results.md lists them." : fmt::format("Did you mean {}?", guess));
 }
 
-/// Meshes come from one generator for the whole process.
-std::mutex& mesh_lock() {
-  static std::mutex lock;
-  return lock;
-}
-
 }  // namespace
 
 PointResult evaluate_point(const PointRequest& request) {
@@ -44,12 +38,18 @@ PointResult evaluate_point(const PointRequest& request) {
     FiniteElements elements;
     std::unique_ptr<Machine> machine;
     {
-      std::unique_lock<std::mutex> lock(mesh_lock(), std::defer_lock);
+      std::unique_lock<std::mutex> lock(section_lock(), std::defer_lock);
       if (c.parameters.thermal.has_fe) lock.lock();
       elements = finite_elements_of(c);
       machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
     }
-    const FinishedDrop run = run_drop_in_memory(c, *machine, &elements, request.stop, request.series);
+    MemoryRunOptions options;
+    options.elements = &elements;
+    options.is_stopped = [&] { return request.stop && *request.stop; };
+    options.is_kept = [&](const std::string& path) {
+      return std::find(request.series.begin(), request.series.end(), path) != request.series.end();
+    };
+    const FinishedDrop run = run_drop_in_memory(c, *machine, options);
     result.is_done = run.completed;
     result.is_interrupted = !run.completed;
     result.end_time = run.end_time;

@@ -32,7 +32,11 @@ bool is_judged(const std::string& name) {
 FinishedDrop run_again(const Case& c, const volatile std::sig_atomic_t* stop) {
   FiniteElements elements = finite_elements_of(c);
   const auto machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
-  return run_drop_in_memory(c, *machine, &elements, stop, {});
+  MemoryRunOptions options;
+  options.elements = &elements;
+  options.is_stopped = [stop] { return stop && *stop; };
+  options.is_kept = [](const std::string&) { return false; };
+  return run_drop_in_memory(c, *machine, options);
 }
 
 /// The case without what a summary of its own would judge.
