@@ -15,6 +15,7 @@ Section<ContactParameters> contact_section() {
   Section<P> s("contact", "Contact between rotor surface and inner-ring bore, for all touchdown bearings.");
   s.quantity("friction_coefficient", &P::friction_coefficient,
              {.range = between(0, 2),
+              .usual = between(0, 0.8),
               .fallback = "0.1",
               .source = std::string(paper) + ", table 2",
               .help = "Dynamic friction coefficient between rotor and bore. Larger values spin the ring up faster and "
@@ -22,6 +23,7 @@ Section<ContactParameters> contact_section() {
   s.quantity("air_gap", &P::air_gap,
              {.unit = "m",
               .range = positive(),
+              .usual = between(0.05e-3, 1e-3),
               .fallback = "250 um",
               .source = std::string(paper) + ", table 2",
               .help = "Radial gap between rotor and inner ring at rest and ambient temperature."});

@@ -83,7 +83,7 @@ BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<cons
   in.cage_angle = y[cage_angle];
   in.cage_cosine = std::cos(in.cage_angle);
   in.cage_sine = std::sin(in.cage_angle);
-  in.cage_speed = cage_ratio_ * y[ring_spin];
+  in.cage_speed = cage_speed(y);
   in.ring_angle = y[ring_angle];
   in.ring_speed = y[ring_spin];
   in.radial_growth = growth.inner_race - growth.outer_race;
@@ -116,6 +116,9 @@ TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& i
     sum.by_inner_strain += by_inner;
     sum.by_outer_strain += by_outer;
     sum.cage_power += row.cage_power;
+    sum.cage_torque += row.cage_torque;
+    sum.loads += row.inner_loads;
+    sum.largest = std::max(sum.largest, row.largest_load);
     sum.waviness_power += row.waviness_power;
     sum.inertia_power += row.inertia_power;
     sum.inertia_per_speed += row.inertia_per_speed;
@@ -227,6 +230,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
     support.loss = damper_y * y[support_vy] + damper_z * y[support_vz];
   }
   dydt[cage_angle] = rows_in.cage_speed;
+  double slip_loss = 0.;
   if (data_.free_ring) {
     // The angular momentum of a tilted spinning ring has the parts I_p omega (psi_z, -psi_y) along y and z.
     const FreeRing& ring = *data_.free_ring;
@@ -247,6 +251,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   out.heat.is_in_contact = t.is_touching;
   if (data_.conduction) out.heat.balls = conduction(balls, ring_speed);
   if (!out.heat.rows.empty()) divide_among_rows(balls, rows_in, M_L, M_v, turning, ring_speed, out.heat.rows);
+  if (data_.free_cage) dydt[ring_spin] += turn_cage(balls, y, dydt, out.heat, slip_loss) / data_.ring_spin_inertia;
   // The rubbing spot lies on the line of centres and turns with it.
   const double spot_speed = data_.bore_radius * t.middle.centres_turning;
   out.heat.rotor_surface_speed = in.rotor_spin.speed * data_.rotor_radius - spot_speed;
@@ -266,21 +271,24 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
                          balls.by_row_difference};
   // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
   const double centrifugal_work = out.energy_gradient.dot(data_.centrifugal_growth) * 2. * ring_speed * dydt[ring_spin];
-  out.prescribed_work = balls.cage_power + wave_work + inertia_work + centrifugal_work;
+  const double cage_work_rate = data_.free_cage ? 0. : balls.cage_power;
+  out.prescribed_work = cage_work_rate + wave_work + inertia_work + centrifugal_work;
 
   ledger[contact_impulse] = t.normal;
   ledger[contact_damping] = t.damping;
   ledger[ball_damping] = balls.damping_power;
   ledger[support_damping] = support.loss;
   ledger[waviness_work] = wave_work;
-  ledger[cage_work] = balls.cage_power;
+  ledger[cage_work] = cage_work_rate;
   ledger[inertia_of_balls] = inertia_work;
   // Friction in the bore has the rotor's radius on the rotor, that of shoulders the same on both.
   const double bore_torque = t.on_ring.torque - t.shoulder_torque;
   ledger[spin_up_drive] =
       in.rotor_spin.speed * (bore_torque + t.shoulder_torque * data_.bore_radius / data_.rotor_radius);
   ledger[spin_up_centres] = t.centres_power;
-  if (data_.bending) ledger[ring_bending_damping] = bending_loss;
+  std::size_t optional_ledger = first_optional_ledger;
+  if (data_.bending) ledger[optional_ledger++] = bending_loss;
+  if (data_.free_cage) ledger[optional_ledger++] = slip_loss;
 
   if (!out.observed.empty()) {
     observe(in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
@@ -303,6 +311,27 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   }
 }
 
+double TouchdownBearing::turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt,
+                                   HeatInput& heat, double& slip_loss) const {
+  const CageMotion m = cage_motion(*data_.free_cage, {.ring_speed = y[ring_spin],
+                                                      .cage_speed = y[free_cage_at()],
+                                                      .ball_spin = y[free_cage_at() + 1],
+                                                      .loads = balls.loads,
+                                                      .largest_load = balls.largest,
+                                                      .contact_torque = -balls.cage_torque});
+  dydt[free_cage_at()] = m.cage_acceleration;
+  dydt[free_cage_at() + 1] = m.ball_acceleration;
+  const double inner = m.inner_heat + 0.5 * m.pocket_heat, outer = m.outer_heat + 0.5 * m.pocket_heat;
+  heat.inner += inner;
+  heat.outer += outer;
+  for (auto& row : heat.rows) {
+    row.inner += inner / static_cast<double>(heat.rows.size());
+    row.outer += outer / static_cast<double>(heat.rows.size());
+  }
+  slip_loss = inner + outer;
+  return m.ring_torque;
+}
+
 double TouchdownBearing::energy(const SupportInput& in, std::span<const double> y) const {
   const auto& d = data_;
   const auto square = [&](std::size_t i) { return y[i] * y[i]; };
@@ -315,6 +344,7 @@ double TouchdownBearing::energy(const SupportInput& in, std::span<const double> 
   if (d.free_ring)
     U += 0.5 * d.ring_mass * square(ring_vx) - d.ring_mass * d.free_ring->gravity_x * y[ring_x] +
          0.5 * d.free_ring->diametral_inertia * (square(tilt_rate_y) + square(tilt_rate_z));
+  if (d.free_cage) U += d.free_cage->energy(y[free_cage_at()], y[free_cage_at() + 1]);
   U += contact_energy(in, grown, y);
   BallRowInput rows_in = row_input(grown, y);
   ShapeForces shapes;

@@ -41,7 +41,9 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
             "same drawing.");
     if (b.housing_diameters[1] <= b.outer_ring_diameters[1])
       fault("housing_diameters", fmt::format("the housing's outside diameter {} is not larger than the outer ring's {}",
-                                             mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])));
+                                             mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])),
+            fmt::format("Give the housing of this bearing: housing_diameters = [\"{}\", \"...\"], its bore and outside.",
+                        mm(b.outer_ring_diameters[1])));
     else if (std::abs(b.housing_diameters[0] - b.outer_ring_diameters[1]) > 0.01 * b.outer_ring_diameters[1])
       fault("housing_diameters",
             fmt::format("the housing's bore {} does not fit the outer ring's outside diameter {}",
@@ -117,6 +119,12 @@ void check_touchdown(const std::string& name, const TouchdownParameters& b, cons
                    "bearings.{}: the bore radius of {:.6g} mm is not half the inner ring's bore diameter of {:.6g} mm.",
                    name, bore * 1e3, b.inner_ring_diameters[0] * 1e3),
                "contact.bore_radius holds for all bearings; bearings.NAME.bore_radius for one.");
+  if (b.cage == CageModel::free && b.ball_model == BallModel::inertial)
+    faults.add(position_of_value(table, "cage"),
+               fmt::format("bearings.{}: a free cage goes with ball_model = \"quasi-static\"; balls with inertia "
+                           "follow the cage of rolling balls.",
+                           name),
+               "Leave cage or ball_model out.");
   if (b.preload > b.C0)
     faults.add(position_of_value(table, "preload"),
                fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating C0 = {:.6g} N.",

@@ -41,6 +41,7 @@ std::vector<StateEntry> TouchdownBearing::state_entries() const {
   if (data_.support_law)
     for (const auto& state : data_.support_law->states())
       entries.push_back({"support " + state.name, state.unit, state.scale});
+  if (data_.free_cage) entries.insert(entries.end(), {{"cage speed", "rad/s", 100.}, {"ball spin", "rad/s", 1000.}});
   return entries;
 }
 
@@ -57,6 +58,9 @@ std::vector<StateEntry> TouchdownBearing::ledger_entries() const {
       {"spin-up centres", "J", 1., "integral of F_t v_t, friction force times the centres' tangential speed"}};
   if (data_.bending)
     entries.push_back({"ring bending damping", "J", 1., "energy dissipated by the damping of bent rings"});
+  if (data_.free_cage)
+    entries.push_back(
+        {"ball slip heat", "J", 1., "heat of balls that slip on the races and in the pockets of a free cage"});
   return entries;
 }
 
@@ -129,6 +133,10 @@ std::vector<Observable> TouchdownBearing::observables() const {
          {"axial_force", "N", "rotor on inner ring along +x, shoulders and friction", 1, {}, Observed::axial_force},
          {"shoulder_force", "N", "shoulders of the rotor on the inner ring, along +x", 1, {}},
          {"ring_moment", "N m", "rotor on inner ring about y and z", 2, yz}});
+  if (data_.free_cage)
+    list.insert(list.end(),
+                {{"cage_speed", "rad/s", "speed of a free cage, and that of rolling balls", 2, {"cage", "rolling"}},
+                 {"ball_spin", "rad/s", "spin of the balls about the axis of rolling", 1, {}}});
   if (data_.support_law)
     list.insert(list.end(), {{"support_force", "N", "force of the support on the outer ring", 2, yz},
                              {"support_energy", "J", "energy stored in the springs of the support", 1, {}}});
@@ -193,9 +201,11 @@ void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, 
   }
   for (std::size_t i = 0; i < rows_.size(); ++i)
     put({traction_demand(balls.tractions[i].largest_gyroscopic_over_load, mu, 1.)});
-  if (!data_.free_ring) return;
-  put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.on_ring.x, touch.shoulder});
-  put({touch.on_ring.moment_y, touch.on_ring.moment_z});
+  if (data_.free_ring) {
+    put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.on_ring.x, touch.shoulder});
+    put({touch.on_ring.moment_y, touch.on_ring.moment_z});
+  }
+  if (data_.free_cage) put({y[free_cage_at()], cage_ratio_ * y[ring_spin], y[free_cage_at() + 1]});
 }
 
 }  // namespace rotordrop

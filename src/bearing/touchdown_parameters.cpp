@@ -93,9 +93,13 @@ void add_row_keys(Section<TouchdownParameters>& s) {
        .help = "Arrangement of two rows: X (face-to-face), O (back-to-back) or tandem. Not used for a single row."});
   s.integer("balls_per_row", &P::balls_per_row,
             {.range = between(3, BallRow::max_balls), .help = "Number of balls Z per row."});
-  s.quantity("ball_diameter", &P::ball_diameter, {.unit = "m", .range = positive(), .help = "Diameter d of a ball."});
+  s.quantity("ball_diameter", &P::ball_diameter,
+             {.unit = "m", .range = positive(), .usual = between(1e-3, 0.15), .help = "Diameter d of a ball."});
   s.quantity("pitch_diameter", &P::pitch_diameter,
-             {.unit = "m", .range = positive(), .help = "Diameter d_m of the circle of ball centres."});
+             {.unit = "m",
+              .range = positive(),
+              .usual = between(5e-3, 2),
+              .help = "Diameter d_m of the circle of ball centres."});
   s.quantities(
       "conformity", &P::conformity,
       {.range = between(0.501, 0.6),
@@ -110,6 +114,7 @@ void add_row_keys(Section<TouchdownParameters>& s) {
   s.quantity("radial_clearance", &P::radial_clearance,
              {.unit = "m",
               .range = between(-1e-4, 1e-3),
+              .usual = between(-3e-5, 2e-4),
               .fallback = "0 um",
               .help = "Radial clearance, mounted, cold and at standstill: half of a catalogue's radial internal "
                       "clearance (C3 and so on), which is diametral. For deep-groove bearings."});
@@ -148,6 +153,35 @@ void add_row_keys(Section<TouchdownParameters>& s) {
        .help =
            "quasi-static: massless balls. inertial: each ball in equilibrium with its centrifugal force and gyroscopic "
            "moment (Jones, outer-race control), with separate contact stiffnesses at inner and outer raceway."});
+  s.choice("cage", &P::cage, {{"rolling", CageModel::rolling}, {"free", CageModel::free}},
+           {.fallback = "rolling",
+            .help = "rolling: balls roll, the cage turns with (1 - gamma)/2 of the inner ring's speed. free: cage and "
+                    "balls have speeds of their own, driven by "
+                    "the races' traction on balls that slip, so that they lag behind an inner ring that spins up; the "
+                    "slip's heat enters both races. For "
+                    "ball_model = \"quasi-static\"."});
+  s.quantity("cage_inertia", &P::cage_inertia,
+             {.unit = "kg m2",
+              .range = at_least(0),
+              .help = "Moment of inertia of a free cage (all rows) about the axis; that of a fifth of the balls' mass "
+                      "on the pitch circle if not given, an estimate."});
+  s.quantity("race_traction", &P::race_traction,
+             {.range = positive(),
+              .fallback = "0.07",
+              .source = "estimate, lubricated steel (Gupta 1984: 0.03 to 0.1); dry 0.1 to 0.3",
+              .help = "Largest traction of races on slipping balls over their load, for a free cage."});
+  s.quantity("race_traction_slip", &P::race_traction_slip,
+             {.unit = "m/s",
+              .range = positive(),
+              .fallback = "0.5 m/s",
+              .source = "estimate: 2 to 3 % of a rolling speed of 20 m/s",
+              .help = "Slip of balls and races at which traction has reached 76 % (tanh 1) of its largest value. Small "
+                      "values shorten the integration's steps."});
+  s.quantity("pocket_friction", &P::pocket_friction,
+             {.range = at_least(0),
+              .fallback = "0.1",
+              .source = "estimate",
+              .help = "Friction coefficient of balls in the pockets of a free cage."});
   s.choice("gyroscopic_split", &P::gyroscopic_split,
            {{"outer", GyroscopicSplit::outer}, {"equal", GyroscopicSplit::equal}},
            {.fallback = "outer",
@@ -165,7 +199,10 @@ void add_row_keys(Section<TouchdownParameters>& s) {
 void add_ring_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
   s.quantity("ring_mass", &P::ring_mass,
-             {.unit = "kg", .range = positive(), .help = "Mass of the inner ring, of all rows together."});
+             {.unit = "kg",
+              .range = positive(),
+              .usual = between(1e-3, 500),
+              .help = "Mass of the inner ring, of all rows together."});
   s.quantity("ring_spin_inertia", &P::ring_spin_inertia,
              {.unit = "kg m2",
               .range = positive(),
@@ -236,6 +273,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
   s.quantity("C0", &P::C0,
              {.unit = "N",
               .range = positive(),
+              .usual = between(100, 1e8),
               .help = "Static load rating of all rows together; for a pair twice the catalogue value of a single "
                       "bearing. Each of n rows has C0 / n."});
   s.quantity("C", &P::C,
@@ -289,10 +327,18 @@ Section<TouchdownParameters> touchdown_section() {
   s.text("catalogue", &P::catalogue,
          {.help = "Name of a bearing in params/bearings, such as \"6014\"; its values apply to all keys not set in "
                   "this table."});
+  s.integer(
+      "count", &P::count,
+      {.range = between(1, 8),
+       .fallback = 1,
+       .help = "Number of catalogue bearings beside each other, such as 2 for a pair: rows, width, ring_mass, "
+               "ring_spin_inertia and C0 of the catalogue count that many times, C by count^0.7 (ISO 281). Values "
+               "that the case gives itself are of the whole set. arrangement and preload say how they are set."});
   s.integer("node", &P::node, {.range = at_least(1), .help = "Rotor node at which the bearing sits, numbered from 1."});
   s.quantity("contact_stiffness", &P::contact_stiffness,
              {.unit = "N/m^n",
               .range = positive(),
+              .usual = between(1e6, 1e14),
               .help = "Contact stiffness K in the normal force K delta^n between rotor and bore. Larger values make "
                       "the first impact harder. If not given, "
                       "that of a line contact of journal and bore by their radii, materials and width, with the same "
@@ -312,7 +358,10 @@ Section<TouchdownParameters> touchdown_section() {
       "bore_radius", &P::bore_radius,
       {.unit = "m", .range = positive(), .help = "Bore radius of this bearing; contact.bore_radius if not given."});
   s.quantity("air_gap", &P::air_gap,
-             {.unit = "m", .range = positive(), .help = "Air gap of this bearing; contact.air_gap if not given."});
+             {.unit = "m",
+              .range = positive(),
+              .usual = between(0.05e-3, 1e-3),
+              .help = "Air gap of this bearing; contact.air_gap if not given."});
   add_row_keys(s);
   add_ring_keys(s);
   add_ring_bending_keys(s);

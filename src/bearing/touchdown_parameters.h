@@ -48,6 +48,7 @@ enum class HousingFit { frictionless, bonded };
 /// bearings.NAME with type = "touchdown".
 struct TouchdownParameters {
   std::optional<std::string> catalogue;
+  int count = 1;  ///< of catalogue bearings beside each other
   int node = 0;
   std::optional<double> contact_stiffness, contact_width, crown_radius;
   std::optional<double> bore_radius, air_gap;
@@ -68,6 +69,9 @@ struct TouchdownParameters {
   std::optional<double> ring_diametral_inertia;
   ShoulderParameters shoulders;
   BallModel ball_model = BallModel::quasi_static;
+  CageModel cage = CageModel::rolling;
+  std::optional<double> cage_inertia;
+  double race_traction = 0, race_traction_slip = 0, pocket_friction = 0;
   GyroscopicSplit gyroscopic_split = GyroscopicSplit::outer;
   InternalHeat internal_heat = InternalHeat::energy_consistent;
   FrictionLoadLaw load_law = FrictionLoadLaw::radial;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/run_warning.h"
+
 namespace rotordrop {
 
 namespace {
@@ -39,6 +41,21 @@ void read_until(const Node& node, RunParameters& target, Faults& faults) {
   target.until_time = read_quantity(node, {.unit = "s", .range = positive()}, "run.until", faults);
 }
 
+void read_fatal_warnings(const Node& node, RunParameters& target, Faults& faults) {
+  std::vector<std::string> known{"all"};
+  for (const auto& kind : warning_kinds) known.emplace_back(kind.code);
+  if (!node.is_array()) {
+    faults.add(node.where(), "run.fatal_warnings must be a list of codes.", "Such as [\"energy-residual\"].");
+    return;
+  }
+  for (const Node& item : node.items())
+    if (!item.is_text() || std::find(known.begin(), known.end(), item.text()) == known.end())
+      faults.add(item.where(), "run.fatal_warnings: no warning is called " + to_text(item) + ".",
+                 suggestion(item.is_text() ? item.text() : "", known));
+    else
+      target.fatal_warnings.push_back(item.text());
+}
+
 void check_until(const RunParameters& p, const Node& table, Faults& faults) {
   if (p.until_time && *p.until_time > p.end_time)
     faults.add(position_of_value(table, "until"), "run.until is later than run.end_time, the latest end of the run.",
@@ -64,6 +81,7 @@ Section<RunParameters> run_section() {
   s.quantity("end_time", &P::end_time,
              {.unit = "s",
               .range = positive(),
+              .usual = between(1e-5, 1e4),
               .fallback = "0.3 s",
               .source = "Neisi, Heikkinen & Sopanen 2019",
               .help = "Simulated time; with run.until the latest end of the run."});
@@ -79,6 +97,7 @@ Section<RunParameters> run_section() {
   s.quantity("initial_speed", &P::initial_speed,
              {.unit = "rad/s",
               .range = between(-2e4, 2e4),
+              .usual = between(-6500, 6500),
               .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
   s.custom("gravity",
            {.unit = "m/s2",
@@ -103,6 +122,7 @@ Section<RunParameters> run_section() {
   s.quantity("ambient", &P::ambient,
              {.unit = "K",
               .range = between(60, 2000),
+              .usual = between(200, 500),
               .fallback = "293.15 K",
               .source = "estimate: the paper's plots start near 293 K",
               .help = "Temperature of the surroundings and of everything at the start."});
@@ -121,6 +141,20 @@ Section<RunParameters> run_section() {
                }
              if (!is_good) faults.add(node.where(), "run.parts must be a list of files, such as [\"snubber.so\"].");
            });
+  s.custom(
+      "fatal_warnings",
+      {.accepts = "a list of codes, such as [\"energy-residual\"], or [\"all\"]",
+       .json_types = {"array"},
+       .fallback = Node::array({}),
+       .help = "Warnings of the run (`warnings` in summary.json, docs/reference/warnings.md) that make it fail: at "
+               "the instant of a warning that is watched in time, at the end of the run for the others."},
+      read_fatal_warnings);
+  s.boolean("second_opinion", &P::second_opinion,
+            {.fallback = false,
+             .help = "Whether `rotordrop run` computes the drop again when it is done, to say how far its numbers are "
+                     "known: the first impacts with a tenth of the tolerance (half a fixed step), and two drops that "
+                     "start 1 nm higher and lower. Takes somewhat more than twice the drop's own time, and no memory "
+                     "on disk. Studies leave it out."});
   s.check(check_until);
   return s;
 }
@@ -128,15 +162,30 @@ Section<RunParameters> run_section() {
 Section<MaterialParameters> material_section() {
   Section<MaterialParameters> s("material", "A material of rings, balls, housing and shaft lumps.");
   add_material_keys(s, 10.);
+  s.quantity("temperature_limit", &MaterialParameters::temperature_limit,
+             {.unit = "K",
+              .range = positive(),
+              .help = "Temperature up to which parts of a bearing keep their hardness and dimensions. A run in which "
+                      "rings or balls exceed it warns; without it nothing is assessed. Built in: steel 150 degC (rings "
+                      "stabilised as S0, bearing catalogues), Si3N4 800 degC (estimate: strength falls above)."});
   return s;
 }
 
 Node default_materials() {
-  return Node::table(
-      {{"steel",
-        Node::table({{"E", 2.0e11}, {"nu", 0.30}, {"rho", 7800.}, {"k", 70.}, {"c", 510.}, {"alpha", 11.8e-6}})},
-       {"Si3N4",
-        Node::table({{"E", 3.15e11}, {"nu", 0.26}, {"rho", 3200.}, {"k", 35.}, {"c", 673.}, {"alpha", 3.2e-6}})}});
+  return Node::table({{"steel", Node::table({{"E", 2.0e11},
+                                             {"nu", 0.30},
+                                             {"rho", 7800.},
+                                             {"k", 70.},
+                                             {"c", 510.},
+                                             {"alpha", 11.8e-6},
+                                             {"temperature_limit", 423.15}})},
+                      {"Si3N4", Node::table({{"E", 3.15e11},
+                                             {"nu", 0.26},
+                                             {"rho", 3200.},
+                                             {"k", 35.},
+                                             {"c", 673.},
+                                             {"alpha", 3.2e-6},
+                                             {"temperature_limit", 1073.15}})}});
 }
 
 const Node& table_of(const Node& case_node, const char* section) {

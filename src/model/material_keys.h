@@ -9,11 +9,16 @@ namespace rotordrop {
 /// @param lowest_density  [kg/m3]; lower values are mistakes of the unit
 template <class P>
 void add_material_keys(Section<P>& s, double lowest_density) {
-  s.quantity("E", &P::E, {.unit = "Pa", .range = between(1e8, 2e12), .help = "Young's modulus."});
+  s.quantity("E", &P::E,
+             {.unit = "Pa", .range = between(1e8, 2e12), .usual = between(1e9, 1.3e12), .help = "Young's modulus."});
   s.quantity("nu", &P::nu, {.range = between(0, 0.499), .help = "Poisson's ratio."});
-  s.quantity("rho", &P::rho, {.unit = "kg/m3", .range = between(lowest_density, 3e4), .help = "Density."});
-  s.quantity("k", &P::k, {.unit = "W/(m K)", .range = positive(), .help = "Thermal conductivity."});
-  s.quantity("c", &P::c, {.unit = "J/(kg K)", .range = positive(), .help = "Specific heat capacity."});
+  s.quantity(
+      "rho", &P::rho,
+      {.unit = "kg/m3", .range = between(lowest_density, 3e4), .usual = between(500, 2.3e4), .help = "Density."});
+  s.quantity("k", &P::k,
+             {.unit = "W/(m K)", .range = positive(), .usual = between(0.1, 2500), .help = "Thermal conductivity."});
+  s.quantity("c", &P::c,
+             {.unit = "J/(kg K)", .range = positive(), .usual = between(100, 5000), .help = "Specific heat capacity."});
   s.function(
       "k_table", &P::k_table,
       {.unit = "W/(m K)",
@@ -28,7 +33,10 @@ void add_material_keys(Section<P>& s, double lowest_density) {
               .range = positive(),
               .help = "Specific heat capacity over temperature, instead of c; used like k_table."});
   s.quantity("alpha", &P::alpha,
-             {.unit = "1/K", .range = between(-1e-3, 1e-3), .help = "Linear thermal expansion coefficient."});
+             {.unit = "1/K",
+              .range = between(-1e-3, 1e-3),
+              .usual = between(-1e-5, 5e-5),
+              .help = "Linear thermal expansion coefficient."});
 }
 
 }  // namespace rotordrop

@@ -31,9 +31,11 @@ void check_inline_geometry(const RotorParameters& parameters, const Node& table,
 Section<RotorParameters> rotor_section() {
   Section<Unbalance> unbalance("unbalance", "An unbalance mass whose centrifugal force rotates with the rotor.");
   unbalance.integer("node", &Unbalance::node, {.range = at_least(1), .help = "Node at which it acts."})
-      .quantity(
-          "me", &Unbalance::me,
-          {.unit = "kg m", .range = at_least(0), .help = "Mass times eccentricity; 1e-6 kg m is one gram millimetre."})
+      .quantity("me", &Unbalance::me,
+                {.unit = "kg m",
+                 .range = at_least(0),
+                 .usual = at_most(0.1),
+                 .help = "Mass times eccentricity; 1e-6 kg m is one gram millimetre."})
       .quantity("angle", &Unbalance::angle,
                 {.unit = "rad", .fallback = "0 deg", .help = "Angular position at spin angle 0, from +y towards +z."});
 

@@ -48,6 +48,7 @@ struct Declaration {
   std::string argument_unit = {};
   QuantityKind quantity_kind = QuantityKind::plain;
   Range range = {};
+  Range usual = {};  ///< part of it; values outside are warned of
   bool required = false;
   std::optional<Node> fallback = {};
   std::string source = {};

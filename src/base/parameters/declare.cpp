@@ -30,6 +30,7 @@ void set_quantity(Declaration& d, const Options& options) {
   d.unit = options.unit;
   d.quantity_kind = options.kind.value_or(kind_of(options.unit));
   d.range = options.range;
+  d.usual = options.usual;
 }
 
 /// What a user could have written: a bare number as a number, everything else as text.
@@ -56,7 +57,9 @@ Node quantity_rows(const Rows& rows) {
 void check_fallback(const Declaration& d, const std::string& name, Faults& faults) {
   switch (d.kind) {
     case Kind::quantity:
-      read_quantity(*d.fallback, d, name, faults);
+      if (const auto value = read_quantity(*d.fallback, d, name, faults); value && !d.usual.contains(*value))
+        faults.add({}, fmt::format("{} is not {}, which is declared as usual", to_text(*d.fallback),
+                                   to_string(d.usual, d.unit)));
       break;
     case Kind::integer:
       read_integer(*d.fallback, d, name, faults);

@@ -19,6 +19,7 @@ struct Quantity {
   std::string unit = "1";
   std::optional<QuantityKind> kind = {};  ///< default: kind_of(unit); needed for a temperature difference only
   Range range = {};
+  Range usual = {};  ///< in the field; a value outside is allowed, but most often a slip
   std::optional<std::string> fallback = {};
   std::string source = {};
   std::string help = {};
@@ -27,6 +28,7 @@ struct QuantityList {
   std::string unit = "1";
   std::optional<QuantityKind> kind = {};
   Range range = {};                        ///< of every entry
+  Range usual = {};                        ///< likewise
   std::vector<std::string> fallback = {};  ///< {"0.52", "0.52"}
   std::size_t min_count = 0;  ///< of a std::vector; if 0, an absent key without fallback means an empty list
   std::string source = {};
@@ -36,6 +38,7 @@ struct QuantityMatrix {
   std::string unit = "1";
   std::optional<QuantityKind> kind = {};
   Range range = {};                                     ///< of every entry
+  Range usual = {};                                     ///< likewise
   std::vector<std::vector<std::string>> fallback = {};  ///< {{"1", "0"}, {"0", "1"}}
   std::string source = {};
   std::string help = {};
@@ -47,6 +50,7 @@ struct QuantityFunction {
   std::optional<QuantityKind> kind = {};
   std::string argument_unit = "s";
   Range range = {};                                       ///< of every value
+  Range usual = {};                                       ///< likewise
   std::vector<std::array<std::string, 2>> fallback = {};  ///< {{"0 s", "0 N m"}, {"1 s", "2 N m"}}
   std::string source = {};
   std::string help = {};

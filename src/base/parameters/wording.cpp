@@ -13,7 +13,8 @@ using Kind = Declaration::Kind;
 std::string quantity_text(const Declaration& d) {
   const std::string name = dimension_name(d.unit, d.quantity_kind);
   const std::string noun = d.unit == "1" ? "number" : name == d.unit ? name : fmt::format("{} in {}", name, d.unit);
-  return d.range.is_any() ? noun : fmt::format("{}, {}", noun, to_string(d.range));
+  return noun + (d.range.is_any() ? "" : fmt::format(", {}", to_string(d.range))) +
+         (d.usual.is_any() ? "" : fmt::format("; usually {}", to_string(d.usual)));
 }
 
 }  // namespace

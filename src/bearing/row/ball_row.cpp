@@ -165,6 +165,7 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   kernel(balls, out);
   if (is_bent) press_shapes(in, bent);
   out.inner_load_roots = out.outer_load_roots = stiffness_root_ * out.inner_load_roots;
+  out.cage_torque = out.cage_power;
   out.cage_power *= in.cage_speed;
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data(), is_bent ? bent.width.data() : nullptr);
   if (!tractions) return;

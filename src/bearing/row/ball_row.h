@@ -105,6 +105,7 @@ struct BallRowOutput {
   double force_x, force_y, force_z;  ///< on the inner ring [N]
   double moment_y, moment_z;         ///< on the inner ring [N m]
   double damping_power;              ///< dissipated in the contacts [W]
+  double cage_torque;                ///< dU/d(cage angle), waves left out [N m]; of balls without inertia
   double elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
   double elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
   double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]

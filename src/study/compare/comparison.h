@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "study/compare/comparison_options.h"
-#include "study/drop/bore_report.h"
 #include "study/recorded_drop.h"
+#include "study/rub/bore_report.h"
 
 // The lumped circuit beside the finite elements, and one run beside another.
 namespace rotordrop {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/drop/impact.h"
+#include "study/rub/impact.h"
 #include "study/time_series.h"
 
 namespace rotordrop {

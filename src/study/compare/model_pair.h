@@ -5,8 +5,8 @@
 
 #include "bearing/touchdown_parameters.h"
 #include "study/compare/difference_json.h"
-#include "study/drop/impact.h"
 #include "study/recorded_drop.h"
+#include "study/rub/impact.h"
 
 namespace rotordrop {
 

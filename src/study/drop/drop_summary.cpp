@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "analysis/section_coupling.h"
+#include "study/drop/warning_summary.h"
 #include "study/recorded_drop.h"
 
 namespace rotordrop {
@@ -132,6 +133,8 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
   s.cpu_time = result.cpu_time;
   s.statistics = result.statistics;
   s.input_warnings = drop_case.warnings;
+  s.warnings = result.warnings;
+  for (auto& warning : warnings_in_summary(p, s)) s.warnings.push_back(std::move(warning));
   return s;
 }
 

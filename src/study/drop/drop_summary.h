@@ -1,4 +1,5 @@
 #pragma once
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,11 +9,12 @@
 #include "analysis/facts/rotor_report.h"
 #include "analysis/facts/shoulder_report.h"
 #include "case/case.h"
+#include "model/run_warning.h"
 #include "study/drop/fe_summary.h"
-#include "study/drop/local_report.h"
 #include "study/drop/probe_summary.h"
 #include "study/drop/support_summary.h"
 #include "study/drop/whirl.h"
+#include "study/rub/local_report.h"
 
 namespace rotordrop {
 
@@ -77,6 +79,9 @@ struct DropSummary {
   double wall_time = 0, cpu_time = 0;  ///< [s]
   IntegrationStatistics statistics;
   std::vector<Fault> input_warnings;
+  std::vector<RunWarning> warnings;                      ///< of the run, and of what only its summary tells
+  std::optional<nlohmann::ordered_json> limits;          ///< assessed(), of a case with limits
+  std::optional<nlohmann::ordered_json> second_opinion;  ///< second_opinion(); null if it was interrupted
 };
 
 /// @param elements  of the machine, or null
@@ -86,6 +91,9 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
 
 /// As in summary.json; docs/reference/results.md has every key.
 nlohmann::ordered_json summary_json(const DropSummary& summary);
+
+/// What summary_text() tells, from summary.json: models of modules that are not loaded are left out.
+DropSummary recorded_summary(const nlohmann::ordered_json& summary);
 
 /// The main results as a few lines for the terminal.
 std::string summary_text(const DropSummary& summary);

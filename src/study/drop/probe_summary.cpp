@@ -53,7 +53,7 @@ std::string probe_text(const std::vector<ProbeSummary>& probes) {
                           p.name, p.node, left * 1e6, p.clearance * 1e6, time * 1e3);
     else
       text += fmt::format(
-          "{} (node {}): warning: the rotor TOUCHES at {:.4g} ms{}; {:.4g} um beyond its clearance of {:.4g} um, at "
+          "{} (node {}): the rotor TOUCHES at {:.4g} ms{}; {:.4g} um beyond its clearance of {:.4g} um, at "
           "{:.4g} ms{}\n",
           p.name, p.node, p.scalars.first_touch_time * 1e3, p.contact ? "" : " and goes on as if nothing were there",
           -left * 1e6, p.clearance * 1e6, time * 1e3,

@@ -2,7 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "study/drop/drop_summary.h"
+#include "study/drop/warning_summary.h"
 #include "study/json_number.h"
+#include "study/result_limits.h"
 #include "study/statics/shoulder_words.h"
 
 namespace rotordrop {
@@ -133,11 +135,18 @@ Json summary_json(const DropSummary& s) {
               {"cpu_time", s.cpu_time},
               {"steps", s.statistics.steps},
               {"rhs_evaluations", s.statistics.rhs_evaluations},
-              {"rejected_steps", s.statistics.rejected_steps}};
+              {"rejected_steps", s.statistics.rejected_steps},
+              {"warnings", s.warnings.size()}};
   j["input_warnings"] = Json::array();
   for (const auto& warning : s.input_warnings)
     j["input_warnings"].push_back(
         {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
+  j["warnings"] = warnings_json(s.warnings);
+  if (s.limits) {
+    j["limits"] = *s.limits;
+    j["accepted"] = accepted(*s.limits);
+  }
+  if (s.second_opinion) j["second_opinion"] = *s.second_opinion;
   return j;
 }
 

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "analysis/statics/statics.h"
 #include "study/drop/drop_summary.h"
+#include "study/drop/warning_summary.h"
+#include "study/opinion/second_opinion.h"
+#include "study/result_limits.h"
 #include "study/statics/shoulder_words.h"
 
 namespace rotordrop {
@@ -16,48 +18,6 @@ namespace {
 constexpr double rpm = 30. / std::numbers::pi;
 
 std::string ms(double time) { return std::isfinite(time) ? fmt::format("{:.4g} ms", time * 1e3) : "never"; }
-
-/// Lines on balls that friction may not keep rolling, if any.
-std::string skid_text(const BearingSummary& b) {
-  const std::string indent(b.name.size() + 2, ' ');
-  const SkidVerdict skid = skid_verdict(b.scalars, b.n_rows);
-  const double beyond = skid.demand.speed_change_beyond, all = skid.demand.speed_change;
-  std::string text;
-  if (beyond > relevant_speed_share * all)
-    text += fmt::format(
-        "{}balls of row {} may skid: for {:.4g} ms, with {:.0f} % of the ring's speed changes, friction at the "
-        "raceways cannot keep them rolling\n",
-        indent, skid.row.value_or(0) + 1, skid.demand.time_beyond * 1e3, 100. * beyond / all);
-  if (const auto& gyroscopic = b.scalars.gyroscopic; gyroscopic.largest > 1.)
-    text += fmt::format(
-        "{}balls may pivot: their gyroscopic moments require up to {:.3g} times the available friction at the outer "
-        "raceway and exceed it for {:.4g} ms\n",
-        indent, gyroscopic.largest, gyroscopic.time_beyond * 1e3);
-  return text;
-}
-
-/// Lines on what the balls' model leaves out and where pressures are void, if anywhere.
-std::string ball_text(const BearingSummary& b) {
-  const std::string indent(b.name.size() + 2, ' ');
-  std::string text;
-  if (!b.is_inertial) {
-    double largest = 0.;
-    for (std::size_t row = 0; row < b.n_rows; ++row)
-      largest = std::max(largest, b.scalars.row_centrifugal[row].over_load());
-    if (largest > relevant_centrifugal_share)
-      text += fmt::format(
-          "{}warning: centrifugal forces of the balls (up to {:.3g} N) are {:.2g} times their loads, and ball_model = "
-          "\"quasi-static\" leaves them out\n",
-          indent, b.scalars.row_centrifugal[0].largest, largest);
-  }
-  for (std::size_t row = 0; row < b.n_rows; ++row)
-    if (const auto& truncation = b.scalars.row_truncation[row]; truncation.largest > 0.)
-      text += fmt::format(
-          "{}warning: the contact ellipses of row {} reach over the raceway's edge for {:.3g} ms, by up to {:.0f} % of "
-          "their length at {:.4g} ms: pressure and static safety are void there\n",
-          indent, row + 1, truncation.time_truncated * 1e3, 100. * truncation.largest, truncation.largest_time * 1e3);
-  return text;
-}
 
 /// "1.23 K inner ring, 0.45 K shaft": of the bodies that a model has.
 std::string rises_text(const BearingSummary::Rises& rises) {
@@ -100,11 +60,6 @@ std::string bearing_text(const BearingSummary& b) {
   text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; mean temperature rise {}\n", "",
                       indent, s.ring_speed_end * rpm, ms(s.catch_up_time), all_rises_text(b));
   if (b.local) text += local_text(b.name, *b.local);
-  if (s.contact_pressure.value > static_pressure_limit)
-    text +=
-        fmt::format("{:{}}contact pressure of the balls {:.2f} GPa exceeds the static limit of {:.1f} GPa (ISO 76)\n",
-                    "", indent, s.contact_pressure.value * 1e-9, static_pressure_limit * 1e-9);
-  text += ball_text(b) + skid_text(b);
   if (b.is_free)
     text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", indent, s.axial_force.smallest * 1e-3,
                         s.axial_force.largest * 1e-3);
@@ -128,16 +83,10 @@ std::string reduction_text(const DropSummary& s) {
 
 std::string windows_text(const DropSummary::Windows& w) {
   const auto& r = w.report;
-  std::string text = fmt::format(
+  return fmt::format(
       ", of the finite elements {:.1e} J\nWindows: {} of {:.3g} to {:.3g} ms; growth error up to {:.2g} nm of {:.0f} "
       "nm",
       w.energy.residual(), r.windows, r.shortest * 1e3, r.longest * 1e3, r.largest_error * 1e9, r.largest_growth * 1e9);
-  if (r.beyond_tolerance > 0)
-    text += fmt::format(
-        "\n{} of {} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most at {:.4g} ms; "
-        "a shorter thermal.fe.longest_window leaves less",
-        r.beyond_tolerance, r.windows, r.tolerance * 1e9, r.largest_error_time * 1e3);
-  return text;
 }
 
 std::string energy_text(const DropSummary& s) {
@@ -164,7 +113,9 @@ std::string summary_text(const DropSummary& s) {
                                                 s.end_time, s.rotor_speed_end * rpm)
                                   : fmt::format("run.until = \"{}\" was not met by t = {:.6g} s; raise run.end_time\n",
                                                 s.until, s.end_time);
-  return text + energy_text(s);
+  text += energy_text(s) + warnings_text(s.warnings);
+  if (s.second_opinion) text += second_opinion_text(*s.second_opinion);
+  return s.limits ? text + limits_text(*s.limits) : text;
 }
 
 }  // namespace rotordrop

@@ -51,9 +51,6 @@ std::string support_text(const std::string& name, const SupportSummary& s) {
     text += fmt::format("{}support ({}) moves by up to {:.4g} um and dissipates {:.4g} J\n", indent, s.type,
                         s.largest_travel * 1e6, s.loss);
   if (s.meets_stop.value_or(false)) text += fmt::format("{}the outer ring meets its stop\n", indent);
-  if (s.travel_limit && s.largest_travel > *s.travel_limit)
-    text += fmt::format("{}warning: the outer ring moves by {:.4g} um, beyond its travel limit of {:.4g} um\n", indent,
-                        s.largest_travel * 1e6, *s.travel_limit * 1e6);
   return text;
 }
 

@@ -24,7 +24,7 @@ struct SupportSummary {
                                                             const std::string& bearing, std::span<const double> y);
 /// `support` of a bearing in summary.json; null for none.
 [[nodiscard]] nlohmann::ordered_json support_json(const std::optional<SupportSummary>& support);
-/// A line for the screen; empty for springs that are within their limit.
+/// Lines for the screen; empty for springs without a stop.
 [[nodiscard]] std::string support_text(const std::string& name, const SupportSummary& support);
 
 }  // namespace rotordrop

@@ -47,38 +47,6 @@ fs::path case_of(const StudyFile& raw, const Node& tree, const fs::path& file) {
                    fmt::format("Looked for {} and {}.", beside.string(), own.string()));
 }
 
-void read_limits(const Node& table, Study& study, Faults& faults) {
-  if (table.is(Node::Kind::null)) return;
-  if (!table.is_table()) {
-    faults.add(table.where(), "limits must be a table.", "Write [limits] and below it RESULT = { max = \"6 kN\" }.");
-    return;
-  }
-  for (const auto& [name, where, node] : flattened(table, {"max", "min"})) {
-    Limit limit{name, {}, {}, {}, {}, where};
-    if (!node->is_table()) {
-      faults.add(where, fmt::format("limits.{} must be a table with max, min or both.", name),
-                 "For example { max = \"6 kN\" }.");
-      continue;
-    }
-    for (const auto& entry : node->entries()) {
-      if (entry.key != "max" && entry.key != "min") {
-        faults.add(entry.where, fmt::format("unknown key \"{}\" in limits.{}.", entry.key, name), "Known: max, min.");
-        continue;
-      }
-      auto& text = entry.key == "max" ? limit.max_text : limit.min_text;
-      if (entry.value.is_text())
-        text = entry.value.text();
-      else if (entry.value.is_number())
-        text = shortest(entry.value.number());
-      else
-        faults.add(entry.where, fmt::format("limits.{}.{} must be a number or a quantity.", name, entry.key));
-    }
-    if (limit.max_text.empty() && limit.min_text.empty())
-      faults.add(where, fmt::format("limits.{} has neither max nor min.", name), "For example { max = \"6 kN\" }.");
-    study.limits.push_back(std::move(limit));
-  }
-}
-
 void read_derived(const Node& table, Study& study, Faults& faults) {
   if (table.is(Node::Kind::null)) return;
   if (!table.is_table()) {
@@ -214,27 +182,6 @@ std::vector<std::size_t> Study::drawn() const {
 
 std::vector<ErasedSection> study_sections() { return {study_section().erased()}; }
 
-bool fits(const std::string& name, const std::string& pattern) {
-  // Greedy matching with one point to return to; a star takes no dot.
-  std::size_t n = 0, p = 0, star = std::string::npos, from = 0;
-  while (n < name.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      from = n;
-    } else if (p < pattern.size() && pattern[p] == name[n]) {
-      ++p;
-      ++n;
-    } else if (star != std::string::npos && name[from] != '.') {
-      p = star + 1;
-      n = ++from;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
-}
-
 Study read_study(const fs::path& file, const std::vector<std::string>& overrides, const fs::path& case_file) {
   Study study;
   study.file = file;
@@ -252,7 +199,13 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   study.n_replicates = raw.replicates.n;
   study.replicate_spread = raw.replicates.spread;
   read_vary(raw.vary, study, faults);
-  read_limits(raw.limits, study, faults);
+  read_limits(raw.limits, study.limits, faults);
+  // Those of the case hold in each of its drops, unless the study has others.
+  const std::size_t n_own = study.limits.size();
+  for (const auto& limit : study.base.parameters.limits)
+    if (std::none_of(study.limits.begin(), study.limits.begin() + static_cast<std::ptrdiff_t>(n_own),
+                     [&](const Limit& own) { return fits(limit.pattern, own.pattern); }))
+      study.limits.push_back(limit);
   read_derived(raw.derived, study, faults);
   study.keep_results = texts_of(raw.keep.results, "keep.results", faults);
   study.keep_series = texts_of(raw.keep.series, "keep.series", faults);

@@ -256,7 +256,16 @@ function showProvenance() {
   section("Provenance", ...parts);
 }
 
+function showAcceptance({ verdict, state, rows }) {
+  const words = { ok: "✓ accepted", warning: "! REJECTED", unknown: "? not assessed" };
+  section("Acceptance", element("p", { class: "verdict " + state }, element("strong", {}, verdict)),
+    table(["", "result", "value", "limit", "usage"], rows.map((r) => [element("span", { class: "state " + r.state }, words[r.state]),
+      r.meaning ? element("span", { title: r.key }, r.meaning) : r.key, unit(r.value), unit(r.limit), r.usage]), ["", "", "number", "number", "number"]),
+    element("p", { class: "note" }, "Limits are those of the case ([limits]). Usage: value over an upper limit, or lower limit over value. What could not be assessed is not accepted."));
+}
+
 showHead();
+if (data.acceptance) showAcceptance(data.acceptance);
 section("The case", ...data.words.map((text) => element("p", {}, text)));
 showNumbers();
 section("Checks", table(["", "", ""], data.checks.map((c) => [element("span", { class: "state " + c.state }, { ok: "✓ good", warning: "! warning", unknown: "? not assessed", uncertain: "? uncertain" }[c.state]), c.name, c.text])));

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "study/drop/impact.h"
 #include "study/report/report.h"
 #include "study/report/section_picture.h"
+#include "study/rub/impact.h"
 
 namespace rotordrop {
 namespace {

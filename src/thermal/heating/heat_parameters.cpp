@@ -33,6 +33,15 @@ Section<HeatMaterialParameters> material_section() {
                                     "there), and so for c. E, nu and "
                                     "alpha are for displacements.");
   add_material_keys(s, 1.);  // a gap of air may be a body
+  s.custom("temperature_limit",
+           {.unit = "K",
+            .accepts = "temperature in K, > 0",
+            .json_types = {"number", "string"},
+            .help = "Temperature that the material stands, of drops with the same materials; heat conduction does not "
+                    "use it."},
+           [](const Node& node, HeatMaterialParameters&, Faults& faults) {
+             read_quantity(node, {.unit = "K", .range = positive()}, "temperature_limit", faults);
+           });
   return s;
 }
 

@@ -1,4 +1,4 @@
-#include "study/many/answers/result_names.h"
+#include "study/result_names.h"
 
 #include <fmt/format.h>
 
@@ -92,6 +92,8 @@ constexpr std::array rules{
     Rule{"support.meets_stop", "1", "whether the outer ring meets its stop"},
     Rule{"run.end_time", "s", "end of the simulated time"},
     Rule{"run.completed", "1", "whether the run came to its end"},
+    Rule{"accepted", "1", "whether all limits of the case are met"},
+    Rule{"run.warnings", "1", "number of warnings of the run"},
     Rule{"run.steps", "1", "steps of the time integration"},
     Rule{"run.rhs_evaluations", "1", "right-hand sides of the time integration"},
     Rule{"run.rejected_steps", "1", "rejected steps of the time integration"},

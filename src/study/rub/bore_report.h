@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "machine/heat/bore_history.h"
-#include "study/drop/impact.h"
+#include "study/rub/impact.h"
 
 namespace rotordrop {
 

@@ -1,4 +1,4 @@
-#include "study/drop/impact.h"
+#include "study/rub/impact.h"
 
 #include <fmt/format.h>
 

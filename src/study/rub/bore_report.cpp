@@ -1,4 +1,4 @@
-#include "study/drop/bore_report.h"
+#include "study/rub/bore_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "study/drop/local_report.h"
+#include "study/rub/local_report.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "analysis/facts/thermal_report.h"
-#include "study/drop/bore_report.h"
 #include "study/json_number.h"
+#include "study/rub/bore_report.h"
 
 namespace rotordrop {
 namespace {

@@ -1,0 +1,19 @@
+#include "case/named_files.h"
+
+#include "io/sha256.h"
+#include "machine/build_machine.h"
+
+namespace rotordrop {
+
+std::vector<NamedFile> named_files(const Case& c) {
+  std::vector<NamedFile> files;
+  const auto add = [&](const std::filesystem::path& path) { files.push_back({path, sha256_of_file(path)}); };
+  const auto& thermal = c.parameters.thermal;
+  if (thermal.fe.mesh && thermal.runs_sections())
+    for (const auto& name : touchdown_names(c.parameters)) add(own_mesh_file(*thermal.fe.mesh, name));
+  if (thermal.recorded && driver_of(thermal) == recorded_driver) add(*thermal.recorded);
+  for (const auto& module : c.parameters.run.parts) add(module);
+  return files;
+}
+
+}  // namespace rotordrop
