@@ -15,7 +15,7 @@
 #include "python/watch.h"
 #include "study/drop/drop_run.h"
 #include "study/drop/summary.h"
-#include "study/many/answers/result_names.h"
+#include "study/result_names.h"
 #include "study/report/report.h"
 
 namespace rotordrop::python {
