@@ -64,7 +64,7 @@ double relative_difference(double a, double b) {
 }
 
 using Numbers = std::vector<std::pair<std::string, double>>;
-Numbers numbers_of(const FinishedDrop& drop) { return numbers_of(summary_json(drop.summary)); }
+Numbers numbers_in(const FinishedDrop& drop) { return numbers_of(summary_json(drop.summary)); }
 
 double value_of(const Numbers& numbers, const std::string& name) {
   for (const auto& [known, value] : numbers)
@@ -125,12 +125,12 @@ Json second_opinion(const Case& c, const FinishedDrop& first, const volatile std
     beside.parameters.rotor.initial_offset[0] += shift;
     const FinishedDrop neighbour = run_again(beside, stop);
     if (!neighbour.completed) return nullptr;
-    neighbours.push_back(numbers_of(neighbour));
+    neighbours.push_back(numbers_in(neighbour));
     apart = std::fmin(apart, parting(c, *first.recorded, *neighbour.recorded));
   }
-  const Numbers same = numbers_of(impacts->same), finer = numbers_of(impacts->finer);
+  const Numbers same = numbers_in(impacts->same), finer = numbers_in(impacts->finer);
   Json results = Json::array();
-  for (const auto& [name, value] : numbers_of(first)) {
+  for (const auto& [name, value] : numbers_in(first)) {
     if (!is_judged(name)) continue;
     double lowest = value, highest = value, spread = 0.;
     for (const auto& neighbour : neighbours) {
