@@ -1,4 +1,4 @@
-"""The lumped circuit beside the finite elements, and one drop beside another."""
+"""Thermal models of a drop beside each other, and one drop beside another."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def compare(
     band_length: str = "",
     instants: Sequence[float | str] | None = None,
 ) -> dict[str, typing.Any]:
-    """For how long the lumped circuit agrees with the finite elements of a drop, as comparison.json has it (docs/how-to/compare.md).
+    """For how long the thermal models of a drop agree, as comparison.json has it (docs/how-to/compare.md).
 
     against            another drop; if `drop` has one thermal model only, the other one is taken from there
     tolerance          of temperatures: "5 %" of the rise (default) or "0.5 K"
