@@ -39,8 +39,9 @@ class Drop(PackageTest):
                 self.assertAlmostEqual(value, scalar["expected"], delta=scalar["tolerance"], msg=f"{scalar['unit']}; {scalar['reason']}")
 
     def test_memory_and_program_agree_in_every_number_and_series(self):
-        done = call("run", SETTLING, "-o", self.folder / "out", "--quiet", "--set", "run.end_time=20 ms")
+        done = call("run", SETTLING, "-o", self.folder / "out", "--set", "run.end_time=20 ms")
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(self.result.text, done.stdout)
         program = dict(flat(json.loads((self.folder / "out/summary.json").read_text())))
         here = dict(flat(self.result.summary))
         clocks = {"run.wall_time", "run.cpu_time"}
