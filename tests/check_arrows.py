@@ -50,6 +50,7 @@ LIBRARIES = [
     ("zlib", r"zlib", {"io", "cache"}),
     ("toml++", r"(toml\+\+/|toml\.hpp)", {"io"}),
     ("nlohmann-json", r"nlohmann/", {"io", "case", "study", "cli"}),
+    ("NLopt", r"nlopt", {"study"}),
     ("UDUNITS", r"udunits", {"base"}),
     ("CLI11", r"CLI/", {"cli"}),
     ("deal.II", r"deal\.II/", {"thermal/fe"}),

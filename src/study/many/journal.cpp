@@ -45,6 +45,7 @@ PointRecord record_of(const Json& line) {
   record.cpu_time = line.at("cpu").get<double>();
   record.layout = line.at("layout").get<std::size_t>();
   record.values = numbers_of(line.at("values"));
+  if (line.contains("at")) record.at = numbers_of(line["at"]);
   if (line.contains("series"))
     for (const auto& s : line["series"])
       record.series.push_back({s.at("path"), s.at("unit"), s.at("long_name"), s.at("width"), numbers_of(s.at("time")),
@@ -141,6 +142,7 @@ void Journal::append(std::size_t point, const PointResult& result, double cpu_ti
                       {"width", s.width},
                       {"time", numbers(s.time)},
                       {"values", numbers(s.values)}});
+  if (!result.at.empty()) line["at"] = numbers(result.at);
   const std::scoped_lock lock(lock_);
   auto layout = std::find(layouts_.begin(), layouts_.end(), names);
   if (layout == layouts_.end()) {

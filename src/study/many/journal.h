@@ -18,6 +18,7 @@ struct PointRecord {
   std::size_t layout = 0;  ///< which list of names its values follow
   std::vector<double> values;
   std::vector<PointSeries> series;
+  std::vector<double> at;  ///< of a search: values of the parameters that it changes, SI
 };
 
 /// Finished points of a study in an append-only file. Each line carries its own check sum: of a killed program at most the last line is

@@ -11,6 +11,7 @@
 #include "case/program_files.h"
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"
+#include "study/many/search/search_check.h"
 #include "study/many/vary_reader.h"
 
 namespace rotordrop {
@@ -43,6 +44,7 @@ struct StudyFile {
   ReplicateParameters replicates;
   std::vector<CorrelationEntry> correlations;
   std::optional<ChoiceEntry> choice;
+  std::optional<MinimiseParameters> minimise;
   KeepEntry keep;
 };
 
@@ -155,6 +157,7 @@ Section<StudyFile> study_section() {
                        "drop, in SI."},
               [](const Node& node, P& p, Faults&) { p.derived = node; })
       .table<ChoiceEntry>("choose", &P::choice, choice)
+      .table<MinimiseParameters>("minimise", &P::minimise, minimise_section())
       .table<KeepEntry>("keep", &P::keep, keep);
   return s;
 }
@@ -277,7 +280,8 @@ void check_design(const Study& study, const Node& tree, Faults& faults) {
   const bool has_size =
       is_sample(design.kind) || design.kind == DesignKind::saltelli || design.kind == DesignKind::morris;
   const std::string kind = name_of(design.kind);
-  if (has_size && !design.size)
+  const bool has_sample = study.searched.size() < study.drawn().size();
+  if (has_size && !design.size && has_sample)
     faults.add(where, fmt::format("design.kind = \"{}\" needs design.size.", kind), "For example size = 100.");
   if (!has_size && design.size)
     faults.add(table ? position_of_value(*table, "size") : where,
@@ -332,8 +336,8 @@ void check_choice(const Study& study, Faults& faults) {
 }  // namespace
 
 std::string name_of(DesignKind kind) {
-  static const char* const names[] = {"grid",           "list",     "one-at-a-time", "latin-hypercube",
-                                      "sobol-sequence", "saltelli", "morris",        "monte-carlo"};
+  static const char* const names[] = {"grid",     "list",   "one-at-a-time", "latin-hypercube", "sobol-sequence",
+                                      "saltelli", "morris", "monte-carlo",   "search"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -397,7 +401,9 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   if (raw.choice)
     study.choice = Choice{raw.choice->parameter, raw.choice->result, raw.choice->quantile, position_of(tree, "choose")};
   read_correlations(raw.correlations, position_of(tree, "correlation"), study, faults);
+  study.minimise = raw.minimise;
   faults.throw_if_any();
+  read_search(study, tree, faults);
   check_design(study, tree, faults);
   check_choice(study, faults);
   faults.throw_if_any();

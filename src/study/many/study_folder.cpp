@@ -39,6 +39,7 @@ std::string digest_of(const Study& study, const Design& design) {
   for (const auto& l : study.limits) text += "limit " + l.pattern + "\n";
   for (const auto& s : study.keep_series) text += "series " + s + "\n";
   if (study.choice) text += "choose " + study.choice->result + "\n";
+  if (study.is_search()) text += without_comments(study.text);  // bounds of limits, too, decide where it goes
   text += fmt::format("on failure {}\n", static_cast<int>(study.on_failure));
   std::string digest = sha256_of(text);
   const std::size_t n = n_points(study, design);
@@ -76,6 +77,25 @@ void require_same_study(const fs::path& journal, const std::string& found, const
                    fmt::format("this journal is of shard {} of {}, not of shard {} of {}.", a["shard"].dump(),
                                a["shards"].dump(), b["shard"].dump(), b["shards"].dump()),
                    "Give each shard a directory of its own with -o DIR.");
+}
+
+std::optional<Journal::Content> earlier_points(const Study& study, const StudyOptions& options,
+                                               const std::string& header) {
+  const fs::path file = options.directory / "study.journal";
+  std::error_code error;
+  if (options.resume && fs::exists(file, error)) {
+    try {
+      auto content = Journal::read(file);
+      require_same_study(file, content.header, header);
+      return content;
+    } catch (const InputError&) {
+      // A program that was killed before its first line has left less than a header.
+      if (fs::file_size(file, error) > header.size()) throw;
+    }
+  }
+  if (options.resume && options.tell) options.tell("no point is finished yet: the study starts anew");
+  write_inputs(study, options.directory);
+  return {};
 }
 
 void write_inputs(const Study& study, const fs::path& directory) {

@@ -1,8 +1,6 @@
 #include "study/many/study_run.h"
 
 #include <fmt/format.h>
-#include <time.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -15,6 +13,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/cpu_time.h"
 #include "io/results_folder.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/study_summary.h"
@@ -30,18 +29,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// CPU time of the calling thread [s].
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-unsigned workers_of(unsigned asked, std::size_t n_tasks) {
-  const unsigned n = asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
-  return static_cast<unsigned>(std::clamp<std::size_t>(n, 1, std::max<std::size_t>(n_tasks, 1)));
-}
-
 /// Second try of a failed drop.
 std::vector<std::string> with_smaller_step(const Case& c, std::vector<std::string> overrides) {
   const auto& integration = c.parameters.integration;
@@ -54,6 +41,17 @@ std::vector<std::string> overrides_of(const Study& study, const StudyPoint& poin
   auto overrides = study.set;
   overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
   return overrides;
+}
+
+PointResult evaluated(const Study& study, const std::vector<std::string>& overrides, const StudyOptions& options) {
+  try {
+    const Case c = read_case(study.case_file, overrides);
+    return options.evaluate({c, options.stop, study.keep_series});
+  } catch (const InputError& error) {
+    PointResult result;
+    result.reason = error.what();
+    return result;
+  }
 }
 
 /// Runs points on several threads and follows them.
@@ -125,36 +123,15 @@ class StudyRun {
   }
 
   void compute(std::size_t index) {
-    const double cpu = thread_seconds();
-    const StudyPoint point = point_of(study_, design_, index);
-    const auto overrides = overrides_of(study_, point);
-    PointResult result = evaluate(overrides);
-    if (!result.is_interrupted && !result.is_done && study_.on_failure == FailurePolicy::retry && !is_over()) {
-      const std::string reason = result.reason;
-      const Case c = read_case(study_.case_file, overrides);
-      result = evaluate(with_smaller_step(c, overrides));
-      result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
-                                     : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
-    }
+    const double cpu = thread_cpu_seconds();
+    const PointResult result = run_point(study_, point_of(study_, design_, index), options_);
     if (result.is_interrupted) return;
-    complete_results(study_, result);
-    journal_.append(index, result, thread_seconds() - cpu);
+    journal_.append(index, result, thread_cpu_seconds() - cpu);
     const std::scoped_lock lock(lock_);
     ++(result.is_done ? progress_.done : progress_.failed);
     for (const auto& [name, value] : result.scalars)
       if (name == progress_.best_name && !(progress_.best <= value)) progress_.best = value;
     if (!result.is_done && study_.on_failure == FailurePolicy::stop) is_stopped_by_failure_ = true;
-  }
-
-  PointResult evaluate(const std::vector<std::string>& overrides) const {
-    try {
-      const Case c = read_case(study_.case_file, overrides);
-      return options_.evaluate({c, options_.stop, study_.keep_series});
-    } catch (const InputError& error) {
-      PointResult result;
-      result.reason = error.what();
-      return result;
-    }
   }
 
   const Study& study_;
@@ -187,21 +164,27 @@ std::string named(const Study& study, const StudyPoint& point) {
   return text;
 }
 
-/// What the journal of a directory holds already; empty if it was killed before its first line.
-std::optional<Journal::Content> earlier_points(const fs::path& file, const std::string& header) {
-  std::error_code error;
-  if (!fs::exists(file, error)) return {};
-  try {
-    auto content = Journal::read(file);
-    require_same_study(file, content.header, header);
-    return content;
-  } catch (const InputError&) {
-    if (fs::file_size(file, error) > header.size()) throw;
-    return {};
+}  // namespace
+
+PointResult run_point(const Study& study, const StudyPoint& point, const StudyOptions& options) {
+  const auto overrides = overrides_of(study, point);
+  PointResult result = evaluated(study, overrides, options);
+  if (!result.is_interrupted && !result.is_done && study.on_failure == FailurePolicy::retry &&
+      !(options.stop && *options.stop)) {
+    const std::string reason = result.reason;
+    const Case c = read_case(study.case_file, overrides);
+    result = evaluated(study, with_smaller_step(c, overrides), options);
+    result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
+                                   : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
   }
+  if (!result.is_interrupted) complete_results(study, result);
+  return result;
 }
 
-}  // namespace
+unsigned workers_of(unsigned asked, std::size_t n_tasks) {
+  const unsigned n = asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+  return static_cast<unsigned>(std::clamp<std::size_t>(n, 1, std::max<std::size_t>(n_tasks, 1)));
+}
 
 void check_points(const Study& study, const Design& design, unsigned n_workers) {
   const std::size_t n = n_points(study, design);
@@ -305,9 +288,9 @@ StudyEstimate estimate_study(const Study& study, const Design& design, const Pro
     std::condition_variable ended;
     bool has_ended = false;
     const std::jthread drop([&] {
-      const double start = thread_seconds();
+      const double start = thread_cpu_seconds();
       result = evaluate({c, &stop, study.keep_series});
-      cpu = thread_seconds() - start;
+      cpu = thread_cpu_seconds() - start;
       const std::scoped_lock guard(lock);
       has_ended = true;
       ended.notify_all();
@@ -333,9 +316,7 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
   const std::string digest = digest_of(study, design);
   const std::string header = journal_header(study, digest, options.shard, options.n_shards);
   const fs::path file = options.directory / "study.journal";
-  auto earlier = options.resume ? earlier_points(file, header) : std::nullopt;
-  if (options.resume && !earlier && options.tell) options.tell("no point is finished yet: the study starts anew");
-  if (!earlier) write_inputs(study, options.directory);
+  auto earlier = earlier_points(study, options, header);
 
   StudyOutcome outcome;
   outcome.n_points = n_points(study, design);

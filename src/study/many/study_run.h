@@ -39,6 +39,9 @@ struct StudyOutcome {
   double idle_share = 0;     ///< of the workers' time, waiting for the last drops
 };
 
+/// Number of threads for so many tasks. @param asked  0: one per core
+unsigned workers_of(unsigned asked, std::size_t n_tasks);
+
 /// Reads the case of every point. @throws InputError with the first faulty points
 void check_points(const Study& study, const Design& design, unsigned n_workers);
 
@@ -57,6 +60,9 @@ struct StudyEstimate {
 };
 StudyEstimate estimate_study(const Study& study, const Design& design, const ProbedResults& results,
                              const Evaluator& evaluate);
+
+/// Runs one point, once more if it fails and the study says so; its results are complete.
+PointResult run_point(const Study& study, const StudyPoint& point, const StudyOptions& options);
 
 /// Adds derived results to those of a drop and leaves out what is not kept.
 void complete_results(const Study& study, PointResult& result);

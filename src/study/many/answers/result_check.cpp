@@ -49,7 +49,7 @@ bool is_kept(const Study& study, const std::string& name) {
   return std::any_of(study.keep_results.begin(), study.keep_results.end(), is_meant) ||
          std::any_of(study.limits.begin(), study.limits.end(), [&](const Limit& l) { return is_meant(l.pattern); }) ||
          std::any_of(study.derived.begin(), study.derived.end(), [&](const auto& d) { return d.name == name; }) ||
-         (study.choice && study.choice->result == name);
+         (study.choice && study.choice->result == name) || (study.minimise && study.minimise->result == name);
 }
 
 void resolve_results(Study& study, const std::vector<std::string>& names) {
@@ -65,6 +65,10 @@ void resolve_results(Study& study, const std::vector<std::string>& names) {
     faults.add(study.choice->where,
                fmt::format("choose.result = \"{}\": no result is called so.", study.choice->result),
                advice_for(study.choice->result, names));
+  if (study.minimise && !is_known(study.minimise->result))
+    faults.add({study.file.string(), 0, 0},
+               fmt::format("minimise.result = \"{}\": no result is called so.", study.minimise->result),
+               advice_for(study.minimise->result, names));
   std::vector<Limit> resolved;
   for (const auto& limit : study.limits) {
     const std::size_t before = resolved.size();

@@ -234,7 +234,7 @@ function influences(result) {
 
 function showAnswers() {
   const parts = [element("p", {}, data.counts)];
-  if (data.limits.length)
+  if (data.limits.length && !data.minimise)
     parts.push(element("h3", {}, "Limits"), table(["result", "allowed", "broken by", "probability", "95 % interval"], data.limits.map((l) => [l.result,
       [isNumber(l.min) ? `from ${short(l.min)}` : "", isNumber(l.max) ? `up to ${short(l.max)}` : ""].filter(Boolean).join(" ") + unitText(l.unit), `${l.broken} of ${l.n} drops`,
       l.probability === null ? "–" : `${short(100 * l.probability)} %`, isNumber(l.low) ? `${short(100 * l.low)} to ${short(100 * l.high)} % (${l.interval})` : l.interval || "–"])));
@@ -249,8 +249,39 @@ function showAnswers() {
   section("Answers", ...parts);
 }
 
+// Value of every evaluation, and the smallest one so far that keeps the limits.
+function course(m) {
+  const width = 760, height = 300, margin = { left: 78, right: 10, top: 8, bottom: 40 };
+  const shown = m.course.map((e, k) => ({ ...e, k })).filter((e) => isNumber(e.value));
+  const order = { name: "evaluation", unit: "", values: shown.map((e) => e.k) }, values = { name: m.result, unit: m.unit, values: shown.map((e) => e.value) };
+  const x = scaleOf({ ...order, values: [0, Math.max(1, m.course.length - 1)] }, margin.left, width - margin.right), y = scaleOf(values, height - margin.bottom, margin.top);
+  const at = (k) => x.ticks.length ? margin.left + ((k + 0.5) / m.course.length) * (width - margin.left - margin.right) : 0;
+  x.at = at;
+  x.ticks = ticks(0, Math.max(1, m.course.length - 1), 8).filter(Number.isInteger).map((value) => ({ value, text: String(value) }));
+  const parts = frame(width, height, x, y, "evaluation, searches one after the other", label(values), margin);
+  let best = Infinity, d = "";
+  for (const e of shown) {
+    if (e.within_limits && e.value < best) { d += `${d ? `H${at(e.k).toFixed(1)}V` : `M${at(e.k).toFixed(1)} `}${y.at(e.value).toFixed(1)}`; best = e.value; }
+    const dot = element("circle", { class: "point" + (e.within_limits ? "" : " broken"), cx: at(e.k).toFixed(1), cy: y.at(e.value).toFixed(1), r: shown.length > 400 ? 1.6 : 3 });
+    dot.onpointermove = (event) => showTip(event, [`search ${e.search}, evaluation ${e.evaluation}, points ${e.points.join(" to ")}`, ...Object.entries(e.parameters).map(([name, v]) => `${name}: ${short(v)}${unitText(m.units[name])}`), `${m.result}: ${short(e.value)}${unitText(m.unit)}`]);
+    dot.onpointerleave = hideTip;
+    parts.push(dot);
+  }
+  if (d) parts.push(element("path", { class: "middle", d: d + `H${width - margin.right}` }));
+  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, style: `max-width:${width}px`, role: "img", "aria-label": "course of the search" }, ...parts));
+}
+
+function showSearch() {
+  const m = data.minimise, what = m.of === "quantile" ? `${short(100 * m.quantile)} % quantile of ${m.result}` : m.drops_of_evaluation > 1 ? `mean of ${m.result}` : m.result;
+  const row = (name, e) => [name, e ? short(e.value) : "–", e && isNumber(e.low) ? `${short(e.low)} to ${short(e.high)}` : "–", e ? (e.within_limits ? "yes" : "no") : "–", e ? e.points.join(" to ") : "–", ...Object.keys(m.units).map((p) => e ? short(e.parameters[p]) : "–")];
+  section("Search", element("p", {}, `Smallest ${what}${data.limits.length ? " within the limits" : ""}, by ${m.method}: ${m.evaluations} evaluations of ${m.drops_of_evaluation} drop${m.drops_of_evaluation > 1 ? "s" : ""} in ${m.searches.length} search${m.searches.length > 1 ? "es" : ""}.`),
+    table(["", label({ name: what, unit: m.unit }), "95 % interval", "within limits", "points", ...Object.keys(m.units).map((p) => label({ name: p, unit: m.units[p] }))], [row("best", m.best), row("start", m.start), ...(m.searches.length > 1 ? m.searches.map((s, k) => row(`best of search ${k}${s.all_used ? ", which used all its evaluations" : ""}`, s.best)) : [])], ["", "number", "", "", "", ...Object.keys(m.units).map(() => "number")]),
+    course(m), element("p", { class: "note" }, "Each point is an evaluation; orange ones break a limit. Line: smallest so far. The best of many uncertain values looks better than it is: compute it again with other starts before it is relied upon."));
+}
+
 page.append(element("h1", {}, data.title), element("div", { class: "subtitle" }, data.subtitle), element("nav", {}));
 showAnswers();
+if (data.minimise) showSearch();
 const chooser = element("select", { id: "result", "aria-label": "result" }, ...data.results.map((r, i) => element("option", { value: i }, r.long_name ? `${r.name}: ${r.long_name}` : r.name)));
 const response = element("div", { class: "small" }), lines = element("div", {}), matter = element("div", {}), worst = element("div", {});
 section("Response", element("div", { class: "choice" }, element("label", {}, "Result: ", chooser)), response,

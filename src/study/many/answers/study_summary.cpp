@@ -8,6 +8,7 @@
 
 #include "io/checkpoint.h"
 #include "study/json_number.h"
+#include "study/many/answers/search_summary.h"
 #include "study/many/answers/sensitivity.h"
 #include "study/many/study_folder.h"
 
@@ -305,7 +306,7 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
          {"failed", table.count(PointStatus::failed)},
          {"not_run", table.count(PointStatus::not_run)},
          {"cpu_time", table.cpu_time}};
-  j["design"] = {{"kind", name_of(study.design.kind)},
+  j["design"] = {{"kind", name_of(design.kind)},
                  {"rows", design.n_rows},
                  {"replicates", study.n_replicates},
                  {"seed", study.design.seed}};
@@ -314,6 +315,7 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   for (const auto& p : study.parameters) j["parameters"][p.name] = parameter_summary(p);
   j["limits"] = Json::array();
   for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, limit));
+  if (study.minimise) j["minimise"] = minimise_summary(study, design, table);
   if (study.choice) j["choose"] = choice_summary(study, design, table);
   auto points = sample_points(study, design);
   if (points.empty()) points = all_points(table);
@@ -385,6 +387,7 @@ std::string study_text(const Study& study, const Json& j) {
       j["not_run"].get<std::size_t>() > 0 ? fmt::format(", {} not run", j["not_run"].get<std::size_t>()) : "",
       j["cpu_time"].get<double>(),
       j["cpu_time"].get<double>() / std::max(1., j["done"].get<double>() + j["failed"].get<double>()));
+  if (j.contains("minimise")) return text + minimise_text(j["minimise"]);
   for (const auto& limit : j["limits"]) {
     const std::string unit = limit["unit"];
     std::string bounds;
