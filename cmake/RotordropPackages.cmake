@@ -1,13 +1,13 @@
-# Debian packages, by `cpack` in the build folder: rotordrop (program, cases, documents), rotordrop-fe (finite elements) and
-# librotordrop-dev (libraries and headers). They are for the Debian release on which they are built.
+# Debian packages, by `cpack` in the build folder: rotordrop (program, cases, documents), rotordrop-fe (finite elements),
+# rotordrop-studies (MPI, surrogates) and librotordrop-dev (libraries and headers). They are for the Debian release on which they are built.
 execute_process(COMMAND gzip -9nc ${CMAKE_SOURCE_DIR}/packaging/changelog OUTPUT_FILE ${CMAKE_BINARY_DIR}/changelog.gz)
-foreach(pair core:rotordrop fe:rotordrop-fe dev:librotordrop-dev)
+foreach(pair core:rotordrop fe:rotordrop-fe dev:librotordrop-dev studies:rotordrop-studies)
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 component)
   list(GET pair 1 name)
   set(copyright ${CMAKE_SOURCE_DIR}/packaging/copyright)
-  if(component STREQUAL "fe")
-    string(APPEND copyright -fe)
+  if(component MATCHES "^(fe|studies)$")
+    string(APPEND copyright -${component})
   endif()
   install(FILES ${copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright COMPONENT ${component})
   install(FILES ${CMAKE_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME changelog.Debian.gz COMPONENT ${component})
@@ -23,6 +23,9 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL core dev)
 if(ROTORDROP_FE)
   list(APPEND CPACK_COMPONENTS_ALL fe)
+endif()
+if(TARGET rotordrop_mpi OR TARGET rotordrop_surrogate)
+  list(APPEND CPACK_COMPONENTS_ALL studies)
 endif()
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -40,6 +43,11 @@ set(CPACK_DEBIAN_FE_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FE_PACKAGE_DEPENDS "rotordrop (= ${PROJECT_VERSION}-1)")
 set(CPACK_COMPONENT_FE_DESCRIPTION
     "finite elements and meshes for rotordrop\n Modules that rotordrop loads for heat conduction, elasticity and meshes of\n bearing sections. They link deal.II, PETSc, SuiteSparse and Gmsh.")
+set(CPACK_DEBIAN_STUDIES_PACKAGE_NAME rotordrop-studies)
+set(CPACK_DEBIAN_STUDIES_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_STUDIES_PACKAGE_DEPENDS "rotordrop (= ${PROJECT_VERSION}-1)")
+set(CPACK_COMPONENT_STUDIES_DESCRIPTION
+    "studies over MPI ranks and surrogates for rotordrop\n Modules that rotordrop loads under mpirun, and for surrogates of studies. They\n link Open MPI and OpenTURNS.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME librotordrop-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS

@@ -40,6 +40,8 @@ ROOMS = {
     "cache": {"base", "model", "io"},
     "case": {"base", "model", "machine", "integrate", "analysis", "io", "cache"} | PARAMETERS_OF_PARTS,
     "study": {"base", "model", "machine", "integrate", "analysis", "io", "case"} | PARAMETERS_OF_PARTS,
+    "study/mpi": {"study"},
+    "study/openturns": {"study"},
     "cli": {"base", "model", "machine", "integrate", "analysis", "io", "case", "study"} | PARAMETERS_OF_PARTS,
 }
 
@@ -50,6 +52,7 @@ LIBRARIES = [
     ("zlib", r"zlib", {"io", "cache"}),
     ("toml++", r"(toml\+\+/|toml\.hpp)", {"io"}),
     ("nlohmann-json", r"nlohmann/", {"io", "case", "study", "cli"}),
+    ("OpenTURNS", r"openturns/", {"study/openturns"}),
     ("NLopt", r"nlopt", {"study"}),
     ("UDUNITS", r"udunits", {"base"}),
     ("CLI11", r"CLI/", {"cli"}),
@@ -58,7 +61,7 @@ LIBRARIES = [
     ("CHOLMOD", r"cholmod", {"thermal/fe"}),
     ("PETSc", r"petsc", {"thermal/fe"}),
     ("gmsh", r"gmsh", {"thermal/fe"}),
-    ("MPI", r"mpi\.h", {"thermal/fe"}),
+    ("MPI", r"mpi\.h", {"thermal/fe", "study/mpi"}),
 ]
 GENERATED = {"base": {"rotordrop_git_revision.h"}}
 

@@ -16,6 +16,7 @@
 #include "io/checkpoint.h"
 #include "study/many/answers/study_report.h"
 #include "study/many/answers/study_summary.h"
+#include "study/many/ranks/ranks.h"
 #include "study/many/search/search_run.h"
 #include "study/many/search/search_space.h"
 #include "study/many/study_folder.h"
@@ -98,9 +99,14 @@ std::string header(const Study& study, const Design& design) {
                      n_points(study, design), study.drawn().size(), study.drawn().size() == 1 ? "" : "s");
 }
 
-}  // namespace
+/// @throws InputError
+void refuse_search_of_ranks(const Study& study) {
+  if (study.is_search())
+    throw InputError({"mpirun", 0, 0}, "a search runs in one process: each of its points follows from earlier ones.",
+                     "Start it without mpirun; --jobs is the number of drops at the same time.");
+}
 
-int study_command(const StudyCommand& command) {
+int study_command_of(const StudyCommand& command, Ranks* ranks) {
   StudyOptions options;
   std::tie(options.shard, options.n_shards) = parse_shard(command.shard);
   Study study = read_study(command.file, command.overrides);
@@ -134,6 +140,7 @@ int study_command(const StudyCommand& command) {
                results.names.size(), duration(estimate.cpu_time), size_text(estimate.bytes));
     return 0;
   }
+  options.ranks = ranks;
   options.stop = &caught_signal();
   catch_signals();
   const bool is_shown = isatty(STDERR_FILENO) != 0 && !command.quiet;
@@ -142,7 +149,9 @@ int study_command(const StudyCommand& command) {
       fmt::print(stderr, "\r\033[K{}", progress_text(p));
       std::fflush(stderr);
     };
+  if (ranks) refuse_search_of_ranks(study);
   const StudyOutcome outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
+  if (ranks) ranks->leave(outcome.is_anyone_lost);
   if (is_shown) fmt::print(stderr, "\n");
   if (!outcome.is_complete) {
     if (outcome.is_stopped) {
@@ -164,6 +173,43 @@ int study_command(const StudyCommand& command) {
   fmt::print("{:.3g} s, cores idle {:.2g} % of it; results in {}\n", outcome.wall_time, 100. * outcome.idle_share,
              options.directory.string());
   return 0;
+}
+
+/// What a rank other than 0 does; rank 0 tells what there is to tell.
+int study_command_of_rank(const StudyCommand& command, Ranks& ranks) {
+  StudyOptions options;
+  std::tie(options.shard, options.n_shards) = parse_shard(command.shard);
+  Study study = read_study(command.file, command.overrides);
+  refuse_search_of_ranks(study);
+  const Design design = make_design(study);
+  options.directory = command.directory.empty() ? std::filesystem::path("out") / study.name : command.directory;
+  options.n_workers = command.jobs;
+  options.ranks = &ranks;
+  probe_results(study, design, options.evaluate);
+  options.stop = &caught_signal();
+  catch_signals();
+  const StudyOutcome outcome = run_as_rank(study, design, options);
+  ranks.leave(outcome.is_anyone_lost);
+  return outcome.is_complete ? 0 : 1;
+}
+
+}  // namespace
+
+int study_command(const StudyCommand& asked) {
+  Ranks* const ranks = asked.dry_run ? nullptr : ranks_of_this_process();
+  if (!ranks) return study_command_of(asked, nullptr);
+  StudyCommand command = asked;
+  if (command.jobs == 0) command.jobs = 1;  // mpirun gives each rank a core
+  try {
+    return ranks->rank() == 0 ? study_command_of(command, ranks) : study_command_of_rank(command, *ranks);
+  } catch (const std::exception&) {
+    // Before the work begins all ranks end together. Later nobody waits for this one.
+    const bool has_begun = ranks->has_begun();
+    if (!has_begun) ranks->begin(false);
+    ranks->leave(has_begun);
+    if (ranks->rank() == 0 || has_begun) throw;
+    return 2;
+  }
 }
 
 int study_join_command(const StudyJoinCommand& command) {

@@ -62,6 +62,17 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 }  // namespace
 
+PointResult result_of(const PointRecord& record, const std::vector<std::vector<std::string>>& layouts) {
+  PointResult result;
+  result.is_done = record.is_done;
+  result.reason = record.reason;
+  result.series = record.series;
+  result.at = record.at;
+  for (std::size_t i = 0; i < record.values.size(); ++i)
+    result.scalars.emplace_back(layouts[record.layout][i], record.values[i]);
+  return result;
+}
+
 Journal::Content Journal::read(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw InputError({file.string(), 0, 0}, "there is no such file, or it cannot be read.");

@@ -45,6 +45,8 @@ struct StudyFile {
   std::vector<CorrelationEntry> correlations;
   std::optional<ChoiceEntry> choice;
   std::optional<MinimiseParameters> minimise;
+  std::optional<FitParameters> fit;
+  std::optional<SurrogateParameters> surrogate;
   KeepEntry keep;
 };
 
@@ -158,6 +160,8 @@ Section<StudyFile> study_section() {
               [](const Node& node, P& p, Faults&) { p.derived = node; })
       .table<ChoiceEntry>("choose", &P::choice, choice)
       .table<MinimiseParameters>("minimise", &P::minimise, minimise_section())
+      .table<FitParameters>("fit", &P::fit, fit_section())
+      .table<SurrogateParameters>("surrogate", &P::surrogate, surrogate_section())
       .table<KeepEntry>("keep", &P::keep, keep);
   return s;
 }
@@ -401,11 +405,20 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   if (raw.choice)
     study.choice = Choice{raw.choice->parameter, raw.choice->result, raw.choice->quantile, position_of(tree, "choose")};
   read_correlations(raw.correlations, position_of(tree, "correlation"), study, faults);
+  study.surrogate = raw.surrogate;
+  if (raw.surrogate) study.surrogate_results = texts_of(raw.surrogate->results, "surrogate.results", faults);
   study.minimise = raw.minimise;
+  if (raw.fit) study.fit = Fit{*raw.fit, {}};
   faults.throw_if_any();
   read_search(study, tree, faults);
+  // The directory of a study holds what was measured; the files that the study names may be elsewhere by then.
+  if (study.fit) read_measured_series(*study.fit, tree, file.parent_path(), !case_file.empty());
   check_design(study, tree, faults);
   check_choice(study, faults);
+  if (study.surrogate && (study.is_search() || !study.correlations.empty() ||
+                          !(is_sample(study.design.kind) || study.design.kind == DesignKind::saltelli)))
+    faults.add(position_of(tree, "surrogate"), "[surrogate] needs a sample of independent parameters.",
+               "Choose design.kind latin-hypercube, sobol-sequence, monte-carlo or saltelli, without [[correlation]].");
   faults.throw_if_any();
   return study;
 }

@@ -9,7 +9,9 @@
 #include "case/case_keys.h"
 #include "study/many/distribution.h"
 #include "study/many/expression.h"
+#include "study/many/search/fit_keys.h"
 #include "study/many/search/minimise_keys.h"
+#include "study/many/surrogate/surrogate_keys.h"
 
 namespace rotordrop {
 
@@ -96,6 +98,9 @@ struct Study {
   std::optional<Choice> choice;
   std::vector<RankCorrelation> correlations;
   std::optional<MinimiseParameters> minimise;
+  std::optional<Fit> fit;
+  std::optional<SurrogateParameters> surrogate;
+  std::vector<std::string> surrogate_results;
   std::vector<std::size_t> searched;      ///< of a search: which of the drawn parameters it changes
   std::vector<std::string> keep_results;  ///< patterns; empty: all numbers
   std::vector<std::string> keep_series;   ///< datasets of results.h5
@@ -103,10 +108,10 @@ struct Study {
   std::string text;  ///< of the file
 
   /// Whether its points follow from one another, instead of from a design.
-  [[nodiscard]] bool is_search() const { return minimise.has_value(); }
+  [[nodiscard]] bool is_search() const { return minimise.has_value() || fit.has_value(); }
   /// Evaluations of each of its searches, at most.
-  [[nodiscard]] std::size_t evaluations_of_search() const { return static_cast<std::size_t>(minimise->evaluations); }
-  [[nodiscard]] std::size_t n_searches() const { return static_cast<std::size_t>(minimise->searches); }
+  [[nodiscard]] std::size_t evaluations_of_search() const;
+  [[nodiscard]] std::size_t n_searches() const;
   /// Parameters that are drawn, as positions in `parameters`.
   [[nodiscard]] std::vector<std::size_t> drawn() const;
 };

@@ -23,6 +23,12 @@ void require_same_study(const std::filesystem::path& journal, const std::string&
 std::optional<Journal::Content> earlier_points(const Study& study, const StudyOptions& options,
                                                const std::string& header);
 
+/// rank-1.journal, ... of the other ranks of a study that several processes compute.
+std::filesystem::path journal_of_rank(const std::filesystem::path& directory, int rank);
+/// Their points become part of study.journal, and the files are removed. Those of a killed study, too.
+/// @throws InputError if they are of another study
+void take_journals_of_ranks(const std::filesystem::path& directory, const std::string& header);
+
 /// Writes study.toml and case.toml, from which the study can be read again.
 void write_inputs(const Study& study, const std::filesystem::path& directory);
 /// The study of a directory. @throws InputError if there is none

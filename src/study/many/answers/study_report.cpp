@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/json_number.h"
+#include "study/many/answers/fit_summary.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/search/search_space.h"
@@ -77,8 +78,9 @@ Json study_report_data(const std::filesystem::path& directory) {
       fmt::format("{} drops: {} done, {} failed, {} not run.", table.n_points, table.count(PointStatus::done),
                   table.count(PointStatus::failed), table.count(PointStatus::not_run));
   data["limits"] = summary["limits"];
-  for (const char* key : {"choose", "minimise", "indices", "morris", "indices_method"})
+  for (const char* key : {"choose", "minimise", "fit", "surrogate", "indices", "morris", "indices_method"})
     if (summary.contains(key)) data[key] = summary[key];
+  if (study.fit) data["overlay"] = fit_overlay(study, summary["fit"], table);
   std::vector<std::size_t> done;
   data["points"] = Json::array();
   data["failed"] = Json::array();
@@ -121,7 +123,7 @@ Json study_report_data(const std::filesystem::path& directory) {
 }
 
 std::string study_report_page(const Json& data) {
-  return html_page(data, std::string(report_css) + study_css, study_js);
+  return html_page(data, std::string(report_css) + study_css, std::string(chart_js) + study_js);
 }
 
 }  // namespace rotordrop

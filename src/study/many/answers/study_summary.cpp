@@ -8,8 +8,10 @@
 
 #include "io/checkpoint.h"
 #include "study/json_number.h"
+#include "study/many/answers/fit_summary.h"
 #include "study/many/answers/search_summary.h"
 #include "study/many/answers/sensitivity.h"
+#include "study/many/answers/surrogate_summary.h"
 #include "study/many/study_folder.h"
 
 namespace rotordrop {
@@ -315,6 +317,7 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   for (const auto& p : study.parameters) j["parameters"][p.name] = parameter_summary(p);
   j["limits"] = Json::array();
   for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, limit));
+  if (study.fit) j["fit"] = fit_summary(study, design, table);
   if (study.minimise) j["minimise"] = minimise_summary(study, design, table);
   if (study.choice) j["choose"] = choice_summary(study, design, table);
   auto points = sample_points(study, design);
@@ -322,6 +325,7 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   j["results"] = Json::object();
   for (const auto& column : table.results) j["results"][column.name] = result_summary(study, design, column, points);
   add_indices(j, study, design, table);
+  if (study.surrogate) j["surrogate"] = surrogate_summary(study, design, table);
   return j;
 }
 
@@ -387,6 +391,7 @@ std::string study_text(const Study& study, const Json& j) {
       j["not_run"].get<std::size_t>() > 0 ? fmt::format(", {} not run", j["not_run"].get<std::size_t>()) : "",
       j["cpu_time"].get<double>(),
       j["cpu_time"].get<double>() / std::max(1., j["done"].get<double>() + j["failed"].get<double>()));
+  if (j.contains("fit")) return text + fit_text(j["fit"]);
   if (j.contains("minimise")) return text + minimise_text(j["minimise"]);
   for (const auto& limit : j["limits"]) {
     const std::string unit = limit["unit"];
@@ -413,6 +418,7 @@ std::string study_text(const Study& study, const Json& j) {
     influences += influence_text(j, name);
   }
   if (!influences.empty()) text += "What matters:\n" + influences;
+  if (j.contains("surrogate")) text += surrogate_text(j["surrogate"]);
   return text;
 }
 

@@ -11,17 +11,6 @@ using Clock = std::chrono::steady_clock;
 /// How often those who wait look whether the program is to stop: a signal wakes nobody.
 constexpr std::chrono::milliseconds look_again{100};
 
-PointResult result_of(const PointRecord& record, const std::vector<std::vector<std::string>>& layouts) {
-  PointResult result;
-  result.is_done = record.is_done;
-  result.reason = record.reason;
-  result.series = record.series;
-  result.at = record.at;
-  for (std::size_t i = 0; i < record.values.size(); ++i)
-    result.scalars.emplace_back(layouts[record.layout][i], record.values[i]);
-  return result;
-}
-
 }  // namespace
 
 DropPool::DropPool(const Study& study, const StudyOptions& options, Journal& journal, Journal::Content earlier,
@@ -47,7 +36,8 @@ std::exception_ptr DropPool::error() const {
   return error_;
 }
 
-std::vector<PointResult> DropPool::run(std::size_t first, const Design& rows, const std::vector<double>& at) {
+std::vector<PointResult> DropPool::run(std::size_t first, const Design& rows,
+                                       const std::vector<std::vector<double>>& values) {
   const std::size_t n = n_points(study_, rows);
   std::vector<PointResult> results(n);
   std::size_t n_left = 0;
@@ -59,7 +49,7 @@ std::vector<PointResult> DropPool::run(std::size_t first, const Design& rows, co
       continue;
     }
     ++n_left;
-    tasks_.push_back({first + k, point_of(study_, rows, k), &at, &results[k], &n_left});
+    tasks_.push_back({first + k, point_of(study_, rows, k), &values[k * values.size() / n], &results[k], &n_left});
   }
   waiting_.notify_all();
   // Also after a stop: workers hold pointers into this frame until every task has come back.

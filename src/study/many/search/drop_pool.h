@@ -27,11 +27,12 @@ class DropPool {
   DropPool& operator=(const DropPool&) = delete;
   ~DropPool();
 
-  /// Runs all drops of some rows and waits for them. May be called from several threads.
-  /// @param first  number of the first drop
-  /// @param at     values of the searched parameters
-  /// @throws SearchStopped, or what stopped a worker
-  std::vector<PointResult> run(std::size_t first, const Design& rows, const std::vector<double>& at);
+  /// Runs all drops of some evaluations and waits for them. May be called from several threads.
+  /// @param first   number of the first drop
+  /// @param rows    of all evaluations, as many for each
+  /// @param values  of the searched parameters [evaluations]
+  /// @throws SearchStopped if not all were run
+  std::vector<PointResult> run(std::size_t first, const Design& rows, const std::vector<std::vector<double>>& values);
 
   struct Counts {
     std::size_t done = 0, failed = 0, here = 0;  ///< here: by this process

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "study/many/search/fit_evaluation.h"
+
 namespace rotordrop {
 namespace {
 
@@ -47,10 +49,61 @@ std::vector<std::size_t> searched_parameters(const Study& study, const Node& ove
   return found;
 }
 
+void read_fit(Study& study, const Node& tree, Faults& faults) {
+  const SourcePosition where = position_of(tree, "fit");
+  const auto& keys = study.fit->keys;
+  study.searched = searched_parameters(study, Node(), faults);
+  if (study.searched.empty() || study.searched.size() < study.drawn().size())
+    faults.add(where, "[fit] needs a range for every parameter of [vary] that has no formula.",
+               "Write KEY = { range = [from, to] }; what is known belongs into the case.");
+  if (keys.measured.empty())
+    faults.add(where, "[fit] has nothing measured.", "Add a table [[fit.measured]] with file and series.");
+  for (const auto& m : keys.measured)
+    if (m.deviation.has_value() != keys.measured.front().deviation.has_value())
+      faults.add(where, "measured.deviation is given for some series only.",
+                 "Give it for all, or for none: then what differs at the end tells the noise.");
+  for (const auto& [is_there, name] :
+       {std::pair{study.minimise.has_value(), "[minimise]"}, std::pair{study.choice.has_value(), "[choose]"},
+        std::pair{!study.limits.empty(), "[limits]"}})
+    if (is_there) faults.add(where, fmt::format("a study has either [fit] or {}.", name), "Remove one of them.");
+  if (study.n_replicates > 1)
+    faults.add(where, "[fit] takes no replicates: it compares one drop with the measured one.", "Remove [replicates].");
+  if (study.design.size)
+    faults.add(position_of_value(*tree.find("design"), "size"),
+               "[fit] has no sample, so design.size has no meaning here.", "Remove size.");
+  if (keys.evaluations < static_cast<int>(study.searched.size()) + 4)
+    faults.add(
+        position_of_value(*tree.find("fit"), "evaluations"),
+        fmt::format("fit.evaluations = {} is too few for {} parameters.", keys.evaluations, study.searched.size()),
+        "The first step takes one for the start, one for each parameter and three for the step.");
+  faults.throw_if_any();
+}
+
 }  // namespace
+
+void read_measured_series(Fit& fit, const Node& tree, const std::filesystem::path& folder, bool is_of_study) {
+  const Node* tables = tree.find("fit") ? tree.find("fit")->find("measured") : nullptr;
+  for (std::size_t k = 0; k < fit.keys.measured.size(); ++k) {
+    if (!is_of_study)
+      fit.measured.push_back(read_measured(fit.keys.measured[k], folder, tables->items()[k].where()));
+    else
+      fit.measured.push_back(described(fit.keys.measured[k]));
+  }
+  if (is_of_study) read_measured_of(folder, fit.measured);
+}
+
+std::size_t Study::evaluations_of_search() const {
+  // Those of a fit end with one at the values found, and two for the derivatives by each parameter.
+  return static_cast<std::size_t>(fit ? fit->keys.evaluations : minimise->evaluations) +
+         (fit ? 1 + 2 * searched.size() : 0);
+}
+std::size_t Study::n_searches() const {
+  return static_cast<std::size_t>(fit ? fit->keys.searches : minimise->searches);
+}
 
 void read_search(Study& study, const Node& tree, Faults& faults) {
   if (!study.is_search()) return;
+  if (study.fit) return read_fit(study, tree, faults);
   const SourcePosition where = position_of(tree, "minimise");
   study.searched = searched_parameters(study, study.minimise->over, faults);
   if (study.searched.empty())

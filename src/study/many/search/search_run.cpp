@@ -9,6 +9,8 @@
 #include "study/many/answers/study_summary.h"
 #include "study/many/search/drop_pool.h"
 #include "study/many/search/evaluation.h"
+#include "study/many/search/fit_evaluation.h"
+#include "study/many/search/least_squares.h"
 #include "study/many/study_folder.h"
 #include "study/many/study_table.h"
 
@@ -57,9 +59,12 @@ class SearchRun {
   void search(std::size_t number, const std::vector<double>& start) {
     std::size_t n_evaluations = 0;
     try {
-      search_minimum(*study_.minimise, start, n_constraints(study_),
-                     static_cast<std::uint64_t>(study_.design.seed) + number,
-                     [&](const std::vector<double>& place) { return evaluate(number, n_evaluations++, place); });
+      if (study_.fit)
+        fit(number, start);
+      else
+        search_minimum(*study_.minimise, start, n_constraints(study_),
+                       static_cast<std::uint64_t>(study_.design.seed) + number,
+                       [&](const std::vector<double>& place) { return evaluate(number, n_evaluations++, place); });
     } catch (const SearchStopped&) {
     } catch (...) {
       const std::scoped_lock lock(lock_);
@@ -72,8 +77,7 @@ class SearchRun {
 
   SearchValue evaluate(std::size_t search, std::size_t evaluation, const std::vector<double>& place) {
     const auto at = space_.values(place);
-    const auto drops = pool_.run(first_drop(search, evaluation, study_.evaluations_of_search(), space_.n_drops()),
-                                 space_.rows_at({at}), at);
+    const auto drops = drops_at(search, evaluation, {at});
     const SearchValue found = judged(study_, [&](const std::string& result) { return values_of(drops, result); });
     if (search == 0 && evaluation == 0 && !std::isfinite(found.value))
       throw SolverError("the search cannot begin: its first evaluation has no value.\n       " +
@@ -83,6 +87,37 @@ class SearchRun {
     const std::scoped_lock lock(lock_);
     if (is_allowed && std::isfinite(found.value) && !(best_ <= found.value)) best_ = found.value;
     return found;
+  }
+
+  std::vector<PointResult> drops_at(std::size_t search, std::size_t evaluation,
+                                    const std::vector<std::vector<double>>& values) {
+    return pool_.run(first_drop(search, evaluation, study_.evaluations_of_search(), space_.n_drops()),
+                     space_.rows_at(values), values);
+  }
+
+  /// Levenberg & Marquardt's steps; then a drop at the values found, and those for the derivatives there.
+  void fit(std::size_t search, const std::vector<double>& start) {
+    std::size_t evaluation = 0;
+    const auto residuals = [&](const std::vector<std::vector<double>>& places) {
+      std::vector<std::vector<double>> values;
+      for (const auto& place : places) values.push_back(space_.values(place));
+      const auto drops = drops_at(search, evaluation, values);
+      std::vector<Eigen::VectorXd> found;
+      for (const auto& drop : drops) found.push_back(residuals_of(*study_.fit, drop.series));
+      if (search == 0 && evaluation == 0 && found.front().size() == 0)
+        throw SolverError("the fit cannot begin: the drop at its start fails.\n       " + drops.front().reason);
+      evaluation += places.size();
+      const std::scoped_lock lock(lock_);
+      for (const auto& r : found)
+        if (r.size() > 0 && !(best_ <= r.squaredNorm())) best_ = r.squaredNorm();
+      return found;
+    };
+    const auto& keys = study_.fit->keys;
+    const auto at = least_squares({keys.evaluations, keys.difference, keys.tolerance}, start, residuals);
+    evaluation = static_cast<std::size_t>(keys.evaluations);
+    auto places = difference_places(at, keys.difference);
+    places.insert(places.begin(), at);
+    residuals(places);
   }
 
   void tell() const {
@@ -95,7 +130,7 @@ class SearchRun {
     p.per_second =
         static_cast<double>(counts.here) / std::max(1e-9, std::chrono::duration<double>(Clock::now() - start_).count());
     p.time_left = p.per_second > 0. ? static_cast<double>(p.total - p.done - p.failed) / p.per_second : nan;
-    p.best_name = study_.minimise->result;
+    p.best_name = study_.fit ? "sum of squares" : study_.minimise->result;
     p.best = best_;
     options_.report(p);
   }
@@ -132,7 +167,9 @@ StudyOutcome run_search(const Study& study, const StudyOptions& options) {
       journal.emplace(file, *earlier);
     else
       journal.emplace(file, header);
-    const unsigned n_workers = workers_of(options.n_workers, n_searches * space.n_drops());
+    // A fit asks for the drops of all derivatives at once.
+    const std::size_t n_at_once = study.fit ? std::max<std::size_t>(3, space.n_dimensions()) : space.n_drops();
+    const unsigned n_workers = workers_of(options.n_workers, n_searches * n_at_once);
     DropPool pool(study, options, *journal, earlier ? std::move(*earlier) : Journal::Content{}, n_workers);
     SearchRun(study, options, pool).run();
     if (const auto error = pool.error()) std::rethrow_exception(error);

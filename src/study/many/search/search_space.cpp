@@ -58,6 +58,12 @@ std::vector<double> SearchSpace::values(const std::vector<double>& place) const 
   return result;
 }
 
+std::vector<double> SearchSpace::place(const std::vector<double>& values) const {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < values.size(); ++i) result.push_back(place_of(parameter(i).distribution, values[i]));
+  return result;
+}
+
 std::vector<std::vector<double>> SearchSpace::starts(std::size_t n) const {
   std::vector<std::vector<double>> result(1);
   for (std::size_t i = 0; i < n_dimensions(); ++i) {

@@ -21,6 +21,8 @@ class SearchSpace {
 
   /// Values of the searched parameters at a place, SI.
   [[nodiscard]] std::vector<double> values(const std::vector<double>& place) const;
+  /// The place of these values.
+  [[nodiscard]] std::vector<double> place(const std::vector<double>& values) const;
   /// Places where searches start [n][n_dimensions].
   [[nodiscard]] std::vector<std::vector<double>> starts(std::size_t n) const;
   /// The rows of one evaluation, or of several.
