@@ -1,5 +1,5 @@
 # cmake --install BUILD [--prefix DIR]: the program with its modules and parameters, which find each other relative to it; the libraries
-# with their headers for find_package(rotordrop); documents and examples. Components: core, fe and dev, one Debian package each.
+# with their headers for find_package(rotordrop); documents and examples. Components: core, fe, dev and python, one Debian package each.
 set(data ${CMAKE_INSTALL_DATADIR}/rotordrop)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rotordrop)
 
@@ -19,8 +19,27 @@ install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rotordrop COMPONE
 install(DIRECTORY params DESTINATION ${data} COMPONENT core)
 install(DIRECTORY examples/ DESTINATION ${data}/examples COMPONENT core PATTERN __pycache__ EXCLUDE)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
 install(DIRECTORY ${ROTORDROP_HTML}/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html COMPONENT core OPTIONAL)
+
+# The Python package, where the prefix's Python looks for packages: Debian's own below /usr, those of the administrator below /usr/local, of a user or
+# a virtual environment anywhere else. ROTORDROP_PYTHON_SITE: another folder below the prefix.
+if(ROTORDROP_PYTHON)
+  set(ROTORDROP_PYTHON_SITE "" CACHE STRING "Folder of Python packages below the prefix; empty: that of its Python")
+  set(version python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR})
+  install(CODE "
+    set(site \"${ROTORDROP_PYTHON_SITE}\")
+    if(site STREQUAL \"\" AND CMAKE_INSTALL_PREFIX STREQUAL \"/usr\")
+      set(site lib/python3/dist-packages)
+    elseif(site STREQUAL \"\" AND CMAKE_INSTALL_PREFIX STREQUAL \"/usr/local\")
+      set(site lib/${version}/dist-packages)
+    elseif(site STREQUAL \"\")
+      set(site lib/${version}/site-packages)
+    endif()
+    file(INSTALL DESTINATION \"\${CMAKE_INSTALL_PREFIX}/\${site}/rotordrop\" TYPE MODULE FILES \"$<TARGET_FILE:rotordrop_python>\")
+    file(INSTALL DESTINATION \"\${CMAKE_INSTALL_PREFIX}/\${site}/rotordrop\" TYPE FILE FILES ${ROTORDROP_PYTHON_FILES})
+  " COMPONENT python)
+endif()
 
 # Completions and manual pages as the program itself prints them.
 set(texts ${CMAKE_BINARY_DIR}/texts)

@@ -1,10 +1,14 @@
 # Debian packages, by `cpack` in the build folder: rotordrop (program, cases, documents), rotordrop-fe (finite elements),
-# rotordrop-studies (MPI, surrogates) and librotordrop-dev (libraries and headers). They are for the Debian release on which they are built.
+# rotordrop-studies (MPI, surrogates), librotordrop-dev (libraries and headers) and python3-rotordrop. They are for the
+# Debian release on which they are built.
 execute_process(COMMAND gzip -9nc ${CMAKE_SOURCE_DIR}/packaging/changelog OUTPUT_FILE ${CMAKE_BINARY_DIR}/changelog.gz)
-foreach(pair core:rotordrop fe:rotordrop-fe dev:librotordrop-dev studies:rotordrop-studies)
+foreach(pair core:rotordrop fe:rotordrop-fe dev:librotordrop-dev studies:rotordrop-studies python:python3-rotordrop)
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 component)
   list(GET pair 1 name)
+  if(component STREQUAL "python" AND NOT ROTORDROP_PYTHON)
+    continue()
+  endif()
   set(copyright ${CMAKE_SOURCE_DIR}/packaging/copyright)
   if(component MATCHES "^(fe|studies)$")
     string(APPEND copyright -${component})
@@ -26,6 +30,9 @@ if(ROTORDROP_FE)
 endif()
 if(TARGET rotordrop_mpi OR TARGET rotordrop_surrogate)
   list(APPEND CPACK_COMPONENTS_ALL studies)
+endif()
+if(ROTORDROP_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -55,4 +62,14 @@ set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS cmake)
 set(CPACK_COMPONENT_DEV_DESCRIPTION
     "libraries and headers of rotordrop\n Static libraries, C++20 headers and a CMake package, for supports and thermal\n models of one's own.")
+math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rotordrop)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "rotordrop (= ${PROJECT_VERSION}-1), python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy, python3-xarray")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS rotordrop-fe)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy, python3-matplotlib, python3-meshio")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${CMAKE_SOURCE_DIR}/packaging/postinst;${CMAKE_SOURCE_DIR}/packaging/prerm")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "rotordrop from Python\n Cases, drops in memory, and results as data sets of xarray and tables of\n pandas.")
 include(CPack)

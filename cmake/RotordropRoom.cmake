@@ -8,6 +8,9 @@ function(rotordrop_room name)
   target_include_directories(rotordrop_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
                                                       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rotordrop>)
   target_compile_features(rotordrop_${name} PUBLIC cxx_std_20)
+  # Also for shared libraries, such as the Python module; calls stay as in a program.
+  set_target_properties(rotordrop_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(rotordrop_${name} PRIVATE -fno-semantic-interposition)
   set_target_properties(rotordrop_${name} PROPERTIES EXPORT_NAME ${name})
   foreach(room IN LISTS ROOM_DEPENDS)
     target_link_libraries(rotordrop_${name} PUBLIC rotordrop_${room})

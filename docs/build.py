@@ -28,14 +28,14 @@ except ImportError as error:
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 # Source (a path from ROOT, or what makes the page), and name of the page.
 PAGES = [
-    ("Start", [("docs/README.md", "index"), ("README.md", "readme"), ("docs/tutorials/guide.md", "guide"), ("examples/README.md", "examples")]),
-    ("How to", [("docs/how-to/parameters.md", "parameters"), ("docs/how-to/report.md", "report"), ("docs/how-to/compare.md", "compare"), ("docs/how-to/fields.md", "fields"),
+    ("Start", [("docs/README.md", "index"), ("README.md", "readme"), ("docs/tutorials/guide.md", "guide"), ("examples/README.md", "examples"), ("examples/notebooks/README.md", "notebooks")]),
+    ("How to", [("docs/how-to/parameters.md", "parameters"), ("docs/how-to/report.md", "report"), ("docs/how-to/limits.md", "limits"), ("docs/how-to/second-opinion.md", "second-opinion"), ("docs/how-to/compare.md", "compare"), ("docs/how-to/fields.md", "fields"),
                 ("docs/how-to/statics.md", "statics"), ("docs/how-to/critical-speeds.md", "critical-speeds"), ("docs/how-to/supports.md", "supports"), ("docs/how-to/preload.md", "preload"), ("docs/how-to/coast-down.md", "coast-down"), ("docs/how-to/finite-elements.md", "finite-elements"),
-                ("docs/how-to/studies.md", "studies"), ("docs/how-to/heat.md", "heat"), ("docs/how-to/mesh.md", "mesh"), ("docs/how-to/extending.md", "extending"), ("CONTRIBUTING.md", "contributing")]),
+                ("docs/how-to/studies.md", "studies"), ("docs/how-to/python.md", "python"), ("docs/how-to/heat.md", "heat"), ("docs/how-to/mesh.md", "mesh"), ("docs/how-to/extending.md", "extending"), ("CONTRIBUTING.md", "contributing")]),
     ("Theory", [("docs/theory/model.md", "model"), ("docs/theory/growth.md", "growth"), ("docs/theory/ring-bending.md", "ring-bending"), ("docs/theory/verification.md", "verification"), ("docs/theory/validation.md", "validation"),
                 ("docs/theory/convergence.md", "convergence")]),
-    ("Reference", [("COMMANDS", "commands"), ("PARAMETERS", "parameter-reference"), ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("PARAMETERS OF STUDIES", "study-parameter-reference"), ("docs/reference/results.md", "results"),
-                   ("params/bearings/README.md", "bearings"), ("docs/reference/reliability.md", "reliability"), ("CHANGELOG.md", "changelog")]),
+    ("Reference", [("COMMANDS", "commands"), ("PARAMETERS", "parameter-reference"), ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("PARAMETERS OF STUDIES", "study-parameter-reference"), ("docs/reference/results.md", "results"), ("docs/reference/warnings.md", "warnings"),
+                   ("params/bearings/README.md", "bearings"), ("docs/reference/reliability.md", "reliability"), ("docs/reference/source-layout.md", "source-layout"), ("CHANGELOG.md", "changelog")]),
 ]
 
 
@@ -65,7 +65,7 @@ def commands(program):
 
 def commands_page(program):
     """Every command as the program explains it."""
-    made = ["# Commands\n", "The output of `rotordrop COMMAND --help`. Exit codes: 0 success, 1 run failed, 2 bad input (nothing was overwritten), 130 interrupted with Ctrl-C and 143 by SIGTERM, both with a checkpoint.\n"]
+    made = ["# Commands\n", "The output of `rotordrop COMMAND --help`. Exit codes: 0 success, 1 run failed, 2 bad input (nothing was overwritten), 3 a limit is not met (`run --accept`) or bits differ (`rerun`), 130 interrupted with Ctrl-C and 143 by SIGTERM, both with a checkpoint.\n"]
     for name, sentence in commands(program):
         made.append(f"## {name}\n\n{sentence}\n\n```text\n{call(program, name, '--help').strip()}\n```\n")
     return "\n".join(made)

@@ -1,18 +1,21 @@
 #!/usr/bin/env python3
-"""Reads the #include lines of src/ and fails on an arrow that should not be there.
+"""Reads the #include lines of src/ and fails on an arrow that should not be there, a file that is too long or a folder that is too full.
 
-    python3 tests/check_arrows.py               # first proves that it finds faults, then checks src/
-    python3 tests/check_arrows.py --self-test   # only the first
+    python3 tests/check_arrows.py                  # first proves that it finds faults, then checks src/ and the page of docs
+    python3 tests/check_arrows.py --self-test      # only the first
+    python3 tests/check_arrows.py --draw FILE.svg  # draws the rooms; the page's picture is docs/images/rooms.svg
 
 The rules:
+- A folder holds at most 15 sources, headers not counted. A file has at most 400 lines, but for those of LONG_FILES that hold one idea.
 - A room may include its own headers and those of the rooms that ROOMS gives it, written "room/header.h".
 - rotor, bearing and thermal never include each other; they meet in machine.
 - case, study and cli see machine, integrate, io and the contracts, and of the parts only headers named *_parameters.h: what can be
   asked of a part goes through machine and analysis.
 - A room may lie in another's folder: thermal/fe. Nobody else includes its headers; it is loaded at run time.
 - A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5 and toml++: only io; zlib: io and cache. deal.II, UMFPACK,
-  CHOLMOD, PETSc, MPI and gmsh: only thermal/fe.
+  CHOLMOD, PETSc, MPI and gmsh: only thermal/fe. pybind11: only python.
 - What a room's CMakeLists.txt names under DEPENDS must be in ROOMS too.
+- docs/images/rooms.svg shows what ROOMS says, and docs/reference/source-layout.md has a line for each room.
 
 Exit codes: 0 no fault, 1 faults found, 2 no src/ to read.
 """
@@ -22,6 +25,8 @@ import pathlib
 import re
 import sys
 import tempfile
+
+import room_drawing
 
 # Whom a room may include, besides itself. "rotor:parameters" means headers named *_parameters.h of that room.
 PARAMETERS_OF_PARTS = {"rotor:parameters", "bearing:parameters", "thermal:parameters"}
@@ -43,7 +48,37 @@ ROOMS = {
     "study/mpi": {"study"},
     "study/openturns": {"study"},
     "cli": {"base", "model", "machine", "integrate", "analysis", "io", "case", "study"} | PARAMETERS_OF_PARTS,
+    "python": {"base", "model", "machine", "analysis", "io", "case", "study"},
 }
+
+# What a room holds, in the drawing.
+WORDS = {
+    "base": "units, errors, parameters",
+    "model": "contracts of the parts",
+    "laws": "pure functions of physics",
+    "rotor": "beams, modes, unbalance",
+    "bearing": "ball rows, touchdown, supports",
+    "thermal": "circuits, sections, heat",
+    "thermal/fe": "finite elements, loaded at run time",
+    "machine": "the parts assembled",
+    "integrate": "time steps and equilibria",
+    "analysis": "what is asked of a machine",
+    "io": "files of all kinds",
+    "cache": "kept between runs",
+    "case": "from a file to a machine",
+    "study": "the work of the commands",
+    "study/mpi": "studies over ranks, loaded at run time",
+    "study/openturns": "surrogates, loaded at run time",
+    "cli": "the commands",
+    "python": "the package for Python",
+}
+
+# Files over 400 lines that may stay, and why.
+LONG_FILES = {
+    "machine/build_machine.cpp": "to be divided",
+    "study/compare/comparison.cpp": "to be divided",
+}
+MOST_LINES, MOST_SOURCES = 400, 15
 
 # Library, how its headers begin, and who may include them. Libraries that are not listed are free for all.
 LIBRARIES = [
@@ -51,7 +86,7 @@ LIBRARIES = [
     ("HDF5", r"(hdf5(_hl)?\.h|H5)", {"io"}),
     ("zlib", r"zlib", {"io", "cache"}),
     ("toml++", r"(toml\+\+/|toml\.hpp)", {"io"}),
-    ("nlohmann-json", r"nlohmann/", {"io", "case", "study", "cli"}),
+    ("nlohmann-json", r"nlohmann/", {"io", "case", "study", "cli", "python"}),
     ("OpenTURNS", r"openturns/", {"study/openturns"}),
     ("NLopt", r"nlopt", {"study"}),
     ("UDUNITS", r"udunits", {"base"}),
@@ -62,6 +97,7 @@ LIBRARIES = [
     ("PETSc", r"petsc", {"thermal/fe"}),
     ("gmsh", r"gmsh", {"thermal/fe"}),
     ("MPI", r"mpi\.h", {"thermal/fe", "study/mpi"}),
+    ("pybind11", r"(pybind11/|Python\.h)", {"python"}),
 ]
 GENERATED = {"base": {"rotordrop_git_revision.h"}}
 
@@ -120,9 +156,22 @@ def faults_of_cmake(file, room):
         yield f"{file}: {room} -> {other} is no arrow of tests/check_arrows.py"
 
 
+def faults_of_size(source):
+    """Files with too many lines, and folders with too many sources."""
+    texts = {".h", ".hpp", ".cpp", ".cc", ".ipp", ".inc", ".js", ".css", ".html"}
+    for folder in sorted([source, *(path for path in source.rglob("*") if path.is_dir())]):
+        n_sources = sum(file.suffix in {".cpp", ".cc"} for file in folder.iterdir())
+        if n_sources > MOST_SOURCES:
+            yield f"{folder}: {n_sources} sources; a folder holds at most {MOST_SOURCES}: make folders in it, one subject each"
+    for file in sorted(path for path in source.rglob("*") if path.suffix in texts):
+        n_lines = file.read_text(encoding="utf-8").count("\n")
+        if n_lines > MOST_LINES and file.relative_to(source).as_posix() not in LONG_FILES:
+            yield f"{file}: {n_lines} lines; a file has at most {MOST_LINES}: divide it by its ideas"
+
+
 def find_faults(source):
     """All faults of a source tree, and the number of files read."""
-    faults, n_files = [], 0
+    faults, n_files = list(faults_of_size(source)), 0
     for folder in sorted(path for path in source.iterdir() if path.is_dir()):
         room = folder.name
         if room not in ROOMS:
@@ -135,6 +184,26 @@ def find_faults(source):
             elif file.name == "CMakeLists.txt":
                 faults.extend(faults_of_cmake(file, room_of(file.relative_to(source).as_posix())))
     return faults, n_files
+
+
+def drawing():
+    used = {}
+    for library, _, rooms in LIBRARIES:
+        for room in rooms:
+            used.setdefault(room, []).append(library)
+    # The libraries that belong to one room or two; the others say nothing about a room.
+    few = {library for library, _, rooms in LIBRARIES if len(rooms) <= 2}
+    return room_drawing.drawing(ROOMS, WORDS, {room: ", ".join(library for library in libraries if library in few) for room, libraries in used.items()})
+
+
+def faults_of_page(docs):
+    picture, page = docs / "images/rooms.svg", docs / "reference/source-layout.md"
+    if not picture.is_file() or picture.read_text(encoding="utf-8") != drawing():
+        yield f"{picture} does not show what ROOMS says; renew it: python3 tests/check_arrows.py --draw {picture}"
+    text = page.read_text(encoding="utf-8") if page.is_file() else ""
+    for room in ROOMS:
+        if not re.search(rf"^\| `{room}` \| \S", text, re.MULTILINE):
+            yield f"{page} has no line for {room}: | `{room}` | what it holds |"
 
 
 # Files of a tree with one fault each, what the message must say; None: no fault.
@@ -166,6 +235,10 @@ PROOFS = [
     ("integrate/a.cpp", "#include <cvodes/cvodes.h>\n", None),
     ("study/a.cpp", "#include <hdf5.h>\n", "study includes HDF5"),
     ("cli/a.cpp", "#include <toml++/toml.h>\n", "cli includes toml++"),
+    ("study/a.cpp", "#include <pybind11/pybind11.h>\n", "study includes pybind11"),
+    ("python/a.cpp", '#include <pybind11/stl.h>\n#include "study/drop/drop_run.h"\n', None),
+    ("python/a.cpp", '#include "cli/commands.h"\n', "python -> cli"),
+    ("study/a.cpp", '#include "python/values.h"\n', "study -> python"),
     ("integrate/a.cpp", "#include <deal.II/base/point.h>\n", "integrate includes deal.II"),
     ("integrate/a.cpp", "#include <petscvec.h>\n", "integrate includes PETSc"),
     ("thermal/a.cpp", '#include "gmsh.h"\n', "thermal includes gmsh"),
@@ -176,31 +249,69 @@ PROOFS = [
     ("magnets/a.cpp", "\n", "magnets is no room"),
     ("bearing/CMakeLists.txt", "rotordrop_room(bearing\n  SOURCES a.cpp\n  DEPENDS model rotor\n  LIBRARIES fmt::fmt)\n", "bearing -> rotor"),
     ("rotor/CMakeLists.txt", "target_link_libraries(rotordrop_rotor PUBLIC rotordrop_thermal)\n", "rotor -> thermal"),
+    ("rotor/a.cpp", "\n" * 401, "401 lines"),
+    ("rotor/a.h", "\n" * 400, None),
+    ("study/report/a.js", "\n" * 401, "401 lines"),
+    ("machine/build_machine.cpp", "\n" * 401, None),
+    ("rotor/build_machine.cpp", "\n" * 401, "401 lines"),
+    ([f"rotor/elements/{k}.cpp" for k in range(16)], "\n", "16 sources"),
+    ([f"rotor/{k}.cpp" for k in range(15)] + [f"rotor/{k}.h" for k in range(15)] + ["rotor/elements/0.cpp"], "\n", None),
     ("rotor/a.cpp", '// #include "bearing/row/ball_row.h"\n#include <vector>\n#include "rotor/geometry.h"\n#include "model/ports.h"\n', None),
 ]
+
+
+def proofs_of_page():
+    """Whether an old picture and a missing line are found: (what, whether it was)."""
+    with tempfile.TemporaryDirectory() as folder:
+        docs = pathlib.Path(folder)
+        (docs / "images").mkdir()
+        (docs / "reference").mkdir()
+        page = "".join(f"| `{room}` | words |\n" for room in ROOMS)
+        (docs / "images/rooms.svg").write_text(drawing(), encoding="utf-8")
+        (docs / "reference/source-layout.md").write_text(page, encoding="utf-8")
+        yield "a page as it should be", not list(faults_of_page(docs))
+        (docs / "reference/source-layout.md").write_text(page.replace("| `laws` | words |\n", ""), encoding="utf-8")
+        yield "a page without laws", [fault for fault in faults_of_page(docs) if "no line for laws" in fault] == list(faults_of_page(docs)) != []
+        (docs / "reference/source-layout.md").write_text(page, encoding="utf-8")
+        before = ROOMS["io"]
+        ROOMS["io"] = before | {"laws"}
+        yield "a picture without an arrow", any("does not show" in fault for fault in faults_of_page(docs))
+        ROOMS["io"] = before
+        arrows, parameters = room_drawing.split(ROOMS)
+        yield "arrows that follow from others", arrows["rotor"] == ["model", "laws"] and parameters["study"] == [] and parameters["case"] == ["rotor", "bearing", "thermal"]
 
 
 def self_test():
     """Number of proofs that failed."""
     n_failed = 0
+    for what, was_found in proofs_of_page():
+        if not was_found:
+            n_failed += 1
+            print(f"self-test: {what}: judged wrongly")
     for name, text, expected in PROOFS:
         with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder, name)
-            file.parent.mkdir(parents=True)
-            file.write_text(text, encoding="utf-8")
+            names = name if isinstance(name, list) else [name]
+            for file in (pathlib.Path(folder, name) for name in names):
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(text, encoding="utf-8")
             faults, _ = find_faults(pathlib.Path(folder))
         is_right = not faults if expected is None else len(faults) == 1 and expected in faults[0]
         if not is_right:
             n_failed += 1
-            print(f"self-test: {name} with {text!r}: expected {expected!r}, got {faults}")
-    print(f"self-test: {len(PROOFS) - n_failed} of {len(PROOFS)} trees judged rightly")
+            print(f"self-test: {name} with {text[:200]!r}: expected {expected!r}, got {faults}")
+    n_proofs = len(PROOFS) + len(list(proofs_of_page()))
+    print(f"self-test: {n_proofs - n_failed} of {n_proofs} trees and pages judged rightly")
     return n_failed
 
 
 def main():
     parser = argparse.ArgumentParser(description="Checks that rooms of src/ include only whom they may.")
     parser.add_argument("--self-test", action="store_true", help="only prove, on trees made for it, that faults are found")
+    parser.add_argument("--draw", metavar="FILE.svg", type=pathlib.Path, help="draw the rooms into a file")
     arguments = parser.parse_args()
+    if arguments.draw:
+        arguments.draw.write_text(drawing(), encoding="utf-8")
+        return 0
     if self_test():
         return 1
     if arguments.self_test:
@@ -210,6 +321,7 @@ def main():
         print("error: there is no folder src beside tests", file=sys.stderr)
         return 2
     faults, n_files = find_faults(root / "src")
+    faults += faults_of_page(root / "docs")
     for fault in faults:
         print(fault.replace(f"{root}/", ""))
     print(f"{n_files} files of src, {len(faults)} faults")

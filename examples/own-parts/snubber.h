@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "laws/contact.h"
 #include "model/support.h"
 

@@ -22,15 +22,22 @@ Drop::Drop(const Machine& machine, const MachineParameters& p, const Integration
       scalars_(machine),
       impulse_(make_contact_impulse(machine, scalars_, p.run)),
       kelvin_(machine.state_observables(), observed_size(machine.step_observables())),
+      guards_(machine, p, integration),
       closed_fits_(machine.state_observables(), observed_size(machine.step_observables()), false, tell),
       followed_fits_(sections_->observables(), 0, true, tell),
-      loop_(machine, integration, p.run, sections_->growth_in_force()) {
+      loop_(machine, integration, p.run, sections_->growth_in_force()),
+      machine_(machine),
+      parameters_(p),
+      elements_(elements) {
   rows_.add(closed_fits_);
   rows_.add(kelvin_);
+  rows_.add(guards_.rows());
   sections_->watch(followed_fits_);
+  if (const auto own = sections_->observables(); !own.empty()) sections_->watch(guards_.windows(own));
   loop_.add(rows_);
   if (!machine.detail_observables().empty()) loop_.add(detail_rows_);
   loop_.add(scalars_);
+  loop_.add(guards_);
   loop_.add(*impulse_);
   loop_.add(*sections_);
 }
@@ -54,6 +61,10 @@ DropResult Drop::result() const {
     result.windows_energy = windows->energy;
   }
   if (const auto* growth = sections_->growth_in_force()) result.growth_in_force = *growth;
+  result.warnings = guards_.found(scalars_);
+  const EndedRun ended{parameters_,           machine_, scalars_, result.windows ? &*result.windows : nullptr,
+                       result.windows_energy, elements_};
+  for (auto& warning : warnings_at_end(ended)) result.warnings.push_back(std::move(warning));
   return result;
 }
 

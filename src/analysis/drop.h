@@ -13,6 +13,7 @@
 #include "analysis/watch/contact_impulse.h"
 #include "analysis/watch/fit_watch.h"
 #include "analysis/watch/kelvin_check.h"
+#include "analysis/watch/run_guards.h"
 
 namespace rotordrop {
 
@@ -30,11 +31,13 @@ struct DropResult {
   std::optional<WindowedSections::Report> windows;  ///< of a windowed coupling
   HeatEnergy windows_energy;
   std::optional<GrowthHistory> growth_in_force;  ///< of a machine that takes it from windows
+  std::vector<RunWarning> warnings;              ///< what was found beyond its limit
 };
 
 /// A drop in memory: the loop, and the observers that every drop has. Files and screens join them as sinks of rows and further observers.
 class Drop {
  public:
+  /// @param parameters  must outlive the drop
   /// @param elements  those that the machine was built with, if any
   /// @param tell      called with what a user should know
   Drop(const Machine& machine, const MachineParameters& parameters, const IntegrationParameters& integration,
@@ -60,8 +63,12 @@ class Drop {
   DropScalars scalars_;
   std::unique_ptr<ContactImpulse> impulse_;
   KelvinCheck kelvin_;
+  RunGuards guards_;
   FitWatch closed_fits_, followed_fits_;
   DropLoop loop_;
+  const Machine& machine_;
+  const MachineParameters& parameters_;
+  const FiniteElements* elements_;
   bool is_complete_ = false;
 };
 

@@ -20,7 +20,7 @@ MemorySeries::Group::Group(std::string times_path, std::initializer_list<const s
   std::size_t at = 0;
   for (const auto* list : lists)
     for (const auto& o : *list) {
-      if (!is_kept || is_kept(o.name)) kept.push_back({o.name, o.unit, o.long_name, at, o.size, {}});
+      if (!is_kept || is_kept(o.name)) kept.push_back({o.name, o.unit, o.long_name, at, o.size, o.columns, {}});
       at += o.size;
     }
 }

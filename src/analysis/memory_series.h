@@ -34,7 +34,8 @@ class MemorySeries {
     std::string path;
     std::string unit, long_name;
     std::size_t first = 0, size = 1;
-    std::vector<double> values;  ///< row after row
+    std::vector<std::string> columns;  ///< their names, if they have any
+    std::vector<double> values;        ///< row after row
   };
   /// Observables that have rows at the same times.
   class Group final : public RowSink {

@@ -61,12 +61,13 @@ std::string to_string(const SourcePosition& where) {
 }
 
 void Faults::add(SourcePosition where, std::string message, std::string advice) {
-  Fault fault{std::move(where), std::move(message), std::move(advice)};
+  Fault fault{std::move(where), std::move(message), std::move(advice), {}};
   if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) faults_.push_back(std::move(fault));
 }
 
 void Faults::add(const Faults& others) {
-  for (const Fault& fault : others) add(fault.where, fault.message, fault.advice);
+  for (const Fault& fault : others)
+    if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) faults_.push_back(fault);
 }
 
 void Faults::throw_if_any() const {
@@ -76,10 +77,12 @@ void Faults::throw_if_any() const {
 InputError::InputError(std::vector<Fault> sorted_faults)
     : std::runtime_error(rendered_all(sorted_faults)), faults_(std::move(sorted_faults)) {}
 
+InputError InputError::with(std::vector<Fault> sorted_faults) { return InputError(std::move(sorted_faults)); }
+
 InputError::InputError(const Faults& faults) : InputError(sorted({faults.begin(), faults.end()})) {}
 
 InputError::InputError(SourcePosition where, std::string message, std::string advice)
-    : InputError(std::vector<Fault>{{std::move(where), std::move(message), std::move(advice)}}) {}
+    : InputError(std::vector<Fault>{{std::move(where), std::move(message), std::move(advice), {}}}) {}
 
 std::string rendered(const Fault& fault) {
   const std::string where = fault.where.is_known() ? to_string(fault.where) + ": " : "";

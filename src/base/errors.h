@@ -26,6 +26,8 @@ struct Fault {
   SourcePosition where;
   std::string message;  ///< what is wrong, what was given, what is allowed
   std::string advice;   ///< what to do next; may be empty; may hold several lines
+  /// The parameter in question, such as "contact.air_gap"; empty where the input is not about one, or has not been read that far.
+  std::string key = {};
 
   bool operator==(const Fault&) const = default;
 };
@@ -55,6 +57,8 @@ class InputError : public std::runtime_error {
  public:
   explicit InputError(const Faults& faults);
   InputError(SourcePosition where, std::string message, std::string advice = "");
+  /// Faults in the order in which another error has them.
+  static InputError with(std::vector<Fault> sorted_faults);
 
   const std::vector<Fault>& faults() const { return faults_; }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "bearing/touchdown_parameters.h"
+#include "bearing/touchdown_data.h"
 
 namespace rotordrop {
 

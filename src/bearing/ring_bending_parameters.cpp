@@ -45,13 +45,14 @@ void add_ring_bending_keys(Section<TouchdownParameters>& s) {
               .fallback = "0.01",
               .source = "estimate: a steel ring loosely held by its balls; 0 to 0.05 changes little",
               .help = "Damping ratio of every harmonic of a bent ring."});
-  s.quantity("ring_frequency_limit", &P::ring_frequency_limit,
-             {.unit = "Hz",
-              .range = positive(),
-              .fallback = "10 kHz",
-              .source = "docs/theory/ring-bending.md: the first impact is within 0.3 % of that with every mass as it is",
-              .help = "Harmonics of a bent ring above this frequency get more mass in a drop, so that they oscillate "
-                      "at it; their stiffness stays."});
+  s.quantity(
+      "ring_frequency_limit", &P::ring_frequency_limit,
+      {.unit = "Hz",
+       .range = positive(),
+       .fallback = "10 kHz",
+       .source = "docs/theory/ring-bending.md: the first impact is within 0.3 % of that with every mass as it is",
+       .help = "Harmonics of a bent ring above this frequency get more mass in a drop, so that they oscillate "
+               "at it; their stiffness stays."});
   s.quantity("outer_ring_bedding", &P::outer_ring_bedding,
              {.unit = "N/m3",
               .range = positive(),

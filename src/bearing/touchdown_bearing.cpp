@@ -1,7 +1,5 @@
 #include "bearing/touchdown_bearing.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,20 +8,8 @@
 #include "bearing/statics/steady_friction.h"
 #include "bearing/touchdown_touch.h"
 #include "laws/ball_kinematics.h"
-#include "laws/skidding.h"
 
 namespace rotordrop {
-
-struct TouchdownBearing::BallForces {
-  BallForces() {}  // leaves the rows unwritten: only those that exist are
-  std::array<BallRowOutput, max_rows> row;
-  std::array<RowTractions, max_rows> tractions;  // when asked for
-  double force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
-  double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
-  double by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
-  double by_row_difference = 0;                     // dU/d(Expansion::row_difference) [N]
-  double inertia_power = 0, inertia_per_speed = 0;
-};
 
 TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)) {
   for (auto& geometry : data_.rows) geometry.conducts = data_.conduction.has_value();
@@ -42,54 +28,6 @@ TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(
   const double theta = pitch_angle_outer_race_control(g.contact_angle, g.ball_diameter, g.pitch_diameter);
   const auto spin = spin_speeds(1., g.contact_angle, g.contact_angle, theta, g.ball_diameter, g.pitch_diameter);
   spin_speed_sum_ratio_ = std::fabs(spin.inner) + std::fabs(spin.outer);
-}
-
-std::vector<StateEntry> TouchdownBearing::state_entries() const {
-  std::vector<StateEntry> entries = {{"inner ring y", "m", 1e-4},
-                                     {"inner ring z", "m", 1e-4},
-                                     {"inner ring velocity y", "m/s", 0.1},
-                                     {"inner ring velocity z", "m/s", 0.1},
-                                     {"inner ring angle", "rad", 1.},
-                                     {"inner ring spin", "rad/s", 100.},
-                                     {"support y", "m", 1e-5},
-                                     {"support z", "m", 1e-5},
-                                     {"support velocity y", "m/s", 0.01},
-                                     {"support velocity z", "m/s", 0.01},
-                                     {"cage angle", "rad", 1.}};
-  if (data_.free_ring)
-    entries.insert(entries.end(), {{"inner ring x", "m", 1e-5},
-                                   {"inner ring velocity x", "m/s", 0.01},
-                                   {"inner ring tilt y", "rad", 1e-4},
-                                   {"inner ring tilt z", "rad", 1e-4},
-                                   {"inner ring tilt rate y", "rad/s", 1.},
-                                   {"inner ring tilt rate z", "rad/s", 1.}});
-  // A bristle of sticking friction gives way after about a micrometre.
-  const std::size_t directions = data_.free_ring ? 2 : 1;
-  for (std::size_t k = 0; k < n_bristles(); ++k)
-    entries.push_back(
-        {fmt::format("bristle {} {}", k / directions + 1, k % directions == 0 ? "around" : "along"), "m", 1e-6});
-  if (data_.bending)
-    for (auto& entry : shape_entries()) entries.push_back(std::move(entry));
-  if (data_.support_law)
-    for (const auto& state : data_.support_law->states())
-      entries.push_back({"support " + state.name, state.unit, state.scale});
-  return entries;
-}
-
-std::vector<StateEntry> TouchdownBearing::ledger_entries() const {
-  std::vector<StateEntry> entries = {
-      {"contact impulse", "N s", 100., "integral of the contact force"},
-      {"contact damping", "J", 1., "energy dissipated by the damping of rotor and ring's contact"},
-      {"ball damping", "J", 1., "energy dissipated by the damping of balls and races"},
-      {"support damping", "J", 1., "energy dissipated by the support's damper"},
-      {"waviness work", "J", 1., "work of the travelling waves on the machine"},
-      {"cage work", "J", 1., "work of the prescribed cage motion on the machine"},
-      {"ball inertia work", "J", 1., "work of centrifugal forces and gyroscopic moments on the balls as they move"},
-      {"spin-up drive", "J", 100., "integral of omega_r (J omega_i' + M), for the balance of the spin-up"},
-      {"spin-up centres", "J", 1., "integral of F_t v_t, friction force times the centres' tangential speed"}};
-  if (data_.bending)
-    entries.push_back({"ring bending damping", "J", 1., "energy dissipated by the damping of bent rings"});
-  return entries;
 }
 
 void TouchdownBearing::initial_state(std::span<double> y) const {
@@ -145,7 +83,7 @@ BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<cons
   in.cage_angle = y[cage_angle];
   in.cage_cosine = std::cos(in.cage_angle);
   in.cage_sine = std::sin(in.cage_angle);
-  in.cage_speed = cage_ratio_ * y[ring_spin];
+  in.cage_speed = cage_speed(y);
   in.ring_angle = y[ring_angle];
   in.ring_speed = y[ring_spin];
   in.radial_growth = growth.inner_race - growth.outer_race;
@@ -178,6 +116,9 @@ TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& i
     sum.by_inner_strain += by_inner;
     sum.by_outer_strain += by_outer;
     sum.cage_power += row.cage_power;
+    sum.cage_torque += row.cage_torque;
+    sum.loads += row.inner_loads;
+    sum.largest = std::max(sum.largest, row.largest_load);
     sum.waviness_power += row.waviness_power;
     sum.inertia_power += row.inertia_power;
     sum.inertia_per_speed += row.inertia_per_speed;
@@ -289,6 +230,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
     support.loss = damper_y * y[support_vy] + damper_z * y[support_vz];
   }
   dydt[cage_angle] = rows_in.cage_speed;
+  double slip_loss = 0.;
   if (data_.free_ring) {
     // The angular momentum of a tilted spinning ring has the parts I_p omega (psi_z, -psi_y) along y and z.
     const FreeRing& ring = *data_.free_ring;
@@ -309,6 +251,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   out.heat.is_in_contact = t.is_touching;
   if (data_.conduction) out.heat.balls = conduction(balls, ring_speed);
   if (!out.heat.rows.empty()) divide_among_rows(balls, rows_in, M_L, M_v, turning, ring_speed, out.heat.rows);
+  if (data_.free_cage) dydt[ring_spin] += turn_cage(balls, y, dydt, out.heat, slip_loss) / data_.ring_spin_inertia;
   // The rubbing spot lies on the line of centres and turns with it.
   const double spot_speed = data_.bore_radius * t.middle.centres_turning;
   out.heat.rotor_surface_speed = in.rotor_spin.speed * data_.rotor_radius - spot_speed;
@@ -328,21 +271,24 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
                          balls.by_row_difference};
   // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
   const double centrifugal_work = out.energy_gradient.dot(data_.centrifugal_growth) * 2. * ring_speed * dydt[ring_spin];
-  out.prescribed_work = balls.cage_power + wave_work + inertia_work + centrifugal_work;
+  const double cage_work_rate = data_.free_cage ? 0. : balls.cage_power;
+  out.prescribed_work = cage_work_rate + wave_work + inertia_work + centrifugal_work;
 
   ledger[contact_impulse] = t.normal;
   ledger[contact_damping] = t.damping;
   ledger[ball_damping] = balls.damping_power;
   ledger[support_damping] = support.loss;
   ledger[waviness_work] = wave_work;
-  ledger[cage_work] = balls.cage_power;
+  ledger[cage_work] = cage_work_rate;
   ledger[inertia_of_balls] = inertia_work;
   // Friction in the bore has the rotor's radius on the rotor, that of shoulders the same on both.
   const double bore_torque = t.on_ring.torque - t.shoulder_torque;
   ledger[spin_up_drive] =
       in.rotor_spin.speed * (bore_torque + t.shoulder_torque * data_.bore_radius / data_.rotor_radius);
   ledger[spin_up_centres] = t.centres_power;
-  if (data_.bending) ledger[ring_bending_damping] = bending_loss;
+  std::size_t optional_ledger = first_optional_ledger;
+  if (data_.bending) ledger[optional_ledger++] = bending_loss;
+  if (data_.free_cage) ledger[optional_ledger++] = slip_loss;
 
   if (!out.observed.empty()) {
     observe(in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
@@ -365,6 +311,27 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   }
 }
 
+double TouchdownBearing::turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt,
+                                   HeatInput& heat, double& slip_loss) const {
+  const CageMotion m = cage_motion(*data_.free_cage, {.ring_speed = y[ring_spin],
+                                                      .cage_speed = y[free_cage_at()],
+                                                      .ball_spin = y[free_cage_at() + 1],
+                                                      .loads = balls.loads,
+                                                      .largest_load = balls.largest,
+                                                      .contact_torque = -balls.cage_torque});
+  dydt[free_cage_at()] = m.cage_acceleration;
+  dydt[free_cage_at() + 1] = m.ball_acceleration;
+  const double inner = m.inner_heat + 0.5 * m.pocket_heat, outer = m.outer_heat + 0.5 * m.pocket_heat;
+  heat.inner += inner;
+  heat.outer += outer;
+  for (auto& row : heat.rows) {
+    row.inner += inner / static_cast<double>(heat.rows.size());
+    row.outer += outer / static_cast<double>(heat.rows.size());
+  }
+  slip_loss = inner + outer;
+  return m.ring_torque;
+}
+
 double TouchdownBearing::energy(const SupportInput& in, std::span<const double> y) const {
   const auto& d = data_;
   const auto square = [&](std::size_t i) { return y[i] * y[i]; };
@@ -377,6 +344,7 @@ double TouchdownBearing::energy(const SupportInput& in, std::span<const double> 
   if (d.free_ring)
     U += 0.5 * d.ring_mass * square(ring_vx) - d.ring_mass * d.free_ring->gravity_x * y[ring_x] +
          0.5 * d.free_ring->diametral_inertia * (square(tilt_rate_y) + square(tilt_rate_z));
+  if (d.free_cage) U += d.free_cage->energy(y[free_cage_at()], y[free_cage_at() + 1]);
   U += contact_energy(in, grown, y);
   BallRowInput rows_in = row_input(grown, y);
   ShapeForces shapes;
@@ -387,144 +355,6 @@ double TouchdownBearing::energy(const SupportInput& in, std::span<const double> 
   }
   for (const auto& row : rows_) U += row.energy(rows_in);
   return U;
-}
-
-std::vector<Observable> TouchdownBearing::observables() const {
-  const std::vector<std::string> yz = {"y", "z"};
-  std::vector<std::string> row_names;
-  for (std::size_t i = 0; i < rows_.size(); ++i) row_names.push_back("row " + std::to_string(i + 1));
-  std::vector<Observable> list = {
-      {"orbit", "m", "rotor centre at the bearing, from the unloaded outer ring's axis", 2, yz, Observed::orbit},
-      {"rotor_velocity", "m/s", "velocity of the rotor centre at the bearing", 2, yz},
-      {"ring_position", "m", "inner-ring centre", 2, yz},
-      {"ring_velocity", "m/s", "velocity of the inner-ring centre", 2, yz},
-      {"support_position", "m", "displacement of the support and outer ring", 2, yz},
-      {"penetration",
-       "m",
-       "penetration of the rotor surface into the bore; negative: remaining gap",
-       1,
-       {},
-       Observed::penetration},
-      {"clearance", "m", "radial air gap after thermal growth of bore and shaft", 1, {}, Observed::clearance},
-      {"contact_force", "N", "normal force between rotor and inner ring", 1, {}, Observed::contact_force},
-      {"friction_force", "N", "friction force on the inner ring, positive about +x", 1, {}},
-      {"slip_speed", "m/s", "slip speed of the rotor surface relative to the bore", 1, {}, Observed::slip_speed},
-      {"spin_lag",
-       "1",
-       "speed deficit of the bore surface relative to the rotor surface, divided by the rotor's surface speed",
-       1,
-       {},
-       Observed::spin_lag},
-      {"bearing_force", "N", "resultant of the ball forces on the inner ring", 2, yz},
-      {"ball_force", "N", "load of the most loaded ball of each row", rows_.size(), row_names, Observed::ball_force},
-      {"contact_pressure", "Pa", "largest pressure of balls and races in each row", rows_.size(), row_names,
-       Observed::contact_pressure},
-      {"ring_speed", "rad/s", "inner-ring spin speed", 1, {}, Observed::ring_speed},
-      {"cage_angle", "rad", "rotation of the cage", 1, {}},
-      {"load_torque", "N m", "load-dependent friction torque of the bearing (eq. 21)", 1, {}, Observed::load_torque},
-      {"drag_torque", "N m", "speed-dependent friction torque of the bearing (eq. 22)", 1, {}},
-      {"spin_torque",
-       "N m",
-       "spin moment of the most loaded ball on the inner race (eq. 23)",
-       1,
-       {},
-       Observed::spin_torque},
-      {"spin_speed_inner", "rad/s", "spin of the balls on the inner race, outer-race control (eq. 13)", 1, {}},
-      {"rub_heat_rate", "W", "friction heat between rotor and inner ring (eq. 19)", 1, {}, Observed::rub_heat_rate},
-      {"inner_heat_rate", "W", "friction heat of balls and inner race", 1, {}, Observed::inner_heat_rate},
-      {"outer_heat_rate", "W", "friction heat of balls and outer race", 1, {}, Observed::outer_heat_rate},
-      growth_observable("expansion", "thermal and centrifugal growth"),
-      {"row_axial_force", "N", "axial force of each row of balls on the inner ring", rows_.size(), row_names},
-      {"preload", "N", "preload of opposed rows: the smaller of their axial forces", 1, {}, Observed::preload},
-      {"centrifugal_force",
-       "N",
-       "centrifugal force of one ball at the cage's speed",
-       1,
-       {},
-       Observed::centrifugal_force},
-      {"ellipse_truncation", "1", "largest part of a contact ellipse's length beyond the edge of its raceway",
-       rows_.size(), row_names, Observed::ellipse_truncation},
-      {"skid_demand", "1",
-       "traction that rolling and gyroscopic moments require of the row, divided by the available friction",
-       rows_.size(), row_names, Observed::skid_demand},
-      {"gyroscopic_demand", "1",
-       "traction that a ball's gyroscopic moment asks of the outer race, over what friction gives", rows_.size(),
-       row_names, Observed::gyroscopic_demand}};
-  if (data_.free_ring)
-    list.insert(
-        list.end(),
-        {{"axial_position", "m", "rotor and inner ring along the axis", 2, {"rotor", "ring"}, Observed::axial_position},
-         {"ring_tilt", "rad", "rotation of the inner ring about y and z", 2, yz},
-         {"axial_force", "N", "rotor on inner ring along +x, shoulders and friction", 1, {}, Observed::axial_force},
-         {"shoulder_force", "N", "shoulders of the rotor on the inner ring, along +x", 1, {}},
-         {"ring_moment", "N m", "rotor on inner ring about y and z", 2, yz}});
-  if (data_.support_law)
-    list.insert(list.end(), {{"support_force", "N", "force of the support on the outer ring", 2, yz},
-                             {"support_energy", "J", "energy stored in the springs of the support", 1, {}}});
-  return list;
-}
-
-std::vector<Observable> TouchdownBearing::detailed_observables() const {
-  Observable loads{"ball_loads", "N", "load of every ball", 0, {}};
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (int j = 0; j < rows_[i].geometry().n_balls; ++j)
-      loads.columns.push_back("row " + std::to_string(i + 1) + " ball " + std::to_string(j + 1));
-  loads.size = loads.columns.size();
-  std::vector<Observable> list = {loads};
-  if (data_.bending)
-    for (auto& shape : shape_observables()) list.push_back(std::move(shape));
-  return list;
-}
-
-void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, std::span<const double> y,
-                               const Touch& touch, const BallForces& balls, double load_torque, double drag_torque,
-                               double ring_acceleration, const HeatInput& heat, std::span<double> out) const {
-  std::size_t at = 0;
-  const auto put = [&](std::initializer_list<double> values) {
-    for (const double value : values) out[at++] = value;
-  };
-  put({in.journal.y, in.journal.z, in.journal.velocity_y, in.journal.velocity_z});
-  put({y[ring_y], y[ring_z], y[ring_vy], y[ring_vz], y[support_y], y[support_z]});
-  put({touch.middle.penetration, data_.air_gap + growth.bore - growth.shaft, touch.normal, touch.friction,
-       touch.middle.slip_speed});
-  const double rotor_surface = in.rotor_spin.speed * data_.rotor_radius;
-  put({rotor_surface != 0. ? 1. - y[ring_spin] * data_.bore_radius / rotor_surface : 1.});
-  put({balls.force_y, balls.force_z});
-  double largest = 0.;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    put({balls.row[i].largest_load});
-    largest = std::max(largest, balls.row[i].largest_load);
-  }
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto& race = rows_[i].geometry();
-    put({std::max(race.inner.largest_pressure(balls.row[i].largest_load),
-                  race.outer.largest_pressure(balls.row[i].largest_outer_load))});
-  }
-  const double spin_torque = spin_moment(data_.race_friction_coefficient, largest,
-                                         data_.spin_axis_factor * std::cbrt(largest), data_.spin_elliptic_integral);
-  put({y[ring_spin], y[cage_angle], load_torque, drag_torque, spin_torque, spin_speed_sum_ratio_ * y[ring_spin]});
-  put({heat.rub, heat.inner, heat.outer});
-  for (const double surface : growth_values(growth)) out[at++] = surface;
-  double towards_plus = 0., towards_minus = 0.;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const double axial = balls.row[i].force_x;
-    put({axial});
-    (axial > 0. ? towards_plus : towards_minus) += std::fabs(axial);
-  }
-  put({rows_.size() > 1 ? std::min(towards_plus, towards_minus) : 0.});
-  put({balls.tractions[0].centrifugal});
-  for (std::size_t i = 0; i < rows_.size(); ++i) put({balls.tractions[i].truncation});
-  const double mu = data_.race_friction_coefficient;
-  const double acceleration = 0.5 * data_.rows.front().pitch_diameter * cage_ratio_ * std::fabs(ring_acceleration);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto& row = rows_[i].geometry();
-    put({rolling_demand(balls.tractions[i], row.n_balls, row.ball_mass, acceleration, mu)});
-  }
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    put({traction_demand(balls.tractions[i].largest_gyroscopic_over_load, mu, 1.)});
-  if (!data_.free_ring) return;
-  put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.on_ring.x, touch.shoulder});
-  put({touch.on_ring.moment_y, touch.on_ring.moment_z});
 }
 
 }  // namespace rotordrop

@@ -9,6 +9,7 @@
 #include "bearing/row/ball_row.h"
 #include "laws/bearing_friction.h"
 #include "laws/contact.h"
+#include "laws/free_cage.h"
 #include "laws/heat/rolling_conduction.h"
 #include "laws/sticking.h"
 #include "laws/support/support_law.h"
@@ -23,6 +24,11 @@ enum class FrictionLoadLaw {
 };
 
 /// What the balls are.
+enum class CageModel {
+  rolling,  ///< balls roll without slip, and the cage turns with them
+  free      ///< cage and balls have speeds of their own (laws/free_cage.h)
+};
+
 enum class BallModel {
   quasi_static,  ///< springs without mass, both contacts in line
   inertial       ///< with centrifugal force and gyroscopic moment, each in its own balance (laws/ball_balance.h)
@@ -99,6 +105,7 @@ struct TouchdownBearingData {
   std::optional<BentRings> bending;         ///< none: rigid rings
   bool heats_rows_apart = false;            ///< tells a thermal model the heat of each row
   std::optional<FreeRing> free_ring;        ///< none: axial and tilting motion of the inner ring are locked
+  std::optional<FreeCage> free_cage;        ///< none: the balls roll, and the cage's speed follows the inner ring's
 };
 
 /// Ball bearing that catches a falling rotor: rotor surface against bore, inner-ring body, ball rows, outer ring on its support.
@@ -140,6 +147,8 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] std::size_t n_shapes() const { return data_.bending ? data_.bending->n_shapes() : 0; }
   /// Where the inner states of the support's law begin.
   [[nodiscard]] std::size_t support_states_at() const { return shapes_at() + 2 * n_shapes(); }
+  /// Where a free cage begins: its speed and the balls' spin [rad/s].
+  [[nodiscard]] std::size_t free_cage_at() const { return support_states_at() + n_support_states_; }
   /// Offsets in its own ledgers.
   enum Ledger : std::size_t {
     contact_impulse,
@@ -152,8 +161,8 @@ class TouchdownBearing final : public Support {
     spin_up_drive,
     spin_up_centres,
     n_ledger,
-    // Of bent rings also:
-    ring_bending_damping = n_ledger
+    // Of bent rings and of a free cage also, in this order:
+    first_optional_ledger = n_ledger
   };
 
   [[nodiscard]] const TouchdownBearingData& data() const { return data_; }
@@ -176,6 +185,7 @@ class TouchdownBearing final : public Support {
   struct BallForces;   // sums over the rows
   struct ShapeForces;  // on the shapes of bent rings
   struct ArcTable;     // shapes at the points around the bore
+  struct Arc;          // of points where rotor and bore may overlap
   /// Thermal and centrifugal.
   [[nodiscard]] Expansion growth(const SupportInput& input, std::span<const double> y) const;
   /// @param x  along the bore, from the ring's middle [m]
@@ -198,6 +208,8 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] double arc_energy(const SupportInput& input, const Expansion& growth, std::span<const double> y,
                                   const Bodies& at) const;
   [[nodiscard]] std::shared_ptr<const ArcTable> make_arc_table() const;
+  void find_arc(std::span<const double> y, const Bodies& at, double distance, double gap, double bound, Arc& arc) const;
+  [[nodiscard]] double farthest_bend(std::span<const double> y) const;
   void lend_shapes(ShapeForces& shapes, BallRowInput& input) const;
   void fill_ball_shapes(std::span<const double> y, ShapeForces& shapes) const;
   struct ShapeMotion {
@@ -217,6 +229,12 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] SupportMotion support_motion(std::span<const double> y) const;
   /// Force of the support's law on the outer ring, and loss; writes the rates of the law's states into dydt.
   SupportAnswer carried(std::span<const double> y, std::span<double> dydt) const;
+  [[nodiscard]] double cage_speed(std::span<const double> y) const {
+    return data_.free_cage ? y[free_cage_at()] : cage_ratio_ * y[ring_spin];
+  }
+  /// Drives a free cage, and books the heat of its slip. @return torque on the inner ring [N m]
+  double turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt, HeatInput& heat,
+                   double& slip_loss) const;
   [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input, bool with_tractions) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;

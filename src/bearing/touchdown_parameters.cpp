@@ -1,17 +1,10 @@
 #include "bearing/touchdown_parameters.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "bearing/contact_stiffness.h"
 #include "bearing/ring_bending_parameters.h"
-#include "laws/ball_kinematics.h"
-#include "laws/shoulder_contact.h"
+#include "bearing/touchdown_checks.h"
 
 namespace rotordrop {
+
 namespace {
 
 constexpr const char* paper = "Neisi, Heikkinen & Sopanen 2019";
@@ -100,9 +93,13 @@ void add_row_keys(Section<TouchdownParameters>& s) {
        .help = "Arrangement of two rows: X (face-to-face), O (back-to-back) or tandem. Not used for a single row."});
   s.integer("balls_per_row", &P::balls_per_row,
             {.range = between(3, BallRow::max_balls), .help = "Number of balls Z per row."});
-  s.quantity("ball_diameter", &P::ball_diameter, {.unit = "m", .range = positive(), .help = "Diameter d of a ball."});
+  s.quantity("ball_diameter", &P::ball_diameter,
+             {.unit = "m", .range = positive(), .usual = between(1e-3, 0.15), .help = "Diameter d of a ball."});
   s.quantity("pitch_diameter", &P::pitch_diameter,
-             {.unit = "m", .range = positive(), .help = "Diameter d_m of the circle of ball centres."});
+             {.unit = "m",
+              .range = positive(),
+              .usual = between(5e-3, 2),
+              .help = "Diameter d_m of the circle of ball centres."});
   s.quantities(
       "conformity", &P::conformity,
       {.range = between(0.501, 0.6),
@@ -117,6 +114,7 @@ void add_row_keys(Section<TouchdownParameters>& s) {
   s.quantity("radial_clearance", &P::radial_clearance,
              {.unit = "m",
               .range = between(-1e-4, 1e-3),
+              .usual = between(-3e-5, 2e-4),
               .fallback = "0 um",
               .help = "Radial clearance, mounted, cold and at standstill: half of a catalogue's radial internal "
                       "clearance (C3 and so on), which is diametral. For deep-groove bearings."});
@@ -155,6 +153,35 @@ void add_row_keys(Section<TouchdownParameters>& s) {
        .help =
            "quasi-static: massless balls. inertial: each ball in equilibrium with its centrifugal force and gyroscopic "
            "moment (Jones, outer-race control), with separate contact stiffnesses at inner and outer raceway."});
+  s.choice("cage", &P::cage, {{"rolling", CageModel::rolling}, {"free", CageModel::free}},
+           {.fallback = "rolling",
+            .help = "rolling: balls roll, the cage turns with (1 - gamma)/2 of the inner ring's speed. free: cage and "
+                    "balls have speeds of their own, driven by "
+                    "the races' traction on balls that slip, so that they lag behind an inner ring that spins up; the "
+                    "slip's heat enters both races. For "
+                    "ball_model = \"quasi-static\"."});
+  s.quantity("cage_inertia", &P::cage_inertia,
+             {.unit = "kg m2",
+              .range = at_least(0),
+              .help = "Moment of inertia of a free cage (all rows) about the axis; that of a fifth of the balls' mass "
+                      "on the pitch circle if not given, an estimate."});
+  s.quantity("race_traction", &P::race_traction,
+             {.range = positive(),
+              .fallback = "0.07",
+              .source = "estimate, lubricated steel (Gupta 1984: 0.03 to 0.1); dry 0.1 to 0.3",
+              .help = "Largest traction of races on slipping balls over their load, for a free cage."});
+  s.quantity("race_traction_slip", &P::race_traction_slip,
+             {.unit = "m/s",
+              .range = positive(),
+              .fallback = "0.5 m/s",
+              .source = "estimate: 2 to 3 % of a rolling speed of 20 m/s",
+              .help = "Slip of balls and races at which traction has reached 76 % (tanh 1) of its largest value. Small "
+                      "values shorten the integration's steps."});
+  s.quantity("pocket_friction", &P::pocket_friction,
+             {.range = at_least(0),
+              .fallback = "0.1",
+              .source = "estimate",
+              .help = "Friction coefficient of balls in the pockets of a free cage."});
   s.choice("gyroscopic_split", &P::gyroscopic_split,
            {{"outer", GyroscopicSplit::outer}, {"equal", GyroscopicSplit::equal}},
            {.fallback = "outer",
@@ -172,7 +199,10 @@ void add_row_keys(Section<TouchdownParameters>& s) {
 void add_ring_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
   s.quantity("ring_mass", &P::ring_mass,
-             {.unit = "kg", .range = positive(), .help = "Mass of the inner ring, of all rows together."});
+             {.unit = "kg",
+              .range = positive(),
+              .usual = between(1e-3, 500),
+              .help = "Mass of the inner ring, of all rows together."});
   s.quantity("ring_spin_inertia", &P::ring_spin_inertia,
              {.unit = "kg m2",
               .range = positive(),
@@ -243,6 +273,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
   s.quantity("C0", &P::C0,
              {.unit = "N",
               .range = positive(),
+              .usual = between(100, 1e8),
               .help = "Static load rating of all rows together; for a pair twice the catalogue value of a single "
                       "bearing. Each of n rows has C0 / n."});
   s.quantity("C", &P::C,
@@ -288,228 +319,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
                       "contact.friction_coefficient if not given."});
 }
 
-/// @param path  name of the bearing's table, "bearings.TB1"
-void check_geometry(const TouchdownParameters& b, const Node& table, const std::string& path, Faults& faults) {
-  const auto mm = [](double metres) { return fmt::format("{:.6g} mm", metres * 1e3); };
-  const auto fault = [&](const char* key, const std::string& message, const std::string& advice = "") {
-    faults.add(position_of_value(table, key), fmt::format("{}: {}.", path, message), advice);
-  };
-  const double circumference = b.balls_per_row * b.ball_diameter;
-  if (circumference > std::numbers::pi * b.pitch_diameter)
-    fault("balls_per_row",
-          fmt::format("{} balls of {} do not fit on a pitch circle of {}", b.balls_per_row, mm(b.ball_diameter),
-                      mm(b.pitch_diameter)),
-          "Check balls_per_row, ball_diameter and pitch_diameter.");
-  const auto rising = [&](const char* key, const std::array<double, 2>& pair) {
-    if (!(pair[0] < pair[1]))
-      fault(key, fmt::format("{} = [{}, {}]: the second must be larger than the first", key, mm(pair[0]), mm(pair[1])));
-    return pair[0] < pair[1];
-  };
-  const bool sane = rising("inner_ring_diameters", b.inner_ring_diameters) &
-                    rising("outer_ring_diameters", b.outer_ring_diameters) &
-                    rising("housing_diameters", b.housing_diameters);
-  if (sane) {
-    if (!(b.inner_ring_diameters[1] < b.pitch_diameter))
-      fault("inner_ring_diameters",
-            fmt::format("the inner ring's outside diameter {} is not smaller than the pitch_diameter {}",
-                        mm(b.inner_ring_diameters[1]), mm(b.pitch_diameter)),
-            "The inner ring must lie inside the pitch circle of its balls; check that both dimensions come from the "
-            "same drawing.");
-    if (!(b.outer_ring_diameters[0] > b.pitch_diameter))
-      fault("outer_ring_diameters",
-            fmt::format("the outer ring's inside diameter {} is not larger than the pitch_diameter {}",
-                        mm(b.outer_ring_diameters[0]), mm(b.pitch_diameter)),
-            "The outer ring must lie outside the pitch circle of its balls; check that both dimensions come from the "
-            "same drawing.");
-    if (b.housing_diameters[1] <= b.outer_ring_diameters[1])
-      fault("housing_diameters", fmt::format("the housing's outside diameter {} is not larger than the outer ring's {}",
-                                             mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])));
-    else if (std::abs(b.housing_diameters[0] - b.outer_ring_diameters[1]) > 0.01 * b.outer_ring_diameters[1])
-      fault("housing_diameters",
-            fmt::format("the housing's bore {} does not fit the outer ring's outside diameter {}",
-                        mm(b.housing_diameters[0]), mm(b.outer_ring_diameters[1])),
-            "The ring sits in the housing; count a sleeve between them as part of the housing.");
-    const double projected = b.ball_diameter * std::cos(b.contact_angle);
-    if (b.pitch_diameter - projected <= b.inner_ring_diameters[0])
-      fault("ball_diameter",
-            fmt::format("balls of {} on a pitch circle of {} reach into the bore of {}", mm(b.ball_diameter),
-                        mm(b.pitch_diameter), mm(b.inner_ring_diameters[0])),
-            "Check ball_diameter, pitch_diameter and inner_ring_diameters.");
-    if (b.pitch_diameter + projected >= b.outer_ring_diameters[1])
-      fault("ball_diameter",
-            fmt::format("balls of {} on a pitch circle of {} reach out of the outer ring of {}", mm(b.ball_diameter),
-                        mm(b.pitch_diameter), mm(b.outer_ring_diameters[1])),
-            "Check ball_diameter, pitch_diameter and outer_ring_diameters.");
-  }
-  if (const auto& radius = b.shoulders.radius;
-      radius && !b.shoulders.stiffness &&
-      !(2. * *radius > b.inner_ring_diameters[0] && 2. * *radius < b.inner_ring_diameters[1]))
-    fault("shoulders",
-          fmt::format("shoulders.radius = {} is not on the inner ring's face, which reaches from {} to {}", mm(*radius),
-                      mm(0.5 * b.inner_ring_diameters[0]), mm(0.5 * b.inner_ring_diameters[1])),
-          "Check the radius, or give shoulders.stiffness.");
-  const double A = (b.conformity[0] + b.conformity[1] - 1.) * b.ball_diameter;
-  if (b.radial_clearance >= A * std::cos(b.contact_angle))
-    fault("radial_clearance",
-          fmt::format("radial_clearance = {} is not smaller than the distance of the groove centres, {}",
-                      mm(b.radial_clearance), mm(A)));
-  if (b.preload > 0. && b.contact_angle == 0.)
-    fault("preload", fmt::format("preload = {:.6g} N on a bearing with contact_angle = 0", b.preload),
-          "Balls at a contact angle of zero take no axial load: give a contact_angle, or no preload.");
-  else if (b.preload > 0. && b.radial_clearance > 0.)
-    fault("radial_clearance",
-          fmt::format("radial_clearance = {} on a bearing with preload = {:.6g} N, which closes it",
-                      mm(b.radial_clearance), b.preload),
-          "Leave out one of the two.");
-  if (b.rows > 2 && b.arrangement != RowArrangement::tandem)
-    fault("arrangement", fmt::format("{} rows can only be in tandem", b.rows),
-          "Allowed: X, O with rows = 2; tandem with any.");
-  const bool is_opposed = b.rows == 2 && b.arrangement != RowArrangement::tandem;
-  if (b.ring_motion == RingMotion::free && b.contact_angle != 0. && !is_opposed)
-    fault("ring_motion",
-          "ring_motion = \"free\" with rows whose contact angles all point the same way: their balls push the ring off "
-          "axially and nothing holds it",
-          "Take two rows in X or O, a contact_angle of 0, or ring_motion = \"translations\".");
-  if (b.ring_motion != RingMotion::free && (b.shoulders.gap_minus_x || b.shoulders.gap_plus_x))
-    fault("shoulders", "shoulders beside a ring that cannot move along the axis", "Set ring_motion = \"free\".");
-  // The ring's mass at half the pitch radius spins with a quarter of a hoop's inertia; balls and cage add less than the ring has.
-  const double hoop = 0.25 * b.ring_mass * b.pitch_diameter * b.pitch_diameter;
-  if (b.ring_spin_inertia > 20. * hoop || b.ring_spin_inertia < 0.05 * hoop)
-    fault("ring_spin_inertia",
-          fmt::format("the ring_spin_inertia of {:.6g} kg m2 is far from that of a hoop of the ring's mass on the "
-                      "pitch circle, {:.3g} kg m2.",
-                      b.ring_spin_inertia, hoop),
-          "Allowed: 1/20 to 20 times that value. Check the unit: kg m2, not kg mm2.");
-}
-
 }  // namespace
-
-Section<ContactParameters> contact_section() {
-  using P = ContactParameters;
-  Section<P> s("contact", "Contact between rotor surface and inner-ring bore, for all touchdown bearings.");
-  s.quantity("friction_coefficient", &P::friction_coefficient,
-             {.range = between(0, 2),
-              .fallback = "0.1",
-              .source = std::string(paper) + ", table 2",
-              .help = "Dynamic friction coefficient between rotor and bore. Larger values spin the ring up faster and "
-                      "push the rotor further sideways."});
-  s.quantity("air_gap", &P::air_gap,
-             {.unit = "m",
-              .range = positive(),
-              .fallback = "250 um",
-              .source = std::string(paper) + ", table 2",
-              .help = "Radial gap between rotor and inner ring at rest and ambient temperature."});
-  s.quantity("exponent", &P::exponent,
-             {.range = between(1, 3),
-              .fallback = "1.1111111111111112",
-              .source = std::string(paper) + ", n = 10/9",
-              .help = "Exponent n of the normal force K delta^n."});
-  s.quantity("lambda", &P::lambda,
-             {.unit = "s/m",
-              .range = between(0, 5),
-              .fallback = "0.08 s/m",
-              .source = std::string(paper) + "; Hunt & Crossley 1975 give 0.08..0.32",
-              .help = "Contact damping; for small impact speeds v the restitution is 1 - lambda v."});
-  s.quantity("regularisation_speed", &P::regularisation_speed,
-             {.unit = "m/s",
-              .range = positive(),
-              .fallback = "0.05 m/s",
-              .source = "estimate",
-              .help = "Friction is smoothed through zero slip as v / sqrt(v^2 + this^2). Smaller values are sharper "
-                      "and harder to integrate."});
-  s.quantity("bore_radius", &P::bore_radius,
-             {.unit = "m",
-              .range = positive(),
-              .help = "Bore radius of the inner rings; half of the inner ring's bore diameter if not given."});
-  s.quantity(
-      "static_friction_coefficient", &P::static_friction_coefficient,
-      {.range = between(0, 2), .help = "Static friction coefficient (Stribeck law); the dynamic value if not given."});
-  s.quantity("stribeck_speed", &P::stribeck_speed,
-             {.unit = "m/s",
-              .range = positive(),
-              .fallback = "0.5 m/s",
-              .source = "estimate",
-              .help = "Slip speed over which friction falls from the static to the dynamic value."});
-  s.function("friction_over_speed", &P::friction_over_speed,
-             {.argument_unit = "m/s",
-              .range = between(0, 2),
-              .help = "Dynamic friction coefficient between rotor and bore over slip speed; replaces "
-                      "friction_coefficient in the contact. Linear between the pairs, constant outside; "
-                      "regularisation_speed still applies. Values derived from a single coefficient "
-                      "(race_friction_coefficient, the condition for a full rub) still use friction_coefficient."});
-  s.function("friction_over_temperature", &P::friction_over_temperature,
-             {.argument_unit = "K",
-              .range = between(0, 10),
-              .help = "Factor on the friction between rotor and bore over the mean temperature of the inner ring in "
-                      "the lumped circuit: linear between the pairs, constant outside. The local temperature of the "
-                      "rub contact has no influence."});
-  s.quantity("wear_coefficient_bore", &P::wear_coefficient_bore,
-             {.unit = "m2/N",
-              .range = at_least(0),
-              .fallback = "1e-14 m2/N",
-              .source = "estimate: K/H with K = 7e-5 for unlubricated hardened steel (Archard 1953; Rabinowicz 1995: "
-                        "1e-5 to 1e-3) and H = 7 GPa (60 HRC)",
-              .help = "Wear volume of the bore divided by normal force and sliding distance (Archard). It affects only "
-                      "the reported wear."});
-  s.quantity("wear_coefficient_rotor", &P::wear_coefficient_rotor,
-             {.unit = "m2/N",
-              .range = at_least(0),
-              .fallback = "2.3e-14 m2/N",
-              .source = "estimate: K/H with the same K and H = 3 GPa (quenched and tempered steel of a landing sleeve)",
-              .help = "Wear volume of the rotor surface divided by normal force and sliding distance (Archard)."});
-  s.quantity("wear_depth_limit", &P::wear_depth_limit,
-             {.unit = "m",
-              .range = positive(),
-              .fallback = "50 um",
-              .source = "estimate: a fifth of the reference case's air gap",
-              .help = "Permitted wear depth of bore or rotor; the number of drops until then is reported."});
-  s.choice(
-      "friction_law", &P::friction_law,
-      {{"automatic", FrictionLaw::automatic},
-       {"regularised", FrictionLaw::regularised},
-       {"sticking", FrictionLaw::sticking}},
-      {.fallback = "automatic",
-       .help =
-           "Friction between rotor and bore near zero slip. regularised: proportional to the slip speed there, so a "
-           "resting rotor creeps. sticking: elastic-plastic, so a resting rotor stays in place. automatic: sticking "
-           "with rotor.axial_motion = \"free\", otherwise regularised. Shoulders always use the regularised law."});
-  s.quantity("tangential_stiffness", &P::tangential_stiffness,
-             {.unit = "N/m",
-              .range = positive(),
-              .fallback = "1e8 N/m",
-              .source = "estimate: about a third of the normal stiffness under a resting rotor (Mindlin: 0.8 of it)",
-              .help = "Tangential contact stiffness between rotor and the whole bore before slip, for friction_law = "
-                      "\"sticking\"."});
-  s.quantity("contact_length", &P::contact_length,
-             {.unit = "m",
-              .range = positive(),
-              .fallback = "2 mm",
-              .source = "estimate: Hertz' line contact of rotor and bore under some hundred newtons",
-              .help = "Length of the contact along the surface; with friction_law = \"sticking\" the bristles are "
-                      "renewed after surfaces that turn together have moved by it."});
-  s.check([](const P& p, const Node& table, Faults& faults) {
-    if (p.bore_radius && p.air_gap >= *p.bore_radius)
-      faults.add(position_of_value(table, "air_gap"),
-                 fmt::format("contact.air_gap = {:.6g} mm is not smaller than bore_radius = {:.6g} mm.",
-                             p.air_gap * 1e3, *p.bore_radius * 1e3),
-                 "The rotor's radius is bore_radius - air_gap.");
-    if (p.friction_over_speed && p.static_friction_coefficient)
-      faults.add(
-          position_of_value(table, "static_friction_coefficient"),
-          "contact.static_friction_coefficient and contact.friction_over_speed both say how friction changes with "
-          "slip speed.",
-          "Give one of them; a table may begin with the static value at 0 m/s.");
-    if (p.friction_over_speed && p.friction_over_speed->front()[0] < 0.)
-      faults.add(position_of_value(table, "friction_over_speed"),
-                 "contact.friction_over_speed has a negative slip speed; friction depends on the magnitude alone.",
-                 "Begin the table at 0 m/s or above.");
-    if (p.friction_over_temperature && p.friction_over_temperature->front()[0] < 0.)
-      faults.add(position_of_value(table, "friction_over_temperature"),
-                 "contact.friction_over_temperature has a temperature below 0 K.",
-                 "Temperatures are absolute: write 20 degC or 293.15 K.");
-  });
-  return s;
-}
 
 Section<TouchdownParameters> touchdown_section() {
   using P = TouchdownParameters;
@@ -517,10 +327,18 @@ Section<TouchdownParameters> touchdown_section() {
   s.text("catalogue", &P::catalogue,
          {.help = "Name of a bearing in params/bearings, such as \"6014\"; its values apply to all keys not set in "
                   "this table."});
+  s.integer(
+      "count", &P::count,
+      {.range = between(1, 8),
+       .fallback = 1,
+       .help = "Number of catalogue bearings beside each other, such as 2 for a pair: rows, width, ring_mass, "
+               "ring_spin_inertia and C0 of the catalogue count that many times, C by count^0.7 (ISO 281). Values "
+               "that the case gives itself are of the whole set. arrangement and preload say how they are set."});
   s.integer("node", &P::node, {.range = at_least(1), .help = "Rotor node at which the bearing sits, numbered from 1."});
   s.quantity("contact_stiffness", &P::contact_stiffness,
              {.unit = "N/m^n",
               .range = positive(),
+              .usual = between(1e6, 1e14),
               .help = "Contact stiffness K in the normal force K delta^n between rotor and bore. Larger values make "
                       "the first impact harder. If not given, "
                       "that of a line contact of journal and bore by their radii, materials and width, with the same "
@@ -540,7 +358,10 @@ Section<TouchdownParameters> touchdown_section() {
       "bore_radius", &P::bore_radius,
       {.unit = "m", .range = positive(), .help = "Bore radius of this bearing; contact.bore_radius if not given."});
   s.quantity("air_gap", &P::air_gap,
-             {.unit = "m", .range = positive(), .help = "Air gap of this bearing; contact.air_gap if not given."});
+             {.unit = "m",
+              .range = positive(),
+              .usual = between(0.05e-3, 1e-3),
+              .help = "Air gap of this bearing; contact.air_gap if not given."});
   add_row_keys(s);
   add_ring_keys(s);
   add_ring_bending_keys(s);
@@ -567,30 +388,6 @@ double air_gap(const TouchdownParameters& bearing, const ContactParameters& cont
   return bearing.air_gap.value_or(contact.air_gap);
 }
 
-void check_touchdown(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact,
-                     const Node& table, const Node& contact_table, Faults& faults) {
-  const double bore = bore_radius(b, contact), gap = air_gap(b, contact);
-  if (gap >= 0.2 * bore)
-    faults.add(
-        position_of_value(b.air_gap ? table : contact_table, "air_gap"),
-        fmt::format("bearings.{}: the air gap of {:.6g} mm is more than a fifth of the bore radius of {:.6g} mm.", name,
-                    gap * 1e3, bore * 1e3),
-        "Air gaps are a few tenths of a millimetre; check the unit.");
-  if (std::fabs(2. * bore - b.inner_ring_diameters[0]) > 0.01 * b.inner_ring_diameters[0])
-    faults.add(b.bore_radius         ? position_of_value(table, "bore_radius")
-               : contact.bore_radius ? position_of_value(contact_table, "bore_radius")
-                                     : position_of_value(table, "inner_ring_diameters"),
-               fmt::format(
-                   "bearings.{}: the bore radius of {:.6g} mm is not half the inner ring's bore diameter of {:.6g} mm.",
-                   name, bore * 1e3, b.inner_ring_diameters[0] * 1e3),
-               "contact.bore_radius holds for all bearings; bearings.NAME.bore_radius for one.");
-  if (b.preload > b.C0)
-    faults.add(position_of_value(table, "preload"),
-               fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating C0 = {:.6g} N.",
-                           name, b.preload, b.C0),
-               "Preloads are typically a few percent of C0; check the unit.");
-}
-
 std::vector<RowPlace> row_places(const TouchdownParameters& b) {
   std::vector<RowPlace> places;
   const double spacing = b.row_spacing.value_or(b.width / b.rows);
@@ -606,141 +403,6 @@ std::vector<RowPlace> row_places(const TouchdownParameters& b) {
     places.push_back(place);
   }
   return places;
-}
-
-ShoulderCompliance shoulder_compliance(const TouchdownParameters& b, const ElasticMaterial& ring) {
-  const double r_1 = 0.5 * b.inner_ring_diameters[0], r_2 = 0.5 * b.inner_ring_diameters[1],
-               middle = b.shoulders.radius.value_or(0.5 * (r_1 + r_2)), height = std::min(middle - r_1, r_2 - middle);
-  // A shoulder at the -x face pushes the ring onto the rows that lean to +x; the other side is its mirror.
-  double length = 0.;
-  int n = 0;
-  for (const auto& row : row_places(b))
-    if (row.direction > 0.) {
-      length += 0.5 * b.width + row.position;
-      ++n;
-    }
-  return {annulus_compliance(middle - height, middle + height, ring), sleeve_compliance(r_1, r_2, length / n, ring)};
-}
-
-double shoulder_stiffness(const TouchdownParameters& b, const ElasticMaterial& ring) {
-  return b.shoulders.stiffness ? *b.shoulders.stiffness : shoulder_compliance(b, ring).stiffness();
-}
-
-namespace {
-
-FreeRing free_ring_data(const TouchdownParameters& b, const ElasticMaterial& material, double gravity_x) {
-  const double r_1 = 0.5 * b.inner_ring_diameters[0], r_2 = 0.5 * b.inner_ring_diameters[1];
-  const double radii = b.ring_mass * (r_1 * r_1 + r_2 * r_2);
-  FreeRing ring;
-  ring.polar_inertia = radii / 2.;
-  ring.diametral_inertia = b.ring_diametral_inertia.value_or(radii / 4. + b.ring_mass * b.width * b.width / 12.);
-  ring.gravity_x = gravity_x;
-  ring.width = b.width;
-  if (b.shoulders.gap_minus_x) ring.shoulders.push_back({-1., *b.shoulders.gap_minus_x});
-  if (b.shoulders.gap_plus_x) ring.shoulders.push_back({1., *b.shoulders.gap_plus_x});
-  ring.shoulder_radius = b.shoulders.radius.value_or(0.5 * (r_1 + r_2));
-  ring.shoulder_stiffness = shoulder_stiffness(b, material);
-  return ring;
-}
-
-}  // namespace
-
-TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& b,
-                                    const ContactParameters& contact, const TouchdownSurroundings& around) {
-  const double modulus = effective_modulus(around.ring, around.ball);
-  const double projected = 0.5 * b.ball_diameter * std::cos(b.contact_angle);
-  const auto inner = inner_race_contact(b.ball_diameter, 0.5 * b.pitch_diameter - projected, b.conformity[0]);
-  const auto outer = outer_race_contact(b.ball_diameter, 0.5 * b.pitch_diameter + projected, b.conformity[1]);
-
-  BallRowGeometry row;
-  row.n_balls = b.balls_per_row;
-  row.ball_diameter = b.ball_diameter;
-  row.pitch_diameter = b.pitch_diameter;
-  row.inner_conformity = b.conformity[0];
-  row.outer_conformity = b.conformity[1];
-  row.contact_angle = b.contact_angle;
-  row.radial_clearance = b.radial_clearance;
-  row.damping_beta = b.ball_damping_beta;
-  // The groove's circle has its centre at d_m/2 +- (f - 1/2) d cos phi_0 from the axis and reaches the shoulder's radius at the edge's angle.
-  const auto race = [&](const ContactGeometry& geometry, double side, double conformity, double shoulder_diameter) {
-    RaceContact made{hertz_stiffness(geometry, modulus, b.elliptic_integrals),
-                     semi_major_axis_factor(geometry, modulus, b.elliptic_integrals),
-                     contact_ellipse(geometry, b.elliptic_integrals).k};
-    made.groove_radius = conformity * b.ball_diameter;
-    const double centre =
-        0.5 * b.pitch_diameter - side * (conformity - 0.5) * b.ball_diameter * std::cos(b.contact_angle);
-    made.edge_cosine = std::clamp(side * (0.5 * shoulder_diameter - centre) / made.groove_radius, -1., 1.);
-    made.edge_sine = std::sqrt(1. - made.edge_cosine * made.edge_cosine);
-    return made;
-  };
-  row.inner = race(inner, -1., b.conformity[0], b.inner_shoulder_diameter.value_or(b.inner_ring_diameters[1]));
-  row.outer = race(outer, 1., b.conformity[1], b.outer_shoulder_diameter.value_or(b.outer_ring_diameters[0]));
-  row.stiffness = stiffness_in_series(row.inner.stiffness, row.outer.stiffness);
-  row.ball_mass = around.ball_density * std::numbers::pi / 6. * std::pow(b.ball_diameter, 3);
-  row.has_inertia = b.ball_model == BallModel::inertial;
-  row.inner_gyroscopic_share = b.gyroscopic_split == GyroscopicSplit::equal ? 0.5 : 0.;
-  row.preload_offset = b.preload > 0. ? BallRow::offset_for_axial_load(row, b.preload) : 0.;
-
-  TouchdownBearingData d;
-  d.name = name;
-  const auto places = row_places(b);
-  for (int i = 0; i < b.rows; ++i) {
-    row.position = places[static_cast<std::size_t>(i)].position;
-    row.difference_share = places[static_cast<std::size_t>(i)].difference_share;
-    row.direction = places[static_cast<std::size_t>(i)].direction;
-    row.phase = i * b.row_phase * 2. * std::numbers::pi / b.balls_per_row;
-    d.rows.push_back(row);
-  }
-  d.cage_angle = b.cage_phase * 2. * std::numbers::pi / b.balls_per_row;
-  for (const auto& w : b.waviness) {
-    if (w.surface == WavySurface::bore)
-      d.bore_waves.push_back({w.order, w.amplitude, w.phase});
-    else
-      d.race_waves.push_back({w.surface == WavySurface::inner_race, w.order, w.amplitude, w.phase});
-  }
-  d.ball_model = b.ball_model;
-  d.ring_mass = b.ring_mass;
-  d.width = b.width;
-  d.ring_spin_inertia = b.ring_spin_inertia;
-  d.bore_radius = bore_radius(b, contact);
-  d.air_gap = air_gap(b, contact);
-  d.rotor_radius = d.bore_radius - d.air_gap;
-  d.contact = {contact_stiffness(b, contact, around).value, contact.exponent, contact.lambda};
-  d.friction = {contact.friction_coefficient, contact.regularisation_speed,
-                contact.static_friction_coefficient.value_or(0.), contact.stribeck_speed,
-                contact.static_friction_coefficient.has_value()};
-  if (contact.friction_over_speed) d.friction.over_speed = *contact.friction_over_speed;
-  if (contact.friction_over_temperature) d.friction.over_temperature = *contact.friction_over_temperature;
-  d.friction.has_tables = contact.friction_over_speed || contact.friction_over_temperature;
-  const auto standard = around.has_axial_motion ? FrictionLaw::sticking : FrictionLaw::regularised;
-  if ((contact.friction_law == FrictionLaw::automatic ? standard : contact.friction_law) == FrictionLaw::sticking)
-    d.sticking = StickingFriction{contact.tangential_stiffness, contact.contact_length};
-  d.f1_z = b.f1_z;
-  d.f1_y = b.f1_y;
-  d.static_rating = b.C0;
-  d.f2 = b.f2;
-  d.drag_viscosity = b.drag_viscosity;
-  d.drag_regularisation = b.drag_regularisation;
-  d.load_law = b.load_law;
-  d.race_friction_coefficient = b.race_friction_coefficient.value_or(contact.friction_coefficient);
-  d.spin_axis_factor = semi_major_axis_factor(inner, modulus, b.elliptic_integrals);
-  d.spin_elliptic_integral = contact_ellipse(inner, b.elliptic_integrals).E;
-  d.add_spin_heat = b.internal_heat == InternalHeat::with_spin;
-  if (b.internal_heat == InternalHeat::ball_speed) {
-    const auto& g = d.rows.front();
-    d.heat_over_work = ball_spin_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle);
-  }
-  d.support_mass = b.support.mass;
-  d.support_law = support_law(b.support, support_surroundings(b));
-  d.support_stiffness_y = b.support.K_y.value_or(0.);
-  d.support_stiffness_z = b.support.K_z.value_or(0.);
-  d.support_damping_y = b.support.C_y.value_or(0.);
-  d.support_damping_z = b.support.C_z.value_or(0.);
-  d.gravity_y = around.gravity[1];
-  d.gravity_z = around.gravity[2];
-  d.bending = bent_rings(b, d, around);
-  if (b.ring_motion == RingMotion::free) d.free_ring = free_ring_data(b, around.ring, around.gravity[0]);
-  return d;
 }
 
 }  // namespace rotordrop

@@ -1,36 +1,19 @@
 #pragma once
+
+// The keys of [bearings.NAME] with type = "touchdown", and what follows from them alone.
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
+#include "bearing/contact_parameters.h"
 #include "bearing/support/support_parameters.h"
 #include "bearing/touchdown_bearing.h"
 #include "laws/hertz.h"
 #include "model/circuit_factors.h"
 
 namespace rotordrop {
-
-/// Friction of rotor and bore near rest.
-enum class FrictionLaw {
-  automatic,    ///< sticking for a rotor that is free along its axis, else regularised
-  regularised,  ///< through zero with the slip speed: a resting rotor creeps under a force
-  sticking      ///< elastic-plastic (laws/sticking.h): it stays
-};
-
-/// [contact]: rotor surface against inner-ring bore, for all touchdown bearings.
-struct ContactParameters {
-  double friction_coefficient = 0, air_gap = 0, exponent = 0, lambda = 0, regularisation_speed = 0;
-  std::optional<double> bore_radius;
-  std::optional<double> static_friction_coefficient;
-  double stribeck_speed = 0;
-  std::optional<std::vector<std::array<double, 2>>> friction_over_speed, friction_over_temperature;
-  double wear_coefficient_bore = 0, wear_coefficient_rotor = 0, wear_depth_limit = 0;
-  FrictionLaw friction_law = FrictionLaw::automatic;
-  double tangential_stiffness = 0, contact_length = 0;
-};
-Section<ContactParameters> contact_section();
 
 enum class WavySurface { inner_race, outer_race, bore };
 
@@ -65,6 +48,7 @@ enum class HousingFit { frictionless, bonded };
 /// bearings.NAME with type = "touchdown".
 struct TouchdownParameters {
   std::optional<std::string> catalogue;
+  int count = 1;  ///< of catalogue bearings beside each other
   int node = 0;
   std::optional<double> contact_stiffness, contact_width, crown_radius;
   std::optional<double> bore_radius, air_gap;
@@ -85,6 +69,9 @@ struct TouchdownParameters {
   std::optional<double> ring_diametral_inertia;
   ShoulderParameters shoulders;
   BallModel ball_model = BallModel::quasi_static;
+  CageModel cage = CageModel::rolling;
+  std::optional<double> cage_inertia;
+  double race_traction = 0, race_traction_slip = 0, pocket_friction = 0;
   GyroscopicSplit gyroscopic_split = GyroscopicSplit::outer;
   InternalHeat internal_heat = InternalHeat::energy_consistent;
   FrictionLoadLaw load_law = FrictionLoadLaw::radial;
@@ -107,36 +94,10 @@ Section<TouchdownParameters> touchdown_section();
 /// Pressure at which a ball leaves a permanent mark of 1e-4 of its diameter [Pa]. Source: ISO 76, ball bearings.
 inline constexpr double static_pressure_limit = 4.2e9;
 
-/// The rotor under a bearing.
-struct JournalBody {
-  ElasticMaterial material;
-  double inner_radius = 0;  ///< of a hollow shaft [m]
-};
-
-/// What a touchdown bearing takes from elsewhere in the case.
-struct TouchdownSurroundings {
-  ElasticMaterial ring, ball;
-  std::array<double, 3> gravity{};     ///< along x, y, z [m/s^2]
-  double ball_density = 0;             ///< [kg/m^3]
-  bool has_axial_motion = false;       ///< the rotor is free along its axis
-  double ring_density = 0;             ///< [kg/m^3]; for rings that bend
-  std::optional<JournalBody> journal;  ///< none: a solid one of the rings' material
-};
-
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.
 double bore_radius(const TouchdownParameters& bearing, const ContactParameters& contact);
 /// Radial air gap [m]: the bearing's own, else that of [contact].
 double air_gap(const TouchdownParameters& bearing, const ContactParameters& contact);
-
-/// What lies between a rotor that leans on a shoulder and the balls: a half space under the annulus that touches, and the ring's wall from its face to the row
-/// that carries the load [m/N].
-struct ShoulderCompliance {
-  double rotor = 0, ring = 0;
-  [[nodiscard]] double stiffness() const { return 1. / (rotor + ring); }
-};
-ShoulderCompliance shoulder_compliance(const TouchdownParameters& bearing, const ElasticMaterial& ring);
-/// The given one, or that of the geometry [N/m].
-double shoulder_stiffness(const TouchdownParameters& bearing, const ElasticMaterial& ring);
 
 /// What the outer ring's support takes from its bearing.
 SupportSurroundings support_surroundings(const TouchdownParameters& bearing);
@@ -149,12 +110,5 @@ struct RowPlace {
 };
 /// Of all rows, with rising position.
 std::vector<RowPlace> row_places(const TouchdownParameters& bearing);
-
-TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& bearing,
-                                    const ContactParameters& contact, const TouchdownSurroundings& surroundings);
-
-/// Checks that need both the bearing and [contact]; the tables give the places of faults.
-void check_touchdown(const std::string& name, const TouchdownParameters& bearing, const ContactParameters& contact,
-                     const Node& bearing_table, const Node& contact_table, Faults& faults);
 
 }  // namespace rotordrop

@@ -1,8 +1,9 @@
 #pragma once
-// How the rotor touches an inner ring: what touchdown_bearing.cpp and touchdown_touch.cpp share.
+// How the rotor touches an inner ring and how its balls press it: what the sources touchdown_*.cpp share.
 #include <array>
 
 #include "bearing/touchdown_bearing.h"
+#include "laws/skidding.h"
 
 namespace rotordrop {
 
@@ -43,6 +44,19 @@ struct TouchdownBearing::Touch {
   double rub_heat = 0, damping = 0, wave_power = 0;  // [W]
   double centres_power = 0;                          // friction force times the slip that is not spin [W]
   bool is_touching = false;
+};
+
+/// Balls on the inner ring, summed over its rows.
+struct TouchdownBearing::BallForces {
+  BallForces() {}  // leaves the rows unwritten: only those that exist are
+  std::array<BallRowOutput, max_rows> row;
+  std::array<RowTractions, max_rows> tractions;  // when asked for
+  double force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
+  double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
+  double by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
+  double by_row_difference = 0;                     // dU/d(Expansion::row_difference) [N]
+  double cage_torque = 0, loads = 0, largest = 0;   // for a free cage
+  double inertia_power = 0, inertia_per_speed = 0;
 };
 
 /// Bent rings while they are evaluated.

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <functional>
 
+#include "base/parameters/suggestion.h"
+#include "case/bearing_sets.h"
 #include "case/case_keys.h"
 #include "case/case_text.h"
 #include "case/plausibility.h"
@@ -77,6 +79,14 @@ Section<CaseParameters> case_section() {
   s.table<PrescribedHeatParameters>("heat", &P::heat, prescribed_heat_section());
   s.table<IntegrationParameters>("integration", &P::integration, integration_section());
   s.table<OutputParameters>("output", &P::output, output_section());
+  s.custom(
+      "limits",
+      {.accepts = "results, each with max or min",
+       .json_types = {"object"},
+       .help = "What a run is to stay within: RESULT = { max = \"6 kN\" }, { min = 1 } or both. RESULT is a number "
+               "of summary.json, such as bearings.TB1.peak_contact_force; * stands for any text without a dot. "
+               "The summary says which limits are met, and how much of each is used (docs/how-to/limits.md)."},
+      [](const Node& node, P& target, Faults& faults) { read_limits(node, target.limits, faults); });
   return s;
 }
 
@@ -109,7 +119,14 @@ void load_rotor_geometry(Node& tree, Faults& faults) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (!fs::exists(status)) {
-    faults.add(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file.", geometry->text()),
+    const std::string& name = geometry->text();
+    if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20; })) {
+      faults.add(geometry->where(), "rotor.geometry is not the name of a file: it holds a line break or the like.",
+                 "In double quotes \\n and \\r mean one. In names of files write / for \\.");
+      rotor->set("geometry", any_geometry(), key);
+      return;
+    }
+    faults.add(geometry->where(), fmt::format("rotor.geometry = \"{}\": there is no such file.", name),
                fmt::format("Looked for {}{}.", path.string(),
                            status.type() == fs::file_type::none ? " (" + error.message() + ")" : ""));
     rotor->set("geometry", any_geometry(), key);
@@ -168,21 +185,21 @@ void load_catalogue_bearings(Node& tree, const fs::path& file) {
     for (auto& entry : bearings->entries()) load_catalogue(entry.value, entry.key, file);
 }
 
-/// Whether an override sets one entry of a list: "rotor.unbalance[0].me=...".
-bool names_entry(const std::string& assignment) {
-  return assignment.substr(0, assignment.find('=')).find('[') != std::string::npos;
-}
-void set_entry(Node& tree, const std::string& assignment) {
-  const auto equals = assignment.find('=');
-  std::string key = assignment.substr(0, equals);
+/// Whether a setting is of one entry of a list: "rotor.unbalance[0].me".
+bool names_entry(const Setting& setting) { return setting.key.find('[') != std::string::npos; }
+void set_entry(Node& tree, const Setting& setting) {
+  std::string key = setting.key;
   key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
-  const std::string value = equals == std::string::npos ? "" : assignment.substr(equals + 1);
-  Node read = Node::table();
-  apply_override(read, "value=" + value);
-  Node& entry = *read.find("value");
-  const SourcePosition where{"--set " + key, 0, 0};
-  entry.set_where(where);
-  set_key(tree, key, std::move(entry), where);
+  set_key(tree, key, setting.value, {setting.value.where().file, 0, 0});
+}
+
+/// Adds the parameters that faults are about, where a place tells them.
+void add_keys(std::vector<Fault>& faults, const Node& tree) {
+  constexpr std::string_view set = "--set ";
+  for (Fault& fault : faults)
+    // Tables that a setting has made stand at its place, too.
+    if (fault.key.empty())
+      fault.key = fault.where.file.starts_with(set) ? fault.where.file.substr(set.size()) : path_at(tree, fault.where);
 }
 
 }  // namespace
@@ -199,59 +216,98 @@ std::vector<ErasedSection> case_sections() { return {case_section().erased()}; }
 
 namespace {
 
+/// Puts settings, files that the tree names, and built-in materials into a tree.
+void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>& settings, Faults& faults) {
+  Node over = Node::table(tree.where());
+  for (const Setting& setting : settings) {
+    if (names_entry(setting)) continue;
+    apply_setting(tree, setting);  // finds out whether it can be set
+    apply_setting(over, setting);
+  }
+  load_catalogue_bearings(over, file);
+  tree = merged(tree, over);
+  for (const Setting& setting : settings)
+    if (names_entry(setting)) set_entry(tree, setting);
+  make_sets(tree, faults);
+  load_rotor_geometry(tree, faults);
+  complete_paths(tree);
+  // Built-in materials lie under those that the case gives.
+  const Node* materials = tree.find("materials");
+  if (!materials)
+    tree.set("materials", default_materials());
+  else if (materials->is_table())
+    tree.set("materials", merged(default_materials(), *materials), position_of(tree, "materials"));
+}
+
 /// @param read  the tree of `file` with its bases
-Case case_of(const fs::path& file, const std::vector<std::string>& overrides, const std::function<Node()>& read) {
+Case case_of(const fs::path& file, const std::vector<Setting>& settings, const std::function<Node()>& read) {
   Case result;
   result.file = file;
   result.name = file.stem().string();
   if (std::any_of(result.name.begin(), result.name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
     throw InputError({file.string(), 0, 0}, "the name of this file holds a control character, such as a line break.",
                      "The case is called as the file: use letters, digits, - and _.");
-  result.tree = read();
-  Node over = Node::table(result.tree.where());
-  for (const auto& assignment : overrides) {
-    if (names_entry(assignment)) continue;
-    apply_override(result.tree, assignment);  // finds out whether it can be set
-    apply_override(over, assignment);
+  try {
+    result.tree = read();
+    Faults faults;
+    complete_tree(result.tree, file, settings, faults);
+    const auto section = case_section();
+    result.parameters = section.read(result.tree, faults);
+    // What follows looks at several sections together, and so needs each of them sound.
+    faults.throw_if_any();
+    check_machine(result.parameters, result.tree, faults);
+    check_output(result.parameters, result.tree, faults);
+    faults.throw_if_any();
+    result.warnings = look_for_slips(result.parameters, result.tree);
+    look_for_single_entries(result.tree, result.warnings);
+    add_keys(result.warnings, result.tree);
+    SourceComments comments;
+    result.resolved = write_resolved({section.erased()}, result.tree,
+                                     [&comments](const SourcePosition& where) { return comments.at(where); });
+    return result;
+  } catch (const InputError& error) {
+    std::vector<Fault> faults = error.faults();
+    add_keys(faults, result.tree);
+    throw InputError::with(std::move(faults));
   }
-  load_catalogue_bearings(over, file);
-  result.tree = merged(result.tree, over);
-  for (const auto& assignment : overrides)
-    if (names_entry(assignment)) set_entry(result.tree, assignment);
-  Faults faults;
-  load_rotor_geometry(result.tree, faults);
-  complete_paths(result.tree);
-  // Built-in materials lie under those that the case gives.
-  const Node* materials = result.tree.find("materials");
-  if (!materials)
-    result.tree.set("materials", default_materials());
-  else if (materials->is_table())
-    result.tree.set("materials", merged(default_materials(), *materials), position_of(result.tree, "materials"));
+}
 
-  const auto section = case_section();
-  result.parameters = section.read(result.tree, faults);
-  // What follows looks at several sections together, and so needs each of them sound.
-  faults.throw_if_any();
-  check_machine(result.parameters, result.tree, faults);
-  check_output(result.parameters, result.tree, faults);
-  faults.throw_if_any();
-  result.warnings = look_for_slips(result.parameters, result.tree);
-  SourceComments comments;
-  result.resolved = write_resolved({section.erased()}, result.tree,
-                                   [&comments](const SourcePosition& where) { return comments.at(where); });
-  return result;
+std::vector<Setting> settings_of(const std::vector<std::string>& overrides) {
+  std::vector<Setting> settings;
+  for (const auto& assignment : overrides) settings.push_back(read_setting(assignment));
+  return settings;
+}
+
+/// A tree of no file, laid over its base.
+Node with_base(Node tree, const fs::path& file) {
+  load_catalogue_bearings(tree, file);
+  const Node* base = tree.find("base");
+  if (!base) return tree;
+  if (!base->is_text())
+    throw InputError(base->where(), fmt::format("base is {}; it must be the name of a file.", kind_name(*base)));
+  Node under = read_toml(resolve_path(*base), load_catalogue_bearings);
+  tree.erase("base");
+  return merged(under, tree);
 }
 
 }  // namespace
 
 Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
-  return case_of(file, overrides, [&] { return read_toml(file, load_catalogue_bearings); });
+  return case_of(file, settings_of(overrides), [&] { return read_toml(file, load_catalogue_bearings); });
 }
 
 Case read_case_text(std::string_view text, const fs::path& folder, const std::string& name,
                     const std::vector<std::string>& overrides) {
   const fs::path file = folder / (name + ".toml");
-  return case_of(file, overrides, [&] { return read_toml_text(text, file, load_catalogue_bearings); });
+  return case_of(file, settings_of(overrides), [&] { return read_toml_text(text, file, load_catalogue_bearings); });
+}
+
+Case read_given_case(const GivenCase& given, const std::vector<Setting>& settings) {
+  return case_of(given.file, settings, [&] {
+    if (given.tree) return with_base(*given.tree, given.file);
+    return given.text ? read_toml_text(*given.text, given.file, load_catalogue_bearings)
+                      : read_toml(given.file, load_catalogue_bearings);
+  });
 }
 
 std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {

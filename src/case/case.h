@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "analysis/output_parameters.h"
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
+#include "case/limits.h"
 #include "integrate/integration_parameters.h"
 #include "machine/machine_parameters.h"
 #include "thermal/heating/prescribed_heat_parameters.h"
@@ -17,6 +18,7 @@ struct CaseParameters : MachineParameters {
   std::optional<PrescribedHeatParameters> heat;  ///< of `rotordrop heat` alone
   IntegrationParameters integration;
   OutputParameters output;
+  std::vector<Limit> limits;
 };
 
 /// A case as read, checked and completed.

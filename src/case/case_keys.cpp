@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/parameters/declaration.h"
+#include "base/parameters/suggestion.h"
 #include "case/case.h"
 
 namespace rotordrop {

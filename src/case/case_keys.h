@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/node.h"
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
 
 namespace rotordrop {
 

@@ -54,6 +54,11 @@ std::string version_of(const std::string& module) {
 
 }  // namespace
 
+std::mutex& section_lock() {
+  static std::mutex lock;
+  return lock;
+}
+
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem) {
   static auto* const make = load<MakeHeatSolver>({ROTORDROP_FE_MODULE, "the finite-element module", "`rotordrop heat`"},
                                                  make_heat_solver_name);

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <mutex>
 
 #include "case/case.h"
 #include "machine/heat/finite_elements.h"
@@ -12,6 +13,9 @@ namespace rotordrop {
 /// Entry points of the finite-element modules for a case with finite elements, which must outlive them. What was computed before comes from the cache; the module is
 /// loaded when something new is asked.
 FiniteElements finite_elements_of(const Case& drop_case);
+
+/// To be held while machines with finite elements are built: meshes come from one generator for the whole process.
+std::mutex& section_lock();
 
 /// Loads the finite-element room, a module beside the program, and makes its solver. The module stays loaded.
 /// @throws InputError if the program was built without it

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "case/usual_values.h"
 #include "machine/probes.h"
 
 namespace rotordrop {
@@ -37,54 +38,15 @@ double shaft_diameter(const RotorGeometry& rotor, int node) {
   return diameter;
 }
 
-/// Single values outside the range that is usual in the field.
-void look_at_values(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
-  const auto look = [&](const Node& table, const std::string& path, const std::string& key, double value,
-                        const Range& usual, const std::string& unit, const std::string& slip) {
-    if (usual.contains(value)) return;
-    const Node* given = table.find(key);
-    warn(warnings, position_of_value(table, key),
-         fmt::format("{}.{} = {} is unusual: it is most often {}.", path, key,
-                     given ? to_text(*given) : fmt::format("{:.6g}", value), to_string(usual, unit)),
-         slip);
-  };
-  const std::string gap_slip = "A bare number is in metres: 250 micrometres are \"250 um\".";
-  const Range gaps = between(0.05e-3, 1e-3);
-  const Node &run = table_at(tree, "run"), &contact = table_at(tree, "contact"), &rotor = table_at(tree, "rotor");
-  const double speed = p.run.initial_speed;
-  look(run, "run", "initial_speed", speed, between(-6500, 6500), "rad/s",
-       fmt::format("A bare number is in rad/s: {:.6g} rad/s is {:.0f} rpm. If rpm is meant, write \"{:.6g} rpm\".",
-                   speed, speed * 30. / std::numbers::pi, speed));
-  look(run, "run", "end_time", p.run.end_time, between(1e-5, 1e4), "s", "A bare number is in seconds.");
-  look(run, "run", "ambient", p.run.ambient, between(200, 500), "K",
-       "A bare number is in kelvin: if degrees Celsius are meant, write \"20 degC\".");
-  look(contact, "contact", "air_gap", p.contact.air_gap, gaps, "m", gap_slip);
+/// Diameters of a shaft; a geometry has no declarations of its own here.
+void look_at_diameters(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node& rotor = table_at(tree, "rotor");
   for (std::size_t i = 0; i < p.rotor.geometry.elements.size(); ++i) {
     const double od = p.rotor.geometry.elements[i].od;
     if (od > 3. || od < 2e-3)
       warn(warnings, position_of(rotor, "geometry"),
            fmt::format("element {} of the rotor has od = {:.6g} m; it is most often between 0.002 and 3 m.", i + 1, od),
            "A bare number is in metres: 90 millimetres are 0.09 or \"90 mm\".");
-  }
-  for (std::size_t i = 0; i < p.rotor.unbalance.size(); ++i)
-    if (p.rotor.unbalance[i].me > 0.1)
-      warn(warnings, position_of(rotor, "unbalance"),
-           fmt::format("rotor.unbalance#{}.me = {:.6g} kg m is unusual: it is most often <= 0.1 kg m.", i + 1,
-                       p.rotor.unbalance[i].me),
-           "A bare number is in kg m, and 1 g mm is 1e-6 kg m.");
-  for (const auto& entry : p.bearings) {
-    const Node& table = table_at(tree, "bearings", entry.name);
-    const std::string path = "bearings." + entry.name;
-    if (const auto* touchdown = entry.touchdown()) {
-      if (touchdown->air_gap) look(table, path, "air_gap", *touchdown->air_gap, gaps, "m", gap_slip);
-      if (touchdown->contact_stiffness)
-        look(table, path, "contact_stiffness", *touchdown->contact_stiffness, between(1e6, 1e14), "N/m^n",
-             "K of a journal in a bore is some 1e8 to 1e12 N/m^n; above, steps become very short.");
-    }
-    if (const auto* linear = entry.linear())
-      for (const auto& row : linear->stiffness)
-        for (const double k : row)
-          look(table, path, "stiffness", k, between(-1e12, 1e12), "N/m", "Supports of rotors have 1e4 to 1e10 N/m.");
   }
 }
 
@@ -206,7 +168,8 @@ void look_at_laws(const std::string& name, const TouchdownParameters& b, const C
 
 std::vector<Fault> look_for_slips(const CaseParameters& p, const Node& tree) {
   std::vector<Fault> warnings;
-  look_at_values(p, tree, warnings);
+  for (const auto& section : case_sections()) look_for_unusual_values(*section, tree, warnings);
+  look_at_diameters(p, tree, warnings);
   look_at_rotor(p, tree, warnings);
   look_at_probes(p, tree, warnings);
   for (const auto& entry : p.bearings)

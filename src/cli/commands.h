@@ -10,8 +10,18 @@ struct RunCommand {
   std::filesystem::path file, directory;
   std::vector<std::string> overrides;
   bool force = false, resume = false, quiet = false, strict = false;
+  bool accept = false;  ///< fail if a limit of the case is not met
 };
 int run_command(const RunCommand& command);
+/// Exit code of a command that came to its end, but not to what was asked to hold.
+inline constexpr int not_as_asked = 3;
+
+struct RerunCommand {
+  std::filesystem::path file, directory;
+  bool force = false, quiet = false;
+};
+/// A recorded drop once more; whether its bits are the same.
+int rerun_command(const RerunCommand& command);
 /// @param strict  whether warnings about the case are faults
 int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict);
 /// Kinds of input files.

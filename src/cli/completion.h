@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
 
 namespace CLI {
 class App;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
 #include "base/wide_vectors.h"
 #include "case/case.h"
 #include "cli/commands.h"
@@ -54,14 +54,10 @@ CLI::Validator not_empty() {
 
 /// Options and arguments that name files or folders, by what help and completion call them.
 std::vector<std::pair<std::string, std::string>> types_of_paths(const std::string& command) {
-  const bool has_folder = command == "run" || command == "heat" || command == "preload";
-  return {{"case", "CASE"},
-          {"directory", "DIR"},
-          {"results", "DIR"},
-          {"against", "DIR"},
-          {"shapes", "FILE"},
-          {"diagram", "FILE"},
-          {"output", has_folder ? "DIR" : "FILE"}};
+  const bool has_folder = command == "run" || command == "rerun" || command == "heat" || command == "preload";
+  return {
+      {"case", "CASE"},   {"directory", "DIR"}, {"results", command == "rerun" ? "FILE" : "DIR"}, {"against", "DIR"},
+      {"shapes", "FILE"}, {"diagram", "FILE"},  {"output", has_folder ? "DIR" : "FILE"}};
 }
 
 /// Declarations of all keys that some command takes with --set.
@@ -87,6 +83,7 @@ int run_program(int argc, char** argv) {
   add_force(*run_app, run.force, "existing results in the directory");
   run_app->add_flag("--resume", run.resume, "Continue an interrupted run");
   add_strict(*run_app, run.strict);
+  run_app->add_flag("--accept", run.accept, "End with exit code 3 if a limit of the case is not met, or not assessed");
   add_quiet(*run_app, run.quiet);
 
   std::string check_file;
@@ -164,6 +161,14 @@ int run_program(int argc, char** argv) {
   report_app->add_option("-o,--output", report.output, "File; default DIR/report.html");
   add_force(*report_app, report.force, "an existing file");
   add_quiet(*report_app, report.quiet);
+
+  RerunCommand rerun;
+  auto* rerun_app = app.add_subcommand(
+      "rerun", "Run a recorded drop once more, from its result file alone, and compare the two bit by bit.");
+  rerun_app->add_option("results", rerun.file, "results.h5 of a drop, or its directory")->required();
+  rerun_app->add_option("-o,--output", rerun.directory, "Directory for the results; default out/CASE-rerun");
+  add_force(*rerun_app, rerun.force, "existing results in the directory");
+  add_quiet(*rerun_app, rerun.quiet);
 
   MeshCommand mesh;
   auto* mesh_app = app.add_subcommand("mesh", "Mesh the sections of the touchdown bearings; write a gmsh .msh file.");
@@ -263,6 +268,7 @@ int run_program(int argc, char** argv) {
   };
   const auto run_chosen = [&]() -> int {
     if (*run_app) return run_command(run);
+    if (*rerun_app) return rerun_command(rerun);
     if (*check) return check_command(check_file, check_overrides, check_strict);
     if (*heat_app) return heat_command(heat);
     if (*compare_app) return compare_command(compare);

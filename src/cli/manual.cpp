@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "base/parameters/suggestion.h"
+#include "base/parameters/wording.h"
 #include "base/version.h"
 #include "cli/completion.h"
 #include "io/text/parameter_keys.h"

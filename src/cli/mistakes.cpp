@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/parameters/suggestion.h"
 #include "io/text/parameter_keys.h"
 
 namespace rotordrop {

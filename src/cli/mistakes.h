@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
 
 namespace CLI {
 class App;

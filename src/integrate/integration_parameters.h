@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 
 namespace rotordrop {
 

@@ -27,6 +27,12 @@ class ArcContact {
   }
   /// df/d(delta) [N/(m rad)]; 0 without overlap.
   [[nodiscard]] double stiffness(double delta) const;
+  /// Factors w_k of w = delta^(exponent + 1) (w_0 + w_1 delta + w_2 delta^2 + w_3 delta^3).
+  [[nodiscard]] std::array<double, n_orders> energy_factors() const {
+    std::array<double, n_orders> w{};
+    for (std::size_t k = 0; k < w.size(); ++k) w[k] = factor_[k] / (exponent_ + static_cast<double>(k) + 1.);
+    return w;
+  }
   /// w [J/rad]
   [[nodiscard]] double energy(double delta) const;
 

@@ -8,7 +8,9 @@
 #include <limits>
 #include <map>
 
+#include "base/parameters/suggestion.h"
 #include "bearing/support/linear_support.h"
+#include "bearing/touchdown_checks.h"
 #include "machine/magnets.h"
 #include "machine/probes.h"
 #include "machine/shaft_geometry.h"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/touchdown_data.h"
 #include "machine/heat/finite_elements.h"
 #include "machine/machine.h"
 #include "machine/machine_parameters.h"

@@ -130,20 +130,25 @@ void Machine::list_observables() {
             {growth_observable(parts_.supports[i]->name(), "thermal growth by model " + part.name)});
   add(state_observables_, "/energy/",
       {{"mechanical", "J", "kinetic, elastic and gravitational energy", 1, {}},
-       {"dissipated", "J", "mechanical energy dissipated since the start", 1, {}},
-       {"growth_work", "J", "work of thermal growth on the machine", 1, {}},
-       {"prescribed_work", "J", "work of prescribed cage and waviness motion on the machine", 1, {}},
-       {"unbalance_work", "J", "work of the unbalance forces on the rotor", 1, {}},
-       {"drive_work", "J", "work of motor or brake on the rotor", 1, {}},
-       {"residual", "J", "mechanical energy not accounted for", 1, {}},
-       {"heat_deposited", "J", "heat given to each thermal model since the start", 1, {}}});
+       {"dissipated", "J", "mechanical energy dissipated since the start", 1, {}, Observed::energy_moved},
+       {"growth_work", "J", "work of thermal growth on the machine", 1, {}, Observed::energy_moved},
+       {"prescribed_work",
+        "J",
+        "work of prescribed cage and waviness motion on the machine",
+        1,
+        {},
+        Observed::energy_moved},
+       {"unbalance_work", "J", "work of the unbalance forces on the rotor", 1, {}, Observed::energy_moved},
+       {"drive_work", "J", "work of motor or brake on the rotor", 1, {}, Observed::energy_moved},
+       {"residual", "J", "mechanical energy not accounted for", 1, {}, Observed::energy_residual},
+       {"heat_deposited", "J", "heat given to each thermal model since the start", 1, {}, Observed::heat_deposited}});
   for (const auto& part : parts_.thermal) {
     const bool is_lumped = part.name == "lumped";
     const std::string prefix = is_lumped ? "" : part.name + "_", of = is_lumped ? "" : " by model " + part.name;
     add(state_observables_, "/energy/",
         {{prefix + "heat_stored", "J", "heat stored over ambient" + of, 1, {}},
          {prefix + "heat_lost", "J", "heat lost to ambient since the start" + of, 1, {}},
-         {prefix + "heat_residual", "J", "heat not accounted for" + of, 1, {}}});
+         {prefix + "heat_residual", "J", "heat not accounted for" + of, 1, {}, Observed::heat_residual, part.name}});
   }
   for (std::size_t i = first_ledger_; i < layout_.size(); ++i) {
     const auto& entry = layout_.entries()[i];

@@ -1,9 +1,15 @@
 #include "machine/machine_parameters.h"
 
+#include "base/parameters/suggestion.h"
+#include "base/parameters/value_reader.h"
+#include "model/material_keys.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <stdexcept>
+
+#include "model/run_warning.h"
 
 namespace rotordrop {
 
@@ -35,6 +41,21 @@ void read_until(const Node& node, RunParameters& target, Faults& faults) {
   target.until_time = read_quantity(node, {.unit = "s", .range = positive()}, "run.until", faults);
 }
 
+void read_fatal_warnings(const Node& node, RunParameters& target, Faults& faults) {
+  std::vector<std::string> known{"all"};
+  for (const auto& kind : warning_kinds) known.emplace_back(kind.code);
+  if (!node.is_array()) {
+    faults.add(node.where(), "run.fatal_warnings must be a list of codes.", "Such as [\"energy-residual\"].");
+    return;
+  }
+  for (const Node& item : node.items())
+    if (!item.is_text() || std::find(known.begin(), known.end(), item.text()) == known.end())
+      faults.add(item.where(), "run.fatal_warnings: no warning is called " + to_text(item) + ".",
+                 suggestion(item.is_text() ? item.text() : "", known));
+    else
+      target.fatal_warnings.push_back(item.text());
+}
+
 void check_until(const RunParameters& p, const Node& table, Faults& faults) {
   if (p.until_time && *p.until_time > p.end_time)
     faults.add(position_of_value(table, "until"), "run.until is later than run.end_time, the latest end of the run.",
@@ -60,6 +81,7 @@ Section<RunParameters> run_section() {
   s.quantity("end_time", &P::end_time,
              {.unit = "s",
               .range = positive(),
+              .usual = between(1e-5, 1e4),
               .fallback = "0.3 s",
               .source = "Neisi, Heikkinen & Sopanen 2019",
               .help = "Simulated time; with run.until the latest end of the run."});
@@ -75,6 +97,7 @@ Section<RunParameters> run_section() {
   s.quantity("initial_speed", &P::initial_speed,
              {.unit = "rad/s",
               .range = between(-2e4, 2e4),
+              .usual = between(-6500, 6500),
               .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
   s.custom("gravity",
            {.unit = "m/s2",
@@ -99,44 +122,55 @@ Section<RunParameters> run_section() {
   s.quantity("ambient", &P::ambient,
              {.unit = "K",
               .range = between(60, 2000),
+              .usual = between(200, 500),
               .fallback = "293.15 K",
               .source = "estimate: the paper's plots start near 293 K",
               .help = "Temperature of the surroundings and of everything at the start."});
+  s.custom(
+      "fatal_warnings",
+      {.accepts = "a list of codes, such as [\"energy-residual\"], or [\"all\"]",
+       .json_types = {"array"},
+       .fallback = Node::array({}),
+       .help = "Warnings of the run (`warnings` in summary.json, docs/reference/warnings.md) that make it fail: at "
+               "the instant of a warning that is watched in time, at the end of the run for the others."},
+      read_fatal_warnings);
+  s.boolean("second_opinion", &P::second_opinion,
+            {.fallback = false,
+             .help = "Whether `rotordrop run` computes the drop again when it is done, to say how far its numbers are "
+                     "known: the first impacts with a tenth of the tolerance (half a fixed step), and two drops that "
+                     "start 1 nm higher and lower. Takes somewhat more than twice the drop's own time, and no memory "
+                     "on disk. Studies leave it out."});
   s.check(check_until);
   return s;
 }
 
 Section<MaterialParameters> material_section() {
-  using P = MaterialParameters;
-  Section<P> s("material", "A material of rings, balls, housing and shaft lumps.");
-  s.quantity("E", &P::E, {.unit = "Pa", .range = between(1e8, 2e12), .help = "Young's modulus."});
-  s.quantity("nu", &P::nu, {.range = between(0, 0.499), .help = "Poisson's ratio."});
-  s.quantity("rho", &P::rho, {.unit = "kg/m3", .range = between(10, 3e4), .help = "Density."});
-  s.quantity("k", &P::k, {.unit = "W/(m K)", .range = positive(), .help = "Thermal conductivity."});
-  s.quantity("c", &P::c, {.unit = "J/(kg K)", .range = positive(), .help = "Specific heat capacity."});
-  s.function("k_table", &P::k_table,
-             {.unit = "W/(m K)",
-              .argument_unit = "K",
+  Section<MaterialParameters> s("material", "A material of rings, balls, housing and shaft lumps.");
+  add_material_keys(s, 10.);
+  s.quantity("temperature_limit", &MaterialParameters::temperature_limit,
+             {.unit = "K",
               .range = positive(),
-              .help = "Conductivity over temperature, instead of k: linear between the pairs, constant outside. Meshed "
-                      "rings and housing use it at their temperature (thermal.fe.coupling = \"windowed\"); parts "
-                      "without a mesh use its value at run.ambient."});
-  s.function("c_table", &P::c_table,
-             {.unit = "J/(kg K)",
-              .argument_unit = "K",
-              .range = positive(),
-              .help = "Specific heat capacity over temperature, instead of c; used like k_table."});
-  s.quantity("alpha", &P::alpha,
-             {.unit = "1/K", .range = between(-1e-3, 1e-3), .help = "Linear thermal expansion coefficient."});
+              .help = "Temperature up to which parts of a bearing keep their hardness and dimensions. A run in which "
+                      "rings or balls exceed it warns; without it nothing is assessed. Built in: steel 150 degC (rings "
+                      "stabilised as S0, bearing catalogues), Si3N4 800 degC (estimate: strength falls above)."});
   return s;
 }
 
 Node default_materials() {
-  return Node::table(
-      {{"steel",
-        Node::table({{"E", 2.0e11}, {"nu", 0.30}, {"rho", 7800.}, {"k", 70.}, {"c", 510.}, {"alpha", 11.8e-6}})},
-       {"Si3N4",
-        Node::table({{"E", 3.15e11}, {"nu", 0.26}, {"rho", 3200.}, {"k", 35.}, {"c", 673.}, {"alpha", 3.2e-6}})}});
+  return Node::table({{"steel", Node::table({{"E", 2.0e11},
+                                             {"nu", 0.30},
+                                             {"rho", 7800.},
+                                             {"k", 70.},
+                                             {"c", 510.},
+                                             {"alpha", 11.8e-6},
+                                             {"temperature_limit", 423.15}})},
+                      {"Si3N4", Node::table({{"E", 3.15e11},
+                                             {"nu", 0.26},
+                                             {"rho", 3200.},
+                                             {"k", 35.},
+                                             {"c", 673.},
+                                             {"alpha", 3.2e-6},
+                                             {"temperature_limit", 1073.15}})}});
 }
 
 const MaterialParameters* find_material(const MachineParameters& p, const std::string& name) {

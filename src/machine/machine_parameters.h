@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "bearing/touchdown_parameters.h"
 #include "machine/preload_parameters.h"
 #include "machine/statics_parameters.h"
@@ -30,8 +30,10 @@ struct RunParameters {
   EndCondition until = EndCondition::time;
   std::optional<double> until_time;  ///< [s]
   double end_time = 0, initial_speed = 0;
-  std::array<double, 3> gravity{};  ///< along x, y, z [m/s^2]
-  double ambient = 0;               ///< [K]
+  std::array<double, 3> gravity{};          ///< along x, y, z [m/s^2]
+  double ambient = 0;                       ///< [K]
+  std::vector<std::string> fatal_warnings;  ///< codes of warning_kinds, or "all"
+  bool second_opinion = false;
   [[nodiscard]] double latest_end() const { return until_time.value_or(end_time); }
 };
 Section<RunParameters> run_section();
@@ -42,6 +44,7 @@ Section<RunParameters> run_section();
 struct MaterialParameters {
   double E = 0, nu = 0, rho = 0, k = 0, c = 0, alpha = 0;
   std::optional<std::vector<std::array<double, 2>>> k_table, c_table;  ///< pairs of temperature [K] and value
+  std::optional<double> temperature_limit;                             ///< a run that exceeds it warns [K]
 };
 Section<MaterialParameters> material_section();
 /// Steel and Si3N4, where a case names no materials of its own.

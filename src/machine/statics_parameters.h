@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "rotor/static_rotor.h"
 
 namespace rotordrop {

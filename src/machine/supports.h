@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "bearing/support/linear_support_parameters.h"
 #include "bearing/support/magnet_support.h"
 #include "bearing/touchdown_parameters.h"

@@ -37,7 +37,12 @@ enum class Observed {
   // Of a thermal model, absolute:
   temperature,
   inner_ring_temperature,  ///< mean of an inner ring
-  housing_fit_open         ///< part of the outer ring's fit in its housing that is open, or would have to pull
+  housing_fit_open,        ///< part of the outer ring's fit in its housing that is open, or would have to pull
+  // Of the machine:
+  energy_moved,     ///< mechanical energy dissipated, or work done on the machine
+  energy_residual,  ///< mechanical energy not accounted for
+  heat_deposited,
+  heat_residual  ///< of one thermal model, its place
 };
 
 /// A quantity that a part can report: becomes a dataset of the results.

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "rotor/geometry.h"
 
 namespace rotordrop {

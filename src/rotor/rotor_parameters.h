@@ -1,5 +1,5 @@
 #pragma once
-// The table [rotor] of a case, and the geometry of a rotor as a tree of values (a file of its own, or inline).
+// The table [rotor] of a case.
 #include <array>
 #include <optional>
 #include <string>
@@ -7,8 +7,9 @@
 
 #include "base/errors.h"
 #include "base/node.h"
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "rotor/geometry.h"
+#include "rotor/geometry_parameters.h"
 #include "rotor/modal_rotor.h"
 #include "rotor/probe_parameters.h"
 #include "rotor/windage.h"
@@ -50,13 +51,6 @@ struct RotorParameters {
 
 [[nodiscard]] Section<RotorParameters> rotor_section();
 
-/// Reads a geometry laid out as params/neisi2019-rotor.json and checks it; adds all faults. Without faults the result
-/// is complete.
-[[nodiscard]] RotorGeometry read_rotor_geometry(const Node& table, Faults& faults);
-
-/// A fault if the rotor has no such node. `name` is the key's full name ("bearings.TB1.node").
-void check_rotor_node(const RotorGeometry& geometry, int node, const SourcePosition& where, const std::string& name,
-                      Faults& faults);
 /// Faults of [rotor] that only show once the geometry is known.
 /// @param rotor_table  the node of [rotor], for positions
 void check_against_geometry(const RotorParameters& parameters, const RotorGeometry& geometry, const Node& rotor_table,

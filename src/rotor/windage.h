@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "rotor/geometry.h"
 
 namespace rotordrop {

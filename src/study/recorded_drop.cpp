@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "io/hdf5/recorded_series.h"
 #include "machine/build_machine.h"
 
 namespace rotordrop {
@@ -47,10 +46,11 @@ RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, const fs:
     datasets_.push_back(group.path);
     for (auto& kept : group.kept) {
       datasets_.push_back(kept.path);
-      tables_[kept.path] = {std::move(kept.values), kept.size, group.path, kept.unit, kept.long_name};
+      tables_[kept.path] = {std::move(kept.values), kept.size, group.path, kept.unit, kept.long_name,
+                            std::move(kept.columns)};
     }
     is_windowed_ = is_windowed_ || group.path == "/windows/time";
-    tables_[group.path] = {std::move(group.times), 1, {}, "s", "time"};
+    tables_[group.path] = {std::move(group.times), 1, {}, "s", "time", {}};
   }
   std::sort(datasets_.begin(), datasets_.end());
 }
@@ -102,7 +102,13 @@ const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const
   std::string time_path;
   if (!dataset.ends_with("/time")) time_path = read_attribute(file_, dataset, "time");
   const std::size_t n_columns = raw.shape.size() > 1 ? raw.shape[1] : 1;
-  return tables_[dataset] = {std::move(raw.values), n_columns, time_path, {}, {}};
+  return tables_[dataset] = {std::move(raw.values), n_columns, time_path, {}, {}, {}};
+}
+
+SeriesMeaning RecordedDrop::meaning(const std::string& dataset) const {
+  if (!file_.empty()) return read_meaning(file_, dataset);
+  const Table& t = table(dataset);
+  return {t.unit, t.long_name, t.time_path, t.columns};
 }
 
 TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) const {

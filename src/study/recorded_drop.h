@@ -6,6 +6,7 @@
 
 #include "analysis/memory_series.h"
 #include "case/case.h"
+#include "io/hdf5/recorded_series.h"
 #include "study/time_series.h"
 
 namespace rotordrop {
@@ -39,9 +40,12 @@ class RecordedDrop {
     std::vector<double> values;  ///< row after row
     std::size_t n_columns = 1;
     std::string time_path;
-    std::string unit, long_name;  ///< of a drop in memory
+    std::string unit, long_name;       ///< of a drop in memory
+    std::vector<std::string> columns;  ///< likewise: their names, if they have any
   };
   [[nodiscard]] const Table& table(const std::string& dataset) const;
+  /// Unit, meaning and columns of a dataset, from memory or from its file.
+  [[nodiscard]] SeriesMeaning meaning(const std::string& dataset) const;
   /// One column of a dataset. @throws InputError if it is not there, has no rows, or a value that is no number
   [[nodiscard]] TimeSeries series(const std::string& dataset, std::size_t column = 0) const;
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "model/heat_conduction.h"
 
 namespace rotordrop {

@@ -1,5 +1,7 @@
 #include "thermal/thermal_parameters.h"
 
+#include "base/parameters/suggestion.h"
+
 #include <algorithm>
 #include <cctype>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "thermal/circuit/bearing_circuit.h"
 #include "thermal/fe_parameters.h"
 

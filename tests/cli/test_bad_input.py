@@ -238,10 +238,10 @@ GEOMETRY_OF_ROTORS = [
 ]
 
 FILES = [
-    Fault("a value with a unit but no quotes", "[run]\nend_time = 10 »ms", ("not valid TOML", 'Write a value with a unit in quotes')),
-    Fault("a bracket that is not closed", "[run\n»end_time = 1", ("not valid TOML",), place=("drop.toml",)),
-    Fault("a key twice", '[run]\nend_time = 1\nend_time = »2', ("not valid TOML", "end_time")),
-    Fault("a section twice", '[run]\nend_time = 1\n[run]\ninitial_speed = 2', ("not valid TOML", "run"), place=("drop.toml",)),
+    Fault("a value with a unit but no quotes", "[run]\nend_time = 10 »ms", ("not valid TOML", 'a value with a unit is in quotes', 'Write it as: end_time = "10 ms"')),
+    Fault("a bracket that is not closed", "[run\n»end_time = 1", ("not valid TOML: the name of a section has no closing bracket", r"Write it as: \[run\]"), place=("drop.toml",)),
+    Fault("a key twice", '[run]\nend_time = 1\nend_time = »2', ("not valid TOML", "end_time is given twice, first in line 3")),
+    Fault("a section twice", '[run]\nend_time = 1\n[run]\ninitial_speed = 2', ("not valid TOML", r"the section \[run\] is there twice, first in line 2"), place=("drop.toml",)),
     Fault("a base that is missing", 'base = »"nowhere.toml"\n', ('"nowhere.toml" cannot be read', "Check its name"), whole=True),
     Fault("a base that is a number", "base = »5\n", ("base is an integer", "name of a file in quotes"), whole=True),
     Fault("a base that leads back", 'base = "other.toml"\n', ("refers back", "drop.toml -> other.toml -> drop.toml"), files={"other.toml": 'base = »"drop.toml"\n'}, whole=True),
@@ -257,7 +257,7 @@ COMMAND_LINE = [
     Fault("--set of a wrong unit", options=("--set", "contact.air_gap=250 ms"), says=("250 ms is a time", "needs a length"), place=("--set contact.air_gap",)),
     Fault("--set out of range", options=("--set", "contact.friction_coefficient=-1"), says=("out of range", "between 0 and 2"), place=("--set contact.friction_coefficient",)),
     Fault("--set inside a number", options=("--set", "contact.air_gap.value=1"), says=('"air_gap" is .*nothing can be set in it', "reference.toml:"), place=("--set contact.air_gap.value",)),
-    Fault("--set of a broken list", options=("--set", "run.gravity=[0, 1"), says=("not valid TOML", r"The value was: \[0, 1"), place=("--set run.gravity",)),
+    Fault("--set of a broken list", options=("--set", "run.gravity=[0, 1"), says=("not valid TOML: a list is not closed", r"The value was: \[0, 1"), place=("--set run.gravity",)),
     Fault("--set of a broken name", options=("--set", "contact..air_gap=1"), says=("is not the name of a parameter",), place=("--set contact..air_gap",)),
 ]
 

@@ -134,7 +134,7 @@ class ManualPages(ProgramTest):
 
     def test_the_page_of_cases_has_units_and_defaults(self):
         page = self.succeed("man", "case").stdout
-        self.assertRegex(page, r"\.B run\.end_time\n(.*\n)+?Type: time in s, > 0\.\nDefault: \"0\.3 s\"\.")
+        self.assertRegex(page, r"\.B run\.end_time\n(.*\n)+?Type: time in s, > 0; usually between 1e\\-05 and 10000\.\nDefault: \"0\.3 s\"\.")
 
     def test_an_unknown_page_is_answered_with_a_near_one(self):
         done = self.call("man", "staticks")

@@ -104,7 +104,7 @@ class Probes(ProgramTest):
         self.assertRegex(done.stderr, r"warning: .*drop\.toml:\d+:\d+: rotor\.probes\.magnet\.clearance leaves 120 um at node 6")
         self.assertNotIn("probes.free", done.stderr)
         done = self.call("run", case, "-o", "loud")
-        self.assertRegex(done.stdout, r"magnet \(node 6\): warning: the rotor TOUCHES at 4\.\d+ ms and goes on as if nothing were there")
+        self.assertRegex(done.stdout, r"magnet \(node 6\): the rotor TOUCHES at 4\.\d+ ms and goes on as if nothing were there")
         self.assertRegex(done.stdout, r"free \(node 24\): does not touch; smallest clearance \d+(\.\d+)? of 900 um")
         self.assertEqual(self.call("report", "out").returncode, 0)
         page = (self.folder / "out/report.html").read_text()

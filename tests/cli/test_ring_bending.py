@@ -76,6 +76,15 @@ class RingBending(ProgramTest):
             self.assertNotIn("inner_ring_shape", file["bearings/TB1"])
             self.assertNotIn("ring_bending_damping", file["ledger/TB1"])
 
+    def test_a_drop_with_sticking_friction_books_every_joule(self):
+        sliding = self.drop("arc")
+        sticking = self.run_case("reference.toml", output="sticking", bearings__ring_bending="arc", contact__friction_law="sticking", run__end_time="12 ms", output__interval="50 us")
+        # The integration's own error, as with the regularised law.
+        self.assertLess(abs(sticking["energy"]["residual"]), 1e-5, "J")
+        for name in ("TB1", "TB2"):
+            # In sliding both laws have the same force: rings are spun up alike. Impact loads follow the same normal law.
+            self.assertAlmostEqual(sticking["bearings"][name]["peak_contact_force"], sliding["bearings"][name]["peak_contact_force"], delta=0.05 * sliding["bearings"][name]["peak_contact_force"], msg="N")
+
     def test_the_outer_ring_bends_on_its_bedding(self):
         summary = self.drop("arc", bearings__TB1__outer_ring_bedding="1e13 N/m3")
         self.assertLess(abs(summary["energy"]["residual"]), 1e-5, "J")

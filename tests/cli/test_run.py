@@ -111,7 +111,7 @@ class Results(ProgramTest):
         row = self.summary("narrow")["bearings"]["TB1"]["rows"][0]
         self.assertAlmostEqual(row["truncation"], truncation.max(), delta=1e-3, msg="steps lie beside the records")
         self.assertAlmostEqual(row["time_truncated"], 5e-6 * numpy.count_nonzero(truncation), delta=0.05 * row["time_truncated"])
-        self.assertRegex(screen, f"warning: the contact ellipses of row 1 reach over the raceway's edge for [0-9.]+ ms, by up to {100 * row['truncation']:.0f} % of their length")
+        self.assertRegex(screen, f"warning: TB1: the contact ellipses of row 1 reach over the raceway's edge for [0-9.]+ ms, by up to {100 * row['truncation']:.0f} % of their length")
         for other in self.summary("narrow")["bearings"]["TB2"]["rows"]:
             self.assertEqual((other["truncation"], other["time_truncated"], other["truncation_time"]), (0, 0, None))
 
@@ -121,8 +121,8 @@ class Results(ProgramTest):
         # Little friction at the races: what drives the ring at 0.1 presses balls that have 0.004 to follow. 0.2 tan(12.5 deg)/0.03 = 1.48.
         slippery = self.case("bearings.TB1.race_friction_coefficient = 0.004\nbearings.TB2.race_friction_coefficient = 0.03\n", "slippery.toml")
         screen = self.succeed("run", slippery, "-o", "slippery").stdout
-        self.assertRegex(screen, r"TB1: .*\n(?:     .*\n)+?     balls of row 1 may skid: for [0-9.]+ ms, with [0-9]+ % of the ring's speed changes, friction at the raceways cannot keep them rolling\nTB2")
-        found = re.search(r"balls may pivot: their gyroscopic moments require up to ([0-9.]+) times the available friction at the outer raceway and exceed it for [0-9.]+ ms\n", screen)
+        self.assertRegex(screen, r"warning: TB1: balls of row 1 may skid: for [0-9.]+ ms, with [0-9]+ % of the ring's speed changes, friction at the raceways cannot keep them rolling \[skidding\]\n")
+        found = re.search(r"balls may pivot: their gyroscopic moments require up to ([0-9.]+) times the available friction at the outer raceway and exceed it for [0-9.]+ ms \[pivoting\]\n", screen)
         self.assertAlmostEqual(float(found[1]), 1.48, delta=0.1)
         self.assertGreater(self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change_beyond"], 0.5 * self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change"])
 

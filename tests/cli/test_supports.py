@@ -102,7 +102,7 @@ class Supports(ProgramTest):
         self.case(f'[bearings.TB1]\nsupport = {{ {RIBBON}, travel_limit = "2 um" }}')
         done = self.succeed("run", "drop.toml", "-o", "out")
         self.assertRegex(done.stdout, r"support \(ribbon\) moves by up to [\d.]+ um and dissipates [\d.e-]+ J")
-        self.assertRegex(done.stdout, r"warning: the outer ring moves by [\d.]+ um, beyond its travel limit of 2 um")
+        self.assertRegex(done.stdout, r"warning: \w+: the outer ring moves by [\d.]+ um at [\d.]+ ms, beyond its travel limit of 2 um")
         self.succeed("report", "out")
         page = (self.folder / "out/report.html").read_text()
         self.assertIn("TB1: travel of the support", page)

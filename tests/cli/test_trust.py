@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -360,10 +361,23 @@ class Slips(ProgramTest):
 
     def test_a_speed_in_rpm_without_its_unit(self):
         said = self.warnings("[run]\ninitial_speed = 9000\n")
-        self.assertRegex(said, r"warning: drop.toml:3:17: run.initial_speed = 9000 is unusual")
+        self.assertRegex(said, r"warning: drop.toml:3:17: run.initial_speed = 9000 rad/s is unusual")
         self.assertRegex(said, "9000 rad/s is 85944 rpm")
         said = self.warnings("[run]\ninitial_speed = 15200\n")
         self.assertRegex(said, r"surface runs at [56]\d\d m/s in bearings.TB1 \(145149 rpm")
+
+    def test_usual_ranges_stand_beside_the_keys(self):
+        # Declared with the key, shown by defaults, schema and manual, and warned of with the unit that may be meant.
+        defaults = re.sub(r"\s*#?\s+", " ", self.succeed("defaults").stdout)
+        self.assertIn("[length in m, > 0; usually between 5e-05 and 0.001]", defaults)
+        self.assertIn("usually between -6500 and 6500", self.succeed("schema").stdout)
+        said = self.warnings("[bearings.TB1]\nC0 = 31\n")
+        self.assertRegex(said, r"warning: drop.toml:3:6: bearings.TB1.C0 = 31 N is unusual: it is most often between 100 and 100000000 N")
+        self.assertIn('31 N is 0.031 kN. If kN is meant, write "31 kN".', said)
+        for text in ("[bearings.TB1]\ncontact_stiffness = 1e300\n", "[bearings]\ncontact_stiffness = 1e15\n", "[materials.steel]\nk = 7000\n", "[rotor]\nunbalance = [{ node = 3, me = 1 }]\n"):
+            with self.subTest(text):
+                self.assertIn("is unusual", self.warnings(text))
+        self.assertEqual(self.call("check", "drop.toml", "--strict").returncode, 2)
 
     def test_what_does_not_fit(self):
         for text, says in (("[rotor]\nunbalance = [{ node = 3, me = 1e300 }]\n", "unbalance#1.me = 1e.300 kg m is unusual"),

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "bearing/row/ball_row.h"
+#include "bearing/touchdown_data.h"
 #include "machine/build_machine.h"
 #include "rotor/geometry.h"
 

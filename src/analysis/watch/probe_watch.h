@@ -29,6 +29,7 @@ class ProbeWatch {
   void follow(double t, std::span<const double> step);
   [[nodiscard]] std::size_t size() const { return scalars_.size(); }
   [[nodiscard]] const ProbeScalars& of(std::size_t probe) const { return scalars_[probe]; }
+  [[nodiscard]] const std::string& name(std::size_t probe) const { return names_[probe]; }
   /// For checkpoints.
   void pack(PackedValues& to) const;
   void unpack(const PackedValues& from);

@@ -105,6 +105,7 @@ struct BallRowOutput {
   double force_x, force_y, force_z;  ///< on the inner ring [N]
   double moment_y, moment_z;         ///< on the inner ring [N m]
   double damping_power;              ///< dissipated in the contacts [W]
+  double cage_torque;                ///< dU/d(cage angle), waves left out [N m]; of balls without inertia
   double elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
   double elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
   double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
@@ -163,6 +164,7 @@ class BallRow {
   template <class Kernel>
   void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
   void fill_added(const BallRowInput& input, double* added) const;
+  void tabulate_shapes(const std::vector<double>& azimuth);
   void widen(const BallRowInput& input, Widening& widening) const;
   void press_shapes(const BallRowInput& input, Widening& widening) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
@@ -186,6 +188,7 @@ class BallRow {
   std::vector<Wave> waves_;
   std::vector<double>
       shapes_;  // cos, sin of n times the azimuths at cage angle zero, n = 2 ...: [2 (highest - 1)][n_padded]
+  std::vector<double> shapes_by_ball_;  // the same, [n_padded][2 (highest - 1), filled up to whole vectors]
 };
 
 }  // namespace rotordrop

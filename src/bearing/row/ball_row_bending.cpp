@@ -3,6 +3,7 @@
 #include "bearing/row/ball_row_bending.h"
 
 #include <array>
+#include <cmath>
 
 #include "base/wide_vectors.h"
 
@@ -42,15 +43,17 @@ ROTORDROP_KERNEL void add_shapes(Turned* turned, std::size_t n_harmonics, const 
   }
 }
 
-/// @param sums  of force times table [n_rows]
-ROTORDROP_KERNEL void project(const double* force, const double* table, std::size_t n_rows, std::size_t n,
-                              double* sums) {
-  for (std::size_t k = 0; k < n_rows; ++k) {
-    const double* row = table + k * n;
-    double sum = 0.;
-#pragma omp simd reduction(+ : sum)
-    for (std::size_t j = 0; j < n; ++j) sum += force[j] * row[j];
-    sums[k] = sum;
+/// @param table  shapes by balls [n][row], both multiples of `lane`
+/// @param sums   of force times table [row]
+ROTORDROP_KERNEL void project(const double* force, const double* table, std::size_t row, std::size_t n, double* sums) {
+  const std::size_t whole = row / lane * lane;  // known to the compiler to leave no remainder
+#pragma omp simd
+  for (std::size_t k = 0; k < whole; ++k) sums[k] = 0.;
+  for (std::size_t j = 0; j < n; j += 4) {
+    const double F_0 = force[j], F_1 = force[j + 1], F_2 = force[j + 2], F_3 = force[j + 3];
+    const double *t_0 = table + j * whole, *t_1 = t_0 + whole, *t_2 = t_1 + whole, *t_3 = t_2 + whole;
+#pragma omp simd
+    for (std::size_t k = 0; k < whole; ++k) sums[k] += (F_0 * t_0[k] + F_1 * t_1[k]) + (F_2 * t_2[k] + F_3 * t_3[k]);
   }
 }
 
@@ -72,6 +75,18 @@ class Turn {
 
 }  // namespace
 
+void BallRow::tabulate_shapes(const std::vector<double>& azimuth) {
+  for (int n = 2; n <= geometry_.highest_harmonic; ++n)
+    for (const bool is_cosine : {true, false}) {
+      for (const double b : azimuth) shapes_.push_back(is_cosine ? std::cos(n * b) : std::sin(n * b));
+      shapes_.resize(shapes_.size() + n_padded_ - azimuth.size(), 0.);
+    }
+  const std::size_t n_shapes = shapes_.size() / n_padded_, row = (n_shapes + lane - 1) / lane * lane;
+  shapes_by_ball_.assign(n_padded_ * row, 0.);
+  for (std::size_t j = 0; j < n_padded_; ++j)
+    for (std::size_t k = 0; k < n_shapes; ++k) shapes_by_ball_[j * row + k] = shapes_[k * n_padded_ + j];
+}
+
 void BallRow::widen(const BallRowInput& in, Widening& w) const {
   std::array<Turned, max_harmonics> turned;
   Turn turn(in.cage_cosine, in.cage_sine);
@@ -89,7 +104,7 @@ void BallRow::widen(const BallRowInput& in, Widening& w) const {
 void BallRow::press_shapes(const BallRowInput& in, Widening& w) const {
   std::array<double, 2 * max_harmonics> sums;
   const std::size_t n_harmonics = in.shape_force.size() / 2;
-  wide<project>(w.force.data(), shapes_.data(), 2 * n_harmonics, n_padded_, sums.data());
+  wide<project>(w.force.data(), shapes_by_ball_.data(), shapes_by_ball_.size() / n_padded_, n_padded_, sums.data());
   Turn turn(in.cage_cosine, in.cage_sine);
   for (std::size_t k = 0; k < n_harmonics; ++k, turn.next()) {
     const double a = sums[2 * k], b = sums[2 * k + 1];

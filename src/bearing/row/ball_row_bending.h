@@ -1,5 +1,5 @@
 #pragma once
-// What bent rings do to the balls of a row: arrays that the kernels of ball_row.cpp and ball_row_inertial.cpp share.
+// What bent rings do to the balls of a row: arrays that ball_row_kernels.cpp and ball_row_inertial.cpp share.
 #include <array>
 
 #include "bearing/row/ball_row.h"

@@ -7,7 +7,7 @@
 #include "base/wide_vectors.h"
 #include "laws/ball_balance.h"
 
-// Loops over the balls of a row, compiled for several kinds of machine as the row kernels of ball_row.cpp are.
+// Loops over the balls of a row, compiled for several kinds of machine as those of ball_row_kernels.cpp are.
 #define ROTORDROP_INLINE inline __attribute__((always_inline))
 
 namespace rotordrop {

@@ -7,7 +7,9 @@ Section<LinearSupportParameters> linear_support_section() {
   Section<P> s("linear", "Massless spring and damper between rotor and ground.");
   s.integer("node", &P::node, {.range = at_least(1), .help = "Rotor node at which the support sits, numbered from 1."});
   s.matrix("stiffness", &P::stiffness,
-           {.unit = "N/m", .help = "[[K_yy, K_yz], [K_zy, K_zz]]: force on the rotor = -K x. Need not be symmetric."});
+           {.unit = "N/m",
+            .usual = between(-1e12, 1e12),
+            .help = "[[K_yy, K_yz], [K_zy, K_zz]]: force on the rotor = -K x. Need not be symmetric."});
   s.matrix("damping", &P::damping,
            {.unit = "N s/m",
             .fallback = {{"0", "0"}, {"0", "0"}},

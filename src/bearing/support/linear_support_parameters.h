@@ -1,5 +1,5 @@
 #pragma once
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "bearing/support/linear_support.h"
 
 namespace rotordrop {

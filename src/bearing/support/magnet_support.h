@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "model/support.h"
 
 namespace rotordrop {

@@ -1,12 +1,14 @@
 #include "bearing/support/support_parameters.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/support/support_law_kinds.h"
+
 namespace rotordrop {
+
 namespace {
 
 Section<RibbonLoopParameters> loop_section() {
@@ -233,159 +235,7 @@ void add_law_keys(Section<P>& s) {
           {.help = "Of type = \"bump-stop\", and by choice of every other type."});
 }
 
-void missing(const Node& table, const std::string& path, const std::string& key, const std::string& type,
-             Faults& faults) {
-  faults.add(table.where(), fmt::format("{}.{} is missing.", path, key), fmt::format("type = \"{}\" needs it.", type));
-}
-
-/// Along one axis at least; support_section() asks for both where one law holds for both.
-void check_springs(const SupportLawParameters& p, const Node& table, const std::string& path, Faults& faults) {
-  if (!p.K_y && !p.K_z) missing(table, path, "K_y", p.type, faults);
-  if (!p.C_y && !p.C_z) missing(table, path, "C_y", p.type, faults);
-}
-
-// An axis without a value of its own is not asked for its force.
-std::array<double, 2> pair_of(const std::optional<double>& y, const std::optional<double>& z) {
-  return {y ? *y : *z, z ? *z : *y};
-}
-std::array<double, 2> K(const SupportLawParameters& p) { return pair_of(p.K_y, p.K_z); }
-std::array<double, 2> C(const SupportLawParameters& p) { return pair_of(p.C_y, p.C_z); }
-
-std::string springs_text(const SupportLawParameters& p) {
-  return fmt::format("springs of {:.4g} and {:.4g} N/m, dampers of {:.4g} and {:.4g} N s/m along y and z", K(p)[0],
-                     K(p)[1], C(p)[0], C(p)[1]);
-}
-
-SqueezeFilm film_of(const SqueezeFilmParameters& p, const SupportSurroundings& around) {
-  return {p.viscosity, p.radius.value_or(around.outer_radius), p.length.value_or(around.width), p.clearance,
-          p.cavitates};
-}
-
-std::shared_ptr<const SupportLaw> with_stop(std::shared_ptr<const SupportLaw> law,
-                                            const std::optional<StopParameters>& stop) {
-  if (!stop) return law;
-  return std::make_shared<StoppedSupport>(std::move(law), stop->gap, HuntCrossley{stop->stiffness, 1., stop->lambda});
-}
-
-MaxwellModel maxwell_of(const ElastomerParameters& p) {
-  if (p.model == ElastomerModel::kelvin_voigt) return kelvin_voigt(stiffness_table(p), *p.frequency);
-  return fit_maxwell(stiffness_table(p)).model;
-}
-
-const SupportLawKind* kind_of(const std::string& type) {
-  for (const auto& kind : support_law_kinds())
-    if (kind.type == type) return &kind;
-  return nullptr;
-}
-
 }  // namespace
-
-RibbonSupport::Axis ribbon_axis(const RibbonParameters& p) {
-  RibbonSupport::Axis axis;
-  if (p.loop) {
-    axis = ribbon_from_loop({p.loop->loading, p.loop->unloading});
-  } else if (p.geometry) {
-    const auto& g = *p.geometry;
-    axis = ribbon_from_geometry({g.waves, g.pitch, g.height, g.thickness, g.strip_width, g.interference, g.modulus,
-                                 g.poisson_ratio, g.friction_coefficient, g.stick_length});
-  } else {
-    axis.stiffness = *p.stiffness;
-    axis.elements.push_back({*p.stick_stiffness, *p.slip_force / *p.stick_stiffness});
-  }
-  axis.damping = p.damping;
-  return axis;
-}
-
-std::vector<DynamicStiffness> stiffness_table(const ElastomerParameters& p) {
-  std::vector<DynamicStiffness> table;
-  for (std::size_t k = 0; k < p.storage.size(); ++k)
-    table.push_back({p.storage[k][0], p.storage[k][1] * p.shape_factor, p.loss[k][1] * p.shape_factor});
-  return table;
-}
-
-const std::vector<SupportLawKind>& support_law_kinds() {
-  using P = SupportLawParameters;
-  using Around = SupportSurroundings;
-  static const std::vector<SupportLawKind> kinds = {
-      {"linear", true, check_springs,
-       [](const P& p, const Around&) { return with_stop(std::make_shared<SpringSupport>(K(p), C(p)), p.stop); },
-       [](const P& p, const Around&) { return springs_text(p); }},
-      {"ribbon", false,
-       [](const P& p, const Node& table, const std::string& path, Faults& faults) {
-         if (!p.ribbon) missing(table, path, "ribbon", p.type, faults);
-       },
-       [](const P& p, const Around&) {
-         const auto axis = ribbon_axis(*p.ribbon);
-         return with_stop(std::make_shared<RibbonSupport>(std::array{axis, axis}), p.stop);
-       },
-       [](const P& p, const Around&) {
-         const auto axis = ribbon_axis(*p.ribbon);
-         std::string sliders;
-         for (const auto& s : axis.elements)
-           sliders += fmt::format("{}{:.4g} N after {:.4g} um", sliders.empty() ? "" : ", ", s.stiffness * s.reach,
-                                  s.reach * 1e6);
-         std::string text = fmt::format("ribbon of {:.4g} N/m with friction of {}", axis.stiffness, sliders);
-         if (p.ribbon->loop)
-           text += fmt::format(
-               "; a turn between {:.4g} um loses {:.4g} J, the measured loop {:.4g} J",
-               0.5e6 * (p.ribbon->loop->loading.back()[0] - p.ribbon->loop->loading.front()[0]),
-               steady_loop_loss(axis, 0.5 * (p.ribbon->loop->loading.back()[0] - p.ribbon->loop->loading.front()[0])),
-               loop_area({p.ribbon->loop->loading, p.ribbon->loop->unloading}));
-         if (p.ribbon->geometry)
-           text += fmt::format("; by geometry, an estimate for travel below {:.4g} um",
-                               p.ribbon->geometry->interference * 1e6);
-         return text;
-       }},
-      {"elastomer", false,
-       [](const P& p, const Node& table, const std::string& path, Faults& faults) {
-         if (!p.elastomer) missing(table, path, "elastomer", p.type, faults);
-       },
-       [](const P& p, const Around&) {
-         const auto axis = maxwell_of(*p.elastomer);
-         return with_stop(std::make_shared<ElastomerSupport>(std::array{axis, axis}), p.stop);
-       },
-       [](const P& p, const Around&) {
-         if (p.elastomer->model == ElastomerModel::kelvin_voigt) {
-           const auto m = maxwell_of(*p.elastomer);
-           return fmt::format("elastomer (Kelvin-Voigt) of {:.4g} N/m and {:.4g} N s/m", m.stiffness, m.damping);
-         }
-         const auto fit = fit_maxwell(stiffness_table(*p.elastomer));
-         return fmt::format(
-             "elastomer of {} Maxwell elements, {:.4g} N/m at rest; off its table by {:.2g} at most, at {:.4g} Hz",
-             fit.model.elements.size(), fit.model.stiffness, fit.largest_error, fit.worst_frequency);
-       }},
-      {"squeeze-film", true,
-       [](const P& p, const Node& table, const std::string& path, Faults& faults) {
-         if (!p.squeeze_film) missing(table, path, "squeeze_film", p.type, faults);
-         check_springs(p, table, path, faults);
-         if (p.squeeze_film && p.stop && p.stop->gap > p.squeeze_film->clearance)
-           faults.add(position_of_value(table, "stop"),
-                      fmt::format("{}.stop.gap = {:.4g} um is beyond the film's clearance of {:.4g} um.", path,
-                                  p.stop->gap * 1e6, p.squeeze_film->clearance * 1e6),
-                      "Metal meets metal where the film is used up.");
-       },
-       [](const P& p, const Around& around) {
-         const SqueezeFilm film = film_of(*p.squeeze_film, around);
-         // Without a stop of its own the ring meets its housing where the film ends.
-         const StopParameters metal{(1. - SqueezeFilm::thinnest) * film.clearance, 1e9, 0.08};
-         return with_stop(std::make_shared<SqueezeFilmSupport>(K(p), C(p), film),
-                          p.stop ? p.stop : std::optional(metal));
-       },
-       [](const P& p, const Around& around) {
-         const SqueezeFilm film = film_of(*p.squeeze_film, around);
-         const double slow = 1e-6;
-         const auto centred = film.force({0., 0., slow, 0.});
-         return fmt::format("{}; squeeze film with {:.4g} N s/m when centred", springs_text(p), -centred[0] / slow);
-       }},
-      {"bump-stop", true,
-       [](const P& p, const Node& table, const std::string& path, Faults& faults) {
-         check_springs(p, table, path, faults);
-         if (!p.stop) missing(table, path, "stop", p.type, faults);
-       },
-       [](const P& p, const Around&) { return with_stop(std::make_shared<SpringSupport>(K(p), C(p)), p.stop); },
-       [](const P& p, const Around&) { return springs_text(p); }}};
-  return kinds;
-}
 
 Section<SupportParameters> support_section() {
   using P = SupportParameters;
@@ -404,40 +254,20 @@ Section<SupportParameters> support_section() {
               .range = positive(),
               .help = "Travel of the outer ring above which results warn; none if not given."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
-    const auto* kind = kind_of(p.type);
+    const auto* kind = law_kind(p.type);
     if (!kind) return;  // a fault of its own
     const std::size_t n_before = faults.size();
     kind->check(p, table, path, faults);
     if (p.z) {
       const Node* own = table.find("z");
-      if (const auto* other = kind_of(p.z->type)) other->check(*p.z, own ? *own : table, path + ".z", faults);
+      if (const auto* other = law_kind(p.z->type)) other->check(*p.z, own ? *own : table, path + ".z", faults);
     } else if (faults.size() == n_before && kind->has_springs) {
       for (const auto& [key, value] :
            {std::pair{"K_y", &p.K_y}, std::pair{"K_z", &p.K_z}, std::pair{"C_y", &p.C_y}, std::pair{"C_z", &p.C_z}})
-        if (!*value) missing(table, path, key, p.type, faults);
+        if (!*value) add_missing_key(table, path, key, p.type, faults);
     }
   });
   return s;
-}
-
-bool is_plain(const SupportParameters& s) { return s.type == "linear" && !s.stop && !s.z; }
-
-std::shared_ptr<const SupportLaw> support_law(const SupportParameters& s, const SupportSurroundings& around) {
-  if (is_plain(s)) return nullptr;
-  auto law = kind_of(s.type)->make(s, around);
-  if (!s.z) return law;
-  return std::make_shared<SplitSupport>(std::move(law), kind_of(s.z->type)->make(*s.z, around));
-}
-
-std::string support_words(const SupportParameters& s, const SupportSurroundings& around) {
-  if (is_plain(s)) return {};
-  const auto one = [&](const SupportLawParameters& p) {
-    std::string text = kind_of(p.type)->describe(p, around);
-    if (p.stop) text += fmt::format("; stop of {:.4g} N/m behind {:.4g} um", p.stop->stiffness, p.stop->gap * 1e6);
-    return text;
-  };
-  if (!s.z) return one(s);
-  return "along y " + one(s) + "; along z " + one(*s.z);
 }
 
 }  // namespace rotordrop

@@ -1,15 +1,13 @@
 #pragma once
-// bearings.NAME.support: what carries the outer ring, by kinds of law that register themselves here.
+
+// The keys of bearings.NAME.support: what carries the outer ring.
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
-#include "laws/support/maxwell_fit.h"
-#include "laws/support/ribbon.h"
+#include "base/parameters/section.h"
 #include "laws/support/support_law.h"
 
 namespace rotordrop {
@@ -70,19 +68,6 @@ struct SupportSurroundings {
   double outer_radius = 0, width = 0;  ///< of the outer ring [m]
 };
 
-/// A kind of law: what type = "..." stands for.
-struct SupportLawKind {
-  std::string type;
-  bool has_springs = false;  ///< needs K_y to C_z
-  /// Faults of the parameters; `path` is the table's name for messages.
-  std::function<void(const SupportLawParameters&, const Node& table, const std::string& path, Faults&)> check;
-  std::function<std::shared_ptr<const SupportLaw>(const SupportLawParameters&, const SupportSurroundings&)> make;
-  /// A sentence for `check` and the report.
-  std::function<std::string(const SupportLawParameters&, const SupportSurroundings&)> describe;
-};
-/// Those known, in the order in which messages list them.
-const std::vector<SupportLawKind>& support_law_kinds();
-
 /// Whether springs and dampers alone, K_y to C_z, carry the outer ring.
 [[nodiscard]] bool is_plain(const SupportParameters& support);
 /// The law; none for a plain support.
@@ -90,10 +75,5 @@ const std::vector<SupportLawKind>& support_law_kinds();
                                                             const SupportSurroundings& around);
 /// What a law is, in a sentence; empty for a plain support.
 [[nodiscard]] std::string support_words(const SupportParameters& support, const SupportSurroundings& around);
-
-/// The axis of a ribbon by whatever of the three is given.
-[[nodiscard]] RibbonSupport::Axis ribbon_axis(const RibbonParameters& ribbon);
-/// The rows of an elastomer's tables, as stiffnesses.
-[[nodiscard]] std::vector<DynamicStiffness> stiffness_table(const ElastomerParameters& elastomer);
 
 }  // namespace rotordrop

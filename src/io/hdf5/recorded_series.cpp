@@ -43,6 +43,21 @@ std::string read_attribute(const fs::path& path, const std::string& object, cons
   return texts.empty() ? std::string() : texts.front();
 }
 
+SeriesMeaning read_meaning(const fs::path& path, const std::string& dataset) {
+  const Handle file = hdf5::open_for_reading(path);
+  if (!has_object(file.id(), dataset)) throw_unreadable(path, "there is no " + dataset + " in this file.");
+  const Handle owner(H5Oopen(file.id(), dataset.c_str(), H5P_DEFAULT), H5Oclose, dataset);
+  const auto texts = [&](const char* name) {
+    return H5Aexists(owner.id(), name) > 0 ? attribute_texts(owner.id(), path, dataset, name)
+                                           : std::vector<std::string>();
+  };
+  const auto text = [&](const char* name) {
+    const auto found = texts(name);
+    return found.empty() ? std::string() : found.front();
+  };
+  return {text("units"), text("long_name"), text("time"), texts("columns")};
+}
+
 std::vector<std::string> list_datasets(const fs::path& path) {
   const Handle file = hdf5::open_for_reading(path);
   try {

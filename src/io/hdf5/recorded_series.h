@@ -22,6 +22,13 @@ struct Series {
   std::vector<std::size_t> shape;  ///< [n_rows] or [n_rows, n]
 };
 
+/// What a dataset says about itself; empty where it says nothing.
+struct SeriesMeaning {
+  std::string unit, long_name;
+  std::string time_path;  ///< dataset of its times
+  std::vector<std::string> columns;
+};
+
 /// Readers; they work on finished, live and abandoned files alike. In a live file a channel may have a few rows more than its times.
 /// @throws InputError if there is no such file, dataset or attribute, or it is of another kind
 [[nodiscard]] Series read_series(const std::filesystem::path& path, const std::string& dataset);
@@ -32,6 +39,7 @@ struct Series {
 /// As read_attribute, for lists such as `columns`.
 [[nodiscard]] std::vector<std::string> read_attribute_list(const std::filesystem::path& path, const std::string& object,
                                                            const std::string& name);
+[[nodiscard]] SeriesMeaning read_meaning(const std::filesystem::path& path, const std::string& dataset);
 /// Paths of all datasets, in alphabetical order.
 [[nodiscard]] std::vector<std::string> list_datasets(const std::filesystem::path& path);
 

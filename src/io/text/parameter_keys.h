@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
 
 namespace rotordrop {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/node.h"
-#include "base/parameters.h"
+#include "base/parameters/declaration.h"
 
 #include <functional>
 #include <string>

@@ -10,6 +10,7 @@
 
 #include "io/text/input_file.h"
 #include "io/text/parameter_keys.h"
+#include "io/text/toml_mistakes.h"
 
 namespace rotordrop {
 
@@ -75,12 +76,6 @@ SourcePosition position_of_error(const toml::parse_error& error, const std::stri
   return PositionsOf{file}(error.source());
 }
 
-std::string syntax_message(const toml::parse_error& error) {
-  std::string description(error.description());
-  if (description.starts_with("Error")) description.front() = 'e';
-  return fmt::format("this is not valid TOML: {}.", description);
-}
-
 Node parsed_toml(std::string_view text, const PositionsOf& position) {
   require_shallow_toml(text, position.file);
   return converted_table(toml::parse(text, position.file), position);
@@ -118,6 +113,9 @@ Node read_with_bases(std::string_view text, const std::filesystem::path& path,
 // ---------------------------------------------------------------------------------------------------------------
 // overrides
 
+constexpr const char* example_of_set =
+    "Write it as --set contact.friction_coefficient=0.05; quote it for the shell if it has spaces.";
+
 /// The keys of "a.b.'c d'"; nothing if it is no key of TOML.
 std::optional<std::vector<std::string>> keys_of_path(const std::string& path) {
   if (path.find('\n') != std::string::npos) return {};
@@ -145,7 +143,8 @@ Node override_value(const std::string& text, const std::string& name) {
   } catch (const toml::parse_error& error) {
     // What looks like a list, a table or a quoted text is meant as one: its mistake must not become a text.
     if (std::string_view("[{\"'").find(text.front()) != std::string_view::npos)
-      throw InputError({name}, syntax_message(error), fmt::format("The value was: {}", text));
+      throw InputError({name}, toml_mistake("value = " + text, 1, error.description()).message,
+                       fmt::format("The value was: {}", text));
   } catch (const InputError&) {
     // A date: here it is a text.
   }
@@ -164,10 +163,8 @@ Node parse_toml(std::string_view text, const std::string& file) {
   try {
     return parsed_toml(text, {file});
   } catch (const toml::parse_error& error) {
-    const bool is_after_a_value =
-        error.description().find("expected a comment or whitespace") != std::string_view::npos;
-    throw InputError(position_of_error(error, file), syntax_message(error),
-                     is_after_a_value ? "Write a value with a unit in quotes: \"15200 rpm\"." : "");
+    const auto mistake = toml_mistake(text, static_cast<int>(error.source().begin.line), error.description());
+    throw InputError(position_of_error(error, file), mistake.message, mistake.advice);
   }
 }
 
@@ -181,12 +178,10 @@ Node read_toml_text(std::string_view text, const std::filesystem::path& path,
   return read_with_bases(text, path, {}, complete);
 }
 
-void apply_override(Node& tree, std::string_view assignment) {
+Setting read_setting(std::string_view assignment) {
   const auto equals = assignment.find('=');
   const std::string path = trimmed(assignment.substr(0, equals));
   const std::string text = equals == std::string_view::npos ? "" : trimmed(assignment.substr(equals + 1));
-  const std::string example =
-      "Write it as --set contact.friction_coefficient=0.05; quote it for the shell if it has spaces.";
   if (const auto parts = assignments_in(assignment); parts.size() > 1) {
     std::string each;
     for (const auto& part : parts) each += " --set " + shell_quoted(part);
@@ -195,10 +190,18 @@ void apply_override(Node& tree, std::string_view assignment) {
   }
   if (path.empty() || text.empty())
     throw InputError({fmt::format("--set {}", assignment)}, "this is not a parameter setting; it must be KEY=VALUE.",
-                     example);
-  const SourcePosition where{fmt::format("--set {}", path)};
+                     example_of_set);
+  return {path, override_value(text, fmt::format("--set {}", path))};
+}
+
+void apply_setting(Node& tree, const Setting& setting) {
+  const auto& [path, value] = setting;
+  const SourcePosition where{value.where().file, 0, 0};
   const auto keys = keys_of_path(path);
-  if (!keys) throw InputError(where, fmt::format("\"{}\" is not the name of a parameter.", path), example);
+  if (!keys)
+    throw InputError(
+        where, fmt::format("\"{}\" is not the name of a parameter.", path),
+        where.file.starts_with("--set") ? example_of_set : "Write names such as contact.friction_coefficient.");
 
   Node* table = &tree;
   for (std::size_t i = 0; i + 1 < keys->size(); ++i) {
@@ -208,7 +211,9 @@ void apply_override(Node& tree, std::string_view assignment) {
       throw InputError(where, fmt::format("\"{}\" is {}, so nothing can be set in it.", (*keys)[i], kind_name(*table)),
                        table->where().is_known() ? fmt::format("It is given at {}.", to_string(table->where())) : "");
   }
-  table->set(keys->back(), override_value(text, where.file), where);
+  table->set(keys->back(), value, where);
 }
+
+void apply_override(Node& tree, std::string_view assignment) { apply_setting(tree, read_setting(assignment)); }
 
 }  // namespace rotordrop

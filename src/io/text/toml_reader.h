@@ -27,6 +27,17 @@ Node read_toml_text(std::string_view text, const std::filesystem::path& path,
 /// Reads TOML text without looking at `base`; `file` is how positions call it.
 Node parse_toml(std::string_view text, const std::string& file);
 
+/// A parameter and the value that it is set to. Messages name the place of the value.
+struct Setting {
+  std::string key;  ///< "contact.friction_coefficient"
+  Node value;
+};
+/// One as the command line gives it; positions say "--set KEY". Throws an InputError if the text is no assignment.
+Setting read_setting(std::string_view assignment);
+/// Tables on the way are made where absent. Throws an InputError if the key cannot be one, or goes through a value that is
+/// no table.
+void apply_setting(Node& tree, const Setting& setting);
+
 /// Sets one parameter as the command line gives it: "contact.friction_coefficient=0.05", "run.initial_speed=15200 rpm".
 /// The value is TOML, or otherwise plain text. Tables on the way are made where absent. Positions say "--set KEY".
 /// Throws an InputError if the text is no assignment, or if the path goes through a value that is no table.

@@ -11,6 +11,7 @@
 
 #include "base/cpu_time.h"
 #include "base/errors.h"
+#include "case/named_files.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/sha256.h"
@@ -20,13 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the files that the parameters only name, and on which the results depend: a mesh, the growth of an earlier run.
 std::string digests_of_files(const Case& c) {
   std::string digests;
-  const auto& thermal = c.parameters.thermal;
-  if (thermal.fe.mesh && thermal.has_fe)
-    for (const auto& name : touchdown_names(c.parameters))
-      digests += "\n" + sha256_of_file(own_mesh_file(*thermal.fe.mesh, name));
+  for (const auto& file : named_files(c)) digests += "\n" + file.digest;
   return digests;
 }
 

@@ -1,7 +1,9 @@
 #include "study/drop/drop_record.h"
 
+#include "base/processor.h"
 #include "base/version.h"
 #include "base/wide_vectors.h"
+#include "case/named_files.h"
 #include "integrate/sundials_version.h"
 #include "io/hdf5/hdf5_version.h"
 #include "io/hdf5/recorded_series.h"
@@ -11,16 +13,21 @@ namespace rotordrop {
 namespace {
 
 RecordHeader record_header(const Case& drop_case) {
-  return {{{"program", std::string("rotordrop ") + version()},
-           {"git_revision", git_revision()},
-           {"sundials_version", sundials_version()},
-           {"hdf5_version", hdf5_version()},
-           {"instruction_set", name_of(vector_level)},
-           {"case", drop_case.name},
-           {"frame",
-            "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y "
-            "towards +z"}},
-          {{"/parameters", drop_case.resolved}}};
+  RecordHeader header{
+      {{"program", std::string("rotordrop ") + version()},
+       {"git_revision", git_revision()},
+       {"sundials_version", sundials_version()},
+       {"hdf5_version", hdf5_version()},
+       {"processor", processor_name()},
+       {"case", drop_case.name},
+       {"frame",
+        "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y "
+        "towards +z"}},
+      {{"/parameters", drop_case.resolved}}};
+  std::string inputs;
+  for (const auto& file : named_files(drop_case)) inputs += file.digest + " " + file.path.string() + "\n";
+  if (!inputs.empty()) header.texts.emplace_back("/inputs", inputs);
+  return header;
 }
 
 }  // namespace

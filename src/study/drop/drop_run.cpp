@@ -14,6 +14,9 @@
 #include "study/drop/drop_fields.h"
 #include "study/drop/drop_record.h"
 #include "study/drop/summary.h"
+#include "study/drop/warning_summary.h"
+#include "study/opinion/second_opinion.h"
+#include "study/result_limits.h"
 
 namespace rotordrop {
 namespace {
@@ -50,29 +53,47 @@ void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteEl
   for (const auto& warning : c.warnings)
     summary["input_warnings"].push_back(
         {{"where", to_string(warning.where)}, {"message", warning.message}, {"advice", warning.advice}});
+  for (auto& warning : warnings_in_summary(c.parameters, summary)) result.warnings.push_back(std::move(warning));
+  summary["warnings"] = warnings_json(result.warnings);
+  summary["run"]["warnings"] = result.warnings.size();
+  add_limits(c.parameters.limits, result.completed, summary);
 }
 
 }  // namespace
 
-FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, FiniteElements* elements,
-                                const volatile std::sig_atomic_t* stop, const std::vector<std::string>& kept) {
+FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, const MemoryRunOptions& options) {
   const auto& p = c.parameters;
-  Drop drop(machine, p, p.integration, p.output, elements);
-  MemorySeries series(machine, drop, [&](const std::string& path) {
-    return is_in_summary(path) || std::find(kept.begin(), kept.end(), path) != kept.end();
-  });
+  Drop drop(machine, p, p.integration, p.output, options.elements, options.tell);
+  MemorySeries::Choice is_kept;
+  if (options.is_kept) is_kept = [&](const std::string& path) { return is_in_summary(path) || options.is_kept(path); };
+  MemorySeries series(machine, drop, is_kept);
+  DropProgress progress(machine, drop, drop.sections().growth_in_force(), options.report);
+  if (options.report) drop.loop().add(progress);
+  progress.begin(drop.loop().time());
   const auto start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_seconds();
-  drop.run([&] { return stop && *stop; });
+  drop.run(options.is_stopped);
   FinishedDrop result{drop.result(), {}, nullptr};
   result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.cpu_time = cpu_seconds() - cpu_start;
-  summarise(c, machine, drop, elements, std::move(series), {}, result);
+  progress.tell(result.end_time, result.state);
+  summarise(c, machine, drop, options.elements, std::move(series), {}, result);
+  if (result.completed) stop_at_fatal_warnings(p.run, result.warnings);
   return result;
+}
+
+void require_known_limits(const Case& c, const Machine& machine, FiniteElements* elements) {
+  if (c.parameters.limits.empty()) return;
+  MemoryRunOptions options;
+  options.elements = elements;
+  options.is_stopped = [] { return true; };
+  options.is_kept = [](const std::string&) { return false; };
+  run_drop_in_memory(c, machine, options);
 }
 
 FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& options) {
   const auto& p = c.parameters;
+  require_known_limits(c, machine, options.elements);
   ResultsFolder folder(options.directory, options.resume  ? ResultsFolder::Existing::resume
                                           : options.force ? ResultsFolder::Existing::replace
                                                           : ResultsFolder::Existing::refuse);
@@ -111,8 +132,14 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   result.cpu_time = checkpoints.cpu_time();
 
   summarise(c, machine, drop, options.elements, std::move(series), options.directory, result);
+  if (p.run.second_opinion && result.completed) {
+    if (options.tell) options.tell("the drop is done and is computed again for a second opinion");
+    result.summary["second_opinion"] = second_opinion(c, result, options.stop);
+  }
   write_text_atomically(options.directory / "summary.json", result.summary.dump(2) + "\n");
-  if (result.completed) folder.remove_checkpoints();
+  if (!result.completed) return result;
+  folder.remove_checkpoints();
+  stop_at_fatal_warnings(p.run, result.warnings);
   return result;
 }
 

@@ -31,15 +31,24 @@ struct FinishedDrop : DropResult {
       recorded;  ///< series that its summary needs; all if two thermal models can be compared
 };
 
+/// Finds limits on results that a drop of the case does not have, by its first step. @throws InputError
+void require_known_limits(const Case& drop_case, const Machine& machine, FiniteElements* elements);
+
 /// Runs a case into a directory: results.h5, parameters.toml, checkpoints and summary.json.
 /// @throws InputError if the directory holds results and neither force nor resume is set
 /// @throws SolverError if the integration fails; the last good state is saved as a checkpoint in DIRECTORY/failed
 FinishedDrop run_drop(const Case& drop_case, const Machine& machine, const RunOptions& options);
 
+struct MemoryRunOptions {
+  FiniteElements* elements = nullptr;           ///< those that the machine was built with, if any
+  std::function<bool()> is_stopped;             ///< asked after every step; what it throws ends the run
+  MemorySeries::Choice is_kept;                 ///< series besides those that the summary needs; none: all
+  std::function<void(const Progress&)> report;  ///< called a few times a second
+  FitWatch::Tell tell;                          ///< called with what a user should know
+};
+
 /// Runs a case without a file: no checkpoints, no temperature fields.
-/// @param kept  paths of series to keep beside those that the summary needs
 /// @throws SolverError if the integration fails
-FinishedDrop run_drop_in_memory(const Case& drop_case, const Machine& machine, FiniteElements* elements,
-                                const volatile std::sig_atomic_t* stop, const std::vector<std::string>& kept);
+FinishedDrop run_drop_in_memory(const Case& drop_case, const Machine& machine, const MemoryRunOptions& options);
 
 }  // namespace rotordrop

@@ -44,7 +44,7 @@ std::string probe_text(const nlohmann::ordered_json& probes) {
                           p["node"].get<int>(), left * 1e6, p["clearance"].get<double>() * 1e6, time * 1e3);
     else
       text += fmt::format(
-          "{} (node {}): warning: the rotor TOUCHES at {:.4g} ms{}; {:.4g} um beyond its clearance of {:.4g} um, at "
+          "{} (node {}): the rotor TOUCHES at {:.4g} ms{}; {:.4g} um beyond its clearance of {:.4g} um, at "
           "{:.4g} ms{}\n",
           name, p["node"].get<int>(), p["first_touch_time"].get<double>() * 1e3,
           p.contains("contact") ? "" : " and goes on as if nothing were there", -left * 1e6,

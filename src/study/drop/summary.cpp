@@ -15,9 +15,12 @@
 #include "study/drop/local_report.h"
 #include "study/drop/probe_summary.h"
 #include "study/drop/support_summary.h"
+#include "study/drop/warning_summary.h"
 #include "study/drop/whirl.h"
 #include "study/json_number.h"
+#include "study/opinion/second_opinion.h"
 #include "study/recorded_drop.h"
+#include "study/result_limits.h"
 #include "study/statics/shoulder_words.h"
 
 namespace rotordrop {
@@ -113,52 +116,6 @@ Json spin_up_balance(const Machine& machine, std::size_t support, std::span<cons
       (machine.ledger(support, "inner heat", y) + machine.ledger(support, "outer heat", y)) / d.heat_over_work +
       machine.ledger(support, "spin-up centres", y);
   return {{"slip_energy", balance}, {"residual", machine.ledger(support, "rub heat", y) - balance}};
-}
-
-/// Lines on balls that friction may not keep rolling, if any.
-std::string skid_text(const std::string& name, const Json& b) {
-  const std::string indent(name.size() + 2, ' ');
-  const auto number = [&](const char* part, const char* key) { return b[part][key].get<double>(); };
-  const double beyond = number("skid", "speed_change_beyond"), all = number("skid", "speed_change");
-  std::string text;
-  if (beyond > relevant_speed_share * all)
-    text += fmt::format(
-        "{}balls of row {} may skid: for {:.4g} ms, with {:.0f} % of the ring's speed changes, friction at the "
-        "raceways cannot keep them rolling\n",
-        indent, b["skid"]["row"].is_null() ? 1 : b["skid"]["row"].get<int>(), number("skid", "time_beyond") * 1e3,
-        100. * beyond / all);
-  if (const double largest = number("gyroscopic", "largest_demand"); largest > 1.)
-    text += fmt::format(
-        "{}balls may pivot: their gyroscopic moments require up to {:.3g} times the available friction at the outer "
-        "raceway and exceed it for {:.4g} ms\n",
-        indent, largest, number("gyroscopic", "time_beyond") * 1e3);
-  return text;
-}
-
-/// Lines on what the balls' model leaves out and where pressures are void, if anywhere.
-std::string ball_text(const std::string& name, const Json& b) {
-  const std::string indent(name.size() + 2, ' ');
-  std::string text;
-  if (b["ball_model"] == "quasi-static") {
-    double largest = 0.;
-    for (const auto& row : b["rows"]) largest = std::max(largest, row["centrifugal_over_load"].get<double>());
-    if (largest > relevant_centrifugal_share)
-      text += fmt::format(
-          "{}warning: centrifugal forces of the balls (up to {:.3g} N) are {:.2g} times their loads, and ball_model = "
-          "\"quasi-static\" leaves them out\n",
-          indent, b["centrifugal_force"].get<double>(), largest);
-  }
-  std::size_t number = 0;
-  for (const auto& row : b["rows"]) {
-    ++number;
-    if (const double truncation = row["truncation"].get<double>(); truncation > 0.)
-      text += fmt::format(
-          "{}warning: the contact ellipses of row {} reach over the raceway's edge for {:.3g} ms, by up to {:.0f} % of "
-          "their length at {:.4g} ms: pressure and static safety are void there\n",
-          indent, number, row["time_truncated"].get<double>() * 1e3, 100. * truncation,
-          row["truncation_time"].get<double>() * 1e3);
-  }
-  return text;
 }
 
 std::string rises_text(const Json& rise) {
@@ -268,16 +225,6 @@ std::string reduction_text(const Json& j) {
   return text;
 }
 
-std::string window_excess_text(const Json& windows) {
-  const long beyond = windows["beyond_tolerance"].get<long>();
-  if (beyond == 0) return {};
-  return fmt::format(
-      "\n{} of {} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most at {:.4g} ms; "
-      "a shorter thermal.fe.longest_window leaves less",
-      beyond, windows["count"].get<long>(), windows["tolerance"].get<double>() * 1e9,
-      windows["largest_growth_error_time"].get<double>() * 1e3);
-}
-
 }  // namespace
 
 std::string summary_text(const Json& j) {
@@ -305,11 +252,6 @@ std::string summary_text(const Json& j) {
                             time(b["fe"]["surface_rise"]["bore"]["highest_time"], 1e3, "ms"));
       text += "\n";
       text += local_text(name, b);
-      if (const double p = b["largest_contact_pressure"].get<double>(); p > static_pressure_limit)
-        text += fmt::format(
-            "{:{}}contact pressure of the balls {:.2f} GPa exceeds the static limit of {:.1f} GPa (ISO 76)\n", "",
-            name.size() + 2, p * 1e-9, static_pressure_limit * 1e-9);
-      text += ball_text(name, b) + skid_text(name, b);
       if (b.contains("axial"))
         text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", name.size() + 2,
                             b["axial"]["force"]["smallest"].get<double>() * 1e-3,
@@ -342,8 +284,7 @@ std::string summary_text(const Json& j) {
         j["windows"]["heat_residual"].get<double>(), j["windows"]["count"].get<long>(),
         j["windows"]["shortest"].get<double>() * 1e3, j["windows"]["longest"].get<double>() * 1e3,
         j["windows"]["largest_growth_error"].get<double>() * 1e9, j["windows"]["largest_growth"].get<double>() * 1e9);
-  if (j.contains("windows")) text += window_excess_text(j["windows"]);
-  text += "\n";
+  text += "\n" + warnings_text(j) + second_opinion_text(j) + limits_text(j);
   return text;
 }
 

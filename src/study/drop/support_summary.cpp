@@ -41,9 +41,6 @@ std::string support_text(const std::string& name, const Json& s) {
                         s["loss"].get<double>());
   if (s.contains("meets_stop") && s["meets_stop"].get<bool>())
     text += fmt::format("{}the outer ring meets its stop\n", indent);
-  if (s["travel_limit"].is_number() && travel > s["travel_limit"].get<double>())
-    text += fmt::format("{}warning: the outer ring moves by {:.4g} um, beyond its travel limit of {:.4g} um\n", indent,
-                        travel * 1e6, s["travel_limit"].get<double>() * 1e6);
   return text;
 }
 

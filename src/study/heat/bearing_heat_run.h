@@ -1,51 +1,16 @@
 #pragma once
-#include <memory>
 
-#include "case/case.h"
-#include "machine/build_machine.h"
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "study/heat/bearing_heat_case.h"
 #include "study/heat/heat_run.h"
-#include "study/heat/heated_bearing.h"
 
 namespace rotordrop {
-
-/// A touchdown bearing of a drop's case under given heat (`rotordrop heat`, table [heat]), as read, checked and built.
-struct BearingHeatCase {
-  Case drop;  ///< thermal.models are those of [heat]
-  std::string bearing;
-  BearingHeatHistory history;
-  double end_time = 0;               ///< [s]
-  std::vector<double> output_times;  ///< rising; end_time is the last of them
-  FiniteElements elements;
-  std::optional<BallConduction> ball_conduction;  ///< given; none: R5
-  ThermalParts parts;
-  struct Model {
-    std::string name;  ///< "lumped", "fe"
-    std::unique_ptr<HeatedBearing> heated;
-  };
-  std::vector<Model> models;
-  struct Probe {
-    std::string name;
-    std::size_t model = 0;
-    std::optional<std::size_t> node;       ///< among the model's names
-    std::optional<HeatBoundary> boundary;  ///< of its section
-    std::size_t body = 0;                  ///< otherwise a point of it
-    double x = 0, r = 0;
-  };
-  std::vector<Probe> probes;
-};
-
-/// Whether a case of heat alone is one of a drop's bearing. @throws InputError if it cannot be read
-bool is_bearing_heat_case(const std::filesystem::path& file);
-
-/// Reads, checks and builds. @throws InputError with all faults
-std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::path& file,
-                                                        const std::vector<std::string>& overrides = {});
 
 /// Computes it into a directory: results.h5, summary.json, parameters.toml, fields. @return the summary
 nlohmann::ordered_json run_bearing_heat(BearingHeatCase& heat_case, const HeatRunOptions& options);
 
-/// Describes a case in a few lines.
-std::string bearing_heat_case_text(const BearingHeatCase& heat_case);
 /// A few lines for the screen.
 std::string bearing_heat_summary_text(const nlohmann::ordered_json& summary);
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "base/parameters/suggestion.h"
 #include "io/hdf5/recorded_series.h"
 
 namespace rotordrop {

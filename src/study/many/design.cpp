@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/parameters/value_reader.h"
 #include "io/text/parameter_writers.h"
 #include "study/many/random_bits.h"
 

@@ -3,38 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "base/parameters/suggestion.h"
 #include "case/fe_module.h"
 #include "case/recorded_growth.h"
 #include "machine/build_machine.h"
 #include "study/drop/drop_run.h"
+#include "study/result_limits.h"
 
 namespace rotordrop {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Numbers of a summary by their dotted names. What the clock says differs from run to run and is left out.
-void collect(const Json& value, const std::string& path, std::vector<std::pair<std::string, double>>& to) {
-  if (path == "run.wall_time" || path == "run.cpu_time" || path == "input_warnings") return;
-  if (value.is_object()) {
-    for (const auto& [key, inner] : value.items()) collect(inner, path.empty() ? key : path + "." + key, to);
-  } else if (value.is_array()) {
-    std::size_t i = 0;
-    for (const auto& inner : value) collect(inner, fmt::format("{}[{}]", path, i++), to);
-  } else if (value.is_boolean()) {
-    to.emplace_back(path, value.get<bool>() ? 1. : 0.);
-  } else if (value.is_number()) {
-    to.emplace_back(path, value.get<double>());
-  } else if (value.is_null()) {
-    to.emplace_back(path, std::numeric_limits<double>::quiet_NaN());
-  } else if (const auto text = value.is_string() ? value.get<std::string>() : ""; text == "yes" || text == "no") {
-    to.emplace_back(path, text == "yes" ? 1. : 0.);
-  }
-}
 
 PointSeries series_of(const Machine& machine, const RecordedDrop& drop, const std::string& path) {
   if (drop.has(path)) {
@@ -49,12 +29,6 @@ PointSeries series_of(const Machine& machine, const RecordedDrop& drop, const st
                    guess.empty() ? "docs/reference/results.md lists them." : fmt::format("Did you mean {}?", guess));
 }
 
-/// Meshes come from one generator for the whole process.
-std::mutex& mesh_lock() {
-  static std::mutex lock;
-  return lock;
-}
-
 }  // namespace
 
 PointResult evaluate_point(const PointRequest& request) {
@@ -64,16 +38,22 @@ PointResult evaluate_point(const PointRequest& request) {
     FiniteElements elements;
     std::unique_ptr<Machine> machine;
     {
-      std::unique_lock<std::mutex> lock(mesh_lock(), std::defer_lock);
+      std::unique_lock<std::mutex> lock(section_lock(), std::defer_lock);
       if (c.parameters.thermal.has_fe) lock.lock();
       elements = finite_elements_of(c);
       machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
     }
-    const FinishedDrop run = run_drop_in_memory(c, *machine, &elements, request.stop, request.series);
+    MemoryRunOptions options;
+    options.elements = &elements;
+    options.is_stopped = [&] { return request.stop && *request.stop; };
+    options.is_kept = [&](const std::string& path) {
+      return std::find(request.series.begin(), request.series.end(), path) != request.series.end();
+    };
+    const FinishedDrop run = run_drop_in_memory(c, *machine, options);
     result.is_done = run.completed;
     result.is_interrupted = !run.completed;
     result.end_time = run.end_time;
-    collect(run.summary, "", result.scalars);
+    result.scalars = numbers_of(run.summary);
     for (const auto& path : request.series) result.series.push_back(series_of(*machine, *run.recorded, path));
   } catch (const std::exception& error) {
     result = {};

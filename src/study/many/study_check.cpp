@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/cpu_time.h"
+#include "base/parameters/suggestion.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/search/fit_evaluation.h"
 #include "study/many/study_run.h"

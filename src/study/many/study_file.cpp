@@ -8,163 +8,19 @@
 #include <fstream>
 #include <set>
 
+#include "base/parameters/suggestion.h"
 #include "case/program_files.h"
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"
 #include "study/many/search/search_check.h"
+#include "study/many/study_keys.h"
 #include "study/many/vary_reader.h"
 
 namespace rotordrop {
+
 namespace {
 
 namespace fs = std::filesystem;
-
-struct ReplicateParameters {
-  int n = 1;
-  double spread = 0;
-};
-struct CorrelationEntry {
-  Node parameters;
-  double rank = 0;
-};
-struct ChoiceEntry {
-  std::string parameter, result;
-  double quantile = 0;
-};
-struct KeepEntry {
-  Node results, series;
-};
-
-/// The file as it stands, before the case is known.
-struct StudyFile {
-  std::string case_file;
-  FailurePolicy on_failure = FailurePolicy::go_on;
-  Node vary, limits, derived;
-  DesignParameters design;
-  ReplicateParameters replicates;
-  std::vector<CorrelationEntry> correlations;
-  std::optional<ChoiceEntry> choice;
-  std::optional<MinimiseParameters> minimise;
-  std::optional<FitParameters> fit;
-  std::optional<SurrogateParameters> surrogate;
-  KeepEntry keep;
-};
-
-Section<DesignParameters> design_section() {
-  using P = DesignParameters;
-  Section<P> s("design", "Which points are computed.");
-  s.choice(
-       "kind", &P::kind,
-       {{"grid", DesignKind::grid},
-        {"list", DesignKind::list},
-        {"one-at-a-time", DesignKind::one_at_a_time},
-        {"latin-hypercube", DesignKind::latin_hypercube},
-        {"sobol-sequence", DesignKind::sobol_sequence},
-        {"saltelli", DesignKind::saltelli},
-        {"morris", DesignKind::morris},
-        {"monte-carlo", DesignKind::monte_carlo}},
-       {.fallback = "latin-hypercube",
-        .help = "grid: every combination. list: the first values of all parameters, then the second ones, and so on. "
-                "one-at-a-time: a reference point, and each parameter's values with the others at the reference. "
-                "latin-hypercube, sobol-sequence, monte-carlo: samples of the distributions. saltelli: for Sobol "
-                "indices. morris: trajectories for a screening."})
-      .integer(
-          "size", &P::size,
-          {.range = between(1, 10'000'000),
-           .help = "Points of latin-hypercube, sobol-sequence and monte-carlo; rows of each of Saltelli's two "
-                   "samples (with d parameters d + 2 times as many points); trajectories of Morris (d + 1 times as "
-                   "many points)."})
-      .integer(
-          "seed", &P::seed,
-          {.range = between(0, 2147483647), .fallback = 1, .help = "The same seed gives the same points anywhere."})
-      .integer(
-          "levels", &P::levels,
-          {.range = between(2, 100000),
-           .help = "Levels of parameters without values of their own in a grid or one-at-a-time (5), and of the grid "
-                   "of Morris (4; an even number)."})
-      .boolean("scramble", &P::scramble,
-               {.fallback = true,
-                .help = "Of sobol-sequence and saltelli: a random digital shift that follows from the seed. Without it "
-                        "the points are the published sequence, which begins with the middle of all ranges."});
-  return s;
-}
-
-Section<StudyFile> study_section() {
-  using P = StudyFile;
-  Section<ReplicateParameters> replicates("replicates", "Starts next to each other: what chaos leaves of a number.");
-  replicates
-      .integer("n", &ReplicateParameters::n,
-               {.range = between(1, 100000), .fallback = 1, .help = "Drops of each point of the design."})
-      .quantity(
-          "spread", &ReplicateParameters::spread,
-          {.unit = "m",
-           .range = positive(),
-           .fallback = "1 nm",
-           .help = "Each replicate starts by this much higher than the one before it (rotor.initial_offset[0])."});
-  Section<CorrelationEntry> correlation("correlation", "Dependence of two parameters.");
-  correlation
-      .custom("parameters", {.accepts = "two names of [vary]", .json_types = {"array"}, .required = true},
-              [](const Node& node, CorrelationEntry& entry, Faults&) { entry.parameters = node; })
-      .quantity("rank", &CorrelationEntry::rank,
-                {.range = between(-1, 1), .help = "Rank correlation (Spearman), through a normal copula."});
-  Section<ChoiceEntry> choice("choose", "Which level of a parameter makes a quantile of a result smallest.");
-  choice.text("parameter", &ChoiceEntry::parameter, {.help = "A parameter with values, by its name in [vary]."})
-      .text("result", &ChoiceEntry::result, {.help = "A result."})
-      .quantity(
-          "quantile", &ChoiceEntry::quantile,
-          {.range = between(0.01, 0.999), .fallback = "0.95", .help = "Of the result over all else that varies."});
-  Section<KeepEntry> keep("keep", "What of each drop is kept.");
-  keep.custom("results",
-              {.accepts = "names of results; * stands for any text without a dot",
-               .json_types = {"array"},
-               .help = "Numbers of summary.json; all if left out."},
-              [](const Node& node, KeepEntry& entry, Faults&) { entry.results = node; })
-      .custom("series",
-              {.accepts = "paths of datasets of results.h5",
-               .json_types = {"array"},
-               .help = "Time series, each with its own times; none if left out."},
-              [](const Node& node, KeepEntry& entry, Faults&) { entry.series = node; });
-
-  Section<P> s("", "A study: many drops of one case.");
-  s.text("case", &P::case_file, {.help = "The case, beside this file or of those that come with the program."})
-      .choice("on_failure", &P::on_failure,
-              {{"go on", FailurePolicy::go_on}, {"stop", FailurePolicy::stop}, {"retry", FailurePolicy::retry}},
-              {.fallback = "go on",
-               .help = "What follows a drop that fails. go on: its reason is recorded. stop: no further drop is begun. "
-                       "retry: once more with a tenth of integration.tolerance and integration.step, then go on."})
-      .custom(
-          "vary",
-          {.accepts = "keys of the case, each with values or a distribution",
-           .json_types = {"object"},
-           .required = true,
-           .help = "KEY = [values], or a table with range = [from, to] (scale = \"log\" evenly in the logarithm), "
-                   "distribution = \"uniform\" | \"log-uniform\" | \"normal\" | \"truncated-normal\" | "
-                   "\"triangular\" | \"discrete\" with lower, upper, mean, deviation, mode, values, weights, or "
-                   "formula = \"2 * OTHER\". keys = [KEY, ...] sets one value into several keys of the case; the table "
-                   "may then have any name."},
-          [](const Node& node, P& p, Faults&) { p.vary = node; })
-      .table<DesignParameters>("design", &P::design, design_section())
-      .table<ReplicateParameters>("replicates", &P::replicates, replicates)
-      .list("correlation", &P::correlations, correlation,
-            {.help = "Of latin-hypercube, sobol-sequence and monte-carlo."})
-      .custom("limits",
-              {.accepts = "results, each with max or min",
-               .json_types = {"object"},
-               .help = "RESULT = { max = \"6 kN\" }, { min = 1 } or both: the study tells how often it is broken."},
-              [](const Node& node, P& p, Faults&) { p.limits = node; })
-      .custom("derived",
-              {.accepts = "names, each with a formula",
-               .json_types = {"object"},
-               .help = "NAME = { formula = \"max(RESULT, RESULT)\", unit = \"N\" }: further results from those of each "
-                       "drop, in SI."},
-              [](const Node& node, P& p, Faults&) { p.derived = node; })
-      .table<ChoiceEntry>("choose", &P::choice, choice)
-      .table<MinimiseParameters>("minimise", &P::minimise, minimise_section())
-      .table<FitParameters>("fit", &P::fit, fit_section())
-      .table<SurrogateParameters>("surrogate", &P::surrogate, surrogate_section())
-      .table<KeepEntry>("keep", &P::keep, keep);
-  return s;
-}
 
 std::vector<std::string> texts_of(const Node& node, const std::string& name, Faults& faults) {
   std::vector<std::string> texts;
@@ -190,38 +46,6 @@ fs::path case_of(const StudyFile& raw, const Node& tree, const fs::path& file) {
   if (fs::is_regular_file(own, ignored)) return own;
   throw InputError(position_of_value(tree, "case"), fmt::format("case = \"{}\": there is no such file.", raw.case_file),
                    fmt::format("Looked for {} and {}.", beside.string(), own.string()));
-}
-
-void read_limits(const Node& table, Study& study, Faults& faults) {
-  if (table.is(Node::Kind::null)) return;
-  if (!table.is_table()) {
-    faults.add(table.where(), "limits must be a table.", "Write [limits] and below it RESULT = { max = \"6 kN\" }.");
-    return;
-  }
-  for (const auto& [name, where, node] : flattened(table, {"max", "min"})) {
-    Limit limit{name, {}, {}, {}, {}, where};
-    if (!node->is_table()) {
-      faults.add(where, fmt::format("limits.{} must be a table with max, min or both.", name),
-                 "For example { max = \"6 kN\" }.");
-      continue;
-    }
-    for (const auto& entry : node->entries()) {
-      if (entry.key != "max" && entry.key != "min") {
-        faults.add(entry.where, fmt::format("unknown key \"{}\" in limits.{}.", entry.key, name), "Known: max, min.");
-        continue;
-      }
-      auto& text = entry.key == "max" ? limit.max_text : limit.min_text;
-      if (entry.value.is_text())
-        text = entry.value.text();
-      else if (entry.value.is_number())
-        text = shortest(entry.value.number());
-      else
-        faults.add(entry.where, fmt::format("limits.{}.{} must be a number or a quantity.", name, entry.key));
-    }
-    if (limit.max_text.empty() && limit.min_text.empty())
-      faults.add(where, fmt::format("limits.{} has neither max nor min.", name), "For example { max = \"6 kN\" }.");
-    study.limits.push_back(std::move(limit));
-  }
 }
 
 void read_derived(const Node& table, Study& study, Faults& faults) {
@@ -360,27 +184,6 @@ std::vector<std::size_t> Study::drawn() const {
 
 std::vector<ErasedSection> study_sections() { return {study_section().erased()}; }
 
-bool fits(const std::string& name, const std::string& pattern) {
-  // Greedy matching with one point to return to; a star takes no dot.
-  std::size_t n = 0, p = 0, star = std::string::npos, from = 0;
-  while (n < name.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      from = n;
-    } else if (p < pattern.size() && pattern[p] == name[n]) {
-      ++p;
-      ++n;
-    } else if (star != std::string::npos && name[from] != '.') {
-      p = star + 1;
-      n = ++from;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
-}
-
 Study read_study(const fs::path& file, const std::vector<std::string>& overrides, const fs::path& case_file) {
   Study study;
   study.file = file;
@@ -398,7 +201,13 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   study.n_replicates = raw.replicates.n;
   study.replicate_spread = raw.replicates.spread;
   read_vary(raw.vary, study, faults);
-  read_limits(raw.limits, study, faults);
+  read_limits(raw.limits, study.limits, faults);
+  // Those of the case hold in each of its drops, unless the study has others. A fit judges no drop.
+  const std::size_t n_own = study.limits.size();
+  for (const auto& limit : study.base.parameters.limits)
+    if (!raw.fit && std::none_of(study.limits.begin(), study.limits.begin() + static_cast<std::ptrdiff_t>(n_own),
+                                 [&](const Limit& own) { return fits(limit.pattern, own.pattern); }))
+      study.limits.push_back(limit);
   read_derived(raw.derived, study, faults);
   study.keep_results = texts_of(raw.keep.results, "keep.results", faults);
   study.keep_series = texts_of(raw.keep.series, "keep.series", faults);

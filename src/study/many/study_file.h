@@ -7,6 +7,8 @@
 
 #include "case/case.h"
 #include "case/case_keys.h"
+#include "case/dotted_names.h"
+#include "case/limits.h"
 #include "study/many/distribution.h"
 #include "study/many/expression.h"
 #include "study/many/search/fit_keys.h"
@@ -51,14 +53,6 @@ struct DesignParameters {
   int seed = 1;
   std::optional<int> levels;  ///< of a range in a grid or one-at-a-time (5), of the grid of Morris (4)
   bool scramble = true;
-};
-
-/// One allowed band of a result.
-struct Limit {
-  std::string pattern;             ///< of a result's name, "*" stands for any text without a dot
-  std::optional<double> min, max;  ///< SI
-  std::string min_text, max_text;  ///< as given, resolved when the result's unit is known
-  SourcePosition where;
 };
 
 /// A result made from others by a formula.
@@ -124,8 +118,5 @@ Study read_study(const std::filesystem::path& file, const std::vector<std::strin
 
 /// Declarations of a study file.
 std::vector<ErasedSection> study_sections();
-
-/// Whether a result's name fits a pattern such as "bearings.*.peak_contact_force".
-bool fits(const std::string& name, const std::string& pattern);
 
 }  // namespace rotordrop

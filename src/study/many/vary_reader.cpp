@@ -1,5 +1,8 @@
 #include "study/many/vary_reader.h"
 
+#include "base/parameters/suggestion.h"
+#include "base/parameters/value_reader.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,20 +15,6 @@ namespace {
 
 const std::vector<std::string> words{"keys",  "values", "weights",   "range", "scale",  "distribution", "lower",
                                      "upper", "mean",   "deviation", "mode",  "levels", "reference",    "formula"};
-
-void flatten(const Node& table, const std::string& path, const std::vector<std::string>& stop,
-             std::vector<NamedNode>& to) {
-  for (const auto& entry : table.entries()) {
-    const std::string name = path.empty() ? entry.key : path + "." + entry.key;
-    const bool is_inner =
-        entry.value.is_table() && !entry.value.entries().empty() &&
-        std::none_of(stop.begin(), stop.end(), [&](const auto& word) { return entry.value.has(word); });
-    if (is_inner && path.size() < 500)
-      flatten(entry.value, name, stop, to);
-    else
-      to.push_back({name, entry.where.is_known() ? entry.where : entry.value.where(), &entry.value});
-  }
-}
 
 /// Reads the table of one parameter.
 class ParameterReader {
@@ -284,12 +273,6 @@ void find_double_keys(const Study& study, Faults& faults) {
 }
 
 }  // namespace
-
-std::vector<NamedNode> flattened(const Node& table, const std::vector<std::string>& stop) {
-  std::vector<NamedNode> result;
-  flatten(table, "", stop, result);
-  return result;
-}
 
 void read_vary(const Node& table, Study& study, Faults& faults) {
   if (!table.is_table()) {

@@ -33,31 +33,40 @@ void check_directory(const PreloadOptions& options) {
                        "Choose another with -o DIR.");
 }
 
+[[noreturn]] void refuse_without_touchdowns(const Case& c) {
+  throw InputError(position_of(c.tree, "bearings"),
+                   "the case has no touchdown bearing, so there is no preload to compute.");
+}
+
 }  // namespace
 
-Json run_preload(const Case& c, const PreloadOptions& options) {
-  const auto bearings = chosen_touchdowns(c, options.bearing);
-  if (bearings.empty())
-    throw InputError(position_of(c.tree, "bearings"),
-                     "the case has no touchdown bearing, so there is no preload to compute.");
-  std::optional<RecordedDrop> drop;
-  if (!options.results.empty()) drop.emplace(options.results);
-  check_directory(options);
-  const ResultsFolder folder(options.directory,
-                             options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
-
+Json find_preload(const Case& c, const std::string& bearing, const RecordedDrop* drop,
+                  std::vector<PreloadTable>& tables) {
+  const auto bearings = chosen_touchdowns(c, bearing);
+  if (bearings.empty()) refuse_without_touchdowns(c);
   Json report = {{"program", std::string("rotordrop ") + version()},
                  {"git_revision", git_revision()},
                  {"case", c.name},
                  {"ambient", c.parameters.run.ambient},
                  {"bearings", Json::object()}};
-  std::vector<PreloadTable> tables;
   for (const auto& name : bearings) {
     Json& one = report["bearings"][name];
     one["running"] = run_preload_loop(c, name, tables);
     one["maps"] = make_preload_maps(c, name, tables);
     if (drop) one["history"] = make_preload_history(c, name, *drop, tables);
   }
+  return report;
+}
+
+Json run_preload(const Case& c, const PreloadOptions& options) {
+  if (chosen_touchdowns(c, options.bearing).empty()) refuse_without_touchdowns(c);  // before a folder is made
+  std::optional<RecordedDrop> drop;
+  if (!options.results.empty()) drop.emplace(options.results);
+  check_directory(options);
+  const ResultsFolder folder(options.directory,
+                             options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+  std::vector<PreloadTable> tables;
+  Json report = find_preload(c, options.bearing, drop ? &*drop : nullptr, tables);
   write_tables(options.directory / "preload.h5", c, tables, options.force);
   write_text_atomically(options.directory / "parameters.toml", c.resolved);
   write_text_atomically(options.directory / "preload.json", report.dump(2) + "\n");

@@ -2,8 +2,11 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "case/case.h"
+#include "study/preload/preload_tables.h"
+#include "study/recorded_drop.h"
 
 namespace rotordrop {
 
@@ -13,6 +16,13 @@ struct PreloadOptions {
   std::filesystem::path results;    ///< directory of a drop for histories; empty: none
   bool force = false;               ///< replace what is in the directory
 };
+
+/// Maps, histories and steady running of touchdown bearings by themselves, in memory; tables are added.
+/// @param bearing  only this touchdown bearing; empty: all
+/// @param drop     for histories; may be null
+/// @throws InputError for an unknown bearing, SolverError
+nlohmann::ordered_json find_preload(const Case& preload_case, const std::string& bearing, const RecordedDrop* drop,
+                                    std::vector<PreloadTable>& tables);
 
 /// Maps, histories and steady running of touchdown bearings by themselves, into a directory; returns what preload.json has.
 /// See docs/how-to/preload.md for every key and dataset.

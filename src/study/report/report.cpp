@@ -72,6 +72,7 @@ Json report_data(const RecordedDrop& drop) {
   Json data;
   data["title"] = "Drop " + drop.case_name();
   data["words"] = report_words(drop);
+  if (!summary.is_null() && summary.contains("limits")) data["acceptance"] = report_acceptance(summary);
   data["numbers"] = report_numbers(drop, summary);
   data["checks"] = report_checks(drop, summary);
   data["animation"] = report_animation(drop);
@@ -91,6 +92,6 @@ std::string html_page(const Json& data, std::string_view css, std::string_view j
   return filled(report_html, {{"@TITLE@", title}, {"@CSS@", css}, {"@DATA@", numbers}, {"@JS@", js}});
 }
 
-std::string report_page(const Json& data) { return html_page(data, report_css, report_js); }
+std::string report_page(const Json& data) { return html_page(data, report_css, std::string(figures_js) + report_js); }
 
 }  // namespace rotordrop

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -10,32 +9,15 @@
 #include "study/drop/whirl.h"
 #include "study/report/decimation.h"
 #include "study/report/report.h"
+#include "study/report/rounded.h"
 
+// Figures of time series.
 namespace rotordrop {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr double rpm = 30. / std::numbers::pi;
-
-/// Five digits are more than a picture shows; times get one more, since they grow while their differences do not.
-Json rounded(std::span<const double> values, double scale, int digits = 5) {
-  Json list = Json::array();
-  for (const double v : values)
-    list.push_back(std::isfinite(v) ? Json(std::strtod(fmt::format("{:.{}g}", v * scale, digits).c_str(), nullptr))
-                                    : Json(nullptr));
-  return list;
-}
-
-/// To a hundred-thousandth of their range, which may be small beside the values themselves (an air gap).
-Json rounded_to_range(const std::vector<double>& values, double scale) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double range = (*high - *low) * std::fabs(scale);
-  if (!(range > 0.)) return rounded(values, scale);
-  const double quantum = std::pow(10., std::floor(std::log10(range)) - 4.);
-  std::vector<double> list;
-  for (const double v : values) list.push_back(std::round(v * scale / quantum) * quantum);
-  return rounded(list, 1., 10);
-}
 
 /// How a line is drawn: the page has a palette and dash patterns, each taken from the beginning again at its end.
 struct Style {
@@ -346,132 +328,6 @@ Json report_charts(const RecordedDrop& drop) {
   add_energy(c);
   c.drop_empty();
   return c.take();
-}
-
-Json report_ball_loads(const RecordedDrop& drop) {
-  constexpr std::size_t n_spans = 400;
-  Json all = Json::array();
-  for (const auto& [name, parameters] : drop.bearings()) {
-    const std::string path = "/bearings/" + name + "/ball_loads";
-    if (!drop.has(path)) continue;
-    const auto balls = read_attribute_list(drop.directory() / "results.h5", path, "columns");
-    Json loads = Json::array();
-    double largest = 0., end = 0.;
-    for (std::size_t ball = 0; ball < balls.size(); ++ball) {
-      const TimeSeries s = drop.series(path, ball);
-      end = s.times.back();
-      const std::size_t n = s.values.size(), stride = (n + n_spans - 1) / n_spans;
-      std::vector<double> peaks;
-      for (std::size_t k = 0; k < n; k += stride)
-        peaks.push_back(*std::max_element(s.values.begin() + static_cast<std::ptrdiff_t>(k),
-                                          s.values.begin() + static_cast<std::ptrdiff_t>(std::min(k + stride, n))));
-      largest = std::max(largest, *std::max_element(peaks.begin(), peaks.end()));
-      loads.push_back(rounded(peaks, 1., 3));
-    }
-    if (!(largest > 0.)) continue;
-    all.push_back({{"name", name},
-                   {"end", 1e3 * end},
-                   {"largest", largest},
-                   {"balls_per_row", parameters.balls_per_row},
-                   {"loads", std::move(loads)}});
-  }
-  return all;
-}
-
-namespace {
-
-/// Shape of a bent inner ring: times [ms] and at each the coefficients of cos and sin [um]; null for rigid rings.
-Json ring_shape(const RecordedDrop& drop, const std::string& bearing) {
-  constexpr std::size_t n_frames = 1000;
-  const std::string path = "/bearings/" + bearing + "/inner_ring_shape";
-  if (!drop.has(path)) return nullptr;
-  Json shape = {{"time", Json::array()}, {"coefficients", Json::array()}};
-  const std::size_t n_columns = read_attribute_list(drop.directory() / "results.h5", path, "columns").size();
-  for (std::size_t column = 0; column < n_columns; ++column) {
-    const TimeSeries s = drop.series(path, column);
-    const std::size_t stride = (s.times.size() + n_frames - 1) / n_frames;
-    std::vector<double> times, values;
-    for (std::size_t k = 0; k < s.times.size(); k += stride) {
-      times.push_back(s.times[k]);
-      values.push_back(std::round(s.values[k] * 1e8) * 1e-8);  // to 0.01 um
-    }
-    if (column == 0) shape["time"] = rounded(times, 1e3, 6);
-    shape["coefficients"].push_back(rounded(values, 1e6, 4));
-  }
-  return shape;
-}
-
-/// Probes, drawn as the rotor in a bore that stands still.
-void add_probe_frames(const RecordedDrop& drop, std::size_t n_frames, Json& animation) {
-  animation["probes"] = Json::array();
-  for (const auto& [name, probe] : drop.parameters().rotor.probes) {
-    const std::string prefix = "/probes/" + name + "/";
-    if (!drop.has(prefix + "position")) continue;
-    const TimeSeries y = drop.series(prefix + "position", 0), z = drop.series(prefix + "position", 1),
-                     left = drop.series(prefix + "clearance"), spin = drop.series("/rotor/spin_angle");
-    const std::size_t n = std::min({y.times.size(), z.times.size(), left.times.size(), spin.times.size()});
-    const std::size_t stride = (n + n_frames - 1) / n_frames;
-    std::vector<double> times, at_y, at_z, clearance, angle;
-    for (std::size_t k = 0; k < n; k += stride) {
-      times.push_back(y.times[k]);
-      at_y.push_back(y.values[k] - probe.centre[0]);
-      at_z.push_back(z.values[k] - probe.centre[1]);
-      clearance.push_back(left.values[k]);
-      angle.push_back(std::fmod(spin.values[k], 2. * std::numbers::pi));
-    }
-    animation["probes"].push_back({{"name", name},
-                                   {"gap", 1e6 * probe.clearance},
-                                   {"time", rounded(times, 1e3, 6)},
-                                   {"y", rounded(at_y, 1e6)},
-                                   {"z", rounded(at_z, 1e6)},
-                                   {"clearance", rounded(clearance, 1e6, 4)},
-                                   {"rotor_angle", rounded(angle, 1., 3)}});
-  }
-}
-
-}  // namespace
-
-Json report_animation(const RecordedDrop& drop) {
-  constexpr std::size_t n_frames = 3000;
-  Json animation = {{"bearings", Json::array()}};
-  for (const auto& [name, parameters] : drop.bearings()) {
-    const std::string prefix = "/bearings/" + name + "/";
-    const TimeSeries y = drop.series(prefix + "orbit", 0), z = drop.series(prefix + "orbit", 1),
-                     ring_y = drop.series(prefix + "ring_position", 0),
-                     ring_z = drop.series(prefix + "ring_position", 1),
-                     penetration = drop.series(prefix + "penetration"), force = drop.series(prefix + "contact_force"),
-                     spin = drop.series("/rotor/spin_angle"), speed = drop.series(prefix + "ring_speed");
-    const TimeSeries angle = integral_of(speed);
-    const std::size_t n = std::min({y.times.size(), z.times.size(), penetration.times.size(), force.times.size(),
-                                    spin.times.size(), angle.times.size(), ring_y.times.size(), ring_z.times.size()});
-    const std::size_t stride = (n + n_frames - 1) / n_frames;
-    const auto frames = [&](const TimeSeries& s, double scale, int digits = 5) {
-      std::vector<double> values;
-      for (std::size_t k = 0; k < n; k += stride) values.push_back(s.values[k]);
-      return rounded(values, scale, digits);
-    };
-    const auto turned = [&](TimeSeries s) {
-      for (double& v : s.values) v = std::fmod(v, 2. * std::numbers::pi);
-      return frames(s, 1., 3);
-    };
-    std::vector<double> times;
-    for (std::size_t k = 0; k < n; k += stride) times.push_back(y.times[k]);
-    animation["bearings"].push_back({{"name", name},
-                                     {"gap", 1e6 * air_gap(parameters, drop.parameters().contact)},
-                                     {"time", rounded(times, 1e3, 6)},
-                                     {"y", frames(y, 1e6)},
-                                     {"z", frames(z, 1e6)},
-                                     {"ring_y", frames(ring_y, 1e6, 4)},
-                                     {"ring_z", frames(ring_z, 1e6, 4)},
-                                     {"penetration", frames(penetration, 1e6, 3)},
-                                     {"force", frames(force, 1e-3, 3)},
-                                     {"rotor_angle", turned(spin)},
-                                     {"ring_angle", turned(angle)}});
-    if (Json shape = ring_shape(drop, name); !shape.is_null()) animation["bearings"].back()["shape"] = std::move(shape);
-    if (!animation.contains("start")) animation["start"] = largest_of(force).time * 1e3;
-  }
-  add_probe_frames(drop, n_frames, animation);
-  return animation;
 }
 
 }  // namespace rotordrop

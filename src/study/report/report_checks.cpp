@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "analysis/drop_scalars.h"
 #include "analysis/statics/statics.h"
 #include "bearing/touchdown_parameters.h"
+#include "model/run_warning.h"
 #include "study/report/report.h"
 
 namespace rotordrop {
@@ -16,10 +18,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Up to here catalogue bearings' steel keeps its dimensions (stabilisation S0) [K].
-constexpr double steel_limit = 423.15;
-/// Energy not accounted for, over that dissipated: more says that the step or the tolerance is too coarse.
-constexpr double residual_limit = 1e-3;
+/// Temperature that a material stands [K]; NaN if it is not given.
+double temperature_limit(const RecordedDrop& drop, const std::string& material) {
+  const auto* found = find_material(drop.parameters(), material);
+  return found ? found->temperature_limit.value_or(std::nan("")) : std::nan("");
+}
 
 class Checks {
  public:
@@ -155,7 +158,8 @@ void check_balls(Checks& checks, const Json& summary, const std::string& name) {
 }
 
 /// The rubbed surfaces, by the replay of the moving band in summary.json.
-void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Json& summary, const std::string& name) {
+void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Json& summary, const std::string& name,
+                             const TouchdownParameters& b) {
   const std::string title = name + ": local temperature where rotor and bore rub",
                     key = "/bearings/" + name + "/local/";
   const double rise = at(summary, key + "bore_rise"), low = at(summary, key + "bore_rise_low"),
@@ -168,18 +172,22 @@ void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Jso
     checks.add(title, true, "rotor and bore never rub");
     return;
   }
-  const double ambient = drop.parameters().run.ambient;
-  const std::string verdict = ambient + rise >= steel_limit   ? "above"
-                              : ambient + high >= steel_limit ? "below, but the upper bound is above,"
-                                                              : "below";
+  const double ambient = drop.parameters().run.ambient, limit = temperature_limit(drop, b.ring);
+  if (!std::isfinite(limit)) {
+    checks.unknown(title, fmt::format("not assessed: materials.{} has no temperature_limit", b.ring));
+    return;
+  }
+  const std::string verdict = ambient + rise >= limit   ? "above"
+                              : ambient + high >= limit ? "below, but the upper bound is above,"
+                                                        : "below";
   const std::string text = fmt::format(
       "the bore reaches {:.0f} K at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving heat band, lasting some "
-      "milliseconds); {} the 423 K up to which bearing steel is dimensionally stable",
-      ambient + rise, time * 1e3, ambient + low, ambient + high, verdict);
-  if (ambient + rise < steel_limit && ambient + high >= steel_limit)
+      "milliseconds); {} the {:.0f} K up to which its material is dimensionally stable",
+      ambient + rise, time * 1e3, ambient + low, ambient + high, verdict, limit);
+  if (ambient + rise < limit && ambient + high >= limit)
     checks.uncertain(title, text);
   else
-    checks.add(title, ambient + rise < steel_limit, text);
+    checks.add(title, ambient + rise < limit, text);
 }
 
 void check_wear(Checks& checks, const Json& summary, const std::string& name) {
@@ -200,18 +208,22 @@ void check_wear(Checks& checks, const Json& summary, const std::string& name) {
                   bore * 1e6, at(summary, key + "rotor_depth") * 1e6, drops, at(summary, key + "depth_limit") * 1e6));
 }
 
-void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name) {
+void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name,
+                        const TouchdownParameters& b) {
   double warmest = 0.;
+  const double limit = temperature_limit(drop, b.ring);
   for (const char* node : {"inner_ring", "ball", "outer_ring"})
     for (const auto kind : {ThermalModelKind::lumped, ThermalModelKind::fe})
       if (const auto path = drop.node_path(kind, name, node); drop.has(path))
         warmest = std::max(warmest, largest_of(drop.series(path)).value);
   const std::string title = name + ": mean temperature of rings and balls";
-  if (warmest > 0.)
-    checks.add(
-        title, warmest < steel_limit,
-        fmt::format("up to {:.4g} K; bearing steel is dimensionally stable up to 423 K. Surfaces that rub are hotter",
-                    warmest));
+  if (warmest > 0. && std::isfinite(limit))
+    checks.add(title, warmest < limit,
+               fmt::format("up to {:.4g} K; rings of {} are dimensionally stable up to {:.0f} K. Surfaces that rub are "
+                           "hotter",
+                           warmest, b.ring, limit));
+  else if (warmest > 0.)
+    checks.unknown(title, fmt::format("not assessed: materials.{} has no temperature_limit", b.ring));
   else
     checks.unknown(title, "not assessed: no thermal model ran");
 }
@@ -263,6 +275,19 @@ void check_residual(Checks& checks, const Json& summary, const std::string& name
       fmt::format("{:.2g} J of {:.5g} J; more than 0.1 % would mean that the time steps are too coarse", r, all));
 }
 
+/// Warnings of the run that no check above is about.
+void add_warnings(Checks& checks, const Json& summary) {
+  static constexpr std::array checked = {
+      "gap-closed", "ball-load",      "ellipse-truncated", "centrifugal-force", "skidding",
+      "pivoting",   "backward-whirl", "support-travel",    "temperature",       "local-temperature",
+      "wear",       "probe-touched",  "energy-residual",   "heat-residual"};
+  if (!summary.contains("warnings")) return;
+  for (const auto& w : summary["warnings"]) {
+    const std::string code = w["code"].get<std::string>();
+    if (std::find(checked.begin(), checked.end(), code) == checked.end()) checks.add(code, false, w["text"]);
+  }
+}
+
 }  // namespace
 
 Json report_checks(const RecordedDrop& drop, const Json& summary) {
@@ -289,8 +314,8 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
       check_whirl(checks, summary, name);
       check_support(checks, summary, name);
     }
-    check_temperatures(checks, drop, name);
-    check_local_temperature(checks, drop, summary, name);
+    check_temperatures(checks, drop, name, b);
+    check_local_temperature(checks, drop, summary, name, b);
     check_wear(checks, summary, name);
   }
   check_probes(checks, drop, summary);
@@ -299,6 +324,7 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
     check_residual(checks, summary, "heat", "/energy/heat_residual", "/energy/heat_deposited");
     check_residual(checks, summary, "heat, finite elements", "/energy/fe_heat_residual", "/energy/heat_deposited");
     check_residual(checks, summary, "heat, windows", "/windows/heat_residual", "/windows/heat_input");
+    add_warnings(checks, summary);
   }
   return checks.take();
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "study/report/report.h"
+#include "study/result_names.h"
 
 namespace rotordrop {
 namespace {
@@ -88,6 +89,33 @@ void add_range(Rows& rows, std::size_t column, const TimeSeries& s, const std::s
 }
 
 }  // namespace
+
+Json report_acceptance(const Json& summary) {
+  const Json& all = summary["accepted"];
+  Json rows = Json::array();
+  for (const auto& l : summary["limits"]) {
+    const std::string unit = l["unit"].get<std::string>() == "1" ? "" : l["unit"].get<std::string>();
+    const ResultMeaning meaning = meaning_of(l["key"].get<std::string>());
+    const auto number = [&](const Json& value) {
+      return value.is_number() ? fmt::format("{:.4g} {}", value.get<double>(), unit) : std::string("—");
+    };
+    rows.push_back({{"key", l["key"]},
+                    {"meaning", meaning.long_name},
+                    {"value", number(l["value"])},
+                    {"limit", fmt::format("{} {}", l["kind"] == "max" ? "≤" : "≥", number(l["limit"]))},
+                    {"usage", l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : "—"},
+                    {"state", l["accepted"] == true    ? "ok"
+                              : l["accepted"] == false ? "warning"
+                                                       : "unknown"}});
+  }
+  return {{"verdict", all == true    ? "Accepted: all limits are met."
+                      : all == false ? "Rejected: a limit is exceeded."
+                                     : "Not accepted: not all limits could be assessed."},
+          {"state", all == true    ? "ok"
+                    : all == false ? "warning"
+                                   : "unknown"},
+          {"rows", rows}};
+}
 
 Json report_numbers(const RecordedDrop& drop, const Json& summary) {
   const auto bearings = drop.bearings();

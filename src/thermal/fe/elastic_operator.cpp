@@ -13,7 +13,6 @@
 namespace rotordrop {
 namespace {
 
-
 struct Lame {
   double lambda, mu, beta;
   explicit Lame(const ElasticBody& b)

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "model/thermo_elasticity.h"
-#include "thermal/fe/linear_solver.h"
 #include "thermal/fe/elastic_operator.h"
+#include "thermal/fe/solvers/linear_solver.h"
 
 namespace rotordrop {
 

@@ -5,9 +5,9 @@
 
 #include "model/heat_conduction.h"
 #include "thermal/fe/heat_operator.h"
-#include "thermal/fe/linear_solver.h"
-#include "thermal/fe/petsc_solver.h"
 #include "thermal/fe/reduction.h"
+#include "thermal/fe/solvers/linear_solver.h"
+#include "thermal/fe/solvers/petsc_solver.h"
 
 namespace rotordrop {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "thermal/fe/linear_solver.h"
 #include "thermal/fe/modal_responses.h"
+#include "thermal/fe/solvers/linear_solver.h"
 
 namespace rotordrop {
 namespace {
@@ -228,7 +228,8 @@ std::string worst_response(const HeatOperator& problem, const ResponseErrors& e)
 Reduction reduce_heat(const HeatOperator& problem, const ReductionSettings& settings) {
   for (const auto& law : problem.problem().convections)
     if (law.exponent != 0.)
-      throw SolverError("the heat conduction cannot be reduced: its convection is not a linear function of temperature.");
+      throw SolverError(
+          "the heat conduction cannot be reduced: its convection is not a linear function of temperature.");
   if (!problem.held().empty())
     throw SolverError("the heat conduction cannot be reduced: a boundary is held at a temperature.");
   for (const auto& body : problem.problem().bodies)

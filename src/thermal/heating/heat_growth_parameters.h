@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "model/thermo_elasticity.h"
 
 /// The keys of displacements in a case of heat conduction alone (`rotordrop heat`).

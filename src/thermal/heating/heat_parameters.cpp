@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "model/material_keys.h"
 #include "thermal/fe_parameters.h"
 
 namespace rotordrop {
@@ -27,29 +28,20 @@ Section<HeatRunParameters> run_section() {
 }
 
 Section<HeatMaterialParameters> material_section() {
-  using P = HeatMaterialParameters;
-  Section<P> s(
-      "material",
-      "A material of bodies. Of k and k_table one is needed (k_table counts if both are there), and so for c.");
-  s.quantity("rho", &P::rho, {.unit = "kg/m3", .range = between(1, 3e4), .help = "Density."});
-  s.quantity("k", &P::k, {.unit = "W/(m K)", .range = positive(), .help = "Thermal conductivity."});
-  s.quantity("c", &P::c, {.unit = "J/(kg K)", .range = positive(), .help = "Specific heat capacity."});
-  s.function("k_table", &P::k_table,
-             {.unit = "W/(m K)",
-              .argument_unit = "K",
-              .range = positive(),
-              .help = "Conductivity over temperature: linear between the pairs, constant outside."});
-  s.function("c_table", &P::c_table,
-             {.unit = "J/(kg K)",
-              .argument_unit = "K",
-              .range = positive(),
-              .help = "Specific heat capacity over temperature: linear between the pairs, constant outside."});
-  s.quantity("E", &P::E, {.unit = "Pa", .range = between(1e8, 2e12), .help = "Young's modulus, for displacements."});
-  s.quantity("nu", &P::nu, {.range = between(0, 0.499), .help = "Poisson's ratio, for displacements."});
-  s.quantity("alpha", &P::alpha,
-             {.unit = "1/K",
-              .range = between(-1e-3, 1e-3),
-              .help = "Linear thermal expansion coefficient, for displacements."});
+  Section<HeatMaterialParameters> s("material",
+                                    "A material of bodies. Of k and k_table one is needed (k_table counts if both are "
+                                    "there), and so for c. E, nu and "
+                                    "alpha are for displacements.");
+  add_material_keys(s, 1.);  // a gap of air may be a body
+  s.custom("temperature_limit",
+           {.unit = "K",
+            .accepts = "temperature in K, > 0",
+            .json_types = {"number", "string"},
+            .help = "Temperature that the material stands, of drops with the same materials; heat conduction does not "
+                    "use it."},
+           [](const Node& node, HeatMaterialParameters&, Faults& faults) {
+             read_quantity(node, {.unit = "K", .range = positive()}, "temperature_limit", faults);
+           });
   return s;
 }
 

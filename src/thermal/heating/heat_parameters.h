@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "model/heat_conduction.h"
 #include "model/thermo_elasticity.h"
 #include "thermal/heating/heat_growth_parameters.h"

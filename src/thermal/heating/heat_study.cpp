@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "base/parameters/suggestion.h"
+#include "thermal/heating/boundary_geometry.h"
 #include "thermal/heating/heat_parameters.h"
 
 // From the parameters of a case of heat alone to the problem that they state.
@@ -103,33 +103,11 @@ class StudyMaker {
     fault(list, i, key, "there is no boundary \"" + name + "\".", suggestion(name, names));
     return {};
   }
-  [[nodiscard]] std::array<double, 2> extent_along(const HeatBoundary& b) const {
-    const auto& body = study_.problem.bodies[b.body];
-    return b.side == HeatSide::left || b.side == HeatSide::right ? body.r : body.x;
-  }
-  [[nodiscard]] double line(const HeatBoundary& b) const {
-    const auto& body = study_.problem.bodies[b.body];
-    switch (b.side) {
-      case HeatSide::left:
-        return body.x[0];
-      case HeatSide::right:
-        return body.x[1];
-      case HeatSide::inner:
-        return body.r[0];
-      case HeatSide::outer:
-        return body.r[1];
-      case HeatSide::raceway:
-      case HeatSide::strip:
-        break;  // rectangles have none
-    }
-    return 0.;
-  }
-
   /// A boundary of which something is left for flux or convection.
   std::optional<HeatBoundary> exposed(const char* list, std::size_t i, const std::string& name) {
     const auto b = boundary(list, i, "boundary", name);
     if (!b) return {};
-    if (b->side == HeatSide::inner && line(*b) == 0.) {
+    if (b->side == HeatSide::inner && line(study_.problem, *b) == 0.) {
       fault(list, i, "boundary", "\"" + name + "\" is the axis, which has no area.");
       return {};
     }
@@ -137,40 +115,11 @@ class StudyMaker {
       fault(list, i, "boundary",
             "all of body \"" + study_.problem.bodies[b->body].name + "\" is held at a temperature.",
             "It takes what heat it needs: leave out this, or the rectangle's temperature.");
-    if (free_parts(*b).empty())
+    if (free_parts(study_.problem, *b).empty())
       fault(list, i, "boundary", "all of \"" + name + "\" is covered by interfaces.",
             "Flux, convection and fixed temperatures act on the part that is free.");
     return b;
   }
-  /// What interfaces leave of a boundary, from and to along it [m].
-  [[nodiscard]] std::vector<std::array<double, 2>> free_parts(const HeatBoundary& b) const {
-    const auto whole = extent_along(b);
-    std::vector<std::array<double, 2>> covered, parts;
-    for (const auto& interface : study_.problem.interfaces)
-      for (const auto* side : {&interface.first, &interface.second})
-        if (*side == b) covered.push_back(extent_along(side == &interface.first ? interface.second : interface.first));
-    std::sort(covered.begin(), covered.end());
-    covered.push_back({whole[1], whole[1]});
-    double reached = whole[0];
-    const double slack = 1e-6 * (whole[1] - whole[0]);
-    for (const auto& [from, to] : covered) {
-      const double end = std::min(from, whole[1]);
-      if (end > reached + slack) parts.push_back({reached, end});
-      reached = std::max(reached, to);
-    }
-    return parts;
-  }
-  /// Of the free part of a boundary [m2].
-  [[nodiscard]] double free_area(const HeatBoundary& b) const {
-    double area = 0.;
-    for (const auto& [from, to] : free_parts(b)) area += area_of(b, from, to);
-    return area;
-  }
-  [[nodiscard]] double area_of(const HeatBoundary& b, double from, double to) const {
-    const bool is_face = b.side == HeatSide::left || b.side == HeatSide::right;
-    return std::numbers::pi * (to - from) * (is_face ? to + from : 2. * line(b));
-  }
-
   /// Where a flux goes.
   struct HeatedArea {
     HeatFlux flux;
@@ -181,7 +130,7 @@ class StudyMaker {
     if (from.boundary) {
       const auto b = exposed("flux", i, *from.boundary);
       if (!b) return {};
-      return HeatedArea{{.boundary = *b, .times = {}, .values = {}}, free_area(*b)};
+      return HeatedArea{{.boundary = *b, .times = {}, .values = {}}, free_area(study_.problem, *b)};
     }
     const auto a = boundary("flux", i, "between", from.between[0]), b = boundary("flux", i, "between", from.between[1]);
     if (!a || !b) return {};
@@ -195,13 +144,13 @@ class StudyMaker {
             "Give one as [[interface]], with its contact resistance; heat into a free boundary takes boundary = ....");
       return {};
     }
-    const auto along_a = extent_along(*a), along_b = extent_along(*b);
+    const auto along_a = extent_along(study_.problem, *a), along_b = extent_along(study_.problem, *b);
     return HeatedArea{{.boundary = *a,
                        .times = {},
                        .values = {},
                        .second = *b,
                        .resistance_beyond = from.resistance_beyond.value_or(0.5)},
-                      area_of(*a, std::max(along_a[0], along_b[0]), std::min(along_a[1], along_b[1]))};
+                      area_of(study_.problem, *a, std::max(along_a[0], along_b[0]), std::min(along_a[1], along_b[1]))};
   }
 
   void add_flux(std::size_t i) {
@@ -254,12 +203,12 @@ class StudyMaker {
              (one == HeatSide::right && other == HeatSide::left) || (one == HeatSide::left && other == HeatSide::right);
     };
     const std::string both = "\"" + between[0] + "\" and \"" + between[1] + "\"";
-    const auto along_a = extent_along(*a), along_b = extent_along(*b);
+    const auto along_a = extent_along(study_.problem, *a), along_b = extent_along(study_.problem, *b);
     const double size = std::max(along_a[1] - along_a[0], along_b[1] - along_b[0]);
     if (a->body == b->body || !faces(a->side, b->side))
       fault(list, i, "between", both + " do not face each other.",
             "Join outer with inner, or right with left, of two bodies.");
-    else if (std::fabs(line(*a) - line(*b)) > 1e-9 * size)
+    else if (std::fabs(line(study_.problem, *a) - line(study_.problem, *b)) > 1e-9 * size)
       fault(list, i, "between", both + " do not lie on each other.",
             "The radii, or places x, of the two must be equal.");
     else if (std::min(along_a[1], along_b[1]) - std::max(along_a[0], along_b[0]) < 1e-6 * size)
@@ -280,7 +229,7 @@ class StudyMaker {
         fault(list, i, "name", "the name \"" + probe.name + "\" is taken.", "Choose another name.");
     if (from.boundary) {
       probe.boundary = boundary(list, i, "boundary", *from.boundary);
-      if (probe.boundary && probe.boundary->side == HeatSide::inner && line(*probe.boundary) == 0.)
+      if (probe.boundary && probe.boundary->side == HeatSide::inner && line(study_.problem, *probe.boundary) == 0.)
         fault(list, i, "boundary", "\"" + *from.boundary + "\" is the axis, which has no area.",
               "Give a point x, r = 0 instead.");
     } else {
@@ -376,24 +325,6 @@ class StudyMaker {
   Faults& faults_;
   HeatStudy study_;
 };
-
-/// A grid common to all bodies cannot show one that is far thinner than the whole.
-void check_proportions(const HeatConductionProblem& problem, const Node& tree, Faults& faults) {
-  constexpr double thinnest = 1e-6;  // of the whole; lines closer than 1e-9 of it are one
-  for (const auto side : {&HeatBody::x, &HeatBody::r}) {
-    double low = std::numeric_limits<double>::infinity(), high = -low, least = low;
-    for (const auto& body : problem.bodies) {
-      low = std::min(low, (body.*side)[0]);
-      high = std::max(high, (body.*side)[1]);
-      least = std::min(least, (body.*side)[1] - (body.*side)[0]);
-    }
-    if (least < thinnest * (high - low))
-      faults.add(position_of(tree, "section"),
-                 fmt::format("the section is {:.4g} m {}, but a body of it only {:.4g} m: no mesh can show both.",
-                             high - low, side == &HeatBody::x ? "long" : "high", least),
-                 "Check the units: a bare number is in metres.");
-  }
-}
 
 }  // namespace
 

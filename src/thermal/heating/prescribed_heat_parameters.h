@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "thermal/heating/heat_history.h"
 #include "thermal/heating/heat_parameters.h"
 #include "thermal/thermal_parameters.h"

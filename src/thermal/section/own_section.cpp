@@ -11,7 +11,7 @@
 #include <span>
 #include <utility>
 
-#include "base/parameters.h"
+#include "base/parameters/suggestion.h"
 
 namespace rotordrop {
 namespace {

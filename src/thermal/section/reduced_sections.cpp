@@ -5,101 +5,12 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "base/wide_vectors.h"
 #include "laws/heat/heat_flow.h"
+#include "thermal/section/modal_sums.h"
 
 namespace rotordrop {
+
 namespace {
-
-struct TwoSums {
-  double a, b;
-};
-
-// Weighted sums of y - zero; states are absolute temperatures.
-ROTORDROP_KERNEL TwoSums two_sums(const double* y, double zero, const double* a, const double* b, std::size_t n) {
-  double sum_a = 0., sum_b = 0.;
-#pragma omp simd reduction(+ : sum_a, sum_b)
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    sum_a += a[i] * z;
-    sum_b += b[i] * z;
-  }
-  return {sum_a, sum_b};
-}
-
-struct FiveSums {
-  double a, b, c, d, e;
-};
-ROTORDROP_KERNEL FiveSums five_sums(const double* y, double zero, const double* a, const double* b, const double* c,
-                                    const double* d, const double* e, std::size_t n) {
-  double sum_a = 0., sum_b = 0., sum_c = 0., sum_d = 0., sum_e = 0.;
-#pragma omp simd reduction(+ : sum_a, sum_b, sum_c, sum_d, sum_e)
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    sum_a += a[i] * z;
-    sum_b += b[i] * z;
-    sum_c += c[i] * z;
-    sum_d += d[i] * z;
-    sum_e += e[i] * z;
-  }
-  return {sum_a, sum_b, sum_c, sum_d, sum_e};
-}
-
-struct ThreeSums {
-  double a, b, c;
-};
-ROTORDROP_KERNEL ThreeSums three_sums(const double* y, double zero, const double* a, const double* b, const double* c,
-                                      std::size_t n) {
-  double sum_a = 0., sum_b = 0., sum_c = 0.;
-#pragma omp simd reduction(+ : sum_a, sum_b, sum_c)
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    sum_a += a[i] * z;
-    sum_b += b[i] * z;
-    sum_c += c[i] * z;
-  }
-  return {sum_a, sum_b, sum_c};
-}
-
-ROTORDROP_KERNEL void add_times(double factor, const double* row, double* to, std::size_t n) {
-#pragma omp simd
-  for (std::size_t i = 0; i < n; ++i) to[i] += factor * row[i];
-}
-
-struct Heats {
-  const double *bore, *shaft, *inner, *outer, *film;  // rows
-  double q_bore, q_shaft, q_inner, q_outer, q_film;   // [W]
-};
-ROTORDROP_KERNEL void modal_rates(const double* y, double zero, const double* rate, const Heats& h, double* dydt,
-                                  std::size_t n) {
-#pragma omp simd
-  for (std::size_t i = 0; i < n; ++i)
-    dydt[i] = -rate[i] * (y[i] - zero) + h.q_bore * h.bore[i] + h.q_shaft * h.shaft[i] + h.q_inner * h.inner[i] +
-              h.q_outer * h.outer[i] + h.q_film * h.film[i];
-}
-
-struct Range {
-  double lowest, highest;
-};
-/// Extremes over a surface's points. @param rises  scratch [n_points]
-ROTORDROP_KERNEL Range extremes(const double* y, double zero, std::size_t n, const double* by_mode,
-                                const double* at_once, double watts, double* rises, std::size_t n_points) {
-#pragma omp simd
-  for (std::size_t k = 0; k < n_points; ++k) rises[k] = at_once[k] * watts;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    const double* shape = by_mode + i * n_points;
-#pragma omp simd
-    for (std::size_t k = 0; k < n_points; ++k) rises[k] += shape[k] * z;
-  }
-  double lowest = rises[0], highest = rises[0];
-#pragma omp simd reduction(min : lowest) reduction(max : highest)
-  for (std::size_t k = 0; k < n_points; ++k) {
-    lowest = rises[k] < lowest ? rises[k] : lowest;
-    highest = rises[k] > highest ? rises[k] : highest;
-  }
-  return {lowest, highest};
-}
 
 double sum(const std::vector<double>& shape, const double* y, double zero) {
   double s = 0.;
@@ -236,10 +147,10 @@ void ReducedSections::add_growth(std::size_t k, std::span<const double> values, 
   const Place& p = places_[k];
   const double* y = values.data() + p.first;
   const auto& g = p.growth;
-  const auto u = wide<five_sums>(y, zero, g[0].data(), g[1].data(), g[2].data(), g[3].data(), g[4].data(), p.n);
+  const auto u = five_sums(y, zero, g[0].data(), g[1].data(), g[2].data(), g[3].data(), g[4].data(), p.n);
   out = {.shaft = u.a, .bore = u.b, .inner_race = u.c, .outer_race = u.d, .ball = u.e};
   if (!p.has_widths) return;
-  const auto widths = wide<two_sums>(y, zero, g[5].data(), g[6].data(), p.n);
+  const auto widths = two_sums(y, zero, g[5].data(), g[6].data(), p.n);
   out.inner_width = widths.a;
   out.outer_width = widths.b;
 }
@@ -253,14 +164,14 @@ void ReducedSections::growth_rates(std::span<const double> rate, std::span<Expan
 }
 
 ContactHeat ReducedSections::rolling_heat(const Place& p, const double* y, const HeatInput& heat) const {
-  const auto rise = wide<three_sums>(y, ambient_, p.inner_strip.data(), p.outer_strip.data(), p.balls.data(), p.n);
+  const auto rise = three_sums(y, ambient_, p.inner_strip.data(), p.outer_strip.data(), p.balls.data(), p.n);
   return contact_heat(heat.balls, rise.a + p.inner_at_once * heat.inner, rise.b + p.outer_at_once * heat.outer, rise.c,
                       p.inner_at_once, 0., p.outer_at_once);
 }
 
 ContactHeat ReducedSections::rolling_heat(const Place& p, const Place::Row& row, const double* y,
                                           const RowHeat& heat) const {
-  const auto rise = wide<three_sums>(y, ambient_, row.inner_strip.data(), row.outer_strip.data(), p.balls.data(), p.n);
+  const auto rise = three_sums(y, ambient_, row.inner_strip.data(), row.outer_strip.data(), p.balls.data(), p.n);
   return contact_heat(heat.balls, rise.a + row.inner_at_once * heat.inner, rise.b + row.outer_at_once * heat.outer,
                       rise.c, row.inner_at_once, 0., row.outer_at_once);
 }
@@ -277,11 +188,11 @@ double ReducedSections::heat_rows(std::size_t k, const double* y, const HeatInpu
       q_outer += q.outer;
       from_balls += q.from_balls();
     }
-    wide<add_times>(q_inner, row.inner_input.data(), dydt, p.n);
-    wide<add_times>(q_outer, row.outer_input.data(), dydt, p.n);
+    add_times(q_inner, row.inner_input.data(), dydt, p.n);
+    add_times(q_outer, row.outer_input.data(), dydt, p.n);
     lost += row.inner_lost * q_inner + row.outer_lost * q_outer;
   }
-  if (sections_[k].balls_roll) wide<add_times>(-from_balls, p.ball_input.data(), dydt, p.n);
+  if (sections_[k].balls_roll) add_times(-from_balls, p.ball_input.data(), dydt, p.n);
   return lost - p.lost.balls * from_balls;
 }
 
@@ -291,12 +202,12 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const Place& p = places_[k];
     const double* y = state.data() + p.first;
-    const auto [housing_rise, linear_loss] = wide<two_sums>(y, ambient_, p.film.data(), p.loss.data(), p.n);
+    const auto [housing_rise, linear_loss] = two_sums(y, ambient_, p.film.data(), p.loss.data(), p.n);
     // Eq. (16) with the mean rise of the housing's surface.
     const double film_loss = housing_convection(housing_rise) * p.film_area * housing_rise;
     double q_bore = heat[k].rub_into_ring, q_shaft = heat[k].rub - q_bore;
     if (const auto& link = sections_[k].contact_link) {
-      const auto [bore, shaft] = wide<two_sums>(y, ambient_, p.bore.data(), p.shaft_surface.data(), p.n);
+      const auto [bore, shaft] = two_sums(y, ambient_, p.bore.data(), p.shaft_surface.data(), p.n);
       const double q = (bore - shaft) / (heat[k].is_in_contact ? link->touching : link->apart);
       q_bore -= q;
       q_shaft += q;
@@ -309,14 +220,14 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
       q_outer += q.outer;
       from_balls = q.from_balls();
     }
-    wide<modal_rates>(y, ambient_, p.rate.data(),
-                      {p.bore_input.data(), p.shaft_input.data(), p.inner_input.data(), p.outer_input.data(),
-                       p.film_input.data(), q_bore, q_shaft, q_inner, q_outer, -film_loss},
-                      dydt.data() + p.first, p.n);
+    modal_rates(y, ambient_, p.rate.data(),
+                {p.bore_input.data(), p.shaft_input.data(), p.inner_input.data(), p.outer_input.data(),
+                 p.film_input.data(), q_bore, q_shaft, q_inner, q_outer, -film_loss},
+                dydt.data() + p.first, p.n);
     if (is_apart)
       lost += heat_rows(k, y, heat[k], dydt.data() + p.first);
     else if (sections_[k].balls_roll)
-      wide<add_times>(-from_balls, p.ball_input.data(), dydt.data() + p.first, p.n);
+      add_times(-from_balls, p.ball_input.data(), dydt.data() + p.first, p.n);
     lost += linear_loss + film_loss;
     lost += p.lost.bore * q_bore + p.lost.shaft * q_shaft + p.lost.inner * q_inner + p.lost.outer * q_outer -
             p.lost.film * film_loss - p.lost.balls * from_balls;
@@ -370,8 +281,8 @@ double* ReducedSections::observe_surfaces(std::size_t k, const double* y, const 
   for (std::size_t i = 0; i < p.surface_ports.size(); ++i) {
     const auto& port = of.ports[p.surface_ports[i]];
     const auto& surface = p.surfaces[i];
-    const Range range = wide<extremes>(y, ambient_, p.n, surface.by_mode.data(), surface.at_once.data(), watts[i],
-                                       rises.data(), surface.at_once.size());
+    const RiseRange range = extremes(y, ambient_, p.n, surface.by_mode.data(), surface.at_once.data(), watts[i],
+                                     rises.data(), surface.at_once.size());
     out[3 * i] = ambient_ + sum(port.shape, y, ambient_) + port.at_once * watts[i];
     out[3 * i + 1] = ambient_ + range.lowest;
     out[3 * i + 2] = ambient_ + range.highest;

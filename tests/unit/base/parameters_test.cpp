@@ -1,4 +1,7 @@
-#include "base/parameters.h"
+#include "base/parameters/section.h"
+#include "base/parameters/suggestion.h"
+#include "base/parameters/value_reader.h"
+#include "base/parameters/wording.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -343,9 +346,25 @@ TEST(Parameters, ACheckWaitsUntilItsValuesAreSound) {
   EXPECT_THAT(faults_of(ring_section(), Node::table({{"typo", 1}})), HasSubstr("not larger"));
 }
 
+TEST(Parameters, DeclareWhatIsUsualBesideWhatIsAllowed) {
+  Section<Ring> s("ring");
+  s.quantity("outer", &Ring::outer,
+             {.unit = "m", .range = positive(), .usual = between(5e-5, 1e-3), .fallback = "250 um"});
+  const auto declared = s.erased();
+  EXPECT_EQ(type_text(*declared->find("outer")), "length in m, > 0; usually between 5e-05 and 0.001");
+  // Outside is no fault; who warns of it looks at the declaration.
+  Faults faults;
+  EXPECT_EQ(s.read(Node::table({{"outer", 0.5}}), faults).outer, 0.5);
+  EXPECT_TRUE(faults.empty());
+  EXPECT_FALSE(declared->find("outer")->usual.contains(0.5));
+}
+
 TEST(Parameters, FaultyDeclarationsAreOurMistake) {
   Section<Ring> s("ring");
   EXPECT_THROW(s.quantity("outer", &Ring::outer, {.unit = "m", .fallback = "5 s"}), std::logic_error);
+  EXPECT_THROW(s.quantity("outer", &Ring::outer, {.unit = "m", .usual = between(0, 1), .fallback = "5 m"}),
+               std::logic_error)
+      << "an unusual default";
   EXPECT_THROW(s.quantity("outer", &Ring::outer, {.unit = "m", .range = positive(), .fallback = "-1"}),
                std::logic_error);
   EXPECT_THROW(s.quantity("outer", &Ring::outer, {.unit = "mm/furlong x"}), std::logic_error);

@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 
 #include "../../verification/bearing/test_bearings.h"
-#include "bearing/touchdown_parameters.h"
+#include "bearing/touchdown_data.h"
 
 namespace rotordrop {
 namespace {

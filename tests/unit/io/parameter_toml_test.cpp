@@ -82,7 +82,7 @@ TEST(Toml, ASyntaxErrorIsReportedWithItsPlace) {
               AllOf(HasSubstr("error: case.toml:2:5: "), HasSubstr("not valid TOML")));
   EXPECT_THAT(error_of([] { parse_toml("a = 1\na = 2\n", "case.toml"); }), HasSubstr("error: case.toml:2:"));
   EXPECT_THAT(error_of([] { parse_toml("a = 15200 rpm\n", "case.toml"); }),
-              AllOf(HasSubstr("error: case.toml:1:"), HasSubstr("in quotes: \"15200 rpm\"")));
+              AllOf(HasSubstr("error: case.toml:1:"), HasSubstr("Write it as: a = \"15200 rpm\"")));
 }
 
 TEST(Toml, DatesAreRefused) {

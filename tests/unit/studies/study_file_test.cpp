@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "study/many/answers/result_names.h"
+#include "study/result_names.h"
 #include "study_inputs.h"
 
 using namespace rotordrop;

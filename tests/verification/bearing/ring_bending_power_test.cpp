@@ -2,6 +2,9 @@
 //
 // POWER. dU/dt along the state's rates, the journal's velocity and the growth's rate is work of the rotor less heat and dissipation, plus prescribed work
 // and work of growth, as in touchdown_power_test.cpp; now U has the shapes' kinetic and elastic energy, and the contact's energy over the arc.
+// Over an arc U is a sum over points, each with an energy of about delta^1.61 (n + 1/2 of F = K delta^(10/9)): its second derivative is infinite where a point
+// comes to touch. A point that does so within the differences' reach, 4 h to both sides, leaves an error of about f (v h)^1.61 / h: at h = 0.5 us that is up to
+// 1e-3 of the power, whatever the friction; it falls with h^0.61 for each point and with h for the number of points reached. At 1 ns roundoff is left.
 // MOMENTUM. Shapes with n >= 2 have none: ring and support still change theirs by the rotor's force, weight, springs and dampers alone.
 // TURNING. With everything turned by an angle phi (whole steps of the arc's points), a_n + i b_n turns by n phi, and so do the forces.
 // RIGID. With straight shapes the forces are those of rigid rings: exactly at a point, nearly over an arc.
@@ -53,6 +56,7 @@ Instant random_instant(const TB& bearing, std::mt19937& random, bool in_contact)
   y[TB::ring_angle] = 20 * one(random);
   y[TB::cage_angle] = 20 * one(random);
   y[TB::ring_spin] = 1500 * one(random);
+  for (std::size_t k = 0; k < bearing.n_bristles(); ++k) y[bearing.bristles_at() + k] = 1 * um * one(random);
   const std::size_t at = bearing.shapes_at(), n = bearing.n_shapes();
   for (std::size_t k = 0; k < n; ++k) {
     const double order = 2. + static_cast<double>(k % bearing.data().bending->n_inner() / 2);
@@ -94,7 +98,16 @@ std::vector<TouchdownBearingData> bent_bearings() {
   e.bending->model = RingBendingModel::point;
   e.bore_waves.clear();
   for (auto& r : e.rows) r.inner_gyroscopic_share = 0.5;
-  return {a, b, c, d, e};
+  auto f = a;
+  f.name = "deep groove, arc, sticking";
+  f.sticking = StickingFriction{1e8, 2e-3};
+  auto g = d;
+  g.name = "X pair, balls with inertia, free ring, arc, sticking";
+  g.sticking = f.sticking;
+  auto h = b;
+  h.name = "X pair, point, sticking";
+  h.sticking = f.sticking;
+  return {a, b, c, d, e, f, g, h};
 }
 
 struct Evaluated {
@@ -112,7 +125,9 @@ TEST(BentTouchdownBearing, FindsEveryWattOfItsPowerBalance) {
   for (const auto& data : bent_bearings()) {
     const TB bearing(data);
     double worst = 0., largest_loss = 0.;
-    for (int i = 0; i < 40; ++i) {
+    // Over an arc so short that hardly a point comes to touch within it; else roundoff is less.
+    const double step = data.bending->model == RingBendingModel::arc ? 1e-9 : 5e-7;
+    for (int i = 0; i < 200; ++i) {
       const auto s = random_instant(bearing, random, i % 3 != 0);
       const auto e = evaluate(bearing, s);
       ASSERT_EQ(e.out.heat.is_in_contact, i % 3 != 0) << data.name;
@@ -121,15 +136,15 @@ TEST(BentTouchdownBearing, FindsEveryWattOfItsPowerBalance) {
                           e.out.force_on_rotor.torque * s.in.rotor_spin.speed;
       const double taken = e.out.heat.rub + e.out.heat.inner + e.out.heat.outer + e.out.other_dissipation;
       const double given = e.out.prescribed_work + e.out.energy_gradient.dot(s.growth_rate);
-      const double dU = energy_rate(bearing, s, e.rates, 5e-7);
+      const double dU = energy_rate(bearing, s, e.rates, step);
       const double scale = std::max({std::fabs(work), std::fabs(dU), std::fabs(taken), 1e3});
       worst = std::max(worst, std::fabs(dU - work + taken - given) / scale);
-      largest_loss = std::max(largest_loss, e.ledger[TB::ring_bending_damping]);
-      EXPECT_GE(e.ledger[TB::ring_bending_damping], 0.);
+      largest_loss = std::max(largest_loss, e.ledger[TB::first_optional_ledger]);
+      EXPECT_GE(e.ledger[TB::first_optional_ledger], 0.);
     }
     EXPECT_GT(largest_loss, 1.) << "W: the shapes move";
-    // The numerical derivative; over an arc points enter the overlap with an infinite second derivative.
-    EXPECT_LT(worst, 5e-5) << data.name;
+    // The energy's roundoff, 1e-13 J of some hundred joules, over the step; 4e-7 in 2000 instants.
+    EXPECT_LT(worst, 2e-6) << data.name;
   }
 }
 

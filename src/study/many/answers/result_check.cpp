@@ -4,32 +4,10 @@
 
 #include <algorithm>
 
-#include "study/many/answers/result_names.h"
+#include "study/result_limits.h"
+#include "study/result_names.h"
 
 namespace rotordrop {
-namespace {
-
-std::string advice_for(const std::string& name, const std::vector<std::string>& names) {
-  const std::string guess = closest_name(name, names);
-  return (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-         "Names are those of summary.json (docs/reference/results.md), such as bearings.TB1.peak_contact_force; * "
-         "stands for any "
-         "text without a dot.";
-}
-
-std::optional<double> bound(const Study& study, const Limit& limit, const std::string& name, const std::string& text,
-                            Faults& faults) {
-  if (text.empty()) return {};
-  const std::string unit = unit_of_result(study, name);
-  auto kind = kind_of(unit.empty() ? "1" : unit);
-  if (kind == QuantityKind::temperature) kind = QuantityKind::temperature_difference;  // results are rises
-  const auto value = convert_to_si(text, unit.empty() ? "1" : unit, kind, "limits." + name);
-  if (value) return value.value;
-  faults.add(limit.where, value.error + ".", value.advice);
-  return {};
-}
-
-}  // namespace
 
 std::string unit_of_result(const Study& study, const std::string& name) {
   for (const auto& derived : study.derived)
@@ -62,37 +40,23 @@ void resolve_results(Study& study, const std::vector<std::string>& names) {
   for (const auto& pattern : study.keep_results)
     if (std::none_of(names.begin(), names.end(), [&](const auto& name) { return fits(name, pattern); }))
       faults.add({study.file.string(), 0, 0}, fmt::format("keep.results: no result is called \"{}\".", pattern),
-                 advice_for(pattern, names));
+                 advice_on_result(pattern, names));
   if (study.choice && !is_known(study.choice->result))
     faults.add(study.choice->where,
                fmt::format("choose.result = \"{}\": no result is called so.", study.choice->result),
-               advice_for(study.choice->result, names));
+               advice_on_result(study.choice->result, names));
   for (const auto& name : study.surrogate_results)
     if (!is_known(name))
       faults.add({study.file.string(), 0, 0}, fmt::format("surrogate.results: no result is called \"{}\".", name),
-                 advice_for(name, names));
+                 advice_on_result(name, names));
   if (study.minimise && !is_known(study.minimise->result))
     faults.add({study.file.string(), 0, 0},
                fmt::format("minimise.result = \"{}\": no result is called so.", study.minimise->result),
-               advice_for(study.minimise->result, names));
-  std::vector<Limit> resolved;
-  for (const auto& limit : study.limits) {
-    const std::size_t before = resolved.size();
-    for (const auto& name : names) {
-      if (!fits(name, limit.pattern)) continue;
-      Limit one = limit;
-      one.pattern = name;
-      one.max = bound(study, limit, name, limit.max_text, faults);
-      one.min = bound(study, limit, name, limit.min_text, faults);
-      resolved.push_back(std::move(one));
-    }
-    if (resolved.size() == before)
-      faults.add(limit.where,
-                 fmt::format("limits.{}: no result is called so, so the limit is on nothing.", limit.pattern),
-                 advice_for(limit.pattern, names));
-  }
+               advice_on_result(study.minimise->result, names));
+  auto limits = resolved_limits(
+      study.limits, names, [&](const std::string& name) { return unit_of_result(study, name); }, faults);
   faults.throw_if_any();
-  study.limits = std::move(resolved);
+  study.limits = std::move(limits);
 }
 
 }  // namespace rotordrop

@@ -1,5 +1,5 @@
 #pragma once
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 #include "study/compare/measured.h"
 
 namespace rotordrop {

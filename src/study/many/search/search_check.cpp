@@ -113,7 +113,7 @@ void read_search(Study& study, const Node& tree, Faults& faults) {
   if (!study.limits.empty() && !takes_limits(study.minimise->method))
     faults.add(position_of_value(*tree.find("minimise"), "method"),
                fmt::format("minimise.method = \"{}\" takes no limits.", name_of(study.minimise->method)),
-               "Choose cobyla or isres, or remove [limits].");
+               "Choose cobyla or isres, or remove [limits], here and in the case.");
   if (study.minimise->method == MinimiseMethod::bobyqa && study.searched.size() == 1)
     faults.add(position_of_value(*tree.find("minimise"), "method"),
                "minimise.method = \"bobyqa\" needs two parameters at least.", "Choose cobyla or subplex.");

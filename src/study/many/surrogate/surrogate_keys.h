@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/node.h"
-#include "base/parameters.h"
+#include "base/parameters/section.h"
 
 namespace rotordrop {
 

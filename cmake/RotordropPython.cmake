@@ -1,0 +1,20 @@
+# Whether the Python package is built: option ROTORDROP_PYTHON, by default if pybind11 and Python's headers are there. Debian's own Python is
+# taken unless -DPython3_EXECUTABLE names another. Not with sanitizers, which Python itself would have to be run with.
+if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
+set(default OFF)
+if(NOT ROTORDROP_SANITIZE AND NOT ROTORDROP_FUZZ)
+  find_package(Python3 3.11 QUIET COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 2.10 QUIET)
+  if(Python3_FOUND AND pybind11_FOUND)
+    set(default ON)
+  endif()
+endif()
+option(ROTORDROP_PYTHON "Build the Python package" ${default})
+if(ROTORDROP_PYTHON)
+  find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 2.10 REQUIRED)
+else()
+  add_custom_target(rotordrop_python)  # for scripts that build it if it can be built
+endif()

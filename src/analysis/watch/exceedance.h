@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace rotordrop {
+
+/// How often, how far and for how long a quantity is above its limit, from instant to instant.
+struct Exceedance {
+  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  double count = 0;                                         ///< times that it rises above, one at the start included
+  double worst = -std::numeric_limits<double>::infinity();  ///< largest value
+  double time = never;                                      ///< of it [s]
+  double first_time = never;                                ///< above [s]
+  double duration = 0;                                      ///< between instants that are both above [s]
+  /// @returns whether it is above now
+  bool follow(double t, double value, double limit) {
+    const bool is_above = value > limit;
+    if (is_above) {
+      if (was_above_ == 0.) ++count;
+      if (was_above_ != 0.) duration += t - last_time_;
+      if (std::isnan(first_time)) first_time = t;
+      if (value > worst) {
+        worst = value;
+        time = t;
+      }
+      last_time_ = t;
+    }
+    was_above_ = is_above ? 1. : 0.;
+    return is_above;
+  }
+  /// All that decides about what follows.
+  [[nodiscard]] auto numbers() {
+    return std::array{&count, &worst, &time, &first_time, &duration, &last_time_, &was_above_};
+  }
+
+ private:
+  double last_time_ = never, was_above_ = 0.;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,272 @@
+#include "analysis/watch/run_guards.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "base/errors.h"
+#include "bearing/statics/bearing_statics.h"
+#include "bearing/touchdown_bearing.h"
+
+namespace rotordrop {
+namespace {
+
+/// Steps at the start of a run, and after a resumption, grow from what the method guesses first.
+constexpr double steps_left_out = 20;
+
+/// Parts of "/thermal/TB1/inner_ring".
+struct TemperaturePath {
+  std::string model, bearing, part;
+};
+TemperaturePath parts_of(const std::string& path) {
+  const auto second = path.find('/', 1);
+  const auto third = second == std::string::npos ? second : path.find('/', second + 1);
+  if (third == std::string::npos) return {};
+  TemperaturePath p{path.substr(1, second - 1), path.substr(second + 1, third - second - 1), path.substr(third + 1)};
+  std::replace(p.part.begin(), p.part.end(), '_', ' ');
+  return p;
+}
+
+/// Parts of a bearing whose material must keep its dimensions and hardness.
+bool is_of_bearing(const std::string& part) {
+  for (const std::string_view name : {"inner ring", "outer ring", "ball", "bore", "inner raceway", "outer raceway"})
+    if (part.starts_with(name)) return true;
+  return false;
+}
+
+/// Names in checkpoints have no empty parts: "guards/ball-load/TB1/row 1", "guards/step-collapse".
+std::string key_of(const std::string& name) {
+  std::string key;
+  for (const char c : name)
+    if (c != '/' || (!key.empty() && key.back() != '/')) key += c;
+  while (key.ends_with('/')) key.pop_back();
+  return key;
+}
+
+bool is_fatal(const MachineParameters& p, std::string_view code) {
+  const auto& fatal = p.run.fatal_warnings;
+  return std::any_of(fatal.begin(), fatal.end(), [&](const auto& named) { return named == code || named == "all"; });
+}
+
+}  // namespace
+
+RunGuards::RunGuards(const Machine& machine, const MachineParameters& p, const IntegrationParameters& integration)
+    : parameters_(p), rows_(*this), shortest_step_(1e-3 * step_or_bound(integration)) {
+  step_guard_ = add("step-collapse", "", "", shortest_step_, -1.);
+  look_at_bearings(machine, p);
+  look_at_supports_and_probes(machine, p);
+  const std::size_t n_step = observed_size(machine.step_observables());
+  look_at_temperatures(machine.state_observables(), n_step, rows_);
+  look_at_balances(machine, n_step);
+}
+
+std::size_t RunGuards::add(const char* code, const std::string& place, const std::string& part, double limit,
+                           double sign) {
+  const WarningKind* kind = find_warning_kind(code);
+  if (!kind || !kind->is_guarded) throw std::logic_error(std::string("no guard is called ") + code);
+  guards_.push_back({kind, place, part, limit, is_fatal(parameters_, code), sign});
+  return guards_.size() - 1;
+}
+
+void RunGuards::look_at_bearings(const Machine& machine, const MachineParameters& p) {
+  const auto& list = machine.step_observables();
+  for (const auto& pressure : columns_of(list, Observed::contact_pressure))
+    for (std::size_t row = 0; row < pressure.size; ++row)
+      steps_.push_back({add("ball-load", pressure.place, fmt::format("row {}", row + 1), static_pressure_limit),
+                        pressure.first + row});
+  for (const auto& truncation : columns_of(list, Observed::ellipse_truncation))
+    for (std::size_t row = 0; row < truncation.size; ++row)
+      steps_.push_back(
+          {add("ellipse-truncated", truncation.place, fmt::format("row {}", row + 1), 0.), truncation.first + row});
+  for (const auto& clearance : columns_of(list, Observed::clearance))
+    steps_.push_back({add("gap-closed", clearance.place, "", 0., -1.), clearance.first});
+  for (const auto& penetration : columns_of(list, Observed::penetration))
+    for (const auto& entry : p.bearings)
+      if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == penetration.place)
+        steps_.push_back({add("penetration", entry.name, "", penetration_limit * air_gap(*touchdown, p.contact)),
+                          penetration.first});
+}
+
+void RunGuards::look_at_supports_and_probes(const Machine& machine, const MachineParameters& p) {
+  std::size_t at = 0;
+  for (const auto& o : machine.step_observables()) {
+    for (const auto& entry : p.bearings)
+      if (const auto* b = entry.touchdown();
+          b && b->support.travel_limit && o.name == "/bearings/" + entry.name + "/support_position")
+        steps_.push_back({add("support-travel", entry.name, "", *b->support.travel_limit), at, 2, true});
+    for (const Probe& probe : machine.probes())
+      if (o.name == "/probes/" + probe.name + "/clearance")
+        steps_.push_back({add("probe-touched", probe.name, "", 0., -1.), at});
+    at += o.size;
+  }
+}
+
+void RunGuards::look_at_temperatures(const std::vector<Observable>& observables, std::size_t first, Rows& rows) {
+  for (const auto& o : observables) {
+    if (o.kind == Observed::housing_fit_open)
+      rows.looks.push_back({add("fit-open", o.place, "", 0.), first});
+    else if (const auto path = parts_of(o.name); o.unit == "K" && is_of_bearing(path.part))
+      for (const auto& entry : parameters_.bearings)
+        if (const auto* b = entry.touchdown(); b && entry.name == path.bearing)
+          if (const auto* material = find_material(parameters_, path.part.starts_with("ball") ? b->ball : b->ring);
+              material && material->temperature_limit)
+            rows.looks.push_back({add("temperature", entry.name,
+                                      fmt::format("{} ({})", path.part,
+                                                  path.model == "thermal"                         ? "lumped"
+                                                  : path.model == "fe" || path.model == "windows" ? "finite elements"
+                                                                                                  : path.model),
+                                      *material->temperature_limit),
+                                  first, o.size});
+    first += o.size;
+  }
+}
+
+void RunGuards::look_at_balances(const Machine& machine, std::size_t first) {
+  Rows::Balance mechanical{add("energy-residual", "", "", residual_limit), 0, {}};
+  std::optional<std::size_t> deposited;
+  std::vector<std::pair<std::string, std::size_t>> heats;
+  for (const auto& o : machine.state_observables()) {
+    if (o.kind == Observed::energy_residual) mechanical.residual = first;
+    if (o.kind == Observed::energy_moved) mechanical.moved.push_back(first);
+    if (o.kind == Observed::heat_deposited) deposited = first;
+    if (o.kind == Observed::heat_residual) heats.emplace_back(o.place, first);
+    first += o.size;
+  }
+  rows_.balances.push_back(std::move(mechanical));
+  for (const auto& [model, column] : heats)
+    if (deposited) rows_.balances.push_back({add("heat-residual", "", model, residual_limit), column, {*deposited}});
+  // At first next to nothing is moved: a fall through the air gap counts at least.
+  const double weight = rigid_body(parameters_.rotor.geometry).mass *
+                        std::hypot(parameters_.run.gravity[0], parameters_.run.gravity[1], parameters_.run.gravity[2]);
+  least_energy_ = std::max(1e-3, weight * parameters_.contact.air_gap);
+}
+
+RowSink& RunGuards::windows(const std::vector<Observable>& observables) {
+  Rows& rows = windows_.emplace_back(*this);
+  look_at_temperatures(observables, 0, rows);
+  return rows;
+}
+
+void RunGuards::follow(std::size_t index, double time, double value) {
+  Guard& guard = guards_[index];
+  if (!guard.seen.follow(time, guard.sign * value, guard.sign * guard.limit) || !guard.is_fatal) return;
+  throw SolverError(fmt::format("run.fatal_warnings: {}{}{} at t = {:.6g} ms: {:.4g}, limit {:.4g} {}. It counts {}.",
+                                guard.kind->code, guard.place.empty() ? "" : " of " + guard.place,
+                                guard.part.empty() ? "" : ", " + guard.part, time * 1e3, value, guard.limit,
+                                guard.kind->unit, guard.kind->meaning));
+}
+
+void RunGuards::follow(std::span<const Look> looks, double time, std::span<const double> values) {
+  for (const Look& look : looks) {
+    double value = values[look.first];
+    if (look.is_vector)
+      value = std::hypot(value, values[look.first + 1]);
+    else
+      for (std::size_t k = 1; k < look.size; ++k) value = std::max(value, values[look.first + k]);
+    follow(look.guard, time, value);
+  }
+}
+
+void RunGuards::step(const Step& step) {
+  if (step.is_observed) follow(steps_, step.time, step.found->step);
+  if (step.time == step.start) return;
+  if (++n_steps_ > steps_left_out && !step.is_last) follow(step_guard_, step.time, step.time - step.start);
+}
+
+void RunGuards::Rows::row(double time, std::span<const double> values) {
+  guards_.follow(looks, time, values);
+  for (const Balance& balance : balances) {
+    double moved = 0.;
+    for (const std::size_t column : balance.moved) moved += std::fabs(values[column]);
+    guards_.follow(balance.guard, time, std::fabs(values[balance.residual]) / std::max(moved, guards_.least_energy_));
+  }
+}
+
+void RunGuards::pack(PackedValues& to) const {
+  for (const Guard& guard : guards_) {
+    Exceedance seen = guard.seen;
+    auto& values = to[key_of(guard.name())];
+    for (const double* x : seen.numbers()) values.push_back(*x);
+  }
+}
+
+void RunGuards::unpack(const PackedValues& from) {
+  for (Guard& guard : guards_) {
+    const auto& values = from.at(key_of(guard.name()));
+    const auto numbers = guard.seen.numbers();
+    if (values.size() != numbers.size()) throw std::invalid_argument("guards of another kind");
+    for (std::size_t k = 0; k < values.size(); ++k) *numbers[k] = values[k];
+  }
+}
+
+std::vector<RunWarning> RunGuards::found(const DropScalars& scalars) const {
+  std::vector<RunWarning> list;
+  for (const Guard& guard : guards_) {
+    RunWarning w{guard.kind,
+                 guard.place,
+                 guard.part,
+                 static_cast<long>(guard.seen.count),
+                 guard.sign * guard.seen.worst,
+                 guard.limit,
+                 guard.seen.time,
+                 guard.seen.first_time,
+                 guard.seen.duration};
+    if (guard.kind->code == std::string_view("ball-load"))  // peaks between steps by a parabola, as in the summary
+      for (std::size_t i = 0; i < scalars.size(); ++i)
+        if (const auto& peak = scalars.of(i).row_pressure[std::stoul(guard.part.substr(4)) - 1];
+            scalars.name(i) == guard.place && peak.value > guard.limit) {
+          w.worst = peak.value;
+          w.time = peak.time;
+          w.count = std::max(w.count, 1L);
+        }
+    if (guard.kind->code == std::string_view("probe-touched"))
+      for (std::size_t i = 0; i < scalars.probes().size() && w.count > 0; ++i)
+        if (scalars.probes().name(i) == guard.place) w.worst = scalars.probes().of(i).smallest_clearance;
+    if (w.count > 0) list.push_back(std::move(w));
+  }
+  return list;
+}
+
+std::vector<RunWarning> warnings_at_end(const EndedRun& run) {
+  std::vector<RunWarning> list;
+  const auto warn = [&](const char* code, const std::string& place, const std::string& part, double worst, double limit,
+                        double time = RunWarning::never, double duration = RunWarning::never) {
+    list.push_back({find_warning_kind(code), place, part, 1, worst, limit, time, RunWarning::never, duration});
+  };
+  for (std::size_t i = 0; i < run.scalars.size(); ++i) {
+    const auto& s = run.scalars.of(i);
+    const std::string& name = run.scalars.name(i);
+    const SkidVerdict skid = skid_verdict(s, run.scalars.n_rows(i));
+    if (const double all = skid.demand.speed_change, beyond = skid.demand.speed_change_beyond;
+        beyond > relevant_speed_share * all)
+      warn("skidding", name, skid.row ? fmt::format("row {}", *skid.row + 1) : "", beyond / all, relevant_speed_share,
+           skid.demand.largest_time, skid.demand.time_beyond);
+    if (s.gyroscopic.largest > 1.)
+      warn("pivoting", name, "", s.gyroscopic.largest, 1., s.gyroscopic.largest_time, s.gyroscopic.time_beyond);
+    const auto* touchdown = dynamic_cast<const TouchdownBearing*>(&run.machine.support(run.scalars.support(i)));
+    double centrifugal = 0.;
+    for (std::size_t row = 0; row < run.scalars.n_rows(i); ++row)
+      centrifugal = std::max(centrifugal, s.row_centrifugal[row].over_load());
+    if (touchdown && touchdown->data().ball_model == BallModel::quasi_static &&
+        centrifugal > relevant_centrifugal_share)
+      warn("centrifugal-force", name, "", centrifugal, relevant_centrifugal_share);
+  }
+  if (run.windows && run.windows->beyond_tolerance > 0) {
+    warn("window-error", "", "", run.windows->largest_error, run.windows->tolerance, run.windows->largest_error_time);
+    list.back().count = run.windows->beyond_tolerance;
+  }
+  if (const double input = std::max(std::fabs(run.windows_energy.input), 1e-3);
+      run.windows && std::fabs(run.windows_energy.residual()) > residual_limit * input)
+    warn("heat-residual", "", "windows", std::fabs(run.windows_energy.residual()) / input, residual_limit);
+  if (run.elements && run.elements->coupling != FeCoupling::windowed)
+    for (const auto& section : run.elements->sections)
+      if (section.reduced.response_error > response_error_limit)
+        warn("response-error", section.name, section.reduced.worst_response, section.reduced.response_error,
+             response_error_limit);
+  return list;
+}
+
+}  // namespace rotordrop

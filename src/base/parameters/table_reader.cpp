@@ -1,0 +1,201 @@
+#include "base/parameters/table_reader.h"
+
+#include "base/parameters/suggestion.h"
+#include "base/parameters/wording.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace rotordrop {
+
+namespace {
+
+using Kind = Declaration::Kind;
+
+std::vector<std::string> keys_of(const SectionDeclaration& section) {
+  std::vector<std::string> keys;
+  for (const Declaration& d : section.declarations) keys.push_back(d.key);
+  return keys;
+}
+
+std::string name_of_table(std::string_view path) {
+  return path.empty() ? "at the top level" : fmt::format("in [{}]", path);
+}
+
+/// The tables of the whole input that know a key, as "[bearings.NAME]".
+void find_tables_with(std::string_view key, const SectionDeclaration& section, const std::string& path,
+                      std::vector<std::string>& found) {
+  const std::string table = path.empty() ? "the top level" : fmt::format("[{}]", path);
+  if (section.find(key) && std::find(found.begin(), found.end(), table) == found.end()) found.push_back(table);
+  const ReadContext here{.path = path};
+  for (const Declaration& d : section.declarations) {
+    const std::string inner = here.name_of(d.key) + (d.kind == Kind::tables || d.kind == Kind::variants ? ".NAME" : "");
+    if (d.nested) find_tables_with(key, *d.nested, inner, found);
+    for (const VariantDeclaration& variant : d.variants) find_tables_with(key, *variant.section, inner, found);
+  }
+}
+
+std::string advice_on_unknown(const std::string& word, std::vector<std::string> known, const ReadContext& here) {
+  std::string advice;
+  if (const std::string close = suggestion(word, known, ""); !close.empty())
+    advice = close + "  ";
+  else if (here.root) {
+    std::vector<std::string> tables;
+    find_tables_with(word, *here.root, here.root->name, tables);
+    if (!tables.empty()) advice = fmt::format("It is known in {}.  ", fmt::join(tables, " and "));
+  }
+  std::sort(known.begin(), known.end());
+  return advice + fmt::format("Known here: {}.", fmt::join(known, ", "));
+}
+
+}  // namespace
+
+std::string ReadContext::name_of(std::string_view key) const {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+namespace detail {
+
+bool is_readable_list(const Node& node, const Declaration& d, const std::string& name, Faults& faults) {
+  if (!node.is_array()) {
+    add_type_fault(node, name, fmt::format("an array of tables: [[{}]] or [{{...}}, ...]", name), faults);
+    return false;
+  }
+  if (node.items().size() < d.min_count) {
+    faults.add(node.where(),
+               fmt::format("{} has {} entries; it must have at least {}.", name, node.items().size(), d.min_count),
+               d.help);
+    return false;
+  }
+  return true;
+}
+
+bool is_readable_map(const Node& node, const Declaration& d, const std::string& name, Faults& faults) {
+  if (!node.is_table()) {
+    add_type_fault(node, name, fmt::format("a table of named tables: [{}.NAME]", name), faults);
+    return false;
+  }
+  std::size_t n_tables = 0;
+  for (const Node::Entry& entry : node.entries())
+    n_tables += d.kind != Kind::variants || !is_variant_default(d, entry) ? 1 : 0;
+  if (n_tables < d.min_count)
+    faults.add(node.where(),
+               fmt::format("[{}] holds {} named tables; it must hold at least {}.", name, n_tables, d.min_count),
+               fmt::format("Write one as [{}.NAME]. {}", name, d.help));
+  return true;
+}
+
+bool is_readable_table(const Node& node, const std::string& path, Faults& faults) {
+  if (node.is_table()) return true;
+  faults.add(
+      node.where(), fmt::format("{} is {}; it must be a table.", path.empty() ? "the input" : path, kind_name(node)),
+      path.empty() || path.find('#') != std::string::npos ? ""
+                                                          : fmt::format("Write [{}] and its keys below it.", path));
+  return false;
+}
+
+void report_unknown_keys(const Node& table, const SectionDeclaration& section, const ReadContext& here,
+                         Faults& faults) {
+  for (const Node::Entry& entry : table.entries()) {
+    if (section.find(entry.key) || (here.also_known_key && *here.also_known_key == entry.key)) continue;
+    std::vector<std::string> known = keys_of(section);
+    if (here.also_known_key) known.push_back(*here.also_known_key);
+    faults.add(entry.where, fmt::format("unknown key \"{}\" {}.", entry.key, name_of_table(here.path)),
+               advice_on_unknown(entry.key, std::move(known), here));
+  }
+}
+
+void report_missing_key(const Node& table, const Declaration& d, const ReadContext& here, Faults& faults) {
+  std::string needs;
+  switch (d.kind) {
+    case Kind::quantity:
+      needs = needed_quantity(d) + (d.range.is_any() ? "" : ", " + to_string(d.range, d.unit));
+      break;
+    case Kind::quantities:
+      needs = fmt::format("a list of {} values, each {}", count_text(d), needed_quantity(d));
+      break;
+    case Kind::integer:
+      needs = "an " + type_text(d);
+      break;
+    case Kind::choice:
+      needs = "one of " + quoted(d.choices, ", ");
+      break;
+    default:
+      needs = type_text(d);
+  }
+  faults.add(table.where(), fmt::format("missing key \"{}\" {}.", d.key, name_of_table(here.path)),
+             (needs.empty() ? "" : fmt::format("It must be {}.  ", needs)) + d.help);
+}
+
+void report_unknown_defaults(const Node& table, const Declaration& d, const ReadContext& here, Faults& faults) {
+  SectionDeclaration known{.name = here.path, .help = "", .declarations = {}};
+  for (const VariantDeclaration& variant : d.variants)
+    if (variant.takes_defaults)
+      for (const Declaration& declaration : variant.section->declarations)
+        if (!known.find(declaration.key)) known.declarations.push_back(declaration);
+  for (const Node::Entry& entry : table.entries())
+    if (is_variant_default(d, entry) && !known.find(entry.key))
+      faults.add(entry.where, fmt::format("unknown key \"{}\" {}.", entry.key, name_of_table(here.path)),
+                 known.declarations.empty() ? fmt::format("[{}] holds only tables: [{}.NAME].", here.path, here.path)
+                                            : advice_on_unknown(entry.key, keys_of(known), here));
+}
+
+void report_unknown_variant(const Node::Entry& entry, const Declaration& d, const ReadContext& here, Faults& faults) {
+  std::vector<std::string> tags;
+  for (const VariantDeclaration& variant : d.variants) tags.push_back(variant.tag);
+  const std::string path = here.name_of(entry.key);
+  const std::string allowed = "It must be one of " + quoted(tags, ", ") + ".";
+  const Node* tag = entry.value.find(d.tag_key);
+  if (!tag) {
+    faults.add(entry.where, fmt::format("missing key \"{}\" {}.", d.tag_key, name_of_table(path)),
+               allowed + "  " + d.help);
+    return;
+  }
+  faults.add(tag->where(), fmt::format("{}.{} = {} is not known.", path, d.tag_key, to_text(*tag)),
+             tag->is_text() ? suggestion(tag->text(), tags, allowed) : allowed);
+}
+
+namespace {
+
+void collect_positions(const Node& node, std::vector<SourcePosition>& positions) {
+  positions.push_back(node.where());
+  if (node.is_array())
+    for (const Node& item : node.items()) collect_positions(item, positions);
+  if (node.is_table())
+    for (const Node::Entry& entry : node.entries()) {
+      positions.push_back(entry.where);
+      collect_positions(entry.value, positions);
+    }
+}
+
+std::string with_path_replaced(std::string message, const std::string& from, const std::string& to) {
+  for (std::size_t at = message.find(from); at != std::string::npos; at = message.find(from, at + to.size()))
+    message.replace(at, from.size(), to);
+  return message;
+}
+
+}  // namespace
+
+void add_without_repeating_defaults(const Faults& from_one_table, const Node& defaults,
+                                    const std::string& path_of_table, const std::string& path_of_defaults,
+                                    Faults& faults) {
+  std::vector<SourcePosition> shared;
+  for (const Node::Entry& entry : defaults.entries()) {
+    shared.push_back(entry.where);
+    collect_positions(entry.value, shared);
+  }
+  for (const Fault& fault : from_one_table) {
+    const bool is_shared =
+        fault.where.is_known() && std::find(shared.begin(), shared.end(), fault.where) != shared.end();
+    faults.add(fault.where,
+               is_shared ? with_path_replaced(fault.message, path_of_table, path_of_defaults) : fault.message,
+               fault.advice);
+  }
+}
+
+}  // namespace detail
+
+}  // namespace rotordrop

@@ -1,0 +1,110 @@
+#include "case/bearing_sets.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "base/units.h"
+#include "io/text/toml_reader.h"
+
+namespace rotordrop {
+namespace {
+
+/// Whether a value is from the catalogue's file, wherever its folder is.
+bool is_from(const Node& value, const std::string& entry) {
+  const std::filesystem::path file = value.where().file;
+  return file.filename() == entry + ".toml" && file.parent_path().filename() == "bearings";
+}
+
+/// A catalogue's value times a factor, in SI.
+void multiply(Node& bearing, const std::string& entry, const char* key, const char* unit, double factor) {
+  const Node* value = bearing.find(key);
+  if (!value || !is_from(*value, entry)) return;
+  double si = 0.;
+  if (value->is_number()) {
+    si = value->number();
+  } else if (const auto read = convert_to_si(value->is_text() ? value->text() : "", unit, kind_of(unit), key)) {
+    si = read.value;
+  } else {
+    return;  // its reader says what is wrong
+  }
+  const SourcePosition where = position_of(bearing, key);
+  bearing.set(key, Node(si * factor, value->where()), where);
+}
+
+void make_set(const std::string& name, Node& bearing, Faults& faults) {
+  const Node* given = bearing.find("count");
+  if (!given || !given->is_number()) return;
+  const double count = given->number();
+  if (!(count >= 2. && count <= 8. && count == std::floor(count))) return;  // the range is that of the key
+  const Node* catalogue = bearing.find("catalogue");
+  if (!catalogue || !catalogue->is_text()) {
+    faults.add(given->where(), fmt::format("bearings.{}.count = {:.0f} makes a set of a catalogue bearing, but "
+                                           "bearings.{}.catalogue is not given.",
+                                           name, count, name),
+               "Name one, or write rows, width, ring_mass, ring_spin_inertia and C0 of the whole set.");
+    return;
+  }
+  const std::string entry = catalogue->text();
+  if (const Node* rows = bearing.find("rows"); rows && rows->is_number()) {
+    if (is_from(*rows, entry)) {
+      const SourcePosition where = position_of(bearing, "rows");
+      const auto of_set = static_cast<std::int64_t>(std::lround(rows->number() * count));
+      bearing.set("rows", Node(of_set, rows->where()), where);
+    } else if (std::fmod(rows->number(), count) != 0.) {
+      faults.add(rows->where(),
+                 fmt::format("bearings.{}.rows = {:.0f}, but count = {:.0f} bearings have {:.0f} rows or a multiple.",
+                             name, rows->number(), count, count),
+                 "Leave rows out: count sets it.");
+    }
+  }
+  static constexpr std::array<std::pair<const char*, const char*>, 4> of_all = {
+      {{"width", "m"}, {"ring_mass", "kg"}, {"ring_spin_inertia", "kg m2"}, {"C0", "N"}}};
+  for (const auto& [key, unit] : of_all)
+    multiply(bearing, entry, key, unit, count);
+  multiply(bearing, entry, "C", "N", std::pow(count, 0.7));
+}
+
+}  // namespace
+
+void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
+  const Node* bearings = tree.find("bearings");
+  if (!bearings || !bearings->is_table()) return;
+  for (const auto& [name, key_where, bearing] : bearings->entries()) {
+    const Node* catalogue = bearing.is_table() ? bearing.find("catalogue") : nullptr;
+    const Node* rows = bearing.is_table() ? bearing.find("rows") : nullptr;
+    if (!catalogue || !catalogue->is_text() || !rows || !rows->is_number() || bearing.has("count")) continue;
+    const std::string& entry = catalogue->text();
+    if (is_from(*rows, entry)) continue;
+    std::string of_one;
+    std::filesystem::path file;
+    for (const char* key : {"width", "ring_mass", "ring_spin_inertia", "C0"})
+      if (const Node* value = bearing.find(key); value && is_from(*value, entry)) {
+        of_one += (of_one.empty() ? "" : ", ") + std::string(key);
+        file = value->where().file;
+      }
+    if (of_one.empty()) continue;
+    const Node read = read_toml(file);
+    const Node* own_rows = read.find("rows");
+    if (!own_rows || !own_rows->is_number() || rows->number() <= own_rows->number()) continue;
+    const double times = rows->number() / own_rows->number();
+    warnings.push_back(
+        {rows->where(),
+         fmt::format("bearings.{}.rows = {:.0f}, but {} are those of one bearing of the catalogue ({}).", name,
+                     rows->number(), of_one, entry),
+         fmt::format("Write count = {:.3g} instead of rows = {:.0f}, or give them of the whole set.", times,
+                     rows->number())});
+  }
+}
+
+void make_sets(Node& tree, Faults& faults) {
+  Node* bearings = tree.find("bearings");
+  if (!bearings || !bearings->is_table()) return;
+  for (auto& entry : bearings->entries())
+    if (entry.value.is_table()) make_set(entry.key, entry.value, faults);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "base/errors.h"
+#include "base/node.h"
+
+namespace rotordrop {
+
+/// Makes sets of catalogue bearings: where a bearing has a `count`, what its catalogue entry says of one bearing becomes that of all: rows, width, mass
+/// and inertia of the rings and C0 that many times, C by count^0.7 (ISO 281, rows of ball bearings). What the user gave himself stays as it is.
+void make_sets(Node& tree, Faults& faults);
+
+/// Sets by `rows` alone: a warning where the catalogue's entry has fewer rows and its width, mass, inertia or rating stand.
+void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings);
+
+}  // namespace rotordrop

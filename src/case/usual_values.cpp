@@ -1,0 +1,132 @@
+#include "case/usual_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/parameters/declaration.h"
+#include "base/units.h"
+
+namespace rotordrop {
+namespace {
+
+/// Units in which people think of a quantity whose SI unit is the first; a bare number is often meant in one of them.
+const std::pair<const char*, std::vector<const char*>> units_in_mind[] = {
+    {"rad/s", {"rpm"}},       {"m", {"mm", "um"}}, {"s", {"ms", "us"}},  {"K", {"degC"}}, {"Pa", {"MPa", "GPa"}},
+    {"kg m", {"g mm"}},       {"N", {"kN"}},       {"kg", {"g", "t"}},   {"N/m", {"N/mm", "N/um"}},
+    {"kg m2", {"kg mm2"}},    {"m2/s", {"mm2/s"}}, {"J/(kg K)", {"kJ/(kg K)"}},
+};
+
+/// What a bare number that is unusual may be: the same number in another unit, if that is usual.
+std::string slip(const Declaration& d, double value) {
+  std::string text = fmt::format("A bare number is in {}", d.unit);
+  const auto known =
+      std::find_if(std::begin(units_in_mind), std::end(units_in_mind), [&](const auto& u) { return d.unit == u.first; });
+  if (known == std::end(units_in_mind)) return text + ".";
+  std::string meant;
+  for (const char* unit : known->second) {
+    const auto one = convert_to_si(fmt::format("1 {}", unit), d.unit, d.quantity_kind, d.key);
+    const auto same = convert_to_si(fmt::format("{} {}", shortest(value), unit), d.unit, d.quantity_kind, d.key);
+    if (!one || !same) continue;
+    if (unit == known->second.front() && d.unit != "K")
+      text += fmt::format(": {:.6g} {} is {:.5g} {}", value, d.unit, value / one.value, unit);
+    if (d.usual.contains(same.value) && meant.empty())
+      meant = fmt::format(" If {} is meant, write \"{:.6g} {}\".", unit, value, unit);
+  }
+  return text + "." + meant;
+}
+
+class Look {
+ public:
+  explicit Look(std::vector<Fault>& warnings) : warnings_(warnings) {}
+
+  void at(const SectionDeclaration& section, const Node& table, const std::string& path) {
+    if (!table.is_table()) return;
+    for (const Declaration& d : section.declarations)
+      if (const Node* given = table.find(d.key)) at(d, *given, path.empty() ? d.key : path + "." + d.key);
+  }
+
+ private:
+  void at(const Declaration& d, const Node& given, const std::string& name) {
+    using Kind = Declaration::Kind;
+    switch (d.kind) {
+      case Kind::quantity:
+      case Kind::integer:
+        at_number(d, given, name);
+        break;
+      case Kind::quantities:
+      case Kind::matrix:
+        at_list(d, given, name);
+        break;
+      case Kind::table:
+        at(*d.nested, given, name);
+        break;
+      case Kind::list:
+        if (given.is_array())
+          for (std::size_t i = 0; i < given.items().size(); ++i)
+            at(*d.nested, given.items()[i], fmt::format("{}#{}", name, i + 1));
+        break;
+      case Kind::tables:
+        if (given.is_table())
+          for (const auto& entry : given.entries()) at(*d.nested, entry.value, name + "." + entry.key);
+        break;
+      case Kind::variants:
+        at_variants(d, given, name);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void at_variants(const Declaration& d, const Node& given, const std::string& name) {
+    if (!given.is_table()) return;
+    for (const auto& variant : d.variants)
+      if (variant.takes_defaults) at(*variant.section, variant_defaults(given, variant), name);
+    for (const auto& entry : given.entries())
+      if (!is_variant_default(d, entry) && entry.value.is_table())
+        if (const VariantDeclaration* chosen = variant_of(d, entry.value))
+          at(*chosen->section, entry.value, name + "." + entry.key);
+  }
+
+  void at_list(const Declaration& d, const Node& given, const std::string& name) {
+    if (!given.is_array()) return;
+    for (const Node& item : given.items())
+      if (item.is_array())
+        at_list(d, item, name);
+      else
+        at_number(d, item, name);
+  }
+
+  void at_number(const Declaration& d, const Node& given, const std::string& name) {
+    if (d.usual.is_any()) return;
+    const bool is_bare = given.is_number();
+    double value = 0.;
+    if (is_bare)
+      value = given.number();
+    else if (const auto read = given.is_text() ? convert_to_si(given.text(), d.unit, d.quantity_kind, name) : Conversion{})
+      value = read.value;
+    else
+      return;
+    if (d.usual.contains(value)) return;
+    const std::string unit = is_bare && d.unit != "1" ? " " + d.unit : "";
+    Fault warning{given.where(),
+                  fmt::format("{} = {}{} is unusual: it is most often {}.", name, to_text(given), unit,
+                              to_string(d.usual, d.unit)),
+                  is_bare && d.unit != "1" ? slip(d, value) : std::string("Check the number and its unit.")};
+    if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
+      warnings_.push_back(std::move(warning));
+  }
+
+  std::vector<Fault>& warnings_;
+};
+
+}  // namespace
+
+void look_for_unusual_values(const SectionDeclaration& section, const Node& tree, std::vector<Fault>& warnings) {
+  Look(warnings).at(section, tree, section.name);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include "base/errors.h"
+#include "case/fe_module.h"
+#include "case/recorded_growth.h"
+#include "cli/commands.h"
+#include "cli/progress_line.h"
+#include "cli/signals.h"
+#include "machine/build_machine.h"
+#include "study/rerun/rerun.h"
+#include "study/drop/summary.h"
+
+namespace rotordrop {
+
+int rerun_command(const RerunCommand& command) {
+  const RecordedInput input = read_recorded_input(command.file);
+  const Case& c = input.drop_case;
+  RunOptions options;
+  options.directory =
+      command.directory.empty() ? std::filesystem::path("out") / (c.name + "-rerun") : command.directory;
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.directory, input.file.parent_path(), ignored))
+    throw InputError({"--output", 0, 0}, "this is the directory of the drop that is to be run again.",
+                     "Choose another with -o DIR.");
+  options.force = command.force;
+  options.stop = &caught_signal();
+  options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
+  ProgressLine line;
+  if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
+  FiniteElements elements = finite_elements_of(c);
+  const auto machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
+  options.elements = &elements;
+  catch_signals();
+  FinishedDrop result;
+  try {
+    result = run_drop(c, *machine, options);
+  } catch (...) {
+    line.finish();
+    throw;
+  }
+  line.finish();
+  if (!result.completed) {
+    fmt::print(stderr, "interrupted at t = {:.6g} s; results so far are in {}\n", result.end_time,
+               options.directory.string());
+    return 128 + static_cast<int>(caught_signal());
+  }
+  const BitComparison comparison = compare_bits(input.file, options.directory / "results.h5");
+  if (!command.quiet) fmt::print("{}results in {}\n", summary_text(result.summary), options.directory.string());
+  fmt::print("{}", rerun_text(input, comparison));
+  return comparison.differences.empty() ? 0 : not_as_asked;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "analysis/facts/bearing_report.h"
+#include "analysis/facts/rotor_report.h"
+#include "base/errors.h"
+#include "base/version.h"
+#include "case/case.h"
+#include "case/fe_module.h"
+#include "case/recorded_growth.h"
+#include "cli/commands.h"
+#include "cli/progress_line.h"
+#include "cli/signals.h"
+#include "machine/build_machine.h"
+#include "study/compare/comparison.h"
+#include "study/drop/drop_run.h"
+#include "study/rerun/rerun.h"
+#include "study/drop/summary.h"
+#include "study/heat/bearing_heat_run.h"
+#include "study/heat/heat_run.h"
+#include "study/result_limits.h"
+#include "study/statics/shoulder_words.h"
+
+namespace rotordrop {
+namespace {
+
+/// As a shell takes it.
+std::string quoted(const std::string& word) {
+  if (word.find_first_of(" \t'\"\\$&|;<>()*?[]{}!#~`") == std::string::npos) return word;
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string driver_in_words(const ThermalParameters& t) {
+  if (!t.growth) return "none (thermal.growth = false)";
+  switch (driver_of(t)) {
+    case GrowthDriver::lumped:
+      return "lumped thermal circuit";
+    case GrowthDriver::fe:
+      return "finite elements";
+    case GrowthDriver::recorded:
+      return "recorded by an earlier run";
+    default:
+      return "none (thermal.driver = \"none\")";
+  }
+}
+
+std::string header(const Case& c) {
+  const auto& p = c.parameters;
+  std::string bearings;
+  for (const auto& entry : p.bearings) bearings += (bearings.empty() ? "" : ", ") + entry.name;
+  return fmt::format(
+      "rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; thermal growth fed back: {}\n",
+      version(), git_revision(), c.name, rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi,
+      bearings, driver_in_words(p.thermal));
+}
+
+/// What is unusual in a case; faults if `strict`.
+void tell_warnings(const Case& c, bool strict) {
+  if (strict) {
+    Faults faults;
+    for (const auto& warning : c.warnings)
+      faults.add(warning.where, warning.message, warning.advice + "\nWithout --strict this is a warning.");
+    faults.throw_if_any();
+  }
+  for (const auto& warning : c.warnings)
+    fmt::print(stderr, "warning{}\n", rendered(warning).substr(std::string_view("error").size()));
+}
+
+int check_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const std::string text = is_bearing_heat_case(file) ? bearing_heat_case_text(*read_bearing_heat_case(file, overrides))
+                                                      : heat_case_text(read_heat_case(file, overrides));
+  fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), file.stem().string(), text);
+  fmt::print("{}: no errors found. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough{}.\n",
+             file.string(), is_bearing_heat_case(file) ? ", and what only a drop needs" : "");
+  return 0;
+}
+
+/// Of a run with both thermal models: the comparison beside its results.
+void compare_after_run(const Case& drop_case, const RunCommand& command, const std::filesystem::path& directory,
+                       const RecordedDrop& drop) {
+  const auto& thermal = drop_case.parameters.thermal;
+  if (!thermal.has_lumped || !thermal.has_fe || drop.bearings().empty()) return;
+  Comparison comparison;
+  try {
+    comparison = compare_models(drop, nullptr, {});
+  } catch (const InputError& error) {
+    // The input was good: what came of it is not.
+    throw SolverError(std::string("the run is complete, but its thermal models cannot be compared.\n") + error.what());
+  }
+  write_comparison(comparison, directory / "comparison.json");
+  if (command.quiet) return;
+  for (const auto& line : comparison.report["in_short"]) fmt::print("{}\n", line.get<std::string>());
+}
+
+int exit_code_of(const RunCommand& command, const nlohmann::ordered_json& summary) {
+  return command.accept && !(summary.contains("accepted") && summary["accepted"] == true) ? not_as_asked : 0;
+}
+
+}  // namespace
+
+int run_command(const RunCommand& command) {
+  const Case drop_case = read_case(command.file, command.overrides);
+  tell_warnings(drop_case, command.strict);
+  if (command.accept && drop_case.parameters.limits.empty())
+    throw InputError({"--accept", 0, 0}, "the case has no [limits] that a run could meet.",
+                     "For example: --set 'limits.bearings.TB1.peak_contact_force.max=\"6 kN\"'");
+  RunOptions options;
+  options.directory = command.directory.empty() ? std::filesystem::path("out") / drop_case.name : command.directory;
+  if (command.resume)
+    if (const auto summary = finished_summary(options.directory, drop_case); !summary.is_null()) {
+      if (!command.quiet)
+        fmt::print("the run in {} is finished, at t = {:.6g} s: there is nothing to resume\n{}",
+                   options.directory.string(), summary["run"]["end_time"].get<double>(), limits_text(summary));
+      return exit_code_of(command, summary);
+    }
+  options.force = command.force;
+  options.resume = command.resume;
+  options.stop = &caught_signal();
+  options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
+  ProgressLine line;
+  if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
+
+  FiniteElements elements = finite_elements_of(drop_case);
+  const auto machine = build_machine(drop_case.parameters, drop_case.tree, &elements, recorded_growth(drop_case));
+  options.elements = &elements;
+  if (!command.quiet) fmt::print("{}", header(drop_case));
+  std::fflush(stdout);
+  catch_signals();
+  FinishedDrop result;
+  try {
+    result = run_drop(drop_case, *machine, options);
+  } catch (...) {
+    line.finish();
+    throw;
+  }
+  line.finish();
+  if (!command.quiet) {
+    fmt::print("{}", summary_text(result.summary));
+    fmt::print("{} steps, {:.3g} s; results in {}\n", result.statistics.steps, result.wall_time,
+               options.directory.string());
+  }
+  if (result.completed) {
+    compare_after_run(drop_case, command, options.directory, *result.recorded);
+    return exit_code_of(command, result.summary);
+  }
+  std::string again =
+      fmt::format("rotordrop run {} -o {} --resume", quoted(command.file.string()), quoted(options.directory.string()));
+  for (const auto& assignment : command.overrides) again += " --set " + quoted(assignment);
+  fmt::print(stderr, "interrupted at t = {:.6g} s; results so far are in {}. Continue with: {}\n", result.end_time,
+             options.directory.string(), again);
+  return 128 + static_cast<int>(caught_signal());
+}
+
+int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict) {
+  if (is_heat_case(file)) return check_heat_case(file, overrides);
+  const Case c = read_case(file, overrides);
+  tell_warnings(c, strict);
+  FiniteElements elements = finite_elements_of(c);
+  const auto machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
+  require_known_limits(c, *machine, &elements);
+  fmt::print("{}", header(c));
+  const auto report = rotor_report(c.parameters.rotor);
+  fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
+             report.body.Ip, report.body.Id, report.body.centre_of_gravity);
+  for (const auto& entry : c.parameters.bearings)
+    if (entry.touchdown()) {
+      fmt::print("{}", conventions_text(c.parameters, entry.name));
+      fmt::print("{}", shoulder_text(shoulder_json(c.parameters, entry.name), entry.name.size() + 2));
+    }
+  fmt::print("{}", bearing_report(c.parameters));
+  fmt::print(
+      "{}: no errors found{}. Not checked: whether the time step is short enough for the stiffest contact.\n",
+      file.string(),
+      c.warnings.empty() ? "" : fmt::format(", {} warning{}", c.warnings.size(), c.warnings.size() > 1 ? "s" : ""));
+  return 0;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,177 @@
+#include "io/text/toml_mistakes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <vector>
+
+namespace rotordrop {
+namespace {
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines(1);
+  for (const char c : text)
+    if (c == '\n')
+      lines.emplace_back();
+    else if (c != '\r')
+      lines.back() += c;
+  return lines;
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// What a mistake is, and the line as it is meant; empty if that is not clear.
+struct Guess {
+  std::string what, meant;
+};
+
+const std::string key_pattern = R"(^\s*([A-Za-z0-9_."'-]+)\s*)";
+
+/// A text up to a mark of a comment that is not in quotes.
+std::string without_comment(const std::string& line) {
+  char quote = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (quote == 0 && line[i] == '#') return trimmed(line.substr(0, i));
+    if (quote == 0 && (line[i] == '"' || line[i] == '\''))
+      quote = line[i];
+    else if (line[i] == quote)
+      quote = 0;
+  }
+  return trimmed(line);
+}
+
+/// Whether quotes of a line are left open, and from where on.
+std::optional<std::size_t> open_quote(const std::string& line) {
+  std::optional<std::size_t> open;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (!open && line[i] == '#') break;
+    if (line[i] == '\\' && open && line[*open] == '"')
+      ++i;
+    else if (open && line[i] == line[*open])
+      open.reset();
+    else if (!open && (line[i] == '"' || line[i] == '\''))
+      open = i;
+  }
+  return open;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// First line before `line` that fits, from 1; 0 if none does.
+int earlier_line(const std::vector<std::string>& lines, int line, const std::regex& pattern) {
+  for (int i = 0; i + 1 < line && i < static_cast<int>(lines.size()); ++i)
+    if (std::regex_search(lines[static_cast<std::size_t>(i)], pattern)) return i + 1;
+  return 0;
+}
+
+std::string escaped_for_pattern(const std::string& text) {
+  return std::regex_replace(text, std::regex(R"([.^$|()\[\]{}*+?\\])"), R"(\$&)");
+}
+
+/// Mistakes of a value: `key = value`.
+std::optional<Guess> about_value(const std::string& key, const std::string& value) {
+  std::smatch m;
+  if (value.empty()) return Guess{key + " has no value", ""};
+  if (std::regex_match(value, std::regex("(true|false|yes|no|on|off)", std::regex::icase))) {
+    const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(value[0])));
+    const bool is_true = first == 't' || first == 'y' || (first == 'o' && value.size() == 2);
+    return Guess{"yes and no are written true and false, in small letters", key + (is_true ? " = true" : " = false")};
+  }
+  if (std::regex_match(value, m, std::regex(R"(([+-]?\d+),(\d+)\s*([A-Za-z/].*)?)")))
+    return Guess{"a number has a decimal point, not a comma",
+                 m[3].length() > 0 ? fmt::format("{} = \"{}.{} {}\"", key, m.str(1), m.str(2), m.str(3))
+                                   : fmt::format("{} = {}.{}", key, m.str(1), m.str(2))};
+  if (std::regex_match(value, m, std::regex(R"(([+-]?)\.(\d.*))")))
+    return Guess{"a number begins with a digit", fmt::format("{} = {}0.{}", key, m.str(1), m.str(2))};
+  if (std::regex_match(value, m, std::regex(R"(([+-]?\d+)\.([eE].*)?)")))
+    return Guess{"a digit follows the decimal point", fmt::format("{} = {}.0{}", key, m.str(1), m.str(2))};
+  if (std::regex_match(value, std::regex(R"([+-]?[\d.]+([eE][+-]?\d+)?\s*[A-Za-z%/].*)")))
+    return Guess{"a value with a unit is in quotes", fmt::format("{} = \"{}\"", key, value)};
+  if (std::regex_match(value, std::regex(R"([A-Za-z][A-Za-z0-9 _./-]*)")))
+    return Guess{"a text is in quotes", fmt::format("{} = \"{}\"", key, value)};
+  if (value[0] == '{' && value.find('}') == std::string::npos)
+    return Guess{"a table in braces is on one line, from { to }", ""};
+  if (value[0] == '[' && std::count(value.begin(), value.end(), '[') > std::count(value.begin(), value.end(), ']'))
+    return Guess{"a list is not closed with ]", ""};
+  if (std::regex_search(value, m,
+                        std::regex(R"(^[\[{](?:.*?[\[,=])?\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?\s*[A-Za-z%/][^,\]}"]*))")))
+    return Guess{"a value with a unit is in quotes, in lists, too",
+                 fmt::format("{} = {}", key, replaced(value, m.str(1), '"' + trimmed(m.str(1)) + '"'))};
+  return {};
+}
+
+std::optional<Guess> about_line(const std::vector<std::string>& lines, int number, std::string_view description) {
+  const std::string& line = lines[static_cast<std::size_t>(number - 1)];
+  const std::string bare = without_comment(line);
+  std::smatch m;
+  for (const char* quote : {"\u201c", "\u201d", "\u201e", "\u201f", "\u00ab", "\u00bb"})
+    if (line.find(quote) != std::string::npos) {
+      std::string meant = trimmed(line);
+      for (const char* other : {"\u201c", "\u201d", "\u201e", "\u201f", "\u00ab", "\u00bb"})
+        meant = replaced(meant, other, "\"");
+      return Guess{"quotes are straight (\"), not those of a word processor", meant};
+    }
+  if (description.find("cannot redefine existing table") != std::string_view::npos &&
+      std::regex_match(bare, m, std::regex(R"(\[\s*([^\[\]]+?)\s*\])"))) {
+    const int first =
+        earlier_line(lines, number, std::regex("^\\s*\\[\\s*" + escaped_for_pattern(m.str(1)) + "\\s*\\]"));
+    return Guess{fmt::format("the section [{}] is there twice{}", m.str(1),
+                             first > 0 ? fmt::format(", first in line {}: move its keys there", first) : ""),
+                 ""};
+  }
+  if (description.find("cannot redefine existing") != std::string_view::npos &&
+      std::regex_search(bare, m, std::regex(key_pattern + "="))) {
+    const int first = earlier_line(lines, number, std::regex("^\\s*" + escaped_for_pattern(m.str(1)) + "\\s*="));
+    return Guess{fmt::format("{} is given twice{}", m.str(1),
+                             first > 0 ? fmt::format(", first in line {}: remove one", first) : ""),
+                 ""};
+  }
+  if (std::regex_search(line, std::regex(R"(^\s*(//|;|%|--))")))
+    return Guess{"a comment begins with #",
+                 "# " + trimmed(std::regex_replace(line, std::regex(R"(^\s*(//|;|%|--)+\s*)"), ""))};
+  if (description.find("escape") != std::string_view::npos && line.find('\\') != std::string::npos)
+    return Guess{"a backslash has a meaning of its own in double quotes; in the name of a file write /",
+                 replaced(trimmed(line), "\\", "/")};
+  if (std::regex_match(bare, m, std::regex(R"(\[+\s*([A-Za-z0-9_.-]+)\s*\]?)")) && !bare.ends_with("]"))
+    return Guess{"the name of a section has no closing bracket", fmt::format("[{}]", m.str(1))};
+  if (const auto open = open_quote(line)) {
+    const std::string text = trimmed(line.substr(*open + 1));
+    const bool is_simple = text.find_first_of("\"',[]{}#=") == std::string::npos;
+    return Guess{"a text has no closing quote", is_simple ? trimmed(line.substr(0, *open)) + " \"" + text + "\"" : ""};
+  }
+  if (std::regex_match(bare, m, std::regex(key_pattern + R"(:=?\s*(.*)$)")))
+    return Guess{"a value follows an equals sign", fmt::format("{} = {}", m.str(1), m.str(2))};
+  if (std::regex_match(bare, m, std::regex(key_pattern + R"(=\s*(.*)$)")))
+    return about_value(m.str(1), trimmed(m.str(2)));
+  if (std::regex_match(bare, m, std::regex(key_pattern + R"(([+-]?[\d"'].*)$)")))
+    return Guess{"there is no equals sign between key and value", fmt::format("{} = {}", m.str(1), m.str(2))};
+  return {};
+}
+
+}  // namespace
+
+TomlMistake toml_mistake(std::string_view text, int line, std::string_view description) {
+  const auto lines = lines_of(text);
+  // What is left open shows only at the next line's end, or at that of the text.
+  line = std::clamp(line, 1, static_cast<int>(lines.size()));
+  std::optional<Guess> guess = about_line(lines, line, description);
+  for (int before = line - 1; !guess && before >= 1 && before >= line - 2; --before)
+    if (guess = about_line(lines, before, description); guess) line = before;
+  std::string own(description);
+  if (own.starts_with("Error")) own.front() = 'e';
+  const std::string shown = trimmed(lines[static_cast<std::size_t>(line - 1)]);
+  if (!guess) return {fmt::format("this is not valid TOML: {}.", own), shown.empty() ? "" : "The line is: " + shown};
+  return {fmt::format("this is not valid TOML: {}.", guess->what),
+          guess->meant.empty() ? "The line is: " + shown : "Write it as: " + guess->meant};
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,35 @@
+"""The lumped circuit beside the finite elements, and one drop beside another."""
+
+from __future__ import annotations
+
+import typing
+from collections.abc import Sequence
+
+from . import _core
+from .result import Result
+from .units import si
+
+
+def compare(
+    drop: Result,
+    against: Result | None = None,
+    *,
+    tolerance: str = "",
+    floor: str = "",
+    growth_tolerance: str = "",
+    band_length: str = "",
+    instants: Sequence[float | str] | None = None,
+) -> dict[str, typing.Any]:
+    """For how long the lumped circuit agrees with the finite elements of a drop, as comparison.json has it (docs/how-to/compare.md).
+
+    against            another drop; if `drop` has one thermal model only, the other one is taken from there
+    tolerance          of temperatures: "5 %" of the rise (default) or "0.5 K"
+    floor              smallest tolerance that is a part of the rise, default "10 mK"
+    growth_tolerance   of growths and clearances, default "0.1 um"
+    band_length        of the rub along the surface, instead of the case's
+    instants           reported beside the first impact's peak and the end [s], default 10 ms
+
+    "in_short" and "verdict" are sentences. InputError if there is nothing to compare, such as series that were not kept.
+    """
+    times = None if instants is None else [si(one, "s", "instants") for one in instants]
+    return _core.compare(drop.recorded, None if against is None else against.recorded, tolerance, floor, growth_tolerance, band_length, times)

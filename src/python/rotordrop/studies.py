@@ -1,0 +1,100 @@
+"""Studies: many drops of one case."""
+
+from __future__ import annotations
+
+import functools
+import json
+import os
+import pathlib
+import typing
+from collections.abc import Callable, Mapping
+
+from . import _core
+
+if typing.TYPE_CHECKING:
+    import pandas
+
+StudyProgress = _core.StudyProgress
+"""Progress of a study: `done`, `failed`, `total` drops, `per_second`, `time_left` [s]."""
+
+
+def _toml(value: typing.Any) -> str:
+    """A value as --set takes it."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_toml(one) for one in value) + "]"
+    return json.dumps(value) if isinstance(value, str) else repr(value)
+
+
+class StudyResult:
+    """A study that has run.
+
+    directory   where its files are
+    """
+
+    def __init__(self, directory: pathlib.Path) -> None:
+        self.directory = directory
+
+    def __repr__(self) -> str:
+        return f"<rotordrop.StudyResult in {self.directory}>"
+
+    @functools.cached_property
+    def summary(self) -> dict[str, typing.Any]:
+        """What the points say together, as study.json: quantiles, probabilities, indices with their intervals (docs/how-to/studies.md)."""
+        file = self.directory / "study.json"
+        if not file.is_file():
+            raise FileNotFoundError(f"{self.directory} holds no study.json: give the directory of a study that is complete")
+        return typing.cast(dict[str, typing.Any], json.loads(file.read_text(encoding="utf-8")))
+
+    @functools.cached_property
+    def table(self) -> pandas.DataFrame:
+        """All points, one in each row: status (0 done, 1 failed, 2 not run), parameters and results in SI; NaN: it has not happened."""
+        import pandas
+
+        return pandas.read_csv(self.directory / "study.csv", index_col="point")
+
+    def report(self, file: str | os.PathLike[str] | None = None) -> pathlib.Path:
+        """Writes the study's HTML page; default: report.html in its directory."""
+        path = pathlib.Path(file) if file is not None else self.directory / "report.html"
+        _core.write_study_report(self.directory, path)
+        return path
+
+
+def study(
+    file: str | os.PathLike[str],
+    directory: str | os.PathLike[str],
+    overrides: Mapping[str, typing.Any] | None = None,
+    *,
+    jobs: int = 0,
+    progress: Callable[[StudyProgress], object] | None = None,
+    force: bool = False,
+    resume: bool = False,
+) -> StudyResult:
+    """Runs a study, as `rotordrop study` does: in threads, without a folder for each drop.
+
+    file        study file (docs/how-to/studies.md)
+    directory   for study.h5, study.csv, study.json and the journal
+    overrides   parameters of the case in every drop
+    jobs        drops at the same time; 0: one per core
+    progress    called five times a second with a StudyProgress; what it raises ends the study, and so does Ctrl-C: `resume=True` continues it
+    force       replaces results that are in the directory
+
+    InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
+    """
+    from .errors import SolverError
+
+    words = [f"{key}={_toml(value)}" for key, value in (overrides or {}).items()]
+    told = _core.run_study(pathlib.Path(file), words, pathlib.Path(directory), jobs, force, resume, progress)
+    if not told["complete"]:
+        raise SolverError(f"stopped after a failed drop, for on_failure = \"stop\"; its reason is in {pathlib.Path(directory) / 'study.journal'}")
+    return StudyResult(pathlib.Path(directory))
+
+
+def read_study(directory: str | os.PathLike[str]) -> StudyResult:
+    """The result of a complete study from its directory."""
+    result = StudyResult(pathlib.Path(directory))
+    result.summary  # noqa: B018  says what is missing
+    return result

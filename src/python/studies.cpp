@@ -1,0 +1,96 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "io/checkpoint.h"
+#include "python/bindings.h"
+#include "python/values.h"
+#include "python/watch.h"
+#include "study/many/answers/study_report.h"
+#include "study/many/search/search_run.h"
+#include "study/many/search/search_space.h"
+#include "study/many/study_folder.h"
+#include "study/many/study_run.h"
+
+namespace rotordrop::python {
+namespace py = pybind11;
+
+namespace {
+
+struct StudyCall {
+  std::filesystem::path directory;
+  unsigned n_workers = 0;
+  bool force = false, resume = false;
+};
+
+/// Ctrl-C, and what the caller's function raises, stop it as Ctrl-C stops the program: the journal keeps the points that are finished.
+py::dict run(const std::filesystem::path& file, const std::vector<std::string>& overrides, const StudyCall& call,
+             const py::object& progress) {
+  const ActiveRun active;
+  Watch watch;
+  volatile std::sig_atomic_t stop = 0;
+  std::exception_ptr interruption;
+  std::vector<std::string> notes;
+  StudyOptions options;
+  options.directory = call.directory;
+  options.n_workers = call.n_workers;
+  options.force = call.force;
+  options.resume = call.resume;
+  options.stop = &stop;
+  options.tell = [&](const std::string& note) { notes.push_back(note); };
+  options.report = [&](const StudyProgress& p) {
+    if (interruption) return;
+    try {
+      watch.look();
+      if (progress.is_none()) return;
+      const py::gil_scoped_acquire lock;
+      progress(p);
+    } catch (...) {
+      interruption = std::current_exception();
+      stop = 1;
+    }
+  };
+  StudyOutcome outcome;
+  {
+    const py::gil_scoped_release others_may_run;
+    Study study = read_study(file, overrides);
+    const Design design = study.is_search() ? SearchSpace(study).corners() : make_design(study);
+    check_points(study, design, call.n_workers);
+    probe_results(study, design, options.evaluate);
+    outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
+  }
+  if (interruption) std::rethrow_exception(interruption);
+  py::dict told;
+  told["points"] = outcome.n_points;
+  told["done"] = outcome.done;
+  told["failed"] = outcome.failed;
+  told["complete"] = outcome.is_complete;
+  told["cpu_time"] = outcome.cpu_time;
+  told["wall_time"] = outcome.wall_time;
+  told["notes"] = notes;
+  return told;
+}
+
+}  // namespace
+
+void add_studies(py::module_& core) {
+  py::class_<StudyProgress>(core, "StudyProgress", "Progress of a study.")
+      .def_readonly("done", &StudyProgress::done, "drops that are done")
+      .def_readonly("failed", &StudyProgress::failed, "drops that failed")
+      .def_readonly("total", &StudyProgress::total, "drops of the study")
+      .def_readonly("per_second", &StudyProgress::per_second, "drops a second")
+      .def_readonly("time_left", &StudyProgress::time_left, "estimate [s], NaN at first");
+  core.def(
+      "run_study",
+      [](const std::filesystem::path& file, const std::vector<std::string>& overrides,
+         const std::filesystem::path& directory, unsigned jobs, bool force, bool resume, const py::object& progress) {
+        return run(file, overrides, {directory, jobs, force, resume}, progress);
+      },
+      py::arg("file"), py::arg("overrides"), py::arg("directory"), py::arg("jobs"), py::arg("force"), py::arg("resume"),
+      py::arg("progress"));
+  core.def("write_study_report", [](const std::filesystem::path& directory, const std::filesystem::path& file) {
+    const py::gil_scoped_release others_may_run;
+    write_text_atomically(file, study_report_page(study_report_data(directory)));
+  });
+}
+
+}  // namespace rotordrop::python

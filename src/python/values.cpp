@@ -1,0 +1,88 @@
+#include "python/values.h"
+
+#include <fmt/format.h>
+
+namespace rotordrop::python {
+namespace py = pybind11;
+
+py::object to_python(const nlohmann::ordered_json& value) {
+  using Kind = nlohmann::ordered_json::value_t;
+  switch (value.type()) {
+    case Kind::boolean:
+      return py::bool_(value.get<bool>());
+    case Kind::number_integer:
+    case Kind::number_unsigned:
+      return py::int_(value.get<long long>());
+    case Kind::number_float:
+      return py::float_(value.get<double>());
+    case Kind::string:
+      return py::str(value.get<std::string>());
+    case Kind::array: {
+      py::list list;
+      for (const auto& item : value) list.append(to_python(item));
+      return list;
+    }
+    case Kind::object: {
+      py::dict dict;
+      for (const auto& [key, item] : value.items()) dict[py::str(key)] = to_python(item);
+      return dict;
+    }
+    default:
+      return py::none();
+  }
+}
+
+Node to_node(const py::handle& value, const std::string& key) {
+  const SourcePosition where{given_mark + key, 0, 0};
+  if (PyBool_Check(value.ptr())) return {value.cast<bool>(), where};
+  if (PyLong_Check(value.ptr())) {
+    int overflow = 0;
+    const auto whole = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
+    if (overflow == 0) return {std::int64_t{whole}, where};
+    return {value.cast<double>(), where};
+  }
+  if (PyFloat_Check(value.ptr())) return {value.cast<double>(), where};
+  if (PyUnicode_Check(value.ptr())) {
+    auto text = value.cast<std::string>();
+    if (text.find('\0') != std::string::npos) throw InputError(where, "this text holds a NUL character.");
+    return {std::move(text), where};
+  }
+  if (PyMapping_Check(value.ptr()) && py::hasattr(value, "items")) {
+    Node table = Node::table(where);
+    for (const auto& item : value.attr("items")()) {
+      const auto entry = item.cast<std::pair<py::object, py::object>>();
+      if (!PyUnicode_Check(entry.first.ptr()))
+        throw InputError(where, fmt::format("the key {} is no text.", std::string(py::repr(entry.first))),
+                         "Names of parameters are texts, such as \"contact\".");
+      const auto name = entry.first.cast<std::string>();
+      const std::string path = key.empty() ? name : key + "." + name;
+      table.set(name, to_node(entry.second, path), {given_mark + path, 0, 0});
+    }
+    return table;
+  }
+  if (py::hasattr(value, "tolist")) return to_node(value.attr("tolist")(), key);  // of NumPy, pandas, xarray
+  if (py::isinstance<py::sequence>(value) && !PyBytes_Check(value.ptr())) {
+    Node::Array items;
+    for (const auto& item : value) items.push_back(to_node(item, fmt::format("{}[{}]", key, items.size())));
+    return Node::array(std::move(items), where);
+  }
+  if (py::hasattr(value, "__fspath__")) return {value.attr("__fspath__")().cast<std::string>(), where};
+  throw InputError(where,
+                   fmt::format("a value of type {} cannot be one of a case.",
+                               std::string(py::str(py::type::of(value).attr("__name__")))),
+                   "Give a number (SI), a text with a unit such as \"250 um\", True or False, a list or a dictionary.");
+}
+
+std::vector<Setting> to_settings(const py::dict& overrides) {
+  std::vector<Setting> settings;
+  for (const auto& [key, value] : overrides) {
+    if (!PyUnicode_Check(key.ptr()))
+      throw InputError({}, fmt::format("the key {} of the overrides is no text.", std::string(py::repr(key))),
+                       "Write {\"contact.friction_coefficient\": 0.05}.");
+    const auto name = key.cast<std::string>();
+    settings.push_back({name, to_node(value, name)});
+  }
+  return settings;
+}
+
+}  // namespace rotordrop::python

@@ -1,0 +1,28 @@
+#pragma once
+// Values of Python and of the program, into each other.
+#include <pybind11/pybind11.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/node.h"
+#include "io/text/toml_reader.h"
+
+namespace rotordrop::python {
+
+/// Tables become dictionaries in the same order, null becomes None.
+pybind11::object to_python(const nlohmann::ordered_json& value);
+
+/// Numbers, texts, booleans, lists, arrays of NumPy and dictionaries as values of a case. Their place is "given KEY", line 0.
+/// @param key  of the value, such as "contact.air_gap"; empty for a whole case
+/// @throws InputError for anything else
+Node to_node(const pybind11::handle& value, const std::string& key);
+
+/// A dictionary of parameters, such as {"contact.friction_coefficient": 0.05}.
+std::vector<Setting> to_settings(const pybind11::dict& overrides);
+
+/// How places of values that a program has given begin.
+inline constexpr const char* given_mark = "given ";
+
+}  // namespace rotordrop::python

@@ -1,0 +1,173 @@
+#include "study/drop/warning_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string_view>
+
+#include "base/errors.h"
+#include "study/json_number.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double number_at(const Json& j, const std::string& pointer) {
+  const Json::json_pointer p(pointer);
+  return j.contains(p) && j.at(p).is_number() ? j.at(p).get<double>() : RunWarning::never;
+}
+
+std::string times(long n) { return n == 1 ? "once" : fmt::format("{} times", n); }
+
+/// " at 5.2 ms", if it is known.
+std::string when(const RunWarning& w) {
+  return std::isfinite(w.time) ? fmt::format(" at {:.4g} ms", w.time * 1e3) : "";
+}
+
+/// What happened, without its place.
+std::string sentence(const RunWarning& w) {
+  const std::string_view code = w.kind->code;
+  if (code == "energy-residual")
+    return fmt::format(
+        "the energy balance leaves up to {:.2g} % of the energy moved{}; more than {:.2g} % means that the time steps "
+        "are too coarse. Reduce integration.step or integration.tolerance",
+        100. * w.worst, when(w), 100. * w.limit);
+  if (code == "heat-residual")
+    return fmt::format(
+        "the heat balance of the thermal model \"{}\" leaves up to {:.2g} % of the heat{}; more than {:.2g} % means "
+        "that the time steps are too coarse",
+        w.part, 100. * w.worst, when(w), 100. * w.limit);
+  if (code == "step-collapse")
+    return fmt::format(
+        "the time step becomes shorter than {:.3g} ns {}, down to {:.3g} ns{}: a contact or a law is too stiff for the "
+        "tolerance",
+        w.limit * 1e9, times(w.count), w.worst * 1e9, when(w));
+  if (code == "ball-load")
+    return fmt::format(
+        "contact pressure of the balls of {} exceeds the static limit of {:.1f} GPa (ISO 76) {}, up to {:.2f} GPa{}: "
+        "balls leave permanent marks, and elastic contact (Hertz) does not hold",
+        w.part, w.limit * 1e-9, times(w.count), w.worst * 1e-9, when(w));
+  if (code == "ellipse-truncated")
+    return fmt::format(
+        "the contact ellipses of {} reach over the raceway's edge for {:.3g} ms, by up to {:.0f} % of their length{}: "
+        "pressure and static safety are void there",
+        w.part, w.duration * 1e3, 100. * w.worst, when(w));
+  if (code == "penetration")
+    return fmt::format(
+        "rotor and bore overlap by up to {:.4g} um{}, more than half the air gap ({:.4g} um), {}: the contact law is "
+        "that of a narrow contact. Check contact_stiffness and the speed",
+        w.worst * 1e6, when(w), w.limit * 1e6, times(w.count));
+  if (code == "gap-closed")
+    return fmt::format("thermal growth closes the air gap: smallest {:.4g} um{}", w.worst * 1e6, when(w));
+  if (code == "temperature")
+    return fmt::format("{} reaches {:.4g} K{}, above the {:.4g} K that its material stands (temperature_limit)", w.part,
+                       w.worst, when(w), w.limit);
+  if (code == "fit-open")
+    return fmt::format("the fit of the outer ring in its housing opens or would have to pull, up to {:.0f} % of it{}",
+                       100. * w.worst, when(w));
+  if (code == "support-travel")
+    return fmt::format("the outer ring moves by {:.4g} um{}, beyond its travel limit of {:.4g} um", w.worst * 1e6,
+                       when(w), w.limit * 1e6);
+  if (code == "probe-touched")
+    return fmt::format("the rotor moves up to {:.4g} um beyond the clearance at the probe{}", -w.worst * 1e6, when(w));
+  if (code == "window-error")
+    return fmt::format(
+        "{} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most{} ({:.2g} nm); a shorter "
+        "thermal.fe.longest_window leaves less",
+        w.count, w.limit * 1e9, when(w), w.worst * 1e9);
+  if (code == "response-error")
+    return fmt::format(
+        "the modes of the finite elements follow heat within {:.2g} % only (worst: {}); reduce "
+        "thermal.fe.response_tolerance",
+        100. * w.worst, w.part);
+  if (code == "local-temperature")
+    return fmt::format("the {} reaches {:.0f} K where it rubs{}, above the {:.4g} K that its material stands", w.part,
+                       w.worst, when(w), w.limit);
+  if (code == "wear")
+    return fmt::format("the {} wears by {:.3g} um in this drop, more than contact.wear_depth_limit = {:.3g} um", w.part,
+                       w.worst * 1e6, w.limit * 1e6);
+  if (code == "skidding")
+    return fmt::format(
+        "balls{} may skid: for {:.4g} ms, with {:.0f} % of the ring's speed changes, friction at the raceways cannot "
+        "keep them rolling",
+        w.part.empty() ? "" : " of " + w.part, w.duration * 1e3, 100. * w.worst);
+  if (code == "pivoting")
+    return fmt::format(
+        "balls may pivot: their gyroscopic moments require up to {:.3g} times the available friction at the outer "
+        "raceway and exceed it for {:.4g} ms",
+        w.worst, w.duration * 1e3);
+  if (code == "centrifugal-force")
+    return fmt::format(
+        "centrifugal forces of the balls are {:.2g} times their loads, and ball_model = \"quasi-static\" leaves them "
+        "out",
+        w.worst);
+  if (code == "backward-whirl")
+    return fmt::format("sustained backward whirl, up to {:.4g} Hz", w.worst * 0.5 / std::numbers::pi);
+  return fmt::format("{}: {:.4g} {}, limit {:.4g}", code, w.worst, w.kind->unit, w.limit);
+}
+
+std::string placed_sentence(const RunWarning& w) { return (w.place.empty() ? "" : w.place + ": ") + sentence(w); }
+
+}  // namespace
+
+std::vector<RunWarning> warnings_in_summary(const MachineParameters& p, const Json& summary) {
+  std::vector<RunWarning> list;
+  const auto warn = [&](const char* code, const std::string& place, const std::string& part, double worst, double limit,
+                        double time = RunWarning::never) {
+    if (worst > limit) list.push_back({find_warning_kind(code), place, part, 1, worst, limit, time});
+  };
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    const std::string key = "/bearings/" + entry.name;
+    if (!b || !summary.contains(Json::json_pointer(key))) continue;
+    if (const auto* ring = find_material(p, b->ring); ring && ring->temperature_limit)
+      warn("local-temperature", entry.name, "bore", p.run.ambient + number_at(summary, key + "/local/bore_rise"),
+           *ring->temperature_limit, number_at(summary, key + "/local/bore_rise_time"));
+    warn("wear", entry.name, "bore", number_at(summary, key + "/wear/bore_depth"), p.contact.wear_depth_limit);
+    warn("wear", entry.name, "rotor", number_at(summary, key + "/wear/rotor_depth"), p.contact.wear_depth_limit);
+    warn("backward-whirl", entry.name, "", number_at(summary, key + "/whirl/largest_backward_speed"), 0.);
+  }
+  return list;
+}
+
+Json warnings_json(const std::vector<RunWarning>& warnings) {
+  Json list = Json::array();
+  for (const auto& w : warnings)
+    list.push_back({{"code", w.kind->code},
+                    {"place", w.place},
+                    {"part", w.part},
+                    {"count", w.count},
+                    {"worst", json_number(w.worst)},
+                    {"limit", json_number(w.limit)},
+                    {"unit", w.kind->unit},
+                    {"time", json_number(w.time)},
+                    {"first_time", json_number(w.first_time)},
+                    {"duration", json_number(w.duration)},
+                    {"text", placed_sentence(w)}});
+  return list;
+}
+
+std::string warnings_text(const Json& summary) {
+  if (!summary.contains("warnings") || summary["warnings"].empty()) return {};
+  const auto& warnings = summary["warnings"];
+  std::string text =
+      fmt::format("{} warning{} (docs/reference/warnings.md):\n", warnings.size(), warnings.size() == 1 ? "" : "s");
+  for (const auto& w : warnings)
+    text += fmt::format("  warning: {} [{}]\n", w["text"].get<std::string>(), w["code"].get<std::string>());
+  return text;
+}
+
+void stop_at_fatal_warnings(const RunParameters& run, const std::vector<RunWarning>& warnings) {
+  std::string text;
+  for (const auto& w : warnings)
+    if (std::any_of(run.fatal_warnings.begin(), run.fatal_warnings.end(),
+                    [&](const auto& code) { return code == "all" || code == w.kind->code; }))
+      text += fmt::format("\n       {} [{}]", placed_sentence(w), w.kind->code);
+  if (!text.empty()) throw SolverError("the run is complete, but run.fatal_warnings makes it fail:" + text);
+}
+
+}  // namespace rotordrop

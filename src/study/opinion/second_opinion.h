@@ -1,0 +1,25 @@
+#pragma once
+#include <csignal>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "study/drop/drop_run.h"
+
+// A second opinion on a drop: how far its numbers are known.
+namespace rotordrop {
+
+/// Distance between starts of neighbouring drops [m], up and down: far below what anyone can set, far above roundoff.
+inline constexpr double neighbour_distance = 1e-9;
+/// Neighbours have parted when an orbit differs by this part of the air gap.
+inline constexpr double parted_share = 0.01;
+
+/// Computes a finished drop again, in memory: the first impacts of all bearings with and without a tenth of the tolerance (half a fixed step), and
+/// the whole of it from starts beside its own. For `second_opinion` of summary.json; null if it was stopped.
+/// @param first  with the series that its summary needs
+nlohmann::ordered_json second_opinion(const Case& drop_case, const FinishedDrop& first,
+                                      const volatile std::sig_atomic_t* stop);
+
+/// Lines for the screen, from a summary; empty without a second opinion.
+std::string second_opinion_text(const nlohmann::ordered_json& summary);
+
+}  // namespace rotordrop

@@ -1,0 +1,32 @@
+#include "study/report/rounded.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+namespace rotordrop {
+
+using Json = nlohmann::ordered_json;
+
+Json rounded(std::span<const double> values, double scale, int digits) {
+  Json list = Json::array();
+  for (const double v : values)
+    list.push_back(std::isfinite(v) ? Json(std::strtod(fmt::format("{:.{}g}", v * scale, digits).c_str(), nullptr))
+                                    : Json(nullptr));
+  return list;
+}
+
+Json rounded_to_range(const std::vector<double>& values, double scale) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double range = (*high - *low) * std::fabs(scale);
+  if (!(range > 0.)) return rounded(values, scale);
+  const double quantum = std::pow(10., std::floor(std::log10(range)) - 4.);
+  std::vector<double> list;
+  for (const double v : values) list.push_back(std::round(v * scale / quantum) * quantum);
+  return rounded(list, 1., 10);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,187 @@
+#include "study/rerun/rerun.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "base/errors.h"
+#include "base/processor.h"
+#include "base/version.h"
+#include "base/wide_vectors.h"
+#include "case/case_text.h"
+#include "io/hdf5/recorded_series.h"
+#include "io/sha256.h"
+#include "study/recorded_drop.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string attribute_or_unknown(const fs::path& file, const std::string& name) {
+  try {
+    return read_attribute(file, "/", name);
+  } catch (const DamagedFile&) {
+    throw;
+  } catch (const InputError&) {
+    return "unknown";
+  }
+}
+
+/// Files that the case names must be what they were.
+void require_same_files(const fs::path& file, const std::vector<std::string>& datasets) {
+  if (!std::binary_search(datasets.begin(), datasets.end(), std::string("/inputs"))) return;
+  Faults faults;
+  std::istringstream lines(read_text(file, "/inputs"));
+  for (std::string line; std::getline(lines, line);) {
+    const auto space = line.find(' ');
+    if (space == std::string::npos) continue;
+    const fs::path named = line.substr(space + 1);
+    if (sha256_of_file(named) != line.substr(0, space))
+      faults.add({named.string(), 0, 0}, "the file has changed since the drop was recorded.",
+                 "Put back the one that the drop used, or run the case anew with `rotordrop run`.");
+  }
+  faults.throw_if_any();
+}
+
+/// Rows of a table at the times of another, by bits.
+struct Rows {
+  std::vector<double> times;
+  /// Row of each time, the last one of those that are equal.
+  [[nodiscard]] std::map<double, std::size_t> places() const {
+    std::map<double, std::size_t> result;
+    for (std::size_t i = 0; i < times.size(); ++i) result[times[i]] = i;
+    return result;
+  }
+};
+
+bool same_bits(const double* a, const double* b, std::size_t n) { return std::memcmp(a, b, n * sizeof(double)) == 0; }
+
+}  // namespace
+
+RecordedInput read_recorded_input(const fs::path& path) {
+  RecordedInput input;
+  std::error_code ignored;
+  input.file = fs::is_directory(path, ignored) ? path / "results.h5" : path;
+  if (!fs::exists(input.file, ignored))
+    throw InputError({input.file.string(), 0, 0}, "there is no such file",
+                     "Give the results.h5 of a drop, or the directory into which `rotordrop run` wrote it.");
+  const auto datasets = list_datasets(input.file);
+  const auto has = [&](const char* name) { return std::binary_search(datasets.begin(), datasets.end(), name); };
+  if (!has("/parameters") || !has("/energy/mechanical"))
+    throw InputError({input.file.string(), 0, 0}, "the file does not contain a drop with its parameters",
+                     "Give the results.h5 of a drop.");
+  require_same_files(input.file, datasets);
+  input.program = attribute_or_unknown(input.file, "program");
+  input.revision = attribute_or_unknown(input.file, "git_revision");
+  input.processor = attribute_or_unknown(input.file, "processor");
+  input.instruction_set = attribute_or_unknown(input.file, "instruction_set");
+  // Of a set of catalogue bearings the values are all there: the catalogue itself may have gone.
+  const std::string text =
+      std::regex_replace(read_text(input.file, "/parameters"), std::regex("(^|\n)(catalogue|count) = [^\n]*"), "$1");
+  input.drop_case = read_case_text(text, input.file.parent_path(), read_attribute(input.file, "/", "case"));
+  return input;
+}
+
+nlohmann::ordered_json finished_summary(const fs::path& directory, const Case& c) {
+  std::error_code ignored;
+  if (fs::exists(directory / "checkpoints", ignored) || !fs::exists(directory / "summary.json", ignored))
+    return nullptr;
+  std::ifstream parameters(directory / "parameters.toml"), file(directory / "summary.json");
+  const std::string text{std::istreambuf_iterator<char>(parameters), {}};
+  if (sha256_of_toml(text) != sha256_of_toml(c.resolved)) return nullptr;
+  auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
+  if (!summary.is_object() || !summary.contains("run") || !summary["run"].value("completed", false)) return nullptr;
+  require_same_files(directory / "results.h5", list_datasets(directory / "results.h5"));
+  return summary;
+}
+
+BitComparison compare_bits(const fs::path& first, const fs::path& second) {
+  BitComparison result;
+  const auto ours = list_datasets(second);
+  std::map<std::string, std::pair<Rows, Rows>> axes;
+  for (const auto& name : list_datasets(first)) {
+    if (name == "/parameters" || name == "/inputs") continue;
+    ++result.n_datasets;
+    if (!std::binary_search(ours.begin(), ours.end(), name)) {
+      result.differences.push_back({name, "missing"});
+      continue;
+    }
+    const bool is_axis = name == "/time" || name.ends_with("/time");
+    const std::string axis = is_axis ? name : read_attribute(first, name, "time");
+    if (!axes.contains(axis)) axes[axis] = {{read_series(first, axis).values}, {read_series(second, axis).values}};
+    const auto& [a_rows, b_rows] = axes.at(axis);
+    const Series a = read_series(first, name), b = read_series(second, name);
+    const std::size_t width = a.shape.size() > 1 ? a.shape[1] : 1;
+    if ((b.shape.size() > 1 ? b.shape[1] : 1) != width) {
+      result.differences.push_back({name, "another number of columns"});
+      continue;
+    }
+    // A part ends with a row at its interruption, which a whole run need not have.
+    const bool is_part = !a_rows.times.empty() && !b_rows.times.empty() && a_rows.times.back() < b_rows.times.back();
+    result.is_part = result.is_part || is_part;
+    const std::size_t n = a_rows.times.size() - (is_part ? 1 : 0);
+    if (name == "/time") result.n_rows = n;
+    const auto places = b_rows.places();
+    double largest = 0., since = std::nan("");
+    std::size_t n_missing = !is_part && b_rows.times.size() > n ? b_rows.times.size() - n : 0;
+    for (std::size_t i = 0; i < n && (i + 1) * width <= a.values.size(); ++i) {
+      const auto found = places.find(a_rows.times[i]);
+      if (found == places.end() || (found->second + 1) * width > b.values.size()) {
+        ++n_missing;
+        continue;
+      }
+      const double *x = a.values.data() + i * width, *y = b.values.data() + found->second * width;
+      if (same_bits(x, y, width)) continue;
+      if (std::isnan(since)) since = a_rows.times[i];
+      for (std::size_t k = 0; k < width; ++k) largest = std::max(largest, std::fabs(x[k] - y[k]));
+    }
+    if (std::isfinite(since))
+      result.differences.push_back(
+          {name, fmt::format("largest difference {:.3g} {}, first at {:.6g} ms", largest,
+                             is_axis ? "s" : read_attribute(first, name, "units"), since * 1e3)});
+    else if (n_missing > 0)
+      result.differences.push_back({name, fmt::format("{} rows at other times", n_missing)});
+  }
+  return result;
+}
+
+std::string rerun_text(const RecordedInput& input, const BitComparison& c) {
+  const std::string part = c.is_part ? ", up to where the recorded run was interrupted" : "";
+  if (c.differences.empty())
+    return fmt::format("the same bits as {}: {} datasets, {} rows{}\n", input.file.string(), c.n_datasets, c.n_rows,
+                       part);
+  std::string text = fmt::format("OTHER bits than {}: {} of {} datasets differ{}\n", input.file.string(),
+                                 c.differences.size(), c.n_datasets, part);
+  constexpr std::size_t n_shown = 5;
+  for (std::size_t i = 0; i < c.differences.size() && i < n_shown; ++i)
+    text += fmt::format("  {}: {}\n", c.differences[i].dataset, c.differences[i].what);
+  if (c.differences.size() > n_shown) text += fmt::format("  and {} more\n", c.differences.size() - n_shown);
+  const std::string program = std::string("rotordrop ") + version();
+  if (input.program != program || input.revision != git_revision())
+    text += fmt::format("The program was {} ({}) and is {} ({}).\n", input.program, input.revision, program,
+                        git_revision());
+  if (input.processor != processor_name())
+    text += fmt::format("The processor was {} and is {}.\n", input.processor, processor_name());
+  const bool has_same_set = input.instruction_set == name_of(vector_level);
+  if (!has_same_set)
+    text += fmt::format(
+        "The instruction set was {0} and is {1}; ROTORDROP_ISA={0} in the environment chooses the former.\n",
+        input.instruction_set, name_of(vector_level));
+  if (has_same_set && input.program == program && input.revision == git_revision() &&
+      input.processor == processor_name())
+    text +=
+        "Program and processor are the same. A run that was interrupted and resumed with an error-controlled method "
+        "chooses its steps anew; otherwise please report this with the file.\n";
+  return text;
+}
+
+}  // namespace rotordrop

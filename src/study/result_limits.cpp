@@ -1,0 +1,165 @@
+#include "study/result_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/parameters/suggestion.h"
+#include "base/units.h"
+#include "case/dotted_names.h"
+#include "study/json_number.h"
+#include "study/result_names.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void collect(const Json& value, const std::string& path, std::vector<std::pair<std::string, double>>& to) {
+  for (const char* other : {"run.wall_time", "run.cpu_time", "input_warnings", "warnings", "limits", "second_opinion"})
+    if (path == other) return;
+  if (value.is_object()) {
+    for (const auto& [key, inner] : value.items()) collect(inner, path.empty() ? key : path + "." + key, to);
+  } else if (value.is_array()) {
+    std::size_t i = 0;
+    for (const auto& inner : value) collect(inner, fmt::format("{}[{}]", path, i++), to);
+  } else if (value.is_boolean()) {
+    to.emplace_back(path, value.get<bool>() ? 1. : 0.);
+  } else if (value.is_number()) {
+    to.emplace_back(path, value.get<double>());
+  } else if (value.is_null()) {
+    to.emplace_back(path, std::numeric_limits<double>::quiet_NaN());
+  } else if (const auto text = value.is_string() ? value.get<std::string>() : ""; text == "yes" || text == "no") {
+    to.emplace_back(path, text == "yes" ? 1. : 0.);
+  }
+}
+
+std::optional<double> bound(const Limit& limit, const std::string& name, const std::string& text, std::string unit,
+                            Faults& faults) {
+  if (text.empty()) return {};
+  if (unit.empty()) unit = "1";
+  auto kind = kind_of(unit);
+  if (kind == QuantityKind::temperature) kind = QuantityKind::temperature_difference;  // results are rises
+  const auto value = convert_to_si(text, unit, kind, "limits." + name);
+  if (value) return value.value;
+  faults.add(limit.where, value.error + ".", value.advice);
+  return {};
+}
+
+/// How much of a limit is used; null where a ratio says nothing: of other signs, or of zero.
+Json usage(double value, double limit, bool is_max) {
+  const double part = is_max ? value : limit, whole = is_max ? limit : value;
+  return part >= 0. && whole > 0. ? json_number(part / whole) : Json(nullptr);
+}
+
+std::string with_unit(const Json& value, const Json& unit) {
+  const std::string name = unit.get<std::string>();
+  return fmt::format("{:.4g}{}", value.get<double>(), name.empty() || name == "1" ? "" : " " + name);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, double>> numbers_of(const Json& summary) {
+  std::vector<std::pair<std::string, double>> numbers;
+  collect(summary, "", numbers);
+  return numbers;
+}
+
+std::string advice_on_result(const std::string& name, const std::vector<std::string>& names) {
+  return suggestion(name, names,
+                    "Names are those of summary.json (docs/reference/results.md), such as "
+                    "bearings.TB1.peak_contact_force; * stands for any text without a dot.");
+}
+
+std::vector<Limit> resolved_limits(const std::vector<Limit>& limits, const std::vector<std::string>& names,
+                                   const std::function<std::string(const std::string&)>& unit_of, Faults& faults) {
+  std::vector<Limit> resolved;
+  for (const auto& limit : limits) {
+    const std::size_t before = resolved.size();
+    for (const auto& name : names) {
+      if (!fits(name, limit.pattern)) continue;
+      Limit one = limit;
+      one.pattern = name;
+      one.max = bound(limit, name, limit.max_text, unit_of(name), faults);
+      one.min = bound(limit, name, limit.min_text, unit_of(name), faults);
+      resolved.push_back(std::move(one));
+    }
+    if (resolved.size() == before)
+      faults.add(limit.where,
+                 fmt::format("limits.{}: no result is called so, so the limit is on nothing.", limit.pattern),
+                 advice_on_result(limit.pattern, names));
+  }
+  return resolved;
+}
+
+Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std::string, double>>& numbers,
+              bool is_complete) {
+  Json list = Json::array();
+  for (const auto& limit : limits) {
+    const auto found =
+        std::find_if(numbers.begin(), numbers.end(), [&](const auto& n) { return n.first == limit.pattern; });
+    const double value = found == numbers.end() ? std::nan("") : found->second;
+    const bool is_known = is_complete && std::isfinite(value);
+    for (const bool is_max : {true, false}) {
+      const auto& bound = is_max ? limit.max : limit.min;
+      if (!bound) continue;
+      list.push_back({{"key", limit.pattern},
+                      {"value", json_number(value)},
+                      {"limit", *bound},
+                      {"kind", is_max ? "max" : "min"},
+                      {"unit", meaning_of(limit.pattern).unit},
+                      {"usage", usage(value, *bound, is_max)},
+                      {"accepted", is_known ? Json(is_max ? value <= *bound : value >= *bound) : Json(nullptr)}});
+    }
+  }
+  return list;
+}
+
+Json accepted(const Json& limits) {
+  bool all = !limits.empty();
+  for (const auto& limit : limits) {
+    if (limit["accepted"] == false) return false;
+    all = all && limit["accepted"] == true;
+  }
+  return all ? Json(true) : Json(nullptr);
+}
+
+void add_limits(const std::vector<Limit>& limits, bool is_complete, Json& summary) {
+  if (limits.empty()) return;
+  const auto numbers = numbers_of(summary);
+  std::vector<std::string> names;
+  for (const auto& number : numbers) names.push_back(number.first);
+  Faults faults;
+  const auto resolved = resolved_limits(
+      limits, names, [](const std::string& name) { return meaning_of(name).unit; }, faults);
+  faults.throw_if_any();
+  summary["limits"] = assessed(resolved, numbers, is_complete);
+  summary["accepted"] = accepted(summary["limits"]);
+}
+
+std::string limits_text(const Json& summary) {
+  if (!summary.contains("limits") || summary["limits"].empty()) return {};
+  const Json& all = summary["accepted"];
+  std::string text = fmt::format("Limits: {}\n", all == true    ? "ACCEPTED, all are met"
+                                                 : all == false ? "REJECTED"
+                                                                : "not accepted: not all could be assessed");
+  for (const auto& l : summary["limits"]) {
+    const std::string allowed =
+        fmt::format("{} {}", l["kind"] == "max" ? "at most" : "at least", with_unit(l["limit"], l["unit"]));
+    const std::string usage =
+        l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : std::string("-");
+    text += fmt::format("  {:<12} {:>8}  {}{}, {}\n",
+                        l["accepted"] == true    ? "accepted"
+                        : l["accepted"] == false ? "REJECTED"
+                                                 : "not assessed",
+                        usage, l["key"].get<std::string>(),
+                        l["value"].is_number() ? " = " + with_unit(l["value"], l["unit"]) : std::string(": no value"),
+                        allowed);
+  }
+  return text;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,39 @@
+#pragma once
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/limits.h"
+
+// Limits on numbers of a summary: of one run ([limits] of a case), and of many (study/many).
+namespace rotordrop {
+
+/// Numbers of a summary by their dotted names; NaN for what did not happen, 1 and 0 for yes and no. What the clock says differs from run to run and
+/// is left out, as are lists of words.
+std::vector<std::pair<std::string, double>> numbers_of(const nlohmann::ordered_json& summary);
+
+/// Advice on a name that no result has.
+std::string advice_on_result(const std::string& name, const std::vector<std::string>& names);
+
+/// Limits with names for patterns, and bounds in SI.
+/// @param unit_of  unit of a result by its name
+/// @param faults   gets patterns that fit no name, and bounds of another dimension
+std::vector<Limit> resolved_limits(const std::vector<Limit>& limits, const std::vector<std::string>& names,
+                                   const std::function<std::string(const std::string&)>& unit_of, Faults& faults);
+
+/// `limits` of summary.json. @param limits  resolved
+/// @param is_complete  of a run that was interrupted nothing is assessed: it may still exceed a limit, or come back below
+nlohmann::ordered_json assessed(const std::vector<Limit>& limits,
+                                const std::vector<std::pair<std::string, double>>& numbers, bool is_complete);
+/// All are met: true; one is exceeded: false; else null.
+nlohmann::ordered_json accepted(const nlohmann::ordered_json& limits);
+
+/// Adds `limits` and `accepted` to the summary of a case with limits. @throws InputError for limits on nothing
+void add_limits(const std::vector<Limit>& limits, bool is_complete, nlohmann::ordered_json& summary);
+
+/// Lines for the screen, from `limits` of a summary; empty without any.
+std::string limits_text(const nlohmann::ordered_json& summary);
+
+}  // namespace rotordrop

@@ -1,0 +1,189 @@
+#include "study/result_names.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace rotordrop {
+namespace {
+
+struct Rule {
+  const char* ending;  ///< of the name, after a dot or as a whole
+  const char* unit;
+  const char* long_name;
+};
+
+// The first ending that fits holds: longer ones come first. docs/reference/results.md says more about each.
+constexpr std::array rules{
+    Rule{"rotor.mass", "kg", "mass of the rotor"},
+    Rule{"rotor.polar_inertia", "kg m2", "polar moment of inertia of the rotor"},
+    Rule{"rotor.diametral_inertia", "kg m2", "diametral moment of inertia of the rotor"},
+    Rule{"rotor.centre_of_gravity", "m", "position of the rotor's centre of gravity along its axis"},
+    Rule{"free_free_frequencies[]", "Hz", "free-free natural frequency of the rotor at rest"},
+    Rule{"rotor_speed_end", "rad/s", "spin speed of the rotor at the end"},
+    Rule{"first_contact_time", "s", "instant of the first contact"},
+    Rule{"first_contact_end", "s", "end of the first contact"},
+    Rule{"second_contact_time", "s", "instant of the second contact"},
+    Rule{"mean_contact_force_end", "N", "mean contact force over the last 50 ms"},
+    Rule{"peak_contact_force", "N", "peak contact force of rotor on ring"},
+    Rule{"first_bounce_apex", "m", "highest position between first and second contact"},
+    Rule{"peak_friction_heat_rate", "W", "peak rub heat rate"},
+    Rule{"friction_heat", "J", "rub heat"},
+    Rule{"inner_heat", "J", "bearing friction heat at the inner raceway"},
+    Rule{"outer_heat", "J", "bearing friction heat at the outer raceway"},
+    Rule{"inner_heat_rate_max", "W", "largest bearing friction heat rate at the inner raceway"},
+    Rule{"outer_heat_rate_max", "W", "largest bearing friction heat rate at the outer raceway"},
+    Rule{"catch_up_time", "s", "instant at which the ring's spin-up is complete"},
+    Rule{"elastic_end.ring_speed", "rad/s", "ring speed of the elastic state at the end"},
+    Rule{"ring_speed_end", "rad/s", "spin speed of the inner ring at the end"},
+    Rule{"load_torque_peak", "N m", "largest load-dependent friction torque"},
+    Rule{"spin_torque_peak", "N m", "largest spin moment of a ball on the inner raceway"},
+    Rule{"largest_ball_force", "N", "largest ball load"},
+    Rule{"largest_contact_pressure", "Pa", "largest contact pressure of balls and raceways"},
+    Rule{"static_safety", "1", "static safety: (4.2 GPa over the largest contact pressure) cubed"},
+    Rule{"truncation", "1", "largest part of a contact ellipse beyond the raceway's edge"},
+    Rule{"time_truncated", "s", "time with a contact ellipse beyond the raceway's edge"},
+    Rule{"loaded_share", "1", "part of the time in which the row carries a load"},
+    Rule{"centrifugal_over_load", "1", "centrifugal force of a ball over the row's largest ball load"},
+    Rule{"centrifugal_force", "N", "largest centrifugal force of a ball"},
+    Rule{"largest_demand", "1", "largest traction required over available friction"},
+    Rule{"time_beyond", "s", "time with more traction required than available"},
+    Rule{"longest_beyond", "s", "longest stretch with more traction required than available"},
+    Rule{"speed_change_beyond", "rad/s", "changes of ring speed with more traction required than available"},
+    Rule{"speed_change", "rad/s", "sum of the changes of ring speed"},
+    Rule{"skid.row", "1", "row with most of those changes, counted from 1"},
+    Rule{"spin_up.slip_energy", "J", "rub heat from the spin-up alone"},
+    Rule{"spin_up.residual", "J", "rub heat less that from the spin-up alone"},
+    Rule{"local.bore_rise_low", "K", "smallest local temperature rise of the bore of all replays"},
+    Rule{"local.bore_rise_high", "K", "largest local temperature rise of the bore of all replays"},
+    Rule{"bore_rise", "K", "largest local temperature rise of the bore"},
+    Rule{"rotor_rise", "K", "largest local temperature rise of the rotor"},
+    Rule{"surface_difference", "K", "largest difference of bore and rotor under the band"},
+    Rule{"share_to_ring_then", "1", "share of the heat into the ring at that instant"},
+    Rule{"share_to_ring", "1", "share of the rub heat into the ring"},
+    Rule{"band_length_then", "m", "length of the rubbing band at that instant"},
+    Rule{"half_space_valid", "1", "whether the half space holds at that instant"},
+    Rule{"bore_depth", "m", "largest wear depth of the bore"},
+    Rule{"rotor_depth", "m", "largest wear depth of the rotor"},
+    Rule{"bore_mean_depth", "m", "mean wear depth of the bore"},
+    Rule{"rotor_mean_depth", "m", "mean wear depth of the rotor"},
+    Rule{"sliding_work", "J", "integral of contact force times slip speed"},
+    Rule{"depth_limit", "m", "allowed wear depth"},
+    Rule{"drops_until_limit", "1", "drops until the allowed wear depth"},
+    Rule{"whirl.frequency", "Hz", "mean frequency of the longest whirl"},
+    Rule{"whirl.start", "s", "start of the longest whirl"},
+    Rule{"whirl.end", "s", "end of the longest whirl"},
+    Rule{"whirl.turns", "1", "turns of the longest whirl"},
+    Rule{"largest_backward_speed", "rad/s", "largest speed of sustained backward whirl"},
+    Rule{"contact_time", "s", "recorded time in contact"},
+    Rule{"forward_share", "1", "part of the contact time with forward motion"},
+    Rule{"backward_share", "1", "part of the contact time with backward motion"},
+    Rule{"backward_whirl_share", "1", "part of the contact time with sustained backward whirl"},
+    Rule{"whirl.full_rub", "1", "whether there is a full backward rub"},
+    Rule{"fastest_resolved", "rad/s", "fastest whirl that the recorded rows resolve"},
+    Rule{"friction_coefficient", "1", "friction coefficient of rotor on ring"},
+    Rule{"friction_from_rest", "1", "friction coefficient that starts a full backward rub from rest"},
+    Rule{"speed_at_bottom", "rad/s", "whirl speed at the bottom that starts a full backward rub"},
+    Rule{"support.largest_travel", "m", "largest displacement of the outer ring in its support"},
+    Rule{"support.largest_travel_time", "s", "time of that displacement"},
+    Rule{"support.travel_limit", "m", "displacement that the support allows"},
+    Rule{"support.loss", "J", "energy that the support dissipates"},
+    Rule{"support.largest_stored_energy", "J", "largest energy in the springs of the support"},
+    Rule{"support.meets_stop", "1", "whether the outer ring meets its stop"},
+    Rule{"run.end_time", "s", "end of the simulated time"},
+    Rule{"run.completed", "1", "whether the run came to its end"},
+    Rule{"accepted", "1", "whether all limits of the case are met"},
+    Rule{"run.warnings", "1", "number of warnings of the run"},
+    Rule{"run.steps", "1", "steps of the time integration"},
+    Rule{"run.rhs_evaluations", "1", "right-hand sides of the time integration"},
+    Rule{"run.rejected_steps", "1", "rejected steps of the time integration"},
+};
+
+// Parts that end in start, smallest, largest, end or a time.
+constexpr std::array ranges{
+    Rule{"preload", "N", "preload between opposed rows"},
+    Rule{"clearance", "m", "air gap"},
+    Rule{"axial.force", "N", "axial force of rotor on ring"},
+    Rule{"axial.rotor_position", "m", "axial position of the rotor"},
+    Rule{"growth.*", "m", "growth"},
+};
+
+std::string without_indices(const std::string& name) {
+  std::string result;
+  bool is_inside = false;
+  for (const char c : name) {
+    if (c == ']') is_inside = false;
+    if (!is_inside) result += c;
+    if (c == '[') is_inside = true;
+  }
+  return result;
+}
+
+bool ends_with(const std::string& name, const std::string& ending) {
+  return name == ending ||
+         (name.size() > ending.size() && name.ends_with(ending) && name[name.size() - ending.size() - 1] == '.');
+}
+
+/// "TB1" of "bearings.TB1.peak_contact_force".
+std::string bearing_of(const std::string& name) {
+  if (!name.starts_with("bearings.")) return "";
+  return name.substr(9, name.find('.', 9) - 9);
+}
+
+ResultMeaning range_meaning(const std::string& name) {
+  const auto dot = name.rfind('.');
+  if (dot == std::string::npos) return {};
+  const std::string last = name.substr(dot + 1), path = name.substr(0, dot);
+  const bool is_time = last == "smallest_time" || last == "largest_time";
+  if (!is_time && last != "start" && last != "smallest" && last != "largest" && last != "end") return {};
+  for (const auto& rule : ranges) {
+    std::string ending = rule.ending;
+    std::string what = rule.long_name;
+    if (ending == "growth.*") {
+      const auto before = path.rfind('.');
+      if (before == std::string::npos || !ends_with(path.substr(0, before), "growth")) continue;
+      what = "growth of " + path.substr(before + 1);
+    } else if (!ends_with(path, ending)) {
+      continue;
+    }
+    if (is_time) return {"s", "instant of the " + last.substr(0, last.size() - 5) + " " + what};
+    return {rule.unit, (last == "start" || last == "end") ? what + " at the " + last : last + " " + what};
+  }
+  return {};
+}
+
+ResultMeaning plain_meaning(const std::string& name) {
+  for (const auto& rule : rules)
+    if (ends_with(name, rule.ending)) return {rule.unit, rule.long_name};
+  if (const auto range = range_meaning(name); !range.unit.empty()) return range;
+  const auto dot = name.rfind('.');
+  const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
+  if (name.find("temperature_rise_end.") != std::string::npos)
+    return {"K", "temperature rise of " + last + " at the end"};
+  if (name.starts_with("energy.")) {
+    std::string words = last;
+    for (char& c : words)
+      if (c == '_') c = ' ';
+    return {"J", "energy: " + words};
+  }
+  if (last.ends_with("_time")) {
+    const auto what = plain_meaning(name.substr(0, name.size() - 5));
+    return {"s", what.long_name.empty() ? "" : "instant of: " + what.long_name};
+  }
+  return {};
+}
+
+}  // namespace
+
+ResultMeaning meaning_of(const std::string& name) {
+  ResultMeaning meaning = plain_meaning(without_indices(name));
+  if (const auto bearing = bearing_of(name); !bearing.empty() && !meaning.long_name.empty()) {
+    std::string where = bearing;
+    if (const auto rows = name.find(".rows["); rows != std::string::npos)
+      where += ", row " + std::to_string(std::stoi(name.substr(rows + 6)) + 1);
+    meaning.long_name = where + ": " + meaning.long_name;
+  }
+  return meaning;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,84 @@
+"""Typical mistakes of a newcomer: each message says what is wrong in plain words, where, and how it is meant.
+
+Where a message offers a line, that line is put into the case and must be accepted: advice that does not work is worse than none.
+"""
+
+import re
+import sys
+import unittest
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import ProgramTest  # noqa: E402
+
+CONTACT = '[contact]\nair_gap = "250 um"\n'
+# What was done, the text after the base, what the message says, and the line that it offers (None: none).
+MISTAKES = [
+    ("a unit of another dimension", '[contact]\nair_gap = "250 N"\n', r"drop\.toml:3:11: 250 N is a force; contact\.air_gap needs a length such as", None),
+    ("a decimal comma in a quantity", '[contact]\nair_gap = "0,25 mm"\n', "Write a decimal point, not a comma", None),
+    ("a decimal comma", "[contact]\nfriction_coefficient = 0,1\n", "a number has a decimal point, not a comma", "friction_coefficient = 0.1"),
+    ("a missing closing quote", '[contact]\nair_gap = "250 um\n', "a text has no closing quote", 'air_gap = "250 um"'),
+    ("no quotes around a unit", "[contact]\nair_gap = 250 um\n", "a value with a unit is in quotes", 'air_gap = "250 um"'),
+    ("no quotes around a word", "[contact]\nfriction_law = regularised\n", "a text is in quotes", 'friction_law = "regularised"'),
+    ("quotes of a word processor", "[contact]\nair_gap = \u201c250 um\u201d\n", "quotes are straight", 'air_gap = "250 um"'),
+    ("a colon for the equals sign", '[contact]\nair_gap: "250 um"\n', "a value follows an equals sign", 'air_gap = "250 um"'),
+    ("no equals sign", '[contact]\nair_gap "250 um"\n', "there is no equals sign", 'air_gap = "250 um"'),
+    ("True for true", "[thermal]\ngrowth = True\n", "in small letters", "growth = true"),
+    ("yes for true", "[thermal]\ngrowth = yes\n", "in small letters", "growth = true"),
+    ("a number that begins with its point", "[contact]\nfriction_coefficient = .1\n", "a number begins with a digit", "friction_coefficient = 0.1"),
+    ("nothing behind the equals sign", "[contact]\nair_gap =\n", "air_gap has no value", None),
+    ("a section without its bracket", '[contact\nair_gap = "250 um"\n', "the name of a section has no closing bracket", "[contact]"),
+    ("a section twice", CONTACT + "[contact]\nfriction_coefficient = 0.1\n", r"the section \[contact\] is there twice, first in line 2", None),
+    ("a key twice", CONTACT + 'air_gap = "200 um"\n', "air_gap is given twice, first in line 3: remove one", None),
+    ("a comment of another language", "// soft\n" + CONTACT, "a comment begins with #", "# soft"),
+    ("a list with units without quotes", "[rotor]\ninitial_offset = [1 um, 0]\n", "a value with a unit is in quotes, in lists, too", 'initial_offset = ["1 um", 0]'),
+    ("a backslash in the name of a file", '[rotor]\ngeometry = "C:\\my\\rotor.json"\n', "a backslash has a meaning of its own", 'geometry = "C:/my/rotor.json"'),
+    ("a table in braces over two lines", '[bearings.TB1]\nsupport = { mass = "85 kg",\n K_y = 2 }\n', "a table in braces is on one line", None),
+    ("a key outside its section", 'air_gap = "250 um"\n', r"known in \[contact\]", None),
+    ("a mistyped key", '[contact]\nair_gpa = "250 um"\n', 'Did you mean "air_gap"', None),
+    ("a mistyped word", '[contact]\nfriction_law = "regularized"\n', 'Did you mean "regularised"', None),
+    ("an unknown bearing", '[bearings.TB1]\ncatalogue = "6o14"\n', 'Did you mean "6014"', None),
+    ("a bearing too big for its housing", '[bearings.TB1]\ncatalogue = "6020"\n', r"housing_diameters = \[\"150 mm\", ", None),
+    ("a file that is not there", '[rotor]\ngeometry = "rotr.json"\n', r'rotor\.geometry = "rotr\.json": there is no such file', None),
+    ("a name of a file with line breaks", '[rotor]\ngeometry = "C:\\rotor\\new.json"\n', r"it holds a line break.*write / ", None),
+]
+
+
+class Newcomers(ProgramTest):
+    def test_each_mistake_has_a_message_to_act_upon(self):
+        for what, text, says, line in MISTAKES:
+            with self.subTest(what):
+                self.write("drop.toml", 'base = "reference.toml"\n' + text)
+                done = self.call("check", "drop.toml")
+                self.assertEqual(done.returncode, 2)
+                said = re.sub(r"\s+", " ", done.stderr)
+                self.assertRegex(said, says)
+                self.assertNotRegex(said, "saw '|error while parsing", "the parser's words")
+                offered = re.search(r"Write it as: (.*)", done.stderr)
+                self.assertEqual(offered[1] if offered else None, line, done.stderr)
+                if line and "C:/" not in line:
+                    number = int(re.search(r"drop\.toml:(\d+)", done.stderr)[1])
+                    lines = (self.folder / "drop.toml").read_text().splitlines()
+                    # The parser may find a mistake only on the next line.
+                    fixed = []
+                    for place in (number - 1, number - 2):
+                        mended = lines[:place] + [line] + lines[place + 1:]
+                        self.write("mended.toml", "\n".join(mended) + "\n")
+                        fixed.append(self.call("check", "mended.toml").returncode)
+                    self.assertIn(0, fixed, "the offered line works")
+
+    def test_usual_slips_warn(self):
+        for text, says in (("[run]\ninitial_speed = 9000\n", 'If rpm is meant, write "9000 rpm"'), ("[contact]\nair_gap = 0.25\n", "air_gap"), ('[contact]\nair_gap = "5 mm"\n', "is unusual")):
+            self.write("drop.toml", 'base = "reference.toml"\n' + text)
+            done = self.call("check", "drop.toml")
+            self.assertIn(says, done.stderr)
+
+    def test_results_that_are_there_are_not_replaced_by_accident(self):
+        case = self.case('run.end_time = "1 ms"\n'.replace("run.end_time", "output.interval"))
+        self.succeed("run", case, "-o", "out")
+        done = self.call("run", case, "-o", "out")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, "-o DIR.*--force.*--resume")
+
+
+if __name__ == "__main__":
+    unittest.main()

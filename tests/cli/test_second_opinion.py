@@ -1,0 +1,94 @@
+"""The second opinion on a drop: its numbers are those of runs that a user could make by hand."""
+
+import re
+import sys
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import ProgramTest, content_of, settings  # noqa: E402
+
+KEY = "bearings.TB1.peak_contact_force"
+
+
+class SecondOpinion(ProgramTest):
+    def peak(self, directory):
+        return self.summary(directory)["bearings"]["TB1"]["peak_contact_force"]
+
+    def opinion(self, directory="out"):
+        opinion = self.summary(directory)["second_opinion"]
+        return opinion, {result["key"]: result for result in opinion["results"]}
+
+    def test_it_is_what_runs_by_hand_say(self):
+        case = self.case('integration.method = "tsitouras"\nintegration.tolerance = 1e-4\n')
+        long = settings(run__end_time="40 ms")
+        done = self.succeed("run", case, "-o", "out", *long, "--set", "run.second_opinion=true")
+        opinion, results = self.opinion()
+        # First impacts: to the second contact of the bearing that has it last.
+        bearings = self.summary("out")["bearings"]
+        until = max(b[key] for b in bearings.values() for key in ("first_contact_end", "second_contact_time") if b[key] is not None)
+        self.assertAlmostEqual(opinion["first_impacts_until"], until, delta=1e-12)
+        brief = settings(run__end_time=f"{until!r}")
+        self.succeed("run", case, "-o", "same", *brief)
+        self.succeed("run", case, "-o", "finer", *brief, *settings(integration__tolerance="1e-5"))
+        difference = abs(self.peak("same") - self.peak("finer")) / max(self.peak("same"), self.peak("finer"))
+        self.assertAlmostEqual(results[KEY]["by_finer_steps"], difference, delta=1e-9)
+        self.assertGreater(difference, 0, "such a tolerance leaves something")
+        # Neighbours: the rotor 1 nm up and down; first_offset is 0 in the reference case.
+        for name, offset in (("up", "1e-9"), ("down", "-1e-9")):
+            self.succeed("run", case, "-o", name, *long, *settings(rotor__initial_offset=f"[{offset}, 0]"))
+        peaks = [self.peak(name) for name in ("out", "up", "down")]
+        self.assertEqual((results[KEY]["lowest"], results[KEY]["highest"]), (min(peaks), max(peaks)))
+        self.assertAlmostEqual(results[KEY]["spread"], 1 - min(peaks) / max(peaks), delta=1e-12)
+        self.assertEqual(results[KEY]["known_to"], max(results[KEY]["spread"], results[KEY]["by_finer_steps"]))
+        # Orbits that part by 1 % of 250 um.
+        with h5py.File(self.folder / "out/results.h5") as own:
+            apart = numpy.inf
+            for name in ("up", "down"):
+                with h5py.File(self.folder / name / "results.h5") as other:
+                    for bearing in ("TB1", "TB2"):
+                        path = f"bearings/{bearing}/orbit"
+                        far = numpy.hypot(*(own[path][()] - other[path][()]).T) > 2.5e-6
+                        if far.any():
+                            apart = min(apart, own["time"][int(far.argmax())])
+        self.assertEqual(opinion["is_chaotic"], bool(numpy.isfinite(apart)))
+        if opinion["is_chaotic"]:
+            self.assertAlmostEqual(opinion["apart_from"], apart, delta=1e-12)
+        self.assertRegex(done.stdout, r"Second opinion \(a tenth of the tolerance up to [0-9.]+ ms, and 2 drops that start 1 nm beside\):\n(  .*\n)*  known to +[0-9.e-]+ %  bearings\.TB1\.peak_contact_force")
+
+    def test_motion_that_is_not_chaotic_is_known(self):
+        # A fall without contact: 1 nm stays 1 nm.
+        done = self.succeed("run", self.case(""), "-o", "out", *settings(run__end_time="3 ms", run__second_opinion="true"))
+        opinion, results = self.opinion()
+        self.assertEqual((opinion["is_chaotic"], opinion["apart_from"]), (False, None))
+        self.assertEqual(opinion["first_impacts_until"], 0.003, "there is no impact: all of it")
+        self.assertLess(results["rotor_speed_end"]["known_to"], 1e-9)
+        self.assertIn("Neighbours stay together to the end", done.stdout)
+
+    def test_a_fixed_step_is_halved(self):
+        fixed = settings(integration__method="runge-kutta-4", integration__step="20 us", run__end_time="12 ms")
+        self.succeed("run", self.case(""), "-o", "out", *fixed, "--set", "run.second_opinion=true")
+        opinion, results = self.opinion()
+        self.assertEqual(opinion["finer_by"], "half the step")
+        brief = settings(integration__method="runge-kutta-4", run__end_time=repr(opinion["first_impacts_until"]))
+        for step in ("20 us", "10 us"):
+            self.succeed("run", self.case(""), "-o", step.replace(" ", ""), *brief, *settings(integration__step=step))
+        a, b = self.peak("20us"), self.peak("10us")
+        self.assertAlmostEqual(results[KEY]["by_finer_steps"], abs(a - b) / max(a, b), delta=1e-9)
+
+    def test_without_being_asked_nothing_changes(self):
+        self.succeed("run", self.case(""), "-o", "out")
+        self.assertNotIn("second_opinion", self.summary())
+        self.succeed("run", self.case("run.second_opinion = true\n"), "-o", "two")
+        one, two = self.summary(), self.summary("two")
+        del two["second_opinion"]
+        for summary in (one, two):
+            del summary["run"]["wall_time"], summary["run"]["cpu_time"]
+        self.assertEqual(one, two)
+        self.assertEqual(sorted(content_of(self.folder / "two")), ["parameters.toml", "results.h5", "summary.json"])
+
+
+if __name__ == "__main__":
+    unittest.main()

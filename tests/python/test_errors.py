@@ -1,0 +1,121 @@
+"""Wrong input from Python: all faults at once, each with its parameter, its place and what is probably meant."""
+
+import pathlib
+import pickle
+import sys
+import unittest
+import warnings
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from package import PARAMS, SETTLING, PackageTest, rd  # noqa: E402
+
+
+class Faults(PackageTest):
+    def faults_of(self, *arguments, **options):
+        with self.assertRaises(rd.InputError) as caught:
+            rd.Case(*arguments, **options)
+        error = caught.exception
+        for fault in error.faults:
+            self.assertIn(fault.message, str(error))
+        return error.faults
+
+    def test_all_faults_of_a_file_with_their_lines_and_keys(self):
+        file = self.folder / "drop.toml"
+        file.write_text(f'base = "{PARAMS}/neisi2019.toml"\n[contact]\nair_gpa = "200 um"\nfriction_coefficient = -1\n\n[run]\nend_time = "5 kg"\n')
+        faults = self.faults_of(file)
+        by_key = {fault.key: fault for fault in faults}
+        self.assertEqual(list(by_key), ["contact.air_gpa", "contact.friction_coefficient", "run.end_time"])
+        self.assertEqual([fault.line for fault in faults], [3, 4, 7])
+        self.assertEqual({fault.file for fault in faults}, {str(file)})
+        self.assertIn('Did you mean "air_gap"', by_key["contact.air_gpa"].advice)
+        self.assertGreater(by_key["run.end_time"].column, 1)
+        self.assertIsInstance(faults, tuple)
+
+    def test_overrides_are_values_of_python(self):
+        faults = self.faults_of(SETTLING, {"contact.friction_coefficent": 0.05, "contact.air_gap": "3 kg", "run.end_time": -1})
+        self.assertEqual({fault.key for fault in faults}, {"contact.friction_coefficent", "contact.air_gap", "run.end_time"})
+        for fault in faults:
+            self.assertEqual((fault.file, fault.line), ("", 0))
+            self.assertNotIn("--set", fault.message + fault.advice)
+        (misspelt,) = [fault for fault in faults if fault.key.endswith("efficent")]
+        self.assertIn("friction_coefficient", misspelt.advice)
+
+    def test_entries_of_lists_are_overridden(self):
+        case = rd.Case(SETTLING, {"rotor.unbalance[0].me": 2e-6, "bearings.TB1.node": 3})
+        self.assertEqual(case.parameters["rotor"]["unbalance"][0]["me"], 2e-6)
+        self.assertEqual(case.parameters["bearings"]["TB1"]["node"], 3)
+        (fault,) = self.faults_of(SETTLING, {"rotor.unbalance[7].me": 2e-6})
+        self.assertEqual(fault.key, "rotor.unbalance[7].me")
+
+    def test_a_text_and_a_dictionary_are_cases(self):
+        gap = 200e-6
+        by_text = rd.Case(f'base = "{SETTLING}"\n[contact]\nair_gap = "200 um"\n', name="mine")
+        by_dict = rd.Case({"base": str(SETTLING), "contact": {"air_gap": gap}}, name="mine")
+        beside = rd.Case({"base": SETTLING.name, "contact": {"air_gap": gap}}, folder=PARAMS)
+        self.assertEqual([case.name for case in (by_text, by_dict, beside)], ["mine", "mine", "case"])
+        for case in (by_text, by_dict, beside):
+            self.assertAlmostEqual(rd.si(case.parameters["contact"]["air_gap"], "m"), gap, delta=1e-18)
+            self.assertEqual(case.parameters["bearings"], rd.Case(SETTLING).parameters["bearings"])
+        (fault,) = self.faults_of(f'base = "{SETTLING}"\n[contact]\nair_gpa = 1e-4\n', name="mine", folder=self.folder)
+        self.assertEqual((fault.key, fault.line, pathlib.Path(fault.file).name), ("contact.air_gpa", 3, "mine.toml"))
+        (fault,) = self.faults_of({"base": str(SETTLING), "contact": {"air_gpa": gap}})
+        self.assertEqual((fault.key, fault.file, fault.line), ("contact.air_gpa", "", 0))
+        self.assertIn("air_gap", fault.advice)
+
+    def test_arrays_of_numpy_and_nested_values(self):
+        import numpy as np
+
+        case = rd.Case(SETTLING, {"rotor.initial_offset": np.array([1e-6, 2e-6]), "run.end_time": np.float32(0.25), "thermal.growth": np.bool_(False), "bearings.TB1.node": np.int64(2)})
+        self.assertEqual(case.parameters["rotor"]["initial_offset"], [1e-6, 2e-6])
+        self.assertEqual(case.parameters["run"]["end_time"], 0.25)
+        self.assertIs(case.parameters["thermal"]["growth"], False)
+        self.assertEqual(case.parameters["bearings"]["TB1"]["node"], 2)
+
+    def test_values_that_no_case_can_have(self):
+        for value in (None, object(), b"bytes", {1: 2}):
+            with self.subTest(value=value):
+                (fault, *_) = self.faults_of(SETTLING, {"contact.air_gap": value})
+                self.assertEqual(fault.key, "contact.air_gap")
+        (fault,) = self.faults_of(SETTLING, {5: 1})
+        self.assertIn("is no text", fault.message)
+        (fault,) = self.faults_of(SETTLING, {"contact air_gap": 1})
+        self.assertNotIn("--set", fault.advice)
+
+    def test_files_that_are_not_there(self):
+        (fault,) = self.faults_of(self.folder / "nothing.toml")
+        self.assertIn("nothing.toml", str(fault))
+        (fault,) = self.faults_of({"base": "nowhere.toml"}, folder=self.folder)
+        self.assertIn("nowhere.toml", str(fault))
+        (fault,) = self.faults_of('[contact]\nair_gap = 5 um\n')
+        self.assertEqual(fault.line, 2)
+
+    def test_errors_are_pickled_with_their_faults(self):
+        with self.assertRaises(rd.InputError) as caught:
+            rd.Case(SETTLING, {"contact.air_gpa": 1})
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual((again.faults, str(again)), (caught.exception.faults, str(caught.exception)))
+        self.assertIsInstance(again, ValueError)
+
+    def test_what_is_unusual_is_a_warning(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            case = rd.Case(SETTLING, {"rotor.unbalance[0].me": "1 kg m"})
+        self.assertGreater(len(case.warnings), 0)
+        self.assertEqual([w.category for w in caught], [rd.CaseWarning] * len(case.warnings))
+        self.assertEqual(caught[0].filename, __file__)
+        self.assertIn("rotor.unbalance[0].me", str(caught[0].message))
+        self.assertEqual(case.warnings[0].key, "rotor.unbalance[0].me")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(rd.Case(SETTLING).warnings, ())
+
+    def test_quantities(self):
+        self.assertAlmostEqual(rd.si("15200 rpm", "rad/s"), 15200 * 3.141592653589793 / 30, delta=1e-9)
+        self.assertEqual(rd.si(5, "m"), 5.0)
+        with self.assertRaises(rd.InputError) as caught:
+            rd.si("3 kg", "m", "stiffness")
+        self.assertIn("stiffness", str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main()

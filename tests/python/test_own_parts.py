@@ -1,0 +1,152 @@
+"""Supports written in Python: the built-in spring and damper written again gives the built-in's motion, energy closes, and faults of the class come out."""
+
+import math
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from package import PARAMS, PackageTest, rd  # noqa: E402
+
+STIFFNESS, DAMPING = 5e6, 2e3  # [N/m], [N s/m]
+
+
+class Spring(rd.Support):
+    """Spring and damper to the ground, as the built-in type "linear"."""
+
+    type = "python-spring"
+    parameters = {"stiffness": rd.Quantity("N/m"), "damping": rd.Quantity("N s/m", "0 N s/m")}
+    series = (rd.Series("position", "m", "position of the rotor", ("y", "z")), rd.Series("speed", "m/s", "speed of the rotor"))
+
+    def evaluate(self, seen, state):
+        k, c, at = self.values["stiffness"], self.values["damping"], seen.journal
+        return rd.SupportResponse(
+            force_y=-k * at.y - c * at.velocity_y,
+            force_z=-k * at.z - c * at.velocity_z,
+            dissipation=c * (at.velocity_y**2 + at.velocity_z**2),
+            observed=(at.y, at.z, math.hypot(at.velocity_y, at.velocity_z)),
+        )
+
+    def energy(self, seen, state):
+        return 0.5 * self.values["stiffness"] * (seen.journal.y**2 + seen.journal.z**2)
+
+
+class Maxwell(rd.Support):
+    """A spring in series with a damper: the damper's stretch is a state."""
+
+    type = "python-maxwell"
+    parameters = {"stiffness": rd.Quantity("N/m"), "damping": rd.Quantity("N s/m")}
+    states = (rd.State("stretch y", "m", 1e-5), rd.State("stretch z", "m", 1e-5))
+
+    def evaluate(self, seen, state):
+        k, c = self.values["stiffness"], self.values["damping"]
+        forces = [-k * (seen.journal.y - state[0]), -k * (seen.journal.z - state[1])]
+        rates = [-force / c for force in forces]
+        return rd.SupportResponse(*forces, dissipation=c * (rates[0] ** 2 + rates[1] ** 2), rates=rates)
+
+    def energy(self, seen, state):
+        return 0.5 * self.values["stiffness"] * ((seen.journal.y - state[0]) ** 2 + (seen.journal.z - state[1]) ** 2)
+
+
+class Supports(PackageTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        rd.add_support(Spring)
+        rd.add_support(Maxwell)
+
+    def case(self, support, overrides=None):
+        bearings = {"A": {**support, "node": 2}, "B": {**support, "node": 28}}
+        tree = {"run": {"initial_speed": "6000 rpm", "end_time": "20 ms"}, "rotor": {"geometry": str(PARAMS / "neisi2019-rotor.json"), "unbalance": [{"node": 16, "me": 2e-5, "angle": 0}]},
+                "bearings": bearings, "integration": {"tolerance": 1e-9}}
+        return rd.Case(tree, overrides, name="own")
+
+    def test_the_builtin_written_again_moves_likewise(self):
+        square = [[STIFFNESS, 0], [0, STIFFNESS]], [[DAMPING, 0], [0, DAMPING]]
+        builtin = self.case({"type": "linear", "stiffness": square[0], "damping": square[1]}).run()
+        python = self.case({"type": "python-spring", "stiffness": STIFFNESS, "damping": DAMPING}).run()
+        orbit = builtin["bearings.A.orbit"]
+        largest = float(np.abs(orbit).max())
+        self.assertGreater(largest, 1e-5)
+        # The same equations in another order of operations, with error control at 1e-9.
+        self.assertLess(float(np.abs(python["bearings.A.position"].values - orbit.values).max()), 1e-6 * largest)
+        self.assertEqual(python["bearings.B.speed"].attrs["units"], "m/s")
+        energy = python.summary["energy"]
+        self.assertGreater(energy["dissipated"], 1e-3)
+        self.assertLess(abs(energy["residual"]), 1e-6 * energy["dissipated"])
+
+    def test_states_are_integrated_and_energy_closes(self):
+        result = self.case({"type": "python-maxwell", "stiffness": STIFFNESS, "damping": DAMPING}).run()
+        energy = result.summary["energy"]
+        self.assertGreater(energy["dissipated"], 1e-3)
+        self.assertLess(abs(energy["residual"]), 1e-6 * energy["dissipated"])
+
+    def test_what_is_not_booked_shows(self):
+        class Forgetful(Spring):
+            type = "python-forgetful"
+
+            def evaluate(self, seen, state):
+                response = super().evaluate(seen, state)
+                at, c = seen.journal, self.values["damping"]
+                return rd.SupportResponse(-self.values["stiffness"] * at.y - c * at.velocity_y, -self.values["stiffness"] * at.z - c * at.velocity_z, observed=(0.0, 0.0, 0.0)) if response else None
+
+        rd.add_support(Forgetful)
+        energy = self.case({"type": "python-forgetful", "stiffness": STIFFNESS, "damping": DAMPING}).run().summary["energy"]
+        self.assertGreater(abs(energy["residual"]), 1e-3)
+
+    def test_keys_are_checked_like_all_others(self):
+        with self.assertRaises(rd.InputError) as caught:
+            self.case({"type": "python-spring", "stifness": STIFFNESS})
+        advice = " ".join(fault.message + fault.advice for fault in caught.exception.faults)
+        self.assertIn("stiffness", advice)
+        with self.assertRaises(rd.InputError):
+            self.case({"type": "python-spring", "stiffness": "3 kg"})
+        case = self.case({"type": "python-spring", "stiffness": "5000 N/mm"})
+        self.assertIn("A", case.parameters["bearings"])
+
+    def test_exceptions_and_wrong_sizes_come_out(self):
+        class Faulty(Spring):
+            type = "python-faulty"
+            mistake = "raise"
+
+            def evaluate(self, seen, state):
+                if self.mistake == "raise":
+                    raise ZeroDivisionError("in evaluate")
+                return rd.SupportResponse(rates=(1.0,), observed=(0.0, 0.0, 0.0)) if self.mistake == "rates" else rd.SupportResponse()
+
+        rd.add_support(Faulty)
+        case = self.case({"type": "python-faulty", "stiffness": 1e6})
+        with self.assertRaisesRegex(ZeroDivisionError, "in evaluate"):
+            case.run()
+        Faulty.mistake = "rates"
+        with self.assertRaisesRegex(ValueError, "return 0 rates, and returned 1"):
+            case.run()
+        Faulty.mistake = "observed"
+        with self.assertRaisesRegex(ValueError, "return 3 observed, and returned 0"):
+            case.run()
+
+    def test_a_class_can_be_replaced_by_one_with_the_same_keys(self):
+        class Again(Spring):
+            """The same keys."""
+
+            def energy(self, seen, state):
+                raise OSError("of the new class")
+
+        self.addCleanup(rd.add_support, Spring)
+        case = self.case({"type": "python-spring", "stiffness": STIFFNESS})
+        rd.add_support(Again)
+        with self.assertRaisesRegex(OSError, "of the new class"):
+            case.run()
+
+        class Other(Spring):
+            parameters = {"mass": rd.Quantity("kg")}
+
+        with self.assertRaisesRegex(ValueError, "cannot change"):
+            rd.add_support(Other)
+        with self.assertRaises(ValueError):
+            rd.add_support(type("Builtin", (Spring,), {"type": "linear"}))
+
+
+if __name__ == "__main__":
+    unittest.main()
