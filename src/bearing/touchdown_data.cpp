@@ -1,12 +1,10 @@
 #include "bearing/touchdown_data.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "base/errors.h"
+#include "bearing/cage_parameters.h"
 #include "bearing/contact_stiffness.h"
 #include "bearing/ring_bending_parameters.h"
 #include "laws/ball_kinematics.h"
@@ -47,26 +45,6 @@ FreeRing free_ring_data(const TouchdownParameters& b, const ElasticMaterial& mat
   ring.shoulder_radius = b.shoulders.radius.value_or(0.5 * (r_1 + r_2));
   ring.shoulder_stiffness = shoulder_stiffness(b, material);
   return ring;
-}
-
-/// A cage's mass over that of its balls, if the case does not give its inertia: an estimate for machined cages.
-constexpr double standard_cage_share = 0.2;
-
-std::optional<FreeCage> free_cage(const TouchdownParameters& b, const TouchdownBearingData& d) {
-  if (b.cage != CageModel::free) return {};
-  const auto& row = d.rows.front();
-  FreeCage cage;
-  cage.n_balls = static_cast<double>(row.n_balls) * static_cast<double>(d.rows.size());
-  cage.ball_mass = row.ball_mass;
-  cage.ball_diameter = row.ball_diameter;
-  cage.pitch_radius = 0.5 * row.pitch_diameter;
-  cage.gamma = row.ball_diameter * std::cos(row.contact_angle) / row.pitch_diameter;
-  cage.inertia = b.cage_inertia.value_or(standard_cage_share * cage.n_balls * cage.ball_mass * cage.pitch_radius *
-                                         cage.pitch_radius);
-  cage.traction = b.race_traction;
-  cage.slip = b.race_traction_slip;
-  cage.pocket_friction = b.pocket_friction;
-  return cage;
 }
 
 }  // namespace
@@ -165,17 +143,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.gravity_y = around.gravity[1];
   d.gravity_z = around.gravity[2];
   d.bending = bent_rings(b, d, around);
-  d.free_cage = free_cage(b, d);
-  if (d.free_cage) {
-    const double rolling = d.free_cage->rolling_inertia();
-    if (rolling >= d.ring_spin_inertia)
-      throw InputError({},
-                       fmt::format("bearings.{}: the ring_spin_inertia of {:.3g} kg m2 includes balls and cage, but "
-                                   "these have {:.3g} kg m2 already.",
-                                   name, d.ring_spin_inertia, rolling),
-                       "Check ring_spin_inertia, ball_diameter, the balls' density and cage_inertia.");
-    d.ring_spin_inertia -= rolling;
-  }
+  set_free_cage(b, d);
   if (b.ring_motion == RingMotion::free) d.free_ring = free_ring_data(b, around.ring, around.gravity[0]);
   return d;
 }

@@ -1,5 +1,6 @@
 #include "bearing/touchdown_parameters.h"
 
+#include "bearing/cage_parameters.h"
 #include "bearing/ring_bending_parameters.h"
 #include "bearing/touchdown_checks.h"
 
@@ -153,35 +154,7 @@ void add_row_keys(Section<TouchdownParameters>& s) {
        .help =
            "quasi-static: massless balls. inertial: each ball in equilibrium with its centrifugal force and gyroscopic "
            "moment (Jones, outer-race control), with separate contact stiffnesses at inner and outer raceway."});
-  s.choice("cage", &P::cage, {{"rolling", CageModel::rolling}, {"free", CageModel::free}},
-           {.fallback = "rolling",
-            .help = "rolling: balls roll, the cage turns with (1 - gamma)/2 of the inner ring's speed. free: cage and "
-                    "balls have speeds of their own, driven by "
-                    "the races' traction on balls that slip, so that they lag behind an inner ring that spins up; the "
-                    "slip's heat enters both races. For "
-                    "ball_model = \"quasi-static\"."});
-  s.quantity("cage_inertia", &P::cage_inertia,
-             {.unit = "kg m2",
-              .range = at_least(0),
-              .help = "Moment of inertia of a free cage (all rows) about the axis; that of a fifth of the balls' mass "
-                      "on the pitch circle if not given, an estimate."});
-  s.quantity("race_traction", &P::race_traction,
-             {.range = positive(),
-              .fallback = "0.07",
-              .source = "estimate, lubricated steel (Gupta 1984: 0.03 to 0.1); dry 0.1 to 0.3",
-              .help = "Largest traction of races on slipping balls over their load, for a free cage."});
-  s.quantity("race_traction_slip", &P::race_traction_slip,
-             {.unit = "m/s",
-              .range = positive(),
-              .fallback = "0.5 m/s",
-              .source = "estimate: 2 to 3 % of a rolling speed of 20 m/s",
-              .help = "Slip of balls and races at which traction has reached 76 % (tanh 1) of its largest value. Small "
-                      "values shorten the integration's steps."});
-  s.quantity("pocket_friction", &P::pocket_friction,
-             {.range = at_least(0),
-              .fallback = "0.1",
-              .source = "estimate",
-              .help = "Friction coefficient of balls in the pockets of a free cage."});
+  add_cage_keys(s);
   s.choice("gyroscopic_split", &P::gyroscopic_split,
            {{"outer", GyroscopicSplit::outer}, {"equal", GyroscopicSplit::equal}},
            {.fallback = "outer",

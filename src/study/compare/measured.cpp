@@ -9,6 +9,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "base/parameters/suggestion.h"
 #include "base/units.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/text/input_file.h"

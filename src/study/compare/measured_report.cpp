@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/parameters/suggestion.h"
 #include "io/hdf5/recorded_series.h"
 #include "study/json_number.h"
 #include "study/report/decimation.h"

@@ -1,5 +1,6 @@
 #include "io/text/parameter_writers.h"
 
+#include "base/parameters/section.h"
 #include "io/text/toml_reader.h"
 
 #include <gmock/gmock.h>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/parameters/suggestion.h"
 #include "study/many/search/fit_evaluation.h"
 
 namespace rotordrop {
