@@ -1,5 +1,5 @@
 # cmake --install BUILD [--prefix DIR]: the program with its modules and parameters, which find each other relative to it; the libraries
-# with their headers for find_package(rotordrop); documents and examples. Components: core, fe, dev and python, one Debian package each.
+# with their headers for find_package(rotordrop); documents and examples. Components: core, fe, studies, dev and python, one Debian package each.
 set(data ${CMAKE_INSTALL_DATADIR}/rotordrop)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rotordrop)
 

@@ -55,9 +55,14 @@ CLI::Validator not_empty() {
 /// Options and arguments that name files or folders, by what help and completion call them.
 std::vector<std::pair<std::string, std::string>> types_of_paths(const std::string& command) {
   const bool has_folder = command == "run" || command == "rerun" || command == "heat" || command == "preload";
-  return {
-      {"case", "CASE"},   {"directory", "DIR"}, {"results", command == "rerun" ? "FILE" : "DIR"}, {"against", "DIR"},
-      {"shapes", "FILE"}, {"diagram", "FILE"},  {"output", has_folder ? "DIR" : "FILE"}};
+  return {{"case", "CASE"},
+          {"directory", "DIR"},
+          {"results", command == "rerun" ? "FILE" : "DIR"},
+          {"against", "DIR"},
+          {"measured", "FILE"},
+          {"shapes", "FILE"},
+          {"diagram", "FILE"},
+          {"output", has_folder ? "DIR" : "FILE"}};
 }
 
 /// Declarations of all keys that some command takes with --set.
