@@ -15,8 +15,8 @@
 #include "python/watch.h"
 #include "study/drop/drop_run.h"
 #include "study/drop/summary.h"
-#include "study/result_names.h"
 #include "study/report/report.h"
+#include "study/result_names.h"
 
 namespace rotordrop::python {
 namespace py = pybind11;
