@@ -74,10 +74,10 @@ class Ranks(ProgramTest):
         self.assertEqual(code, 2)
         self.assertEqual(error.count("range is empty"), 1)
 
-    def killed(self, rank, *options):
+    def killed(self, rank):
         """A study of three ranks of which one is killed after its first points."""
         self.write("s.toml", STUDY.replace("SIZE", "60"))
-        running = self.start(3, "-o", "killed", options=options)
+        running = self.start(3, "-o", "killed")
         journal = self.folder / ("killed/study.journal" if rank == 0 else f"killed/rank-{rank}.journal")
         for _ in range(1200):
             time.sleep(0.05)
@@ -103,10 +103,6 @@ class Ranks(ProgramTest):
                 shutil.rmtree(self.folder / "whole", ignore_errors=True)
                 self.assertGreater(self.killed(rank), 1)
                 self.completes()
-
-    def test_the_rest_finishes_when_mpirun_lets_it(self):
-        self.assertEqual(self.killed(2, "--enable-recovery"), 60)
-        self.completes()
 
 
 if __name__ == "__main__":

@@ -273,7 +273,7 @@ class Searches(ProgramTest):
         for _ in range(200):
             running = start("study", "s.toml", "-o", "killed", "--resume", "--quiet", cwd=self.folder)
             try:
-                running.communicate(timeout=chance.uniform(0.1, 0.8))
+                running.communicate(timeout=chance.uniform(0.02, 0.25))
             except subprocess.TimeoutExpired:
                 running.kill()
                 running.communicate()
