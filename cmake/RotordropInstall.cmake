@@ -1,5 +1,5 @@
 # cmake --install BUILD [--prefix DIR]: the program with its modules and parameters, which find each other relative to it; the libraries
-# with their headers for find_package(rotordrop); documents and examples. Components: core, fe, dev and python, one Debian package each.
+# with their headers for find_package(rotordrop); documents and examples. Components: core, fe, studies, dev and python, one Debian package each.
 set(data ${CMAKE_INSTALL_DATADIR}/rotordrop)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rotordrop)
 
@@ -7,6 +7,12 @@ install(TARGETS rotordrop RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT 
 if(ROTORDROP_FE)
   install(TARGETS rotordrop_fe rotordrop_mesh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rotordrop COMPONENT fe)
 endif()
+# Modules of studies: with a package of their own (OpenTURNS and MPI are large, and few need them).
+foreach(module rotordrop_mpi rotordrop_surrogate)
+  if(TARGET ${module})
+    install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rotordrop COMPONENT studies)
+  endif()
+endforeach()
 install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rotordrop COMPONENT dev FILES_MATCHING PATTERN "*.h"
         PATTERN thermal/fe EXCLUDE PATTERN cli EXCLUDE)
 

@@ -6,6 +6,7 @@ find_dependency(nlohmann_json)
 find_dependency(Boost 1.74)
 find_dependency(HDF5 COMPONENTS C)
 find_dependency(SUNDIALS COMPONENTS arkode cvodes kinsol sunlinsoldense sunmatrixdense nvecserial)
+find_dependency(NLopt)
 find_dependency(tomlplusplus)
 find_dependency(ZLIB)
 

@@ -1,7 +1,8 @@
 # Debian packages, by `cpack` in the build folder: rotordrop (program, cases, documents), rotordrop-fe (finite elements),
-# librotordrop-dev (libraries and headers) and python3-rotordrop. They are for the Debian release on which they are built.
+# rotordrop-studies (MPI, surrogates), librotordrop-dev (libraries and headers) and python3-rotordrop. They are for the
+# Debian release on which they are built.
 execute_process(COMMAND gzip -9nc ${CMAKE_SOURCE_DIR}/packaging/changelog OUTPUT_FILE ${CMAKE_BINARY_DIR}/changelog.gz)
-foreach(pair core:rotordrop fe:rotordrop-fe dev:librotordrop-dev python:python3-rotordrop)
+foreach(pair core:rotordrop fe:rotordrop-fe dev:librotordrop-dev studies:rotordrop-studies python:python3-rotordrop)
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 component)
   list(GET pair 1 name)
@@ -9,8 +10,8 @@ foreach(pair core:rotordrop fe:rotordrop-fe dev:librotordrop-dev python:python3-
     continue()
   endif()
   set(copyright ${CMAKE_SOURCE_DIR}/packaging/copyright)
-  if(component STREQUAL "fe")
-    string(APPEND copyright -fe)
+  if(component MATCHES "^(fe|studies)$")
+    string(APPEND copyright -${component})
   endif()
   install(FILES ${copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright COMPONENT ${component})
   install(FILES ${CMAKE_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME changelog.Debian.gz COMPONENT ${component})
@@ -26,6 +27,9 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL core dev)
 if(ROTORDROP_FE)
   list(APPEND CPACK_COMPONENTS_ALL fe)
+endif()
+if(TARGET rotordrop_mpi OR TARGET rotordrop_surrogate)
+  list(APPEND CPACK_COMPONENTS_ALL studies)
 endif()
 if(ROTORDROP_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
@@ -46,10 +50,15 @@ set(CPACK_DEBIAN_FE_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FE_PACKAGE_DEPENDS "rotordrop (= ${PROJECT_VERSION}-1)")
 set(CPACK_COMPONENT_FE_DESCRIPTION
     "finite elements and meshes for rotordrop\n Modules that rotordrop loads for heat conduction, elasticity and meshes of\n bearing sections. They link deal.II, PETSc, SuiteSparse and Gmsh.")
+set(CPACK_DEBIAN_STUDIES_PACKAGE_NAME rotordrop-studies)
+set(CPACK_DEBIAN_STUDIES_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_STUDIES_PACKAGE_DEPENDS "rotordrop (= ${PROJECT_VERSION}-1)")
+set(CPACK_COMPONENT_STUDIES_DESCRIPTION
+    "studies over MPI ranks and surrogates for rotordrop\n Modules that rotordrop loads under mpirun, and for surrogates of studies. They\n link Open MPI and OpenTURNS.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME librotordrop-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "rotordrop (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libboost-dev, libhdf5-dev, libsundials-dev, libtomlplusplus-dev, zlib1g-dev, libudunits2-dev")
+    "rotordrop (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libboost-dev, libhdf5-dev, libsundials-dev, libtomlplusplus-dev, zlib1g-dev, libudunits2-dev, libnlopt-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS cmake)
 set(CPACK_COMPONENT_DEV_DESCRIPTION
     "libraries and headers of rotordrop\n Static libraries, C++20 headers and a CMake package, for supports and thermal\n models of one's own.")

@@ -45,6 +45,8 @@ ROOMS = {
     "cache": {"base", "model", "io"},
     "case": {"base", "model", "machine", "integrate", "analysis", "io", "cache"} | PARAMETERS_OF_PARTS,
     "study": {"base", "model", "machine", "integrate", "analysis", "io", "case"} | PARAMETERS_OF_PARTS,
+    "study/mpi": {"study"},
+    "study/openturns": {"study"},
     "cli": {"base", "model", "machine", "integrate", "analysis", "io", "case", "study"} | PARAMETERS_OF_PARTS,
     "python": {"base", "model", "machine", "analysis", "io", "case", "study"},
 }
@@ -65,6 +67,8 @@ WORDS = {
     "cache": "kept between runs",
     "case": "from a file to a machine",
     "study": "the work of the commands",
+    "study/mpi": "studies over ranks, loaded at run time",
+    "study/openturns": "surrogates, loaded at run time",
     "cli": "the commands",
     "python": "the package for Python",
 }
@@ -80,6 +84,8 @@ LIBRARIES = [
     ("zlib", r"zlib", {"io", "cache"}),
     ("toml++", r"(toml\+\+/|toml\.hpp)", {"io"}),
     ("nlohmann-json", r"nlohmann/", {"io", "case", "study", "cli", "python"}),
+    ("OpenTURNS", r"openturns/", {"study/openturns"}),
+    ("NLopt", r"nlopt", {"study"}),
     ("UDUNITS", r"udunits", {"base"}),
     ("CLI11", r"CLI/", {"cli"}),
     ("deal.II", r"deal\.II/", {"thermal/fe"}),
@@ -87,7 +93,7 @@ LIBRARIES = [
     ("CHOLMOD", r"cholmod", {"thermal/fe"}),
     ("PETSc", r"petsc", {"thermal/fe"}),
     ("gmsh", r"gmsh", {"thermal/fe"}),
-    ("MPI", r"mpi\.h", {"thermal/fe"}),
+    ("MPI", r"mpi\.h", {"thermal/fe", "study/mpi"}),
     ("pybind11", r"(pybind11/|Python\.h)", {"python"}),
 ]
 GENERATED = {"base": {"rotordrop_git_revision.h"}}

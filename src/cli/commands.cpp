@@ -18,6 +18,7 @@
 #include "io/hdf5/hdf5_version.h"
 #include "io/text/parameter_writers.h"
 #include "study/compare/comparison.h"
+#include "study/compare/measured_report.h"
 #include "study/heat/bearing_heat_run.h"
 #include "study/heat/heat_run.h"
 #include "study/many/study_file.h"
@@ -111,7 +112,30 @@ int heat_command(const HeatCommand& command) {
   return 128 + static_cast<int>(caught_signal());
 }
 
+namespace {
+
+int compare_measured_command(const CompareCommand& command) {
+  const auto file = command.output.empty() ? command.directory / "measured.json" : command.output;
+  if (!command.output.empty() && !command.force && std::filesystem::exists(file))
+    throw InputError({file.string(), 0, 0}, "the file already exists",
+                     "Choose another with -o FILE, or replace it with --force.");
+  const auto measured = read_measured_file(command.measured);
+  const RecordedDrop drop(command.directory);
+  const MeasuredComparison comparison = compare_with_measured(drop, measured);
+  const auto page = std::filesystem::path(file).replace_extension(".html");
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  write_text_atomically(file, comparison.report.dump(2) + "\n");
+  write_text_atomically(page, comparison.page);
+  if (!command.quiet)
+    fmt::print("{}numbers in {}, figures in {}\n", measured_text(comparison.report["measured"]), file.string(),
+               page.string());
+  return 0;
+}
+
+}  // namespace
+
 int compare_command(const CompareCommand& command) {
+  if (!command.measured.empty()) return compare_measured_command(command);
   const ComparisonOptions options = comparison_options(command);
   const RecordedDrop drop(command.directory);
   std::optional<RecordedDrop> against;

@@ -47,7 +47,7 @@ struct CalibrateCommand {
 int calibrate_command(const CalibrateCommand& command);
 
 struct CompareCommand {
-  std::filesystem::path directory, against, output;
+  std::filesystem::path directory, against, measured, output;
   std::string tolerance, floor, growth_tolerance, times, band_length;  ///< as given; empty: default
   bool force = false, quiet = false;
 };

@@ -55,9 +55,14 @@ CLI::Validator not_empty() {
 /// Options and arguments that name files or folders, by what help and completion call them.
 std::vector<std::pair<std::string, std::string>> types_of_paths(const std::string& command) {
   const bool has_folder = command == "run" || command == "rerun" || command == "heat" || command == "preload";
-  return {
-      {"case", "CASE"},   {"directory", "DIR"}, {"results", command == "rerun" ? "FILE" : "DIR"}, {"against", "DIR"},
-      {"shapes", "FILE"}, {"diagram", "FILE"},  {"output", has_folder ? "DIR" : "FILE"}};
+  return {{"case", "CASE"},
+          {"directory", "DIR"},
+          {"results", command == "rerun" ? "FILE" : "DIR"},
+          {"against", "DIR"},
+          {"measured", "FILE"},
+          {"shapes", "FILE"},
+          {"diagram", "FILE"},
+          {"output", has_folder ? "DIR" : "FILE"}};
 }
 
 /// Declarations of all keys that some command takes with --set.
@@ -135,6 +140,11 @@ int run_program(int argc, char** argv) {
                                          "to see when the circuit can be trusted.");
   compare_app->add_option("directory", compare.directory, "Directory of a run's results")->required();
   compare_app->add_option("--against", compare.against, "Directory of another run");
+  compare_app
+      ->add_option("--measured", compare.measured,
+                   "Measured series beside the drop: a table whose columns are called such as "
+                   "\"/bearings/TB1/orbit[0] [um]\", or a TOML file with [[measured]]")
+      ->excludes("--against");
   compare_app->add_option("--tolerance", compare.tolerance,
                           "Tolerance of temperatures: \"0.5 K\", or a part of the rise at the time; default \"5 %\"");
   compare_app->add_option("--floor", compare.floor,
@@ -145,7 +155,8 @@ int run_program(int argc, char** argv) {
                           "Times to report in addition to the peak of the first impact and the end; default \"10 ms\"");
   compare_app->add_option("--band-length", compare.band_length,
                           "Length of the rub contact along the surface; default: the case's thermal.rub_band_length");
-  compare_app->add_option("-o,--output", compare.output, "Report; default DIR/comparison.json");
+  compare_app->add_option("-o,--output", compare.output,
+                          "Report; default DIR/comparison.json, of measured series DIR/measured.json");
   add_force(*compare_app, compare.force, "the file given with -o");
   add_quiet(*compare_app, compare.quiet);
 

@@ -16,6 +16,9 @@
 #include "io/checkpoint.h"
 #include "study/many/answers/study_report.h"
 #include "study/many/answers/study_summary.h"
+#include "study/many/ranks/ranks.h"
+#include "study/many/search/search_run.h"
+#include "study/many/search/search_space.h"
 #include "study/many/study_folder.h"
 #include "study/many/study_run.h"
 
@@ -80,6 +83,15 @@ nlohmann::ordered_json read_summary(const std::filesystem::path& file) {
 }
 
 std::string header(const Study& study, const Design& design) {
+  if (study.is_search()) {
+    const SearchSpace space(study);
+    return fmt::format(
+        "rotordrop {} ({})   study {} of case {}\nsearch over {} parameter{}: at most {} x {} evaluations of {} drop{} "
+        "each\n",
+        version(), git_revision(), study.name, study.base.name, space.n_dimensions(),
+        space.n_dimensions() == 1 ? "" : "s", study.n_searches(), study.evaluations_of_search(), space.n_drops(),
+        space.n_drops() == 1 ? "" : "s");
+  }
   return fmt::format("rotordrop {} ({})   study {} of case {}\n{} design, {} row{}{}: {} drops of {} parameter{}\n",
                      version(), git_revision(), study.name, study.base.name, name_of(study.design.kind), design.n_rows,
                      design.n_rows == 1 ? "" : "s",
@@ -87,13 +99,22 @@ std::string header(const Study& study, const Design& design) {
                      n_points(study, design), study.drawn().size(), study.drawn().size() == 1 ? "" : "s");
 }
 
-}  // namespace
+/// @throws InputError
+void refuse_search_of_ranks(const Study& study) {
+  if (study.is_search())
+    throw InputError({"mpirun", 0, 0}, "a search runs in one process: each of its points follows from earlier ones.",
+                     "Start it without mpirun; --jobs is the number of drops at the same time.");
+}
 
-int study_command(const StudyCommand& command) {
+int study_command_of(const StudyCommand& command, Ranks* ranks) {
   StudyOptions options;
   std::tie(options.shard, options.n_shards) = parse_shard(command.shard);
   Study study = read_study(command.file, command.overrides);
-  const Design design = make_design(study);
+  if (study.is_search() && !command.shard.empty())
+    throw InputError({"--shard", 0, 0},
+                     "a search cannot be divided into shards: each of its points follows from earlier ones.",
+                     "Start it without --shard; --jobs is the number of drops at the same time.");
+  const Design design = study.is_search() ? SearchSpace(study).corners() : make_design(study);
   options.directory = command.directory.empty() ? std::filesystem::path("out") / study.name : command.directory;
   options.n_workers = command.jobs;
   options.force = command.force;
@@ -104,11 +125,22 @@ int study_command(const StudyCommand& command) {
   if (!command.quiet) fmt::print("{}", header(study, design));
   std::fflush(stdout);
   if (command.dry_run) {
-    const StudyEstimate estimate = estimate_study(study, design, results, options.evaluate);
+    StudyEstimate estimate = estimate_study(study, design, results, options.evaluate);
+    if (study.is_search()) {
+      const double most =
+          static_cast<double>(study.n_searches() * study.evaluations_of_search() * SearchSpace(study).n_drops()) /
+          static_cast<double>(estimate.n_points);
+      fmt::print(
+          "start and corners of the ranges are valid cases; {} results of each drop are kept\nat most {} of CPU and {} "
+          "of results\n",
+          results.names.size(), duration(most * estimate.cpu_time), size_text(most * estimate.bytes));
+      return 0;
+    }
     fmt::print("every point is a valid case; {} results of each are kept\nabout {} of CPU and {} of results\n",
                results.names.size(), duration(estimate.cpu_time), size_text(estimate.bytes));
     return 0;
   }
+  options.ranks = ranks;
   options.stop = &caught_signal();
   catch_signals();
   const bool is_shown = isatty(STDERR_FILENO) != 0 && !command.quiet;
@@ -117,7 +149,9 @@ int study_command(const StudyCommand& command) {
       fmt::print(stderr, "\r\033[K{}", progress_text(p));
       std::fflush(stderr);
     };
-  const StudyOutcome outcome = run_study(study, design, options);
+  if (ranks) refuse_search_of_ranks(study);
+  const StudyOutcome outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
+  if (ranks) ranks->leave(outcome.is_anyone_lost);
   if (is_shown) fmt::print(stderr, "\n");
   if (!outcome.is_complete) {
     if (outcome.is_stopped) {
@@ -141,6 +175,43 @@ int study_command(const StudyCommand& command) {
   return 0;
 }
 
+/// What a rank other than 0 does; rank 0 tells what there is to tell.
+int study_command_of_rank(const StudyCommand& command, Ranks& ranks) {
+  StudyOptions options;
+  std::tie(options.shard, options.n_shards) = parse_shard(command.shard);
+  Study study = read_study(command.file, command.overrides);
+  refuse_search_of_ranks(study);
+  const Design design = make_design(study);
+  options.directory = command.directory.empty() ? std::filesystem::path("out") / study.name : command.directory;
+  options.n_workers = command.jobs;
+  options.ranks = &ranks;
+  probe_results(study, design, options.evaluate);
+  options.stop = &caught_signal();
+  catch_signals();
+  const StudyOutcome outcome = run_as_rank(study, design, options);
+  ranks.leave(outcome.is_anyone_lost);
+  return outcome.is_complete ? 0 : 1;
+}
+
+}  // namespace
+
+int study_command(const StudyCommand& asked) {
+  Ranks* const ranks = asked.dry_run ? nullptr : ranks_of_this_process();
+  if (!ranks) return study_command_of(asked, nullptr);
+  StudyCommand command = asked;
+  if (command.jobs == 0) command.jobs = 1;  // mpirun gives each rank a core
+  try {
+    return ranks->rank() == 0 ? study_command_of(command, ranks) : study_command_of_rank(command, *ranks);
+  } catch (const std::exception&) {
+    // Before the work begins all ranks end together. Later nobody waits for this one.
+    const bool has_begun = ranks->has_begun();
+    if (!has_begun) ranks->begin(false);
+    ranks->leave(has_begun);
+    if (ranks->rank() == 0 || has_begun) throw;
+    return 2;
+  }
+}
+
 int study_join_command(const StudyJoinCommand& command) {
   const std::size_t missing = join_shards(command.directories, command.output, command.force);
   if (missing > 0)
@@ -159,7 +230,8 @@ int study_join_command(const StudyJoinCommand& command) {
 
 int study_rerun_command(const StudyRerunCommand& command) {
   const Study study = read_study_of(command.directory);
-  const Design design = make_design(study);
+  auto content = study.is_search() ? Journal::read(command.directory / "study.journal") : Journal::Content{};
+  const Design design = design_of(study, content);
   const std::size_t n = n_points(study, design);
   if (command.point >= n)
     throw InputError({"--point", 0, 0}, fmt::format("the study has no point {}.", command.point),

@@ -35,7 +35,7 @@ bool is_there(const fs::path& path) {
 bool is_left_over(const std::string& name) {
   static const std::regex pattern(
       R"((results|comparison|preload)\.h5(\.resuming|(\.resuming)?\.[0-9]+\.new)|)"
-      R"(((summary|comparison|preload)\.json|parameters\.toml|report\.html|study\.(h5|csv|json|toml)|case\.toml)\.writing)");
+      R"(((summary|comparison|preload)\.json|parameters\.toml|report\.html|study\.(h5|csv|json|toml)|case\.toml|measured\.csv)\.writing)");
   return std::regex_match(name, pattern);
 }
 
@@ -56,9 +56,13 @@ const std::regex& checkpoint_names() {
 
 void remove_results(const fs::path& directory) {
   std::error_code error;
-  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "report.html", "study.journal",
-                           "study.h5", "study.csv", "study.json"})
+  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "measured.json", "measured.html",
+                           "report.html", "study.journal", "study.h5", "study.csv", "study.json", "measured.csv"})
     if (!fs::is_directory(fs::symlink_status(directory / name, error))) fs::remove(directory / name, error);
+  static const std::regex journals(R"(rank-[0-9]+\.journal)");
+  for (const auto& file : fs::directory_iterator(directory, error))
+    if (std::regex_match(file.path().filename().string(), journals) && file.is_regular_file(error))
+      fs::remove(file.path(), error);
   remove_files(directory / "checkpoints", checkpoint_names());
   remove_files(directory / "failed", checkpoint_names());
   remove_files(directory / "fields", std::regex(R"(.+(\.pvd(\.writing)?|-[0-9]+\.vtu(\.part)?))"));

@@ -142,8 +142,11 @@ void add_own_supports(py::module_& core) {
   py::class_<SupportInput>(core, "SupportInput", "What a support sees.")
       .def_readonly("time", &SupportInput::time, "[s]")
       .def_readonly("journal", &SupportInput::journal, "motion of the rotor at the support")
-      .def_property_readonly("spin_angle", [](const SupportInput& in) { return in.rotor_spin.angle; })
-      .def_property_readonly("spin_speed", [](const SupportInput& in) { return in.rotor_spin.speed; });
+      .def_property_readonly(
+          "spin_angle", [](const SupportInput& in) { return in.rotor_spin.angle; },
+          "rotation of the rotor about +x [rad]")
+      .def_property_readonly(
+          "spin_speed", [](const SupportInput& in) { return in.rotor_spin.speed; }, "spin speed of the rotor [rad/s]");
   py::class_<SupportResponse>(core, "SupportResponse", "What a support returns.")
       .def(py::init([](double force_y, double force_z, double force_x, double moment_y, double moment_z, double torque,
                        double dissipation, double prescribed_work, std::vector<double> rates,

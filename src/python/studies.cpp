@@ -6,6 +6,8 @@
 #include "python/values.h"
 #include "python/watch.h"
 #include "study/many/answers/study_report.h"
+#include "study/many/search/search_run.h"
+#include "study/many/search/search_space.h"
 #include "study/many/study_folder.h"
 #include "study/many/study_run.h"
 
@@ -51,10 +53,10 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
   {
     const py::gil_scoped_release others_may_run;
     Study study = read_study(file, overrides);
-    const Design design = make_design(study);
+    const Design design = study.is_search() ? SearchSpace(study).corners() : make_design(study);
     check_points(study, design, call.n_workers);
     probe_results(study, design, options.evaluate);
-    outcome = run_study(study, design, options);
+    outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
   }
   if (interruption) std::rethrow_exception(interruption);
   py::dict told;

@@ -72,7 +72,7 @@ class Program(Installed):
         arguments = ("run", case, "-o", self.folder / "fe", "--force", "--quiet", "--set", 'thermal.models=["fe"]', "--set", "run.end_time=1 ms")
         call(self.program, *arguments)
         found = sorted(path.name for path in self.prefix.rglob("rotordrop_*.so"))
-        self.assertEqual(found, ["rotordrop_fe.so", "rotordrop_mesh.so"])
+        self.assertLessEqual({"rotordrop_fe.so", "rotordrop_mesh.so"}, set(found))
         for path in self.prefix.rglob("rotordrop_fe.so"):
             path.rename(path.with_suffix(".away"))
         try:

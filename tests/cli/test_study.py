@@ -235,5 +235,110 @@ kind = "list"
         self.assertIn(f"{(friction > (friction.min() + friction.max()) / 2).sum()} of 12 drops selected", selected)
 
 
+SEARCH = """
+case = "drop.toml"
+[vary]
+contact.friction_coefficient = { range = [0.1, 0.3] }
+damping = { keys = ["bearings.TB1.support.C_y", "bearings.TB1.support.C_z", "bearings.TB2.support.C_y", "bearings.TB2.support.C_z"], range = [1e3, 1e7], scale = "log" }
+[design]
+size = 2
+[derived]
+peak = { formula = "max(bearings.TB1.peak_contact_force, bearings.TB2.peak_contact_force)", unit = "N" }
+[minimise]
+result = "peak"
+of = "quantile"
+over = ["damping"]
+evaluations = 12
+searches = 2
+tolerance = 0.05
+"""
+
+
+class Searches(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.case("")
+        self.write("s.toml", SEARCH)
+
+    def bytes_of(self, output):
+        return [(self.folder / output / name).read_bytes() for name in ("study.h5", "study.csv")]
+
+    def test_any_workers_and_kills_give_the_same_bits(self):
+        self.succeed("study", "s.toml", "-o", "one", "--jobs", "1")
+        for n in ("2", "3"):
+            self.succeed("study", "s.toml", "-o", n, "--jobs", n)
+            self.assertEqual(self.bytes_of(n), self.bytes_of("one"))
+        chance = random.Random(5)
+        n_kills = 0
+        for _ in range(200):
+            running = start("study", "s.toml", "-o", "killed", "--resume", "--quiet", cwd=self.folder)
+            try:
+                running.communicate(timeout=chance.uniform(0.02, 0.25))
+            except subprocess.TimeoutExpired:
+                running.kill()
+                running.communicate()
+                n_kills += 1
+                continue
+            self.assertEqual(running.returncode, 0)
+            break
+        self.assertGreater(n_kills, 1)
+        self.assertEqual(self.bytes_of("killed"), self.bytes_of("one"))
+
+    def test_the_best_is_no_worse_than_a_grid_and_can_be_run_again(self):
+        told = self.succeed("study", "s.toml", "-o", "out").stdout
+        self.assertIn("smallest 95 % quantile of peak", told)
+        found = json.loads((self.folder / "out/study.json").read_text())["minimise"]
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            peak, damping, friction = (h5[path][:] for path in ("/results/peak", "/parameters/damping", "/parameters/contact.friction_coefficient"))
+            self.assertEqual(set(h5["/search"][:]), {0, 1})
+            self.assertEqual(len(h5["/evaluation"]), len(peak))
+        # Every evaluation has the same sample of friction; its 95 % quantile by numpy, whose default is the same type 7.
+        self.assertEqual(len(set(friction)), 2)
+        values = [numpy.quantile(peak[a : b + 1], 0.95) for a, b in (e["points"] for e in found["course"])]
+        numpy.testing.assert_allclose([e["value"] for e in found["course"]], values, rtol=1e-12)
+        self.assertEqual(found["best"]["value"], min(e["value"] for e in found["course"]))
+        # A grid of the same drops, by the queue of designs: no level is better by more than a permille.
+        grid = f"""
+case = "drop.toml"
+[vary]
+contact.friction_coefficient = {list(dict.fromkeys(friction.tolist()))}
+damping = {{ keys = ["bearings.TB1.support.C_y", "bearings.TB1.support.C_z", "bearings.TB2.support.C_y", "bearings.TB2.support.C_z"], values = [1e3, 1e4, 1e5, 1e6, 1e7] }}
+[design]
+kind = "grid"
+[derived]
+peak = {{ formula = "max(bearings.TB1.peak_contact_force, bearings.TB2.peak_contact_force)", unit = "N" }}
+"""
+        self.write("g.toml", grid)
+        self.succeed("study", "g.toml", "-o", "grid")
+        with h5py.File(self.folder / "grid/study.h5") as h5:
+            levels = h5["/parameters/damping"][:]
+            by_level = [numpy.quantile(h5["/results/peak"][:][levels == level], 0.95) for level in set(levels)]
+        self.assertLess(found["best"]["value"], min(by_level) * 1.001)
+        self.assertGreater(max(by_level), found["best"]["value"] * 1.01)
+        point = found["best"]["points"][0]
+        self.succeed("study", "rerun", "out", "--point", str(point))
+        again = json.loads((self.folder / f"out/point-{point}/summary.json").read_text())
+        self.assertEqual(max(again["bearings"][b]["peak_contact_force"] for b in ("TB1", "TB2")), peak[point])
+
+    def test_a_search_is_no_shard_and_a_dry_run_tells_its_size(self):
+        self.assertIn("cannot be divided", self.call("study", "s.toml", "-o", "out", "--shard", "1/2").stderr)
+        told = self.succeed("study", "s.toml", "-o", "out", "--dry-run").stdout
+        self.assertIn("at most 2 x 12 evaluations of 2 drops each", told)
+        self.assertFalse((self.folder / "out").exists())
+
+    @unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
+    def test_the_report_shows_the_course(self):
+        self.succeed("study", "s.toml", "-o", "out")
+        self.succeed("study", "report", "out")
+        browser = Browser()
+        self.addCleanup(browser.close)
+        browser.open(self.folder / "out/report.html")
+        self.assertEqual(browser.run("return document.getElementById('page').dataset.ready"), "yes")
+        self.assertEqual([m["message"] for m in browser.log("browser")], [])
+        found = json.loads((self.folder / "out/study.json").read_text())["minimise"]
+        self.assertEqual(browser.run("return document.querySelectorAll('#search circle').length"), len(found["course"]))
+        self.assertIn(f"{found['best']['points'][0]} to {found['best']['points'][1]}", browser.run("return document.querySelector('#search tbody tr').textContent"))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -29,15 +29,6 @@ void require_few(double n, const Study& study) {
         "Choose fewer levels or a smaller size, or a latin-hypercube instead of a grid.");
 }
 
-/// Value of a key in the case itself, in SI.
-std::optional<Node> own_value(const Study& study, const DeclaredKey& key) {
-  const auto given = value_of_key(key, study.base.tree);
-  if (!given || !key.is_quantity()) return given;
-  Faults faults;
-  const auto value = read_quantity(*given, {.unit = key.unit, .kind = key.quantity}, key.name, faults);
-  return value ? std::optional(Node(*value)) : std::nullopt;
-}
-
 std::vector<Node> levels_of(const Study& study, const VariedParameter& p) {
   if (!p.distribution.is_continuous()) return p.distribution.values;
   std::vector<Node> nodes;
@@ -272,6 +263,14 @@ void fill_cells(const Study& study, const std::vector<std::size_t>& drawn, Desig
 }
 
 }  // namespace
+
+std::optional<Node> own_value(const Study& study, const DeclaredKey& key) {
+  const auto given = value_of_key(key, study.base.tree);
+  if (!given || !key.is_quantity()) return given;
+  Faults faults;
+  const auto value = read_quantity(*given, {.unit = key.unit, .kind = key.quantity}, key.name, faults);
+  return value ? std::optional(Node(*value)) : std::nullopt;
+}
 
 Node Design::value(std::size_t row, std::size_t drawn) const {
   const double cell = cells[row * n_drawn + drawn];

@@ -7,6 +7,11 @@
 
 namespace rotordrop {
 
+/// Which evaluation of which search a step is; both from 0.
+struct SearchStep {
+  std::size_t search = 0, evaluation = 0;
+};
+
 /// The rows of a study's design, in their order.
 struct Design {
   DesignKind kind = DesignKind::grid;
@@ -19,8 +24,14 @@ struct Design {
   std::vector<double> cells;  ///< [n_rows, n_drawn] value in SI, or index into `nodes` where that is not empty
   std::vector<std::vector<Node>> nodes;  ///< [n_drawn] values by index; empty: numbers
 
+  std::vector<SearchStep> steps;  ///< of a search: evaluations in their order
+  std::size_t rows_per_step = 1;  ///< of a search
+
   [[nodiscard]] Node value(std::size_t row, std::size_t drawn) const;
 };
+
+/// Value of a key in the case itself, in SI; none if the case gives none.
+std::optional<Node> own_value(const Study& study, const DeclaredKey& key);
 
 /// @throws InputError if the design would have more than 10 million drops, or its correlations contradict each other
 Design make_design(const Study& study);

@@ -25,7 +25,8 @@ struct PointResult {
   std::vector<std::pair<std::string, double>>
       scalars;  ///< numbers of summary.json by their dotted names, SI; NaN: has not happened
   std::vector<PointSeries> series;
-  double end_time = 0;  ///< simulated [s]
+  double end_time = 0;     ///< simulated [s]
+  std::vector<double> at;  ///< of a search: values of the parameters that it changes, SI
 };
 
 struct PointRequest {

@@ -45,6 +45,7 @@ PointRecord record_of(const Json& line) {
   record.cpu_time = line.at("cpu").get<double>();
   record.layout = line.at("layout").get<std::size_t>();
   record.values = numbers_of(line.at("values"));
+  if (line.contains("at")) record.at = numbers_of(line["at"]);
   if (line.contains("series"))
     for (const auto& s : line["series"])
       record.series.push_back({s.at("path"), s.at("unit"), s.at("long_name"), s.at("width"), numbers_of(s.at("time")),
@@ -60,6 +61,17 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 }
 
 }  // namespace
+
+PointResult result_of(const PointRecord& record, const std::vector<std::vector<std::string>>& layouts) {
+  PointResult result;
+  result.is_done = record.is_done;
+  result.reason = record.reason;
+  result.series = record.series;
+  result.at = record.at;
+  for (std::size_t i = 0; i < record.values.size(); ++i)
+    result.scalars.emplace_back(layouts[record.layout][i], record.values[i]);
+  return result;
+}
 
 Journal::Content Journal::read(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -141,6 +153,7 @@ void Journal::append(std::size_t point, const PointResult& result, double cpu_ti
                       {"width", s.width},
                       {"time", numbers(s.time)},
                       {"values", numbers(s.values)}});
+  if (!result.at.empty()) line["at"] = numbers(result.at);
   const std::scoped_lock lock(lock_);
   auto layout = std::find(layouts_.begin(), layouts_.end(), names);
   if (layout == layouts_.end()) {

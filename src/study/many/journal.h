@@ -18,7 +18,11 @@ struct PointRecord {
   std::size_t layout = 0;  ///< which list of names its values follow
   std::vector<double> values;
   std::vector<PointSeries> series;
+  std::vector<double> at;  ///< of a search: values of the parameters that it changes, SI
 };
+
+/// A finished point as it was computed. @param layouts  of its journal
+PointResult result_of(const PointRecord& record, const std::vector<std::vector<std::string>>& layouts);
 
 /// Finished points of a study in an append-only file. Each line carries its own check sum: of a killed program at most the last line is
 /// lost, and its point is computed again.

@@ -12,6 +12,7 @@
 #include "case/program_files.h"
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"
+#include "study/many/search/search_check.h"
 #include "study/many/study_keys.h"
 #include "study/many/vary_reader.h"
 
@@ -107,7 +108,8 @@ void check_design(const Study& study, const Node& tree, Faults& faults) {
   const bool has_size =
       is_sample(design.kind) || design.kind == DesignKind::saltelli || design.kind == DesignKind::morris;
   const std::string kind = name_of(design.kind);
-  if (has_size && !design.size)
+  const bool has_sample = study.searched.size() < study.drawn().size();
+  if (has_size && !design.size && has_sample)
     faults.add(where, fmt::format("design.kind = \"{}\" needs design.size.", kind), "For example size = 100.");
   if (!has_size && design.size)
     faults.add(table ? position_of_value(*table, "size") : where,
@@ -162,8 +164,8 @@ void check_choice(const Study& study, Faults& faults) {
 }  // namespace
 
 std::string name_of(DesignKind kind) {
-  static const char* const names[] = {"grid",           "list",     "one-at-a-time", "latin-hypercube",
-                                      "sobol-sequence", "saltelli", "morris",        "monte-carlo"};
+  static const char* const names[] = {"grid",     "list",   "one-at-a-time", "latin-hypercube", "sobol-sequence",
+                                      "saltelli", "morris", "monte-carlo",   "search"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -200,11 +202,11 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   study.replicate_spread = raw.replicates.spread;
   read_vary(raw.vary, study, faults);
   read_limits(raw.limits, study.limits, faults);
-  // Those of the case hold in each of its drops, unless the study has others.
+  // Those of the case hold in each of its drops, unless the study has others. A fit judges no drop.
   const std::size_t n_own = study.limits.size();
   for (const auto& limit : study.base.parameters.limits)
-    if (std::none_of(study.limits.begin(), study.limits.begin() + static_cast<std::ptrdiff_t>(n_own),
-                     [&](const Limit& own) { return fits(limit.pattern, own.pattern); }))
+    if (!raw.fit && std::none_of(study.limits.begin(), study.limits.begin() + static_cast<std::ptrdiff_t>(n_own),
+                                 [&](const Limit& own) { return fits(limit.pattern, own.pattern); }))
       study.limits.push_back(limit);
   read_derived(raw.derived, study, faults);
   study.keep_results = texts_of(raw.keep.results, "keep.results", faults);
@@ -212,9 +214,20 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   if (raw.choice)
     study.choice = Choice{raw.choice->parameter, raw.choice->result, raw.choice->quantile, position_of(tree, "choose")};
   read_correlations(raw.correlations, position_of(tree, "correlation"), study, faults);
+  study.surrogate = raw.surrogate;
+  if (raw.surrogate) study.surrogate_results = texts_of(raw.surrogate->results, "surrogate.results", faults);
+  study.minimise = raw.minimise;
+  if (raw.fit) study.fit = Fit{*raw.fit, {}};
   faults.throw_if_any();
+  read_search(study, tree, faults);
+  // The directory of a study holds what was measured; the files that the study names may be elsewhere by then.
+  if (study.fit) read_measured_series(*study.fit, tree, file.parent_path(), !case_file.empty());
   check_design(study, tree, faults);
   check_choice(study, faults);
+  if (study.surrogate && (study.is_search() || !study.correlations.empty() ||
+                          !(is_sample(study.design.kind) || study.design.kind == DesignKind::saltelli)))
+    faults.add(position_of(tree, "surrogate"), "[surrogate] needs a sample of independent parameters.",
+               "Choose design.kind latin-hypercube, sobol-sequence, monte-carlo or saltelli, without [[correlation]].");
   faults.throw_if_any();
   return study;
 }

@@ -11,6 +11,9 @@
 #include "case/limits.h"
 #include "study/many/distribution.h"
 #include "study/many/expression.h"
+#include "study/many/search/fit_keys.h"
+#include "study/many/search/minimise_keys.h"
+#include "study/many/surrogate/surrogate_keys.h"
 
 namespace rotordrop {
 
@@ -30,7 +33,17 @@ struct VariedParameter {
   [[nodiscard]] bool is_numeric() const;
 };
 
-enum class DesignKind { grid, list, one_at_a_time, latin_hypercube, sobol_sequence, saltelli, morris, monte_carlo };
+enum class DesignKind {
+  grid,
+  list,
+  one_at_a_time,
+  latin_hypercube,
+  sobol_sequence,
+  saltelli,
+  morris,
+  monte_carlo,
+  search
+};
 std::string name_of(DesignKind kind);
 
 /// [design].
@@ -78,11 +91,21 @@ struct Study {
   std::vector<DerivedResult> derived;
   std::optional<Choice> choice;
   std::vector<RankCorrelation> correlations;
+  std::optional<MinimiseParameters> minimise;
+  std::optional<Fit> fit;
+  std::optional<SurrogateParameters> surrogate;
+  std::vector<std::string> surrogate_results;
+  std::vector<std::size_t> searched;      ///< of a search: which of the drawn parameters it changes
   std::vector<std::string> keep_results;  ///< patterns; empty: all numbers
   std::vector<std::string> keep_series;   ///< datasets of results.h5
   FailurePolicy on_failure = FailurePolicy::go_on;
   std::string text;  ///< of the file
 
+  /// Whether its points follow from one another, instead of from a design.
+  [[nodiscard]] bool is_search() const { return minimise.has_value() || fit.has_value(); }
+  /// Evaluations of each of its searches, at most.
+  [[nodiscard]] std::size_t evaluations_of_search() const;
+  [[nodiscard]] std::size_t n_searches() const;
   /// Parameters that are drawn, as positions in `parameters`.
   [[nodiscard]] std::vector<std::size_t> drawn() const;
 };

@@ -10,6 +10,7 @@
 #include "io/results_folder.h"
 #include "io/sha256.h"
 #include "study/many/answers/study_summary.h"
+#include "study/many/search/fit_evaluation.h"
 #include "study/many/study_table.h"
 
 namespace rotordrop {
@@ -39,6 +40,12 @@ std::string digest_of(const Study& study, const Design& design) {
   for (const auto& l : study.limits) text += "limit " + l.pattern + "\n";
   for (const auto& s : study.keep_series) text += "series " + s + "\n";
   if (study.choice) text += "choose " + study.choice->result + "\n";
+  if (study.is_search()) text += without_comments(study.text);  // bounds of limits, too, decide where it goes
+  for (const auto& name : study.surrogate_results) text += "surrogate " + name + "\n";
+  if (study.fit)
+    for (const auto& m : study.fit->measured)
+      for (std::size_t i = 0; i < m.data.times.size(); ++i)
+        text += fmt::format("{} {}\n", m.data.times[i], m.data.values[i]);
   text += fmt::format("on failure {}\n", static_cast<int>(study.on_failure));
   std::string digest = sha256_of(text);
   const std::size_t n = n_points(study, design);
@@ -78,9 +85,59 @@ void require_same_study(const fs::path& journal, const std::string& found, const
                    "Give each shard a directory of its own with -o DIR.");
 }
 
+std::optional<Journal::Content> earlier_points(const Study& study, const StudyOptions& options,
+                                               const std::string& header) {
+  const fs::path file = options.directory / "study.journal";
+  std::error_code error;
+  if (options.resume && fs::exists(file, error)) {
+    try {
+      take_journals_of_ranks(options.directory, header);
+      auto content = Journal::read(file);
+      require_same_study(file, content.header, header);
+      return content;
+    } catch (const InputError&) {
+      // A program that was killed before its first line has left less than a header.
+      if (fs::file_size(file, error) > header.size()) throw;
+    }
+  }
+  if (options.resume && options.tell) options.tell("no point is finished yet: the study starts anew");
+  write_inputs(study, options.directory);
+  return {};
+}
+
+fs::path journal_of_rank(const fs::path& directory, int rank) {
+  return directory / fmt::format("rank-{}.journal", rank);
+}
+
+void take_journals_of_ranks(const fs::path& directory, const std::string& header) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("rank-") && name.ends_with(".journal")) files.push_back(entry.path());
+  }
+  if (files.empty()) return;
+  const fs::path own = directory / "study.journal";
+  const auto before = Journal::read(own);
+  Journal journal(own, before);
+  for (const auto& file : files) {
+    Journal::Content content;
+    try {
+      content = Journal::read(file);
+    } catch (const InputError&) {
+      continue;  // killed before its first line
+    }
+    require_same_study(file, content.header, header);
+    for (const auto& [point, record] : content.records)
+      if (!before.records.contains(point)) journal.append(point, result_of(record, content.layouts), record.cpu_time);
+  }
+  journal.sync();
+  for (const auto& file : files) fs::remove(file);
+}
+
 void write_inputs(const Study& study, const fs::path& directory) {
   write_text_atomically(directory / "study.toml", study.text);
   write_text_atomically(directory / "case.toml", study.base.resolved);
+  if (study.fit) write_measured(study.fit->measured, directory);
 }
 
 Study read_study_of(const fs::path& directory) {
@@ -130,15 +187,7 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
   write_inputs(study, output);
   const StudyTable table = make_table(study, design, records, layouts);
   Journal joined(output / "study.journal", journal_header(study, digest, 1, 1));
-  for (const auto& [point, record] : records) {
-    PointResult result;
-    result.is_done = record.is_done;
-    result.reason = record.reason;
-    result.series = record.series;
-    for (std::size_t i = 0; i < record.values.size(); ++i)
-      result.scalars.emplace_back(layouts[record.layout][i], record.values[i]);
-    joined.append(point, result, record.cpu_time);
-  }
+  for (const auto& [point, record] : records) joined.append(point, result_of(record, layouts), record.cpu_time);
   joined.sync();
   write_results(output, study, design, table, digest);
   return table.count(PointStatus::not_run);

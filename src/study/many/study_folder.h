@@ -5,6 +5,7 @@
 
 #include "study/many/design.h"
 #include "study/many/journal.h"
+#include "study/many/study_run.h"
 
 namespace rotordrop {
 
@@ -17,6 +18,16 @@ std::string digest_of(const Study& study, const Design& design);
 std::string journal_header(const Study& study, const std::string& digest, std::size_t shard, std::size_t n_shards);
 /// @throws InputError if a journal is of another study, shard or version of the program
 void require_same_study(const std::filesystem::path& journal, const std::string& found, const std::string& expected);
+
+/// What the journal of a directory that is gone on with holds already; none if nothing is finished. Then the study's inputs are written.
+std::optional<Journal::Content> earlier_points(const Study& study, const StudyOptions& options,
+                                               const std::string& header);
+
+/// rank-1.journal, ... of the other ranks of a study that several processes compute.
+std::filesystem::path journal_of_rank(const std::filesystem::path& directory, int rank);
+/// Their points become part of study.journal, and the files are removed. Those of a killed study, too.
+/// @throws InputError if they are of another study
+void take_journals_of_ranks(const std::filesystem::path& directory, const std::string& header);
 
 /// Writes study.toml and case.toml, from which the study can be read again.
 void write_inputs(const Study& study, const std::filesystem::path& directory);

@@ -115,6 +115,9 @@ Section<StudyFile> study_section() {
                        "drop, in SI."},
               [](const Node& node, P& p, Faults&) { p.derived = node; })
       .table<ChoiceEntry>("choose", &P::choice, choice)
+      .table<MinimiseParameters>("minimise", &P::minimise, minimise_section())
+      .table<FitParameters>("fit", &P::fit, fit_section())
+      .table<SurrogateParameters>("surrogate", &P::surrogate, surrogate_section())
       .table<KeepEntry>("keep", &P::keep, keep);
   return s;
 }

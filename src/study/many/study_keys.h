@@ -35,6 +35,9 @@ struct StudyFile {
   ReplicateParameters replicates;
   std::vector<CorrelationEntry> correlations;
   std::optional<ChoiceEntry> choice;
+  std::optional<MinimiseParameters> minimise;
+  std::optional<FitParameters> fit;
+  std::optional<SurrogateParameters> surrogate;
   KeepEntry keep;
 };
 

@@ -1,7 +1,6 @@
 #include "study/many/study_run.h"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <atomic>
@@ -15,11 +14,13 @@
 #include <optional>
 #include <thread>
 
-#include "base/parameters/suggestion.h"
+#include "base/cpu_time.h"
 #include "io/results_folder.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/journal.h"
+#include "study/many/ranks/shared_points.h"
+#include "study/many/search/fit_evaluation.h"
 #include "study/many/study_folder.h"
 #include "study/many/study_table.h"
 
@@ -31,18 +32,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// CPU time of the calling thread [s].
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-unsigned workers_of(unsigned asked, std::size_t n_tasks) {
-  const unsigned n = asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
-  return static_cast<unsigned>(std::clamp<std::size_t>(n, 1, std::max<std::size_t>(n_tasks, 1)));
-}
-
 /// Second try of a failed drop.
 std::vector<std::string> with_smaller_step(const Case& c, std::vector<std::string> overrides) {
   const auto& integration = c.parameters.integration;
@@ -51,27 +40,31 @@ std::vector<std::string> with_smaller_step(const Case& c, std::vector<std::strin
   return overrides;
 }
 
-std::vector<std::string> overrides_of(const Study& study, const StudyPoint& point) {
-  auto overrides = study.set;
-  overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
-  return overrides;
+PointResult evaluated(const Study& study, const std::vector<std::string>& overrides, const StudyOptions& options) {
+  try {
+    const Case c = read_case(study.case_file, overrides);
+    return options.evaluate({c, options.stop, series_of_study(study)});
+  } catch (const InputError& error) {
+    PointResult result;
+    result.reason = error.what();
+    return result;
+  }
 }
 
 /// Runs points on several threads and follows them.
 class StudyRun {
  public:
-  StudyRun(const Study& study, const Design& design, const StudyOptions& options, Journal& journal,
-           std::vector<std::size_t> waiting, StudyProgress start)
+  StudyRun(const Study& study, const Design& design, const StudyOptions& options, Journal& journal, PointSource& points,
+           StudyProgress start)
       : study_(study),
         design_(design),
         options_(options),
         journal_(journal),
-        waiting_(std::move(waiting)),
+        points_(points),
         progress_(std::move(start)),
         first_done_(progress_.done + progress_.failed) {}
 
-  void run(StudyOutcome& outcome) {
-    const unsigned n = workers_of(options_.n_workers, waiting_.size());
+  void run(unsigned n, StudyOutcome& outcome) {
     start_ = Clock::now();
     std::vector<double> finished(n, 0.);
     {
@@ -99,14 +92,29 @@ class StudyRun {
   }
 
   void follow(unsigned n) {
-    std::unique_lock lock(lock_);
-    while (!ended_.wait_for(lock, std::chrono::milliseconds(200), [&] { return n_ended_ == n; }))
-      if (options_.report) options_.report(progress());
+    const std::chrono::milliseconds interval(points_.serving_interval());
+    auto told = Clock::now();
+    for (bool is_ended = false; !is_ended || !points_.is_complete();) {
+      points_.serve(is_over());
+      std::unique_lock lock(lock_);
+      is_ended = ended_.wait_for(lock, interval, [&] { return n_ended_ == n; });
+      if (is_ended && !points_.is_complete()) {
+        lock.unlock();
+        std::this_thread::sleep_for(interval);
+        lock.lock();
+      }
+      if (!options_.report || Clock::now() - told < std::chrono::milliseconds(200)) continue;
+      told = Clock::now();
+      options_.report(progress());
+    }
     if (options_.report) options_.report(progress());
   }
 
   [[nodiscard]] StudyProgress progress() const {
     StudyProgress p = progress_;
+    const auto elsewhere = points_.elsewhere();
+    p.done += elsewhere.done;
+    p.failed += elsewhere.failed;
     const double now = seconds_since(start_);
     const auto here = static_cast<double>(p.done + p.failed - first_done_);
     p.per_second = here / std::max(now, 1e-9);
@@ -117,7 +125,11 @@ class StudyRun {
 
   void work() {
     try {
-      for (std::size_t i; !is_over() && (i = next_.fetch_add(1)) < waiting_.size();) compute(waiting_[i]);
+      while (!is_over()) {
+        const auto point = points_.next();
+        if (!point) break;
+        compute(*point);
+      }
     } catch (...) {
       const std::scoped_lock lock(lock_);
       if (!error_) error_ = std::current_exception();
@@ -126,20 +138,11 @@ class StudyRun {
   }
 
   void compute(std::size_t index) {
-    const double cpu = thread_seconds();
-    const StudyPoint point = point_of(study_, design_, index);
-    const auto overrides = overrides_of(study_, point);
-    PointResult result = evaluate(overrides);
-    if (!result.is_interrupted && !result.is_done && study_.on_failure == FailurePolicy::retry && !is_over()) {
-      const std::string reason = result.reason;
-      const Case c = read_case(study_.case_file, overrides);
-      result = evaluate(with_smaller_step(c, overrides));
-      result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
-                                     : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
-    }
+    const double cpu = thread_cpu_seconds();
+    const PointResult result = run_point(study_, point_of(study_, design_, index), options_);
     if (result.is_interrupted) return;
-    complete_results(study_, result);
-    journal_.append(index, result, thread_seconds() - cpu);
+    journal_.append(index, result, thread_cpu_seconds() - cpu);
+    points_.finished(index, result.is_done);
     const std::scoped_lock lock(lock_);
     ++(result.is_done ? progress_.done : progress_.failed);
     for (const auto& [name, value] : result.scalars)
@@ -147,25 +150,13 @@ class StudyRun {
     if (!result.is_done && study_.on_failure == FailurePolicy::stop) is_stopped_by_failure_ = true;
   }
 
-  PointResult evaluate(const std::vector<std::string>& overrides) const {
-    try {
-      const Case c = read_case(study_.case_file, overrides);
-      return options_.evaluate({c, options_.stop, study_.keep_series});
-    } catch (const InputError& error) {
-      PointResult result;
-      result.reason = error.what();
-      return result;
-    }
-  }
-
   const Study& study_;
   const Design& design_;
   const StudyOptions& options_;
   Journal& journal_;
-  std::vector<std::size_t> waiting_;
+  PointSource& points_;
   StudyProgress progress_;
   std::size_t first_done_;
-  std::atomic<std::size_t> next_{0};
   std::atomic<bool> is_stopped_by_failure_{false}, has_error_{false};
   std::exception_ptr error_;
   mutable std::mutex lock_;
@@ -181,66 +172,34 @@ std::string name_of_best(const Study& study) {
   return study.derived.empty() ? "" : study.derived.front().name;
 }
 
-std::string named(const Study& study, const StudyPoint& point) {
-  std::string text;
-  for (std::size_t i = 0; i < study.parameters.size() && i < 6; ++i)
-    text += fmt::format("{}{} = {}", i ? ", " : "", study.parameters[i].name, to_text(point.values[i]));
-  return text;
-}
-
-/// What the journal of a directory holds already; empty if it was killed before its first line.
-std::optional<Journal::Content> earlier_points(const fs::path& file, const std::string& header) {
-  std::error_code error;
-  if (!fs::exists(file, error)) return {};
-  try {
-    auto content = Journal::read(file);
-    require_same_study(file, content.header, header);
-    return content;
-  } catch (const InputError&) {
-    if (fs::file_size(file, error) > header.size()) throw;
-    return {};
-  }
-}
-
 }  // namespace
 
-void check_points(const Study& study, const Design& design, unsigned n_workers) {
-  const std::size_t n = n_points(study, design);
-  constexpr std::size_t n_told = 5;
-  std::atomic<std::size_t> next{0}, n_bad{0};
-  std::mutex lock;
-  std::map<std::size_t, InputError> bad;
-  const auto check = [&] {
-    for (std::size_t i; n_bad < 100 && (i = next.fetch_add(1)) < n;) {
-      try {
-        read_case(study.case_file, overrides_of(study, point_of(study, design, i)));
-      } catch (const InputError& error) {
-        ++n_bad;
-        const std::scoped_lock guard(lock);
-        bad.emplace(i, error);
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> pool;
-    for (unsigned k = 0; k < workers_of(n_workers, n); ++k) pool.emplace_back(check);
+PointResult run_point(const Study& study, const StudyPoint& point, const StudyOptions& options) {
+  const auto overrides = overrides_of(study, point);
+  PointResult result = evaluated(study, overrides, options);
+  if (!result.is_interrupted && !result.is_done && study.on_failure == FailurePolicy::retry &&
+      !(options.stop && *options.stop)) {
+    const std::string reason = result.reason;
+    const Case c = read_case(study.case_file, overrides);
+    result = evaluated(study, with_smaller_step(c, overrides), options);
+    result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
+                                   : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
   }
-  if (bad.empty()) return;
-  Faults faults;
-  std::size_t told = 0;
-  for (const auto& [i, error] : bad) {
-    if (told++ == n_told) break;
-    const StudyPoint point = point_of(study, design, i);
-    for (const auto& fault : error.faults())
-      faults.add({study.file.string(), 0, 0}, fmt::format("point {} is no valid case: {}", i, fault.message),
-                 fmt::format("There {}.{}{}", named(study, point), fault.advice.empty() ? "" : "\n", fault.advice));
-  }
-  if (bad.size() > n_told)
-    faults.add(
-        {study.file.string(), 0, 0},
-        fmt::format("{}{} further points are no valid cases.", n_bad >= 100 ? "at least " : "", bad.size() - n_told),
-        "Narrow the ranges. A normal distribution reaches any value; \"truncated-normal\" has ends.");
-  faults.throw_if_any();
+  if (result.is_interrupted) return result;
+  show_measured(study, result);
+  complete_results(study, result);
+  return result;
+}
+
+std::vector<std::string> overrides_of(const Study& study, const StudyPoint& point) {
+  auto overrides = study.set;
+  overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
+  return overrides;
+}
+
+unsigned workers_of(unsigned asked, std::size_t n_tasks) {
+  const unsigned n = asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+  return static_cast<unsigned>(std::clamp<std::size_t>(n, 1, std::max<std::size_t>(n_tasks, 1)));
 }
 
 void complete_results(const Study& study, PointResult& result) {
@@ -265,68 +224,6 @@ void complete_results(const Study& study, PointResult& result) {
   std::erase_if(result.scalars, [&](const auto& s) { return s.first.empty() || !is_kept(study, s.first); });
 }
 
-ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate) {
-  const Case c = read_case(study.case_file, overrides_of(study, point_of(study, design, 0)));
-  const volatile std::sig_atomic_t at_once = 1;
-  PointResult result = evaluate({c, &at_once, study.keep_series});
-  if (result.scalars.empty())
-    throw InputError({study.file.string(), 0, 0}, "the first point cannot even begin: " + result.reason);
-  std::vector<std::string> names;
-  for (const auto& scalar : result.scalars) names.push_back(scalar.first);
-  Faults faults;
-  for (const auto& derived : study.derived) {
-    for (const auto& name : derived.formula.names())
-      if (std::find(names.begin(), names.end(), name) == names.end()) {
-        const std::string guess = closest_name(name, names);
-        faults.add(derived.where, fmt::format("derived.{}: no result is called \"{}\".", derived.name, name),
-                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                       "Formulas use the names of summary.json (docs/reference/results.md).");
-      }
-  }
-  faults.throw_if_any();
-  for (const auto& derived : study.derived) names.push_back(derived.name);
-  resolve_results(study, names);
-  ProbedResults probed;
-  for (const auto& name : names)
-    if (is_kept(study, name)) probed.names.push_back(name);
-  return probed;
-}
-
-StudyEstimate estimate_study(const Study& study, const Design& design, const ProbedResults& results,
-                             const Evaluator& evaluate) {
-  StudyEstimate estimate;
-  estimate.n_rows = design.n_rows;
-  estimate.n_points = n_points(study, design);
-  const Case c = read_case(study.case_file, overrides_of(study, point_of(study, design, 0)));
-  volatile std::sig_atomic_t stop = 0;
-  PointResult result;
-  double cpu = 0.;
-  {
-    std::mutex lock;
-    std::condition_variable ended;
-    bool has_ended = false;
-    const std::jthread drop([&] {
-      const double start = thread_seconds();
-      result = evaluate({c, &stop, study.keep_series});
-      cpu = thread_seconds() - start;
-      const std::scoped_lock guard(lock);
-      has_ended = true;
-      ended.notify_all();
-    });
-    std::unique_lock guard(lock);
-    if (!ended.wait_for(guard, std::chrono::seconds(4), [&] { return has_ended; })) stop = 1;
-  }
-  if (!result.reason.empty()) throw SolverError("the first point fails: " + result.reason);
-  const double part = result.is_done ? 1. : result.end_time / c.parameters.run.latest_end();
-  estimate.cpu_time = cpu / std::max(part, 1e-9) * static_cast<double>(estimate.n_points);
-  double numbers = static_cast<double>(results.names.size() + study.parameters.size() + 3);
-  for (const auto& series : result.series)
-    numbers += static_cast<double>(series.time.size() + series.values.size()) / std::max(part, 1e-9);
-  // In study.h5 8 bytes a number; in the journal and the table of texts about 13 each.
-  estimate.bytes = numbers * static_cast<double>(estimate.n_points) * (8. + 13. + 13.);
-  return estimate;
-}
-
 StudyOutcome run_study(const Study& study, const Design& design, const StudyOptions& options) {
   const ResultsFolder folder(options.directory, options.resume  ? ResultsFolder::Existing::resume
                                                 : options.force ? ResultsFolder::Existing::replace
@@ -334,9 +231,7 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
   const std::string digest = digest_of(study, design);
   const std::string header = journal_header(study, digest, options.shard, options.n_shards);
   const fs::path file = options.directory / "study.journal";
-  auto earlier = options.resume ? earlier_points(file, header) : std::nullopt;
-  if (options.resume && !earlier && options.tell) options.tell("no point is finished yet: the study starts anew");
-  if (!earlier) write_inputs(study, options.directory);
+  auto earlier = earlier_points(study, options, header);
 
   StudyOutcome outcome;
   outcome.n_points = n_points(study, design);
@@ -358,9 +253,20 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
       journal.emplace(file, *earlier);
     else
       journal.emplace(file, header);
-    if (!waiting.empty()) StudyRun(study, design, options, *journal, std::move(waiting), start).run(outcome);
+    const unsigned n_workers = workers_of(options.n_workers, waiting.size());
+    if (options.ranks) {
+      options.ranks->begin(true);
+      SharedPoints points(std::move(waiting), *options.ranks, study.on_failure == FailurePolicy::stop, options.tell);
+      StudyRun(study, design, options, *journal, points, start).run(n_workers, outcome);
+      outcome.is_anyone_lost = points.is_anyone_lost();
+      outcome.is_stopped |= points.is_stopped_by_failure();
+    } else if (!waiting.empty()) {
+      LocalPoints points(std::move(waiting));
+      StudyRun(study, design, options, *journal, points, start).run(n_workers, outcome);
+    }
     journal->sync();
   }
+  if (options.ranks) take_journals_of_ranks(options.directory, header);
   const auto content = Journal::read(file);
   const StudyTable table = make_table(study, design, content.records, content.layouts);
   outcome.done = table.count(PointStatus::done);
@@ -370,6 +276,23 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
   outcome.is_complete = outcome.done + outcome.failed == start.total;
   if (outcome.is_complete && options.n_shards == 1) write_results(options.directory, study, design, table, digest);
   folder.require_there();
+  return outcome;
+}
+
+StudyOutcome run_as_rank(const Study& study, const Design& design, const StudyOptions& options) {
+  StudyOutcome outcome;
+  if (!options.ranks->begin(true)) return outcome;
+  const std::string header = journal_header(study, digest_of(study, design), options.shard, options.n_shards);
+  const unsigned n_workers = workers_of(options.n_workers, n_points(study, design));
+  GivenPoints points(*options.ranks, n_workers);
+  {
+    Journal journal(journal_of_rank(options.directory, options.ranks->rank()), header);
+    StudyRun(study, design, options, journal, points, {}).run(n_workers, outcome);
+    journal.sync();
+  }
+  outcome.is_anyone_lost = points.is_rank_0_lost();
+  if (!outcome.is_anyone_lost) points.say_bye();
+  outcome.is_complete = !(options.stop && *options.stop) && !outcome.is_stopped && !outcome.is_anyone_lost;
   return outcome;
 }
 

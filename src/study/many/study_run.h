@@ -19,11 +19,14 @@ struct StudyProgress {
   double best = 0;
 };
 
+class Ranks;
+
 struct StudyOptions {
   std::filesystem::path directory;
   unsigned n_workers = 0;               ///< 0: one per core
   std::size_t shard = 1, n_shards = 1;  ///< this run computes every n_shards-th point from the shard's on
   bool force = false, resume = false;
+  Ranks* ranks = nullptr;  ///< processes that share the points; null: this one is alone
   const volatile std::sig_atomic_t* stop = nullptr;
   Evaluator evaluate = evaluate_point;
   std::function<void(const StudyProgress&)> report;
@@ -32,12 +35,19 @@ struct StudyOptions {
 
 struct StudyOutcome {
   std::size_t n_points = 0, done = 0, failed = 0, missing = 0;
-  bool is_complete = false;  ///< every point of this run (or shard) is finished
-  bool is_stopped = false;   ///< by the policy after a failure
-  double cpu_time = 0;       ///< of all drops [s]
-  double wall_time = 0;      ///< of this run [s]
-  double idle_share = 0;     ///< of the workers' time, waiting for the last drops
+  bool is_complete = false;     ///< every point of this run (or shard) is finished
+  bool is_stopped = false;      ///< by the policy after a failure
+  bool is_anyone_lost = false;  ///< a rank fell silent
+  double cpu_time = 0;          ///< of all drops [s]
+  double wall_time = 0;         ///< of this run [s]
+  double idle_share = 0;        ///< of the workers' time, waiting for the last drops
 };
+
+/// Overrides of the study and of a point.
+std::vector<std::string> overrides_of(const Study& study, const StudyPoint& point);
+
+/// Number of threads for so many tasks. @param asked  0: one per core
+unsigned workers_of(unsigned asked, std::size_t n_tasks);
 
 /// Reads the case of every point. @throws InputError with the first faulty points
 void check_points(const Study& study, const Design& design, unsigned n_workers);
@@ -58,11 +68,17 @@ struct StudyEstimate {
 StudyEstimate estimate_study(const Study& study, const Design& design, const ProbedResults& results,
                              const Evaluator& evaluate);
 
+/// Runs one point, once more if it fails and the study says so; its results are complete.
+PointResult run_point(const Study& study, const StudyPoint& point, const StudyOptions& options);
+
 /// Adds derived results to those of a drop and leaves out what is not kept.
 void complete_results(const Study& study, PointResult& result);
 
 /// Runs the points into a directory: study.journal, and when all are finished study.h5, study.csv, study.json (not of a shard).
 /// @throws InputError if the directory holds something else, SolverError if it cannot be written
 StudyOutcome run_study(const Study& study, const Design& design, const StudyOptions& options);
+
+/// What a rank other than 0 does: it computes the points that rank 0 gives, into a journal of its own in the same directory.
+StudyOutcome run_as_rank(const Study& study, const Design& design, const StudyOptions& options);
 
 }  // namespace rotordrop

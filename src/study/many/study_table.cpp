@@ -132,16 +132,26 @@ void write_study_hdf5(const std::filesystem::path& file, const Study& study, con
     row.integers.push_back(static_cast<std::int64_t>(k) / study.n_replicates);
     replicate.integers.push_back(static_cast<std::int64_t>(k) % study.n_replicates);
   }
+  TableColumn search{"/search", "", "search to which a point belongs"},
+      evaluation{"/evaluation", "", "evaluation of that search"};
+  search.kind = evaluation.kind = TableColumn::Kind::integers;
+  for (std::size_t k = 0; k < n && !design.steps.empty(); ++k) {
+    const auto& step = design.steps[k / static_cast<std::size_t>(study.n_replicates) / design.rows_per_step];
+    search.integers.push_back(static_cast<std::int64_t>(step.search));
+    evaluation.integers.push_back(static_cast<std::int64_t>(step.evaluation));
+  }
   TableColumn reason{"/reason", "", "why a point failed, or what a second try changed", {}, {}, table.reason};
   reason.kind = TableColumn::Kind::texts;
   for (auto* column : {&status, &reason, &row, &replicate}) columns.push_back(std::move(*column));
+  if (!design.steps.empty())
+    for (auto* column : {&search, &evaluation}) columns.push_back(std::move(*column));
   add_series(table, columns);
   write_columns(file,
                 {{"program", std::string("rotordrop ") + version()},
                  {"git_revision", git_revision()},
                  {"study", study.name},
                  {"case", study.base.name},
-                 {"design", name_of(study.design.kind)},
+                 {"design", name_of(design.kind)},
                  {"seed", std::to_string(study.design.seed)},
                  {"digest", digest}},
                 columns);

@@ -10,5 +10,8 @@ extern const char* const report_js;
 // Those of src/study/many/report, the page of a study.
 extern const char* const study_css;
 extern const char* const study_js;
+// Figures that the pages of studies and of measured series share, and the page of measured series.
+extern const char* const chart_js;
+extern const char* const measured_js;
 
 }  // namespace rotordrop

@@ -135,3 +135,29 @@ TEST(Morris, FindsThatTheThirdParameterActsByInteraction) {
   EXPECT_NEAR(linear[names[0]]["deviation"].get<double>(), 0., 1e-9);
   EXPECT_NEAR(linear[names[1]]["mean_magnitude"]["value"].get<double>(), 0., 1e-12);
 }
+
+// Sparse polynomials of degree 9 know this function almost exactly from 400 points, and their indices are the exact ones to that error.
+TEST(Surrogate, OfIshigamisFunctionHasItsIndicesAndPredictsWhatItHasNotSeen) {
+  const auto summary =
+      run("[design]\nkind = \"sobol-sequence\"\nsize = 400\n[surrogate]\nresults = [\"f\"]\ndegree = 9\n", sometimes);
+  const auto& surrogate = summary["surrogate"]["results"]["f"];
+  EXPECT_EQ(surrogate["n"], summary["done"]);  // failed drops are left out
+  EXPECT_GT(surrogate["q2"].get<double>(), 0.95);
+  const Exact exact;
+  for (int j = 0; j < 3; ++j) {
+    EXPECT_NEAR(surrogate["indices"][names[j]]["first"].get<double>(), exact.first[j], 0.03) << names[j];
+    EXPECT_NEAR(surrogate["indices"][names[j]]["total"].get<double>(), exact.total[j], 0.03) << names[j];
+  }
+  double squares = 0.;  // what it says of itself, from its predictions
+  for (std::size_t i = 0; i < surrogate["computed"].size(); ++i)
+    squares += std::pow(surrogate["computed"][i].get<double>() - surrogate["predicted"][i].get<double>(), 2);
+  EXPECT_NEAR(surrogate["rmse"].get<double>(), std::sqrt(squares / surrogate["n"].get<double>()), 1e-12);
+}
+
+TEST(Surrogate, ByKrigingPredictsWhatItHasNotSeen) {
+  const auto summary =
+      run("[design]\nkind = \"sobol-sequence\"\nsize = 200\n[surrogate]\nresults = [\"f\", \"linear\"]\nkind = "
+          "\"kriging\"\n");
+  EXPECT_GT(summary["surrogate"]["results"]["linear"]["q2"].get<double>(), 0.999);
+  EXPECT_GT(summary["surrogate"]["results"]["f"]["q2"].get<double>(), 0.6);
+}

@@ -27,7 +27,9 @@ bool is_kept(const Study& study, const std::string& name) {
   return std::any_of(study.keep_results.begin(), study.keep_results.end(), is_meant) ||
          std::any_of(study.limits.begin(), study.limits.end(), [&](const Limit& l) { return is_meant(l.pattern); }) ||
          std::any_of(study.derived.begin(), study.derived.end(), [&](const auto& d) { return d.name == name; }) ||
-         (study.choice && study.choice->result == name);
+         (study.choice && study.choice->result == name) || (study.minimise && study.minimise->result == name) ||
+         std::find(study.surrogate_results.begin(), study.surrogate_results.end(), name) !=
+             study.surrogate_results.end();
 }
 
 void resolve_results(Study& study, const std::vector<std::string>& names) {
@@ -43,6 +45,14 @@ void resolve_results(Study& study, const std::vector<std::string>& names) {
     faults.add(study.choice->where,
                fmt::format("choose.result = \"{}\": no result is called so.", study.choice->result),
                advice_on_result(study.choice->result, names));
+  for (const auto& name : study.surrogate_results)
+    if (!is_known(name))
+      faults.add({study.file.string(), 0, 0}, fmt::format("surrogate.results: no result is called \"{}\".", name),
+                 advice_on_result(name, names));
+  if (study.minimise && !is_known(study.minimise->result))
+    faults.add({study.file.string(), 0, 0},
+               fmt::format("minimise.result = \"{}\": no result is called so.", study.minimise->result),
+               advice_on_result(study.minimise->result, names));
   auto limits = resolved_limits(
       study.limits, names, [&](const std::string& name) { return unit_of_result(study, name); }, faults);
   faults.throw_if_any();

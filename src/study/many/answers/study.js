@@ -1,93 +1,10 @@
-"use strict";
 // Draws the page of a study from the JSON in #data: answers, response, parallel coordinates, indices, worst and failed points.
-
-const data = JSON.parse(document.getElementById("data").textContent);
-const page = document.getElementById("page");
-const tip = document.getElementById("tip");
-const SVG = "http://www.w3.org/2000/svg";
-const DRAWN = new Set(["svg", "g", "path", "line", "circle", "text", "rect", "title"]);
-
-function element(name, attributes, ...children) {
-  const made = DRAWN.has(name) ? document.createElementNS(SVG, name) : document.createElement(name);
-  for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
-  made.append(...children.filter((child) => child !== null));
-  return made;
-}
-
-function table(header, rows, classes = []) {
-  const cells = (row, name) => element("tr", {}, ...row.map((text, i) => element(name, { class: classes[i] || "" }, ...[text].flat())));
-  return element("table", {}, element("thead", {}, cells(header, "th")), element("tbody", {}, ...rows.map((row) => cells(row, "td"))));
-}
-
-function section(title, ...children) {
-  const id = title.toLowerCase().replace(/[^a-z]+/g, "-");
-  const made = element("section", { id }, element("h2", {}, title), ...children);
-  page.append(made);
-  document.querySelector("nav").append(element("a", { href: "#" + id }, title));
-  return made;
-}
-
-function short(value) {
-  if (value === null || value === undefined) return "–";
-  if (typeof value === "string") return value;
-  if (value === 0) return "0";
-  const size = Math.abs(value);
-  return size >= 1e6 || size < 1e-4 ? value.toExponential(3) : String(+value.toPrecision(4));
-}
-const unitText = (unit) => (unit && unit !== "1" ? ` ${unit}` : "");
-const label = (quantity) => quantity.name + (quantity.unit && quantity.unit !== "1" ? ` [${quantity.unit}]` : "");
-const isNumber = (value) => typeof value === "number";
-
-function ticks(low, high, n) {
-  const raw = (high - low) / n || 1;
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw * 0.999);
-  const made = [];
-  for (let k = Math.ceil(low / step - 1e-9); k <= Math.floor(high / step + 1e-9); ++k) made.push(k * step);
-  return made;
-}
-
-// Positions of a quantity on an axis: numbers as they are, evenly in the logarithm if they span decades; texts one after the other.
-function scaleOf(quantity, from, to, extra = []) {
-  const numbers = quantity.values.filter(isNumber).concat(extra);
-  if (quantity.values.some((v) => typeof v === "string")) {
-    const names = [...new Set(quantity.values.filter((v) => v !== null))];
-    const at = (v) => from + ((names.indexOf(v) + 0.5) / names.length) * (to - from);
-    return { at, ticks: names.map((name) => ({ value: name, text: name })) };
-  }
-  let low = Math.min(...numbers), high = Math.max(...numbers);
-  if (!(low < high)) { low -= Math.abs(low) * 0.1 || 1; high += Math.abs(high) * 0.1 || 1; }
-  const isLog = low > 0 && high / low > 50;
-  const f = isLog ? Math.log10 : (v) => v;
-  const room = 0.04 * (f(high) - f(low)), a = f(low) - room, b = f(high) + room;
-  const at = (v) => from + ((f(v) - a) / (b - a)) * (to - from);
-  const marks = isLog ? ticks(Math.ceil(a), Math.floor(b), 6).filter((p) => Number.isInteger(p)).map((p) => 10 ** p) : ticks(low, high, 5);
-  return { at, ticks: (isLog && marks.length < 2 ? [low, high] : marks).map((value) => ({ value, text: short(value) })) };
-}
-
-function showTip(event, lines) {
-  tip.hidden = false;
-  tip.replaceChildren(...lines.map((line) => element("div", {}, line)));
-  tip.style.left = Math.min(event.clientX + 14, innerWidth - tip.offsetWidth - 8) + "px";
-  tip.style.top = Math.max(4, Math.min(event.clientY + 12, innerHeight - tip.offsetHeight - 4)) + "px";
-}
-const hideTip = () => { tip.hidden = true; };
 
 const limitsOf = (result) => data.limits.filter((limit) => limit.result === result.name);
 function isBroken(result, value) {
   return value !== null && limitsOf(result).some((limit) => (isNumber(limit.max) && value > limit.max) || (isNumber(limit.min) && value < limit.min));
 }
 const describe = (k) => [`point ${data.points[k]}`, ...data.parameters.map((p) => `${p.name}: ${short(p.values[k])}${unitText(p.unit)}`)];
-
-function frame(width, height, x, y, xLabel, yLabel, margin) {
-  const made = [];
-  const bottom = height - margin.bottom, right = width - margin.right;
-  for (const { value, text } of x.ticks) made.push(element("line", { class: "grid", x1: x.at(value), x2: x.at(value), y1: margin.top, y2: bottom }), element("text", { x: x.at(value), y: bottom + 15, "text-anchor": "middle" }, text));
-  for (const { value, text } of y.ticks) made.push(element("line", { class: "grid", x1: margin.left, x2: right, y1: y.at(value), y2: y.at(value) }), element("text", { x: margin.left - 5, y: y.at(value) + 4, "text-anchor": "end" }, text));
-  made.push(element("path", { class: "axis", d: `M${margin.left} ${margin.top}V${bottom}H${right}` }), element("text", { x: (margin.left + right) / 2, y: height - 6, "text-anchor": "middle" }, xLabel),
-    element("text", { "text-anchor": "middle", transform: `translate(12 ${(margin.top + bottom) / 2}) rotate(-90)` }, yLabel));
-  return made;
-}
 
 const quantile = (sorted, p) => {
   const at = p * (sorted.length - 1), i = Math.floor(at);
@@ -234,7 +151,7 @@ function influences(result) {
 
 function showAnswers() {
   const parts = [element("p", {}, data.counts)];
-  if (data.limits.length)
+  if (data.limits.length && !data.minimise)
     parts.push(element("h3", {}, "Limits"), table(["result", "allowed", "broken by", "probability", "95 % interval"], data.limits.map((l) => [l.result,
       [isNumber(l.min) ? `from ${short(l.min)}` : "", isNumber(l.max) ? `up to ${short(l.max)}` : ""].filter(Boolean).join(" ") + unitText(l.unit), `${l.broken} of ${l.n} drops`,
       l.probability === null ? "–" : `${short(100 * l.probability)} %`, isNumber(l.low) ? `${short(100 * l.low)} to ${short(100 * l.high)} % (${l.interval})` : l.interval || "–"])));
@@ -249,8 +166,67 @@ function showAnswers() {
   section("Answers", ...parts);
 }
 
+// Value of every evaluation, and the smallest one so far that keeps the limits.
+function course(m) {
+  const width = 760, height = 300, margin = { left: 78, right: 10, top: 8, bottom: 40 };
+  const shown = m.course.map((e, k) => ({ ...e, k })).filter((e) => isNumber(e.value));
+  const order = { name: "evaluation", unit: "", values: shown.map((e) => e.k) }, values = { name: m.result, unit: m.unit, values: shown.map((e) => e.value) };
+  const x = scaleOf({ ...order, values: [0, Math.max(1, m.course.length - 1)] }, margin.left, width - margin.right), y = scaleOf(values, height - margin.bottom, margin.top);
+  const at = (k) => x.ticks.length ? margin.left + ((k + 0.5) / m.course.length) * (width - margin.left - margin.right) : 0;
+  x.at = at;
+  x.ticks = ticks(0, Math.max(1, m.course.length - 1), 8).filter(Number.isInteger).map((value) => ({ value, text: String(value) }));
+  const parts = frame(width, height, x, y, "evaluation, searches one after the other", label(values), margin);
+  let best = Infinity, d = "";
+  for (const e of shown) {
+    if (e.within_limits && e.value < best) { d += `${d ? `H${at(e.k).toFixed(1)}V` : `M${at(e.k).toFixed(1)} `}${y.at(e.value).toFixed(1)}`; best = e.value; }
+    const dot = element("circle", { class: "point" + (e.within_limits ? "" : " broken"), cx: at(e.k).toFixed(1), cy: y.at(e.value).toFixed(1), r: shown.length > 400 ? 1.6 : 3 });
+    dot.onpointermove = (event) => showTip(event, [`search ${e.search}, evaluation ${e.evaluation}, points ${e.points.join(" to ")}`, ...Object.entries(e.parameters).map(([name, v]) => `${name}: ${short(v)}${unitText(m.units[name])}`), `${m.result}: ${short(e.value)}${unitText(m.unit)}`]);
+    dot.onpointerleave = hideTip;
+    parts.push(dot);
+  }
+  if (d) parts.push(element("path", { class: "middle", d: d + `H${width - margin.right}` }));
+  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, style: `max-width:${width}px`, role: "img", "aria-label": "course of the search" }, ...parts));
+}
+
+function showSearch() {
+  const m = data.minimise, what = m.of === "quantile" ? `${short(100 * m.quantile)} % quantile of ${m.result}` : m.drops_of_evaluation > 1 ? `mean of ${m.result}` : m.result;
+  const row = (name, e) => [name, e ? short(e.value) : "–", e && isNumber(e.low) ? `${short(e.low)} to ${short(e.high)}` : "–", e ? (e.within_limits ? "yes" : "no") : "–", e ? e.points.join(" to ") : "–", ...Object.keys(m.units).map((p) => e ? short(e.parameters[p]) : "–")];
+  section("Search", element("p", {}, `Smallest ${what}${data.limits.length ? " within the limits" : ""}, by ${m.method}: ${m.evaluations} evaluations of ${m.drops_of_evaluation} drop${m.drops_of_evaluation > 1 ? "s" : ""} in ${m.searches.length} search${m.searches.length > 1 ? "es" : ""}.`),
+    table(["", label({ name: what, unit: m.unit }), "95 % interval", "within limits", "points", ...Object.keys(m.units).map((p) => label({ name: p, unit: m.units[p] }))], [row("best", m.best), row("start", m.start), ...(m.searches.length > 1 ? m.searches.map((s, k) => row(`best of search ${k}${s.all_used ? ", which used all its evaluations" : ""}`, s.best)) : [])], ["", "number", "", "", "", ...Object.keys(m.units).map(() => "number")]),
+    course(m), element("p", { class: "note" }, "Each point is an evaluation; orange ones break a limit. Line: smallest so far. The best of many uncertain values looks better than it is: compute it again with other starts before it is relied upon."));
+}
+
+// Predicted over computed: points on the diagonal are predicted well.
+function showSurrogates() {
+  const s = data.surrogate, entries = Object.entries(s.results);
+  const figures = entries.filter(([, r]) => r.predicted).map(([name, r]) => {
+    const width = 380, height = 320, margin = { left: 68, right: 10, top: 8, bottom: 40 }, all = { values: [...r.computed, ...r.predicted] };
+    const x = scaleOf(all, margin.left, width - margin.right), y = scaleOf(all, height - margin.bottom, margin.top), low = Math.min(...all.values), high = Math.max(...all.values);
+    return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `predicted over computed ${name}` }, ...frame(width, height, x, y, label({ name, unit: r.unit }), "predicted", margin),
+      element("line", { class: "middle", x1: x.at(low), x2: x.at(high), y1: y.at(low), y2: y.at(high) }), ...r.computed.map((v, i) => element("circle", { class: "point", cx: x.at(v).toFixed(1), cy: y.at(r.predicted[i]).toFixed(1), r: 2 }))));
+  });
+  section("Surrogates", table(["result", "points", "variance explained", "rms error", "indices: first, total"], entries.map(([name, r]) => [label({ name, unit: r.unit }), String(r.n), r.reason || (isNumber(r.q2) ? `${short(100 * r.q2)} %` : "–"), short(r.rmse), Object.entries(r.indices || {}).map(([p, i]) => `${p} ${short(i.first)}, ${short(i.total)}`).join("; ")])),
+    element("div", { class: "small" }, ...figures), element("p", { class: "note" }, `${s.kind}; every point is predicted by a surrogate made from the other ${s.folds - 1} of ${s.folds} parts of the points.`));
+}
+
+function showFit() {
+  const f = data.fit, parts = [];
+  if (!f.measured) parts.push(element("p", {}, "The fit found no values."));
+  else {
+    parts.push(table(["parameter", "value", "95 % interval", "start"], Object.entries(f.parameters).map(([name, p]) => [label({ name, unit: p.unit }) + (p.at_end_of_range ? ": at the end of its range" : ""), short(p.value), `${short(p.low)} to ${short(p.high)}`, short(p.start)]), ["", "number", "", "number"]),
+      element("p", { class: "note" }, `Intervals follow from the derivatives at these values and ${isNumber(f.chi_square_per_freedom) ? `the given noise (chi-square per degree of freedom ${short(f.chi_square_per_freedom)}; about 1 if model and noise are right)` : "what still differs"}; they hold for noise without memory and a model without error.`),
+      element("h3", {}, "Measured less computed"), differenceTable(f.measured), ...data.overlay.map(overlay));
+    if (f.searches.length > 1) parts.push(element("h3", {}, "Searches"), table(["search", "sum of squares", ...Object.keys(f.parameters)], f.searches.map((s, k) => [String(k), short(s.sum_of_squares), ...Object.keys(f.parameters).map((p) => s.parameters ? short(s.parameters[p]) : "–")])));
+    parts.push(element("h3", {}, "Course"), course({ result: "sum of squares", unit: "", units: Object.fromEntries(Object.entries(f.parameters).map(([name, p]) => [name, p.unit])), course: f.course }));
+  }
+  section("Fit", ...parts);
+}
+
 page.append(element("h1", {}, data.title), element("div", { class: "subtitle" }, data.subtitle), element("nav", {}));
 showAnswers();
+if (data.minimise) showSearch();
+if (data.fit) showFit();
+if (data.surrogate) showSurrogates();
 const chooser = element("select", { id: "result", "aria-label": "result" }, ...data.results.map((r, i) => element("option", { value: i }, r.long_name ? `${r.name}: ${r.long_name}` : r.name)));
 const response = element("div", { class: "small" }), lines = element("div", {}), matter = element("div", {}), worst = element("div", {});
 section("Response", element("div", { class: "choice" }, element("label", {}, "Result: ", chooser)), response,

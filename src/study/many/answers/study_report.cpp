@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "study/json_number.h"
+#include "study/many/answers/fit_summary.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/study_summary.h"
+#include "study/many/search/search_space.h"
 #include "study/many/study_folder.h"
 #include "study/report/report.h"
 #include "study/report/report_template.h"
@@ -37,6 +39,7 @@ std::vector<const ResultColumn*> shown_results(const Study& study, const StudyTa
   const auto add = [&](const ResultColumn* column) {
     if (column && std::find(shown.begin(), shown.end(), column) == shown.end()) shown.push_back(column);
   };
+  if (study.minimise) add(table.find(study.minimise->result));
   if (study.choice) add(table.find(study.choice->result));
   for (const auto& limit : study.limits) add(table.find(limit.pattern));
   for (const auto& derived : study.derived) add(table.find(derived.name));
@@ -57,8 +60,8 @@ std::vector<const ResultColumn*> shown_results(const Study& study, const StudyTa
 
 Json study_report_data(const std::filesystem::path& directory) {
   Study study = read_study_of(directory);
-  const Design design = make_design(study);
-  const auto content = Journal::read(directory / "study.journal");
+  auto content = Journal::read(directory / "study.journal");
+  const Design design = design_of(study, content);
   const StudyTable table = make_table(study, design, content.records, content.layouts);
   if (table.count(PointStatus::done) == 0)
     throw InputError({directory.string(), 0, 0}, "no point of this study is done, so there is nothing to report.");
@@ -69,14 +72,15 @@ Json study_report_data(const std::filesystem::path& directory) {
 
   Json data;
   data["title"] = "Study " + study.name;
-  data["subtitle"] = fmt::format("case {}, {} design", study.base.name, name_of(study.design.kind));
-  data["design"] = name_of(study.design.kind);
+  data["subtitle"] = fmt::format("case {}, {} design", study.base.name, name_of(design.kind));
+  data["design"] = name_of(design.kind);
   data["counts"] =
       fmt::format("{} drops: {} done, {} failed, {} not run.", table.n_points, table.count(PointStatus::done),
                   table.count(PointStatus::failed), table.count(PointStatus::not_run));
   data["limits"] = summary["limits"];
-  for (const char* key : {"choose", "indices", "morris", "indices_method"})
+  for (const char* key : {"choose", "minimise", "fit", "surrogate", "indices", "morris", "indices_method"})
     if (summary.contains(key)) data[key] = summary[key];
+  if (study.fit) data["overlay"] = fit_overlay(study, summary["fit"], table);
   std::vector<std::size_t> done;
   data["points"] = Json::array();
   data["failed"] = Json::array();
@@ -110,7 +114,7 @@ Json study_report_data(const std::filesystem::path& directory) {
   data["facts"] = {
       {"program", "rotordrop " + (header.is_discarded() ? std::string("?") : header.value("program", "?"))},
       {"case", study.base.name},
-      {"design", fmt::format("{}, {} rows, seed {}, {} replicates", name_of(study.design.kind), design.n_rows,
+      {"design", fmt::format("{}, {} rows, seed {}, {} replicates", name_of(design.kind), design.n_rows,
                              study.design.seed, study.n_replicates)},
       {"digest of case and points", header.is_discarded() ? "?" : header.value("study", "?")},
       {"CPU time", fmt::format("{:.4g} s", table.cpu_time)},
@@ -119,7 +123,7 @@ Json study_report_data(const std::filesystem::path& directory) {
 }
 
 std::string study_report_page(const Json& data) {
-  return html_page(data, std::string(report_css) + study_css, study_js);
+  return html_page(data, std::string(report_css) + study_css, std::string(chart_js) + study_js);
 }
 
 }  // namespace rotordrop

@@ -8,7 +8,10 @@
 
 #include "io/checkpoint.h"
 #include "study/json_number.h"
+#include "study/many/answers/fit_summary.h"
+#include "study/many/answers/search_summary.h"
 #include "study/many/answers/sensitivity.h"
+#include "study/many/answers/surrogate_summary.h"
 #include "study/many/study_folder.h"
 
 namespace rotordrop {
@@ -305,7 +308,7 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
          {"failed", table.count(PointStatus::failed)},
          {"not_run", table.count(PointStatus::not_run)},
          {"cpu_time", table.cpu_time}};
-  j["design"] = {{"kind", name_of(study.design.kind)},
+  j["design"] = {{"kind", name_of(design.kind)},
                  {"rows", design.n_rows},
                  {"replicates", study.n_replicates},
                  {"seed", study.design.seed}};
@@ -314,12 +317,15 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   for (const auto& p : study.parameters) j["parameters"][p.name] = parameter_summary(p);
   j["limits"] = Json::array();
   for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, limit));
+  if (study.fit) j["fit"] = fit_summary(study, design, table);
+  if (study.minimise) j["minimise"] = minimise_summary(study, design, table);
   if (study.choice) j["choose"] = choice_summary(study, design, table);
   auto points = sample_points(study, design);
   if (points.empty()) points = all_points(table);
   j["results"] = Json::object();
   for (const auto& column : table.results) j["results"][column.name] = result_summary(study, design, column, points);
   add_indices(j, study, design, table);
+  if (study.surrogate) j["surrogate"] = surrogate_summary(study, design, table);
   return j;
 }
 

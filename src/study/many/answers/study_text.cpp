@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "study/many/answers/fit_summary.h"
+#include "study/many/answers/search_summary.h"
+#include "study/many/answers/surrogate_summary.h"
+
 // What a study says on the screen.
 namespace rotordrop {
 
@@ -65,6 +69,8 @@ std::string study_text(const Study& study, const Json& j) {
       j["not_run"].get<std::size_t>() > 0 ? fmt::format(", {} not run", j["not_run"].get<std::size_t>()) : "",
       j["cpu_time"].get<double>(),
       j["cpu_time"].get<double>() / std::max(1., j["done"].get<double>() + j["failed"].get<double>()));
+  if (j.contains("fit")) return text + fit_text(j["fit"]);
+  if (j.contains("minimise")) return text + minimise_text(j["minimise"]);
   for (const auto& limit : j["limits"]) {
     const std::string unit = limit["unit"];
     std::string bounds;
@@ -90,6 +96,7 @@ std::string study_text(const Study& study, const Json& j) {
     influences += influence_text(j, name);
   }
   if (!influences.empty()) text += "What matters:\n" + influences;
+  if (j.contains("surrogate")) text += surrogate_text(j["surrogate"]);
   return text;
 }
 

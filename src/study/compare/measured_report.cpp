@@ -1,0 +1,97 @@
+#include "study/compare/measured_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/parameters/suggestion.h"
+#include "io/hdf5/recorded_series.h"
+#include "study/json_number.h"
+#include "study/report/decimation.h"
+#include "study/report/report.h"
+#include "study/report/report_template.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::size_t n_buckets = 700;  // as many as a figure has dots across
+
+Json curve(const std::string& name, const TimeSeries& series) {
+  const TimeSeries thin = decimated(series, n_buckets);
+  Json j{{"name", name}, {"times", Json::array()}, {"values", Json::array()}};
+  for (std::size_t i = 0; i < thin.times.size(); ++i) {
+    j["times"].push_back(std::stod(fmt::format("{:.7g}", thin.times[i])));
+    j["values"].push_back(std::stod(fmt::format("{:.6g}", thin.values[i])));
+  }
+  return j;
+}
+
+}  // namespace
+
+Json measured_difference(const Measured& m, const std::vector<double>& computed) {
+  const MeasuredDifference d = difference_of(m, computed);
+  return {{"series", m.name},
+          {"file", m.keys.file},
+          {"unit", m.unit},
+          {"n", d.n},
+          {"deviation", json_number(m.deviation)},
+          {"rms", json_number(d.rms)},
+          {"mean", json_number(d.mean)},
+          {"largest", json_number(d.largest)},
+          {"largest_time", json_number(d.largest_time)},
+          {"share", json_number(d.share)}};
+}
+
+Json measured_overlay(const Measured& m, const std::vector<std::pair<std::string, TimeSeries>>& curves) {
+  Json j{{"name", m.name},
+         {"unit", m.unit},
+         {"file", m.keys.file},
+         {"measured", curve("measured", m.data)},
+         {"curves", Json::array()}};
+  for (const auto& [name, series] : curves) j["curves"].push_back(curve(name, series));
+  return j;
+}
+
+std::string measured_text(const Json& differences) {
+  std::string text = "Measured less computed:\n";
+  for (const auto& d : differences) {
+    const std::string unit = d["unit"];
+    const auto number = [&](const char* key) {
+      return d[key].is_number() ? fmt::format("{:.4g} {}", d[key].get<double>(), unit) : std::string("?");
+    };
+    text += fmt::format(
+        "  {}: {} values, rms {}{}, mean {}, largest {} at {:.6g} s; {:.4g} % of the variance explained\n",
+        d["series"].get<std::string>(), d["n"].get<std::size_t>(), number("rms"),
+        d.contains("rms_start") ? " (at the start " + number("rms_start") + ")" : "", number("mean"), number("largest"),
+        d["largest_time"].get<double>(), d["share"].is_number() ? 100. * d["share"].get<double>() : std::nan(""));
+  }
+  return text;
+}
+
+MeasuredComparison compare_with_measured(const RecordedDrop& drop, const std::vector<Measured>& measured) {
+  MeasuredComparison made;
+  Json figures = Json::array();
+  made.report = {{"case", drop.case_name()}, {"measured", Json::array()}};
+  for (const auto& m : measured) {
+    if (!drop.has(m.keys.series))
+      throw InputError({m.keys.file, 0, 0}, fmt::format("the drop has no series {}.", m.keys.series),
+                       suggestion(m.keys.series, drop.datasets(), "docs/reference/results.md lists them."));
+    const std::string unit = read_attribute(drop.directory() / "results.h5", m.keys.series, "units");
+    if (!m.unit.empty() && m.unit != unit)
+      throw InputError({m.keys.file, 0, 0},
+                       fmt::format("{} is in {}, but the measured values are in {}.", m.keys.series, unit, m.unit));
+    Measured own = m;
+    own.unit = unit;
+    const auto computed = sensed(drop.series(m.keys.series, static_cast<std::size_t>(m.keys.component)), m);
+    made.report["measured"].push_back(measured_difference(own, computed));
+    figures.push_back(measured_overlay(own, {{"computed", {m.data.times, computed}}}));
+  }
+  const Json data{{"title", "Measured and computed: " + drop.case_name()},
+                  {"overlay", std::move(figures)},
+                  {"measured", made.report["measured"]}};
+  made.page = html_page(data, std::string(report_css) + study_css, std::string(chart_js) + measured_js);
+  return made;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,179 @@
+#include "study/many/answers/search_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "study/json_number.h"
+#include "study/many/answers/result_check.h"
+#include "study/many/answers/statistics.h"
+#include "study/many/search/evaluation.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Values of a result in the drops of one evaluation.
+class StepValues {
+ public:
+  StepValues(const Study& study, const Design& design, const StudyTable& table)
+      : table_(table), n_drops_(design.rows_per_step * static_cast<std::size_t>(study.n_replicates)) {}
+  [[nodiscard]] std::size_t first(std::size_t step) const { return step * n_drops_; }
+  [[nodiscard]] std::size_t last(std::size_t step) const { return first(step) + n_drops_ - 1; }
+  [[nodiscard]] std::vector<double> of(std::size_t step, const std::string& result) const {
+    const ResultColumn* column = table_.find(result);
+    if (!column) return std::vector<double>(n_drops_, std::nan(""));
+    const auto begin = column->values.begin() + static_cast<std::ptrdiff_t>(first(step));
+    return {begin, begin + static_cast<std::ptrdiff_t>(n_drops_)};
+  }
+
+ private:
+  const StudyTable& table_;
+  std::size_t n_drops_;
+};
+
+/// 95 % interval of the mean of drops (Student's t), or of their quantile.
+Estimate interval_of(const MinimiseParameters& minimise, std::vector<double> values) {
+  Estimate e{statistic_of(minimise, values), {}, {}};
+  if (values.size() < 2) return e;
+  if (minimise.of == DropStatistic::quantile) {
+    std::sort(values.begin(), values.end());
+    return quantile_estimate(values, minimise.quantile);
+  }
+  const auto n = static_cast<double>(values.size());
+  const double half =
+      boost::math::quantile(boost::math::students_t(n - 1.), 0.975) * deviation_of(values) / std::sqrt(n);
+  e.low = e.value - half;
+  e.high = e.value + half;
+  return e;
+}
+
+Json limits_of(const Study& study, const StepValues& values, std::size_t step) {
+  Json list = Json::array();
+  for (const auto& limit : study.limits) {
+    const auto all = values.of(step, limit.pattern);
+    Json one{{"result", limit.pattern}, {"unit", unit_of_result(study, limit.pattern)}};
+    if (limit.max) {
+      one["max"] = *limit.max;
+      one["value"] = json_number(statistic_of(*study.minimise, all));
+    }
+    if (limit.min) {
+      one["min"] = *limit.min;
+      one["lower_value"] = json_number(statistic_of(*study.minimise, all, true));
+    }
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+}  // namespace
+
+Json minimise_summary(const Study& study, const Design& design, const StudyTable& table) {
+  const auto& minimise = *study.minimise;
+  const StepValues values(study, design, table);
+  const auto drawn = study.drawn();
+  Json units = Json::object();
+  for (const auto i : study.searched) units[study.parameters[drawn[i]].name] = study.parameters[drawn[i]].unit();
+  Json j{{"result", minimise.result},
+         {"unit", unit_of_result(study, minimise.result)},
+         {"of", minimise.of == DropStatistic::mean ? "mean" : "quantile"},
+         {"quantile", minimise.of == DropStatistic::mean ? Json(nullptr) : Json(minimise.quantile)},
+         {"method", name_of(minimise.method)},
+         {"units", std::move(units)},
+         {"drops_of_evaluation", values.last(0) + 1},
+         {"evaluations", design.steps.size()},
+         {"searches", Json::array()},
+         {"best", nullptr},
+         {"start", nullptr},
+         {"course", Json::array()}};
+  std::vector<std::optional<std::size_t>> best_of(study.n_searches());
+  std::vector<std::size_t> n_of(best_of.size());
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < design.steps.size(); ++k) {
+    const SearchValue found = judged(study, [&](const std::string& result) { return values.of(k, result); });
+    const bool is_allowed =
+        std::isfinite(found.value) &&
+        std::all_of(found.constraints.begin(), found.constraints.end(), [](double c) { return c <= 0.; });
+    Json parameters = Json::object();
+    for (const auto i : study.searched)
+      parameters[study.parameters[drawn[i]].name] = design.value(k * design.rows_per_step, i).number();
+    j["course"].push_back({{"search", design.steps[k].search},
+                           {"evaluation", design.steps[k].evaluation},
+                           {"points", {values.first(k), values.last(k)}},
+                           {"parameters", std::move(parameters)},
+                           {"value", json_number(found.value)},
+                           {"within_limits", is_allowed}});
+    auto& own = best_of.at(design.steps[k].search);
+    ++n_of[design.steps[k].search];
+    const auto is_better = [&](const std::optional<std::size_t>& than) {
+      return is_allowed && (!than || found.value < j["course"][*than]["value"].get<double>());
+    };
+    if (is_better(own)) own = k;
+    if (is_better(best)) best = k;
+  }
+  const auto entry = [&](std::size_t k) {
+    Json one = j["course"][k];
+    const Estimate e = interval_of(minimise, values.of(k, minimise.result));
+    one["low"] = json_number(e.low);
+    one["high"] = json_number(e.high);
+    one["limits"] = limits_of(study, values, k);
+    return one;
+  };
+  for (std::size_t s = 0; s < best_of.size(); ++s)
+    j["searches"].push_back({{"evaluations", n_of[s]},
+                             {"all_used", n_of[s] >= study.evaluations_of_search()},
+                             {"best", best_of[s] ? j["course"][*best_of[s]] : Json(nullptr)}});
+  if (best) j["best"] = entry(*best);
+  if (!design.steps.empty()) j["start"] = entry(0);
+  return j;
+}
+
+namespace {
+
+std::string number(const Json& value, const std::string& unit = "1") {
+  if (!value.is_number()) return "?";
+  return fmt::format("{:.5g}{}", value.get<double>(), unit.empty() || unit == "1" ? "" : " " + unit);
+}
+
+}  // namespace
+
+std::string minimise_text(const Json& j) {
+  const std::string unit = j["unit"];
+  const std::string what =
+      j["of"] == "quantile"
+          ? fmt::format("{:.3g} % quantile of {}", 100. * j["quantile"].get<double>(), j["result"].get<std::string>())
+          : j["result"].get<std::string>();
+  if (j["best"].is_null()) return fmt::format("{}: no evaluation keeps the limits\n", what);
+  const Json& best = j["best"];
+  std::string text = fmt::format("smallest {}: {}", what, number(best["value"], unit));
+  if (best["low"].is_number() || best["high"].is_number())
+    text += fmt::format(" (95 % interval {} to {})", number(best["low"]), number(best["high"], unit));
+  text += fmt::format(", at the start {}\n", number(j["start"]["value"], unit));
+  for (const auto& [name, value] : best["parameters"].items())
+    text += fmt::format("  {} = {}\n", name, number(value, j["units"].value(name, "1")));
+  for (const auto& limit : best["limits"]) {
+    const std::string its = limit["unit"];
+    if (limit.contains("max"))
+      text += fmt::format("  {}: {}, at most {} allowed\n", limit["result"].get<std::string>(),
+                          number(limit["value"], its), number(limit["max"], its));
+    if (limit.contains("min"))
+      text += fmt::format("  {}: {}, at least {} asked\n", limit["result"].get<std::string>(),
+                          number(limit["lower_value"], its), number(limit["min"], its));
+  }
+  const auto first = best["points"][0].get<std::size_t>(), last = best["points"][1].get<std::size_t>();
+  std::size_t n_all_used = 0;
+  for (const auto& search : j["searches"]) n_all_used += search["all_used"].get<bool>();
+  text += fmt::format("  found in {} evaluations by {}; {}\n", j["evaluations"].get<std::size_t>(),
+                      j["method"].get<std::string>(),
+                      first == last ? fmt::format("point {}", first) : fmt::format("points {} to {}", first, last));
+  if (n_all_used > 0)
+    text += fmt::format("  {} of {} searches used all their evaluations: a further one might find less\n", n_all_used,
+                        j["searches"].size());
+  return text;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "study/many/search/minimise_keys.h"
+
+namespace rotordrop {
+
+/// What one evaluation of a search gives.
+struct SearchValue {
+  double value = 0;                 ///< what becomes small; NaN: the evaluation failed
+  std::vector<double> constraints;  ///< by how much each limit is broken, over its size; <= 0: it is kept
+};
+
+/// One search by NLopt in the unit cube. It ends when its steps are small or its evaluations are used up. The same input gives the same
+/// course: random numbers of the methods follow from the seed.
+/// @param evaluate  of a place [n] that was not asked for before; what it throws ends the search and comes out
+void search_minimum(const MinimiseParameters& settings, const std::vector<double>& start, std::size_t n_constraints,
+                    std::uint64_t seed, const std::function<SearchValue(const std::vector<double>& place)>& evaluate);
+
+}  // namespace rotordrop

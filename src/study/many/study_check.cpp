@@ -1,0 +1,135 @@
+// What a study tells before it runs: whether its points are valid, which results they have, how long it takes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "base/cpu_time.h"
+#include "base/parameters/suggestion.h"
+#include "study/many/answers/result_check.h"
+#include "study/many/search/fit_evaluation.h"
+#include "study/many/study_run.h"
+#include "study/many/surrogate/surrogate.h"
+
+namespace rotordrop {
+namespace {
+
+std::string named(const Study& study, const StudyPoint& point) {
+  std::string text;
+  for (std::size_t i = 0; i < study.parameters.size() && i < 6; ++i)
+    text += fmt::format("{}{} = {}", i ? ", " : "", study.parameters[i].name, to_text(point.values[i]));
+  return text;
+}
+
+}  // namespace
+
+void check_points(const Study& study, const Design& design, unsigned n_workers) {
+  const std::size_t n = n_points(study, design);
+  constexpr std::size_t n_told = 5;
+  std::atomic<std::size_t> next{0}, n_bad{0};
+  std::mutex lock;
+  std::map<std::size_t, InputError> bad;
+  const auto check = [&] {
+    for (std::size_t i; n_bad < 100 && (i = next.fetch_add(1)) < n;) {
+      try {
+        read_case(study.case_file, overrides_of(study, point_of(study, design, i)));
+      } catch (const InputError& error) {
+        ++n_bad;
+        const std::scoped_lock guard(lock);
+        bad.emplace(i, error);
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> pool;
+    for (unsigned k = 0; k < workers_of(n_workers, n); ++k) pool.emplace_back(check);
+  }
+  if (bad.empty()) return;
+  Faults faults;
+  std::size_t told = 0;
+  for (const auto& [i, error] : bad) {
+    if (told++ == n_told) break;
+    const StudyPoint point = point_of(study, design, i);
+    for (const auto& fault : error.faults())
+      faults.add({study.file.string(), 0, 0}, fmt::format("point {} is no valid case: {}", i, fault.message),
+                 fmt::format("There {}.{}{}", named(study, point), fault.advice.empty() ? "" : "\n", fault.advice));
+  }
+  if (bad.size() > n_told)
+    faults.add(
+        {study.file.string(), 0, 0},
+        fmt::format("{}{} further points are no valid cases.", n_bad >= 100 ? "at least " : "", bad.size() - n_told),
+        "Narrow the ranges. A normal distribution reaches any value; \"truncated-normal\" has ends.");
+  faults.throw_if_any();
+}
+
+ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate) {
+  const Case c = read_case(study.case_file, overrides_of(study, point_of(study, design, 0)));
+  const volatile std::sig_atomic_t at_once = 1;
+  PointResult result = evaluate({c, &at_once, series_of_study(study)});
+  if (result.scalars.empty())
+    throw InputError({study.file.string(), 0, 0}, "the first point cannot even begin: " + result.reason);
+  result.is_done = true;  // with the rows that it has
+  show_measured(study, result);
+  std::vector<std::string> names;
+  for (const auto& scalar : result.scalars) names.push_back(scalar.first);
+  Faults faults;
+  for (const auto& derived : study.derived) {
+    for (const auto& name : derived.formula.names())
+      if (std::find(names.begin(), names.end(), name) == names.end()) {
+        const std::string guess = closest_name(name, names);
+        faults.add(derived.where, fmt::format("derived.{}: no result is called \"{}\".", derived.name, name),
+                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
+                       "Formulas use the names of summary.json (docs/reference/results.md).");
+      }
+  }
+  faults.throw_if_any();
+  if (study.surrogate) surrogate_maker();  // a module that is missing is told before the first drop
+  for (const auto& derived : study.derived) names.push_back(derived.name);
+  resolve_results(study, names);
+  ProbedResults probed;
+  for (const auto& name : names)
+    if (is_kept(study, name)) probed.names.push_back(name);
+  return probed;
+}
+
+StudyEstimate estimate_study(const Study& study, const Design& design, const ProbedResults& results,
+                             const Evaluator& evaluate) {
+  StudyEstimate estimate;
+  estimate.n_rows = design.n_rows;
+  estimate.n_points = n_points(study, design);
+  const Case c = read_case(study.case_file, overrides_of(study, point_of(study, design, 0)));
+  volatile std::sig_atomic_t stop = 0;
+  PointResult result;
+  double cpu = 0.;
+  {
+    std::mutex lock;
+    std::condition_variable ended;
+    bool has_ended = false;
+    const std::jthread drop([&] {
+      const double start = thread_cpu_seconds();
+      result = evaluate({c, &stop, series_of_study(study)});
+      cpu = thread_cpu_seconds() - start;
+      const std::scoped_lock guard(lock);
+      has_ended = true;
+      ended.notify_all();
+    });
+    std::unique_lock guard(lock);
+    if (!ended.wait_for(guard, std::chrono::seconds(4), [&] { return has_ended; })) stop = 1;
+  }
+  if (!result.reason.empty()) throw SolverError("the first point fails: " + result.reason);
+  const double part = result.is_done ? 1. : result.end_time / c.parameters.run.latest_end();
+  estimate.cpu_time = cpu / std::max(part, 1e-9) * static_cast<double>(estimate.n_points);
+  double numbers = static_cast<double>(results.names.size() + study.parameters.size() + 3);
+  for (const auto& series : result.series)
+    numbers += static_cast<double>(series.time.size() + series.values.size()) / std::max(part, 1e-9);
+  // In study.h5 8 bytes a number; in the journal and the table of texts about 13 each.
+  estimate.bytes = numbers * static_cast<double>(estimate.n_points) * (8. + 13. + 13.);
+  return estimate;
+}
+
+}  // namespace rotordrop

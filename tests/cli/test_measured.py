@@ -1,0 +1,109 @@
+"""Measured series: rotordrop compare --measured, and [fit] of a real drop from a noisy, filtered, delayed measurement of it."""
+
+import json
+import math
+import sys
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from browser import BROWSER, DRIVER, Browser  # noqa: E402
+from program import ProgramTest  # noqa: E402
+
+BANDWIDTH, DELAY, NOISE = 3e3, 0.05e-3, 1e-6  # Hz, s, m
+FRICTION, STIFFNESS = 0.17, 1.3e9
+
+
+def sensor(times, values, at):
+    """First-order low-pass by small backward Euler steps (scipy-free, other than the program's exact solution), then a delay."""
+    fine = numpy.arange(times[0], times[-1], 1e-6)
+    x = numpy.interp(fine, times, values)
+    y, tau = numpy.empty_like(x), 1 / (2 * math.pi * BANDWIDTH)
+    y[0] = x[0]
+    for i in range(1, len(x)):
+        y[i] = (y[i - 1] + 1e-6 / tau * x[i]) / (1 + 1e-6 / tau)
+    return numpy.interp(at - DELAY, fine, y)
+
+
+class Measured(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        # Rows every 10 us: between rows 50 us apart an impact would differ by more than the noise.
+        self.case('output.interval = "10 us"\n')
+        self.run_case("drop.toml", output="truth", contact__friction_coefficient=FRICTION, bearings__TB1__contact_stiffness=STIFFNESS, bearings__TB2__contact_stiffness=STIFFNESS)
+        with h5py.File(self.folder / "truth/results.h5") as h5:
+            times, orbit = h5["/time"][:], h5["/bearings/TB1/orbit"][:]
+        at = numpy.arange(0.2e-3, 9.9e-3, 0.02e-3)
+        self.rng = numpy.random.default_rng(11)
+        columns = [1e3 * at] + [1e6 * (sensor(times, orbit[:, k], at) + NOISE * self.rng.standard_normal(len(at))) for k in (0, 1)]
+        self.at, self.n = at, len(at)
+        numpy.savetxt(self.folder / "measured.csv", numpy.transpose(columns), delimiter=",", header="time [ms],/bearings/TB1/orbit[0] [um],/bearings/TB1/orbit[1] [um]", comments="")
+        keys = f'bandwidth = "{BANDWIDTH} Hz"\ndelay = "{DELAY} s"\ndeviation = {1e6 * NOISE}\n'
+        self.tables = "".join(f'[[NAME]]\nfile = "measured.csv"\nseries = "/bearings/TB1/orbit"\ncomponent = {k}\nvalue = "/bearings/TB1/orbit[{k}]"\n{keys}' for k in (0, 1))
+
+    def test_a_drop_beside_a_measurement_of_itself_differs_by_the_noise(self):
+        self.write("measured.toml", self.tables.replace("NAME", "measured"))
+        told = self.succeed("compare", "truth", "--measured", "measured.toml").stdout
+        self.assertIn("variance explained", told)
+        report = json.loads((self.folder / "truth/measured.json").read_text())["measured"]
+        for one in report:
+            # The rms of n numbers is known to 1 / sqrt(2 n) = 3 %; what lies between rows adds some.
+            self.assertAlmostEqual(one["rms"] / NOISE, 1, delta=0.15)
+            self.assertEqual((one["n"], one["unit"]), (self.n, "m"))
+        self.assertIn("Measured and computed", (self.folder / "truth/measured.html").read_text())
+        # Without its sensor the same drop differs by more.
+        self.succeed("compare", "truth", "--measured", "measured.csv", "-o", "plain.json")
+        plain = json.loads((self.folder / "plain.json").read_text())["measured"]
+        self.assertGreater(plain[0]["rms"], 2 * report[0]["rms"])
+
+    def test_what_cannot_be_compared_is_told(self):
+        self.write("bad.csv", "time,/bearings/TB1/orbitt[0] [um]\n0,1\n1e-3,2\n2e-3,3\n")
+        self.assertIn('Did you mean "/bearings/TB1/orbit"', self.call("compare", "truth", "--measured", "bad.csv").stderr)
+        self.write("bad.csv", "time,/bearings/TB1/orbit[0] [N]\n0,1\n1e-3,2\n2e-3,3\n")
+        self.assertIn("is in m, but the measured values are in N", self.call("compare", "truth", "--measured", "bad.csv").stderr)
+        self.write("bad.csv", "time,y\n0,1\n")
+        done = self.call("compare", "truth", "--measured", "bad.csv")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("names no series", done.stderr)
+
+    def test_a_fit_finds_the_friction_and_stiffness_of_a_drop(self):
+        study = f"""
+case = "drop.toml"
+[vary]
+contact.friction_coefficient = {{ range = [0.05, 0.4], reference = 0.3 }}
+stiffness = {{ keys = ["bearings.TB1.contact_stiffness", "bearings.TB2.contact_stiffness"], range = [0.5e9, 4e9], scale = "log", reference = 1e9 }}
+[keep]
+results = ["bearings.*.peak_contact_force"]
+[fit]
+evaluations = 60
+"""
+        self.write("f.toml", study + self.tables.replace("NAME", "fit.measured"))
+        told = self.succeed("study", "f.toml", "-o", "out").stdout
+        self.assertIn("Fitted values", told)
+        fit = json.loads((self.folder / "out/study.json").read_text())["fit"]
+        for name, truth in (("contact.friction_coefficient", FRICTION), ("stiffness", STIFFNESS)):
+            p = fit["parameters"][name]
+            # One noise: an interval misses once in twenty; three times its half width practically never.
+            self.assertLess(abs(p["value"] - truth), 3 * max(p["high"] - p["value"], p["value"] - p["low"]), (name, p))
+            self.assertLess(p["high"] - p["low"], 0.2 * truth, (name, p))
+        for one in fit["measured"]:
+            self.assertAlmostEqual(one["rms"] / NOISE, 1, delta=0.15)
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            self.assertEqual(h5[f"/series/{fit['point']}/measured/1"].shape, (self.n,))
+        self.succeed("study", "f.toml", "-o", "alone", "--jobs", "1")
+        self.assertEqual((self.folder / "alone/study.h5").read_bytes(), (self.folder / "out/study.h5").read_bytes())
+        (self.folder / "measured.csv").unlink()  # the directory keeps what it needs
+        self.succeed("study", "report", "out")
+        if DRIVER and BROWSER:
+            browser = Browser()
+            self.addCleanup(browser.close)
+            browser.open(self.folder / "out/report.html")
+            self.assertEqual(browser.run("return document.getElementById('page').dataset.ready"), "yes")
+            self.assertEqual([m["message"] for m in browser.log("browser")], [])
+            self.assertEqual(browser.run("return document.querySelectorAll('#fit svg .curve').length"), 4)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,208 @@
+// [minimise] by the code path of a study; only the drop is replaced by closed forms of two angles of the case, x and y in (-1, 1) half turns:
+//   sum        x^2 + y^2 under x + y >= 1: smallest at x = y = 1/2, where it is 1/2 (by symmetry and Lagrange's rule)
+//   valley     Rosenbrock's (1 - 2x)^2 + 100 (2y - 4x^2)^2: 0 at 2x = 2y = 1
+//   waves      Rastrigin's of 5x - 1, 5y + 1: 0 at x = 0.2, y = -0.2, with a hundred other minima, the next ones 1
+//   spread     (x - u)^2 with u uniform on (0, 1): the mean over u is smallest at 1/2, where it is the variance 1/12
+//   rough      (x - 0.3)^2 + 0.1 n, n of +-1 by the replicate's height: chaos whose mean is known
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "../../unit/studies/study_inputs.h"
+#include "study/many/random_bits.h"
+#include "study/many/search/search_run.h"
+#include "study/many/search/search_space.h"
+
+using namespace rotordrop;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+PointResult closed_forms(const PointRequest& request) {
+  const auto& rotor = request.drop_case.parameters.rotor;
+  const double x = rotor.unbalance[0].angle / pi, y = rotor.unbalance[1].angle / pi, u = rotor.initial_orbit.angle / pi;
+  const auto wave = [](double z) { return 10. + z * z - 10. * std::cos(2. * pi * z); };
+  const auto bits = static_cast<std::uint64_t>(std::llround(rotor.initial_offset[0] * 1e9));
+  const double n = mixed(bits) & 1U ? 1. : -1.;
+  PointResult result;
+  result.is_done = true;
+  result.scalars = {{"sum", x * x + y * y},
+                    {"x_plus_y", x + y},
+                    {"valley", std::pow(1. - 2. * x, 2) + 100. * std::pow(2. * y - 4. * x * x, 2)},
+                    {"waves", wave(5. * x - 1.) + wave(5. * y + 1.)},
+                    {"spread", std::pow(x - u, 2)},
+                    {"rough", std::pow(x - 0.3, 2) + 0.1 * n}};
+  return result;
+}
+
+PointResult fails_beyond_the_minimum(const PointRequest& request) {
+  const auto& rotor = request.drop_case.parameters.rotor;
+  if (rotor.unbalance[0].angle / pi > 0.55) {
+    PointResult failed;
+    failed.reason = "a trial";
+    return failed;
+  }
+  return closed_forms(request);
+}
+
+const char* const both =
+    "[vary]\n"
+    "\"rotor.unbalance[0].angle\" = { range = [\"-180 deg\", \"180 deg\"], reference = \"0 deg\" }\n"
+    "\"rotor.unbalance[1].angle\" = { range = [\"-180 deg\", \"180 deg\"], reference = \"0 deg\" }\n";
+const char* const one = "[vary]\n\"rotor.unbalance[0].angle\" = { range = [\"-180 deg\", \"180 deg\"] }\n";
+
+class Minimise : public ::testing::Test {
+ protected:
+  nlohmann::json run(const std::string& text, const Evaluator& evaluate = closed_forms,
+                     const std::string& output = "out", unsigned n_workers = 2) {
+    Study study = folder_.read(text);
+    probe_results(study, SearchSpace(study).corners(), closed_forms);
+    StudyOptions options;
+    options.directory = folder_.path() / output;
+    options.n_workers = n_workers;
+    options.evaluate = evaluate;
+    options.resume = true;
+    options.stop = &stop_;
+    is_complete_ = run_search(study, options).is_complete;
+    if (!is_complete_) return {};
+    std::ifstream file(options.directory / "study.json");
+    return nlohmann::json::parse(file)["minimise"];
+  }
+  std::string bytes(const std::string& output) const {
+    std::ostringstream all;
+    all << std::ifstream(folder_.path() / output / "study.h5", std::ios::binary).rdbuf()
+        << std::ifstream(folder_.path() / output / "study.csv").rdbuf();
+    return all.str();
+  }
+  static double best(const nlohmann::json& j, int angle) {
+    return j["best"]["parameters"]["rotor.unbalance[" + std::to_string(angle) + "].angle"].get<double>() / pi;
+  }
+  test::StudyFolder folder_;
+  volatile std::sig_atomic_t stop_ = 0;
+  bool is_complete_ = false;
+};
+
+}  // namespace
+
+// Steps end at 1e-4 of the range (2): value and place are known to some of them.
+TEST_F(Minimise, KeepsALimitAtWhichTheMinimumLies) {
+  const auto j =
+      run(std::string(both) + "[limits]\nx_plus_y = { min = 1 }\n[minimise]\nresult = \"sum\"\ntolerance = 1e-4\n");
+  EXPECT_NEAR(j["best"]["value"].get<double>(), 0.5, 1e-3);
+  EXPECT_NEAR(best(j, 0), 0.5, 0.02);  // along the limit the value is flat: a place to the root of the value's error
+  EXPECT_NEAR(best(j, 1), 0.5, 0.02);
+  EXPECT_GE(j["best"]["limits"][0]["lower_value"].get<double>(), 1.);
+  EXPECT_EQ(j["start"]["value"], 0.);
+  EXPECT_FALSE(j["start"]["within_limits"].get<bool>());
+}
+
+TEST_F(Minimise, FollowsACurvedValley) {
+  for (const char* method : {"bobyqa", "subplex"}) {
+    const auto j =
+        run(std::string(both) + "[minimise]\nresult = \"valley\"\ntolerance = 1e-5\nevaluations = 1000\nmethod = \"" +
+                method + "\"\n",
+            closed_forms, method);
+    EXPECT_LT(j["best"]["value"].get<double>(), 1e-4) << method;
+    EXPECT_NEAR(best(j, 0), 0.5, 0.01) << method;
+    EXPECT_NEAR(best(j, 1), 0.5, 0.02) << method;
+  }
+}
+
+TEST_F(Minimise, FindsTheLowestOfManyMinimaBySeveralMethods) {
+  for (const std::string method : {"direct", "crs"}) {
+    const auto j =
+        run(std::string(both) + "[minimise]\nresult = \"waves\"\nevaluations = 900\nmethod = \"" + method + "\"\n",
+            closed_forms, method);
+    EXPECT_LT(j["best"]["value"].get<double>(), 0.9) << method;  // the next minima are near 1
+    EXPECT_NEAR(best(j, 0), 0.2, 0.02) << method;
+    EXPECT_NEAR(best(j, 1), -0.2, 0.02) << method;
+  }
+}
+
+TEST_F(Minimise, TakesTheMeanOverWhatIsNotSearched) {
+  const auto j = run(std::string(one) +
+                     "\"rotor.initial_orbit.angle\" = { range = [\"0 deg\", \"180 deg\"] }\n"
+                     "[design]\nsize = 40\n[minimise]\nresult = \"spread\"\nover = "
+                     "[\"rotor.unbalance[0].angle\"]\ntolerance = 1e-5\n");
+  // A Latin hypercube of 40 has its mean within 4e-3 (one number per stratum: sigma 1 / 40 / sqrt(12 * 40) = 1.1e-3).
+  EXPECT_NEAR(best(j, 0), 0.5, 4e-3);
+  EXPECT_NEAR(j["best"]["value"].get<double>(), 1. / 12., 2e-3);
+  EXPECT_LT(j["best"]["low"].get<double>(), 1. / 12.);
+  EXPECT_GT(j["best"]["high"].get<double>(), 1. / 12.);
+  EXPECT_EQ(j["drops_of_evaluation"], 40);
+}
+
+TEST_F(Minimise, SeesThroughChaosByReplicates) {
+  const auto j = run(std::string(one) + "[replicates]\nn = 40\n[minimise]\nresult = \"rough\"\nmethod = \"subplex\"\n");
+  EXPECT_NEAR(best(j, 0), 0.3, 0.01);
+  // The mean of 40 numbers of +-0.1 has a standard error of 0.016.
+  EXPECT_NEAR(j["best"]["value"].get<double>(), 0., 3. * 0.1 / std::sqrt(40.));
+  EXPECT_LT(j["best"]["low"].get<double>(), j["best"]["high"].get<double>());
+}
+
+TEST_F(Minimise, TakesFailedDropsAsWorseThanAllOthers) {
+  const auto j =
+      run(std::string(both) + "[limits]\nx_plus_y = { min = 1 }\n[minimise]\nresult = \"sum\"\nsearches = 4\n",
+          fails_beyond_the_minimum);
+  EXPECT_NEAR(j["best"]["value"].get<double>(), 0.5, 0.02);
+}
+
+TEST_F(Minimise, GivesTheSameBitsForAnyWorkersAndInterruptions) {
+  const std::string text =
+      std::string(both) + "[replicates]\nn = 2\n[minimise]\nresult = \"valley\"\nsearches = 3\nevaluations = 40\n";
+  run(text, closed_forms, "one", 1);
+  for (const unsigned n : {2U, 3U}) {
+    run(text, closed_forms, std::to_string(n), n);
+    EXPECT_EQ(bytes(std::to_string(n)), bytes("one"));
+  }
+  std::atomic<int> left{0};
+  int n_interruptions = 0;
+  for (int attempt = 0; attempt < 50; ++attempt) {
+    left = 17;
+    stop_ = 0;
+    run(
+        text,
+        [&](const PointRequest& request) {
+          if (--left < 0) stop_ = 1;
+          auto result = closed_forms(request);
+          result.is_interrupted = stop_ != 0;
+          result.is_done = !result.is_interrupted;
+          return result;
+        },
+        "broken");
+    if (is_complete_) break;
+    ++n_interruptions;
+  }
+  EXPECT_TRUE(is_complete_);
+  EXPECT_GT(n_interruptions, 5);
+  EXPECT_EQ(bytes("broken"), bytes("one"));
+}
+
+TEST_F(Minimise, SaysWhatCannotBeSearched) {
+  const auto fault_of = [&](const std::string& text) -> std::string {
+    try {
+      Study study = folder_.read(text);
+      probe_results(study, SearchSpace(study).corners(), closed_forms);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  const std::string two = both, search = "[minimise]\nresult = \"sum\"\n";
+  EXPECT_NE(fault_of(two + "[minimise]\nresult = \"summ\"\n").find("Did you mean \"sum\""), std::string::npos);
+  EXPECT_NE(fault_of(two + search + "over = [\"rotor.unbalance[0].angel\"]\n").find("is not varied"),
+            std::string::npos);
+  EXPECT_NE(fault_of(std::string(one) + search + "method = \"bobyqa\"\n").find("two parameters"), std::string::npos);
+  EXPECT_NE(fault_of(two + search + "method = \"direct\"\n[limits]\nsum = { max = 1 }\n").find("takes no limits"),
+            std::string::npos);
+  EXPECT_NE(fault_of("[vary]\ncontact.friction_coefficient = [0.1, 0.2]\n" + search).find("nothing to search"),
+            std::string::npos);
+  EXPECT_NE(fault_of(two + search + "over = [\"rotor.unbalance[0].angle\"]\n").find("needs design.size"),
+            std::string::npos);
+  EXPECT_NE(fault_of(two + search + "[design]\nsize = 7\n").find("no meaning"), std::string::npos);
+}
