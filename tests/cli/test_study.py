@@ -60,7 +60,7 @@ class Studies(ProgramTest):
         for attempt in range(100):
             running = start("study", "s.toml", "-o", "killed", "--resume", "--quiet", cwd=self.folder)
             try:
-                running.communicate(timeout=chance.uniform(0.02, 0.5))
+                running.communicate(timeout=chance.uniform(0.02, 0.5) + 0.02 * attempt)
             except subprocess.TimeoutExpired:
                 running.kill()
                 running.communicate()
@@ -270,10 +270,10 @@ class Searches(ProgramTest):
             self.assertEqual(self.bytes_of(n), self.bytes_of("one"))
         chance = random.Random(5)
         n_kills = 0
-        for _ in range(200):
+        for attempt in range(200):
             running = start("study", "s.toml", "-o", "killed", "--resume", "--quiet", cwd=self.folder)
             try:
-                running.communicate(timeout=chance.uniform(0.02, 0.25))
+                running.communicate(timeout=chance.uniform(0.02, 0.25) + 0.01 * attempt)
             except subprocess.TimeoutExpired:
                 running.kill()
                 running.communicate()
