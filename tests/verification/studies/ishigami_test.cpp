@@ -5,9 +5,9 @@
 //   V1 = (1 + b pi^4/5)^2/2,  V2 = a^2/8,  V13 = 8 b^2 pi^8/225:
 //   S1 = V1/V, S2 = V2/V, S3 = 0; T1 = (V1 + V13)/V, T2 = S2, T3 = V13/V.
 #include <gtest/gtest.h>
-#include <filesystem>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
