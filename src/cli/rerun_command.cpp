@@ -7,14 +7,15 @@
 #include "cli/progress_line.h"
 #include "cli/signals.h"
 #include "machine/build_machine.h"
-#include "study/rerun/rerun.h"
 #include "study/drop/summary.h"
+#include "study/rerun/rerun.h"
 
 namespace rotordrop {
 
 int rerun_command(const RerunCommand& command) {
   const RecordedInput input = read_recorded_input(command.file);
-  const Case& c = input.drop_case;
+  Case c = input.drop_case;
+  c.parameters.run.second_opinion = false;  // of the same drop it would be the same
   RunOptions options;
   options.directory =
       command.directory.empty() ? std::filesystem::path("out") / (c.name + "-rerun") : command.directory;

@@ -16,10 +16,11 @@
 #include "machine/build_machine.h"
 #include "study/compare/comparison.h"
 #include "study/drop/drop_run.h"
-#include "study/rerun/rerun.h"
 #include "study/drop/summary.h"
+#include "study/drop/warning_summary.h"
 #include "study/heat/bearing_heat_run.h"
 #include "study/heat/heat_run.h"
+#include "study/rerun/rerun.h"
 #include "study/result_limits.h"
 #include "study/statics/shoulder_words.h"
 
@@ -113,8 +114,10 @@ int run_command(const RunCommand& command) {
   if (command.resume)
     if (const auto summary = finished_summary(options.directory, drop_case); !summary.is_null()) {
       if (!command.quiet)
-        fmt::print("the run in {} is finished, at t = {:.6g} s: there is nothing to resume\n{}",
-                   options.directory.string(), summary["run"]["end_time"].get<double>(), limits_text(summary));
+        fmt::print("the run in {} is finished, at t = {:.6g} s: there is nothing to resume\n{}{}",
+                   options.directory.string(), summary["run"]["end_time"].get<double>(), warnings_text(summary),
+                   limits_text(summary));
+      stop_at_fatal_warnings(drop_case.parameters.run, summary);
       return exit_code_of(command, summary);
     }
   options.force = command.force;

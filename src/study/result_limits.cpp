@@ -60,6 +60,17 @@ std::string with_unit(const Json& value, const Json& unit) {
   return fmt::format("{:.4g}{}", value.get<double>(), name.empty() || name == "1" ? "" : " " + name);
 }
 
+/// "; 4.1 N to 4.3 N in 3 drops" where a second opinion has the result.
+std::string range_in_words(const Json& summary, const Json& limit) {
+  if (!summary.contains("second_opinion") || !summary["second_opinion"].is_object()) return {};
+  const Json& opinion = summary["second_opinion"];
+  for (const auto& r : opinion["results"])
+    if (r["key"] == limit["key"] && r["lowest"].is_number())
+      return fmt::format("; {} to {} in {} drops", with_unit(r["lowest"], limit["unit"]),
+                         with_unit(r["highest"], limit["unit"]), opinion["neighbours"].get<int>() + 1);
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, double>> numbers_of(const Json& summary) {
@@ -143,21 +154,24 @@ void add_limits(const std::vector<Limit>& limits, bool is_complete, Json& summar
 std::string limits_text(const Json& summary) {
   if (!summary.contains("limits") || summary["limits"].empty()) return {};
   const Json& all = summary["accepted"];
-  std::string text = fmt::format("Limits: {}\n", all == true    ? "ACCEPTED, all are met"
-                                                 : all == false ? "REJECTED"
-                                                                : "not accepted: not all could be assessed");
+  const auto n_met = std::count_if(summary["limits"].begin(), summary["limits"].end(),
+                                   [](const Json& limit) { return limit["accepted"] == true; });
+  std::string text = fmt::format("Limits: {} of {} met in this drop: {}\n", n_met, summary["limits"].size(),
+                                 all == true    ? "ACCEPTED"
+                                 : all == false ? "REJECTED"
+                                                : "not accepted, since not all could be assessed");
   for (const auto& l : summary["limits"]) {
     const std::string allowed =
         fmt::format("{} {}", l["kind"] == "max" ? "at most" : "at least", with_unit(l["limit"], l["unit"]));
     const std::string usage =
         l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : std::string("-");
-    text += fmt::format("  {:<12} {:>8}  {}{}, {}\n",
+    text += fmt::format("  {:<12} {:>8}  {}{}, {}{}\n",
                         l["accepted"] == true    ? "accepted"
                         : l["accepted"] == false ? "REJECTED"
                                                  : "not assessed",
                         usage, l["key"].get<std::string>(),
                         l["value"].is_number() ? " = " + with_unit(l["value"], l["unit"]) : std::string(": no value"),
-                        allowed);
+                        allowed, range_in_words(summary, l));
   }
   return text;
 }

@@ -16,11 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double number_at(const Json& j, const std::string& pointer) {
-  const Json::json_pointer p(pointer);
-  return j.contains(p) && j.at(p).is_number() ? j.at(p).get<double>() : RunWarning::never;
-}
-
 std::string times(long n) { return n == 1 ? "once" : fmt::format("{} times", n); }
 
 /// " at 5.2 ms", if it is known.
@@ -33,24 +28,25 @@ std::string sentence(const RunWarning& w) {
   const std::string_view code = w.kind->code;
   if (code == "energy-residual")
     return fmt::format(
-        "the energy balance leaves up to {:.2g} % of the energy moved{}; more than {:.2g} % means that the time steps "
-        "are too coarse. Reduce integration.step or integration.tolerance",
+        "the energy balance leaves up to {:.2g} % of the energy moved{} (limit {:.2g} %). Smaller integration.step or "
+        "integration.tolerance leave less",
         100. * w.worst, when(w), 100. * w.limit);
   if (code == "heat-residual")
     return fmt::format(
-        "the heat balance of the thermal model \"{}\" leaves up to {:.2g} % of the heat{}; more than {:.2g} % means "
-        "that the time steps are too coarse",
+        "the heat balance of the thermal model \"{}\" leaves up to {:.2g} % of the heat{} (limit {:.2g} %). Smaller "
+        "integration.step or integration.tolerance leave less",
         w.part, 100. * w.worst, when(w), 100. * w.limit);
   if (code == "step-collapse")
     return fmt::format(
-        "the time step becomes shorter than {:.3g} ns {}, down to {:.3g} ns{}: a contact or a law is too stiff for the "
+        "the time step becomes shorter than {:.3g} ns {}, down to {:.3g} ns{}: something changes fast for the "
         "tolerance",
         w.limit * 1e9, times(w.count), w.worst * 1e9, when(w));
   if (code == "ball-load")
     return fmt::format(
-        "contact pressure of the balls of {} exceeds the static limit of {:.1f} GPa (ISO 76) {}, up to {:.2f} GPa{}: "
-        "balls leave permanent marks, and elastic contact (Hertz) does not hold",
-        w.part, w.limit * 1e-9, times(w.count), w.worst * 1e-9, when(w));
+        "contact pressure of the balls of {} exceeds {:.1f} GPa {}, up to {:.2f} GPa{}; at {:.1f} GPa about 0.0001 of "
+        "a "
+        "steel ball's diameter stays as indentation (ISO 76)",
+        w.part, w.limit * 1e-9, times(w.count), w.worst * 1e-9, when(w), w.limit * 1e-9);
   if (code == "ellipse-truncated")
     return fmt::format(
         "the contact ellipses of {} reach over the raceway's edge for {:.3g} ms, by up to {:.0f} % of their length{}: "
@@ -62,7 +58,7 @@ std::string sentence(const RunWarning& w) {
         "that of a narrow contact. Check contact_stiffness and the speed",
         w.worst * 1e6, when(w), w.limit * 1e6, times(w.count));
   if (code == "gap-closed")
-    return fmt::format("thermal growth closes the air gap: smallest {:.4g} um{}", w.worst * 1e6, when(w));
+    return fmt::format("growth by heat and speed leaves {:.4g} um of the air gap{}", w.worst * 1e6, when(w));
   if (code == "temperature")
     return fmt::format("{} reaches {:.4g} K{}, above the {:.4g} K that its material stands (temperature_limit)", w.part,
                        w.worst, when(w), w.limit);
@@ -102,8 +98,8 @@ std::string sentence(const RunWarning& w) {
         w.worst, w.duration * 1e3);
   if (code == "centrifugal-force")
     return fmt::format(
-        "centrifugal forces of the balls are {:.2g} times their loads, and ball_model = \"quasi-static\" leaves them "
-        "out",
+        "centrifugal forces of the balls are {:.2g} times the load of the row's most loaded ball (weighted mean), and "
+        "ball_model = \"quasi-static\" leaves them out",
         w.worst);
   if (code == "backward-whirl")
     return fmt::format("sustained backward whirl, up to {:.4g} Hz", w.worst * 0.5 / std::numbers::pi);
@@ -124,7 +120,8 @@ std::vector<RunWarning> warnings_in_summary(const MachineParameters& p, const Js
     const auto* b = entry.touchdown();
     const std::string key = "/bearings/" + entry.name;
     if (!b || !summary.contains(Json::json_pointer(key))) continue;
-    if (const auto* ring = find_material(p, b->ring); ring && ring->temperature_limit)
+    const bool rubs = std::isfinite(number_at(summary, key + "/local/bore_rise_time"));
+    if (const auto* ring = find_material(p, b->ring); rubs && ring && ring->temperature_limit)
       warn("local-temperature", entry.name, "bore", p.run.ambient + number_at(summary, key + "/local/bore_rise"),
            *ring->temperature_limit, number_at(summary, key + "/local/bore_rise_time"));
     warn("wear", entry.name, "bore", number_at(summary, key + "/wear/bore_depth"), p.contact.wear_depth_limit);
@@ -161,12 +158,11 @@ std::string warnings_text(const Json& summary) {
   return text;
 }
 
-void stop_at_fatal_warnings(const RunParameters& run, const std::vector<RunWarning>& warnings) {
+void stop_at_fatal_warnings(const RunParameters& run, const Json& summary) {
   std::string text;
-  for (const auto& w : warnings)
-    if (std::any_of(run.fatal_warnings.begin(), run.fatal_warnings.end(),
-                    [&](const auto& code) { return code == "all" || code == w.kind->code; }))
-      text += fmt::format("\n       {} [{}]", placed_sentence(w), w.kind->code);
+  for (const auto& w : summary["warnings"])
+    if (const auto code = w["code"].get<std::string>(); run.is_fatal(code))
+      text += fmt::format("\n       {} [{}]", w["text"].get<std::string>(), code);
   if (!text.empty()) throw SolverError("the run is complete, but run.fatal_warnings makes it fail:" + text);
 }
 

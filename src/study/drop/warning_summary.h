@@ -19,6 +19,6 @@ namespace rotordrop {
 [[nodiscard]] std::string warnings_text(const nlohmann::ordered_json& summary);
 
 /// @throws SolverError if one of them is in run.fatal_warnings
-void stop_at_fatal_warnings(const RunParameters& run, const std::vector<RunWarning>& warnings);
+void stop_at_fatal_warnings(const RunParameters& run, const nlohmann::ordered_json& summary);
 
 }  // namespace rotordrop
