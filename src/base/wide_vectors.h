@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 
 // Plain loops compiled for several widths of vectors; which of them runs is chosen when the program starts. Loops are marked "omp simd" if they
@@ -17,8 +18,19 @@ std::string name_of(VectorLevel level);
 /// @throws InputError for a ROTORDROP_ISA that is no level, or one that this machine does not have
 void check_vector_level();
 
-/// Marks a function that wide<> calls: it must be inlined into each level's version.
+/// Marks a function that wide<> calls, or that such a function calls: it must be inlined into each level's version.
 #define ROTORDROP_KERNEL [[gnu::always_inline]] inline
+
+/// Lists that kernels go through are filled up to whole vectors of this length, so that loops leave no remainder.
+inline constexpr std::size_t vector_length = 8;
+/// The next multiple of it.
+[[nodiscard]] constexpr std::size_t filled_up(std::size_t n) {
+  return (n + vector_length - 1) / vector_length * vector_length;
+}
+/// The same number if it is a multiple, known to the compiler to leave no remainder.
+[[nodiscard]] ROTORDROP_KERNEL constexpr std::size_t whole_vectors(std::size_t n) {
+  return n / vector_length * vector_length;
+}
 
 template <auto kernel>
 struct Wide;

@@ -8,9 +8,6 @@
 namespace rotordrop {
 namespace {
 
-/// The same number, known to the compiler to leave no remainder.
-ROTORDROP_KERNEL std::size_t whole_vectors(std::size_t n) { return n / arc_lane * arc_lane; }
-
 ROTORDROP_KERNEL void arc_overlaps_kernel(const ArcPlace& in, ArcValues& overlap, ArcValues& overlap_rate) {
   const double ey = in.ey, ez = in.ez, vy = in.vy, vz = in.vz, gap = in.gap;
   const double *cosine = in.cosine, *sine = in.sine;
@@ -85,19 +82,6 @@ ROTORDROP_KERNEL ArcSums arc_forces_kernel(const ArcForce& law, const ArcPlace& 
   return {y, z, normal, elastic, dissipated};
 }
 
-ROTORDROP_KERNEL void arc_forces_on_shapes_kernel(const double* force, const double* by_point, std::size_t n,
-                                                  std::size_t n_shapes, double* sums) {
-  const std::size_t row = whole_vectors(n_shapes);
-#pragma omp simd
-  for (std::size_t k = 0; k < row; ++k) sums[k] = 0.;
-  for (std::size_t j = 0; j < n; j += 4) {
-    const double F_0 = force[j], F_1 = force[j + 1], F_2 = force[j + 2], F_3 = force[j + 3];
-    const double *t_0 = by_point + j * row, *t_1 = t_0 + row, *t_2 = t_1 + row, *t_3 = t_2 + row;
-#pragma omp simd
-    for (std::size_t k = 0; k < row; ++k) sums[k] += (F_0 * t_0[k] + F_1 * t_1[k]) + (F_2 * t_2[k] + F_3 * t_3[k]);
-  }
-}
-
 ROTORDROP_KERNEL double arc_energies_kernel(double exponent, const std::array<double, 4>& w, const ArcValues& overlap,
                                             std::size_t n) {
   const double* delta = overlap.at.data();
@@ -120,10 +104,6 @@ double deepest_overlap(const ArcValues& overlap, std::size_t n) { return wide<de
 ArcSums arc_forces(const ArcForce& law, const ArcPlace& place, const ArcValues& overlap, const ArcValues& rate,
                    std::size_t first, std::size_t last, ArcValues& normal, ArcValues& elastic) {
   return wide<arc_forces_kernel>(law, place, overlap, rate, first, last, normal, elastic);
-}
-void arc_forces_on_shapes(const double* force, const double* by_point, std::size_t n, std::size_t n_shapes,
-                          double* sums) {
-  wide<arc_forces_on_shapes_kernel>(force, by_point, n, n_shapes, sums);
 }
 double arc_energies(double exponent, const std::array<double, 4>& w, const ArcValues& overlap, std::size_t n) {
   return wide<arc_energies_kernel>(exponent, w, overlap, n);

@@ -8,9 +8,6 @@
 
 namespace rotordrop {
 
-/// Points of an arc are counted in whole vectors of so many.
-inline constexpr std::size_t arc_lane = 8;
-
 /// A quantity at the points of an arc, unwritten.
 struct ArcValues {
   ArcValues() {}
@@ -23,7 +20,7 @@ struct ArcPlace {
   const double *cosine, *sine;   // of the azimuths, from the arc's first point on
   const double* shapes;          // of the first shape there; the others follow at the distance `stride`
   std::size_t stride, n_shapes;  // n_shapes is even: cosine and sine of each harmonic
-  std::size_t n;                 // points, a multiple of arc_lane
+  std::size_t n;                 // points, in whole vectors
   const double *shape, *rate;    // coefficients [m], [m/s]
   const double* waves;           // what waves of the bore add to the overlap [m]; nullptr: none
 };
@@ -41,15 +38,9 @@ struct ArcForce {
 struct ArcSums {
   double y, z, normal, elastic, damping;  // [N], [W]
 };
-/// Forces at the points first to last - 1, with and without damping; both multiples of arc_lane.
+/// Forces at the points first to last - 1, with and without damping; both in whole vectors.
 ArcSums arc_forces(const ArcForce& law, const ArcPlace& place, const ArcValues& overlap, const ArcValues& rate,
                    std::size_t first, std::size_t last, ArcValues& normal, ArcValues& elastic);
-
-/// Sums of forces times shapes, from tables by points.
-/// @param by_point  shapes at the first point, [n][n_shapes]; n and n_shapes are multiples of arc_lane
-/// @param sums      [n_shapes]
-void arc_forces_on_shapes(const double* force, const double* by_point, std::size_t n, std::size_t n_shapes,
-                          double* sums);
 
 /// Sum of the points' energies d^exponent (w_0 + w_1 d + w_2 d^2 + w_3 d^3) [J].
 double arc_energies(double exponent, const std::array<double, 4>& w, const ArcValues& overlap, std::size_t n);

@@ -7,7 +7,9 @@
 #include <limits>
 #include <numbers>
 
+#include "base/wide_vectors.h"
 #include "bearing/arc_kernels.h"
+#include "bearing/forces_on_shapes.h"
 #include "bearing/touchdown_touch.h"
 
 namespace rotordrop {
@@ -39,9 +41,9 @@ Window window(double ey, double ez, double distance, double gap, double bound) {
   const double half = least <= -1. ? std::numbers::pi : std::acos(least);
   double middle = std::atan2(ez, ey);
   if (middle < 0.) middle += 2. * std::numbers::pi;
-  const double begin = std::floor((middle - half) / step / arc_lane) * arc_lane;  // where vectors begin
+  const double begin = std::floor((middle - half) / step / vector_length) * vector_length;  // where vectors begin
   auto n = static_cast<std::size_t>(std::ceil((middle + half) / step - begin)) + 1;
-  n = std::min((n + arc_lane - 1) / arc_lane * arc_lane, n_arc_points);
+  n = std::min(filled_up(n), n_arc_points);
   const double around = begin < 0. ? begin + static_cast<double>(n_arc_points) : begin;
   return {static_cast<std::size_t>(around) % n_arc_points, n};
 }
@@ -77,7 +79,7 @@ std::shared_ptr<const TouchdownBearing::ArcTable> TouchdownBearing::make_arc_tab
   table->shapes.resize(data_.bending->n_inner());
   for (std::size_t k = 0; k < data_.bending->inner.size(); ++k)
     fill(data_.bending->inner[k].n, table->shapes[2 * k], table->shapes[2 * k + 1]);
-  table->row = (table->shapes.size() + arc_lane - 1) / arc_lane * arc_lane;
+  table->row = filled_up(table->shapes.size());
   table->by_point.assign(ArcTable::n * table->row, 0.);
   for (std::size_t i = 0; i < ArcTable::n; ++i)
     for (std::size_t k = 0; k < table->shapes.size(); ++k) table->by_point[i * table->row + k] = table->shapes[k][i];
@@ -166,8 +168,8 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   std::size_t first = 0, last = arc.place.n;
   while (overlap.at[first] <= 0.) ++first;
   while (overlap.at[last - 1] <= 0.) --last;
-  first = first / arc_lane * arc_lane;
-  last = (last + arc_lane - 1) / arc_lane * arc_lane;
+  first = whole_vectors(first);
+  last = filled_up(last);
   const double step = 2. * std::numbers::pi / n_arc_points;
   const auto& f = data_.bending->arc.factors();
   const ArcForce law{data_.bending->arc.exponent(), step * f[0], step * f[1], step * f[2], step * f[3],
@@ -179,9 +181,9 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   if (c.normal == 0.) return c;
   const ArcTable& table = *arc_table_;
   const std::size_t at_first = arc.window.first + first;
-  std::array<double, (max_shapes + arc_lane - 1) / arc_lane * arc_lane> on_shapes;
-  arc_forces_on_shapes(normal.at.data() + first, table.by_point.data() + at_first * table.row, last - first, table.row,
-                       on_shapes.data());
+  std::array<double, filled_up(max_shapes)> on_shapes;
+  forces_on_shapes(normal.at.data() + first, table.by_point.data() + at_first * table.row, last - first, table.row,
+                   on_shapes.data());
   for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += share * on_shapes[k];
   for (std::size_t k = 0; k < data_.bore_waves.size(); ++k) {
     const BoreWave& wave = data_.bore_waves[k];

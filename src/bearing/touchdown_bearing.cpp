@@ -115,10 +115,7 @@ TouchdownBearing::BallForces TouchdownBearing::ball_forces(const BallRowInput& i
     const auto [by_inner, by_outer] = rows_[i].strain_gradient(row);
     sum.by_inner_strain += by_inner;
     sum.by_outer_strain += by_outer;
-    sum.cage_power += row.cage_power;
-    sum.cage_torque += row.cage_torque;
-    sum.loads += row.inner_loads;
-    sum.largest = std::max(sum.largest, row.largest_load);
+    sum.cage_power += row.cage_torque * in.cage_speed;
     sum.waviness_power += row.waviness_power;
     sum.inertia_power += row.inertia_power;
     sum.inertia_per_speed += row.inertia_per_speed;
@@ -230,7 +227,6 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
     support.loss = damper_y * y[support_vy] + damper_z * y[support_vz];
   }
   dydt[cage_angle] = rows_in.cage_speed;
-  double slip_loss = 0.;
   if (data_.free_ring) {
     // The angular momentum of a tilted spinning ring has the parts I_p omega (psi_z, -psi_y) along y and z.
     const FreeRing& ring = *data_.free_ring;
@@ -251,7 +247,7 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   out.heat.is_in_contact = t.is_touching;
   if (data_.conduction) out.heat.balls = conduction(balls, ring_speed);
   if (!out.heat.rows.empty()) divide_among_rows(balls, rows_in, M_L, M_v, turning, ring_speed, out.heat.rows);
-  if (data_.free_cage) dydt[ring_spin] += turn_cage(balls, y, dydt, out.heat, slip_loss) / data_.ring_spin_inertia;
+  const double slip_loss = data_.free_cage ? turn_cage(balls, y, dydt, out.heat) : 0.;
   // The rubbing spot lies on the line of centres and turns with it.
   const double spot_speed = data_.bore_radius * t.middle.centres_turning;
   out.heat.rotor_surface_speed = in.rotor_spin.speed * data_.rotor_radius - spot_speed;
@@ -312,13 +308,16 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
 }
 
 double TouchdownBearing::turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt,
-                                   HeatInput& heat, double& slip_loss) const {
-  const CageMotion m = cage_motion(*data_.free_cage, {.ring_speed = y[ring_spin],
-                                                      .cage_speed = y[free_cage_at()],
-                                                      .ball_spin = y[free_cage_at() + 1],
-                                                      .loads = balls.loads,
-                                                      .largest_load = balls.largest,
-                                                      .contact_torque = -balls.cage_torque});
+                                   HeatInput& heat) const {
+  CageDrive drive{.ring_speed = y[ring_spin], .cage_speed = y[free_cage_at()], .ball_spin = y[free_cage_at() + 1]};
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto& row = balls.row[i];
+    drive.loads += row.inner_loads;
+    drive.largest_load = std::max(drive.largest_load, row.largest_load);
+    drive.contact_torque -= row.cage_torque;
+  }
+  const CageMotion m = cage_motion(*data_.free_cage, drive);
+  dydt[ring_spin] += m.ring_torque / data_.ring_spin_inertia;
   dydt[free_cage_at()] = m.cage_acceleration;
   dydt[free_cage_at() + 1] = m.ball_acceleration;
   const double inner = m.inner_heat + 0.5 * m.pocket_heat, outer = m.outer_heat + 0.5 * m.pocket_heat;
@@ -328,8 +327,7 @@ double TouchdownBearing::turn_cage(const BallForces& balls, std::span<const doub
     row.inner += inner / static_cast<double>(heat.rows.size());
     row.outer += outer / static_cast<double>(heat.rows.size());
   }
-  slip_loss = inner + outer;
-  return m.ring_torque;
+  return inner + outer;
 }
 
 double TouchdownBearing::energy(const SupportInput& in, std::span<const double> y) const {

@@ -232,9 +232,8 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] double cage_speed(std::span<const double> y) const {
     return data_.free_cage ? y[free_cage_at()] : cage_ratio_ * y[ring_spin];
   }
-  /// Drives a free cage, and books the heat of its slip. @return torque on the inner ring [N m]
-  double turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt, HeatInput& heat,
-                   double& slip_loss) const;
+  /// Turns a free cage and brakes the inner ring by it. @return heat of the balls' slip, which is added to `heat` [W]
+  double turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt, HeatInput& heat) const;
   [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
   [[nodiscard]] BallForces ball_forces(const BallRowInput& input, bool with_tractions) const;
   [[nodiscard]] double load_torque_of(const BallForces& forces) const;

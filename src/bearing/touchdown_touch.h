@@ -55,7 +55,6 @@ struct TouchdownBearing::BallForces {
   double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
   double by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
   double by_row_difference = 0;                     // dU/d(Expansion::row_difference) [N]
-  double cage_torque = 0, loads = 0, largest = 0;   // for a free cage
   double inertia_power = 0, inertia_per_speed = 0;
 };
 

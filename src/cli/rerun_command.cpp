@@ -13,7 +13,8 @@ namespace rotordrop {
 
 int rerun_command(const RerunCommand& command) {
   const RecordedInput input = read_recorded_input(command.file);
-  const Case& c = input.drop_case;
+  Case c = input.drop_case;
+  c.parameters.run.second_opinion = false;  // of the same drop it would be the same
   RunOptions options;
   options.directory =
       command.directory.empty() ? std::filesystem::path("out") / (c.name + "-rerun") : command.directory;

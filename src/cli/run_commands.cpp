@@ -16,6 +16,7 @@
 #include "machine/build_machine.h"
 #include "study/compare/comparison.h"
 #include "study/drop/drop_run.h"
+#include "study/drop/warning_summary.h"
 #include "study/heat/bearing_heat_run.h"
 #include "study/heat/heat_run.h"
 #include "study/rerun/rerun.h"
@@ -104,9 +105,12 @@ int run_command(const RunCommand& command) {
   if (command.resume)
     if (const auto summary = finished_summary(options.directory, drop_case); !summary.is_null()) {
       if (!command.quiet)
-        fmt::print("the run in {} is finished, at t = {:.6g} s: there is nothing to resume\n{}",
+        fmt::print("the run in {} is finished, at t = {:.6g} s: there is nothing to resume\n{}{}",
                    options.directory.string(), summary["run"]["end_time"].get<double>(),
-                   summary.contains("limits") ? limits_text(summary["limits"]) : "");
+                   warnings_text(summary["warnings"]),
+                   limits_text(summary.value("limits", nlohmann::ordered_json::array()),
+                               summary.value("second_opinion", nlohmann::ordered_json())));
+      stop_at_fatal_warnings(drop_case.parameters.run, summary["warnings"]);
       return exit_code_of(command, summary);
     }
   options.force = command.force;

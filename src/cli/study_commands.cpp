@@ -5,9 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "base/errors.h"
 #include "base/version.h"
@@ -208,6 +210,8 @@ int study_command(const StudyCommand& asked) {
     if (!has_begun) ranks->begin(false);
     ranks->leave(has_begun);
     if (ranks->rank() == 0 || has_begun) throw;
+    // mpirun ends all ranks as soon as one fails: rank 0 says why before that.
+    std::this_thread::sleep_for(std::chrono::seconds(1));
     return 2;
   }
 }

@@ -69,6 +69,11 @@ void check_until(const RunParameters& p, const Node& table, Faults& faults) {
 
 }  // namespace
 
+bool RunParameters::is_fatal(std::string_view code) const {
+  return std::any_of(fatal_warnings.begin(), fatal_warnings.end(),
+                     [&](const auto& named) { return named == code || named == "all"; });
+}
+
 std::string name_of(EndCondition condition) {
   for (const auto& [name, known] : end_conditions)
     if (known == condition) return name;
@@ -149,12 +154,13 @@ Section<RunParameters> run_section() {
        .help = "Warnings of the run (`warnings` in summary.json, docs/reference/warnings.md) that make it fail: at "
                "the instant of a warning that is watched in time, at the end of the run for the others."},
       read_fatal_warnings);
-  s.boolean("second_opinion", &P::second_opinion,
-            {.fallback = false,
-             .help = "Whether `rotordrop run` computes the drop again when it is done, to say how far its numbers are "
-                     "known: the first impacts with a tenth of the tolerance (half a fixed step), and two drops that "
-                     "start 1 nm higher and lower. Takes somewhat more than twice the drop's own time, and no memory "
-                     "on disk. Studies leave it out."});
+  s.boolean(
+      "second_opinion", &P::second_opinion,
+      {.fallback = false,
+       .help = "Whether `rotordrop run` computes the drop again when it is done, to tell by how much its numbers "
+               "differ: the first impacts with a tenth of the tolerance and half the longest step, and two drops "
+               "that start 1 nm higher and lower. Takes somewhat more than twice the drop's own time, and no memory "
+               "on disk. Studies and `rerun` leave it out."});
   s.check(check_until);
   return s;
 }

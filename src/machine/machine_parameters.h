@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct RunParameters {
   std::vector<std::string> fatal_warnings;  ///< codes of warning_kinds, or "all"
   bool second_opinion = false;
   [[nodiscard]] double latest_end() const { return until_time.value_or(end_time); }
+  [[nodiscard]] bool is_fatal(std::string_view code) const;
 };
 Section<RunParameters> run_section();
 /// Name of a condition in a case file: "standstill"; empty for `time`.

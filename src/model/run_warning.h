@@ -25,15 +25,15 @@ inline constexpr std::array warning_kinds{
         "steps left out",
         true},
     WarningKind{"ball-load", "Pa",
-                "times that a contact pressure of a row exceeds 4.2 GPa (ISO 76): beyond it, Hertz' elastic contact "
-                "does not hold",
+                "times that a contact pressure of a row exceeds 4.2 GPa, where ISO 76 expects a permanent indentation "
+                "of 0.0001 of the ball's diameter",
                 true},
     WarningKind{"ellipse-truncated", "1", "times that a row's contact ellipses reach over its raceway's edge", true},
     WarningKind{"penetration", "m",
                 "times that rotor and bore overlap by more than half the air gap: contact laws of a narrow contact do "
                 "not hold",
                 true},
-    WarningKind{"gap-closed", "m", "times that thermal growth closes the air gap", true},
+    WarningKind{"gap-closed", "m", "times that growth by heat and speed closes the air gap", true},
     WarningKind{"temperature", "K", "times that a part's mean or surface exceeds its material's temperature_limit",
                 true},
     WarningKind{"fit-open", "1", "times that the fit of the outer ring in its housing opens or would have to pull",
@@ -43,7 +43,7 @@ inline constexpr std::array warning_kinds{
     WarningKind{"window-error", "m", "windows that leave more than thermal.fe.window_tolerance", false},
     WarningKind{"response-error", "1", "reduced finite elements whose response to heat is off by more than 5 %", false},
     WarningKind{"local-temperature", "K",
-                "surfaces whose local temperature under the rub exceeds their material's temperature_limit", false},
+                "bores whose local temperature under the rub exceeds their material's temperature_limit", false},
     WarningKind{"wear", "m", "surfaces that wear by more than contact.wear_depth_limit in this drop", false},
     WarningKind{"skidding", "1",
                 "rows whose balls friction cannot keep rolling during more than 5 % of the ring's speed changes",

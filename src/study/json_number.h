@@ -1,7 +1,9 @@
 #pragma once
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 namespace rotordrop {
 
@@ -11,6 +13,13 @@ inline nlohmann::ordered_json json_number(double value) {
 }
 inline nlohmann::ordered_json json_number(const std::optional<double>& value) {
   return value ? json_number(*value) : nlohmann::ordered_json(nullptr);
+}
+
+/// A number of a JSON object by its path, NaN if it is not there or null.
+inline double number_at(const nlohmann::ordered_json& j, const std::string& pointer) {
+  const nlohmann::ordered_json::json_pointer p(pointer);
+  if (j.is_null() || !j.contains(p) || !j.at(p).is_number()) return std::numeric_limits<double>::quiet_NaN();
+  return j.at(p).get<double>();
 }
 
 }  // namespace rotordrop

@@ -60,6 +60,16 @@ std::string with_unit(const Json& value, const Json& unit) {
   return fmt::format("{:.4g}{}", value.get<double>(), name.empty() || name == "1" ? "" : " " + name);
 }
 
+/// "; 4.1 N to 4.3 N in 3 drops" where a second opinion has the result.
+std::string range_in_words(const Json& opinion, const Json& limit) {
+  if (!opinion.is_object()) return {};
+  for (const auto& r : opinion["results"])
+    if (r["key"] == limit["key"] && r["lowest"].is_number())
+      return fmt::format("; {} to {} in {} drops", with_unit(r["lowest"], limit["unit"]),
+                         with_unit(r["highest"], limit["unit"]), opinion["neighbours"].get<int>() + 1);
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, double>> numbers_of(const Json& summary) {
@@ -138,24 +148,27 @@ Json assessed(const std::vector<Limit>& limits, const Json& summary, bool is_com
   return assessed(resolved, numbers, is_complete);
 }
 
-std::string limits_text(const Json& limits) {
+std::string limits_text(const Json& limits, const Json& second_opinion) {
   if (limits.empty()) return {};
   const Json all = accepted(limits);
-  std::string text = fmt::format("Limits: {}\n", all == true    ? "ACCEPTED, all are met"
-                                                 : all == false ? "REJECTED"
-                                                                : "not accepted: not all could be assessed");
+  const auto n_met =
+      std::count_if(limits.begin(), limits.end(), [](const Json& limit) { return limit["accepted"] == true; });
+  std::string text = fmt::format("Limits: {} of {} met in this drop: {}\n", n_met, limits.size(),
+                                 all == true    ? "ACCEPTED"
+                                 : all == false ? "REJECTED"
+                                                : "not accepted, since not all could be assessed");
   for (const auto& l : limits) {
     const std::string allowed =
         fmt::format("{} {}", l["kind"] == "max" ? "at most" : "at least", with_unit(l["limit"], l["unit"]));
     const std::string usage =
         l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : std::string("-");
-    text += fmt::format("  {:<12} {:>8}  {}{}, {}\n",
+    text += fmt::format("  {:<12} {:>8}  {}{}, {}{}\n",
                         l["accepted"] == true    ? "accepted"
                         : l["accepted"] == false ? "REJECTED"
                                                  : "not assessed",
                         usage, l["key"].get<std::string>(),
                         l["value"].is_number() ? " = " + with_unit(l["value"], l["unit"]) : std::string(": no value"),
-                        allowed);
+                        allowed, range_in_words(second_opinion, l));
   }
   return text;
 }

@@ -35,6 +35,6 @@ nlohmann::ordered_json assessed(const std::vector<Limit>& limits, const nlohmann
                                 bool is_complete);
 
 /// Lines for the screen, from `limits` of a summary; empty without any.
-std::string limits_text(const nlohmann::ordered_json& limits);
+std::string limits_text(const nlohmann::ordered_json& limits, const nlohmann::ordered_json& second_opinion);
 
 }  // namespace rotordrop

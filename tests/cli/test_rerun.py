@@ -70,7 +70,7 @@ class Rerun(ProgramTest):
         self.assertAlmostEqual(float(said[1]), 1e3 * time_there, delta=1e-3)
 
     def test_an_interrupted_run_is_compared_as_far_as_it_goes(self):
-        running = start("run", "reference.toml", "-o", "out", *FIXED, *settings(run__end_time="50 ms"), cwd=self.folder)
+        running = start("run", "reference.toml", "-o", "out", *FIXED, *settings(run__end_time="1 s"), cwd=self.folder)
         while not (self.folder / "out/results.h5").exists():
             time.sleep(0.01)
         time.sleep(0.3)

@@ -32,6 +32,22 @@ result = "peak"
 """
 
 
+def kill_until_done(folder, seed, longest):
+    """Runs s.toml into killed/ and kills it at random instants up to `longest` [s], later and later, until it has come to its end; the number of kills."""
+    chance = random.Random(seed)
+    for n_kills in range(200):
+        running = start("study", "s.toml", "-o", "killed", "--resume", "--quiet", cwd=folder)
+        try:
+            running.communicate(timeout=chance.uniform(0.02, longest) + 0.02 * n_kills)
+        except subprocess.TimeoutExpired:
+            running.kill()
+            running.communicate()
+            continue
+        assert running.returncode == 0, running.returncode
+        return n_kills
+    raise AssertionError("200 kills and no end")
+
+
 class Studies(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -55,19 +71,7 @@ class Studies(ProgramTest):
 
     def test_kills_at_any_instant_cost_nothing_but_time(self):
         self.study("whole")
-        chance = random.Random(4)
-        n_kills = 0
-        for attempt in range(100):
-            running = start("study", "s.toml", "-o", "killed", "--resume", "--quiet", cwd=self.folder)
-            try:
-                running.communicate(timeout=chance.uniform(0.02, 0.5))
-            except subprocess.TimeoutExpired:
-                running.kill()
-                running.communicate()
-                n_kills += 1
-                continue
-            self.assertEqual(running.returncode, 0)
-            break
+        n_kills = kill_until_done(self.folder, 4, 0.5)
         self.assertGreater(n_kills, 1)
         self.assertEqual(self.bytes_of("killed"), self.bytes_of("whole"))
 
@@ -268,19 +272,7 @@ class Searches(ProgramTest):
         for n in ("2", "3"):
             self.succeed("study", "s.toml", "-o", n, "--jobs", n)
             self.assertEqual(self.bytes_of(n), self.bytes_of("one"))
-        chance = random.Random(5)
-        n_kills = 0
-        for _ in range(200):
-            running = start("study", "s.toml", "-o", "killed", "--resume", "--quiet", cwd=self.folder)
-            try:
-                running.communicate(timeout=chance.uniform(0.02, 0.25))
-            except subprocess.TimeoutExpired:
-                running.kill()
-                running.communicate()
-                n_kills += 1
-                continue
-            self.assertEqual(running.returncode, 0)
-            break
+        n_kills = kill_until_done(self.folder, 5, 0.25)
         self.assertGreater(n_kills, 1)
         self.assertEqual(self.bytes_of("killed"), self.bytes_of("one"))
 

@@ -81,6 +81,9 @@ class Warnings(ProgramTest):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"the run is complete, but run\.fatal_warnings makes it fail:\n +TB1: the bore wears by .* \[wear\]")
         self.assertTrue(self.summary("out")["run"]["completed"])
+        again = self.call("run", "reference.toml", "-o", "out", "--resume", *worn, "--set", 'run.fatal_warnings=["wear"]')
+        self.assertEqual(again.returncode, 1, "a run that failed does not turn good by --resume")
+        self.assertIn("[wear]", again.stderr)
 
     def test_a_part_too_hot_for_its_material(self):
         self.succeed("run", "reference.toml", "-o", "out", *settings(materials__steel__temperature_limit="293.2 K", run__end_time="12 ms"))

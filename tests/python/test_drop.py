@@ -176,14 +176,15 @@ class Running(PackageTest):
             self.assertTrue(result.series.equals(alone.series))
 
     def test_progress_is_told_and_its_exception_ends_the_run(self):
+        # Told every 0.2 s; 3 s of the machine take a second at least.
         seen = []
-        case = rd.Case(SETTLING, {"run.end_time": "0.3 s"})
+        case = rd.Case(SETTLING, {"run.end_time": "3 s"})
         case.run(keep=[], progress=seen.append)
         self.assertGreaterEqual(len(seen), 2)
         times = [p.time for p in seen]
         self.assertEqual(times, sorted(times))
-        self.assertAlmostEqual(times[-1], 0.3, delta=1e-9)
-        self.assertEqual(seen[-1].end_time, 0.3)
+        self.assertAlmostEqual(times[-1], 3, delta=1e-8)
+        self.assertEqual(seen[-1].end_time, 3)
         self.assertGreater(seen[-1].largest_contact_force, 1000)
 
         def complain(progress):

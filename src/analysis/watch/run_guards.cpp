@@ -41,7 +41,8 @@ TemperaturePath parts_of(const std::string& path) {
 
 /// Parts of a bearing whose material must keep its dimensions and hardness.
 bool is_of_bearing(const std::string& part) {
-  for (const std::string_view name : {"inner ring", "outer ring", "ball", "bore", "inner raceway", "outer raceway"})
+  for (const std::string_view name :
+       {"inner ring", "outer ring", "ball", "bore", "inner raceway", "outer raceway", "inner contact", "outer contact"})
     if (part.starts_with(name)) return true;
   return false;
 }
@@ -53,11 +54,6 @@ std::string key_of(const std::string& name) {
     if (c != '/' || (!key.empty() && key.back() != '/')) key += c;
   while (key.ends_with('/')) key.pop_back();
   return key;
-}
-
-bool is_fatal(const MachineParameters& p, std::string_view code) {
-  const auto& fatal = p.run.fatal_warnings;
-  return std::any_of(fatal.begin(), fatal.end(), [&](const auto& named) { return named == code || named == "all"; });
 }
 
 }  // namespace
@@ -76,7 +72,7 @@ std::size_t RunGuards::add(const char* code, const std::string& place, const std
                            double sign) {
   const WarningKind* kind = find_warning_kind(code);
   if (!kind || !kind->is_guarded) throw std::logic_error(std::string("no guard is called ") + code);
-  guards_.push_back({kind, place, part, limit, is_fatal(parameters_, code), sign});
+  guards_.push_back({kind, place, part, limit, parameters_.run.is_fatal(code), sign});
   return guards_.size() - 1;
 }
 
@@ -230,7 +226,13 @@ std::vector<RunWarning> RunGuards::found(const DropScalars& scalars) const {
         }
     if (guard.kind->code == std::string_view("probe-touched"))
       for (std::size_t i = 0; i < scalars.probes().size() && w.count > 0; ++i)
-        if (scalars.probes().name(i) == guard.place) w.worst = scalars.probes().of(i).smallest_clearance;
+        if (scalars.probes().name(i) == guard.place) {  // between steps by parabolas, as in the summary
+          const auto& probe = scalars.probes().of(i);
+          w.worst = probe.smallest_clearance;
+          w.time = probe.smallest_clearance_time;
+          w.first_time = probe.first_touch_time;
+          w.duration = probe.time_touching;
+        }
     if (w.count > 0) list.push_back(std::move(w));
   }
   return list;
@@ -246,13 +248,14 @@ std::vector<RunWarning> warnings_at_end(const EndedRun& run) {
     const auto& s = run.scalars.of(i);
     const std::string& name = run.scalars.name(i);
     const SkidVerdict skid = skid_verdict(s, run.scalars.n_rows(i));
+    const auto* touchdown = dynamic_cast<const TouchdownBearing*>(&run.machine.support(run.scalars.support(i)));
+    const bool is_rolling = !touchdown || !touchdown->data().free_cage;  // of a free cage the slip is computed
     if (const double all = skid.demand.speed_change, beyond = skid.demand.speed_change_beyond;
-        beyond > relevant_speed_share * all)
+        is_rolling && beyond > relevant_speed_share * all)
       warn("skidding", name, skid.row ? fmt::format("row {}", *skid.row + 1) : "", beyond / all, relevant_speed_share,
            skid.demand.largest_time, skid.demand.time_beyond);
     if (s.gyroscopic.largest > 1.)
       warn("pivoting", name, "", s.gyroscopic.largest, 1., s.gyroscopic.largest_time, s.gyroscopic.time_beyond);
-    const auto* touchdown = dynamic_cast<const TouchdownBearing*>(&run.machine.support(run.scalars.support(i)));
     double centrifugal = 0.;
     for (std::size_t row = 0; row < run.scalars.n_rows(i); ++row)
       centrifugal = std::max(centrifugal, s.row_centrifugal[row].over_load());

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/wide_vectors.h"
 #include "bearing/row/ball_row_bending.h"
 #include "bearing/row/ball_row_kernels.h"
 
@@ -58,7 +59,7 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
     cosine_.push_back(std::cos(azimuth(j)));
     sine_.push_back(std::sin(azimuth(j)));
   }
-  n_padded_ = (cosine_.size() + vector_length - 1) / vector_length * vector_length;
+  n_padded_ = filled_up(cosine_.size());
   cosine_.resize(n_padded_, 1.);
   sine_.resize(n_padded_, 0.);
   for (const auto& wave : waves) {
@@ -165,8 +166,6 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   kernel(balls, out);
   if (is_bent) press_shapes(in, bent);
   out.inner_load_roots = out.outer_load_roots = stiffness_root_ * out.inner_load_roots;
-  out.cage_torque = out.cage_power;
-  out.cage_power *= in.cage_speed;
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data(), is_bent ? bent.width.data() : nullptr);
   if (!tractions) return;
   const double F_c = centrifugal_force(in);

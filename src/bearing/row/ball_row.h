@@ -105,13 +105,13 @@ struct BallRowOutput {
   double force_x, force_y, force_z;  ///< on the inner ring [N]
   double moment_y, moment_z;         ///< on the inner ring [N m]
   double damping_power;              ///< dissipated in the contacts [W]
-  double cage_torque;                ///< dU/d(cage angle), waves left out [N m]; of balls without inertia
   double elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
   double elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
   double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
   double
       elastic_outer_surplus;  ///< by how much that of the outer contacts exceeds it; the inner ones fall short by as much [N]
-  double cage_power;          ///< work rate of the prescribed cage motion [W]
+  double
+      cage_torque;  ///< dU/d(cage angle) with the waves kept: times the cage's speed the work rate of its motion [N m]
   double waviness_power;      ///< work rate of the prescribed travel of the waves [W]
   double largest_load;        ///< of the row's balls on the inner race [N]
   double largest_outer_load;  ///< on the outer race [N]; the same without inertia

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/wide_vectors.h"
+#include "bearing/forces_on_shapes.h"
 
 namespace rotordrop {
 namespace {
@@ -15,45 +16,30 @@ struct Turned {
   double a, b, a_rate, b_rate, n;
 };
 
-constexpr std::size_t lane = 8;            // rows are filled up to a multiple of it
 constexpr std::size_t max_harmonics = 40;  // 2 to 41
 
 /// @param table  cos, sin of every harmonic at the balls: [2 n_harmonics][n]
 ROTORDROP_KERNEL void add_shapes(Turned* turned, std::size_t n_harmonics, const double* table, std::size_t n,
                                  Widening& w) {
-  for (std::size_t j = 0; j < n; j += lane) {
-    double width[lane] = {}, rate[lane] = {}, slope[lane] = {};
+  for (std::size_t j = 0; j < n; j += vector_length) {
+    double width[vector_length] = {}, rate[vector_length] = {}, slope[vector_length] = {};
     for (std::size_t k = 0; k < n_harmonics; ++k) {
       const Turned t = turned[k];
       const double a_slope = t.n * t.b, b_slope = -t.n * t.a;
       const double *cosine = table + 2 * k * n + j, *sine = cosine + n;
 #pragma omp simd
-      for (std::size_t i = 0; i < lane; ++i) {
+      for (std::size_t i = 0; i < vector_length; ++i) {
         width[i] += t.a * cosine[i] + t.b * sine[i];
         rate[i] += t.a_rate * cosine[i] + t.b_rate * sine[i];
         slope[i] += a_slope * cosine[i] + b_slope * sine[i];
       }
     }
 #pragma omp simd
-    for (std::size_t i = 0; i < lane; ++i) {
+    for (std::size_t i = 0; i < vector_length; ++i) {
       w.width[j + i] = width[i];
       w.rate[j + i] = rate[i];
       w.slope[j + i] = slope[i];
     }
-  }
-}
-
-/// @param table  shapes by balls [n][row], both multiples of `lane`
-/// @param sums   of force times table [row]
-ROTORDROP_KERNEL void project(const double* force, const double* table, std::size_t row, std::size_t n, double* sums) {
-  const std::size_t whole = row / lane * lane;  // known to the compiler to leave no remainder
-#pragma omp simd
-  for (std::size_t k = 0; k < whole; ++k) sums[k] = 0.;
-  for (std::size_t j = 0; j < n; j += 4) {
-    const double F_0 = force[j], F_1 = force[j + 1], F_2 = force[j + 2], F_3 = force[j + 3];
-    const double *t_0 = table + j * whole, *t_1 = t_0 + whole, *t_2 = t_1 + whole, *t_3 = t_2 + whole;
-#pragma omp simd
-    for (std::size_t k = 0; k < whole; ++k) sums[k] += (F_0 * t_0[k] + F_1 * t_1[k]) + (F_2 * t_2[k] + F_3 * t_3[k]);
   }
 }
 
@@ -81,7 +67,7 @@ void BallRow::tabulate_shapes(const std::vector<double>& azimuth) {
       for (const double b : azimuth) shapes_.push_back(is_cosine ? std::cos(n * b) : std::sin(n * b));
       shapes_.resize(shapes_.size() + n_padded_ - azimuth.size(), 0.);
     }
-  const std::size_t n_shapes = shapes_.size() / n_padded_, row = (n_shapes + lane - 1) / lane * lane;
+  const std::size_t n_shapes = shapes_.size() / n_padded_, row = filled_up(n_shapes);
   shapes_by_ball_.assign(n_padded_ * row, 0.);
   for (std::size_t j = 0; j < n_padded_; ++j)
     for (std::size_t k = 0; k < n_shapes; ++k) shapes_by_ball_[j * row + k] = shapes_[k * n_padded_ + j];
@@ -104,7 +90,7 @@ void BallRow::widen(const BallRowInput& in, Widening& w) const {
 void BallRow::press_shapes(const BallRowInput& in, Widening& w) const {
   std::array<double, 2 * max_harmonics> sums;
   const std::size_t n_harmonics = in.shape_force.size() / 2;
-  wide<project>(w.force.data(), shapes_by_ball_.data(), shapes_by_ball_.size() / n_padded_, n_padded_, sums.data());
+  forces_on_shapes(w.force.data(), shapes_by_ball_.data(), n_padded_, shapes_by_ball_.size() / n_padded_, sums.data());
   Turn turn(in.cage_cosine, in.cage_sine);
   for (std::size_t k = 0; k < n_harmonics; ++k, turn.next()) {
     const double a = sums[2 * k], b = sums[2 * k + 1];

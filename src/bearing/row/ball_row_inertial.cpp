@@ -20,7 +20,7 @@ struct Place {
 };
 
 template <bool is_bent>
-[[gnu::always_inline]] inline void place_all(const Place& p, double cage_speed, InertialBalls& w) {
+ROTORDROP_KERNEL void place_all(const Place& p, double cage_speed, InertialBalls& w) {
   const RingDisplacement e = p.e, v = p.v;
   const double arm = p.arm, xr = p.position;
 #pragma omp simd
@@ -47,8 +47,8 @@ ROTORDROP_KERNEL void place_bent_grooves(const Place& p, double cage_speed, Iner
 
 /// @param hardness  K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is hardness * u
 template <bool is_split, bool is_bent>
-[[gnu::always_inline]] inline void sum_all(const Place& p, const InertialBalls& w, double damping, double hardness,
-                                           double cage_speed, BallRowOutput& out) {
+ROTORDROP_KERNEL void sum_all(const Place& p, const InertialBalls& w, double damping, double hardness,
+                              BallRowOutput& out) {
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
   double elastic_axial = 0, elastic_outer = 0, largest = 0, largest_outer = 0;
   const RingDisplacement e = p.e, v = p.v;
@@ -103,24 +103,24 @@ template <bool is_split, bool is_bent>
   out.elastic_axial = elastic_axial;
   out.elastic_normal = elastic_normal;
   out.elastic_outer_surplus = elastic_outer - elastic_normal;
-  out.cage_power = cage * cage_speed;
+  out.cage_torque = cage;
   out.largest_load = largest;
   out.largest_outer_load = largest_outer;
 }
 
 ROTORDROP_KERNEL void sum_forces(const Place& p, const InertialBalls& w, bool is_split, double damping, double hardness,
-                                 double cage_speed, BallRowOutput& out) {
+                                 BallRowOutput& out) {
   if (is_split)
-    sum_all<true, false>(p, w, damping, hardness, cage_speed, out);
+    sum_all<true, false>(p, w, damping, hardness, out);
   else
-    sum_all<false, false>(p, w, damping, hardness, cage_speed, out);
+    sum_all<false, false>(p, w, damping, hardness, out);
 }
 ROTORDROP_KERNEL void sum_bent_forces(const Place& p, const InertialBalls& w, bool is_split, double damping,
-                                      double hardness, double cage_speed, BallRowOutput& out) {
+                                      double hardness, BallRowOutput& out) {
   if (is_split)
-    sum_all<true, true>(p, w, damping, hardness, cage_speed, out);
+    sum_all<true, true>(p, w, damping, hardness, out);
   else
-    sum_all<false, true>(p, w, damping, hardness, cage_speed, out);
+    sum_all<false, true>(p, w, damping, hardness, out);
 }
 
 /// Q^(1/3) without a branch, for vectors: Halley's iteration from Q^(1/4), to 1e-7 for loads from 0.1 N to 1 MN, 6 % at 1e-5 N.
@@ -204,7 +204,7 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   (is_bent ? sum_bent_forces : sum_forces)({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0.,
                                             constants_.arm, geometry_.position, in.displacement, in.rate, &bent},
                                            w, geometry_.inner_gyroscopic_share != 0., 1.5 * geometry_.damping_beta,
-                                           1. / (inertial_.c_i + inertial_.c_o), in.cage_speed, out);
+                                           1. / (inertial_.c_i + inertial_.c_o), out);
   if (is_bent) press_shapes(in, bent);
   out.waviness_power = 0.;
   if (!waves_.empty())

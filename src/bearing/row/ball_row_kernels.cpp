@@ -77,7 +77,7 @@ ROTORDROP_KERNEL void translations(const KernelInput& in, BallRowOutput& out) {
   out.elastic_axial = elastic_axial * Bx;
   out.elastic_normal = elastic_normal;
   out.elastic_outer_surplus = 0;
-  out.cage_power = cage;
+  out.cage_torque = cage;
   out.largest_load = out.largest_outer_load = largest;
   out.inner_load_roots = roots;
   out.inner_loads = out.outer_loads = elastic_normal;
@@ -138,7 +138,7 @@ ROTORDROP_KERNEL void all_motions(const KernelInput& in, BallRowOutput& out) {
   out.elastic_axial = elastic_axial;
   out.elastic_normal = elastic_normal;
   out.elastic_outer_surplus = 0;
-  out.cage_power = cage;
+  out.cage_torque = cage;
   out.largest_load = out.largest_outer_load = largest;
   out.inner_load_roots = roots;
   out.inner_loads = out.outer_loads = elastic_normal;

@@ -8,8 +8,7 @@
 
 namespace rotordrop {
 
-// Rows are filled up to whole vectors with balls too small to touch anything, so that the kernels have no remainder loop.
-inline constexpr std::size_t vector_length = 8;
+// Rows are filled up to whole vectors with balls too small to touch anything.
 inline constexpr double idle_penetration = -1.;  // added to an idle ball's penetration [m]
 
 /// Balls, races and displacement of a row as its kernels take them.

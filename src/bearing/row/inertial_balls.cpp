@@ -8,19 +8,15 @@
 #include "laws/ball_balance.h"
 
 // Loops over the balls of a row, compiled for several kinds of machine as those of ball_row_kernels.cpp are.
-#define ROTORDROP_INLINE inline __attribute__((always_inline))
-
 namespace rotordrop {
 namespace {
 
 // By value: references to temporaries keep the compiler from making vectors.
-ROTORDROP_INLINE double larger(double a, double b) { return a > b ? a : b; }
-ROTORDROP_INLINE double limited(double value, double low, double high) {
+ROTORDROP_KERNEL double larger(double a, double b) { return a > b ? a : b; }
+ROTORDROP_KERNEL double limited(double value, double low, double high) {
   const double above = value > low ? value : low;
   return above < high ? above : high;
 }
-/// n is a multiple of 8: the compiler needs no loops for what is left over.
-ROTORDROP_INLINE std::size_t whole_vectors(std::size_t n) { return n & ~std::size_t{7}; }
 
 struct Row {
   double K_i, K_o, l_i, l_o, g, F_0;
@@ -47,7 +43,7 @@ struct Surroundings {
 struct Normal {
   double x, r;
 };
-ROTORDROP_INLINE Normal turned(double angle, double x, double r) {
+ROTORDROP_KERNEL Normal turned(double angle, double x, double r) {
   const double a2 = angle * angle, shrink = 1. - a2 * (0.5 - 0.375 * a2);
   const double new_x = (x + angle * r) * shrink, new_r = (r - angle * x) * shrink;
   const double fix = 1.5 - 0.5 * (new_x * new_x + new_r * new_r);
@@ -64,7 +60,7 @@ struct Balance {
   double angle_a, angle_x, stretch_a, stretch_x;  // of the inner contact
   double R_n_a, R_t_a, R_n_x, R_t_x, inverse_det;
 
-  ROTORDROP_INLINE Balance(const Row& row, const Place& p, const Surroundings& at) {
+  ROTORDROP_KERNEL Balance(const Row& row, const Place& p, const Surroundings& at) {
     L_o = row.l_o + p.delta_o - at.added_o;
     const double v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r, square = v_x * v_x + v_r * v_r + 1e-18,
                  L_i = std::sqrt(square);
@@ -117,11 +113,11 @@ struct Balance {
     inverse_det = 1. / (R_n_a * R_t_x - R_t_a * R_n_x);
   }
   /// Turn and growth of the outer length that cancel the forces.
-  [[nodiscard]] ROTORDROP_INLINE double turn() const { return (force_t * R_n_x - force_n * R_t_x) * inverse_det; }
-  [[nodiscard]] ROTORDROP_INLINE double growth() const { return (force_n * R_t_a - force_t * R_n_a) * inverse_det; }
+  [[nodiscard]] ROTORDROP_KERNEL double turn() const { return (force_t * R_n_x - force_n * R_t_x) * inverse_det; }
+  [[nodiscard]] ROTORDROP_KERNEL double growth() const { return (force_n * R_t_a - force_t * R_n_a) * inverse_det; }
   /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more; or if the ball got past the inner groove's centre, where
   /// forces balance, too, under loads of no meaning.
-  [[nodiscard]] ROTORDROP_INLINE double is_left(double enough) const {
+  [[nodiscard]] ROTORDROP_KERNEL double is_left(double enough) const {
     const double past = Q_i > 0. ? larger(-c, 0.) : 0.;
     return std::abs(force_n) + std::abs(force_t) <= enough * (Q_o + F) && past == 0. ? 0. : 1.;
   }
@@ -129,7 +125,7 @@ struct Balance {
 
 /// Between the ball without inertia and the ball in the bottom of the outer groove: the moment of its forces about the outer groove's centre
 /// shares B_x out to the two normals, what remains of B_r is compression.
-ROTORDROP_INLINE Place guess(const Row& row, double c_i, double c_o, double bottom, const Surroundings& at) {
+ROTORDROP_KERNEL Place guess(const Row& row, double c_i, double c_o, double bottom, const Surroundings& at) {
   const double distance = std::sqrt(at.B_x * at.B_x + at.B_r * at.B_r), added = at.added_i + at.added_o;
   const double delta = larger(distance - row.l_i - row.l_o + added, 0.), soft = c_i + c_o;
   const double Q = delta * std::sqrt(delta) / (soft * std::sqrt(soft));
@@ -171,7 +167,7 @@ ROTORDROP_KERNEL void look_up(const float* delta_o, const float* o_x, double fir
 }
 
 template <bool is_split>
-ROTORDROP_INLINE double step_all(const Row row, double enough, InertialBalls& w) {
+ROTORDROP_KERNEL double step_all(const Row row, double enough, InertialBalls& w) {
   double n_left = 0.;
 #pragma omp simd reduction(+ : n_left)
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
@@ -187,7 +183,7 @@ ROTORDROP_INLINE double step_all(const Row row, double enough, InertialBalls& w)
 }
 
 template <bool is_split>
-ROTORDROP_INLINE double finish_all(const Row row, double u_per_root_i, double enough, InertialBalls& w,
+ROTORDROP_KERNEL double finish_all(const Row row, double u_per_root_i, double enough, InertialBalls& w,
                                    BallWork& sums) {
   double n_left = 0., power = 0., per_radial = 0., per_axial = 0., per_ball_growth = 0., per_outer = 0., per_force = 0.;
 #pragma omp simd reduction(+ : n_left, power, per_radial, per_axial, per_ball_growth, per_outer, per_force)

@@ -83,7 +83,7 @@ FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, const Mem
   result.cpu_time = cpu_seconds() - cpu_start;
   progress.tell(result.end_time, result.state);
   summarise(c, machine, drop, options.elements, std::move(series), {}, result);
-  if (result.completed) stop_at_fatal_warnings(p.run, result.warnings);
+  if (result.completed) stop_at_fatal_warnings(p.run, warnings_json(result.summary.warnings));
   return result;
 }
 
@@ -144,7 +144,7 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   write_text_atomically(options.directory / "summary.json", summary_json(result.summary).dump(2) + "\n");
   if (!result.completed) return result;
   folder.remove_checkpoints();
-  stop_at_fatal_warnings(p.run, result.warnings);
+  stop_at_fatal_warnings(p.run, warnings_json(result.summary.warnings));
   return result;
 }
 

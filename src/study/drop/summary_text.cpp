@@ -113,9 +113,9 @@ std::string summary_text(const DropSummary& s) {
                                                 s.end_time, s.rotor_speed_end * rpm)
                                   : fmt::format("run.until = \"{}\" was not met by t = {:.6g} s; raise run.end_time\n",
                                                 s.until, s.end_time);
-  text += energy_text(s) + warnings_text(s.warnings);
+  text += energy_text(s) + warnings_text(warnings_json(s.warnings));
   if (s.second_opinion) text += second_opinion_text(*s.second_opinion);
-  return s.limits ? text + limits_text(*s.limits) : text;
+  return s.limits ? text + limits_text(*s.limits, s.second_opinion.value_or(nullptr)) : text;
 }
 
 }  // namespace rotordrop

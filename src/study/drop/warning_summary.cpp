@@ -29,24 +29,25 @@ std::string sentence(const RunWarning& w) {
   const std::string_view code = w.kind->code;
   if (code == "energy-residual")
     return fmt::format(
-        "the energy balance leaves up to {:.2g} % of the energy moved{}; more than {:.2g} % means that the time steps "
-        "are too coarse. Reduce integration.step or integration.tolerance",
+        "the energy balance leaves up to {:.2g} % of the energy moved{} (limit {:.2g} %). Smaller integration.step or "
+        "integration.tolerance leave less",
         100. * w.worst, when(w), 100. * w.limit);
   if (code == "heat-residual")
     return fmt::format(
-        "the heat balance of the thermal model \"{}\" leaves up to {:.2g} % of the heat{}; more than {:.2g} % means "
-        "that the time steps are too coarse",
+        "the heat balance of the thermal model \"{}\" leaves up to {:.2g} % of the heat{} (limit {:.2g} %). Smaller "
+        "integration.step or integration.tolerance leave less",
         w.part, 100. * w.worst, when(w), 100. * w.limit);
   if (code == "step-collapse")
     return fmt::format(
-        "the time step becomes shorter than {:.3g} ns {}, down to {:.3g} ns{}: a contact or a law is too stiff for the "
+        "the time step becomes shorter than {:.3g} ns {}, down to {:.3g} ns{}: something changes fast for the "
         "tolerance",
         w.limit * 1e9, times(w.count), w.worst * 1e9, when(w));
   if (code == "ball-load")
     return fmt::format(
-        "contact pressure of the balls of {} exceeds the static limit of {:.1f} GPa (ISO 76) {}, up to {:.2f} GPa{}: "
-        "balls leave permanent marks, and elastic contact (Hertz) does not hold",
-        w.part, w.limit * 1e-9, times(w.count), w.worst * 1e-9, when(w));
+        "contact pressure of the balls of {} exceeds {:.1f} GPa {}, up to {:.2f} GPa{}; at {:.1f} GPa about 0.0001 of "
+        "a "
+        "steel ball's diameter stays as indentation (ISO 76)",
+        w.part, w.limit * 1e-9, times(w.count), w.worst * 1e-9, when(w), w.limit * 1e-9);
   if (code == "ellipse-truncated")
     return fmt::format(
         "the contact ellipses of {} reach over the raceway's edge for {:.3g} ms, by up to {:.0f} % of their length{}: "
@@ -58,7 +59,7 @@ std::string sentence(const RunWarning& w) {
         "that of a narrow contact. Check contact_stiffness and the speed",
         w.worst * 1e6, when(w), w.limit * 1e6, times(w.count));
   if (code == "gap-closed")
-    return fmt::format("thermal growth closes the air gap: smallest {:.4g} um{}", w.worst * 1e6, when(w));
+    return fmt::format("growth by heat and speed leaves {:.4g} um of the air gap{}", w.worst * 1e6, when(w));
   if (code == "temperature")
     return fmt::format("{} reaches {:.4g} K{}, above the {:.4g} K that its material stands (temperature_limit)", w.part,
                        w.worst, when(w), w.limit);
@@ -98,8 +99,8 @@ std::string sentence(const RunWarning& w) {
         w.worst, w.duration * 1e3);
   if (code == "centrifugal-force")
     return fmt::format(
-        "centrifugal forces of the balls are {:.2g} times their loads, and ball_model = \"quasi-static\" leaves them "
-        "out",
+        "centrifugal forces of the balls are {:.2g} times the load of the row's most loaded ball (weighted mean), and "
+        "ball_model = \"quasi-static\" leaves them out",
         w.worst);
   if (code == "backward-whirl")
     return fmt::format("sustained backward whirl, up to {:.4g} Hz", w.worst * 0.5 / std::numbers::pi);
@@ -120,7 +121,7 @@ std::vector<RunWarning> warnings_in_summary(const MachineParameters& p, const Dr
     if (b.local) {
       const LocalRub& rub = b.local->rub;
       const auto* ring = find_material(p, touchdown_of(p, b.name).ring);
-      if (ring && ring->temperature_limit)
+      if (ring && ring->temperature_limit && std::isfinite(rub.stated.time))
         warn("local-temperature", b.name, "bore", p.run.ambient + rub.stated.bore, *ring->temperature_limit,
              rub.stated.time);
       warn("wear", b.name, "bore", rub.wear.bore_depth, p.contact.wear_depth_limit);
@@ -148,20 +149,20 @@ Json warnings_json(const std::vector<RunWarning>& warnings) {
   return list;
 }
 
-std::string warnings_text(const std::vector<RunWarning>& warnings) {
+std::string warnings_text(const Json& warnings) {
   if (warnings.empty()) return {};
   std::string text =
       fmt::format("{} warning{} (docs/reference/warnings.md):\n", warnings.size(), warnings.size() == 1 ? "" : "s");
-  for (const auto& w : warnings) text += fmt::format("  warning: {} [{}]\n", placed_sentence(w), w.kind->code);
+  for (const auto& w : warnings)
+    text += fmt::format("  warning: {} [{}]\n", w["text"].get<std::string>(), w["code"].get<std::string>());
   return text;
 }
 
-void stop_at_fatal_warnings(const RunParameters& run, const std::vector<RunWarning>& warnings) {
+void stop_at_fatal_warnings(const RunParameters& run, const Json& warnings) {
   std::string text;
   for (const auto& w : warnings)
-    if (std::any_of(run.fatal_warnings.begin(), run.fatal_warnings.end(),
-                    [&](const auto& code) { return code == "all" || code == w.kind->code; }))
-      text += fmt::format("\n       {} [{}]", placed_sentence(w), w.kind->code);
+    if (const auto code = w["code"].get<std::string>(); run.is_fatal(code))
+      text += fmt::format("\n       {} [{}]", w["text"].get<std::string>(), code);
   if (!text.empty()) throw SolverError("the run is complete, but run.fatal_warnings makes it fail:" + text);
 }
 

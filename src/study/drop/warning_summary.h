@@ -17,10 +17,10 @@ struct DropSummary;
 /// `warnings` of summary.json.
 [[nodiscard]] nlohmann::ordered_json warnings_json(const std::vector<RunWarning>& warnings);
 
-/// Lines for the screen; empty without any.
-[[nodiscard]] std::string warnings_text(const std::vector<RunWarning>& warnings);
+/// Lines for the screen, from `warnings` of summary.json; empty without any.
+[[nodiscard]] std::string warnings_text(const nlohmann::ordered_json& warnings);
 
-/// @throws SolverError if one of them is in run.fatal_warnings
-void stop_at_fatal_warnings(const RunParameters& run, const std::vector<RunWarning>& warnings);
+/// @throws SolverError if one of `warnings` of summary.json is in run.fatal_warnings
+void stop_at_fatal_warnings(const RunParameters& run, const nlohmann::ordered_json& warnings);
 
 }  // namespace rotordrop

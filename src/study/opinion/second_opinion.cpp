@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -56,41 +57,58 @@ std::optional<double> end_of_first_impacts(const DropSummary& summary) {
   return end > 0. ? std::optional(end) : std::nullopt;
 }
 
-/// |a - b| over the larger of them; 0 if neither happened, NaN if only one did.
+/// |a - b| over the larger of them; NaN if one of them is nothing.
 double relative_difference(double a, double b) {
-  if (std::isnan(a) && std::isnan(b)) return 0.;
   const double size = std::max(std::fabs(a), std::fabs(b));
   return size > 0. ? std::fabs(a - b) / size : a == b ? 0. : std::nan("");
 }
 
-using Numbers = std::vector<std::pair<std::string, double>>;
-Numbers numbers_in(const FinishedDrop& drop) { return numbers_of(summary_json(drop.summary)); }
+using Numbers = std::map<std::string, double>;
 
-double value_of(const Numbers& numbers, const std::string& name) {
-  for (const auto& [known, value] : numbers)
-    if (known == name) return value;
-  return std::nan("");
+Numbers numbers_in(const FinishedDrop& drop) {
+  const auto list = numbers_of(summary_json(drop.summary));
+  return {list.begin(), list.end()};
 }
 
-/// First time at which orbits of two drops differ by more than a part of the air gap [s]; NaN: never.
-double parting(const Case& c, const RecordedDrop& a, const RecordedDrop& b) {
-  double first = std::nan("");
+double value_of(const Numbers& numbers, const std::string& name) {
+  const auto found = numbers.find(name);
+  return found == numbers.end() ? std::nan("") : found->second;
+}
+
+/// What belongs to the end of a drop, or is reached late in it, is not there yet when the first impacts are over.
+bool is_of_the_end(const std::string& name) {
+  return name.find("_end") != std::string::npos || name.ends_with(".catch_up_time");
+}
+
+/// How far orbits of two drops of a case come apart.
+struct Parting {
+  double first = std::nan("");  ///< time at which they differ by more than parted_share of the air gap [s]; NaN: never
+  double largest = 0, share = 0;  ///< largest distance [m], and over the air gap
+  double time = std::nan("");     ///< when [s]
+
+  void join(const Parting& other) {
+    const double earlier = std::fmin(first, other.first);
+    if (other.share > share) *this = other;
+    first = earlier;
+  }
+};
+
+Parting parting(const Case& c, const RecordedDrop& a, const RecordedDrop& b) {
+  Parting all;
   for (const std::string& name : touchdown_names(c.parameters)) {
-    const double limit = parted_share * air_gap(touchdown_of(c.parameters, name), c.parameters.contact);
+    const double gap = air_gap(touchdown_of(c.parameters, name), c.parameters.contact);
     const std::string path = "/bearings/" + name + "/orbit";
     const TimeSeries y = a.series(path, 0), z = a.series(path, 1), other_y = b.series(path, 0),
                      other_z = b.series(path, 1);
     for (std::size_t i = 0; i < y.times.size(); ++i) {
-      const double t = y.times[i];
-      if (t >= first) break;
-      if (std::hypot(y.values[i] - other_y.at(t), z.values[i] - other_z.at(t)) > limit) first = t;
+      const double t = y.times[i], distance = std::hypot(y.values[i] - other_y.at(t), z.values[i] - other_z.at(t));
+      all.join({distance > parted_share * gap ? t : std::nan(""), distance, distance / gap, t});
     }
   }
-  return first;
+  return all;
 }
 
 struct FirstImpacts {
-  double until = 0;
   FinishedDrop same, finer;
 };
 
@@ -102,11 +120,9 @@ std::optional<FirstImpacts> repeat_first_impacts(const Case& c, double until, co
     again->parameters.run.until_time = until;
   }
   auto& integration = fine.parameters.integration;
-  if (integration.method == IntegrationMethod::runge_kutta_4)
-    integration.step = 0.5 * step_or_bound(c.parameters.integration);
-  else
-    integration.tolerance *= 0.1;
-  FirstImpacts impacts{until, run_again(brief, stop), run_again(fine, stop)};
+  integration.step = 0.5 * step_or_bound(c.parameters.integration);
+  integration.tolerance *= 0.1;  // of a fixed step it has no effect
+  FirstImpacts impacts{run_again(brief, stop), run_again(fine, stop)};
   if (!impacts.same.completed || !impacts.finer.completed) return {};
   return impacts;
 }
@@ -119,68 +135,83 @@ Json second_opinion(const Case& c, const FinishedDrop& first, const volatile std
   const auto impacts = repeat_first_impacts(c, until, stop);
   if (!impacts) return nullptr;
   std::vector<Numbers> neighbours;
-  double apart = std::nan("");
+  Parting apart;
   for (const double shift : {neighbour_distance, -neighbour_distance}) {
     Case beside = plain(c);
     beside.parameters.rotor.initial_offset[0] += shift;
     const FinishedDrop neighbour = run_again(beside, stop);
     if (!neighbour.completed) return nullptr;
     neighbours.push_back(numbers_in(neighbour));
-    apart = std::fmin(apart, parting(c, *first.recorded, *neighbour.recorded));
+    apart.join(parting(c, *first.recorded, *neighbour.recorded));
   }
   const Numbers same = numbers_in(impacts->same), finer = numbers_in(impacts->finer);
   Json results = Json::array();
-  for (const auto& [name, value] : numbers_in(first)) {
+  for (const auto& [name, value] : numbers_of(summary_json(first.summary))) {
     if (!is_judged(name)) continue;
-    double lowest = value, highest = value, spread = 0.;
+    double lowest = value, highest = value;
+    bool is_in_all = std::isfinite(value), is_in_some = is_in_all;
     for (const auto& neighbour : neighbours) {
       const double other = value_of(neighbour, name);
       lowest = std::fmin(lowest, other);
       highest = std::fmax(highest, other);
-      if (std::isnan(other) != std::isnan(value)) spread = std::nan("");
+      is_in_all = is_in_all && std::isfinite(other);
+      is_in_some = is_in_some || std::isfinite(other);
     }
-    if (!std::isnan(spread)) spread = relative_difference(lowest, highest);
-    const double difference = relative_difference(value_of(same, name), value_of(finer, name));
-    const double known = std::isnan(spread) || std::isnan(difference) ? std::nan("") : std::max(spread, difference);
+    if (!is_in_some || std::max(std::fabs(lowest), std::fabs(highest)) < least_judged) continue;
+    const double spread = is_in_all ? relative_difference(lowest, highest) : std::nan("");
+    const bool is_compared = until >= end || !is_of_the_end(name);
+    const double by_steps =
+        is_compared ? relative_difference(value_of(same, name), value_of(finer, name)) : std::nan("");
     results.push_back({{"key", name},
                        {"value", json_number(value)},
                        {"unit", meaning_of(name).unit},
-                       {"by_finer_steps", json_number(difference)},
+                       {"by_finer_steps", json_number(by_steps)},
                        {"lowest", json_number(lowest)},
                        {"highest", json_number(highest)},
                        {"spread", json_number(spread)},
-                       {"known_to", json_number(known)}});
+                       {"differs_by", json_number(is_in_all ? std::fmax(spread, by_steps) : std::nan(""))}});
   }
   const bool is_fixed = c.parameters.integration.method == IntegrationMethod::runge_kutta_4;
-  return {{"first_impacts_until", until},     {"finer_by", is_fixed ? "half the step" : "a tenth of the tolerance"},
-          {"neighbours", neighbours.size()},  {"neighbour_distance", neighbour_distance},
-          {"apart_from", json_number(apart)}, {"is_chaotic", std::isfinite(apart)},
+  return {{"first_impacts_until", until},
+          {"finer_by", is_fixed ? "half the step" : "a tenth of the tolerance and half the longest step"},
+          {"neighbours", neighbours.size()},
+          {"neighbour_distance", neighbour_distance},
+          {"apart_from", json_number(apart.first)},
+          {"largest_distance", apart.largest},
+          {"largest_distance_share", apart.share},
+          {"largest_distance_time", json_number(apart.time)},
           {"results", std::move(results)}};
 }
 
 std::string second_opinion_text(const Json& o) {
   if (!o.is_object()) return "Second opinion: interrupted\n";
-  std::string text = fmt::format("Second opinion ({} up to {:.4g} ms, and {} drops that start {:.0f} nm beside):\n",
-                                 o["finer_by"].get<std::string>(), o["first_impacts_until"].get<double>() * 1e3,
-                                 o["neighbours"].get<int>(), o["neighbour_distance"].get<double>() * 1e9);
+  const auto n = o["neighbours"].get<int>();
+  std::string text = fmt::format("Second opinion ({} up to {:.4g} ms; {} drops that start {:.0f} nm beside):\n",
+                                 o["finer_by"].get<std::string>(), o["first_impacts_until"].get<double>() * 1e3, n,
+                                 o["neighbour_distance"].get<double>() * 1e9);
   for (const auto& r : o["results"]) {
     const std::string key = r["key"].get<std::string>();
-    if (!r["value"].is_number()) continue;
-    if (r["known_to"].is_number())
-      text += fmt::format("  known to {:>8.2g} %  {} (finer steps {:.1g} %, neighbours {:.1g} %)\n",
-                          100. * r["known_to"].get<double>(), key, 100. * r["by_finer_steps"].get<double>(),
-                          100. * r["spread"].get<double>());
-    else
-      text += fmt::format("  not known           {}: it happens in some of these drops only\n", key);
+    if (!r["differs_by"].is_number()) {
+      text += fmt::format("  in some only          {}: it happens in some of these drops, in others not\n", key);
+      continue;
+    }
+    const std::string by_steps = r["by_finer_steps"].is_number()
+                                     ? fmt::format("{:.1g} %", 100. * r["by_finer_steps"].get<double>())
+                                     : "not compared";
+    text += fmt::format("  differs by {:>8.2g} %  {} (finer steps {}, neighbours {:.1g} %)\n",
+                        100. * r["differs_by"].get<double>(), key, by_steps, 100. * r["spread"].get<double>());
   }
-  if (o["is_chaotic"].get<bool>())
-    text += fmt::format(
-        "  The motion is chaotic: from {:.4g} ms on orbits of neighbours differ by more than 1 % of the air gap. After "
-        "that an orbit or an instant is one of many; peaks and heat are known as above.\n",
-        o["apart_from"].get<double>() * 1e3);
-  else
-    text += "  Neighbours stay together to the end: orbits and instants are known, too.\n";
-  return text;
+  text += fmt::format(
+      "  Ranges of {} drops: about half of further drops lie within. Parameters and model are not in them.\n", n + 1);
+  if (!o["largest_distance_time"].is_number()) return text;
+  text += fmt::format("  Orbits of neighbours differ by at most {:.3g} um ({:.2g} % of the air gap), at {:.4g} ms",
+                      o["largest_distance"].get<double>() * 1e6, 100. * o["largest_distance_share"].get<double>(),
+                      o["largest_distance_time"].get<double>() * 1e3);
+  if (o["apart_from"].is_number())
+    text +=
+        fmt::format("; by more than {:g} % of it from {:.4g} ms on: after that an orbit or an instant is one of many",
+                    100. * parted_share, o["apart_from"].get<double>() * 1e3);
+  return text + ".\n";
 }
 
 }  // namespace rotordrop

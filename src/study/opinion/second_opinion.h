@@ -5,15 +5,17 @@
 
 #include "study/drop/drop_run.h"
 
-// A second opinion on a drop: how far its numbers are known.
+// A second opinion on a drop: by how much its numbers differ with finer steps and from starts beside its own.
 namespace rotordrop {
 
 /// Distance between starts of neighbouring drops [m], up and down: far below what anyone can set, far above roundoff.
 inline constexpr double neighbour_distance = 1e-9;
 /// Neighbours have parted when an orbit differs by this part of the air gap.
 inline constexpr double parted_share = 0.01;
+/// Smaller results are nothing, and what they differ by is roundoff [N, J, K, Pa, s, rad/s].
+inline constexpr double least_judged = 1e-6;
 
-/// Computes a finished drop again, in memory: the first impacts of all bearings with and without a tenth of the tolerance (half a fixed step), and
+/// Computes a finished drop again, in memory: the first impacts of all bearings with and without a tenth of the tolerance and half the step, and
 /// the whole of it from starts beside its own. For `second_opinion` of summary.json; null if it was stopped.
 /// @param first  with the series that its summary needs
 nlohmann::ordered_json second_opinion(const Case& drop_case, const FinishedDrop& first,

@@ -1,36 +1,8 @@
-"use strict";
-// What the page is drawn from and with: the JSON in #data, elements, tables, and figures with hover and zoom.
-
-const data = JSON.parse(document.getElementById("data").textContent);
-const page = document.getElementById("page");
-const tip = document.getElementById("tip");
+// Figures of the report with hover and zoom.
 
 // Okabe & Ito's palette, told apart by everyone; dashes tell lines apart on paper without colour.
 const COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#999999", "#222222"];
 const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
-const SVG = "http://www.w3.org/2000/svg";
-
-function element(name, attributes, ...children) {
-  const isDrawn = ["svg", "g", "path", "line", "circle", "text", "rect", "image", "clipPath", "defs"].includes(name);
-  const made = isDrawn ? document.createElementNS(SVG, name) : document.createElement(name);
-  for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
-  made.append(...children.filter((child) => child !== null));
-  return made;
-}
-
-function table(header, rows, classes = []) {
-  const cells = (row, name) => element("tr", {}, ...row.map((text, i) => element(name, { class: classes[i] || "" }, ...[text].flat())));
-  const body = element("tbody", {}, ...rows.map((row) => cells(row, "td")));
-  return element("table", {}, ...(header ? [element("thead", {}, cells(header, "th"))] : []), body);
-}
-
-function section(title, ...children) {
-  const id = title.toLowerCase().replace(/[^a-z]+/g, "-");
-  const made = element("section", { id }, element("h2", {}, title), ...children);
-  page.append(made);
-  document.querySelector("nav").append(element("a", { href: "#" + id }, title));
-  return made;
-}
 
 const list = (texts) => element("ul", {}, ...texts.map((text) => element("li", {}, text)));
 const unit = (text) => text.replace(/^u(?=[mJ])/, "µ");

@@ -89,7 +89,8 @@ Json report_data(const RecordedDrop& drop) {
 
 std::string html_page(const Json& data, std::string_view css, std::string_view js) {
   const std::string title = escaped(data["title"].get<std::string>()), numbers = embedded(data);
-  return filled(report_html, {{"@TITLE@", title}, {"@CSS@", css}, {"@DATA@", numbers}, {"@JS@", js}});
+  const std::string script = page_js + std::string(js);
+  return filled(report_html, {{"@TITLE@", title}, {"@CSS@", css}, {"@DATA@", numbers}, {"@JS@", script}});
 }
 
 std::string report_page(const Json& data) { return html_page(data, report_css, std::string(figures_js) + report_js); }

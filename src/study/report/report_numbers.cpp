@@ -108,8 +108,8 @@ Json report_acceptance(const Json& summary) {
                               : l["accepted"] == false ? "warning"
                                                        : "unknown"}});
   }
-  return {{"verdict", all == true    ? "Accepted: all limits are met."
-                      : all == false ? "Rejected: a limit is exceeded."
+  return {{"verdict", all == true    ? "Accepted: all limits are met in this drop."
+                      : all == false ? "Rejected: a limit is exceeded in this drop."
                                      : "Not accepted: not all limits could be assessed."},
           {"state", all == true    ? "ok"
                     : all == false ? "warning"

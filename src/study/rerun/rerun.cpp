@@ -7,10 +7,12 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 #include "base/errors.h"
 #include "base/processor.h"
@@ -52,14 +54,14 @@ void require_same_files(const fs::path& file, const std::vector<std::string>& da
   faults.throw_if_any();
 }
 
-/// Rows of a table at the times of another, by bits.
-struct Rows {
-  std::vector<double> times;
-  /// Row of each time, the last one of those that are equal.
-  [[nodiscard]] std::map<double, std::size_t> places() const {
-    std::map<double, std::size_t> result;
-    for (std::size_t i = 0; i < times.size(); ++i) result[times[i]] = i;
-    return result;
+/// Times of the rows of both files.
+struct TimeAxes {
+  std::vector<double> a, b;
+  std::map<double, std::size_t> b_rows;  ///< row of each time, the last one of those that are equal
+
+  TimeAxes() = default;
+  TimeAxes(std::vector<double> of_a, std::vector<double> of_b) : a(std::move(of_a)), b(std::move(of_b)) {
+    for (std::size_t i = 0; i < b.size(); ++i) b_rows[b[i]] = i;
   }
 };
 
@@ -107,7 +109,7 @@ nlohmann::ordered_json finished_summary(const fs::path& directory, const Case& c
 BitComparison compare_bits(const fs::path& first, const fs::path& second) {
   BitComparison result;
   const auto ours = list_datasets(second);
-  std::map<std::string, std::pair<Rows, Rows>> axes;
+  std::map<std::string, TimeAxes> axes;
   for (const auto& name : list_datasets(first)) {
     if (name == "/parameters" || name == "/inputs") continue;
     ++result.n_datasets;
@@ -117,8 +119,8 @@ BitComparison compare_bits(const fs::path& first, const fs::path& second) {
     }
     const bool is_axis = name == "/time" || name.ends_with("/time");
     const std::string axis = is_axis ? name : read_attribute(first, name, "time");
-    if (!axes.contains(axis)) axes[axis] = {{read_series(first, axis).values}, {read_series(second, axis).values}};
-    const auto& [a_rows, b_rows] = axes.at(axis);
+    if (!axes.contains(axis)) axes[axis] = {read_series(first, axis).values, read_series(second, axis).values};
+    const TimeAxes& times = axes.at(axis);
     const Series a = read_series(first, name), b = read_series(second, name);
     const std::size_t width = a.shape.size() > 1 ? a.shape[1] : 1;
     if ((b.shape.size() > 1 ? b.shape[1] : 1) != width) {
@@ -126,23 +128,26 @@ BitComparison compare_bits(const fs::path& first, const fs::path& second) {
       continue;
     }
     // A part ends with a row at its interruption, which a whole run need not have.
-    const bool is_part = !a_rows.times.empty() && !b_rows.times.empty() && a_rows.times.back() < b_rows.times.back();
+    const bool is_part = !times.a.empty() && !times.b.empty() && times.a.back() < times.b.back();
     result.is_part = result.is_part || is_part;
-    const std::size_t n = a_rows.times.size() - (is_part ? 1 : 0);
+    const std::size_t n = times.a.size() - (is_part ? 1 : 0);
     if (name == "/time") result.n_rows = n;
-    const auto places = b_rows.places();
     double largest = 0., since = std::nan("");
-    std::size_t n_missing = !is_part && b_rows.times.size() > n ? b_rows.times.size() - n : 0;
+    std::size_t n_missing = !is_part && times.b.size() > n ? times.b.size() - n : 0;
     for (std::size_t i = 0; i < n && (i + 1) * width <= a.values.size(); ++i) {
-      const auto found = places.find(a_rows.times[i]);
-      if (found == places.end() || (found->second + 1) * width > b.values.size()) {
+      const auto found = times.b_rows.find(times.a[i]);
+      if (found == times.b_rows.end() || (found->second + 1) * width > b.values.size()) {
         ++n_missing;
         continue;
       }
       const double *x = a.values.data() + i * width, *y = b.values.data() + found->second * width;
       if (same_bits(x, y, width)) continue;
-      if (std::isnan(since)) since = a_rows.times[i];
-      for (std::size_t k = 0; k < width; ++k) largest = std::max(largest, std::fabs(x[k] - y[k]));
+      if (std::isnan(since)) since = times.a[i];
+      for (std::size_t k = 0; k < width; ++k)
+        if (!same_bits(x + k, y + k, 1)) {
+          const double difference = std::fabs(x[k] - y[k]);
+          largest = std::isfinite(difference) ? std::max(largest, difference) : std::numeric_limits<double>::infinity();
+        }
     }
     if (std::isfinite(since))
       result.differences.push_back(

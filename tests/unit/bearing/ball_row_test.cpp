@@ -54,8 +54,8 @@ std::vector<BallRowGeometry> some_rows() {
 const std::vector<RaceWave> waves = {{true, 2, 4e-6, 0.3}, {false, 5, 2e-6, 1.}};
 
 std::vector<double> numbers(const BallRowOutput& o) {
-  return {o.force_x,        o.force_y,        o.force_z,    o.moment_y,       o.moment_z,    o.damping_power,
-          o.elastic_radial, o.elastic_normal, o.cage_power, o.waviness_power, o.largest_load};
+  return {o.force_x,        o.force_y,        o.force_z,     o.moment_y,       o.moment_z,    o.damping_power,
+          o.elastic_radial, o.elastic_normal, o.cage_torque, o.waviness_power, o.largest_load};
 }
 
 TEST(BallRow, ShortKernelAgreesWithTheGeneralOneWithoutTilt) {

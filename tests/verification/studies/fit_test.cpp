@@ -9,12 +9,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
-#include "../../unit/studies/study_inputs.h"
+#include "search_test.h"
 #include "study/many/random_bits.h"
-#include "study/many/search/search_run.h"
-#include "study/many/search/search_space.h"
 
 using namespace rotordrop;
 
@@ -45,7 +42,7 @@ double normal_number(std::uint64_t seed, std::uint64_t i) {
 
 const double true_a = 0.4, true_d = 0.6;  // of half turns
 
-class FitTest : public ::testing::Test {
+class FitTest : public test::SearchTest {
  protected:
   /// 200 samples in um over ms of what a sensor shows.
   void measure(std::uint64_t seed, double noise, double tau = 0., double delay = 0.) {
@@ -67,18 +64,8 @@ class FitTest : public ::testing::Test {
         "\"rotor.unbalance[0].angle\" = { range = [\"10 deg\", \"180 deg\"], reference = \"150 deg\" }\n"
         "\"rotor.unbalance[1].angle\" = { range = [\"10 deg\", \"180 deg\"], reference = \"20 deg\" }\n" +
         more_of_fit_ + "[[fit.measured]]\nfile = \"measured.csv\"\nseries = \"/bearings/TB1/orbit\"\n" + more;
-    Study study = folder_.read(text);
-    probe_results(study, SearchSpace(study).corners(), oscillation);
-    StudyOptions options;
-    options.directory = folder_.path() / output;
-    options.n_workers = n_workers;
-    options.evaluate = evaluate;
-    options.resume = true;
-    options.stop = &stop_;
-    is_complete_ = run_search(study, options).is_complete;
-    if (!is_complete_) return {};
-    std::ifstream file(options.directory / "study.json");
-    return nlohmann::json::parse(file)["fit"];
+    const auto found = search(text, oscillation, evaluate, output, n_workers);
+    return is_complete_ ? found["fit"] : found;
   }
   static const nlohmann::json& parameter(const nlohmann::json& j, int k) {
     return j["parameters"]["rotor.unbalance[" + std::to_string(k) + "].angle"];
@@ -86,15 +73,7 @@ class FitTest : public ::testing::Test {
   static bool covers(const nlohmann::json& p, double truth) {
     return p["low"].get<double>() <= truth && truth <= p["high"].get<double>();
   }
-  std::string bytes(const std::string& output) const {
-    std::ostringstream all;
-    all << std::ifstream(folder_.path() / output / "study.h5", std::ios::binary).rdbuf();
-    return all.str();
-  }
-  test::StudyFolder folder_;
   std::string more_of_fit_ = "[fit]\n";
-  volatile std::sig_atomic_t stop_ = 0;
-  bool is_complete_ = false;
 };
 
 }  // namespace

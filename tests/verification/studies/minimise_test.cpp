@@ -10,12 +10,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
-#include "../../unit/studies/study_inputs.h"
+#include "search_test.h"
 #include "study/many/random_bits.h"
-#include "study/many/search/search_run.h"
-#include "study/many/search/search_space.h"
 
 using namespace rotordrop;
 
@@ -56,35 +53,16 @@ const char* const both =
     "\"rotor.unbalance[1].angle\" = { range = [\"-180 deg\", \"180 deg\"], reference = \"0 deg\" }\n";
 const char* const one = "[vary]\n\"rotor.unbalance[0].angle\" = { range = [\"-180 deg\", \"180 deg\"] }\n";
 
-class Minimise : public ::testing::Test {
+class Minimise : public test::SearchTest {
  protected:
   nlohmann::json run(const std::string& text, const Evaluator& evaluate = closed_forms,
                      const std::string& output = "out", unsigned n_workers = 2) {
-    Study study = folder_.read(text);
-    probe_results(study, SearchSpace(study).corners(), closed_forms);
-    StudyOptions options;
-    options.directory = folder_.path() / output;
-    options.n_workers = n_workers;
-    options.evaluate = evaluate;
-    options.resume = true;
-    options.stop = &stop_;
-    is_complete_ = run_search(study, options).is_complete;
-    if (!is_complete_) return {};
-    std::ifstream file(options.directory / "study.json");
-    return nlohmann::json::parse(file)["minimise"];
-  }
-  std::string bytes(const std::string& output) const {
-    std::ostringstream all;
-    all << std::ifstream(folder_.path() / output / "study.h5", std::ios::binary).rdbuf()
-        << std::ifstream(folder_.path() / output / "study.csv").rdbuf();
-    return all.str();
+    const auto found = search(text, closed_forms, evaluate, output, n_workers);
+    return is_complete_ ? found["minimise"] : found;
   }
   static double best(const nlohmann::json& j, int angle) {
     return j["best"]["parameters"]["rotor.unbalance[" + std::to_string(angle) + "].angle"].get<double>() / pi;
   }
-  test::StudyFolder folder_;
-  volatile std::sig_atomic_t stop_ = 0;
-  bool is_complete_ = false;
 };
 
 }  // namespace

@@ -1,31 +1,4 @@
-"use strict";
-// What the pages of studies and of measured series share: elements, tables, scales, frames, overlays.
-
-const data = JSON.parse(document.getElementById("data").textContent);
-const page = document.getElementById("page");
-const tip = document.getElementById("tip");
-const SVG = "http://www.w3.org/2000/svg";
-const DRAWN = new Set(["svg", "g", "path", "line", "circle", "text", "rect", "title"]);
-
-function element(name, attributes, ...children) {
-  const made = DRAWN.has(name) ? document.createElementNS(SVG, name) : document.createElement(name);
-  for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
-  made.append(...children.filter((child) => child !== null));
-  return made;
-}
-
-function table(header, rows, classes = []) {
-  const cells = (row, name) => element("tr", {}, ...row.map((text, i) => element(name, { class: classes[i] || "" }, ...[text].flat())));
-  return element("table", {}, element("thead", {}, cells(header, "th")), element("tbody", {}, ...rows.map((row) => cells(row, "td"))));
-}
-
-function section(title, ...children) {
-  const id = title.toLowerCase().replace(/[^a-z]+/g, "-");
-  const made = element("section", { id }, element("h2", {}, title), ...children);
-  page.append(made);
-  document.querySelector("nav").append(element("a", { href: "#" + id }, title));
-  return made;
-}
+// What the pages of studies and of measured series share: scales, frames, overlays.
 
 function short(value) {
   if (value === null || value === undefined) return "–";
