@@ -34,7 +34,7 @@ nlohmann::ordered_json accepted(const nlohmann::ordered_json& limits);
 nlohmann::ordered_json assessed(const std::vector<Limit>& limits, const nlohmann::ordered_json& summary,
                                 bool is_complete);
 
-/// Lines for the screen, from `limits` of a summary; empty without any.
+/// Lines for the screen, from `limits` of a summary; empty without any. @param second_opinion  that of the summary, or null
 std::string limits_text(const nlohmann::ordered_json& limits, const nlohmann::ordered_json& second_opinion);
 
 }  // namespace rotordrop
