@@ -98,7 +98,7 @@ class Lumped(ProgramTest):
 
     def test_one_model_alone_has_nothing_to_be_compared_with(self):
         message = self.refused("a")
-        self.assertIn("no finite elements to compare it with", message)
+        self.assertIn("no finite elements to compare with", message)
         self.assertIn("--against", message)
 
     def test_directories_that_hold_no_run_are_named(self):
@@ -425,7 +425,7 @@ class LumpedAndFiniteElements(ProgramTest):
         self.maker.succeed("run", short_case(self.maker, "fe.toml", ["fe"]), "-o", "fe")
         done = self.maker.call("compare", "fe")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("no lumped circuit to compare with them", done.stderr)
+        self.assertIn("no lumped thermal circuit to compare with", done.stderr)
         self.maker.succeed("compare", "fe", "--against", "both", "-o", "mixed.json")
         mixed = json.loads((self.maker.folder / "mixed.json").read_text())
         self.assertEqual((mixed["fe_from"], mixed["lumped_from"], mixed["run"]["driver"], mixed["against"]["driver"]), ("fe", "both", "fe", "lumped"))

@@ -42,7 +42,7 @@ class Limits(ProgramTest):
     def test_what_is_exceeded_is_rejected_and_told_first(self):
         case = self.limited(f'{PEAK}.max = "1 kN"\nrotor.mass.min = 1\n')
         done = self.succeed("run", case, "-o", "out")
-        self.assertRegex(done.stdout, r"Limits: REJECTED\n  REJECTED +\d+ %  bearings\.TB1\.peak_contact_force")
+        self.assertRegex(done.stdout, r"Limits: \d of \d met in this drop: REJECTED\n  REJECTED +\d+ %  bearings\.TB1\.peak_contact_force")
         self.assertIs(self.entry(PEAK)["accepted"], False)
         self.assertGreater(self.entry(PEAK)["usage"], 1)
         self.assertIs(self.summary()["accepted"], False)

@@ -3,9 +3,11 @@
 import os
 import shutil
 import subprocess
+import sys
 import unittest
 
-from program import ProgramTest, call
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import ProgramTest, call  # noqa: E402
 
 
 @unittest.skipUnless(shutil.which("cc"), "no compiler")

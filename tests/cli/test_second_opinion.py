@@ -1,32 +1,32 @@
-""
-    "The second opinion on a drop: its numbers are those of runs that a user could make by hand."
-    ""
+"""The second opinion on a drop: its numbers are those of runs that a user could make by hand."""
 
-    import re import sys import unittest
+import re
+import sys
+import unittest
 
-        import h5py import numpy
+import h5py
+import numpy
 
-            sys.path.insert(0, __file__.rpartition("/")[0]) from program import ProgramTest,
-    content_of,
-    settings #noqa : E402
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import ProgramTest, content_of, settings  # noqa: E402
 
-                     KEY = "bearings.TB1.peak_contact_force"
+KEY = "bearings.TB1.peak_contact_force"
 
-                           class SecondOpinion(ProgramTest)
-    : def peak(self, directory)
-    : return self.summary(directory)["bearings"]["TB1"]["peak_contact_force"]
 
-      def opinion(self, directory = "out")
-    : opinion = self.summary(directory)["second_opinion"] return opinion,
-{result["key"]: result for result in opinion["results"]
-}
+class SecondOpinion(ProgramTest):
+    def peak(self, directory):
+        return self.summary(directory)["bearings"]["TB1"]["peak_contact_force"]
+
+    def opinion(self, directory="out"):
+        opinion = self.summary(directory)["second_opinion"]
+        return opinion, {result["key"]: result for result in opinion["results"]}
 
     def test_it_is_what_runs_by_hand_say(self):
         case = self.case('integration.method = "tsitouras"\nintegration.tolerance = 1e-4\nintegration.step = "50 us"\n')
         long = settings(run__end_time="40 ms")
         done = self.succeed("run", case, "-o", "out", *long, "--set", "run.second_opinion=true")
         opinion, results = self.opinion()
-#First impacts : to the second contact of the bearing that has it last.
+        # First impacts: to the second contact of the bearing that has it last.
         bearings = self.summary("out")["bearings"]
         until = max(b[key] for b in bearings.values() for key in ("first_contact_end", "second_contact_time") if b[key] is not None)
         self.assertAlmostEqual(opinion["first_impacts_until"], until, delta=1e-12)
@@ -36,14 +36,14 @@
         difference = abs(self.peak("same") - self.peak("finer")) / max(self.peak("same"), self.peak("finer"))
         self.assertAlmostEqual(results[KEY]["by_finer_steps"], difference, delta=1e-9)
         self.assertGreater(difference, 0, "such a tolerance leaves something")
-#Neighbours : the rotor 1 nm up and down; first_offset is 0 in the reference case.
+        # Neighbours: the rotor 1 nm up and down; first_offset is 0 in the reference case.
         for name, offset in (("up", "1e-9"), ("down", "-1e-9")):
             self.succeed("run", case, "-o", name, *long, *settings(rotor__initial_offset=f"[{offset}, 0]"))
         peaks = [self.peak(name) for name in ("out", "up", "down")]
         self.assertEqual((results[KEY]["lowest"], results[KEY]["highest"]), (min(peaks), max(peaks)))
         self.assertAlmostEqual(results[KEY]["spread"], 1 - min(peaks) / max(peaks), delta=1e-12)
         self.assertEqual(results[KEY]["differs_by"], max(results[KEY]["spread"], results[KEY]["by_finer_steps"]))
-#Orbits that part by 1 % of 250 um.
+        # Orbits that part by 1 % of 250 um.
         with h5py.File(self.folder / "out/results.h5") as own:
             apart, largest = numpy.inf, 0
             for name in ("up", "down"):
@@ -59,7 +59,7 @@
         self.assertEqual(opinion["apart_from"] is not None, bool(numpy.isfinite(apart)))
         if opinion["apart_from"] is not None:
             self.assertAlmostEqual(opinion["apart_from"], apart, delta=1e-12)
-#What belongs to the end is not there when the first impacts are over.
+        # What belongs to the end is not there when the first impacts are over.
         self.assertIsNone(results["rotor_speed_end"]["by_finer_steps"])
         self.assertRegex(done.stdout, r"rotor_speed_end \(finer steps not compared, ")
         self.assertRegex(done.stdout, r"Second opinion \(a tenth of the tolerance and half the longest step up to [0-9.]+ ms; 2 drops that start 1 nm beside\):\n(  .*\n)*  differs by +[0-9.e-]+ %  bearings\.TB1\.peak_contact_force")

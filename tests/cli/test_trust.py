@@ -187,6 +187,17 @@ class DamagedResults(ProgramTest):
                     self.assertEqual(content_of(self.folder / "out"), before)
                     self.assertIn(self.call("report", "out", "-o", "r.html", "--force", timeout=30).returncode, (2,) if not filled else (0, 2))
 
+    def test_files_on_which_hdf5_itself_crashes_are_refused(self):
+        # Single bytes of metadata were altered; HDF5 1.10.8 ends by a signal while it reads them.
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="0.1 ms"))
+        for seed in sorted((pathlib.Path(__file__).parents[1] / "fuzz/seeds/recorded").glob("crash-*.h5")):
+            with self.subTest(seed.name):
+                shutil.copy(seed, self.folder / "out/results.h5")
+                for command in (("report", "out", "-o", "page.html"), ("rerun", "out", "-o", "again")):
+                    done = self.call(*command, timeout=60)
+                    self.assertEqual(done.returncode, 2, done.stderr)
+                    self.assertRegex(done.stderr, r"^error: out/results\.h5: this file is damaged")
+
     def test_one_flipped_bit_of_a_row_is_found(self):
         self.killed()
         with h5py.File(self.folder / "out/results.h5", "r") as file:

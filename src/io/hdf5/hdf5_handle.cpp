@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/errors.h"
+#include "io/hdf5/trial_reading.h"
 
 namespace rotordrop::hdf5 {
 
@@ -58,6 +59,11 @@ void require(herr_t status, std::string_view what) {
 }
 
 Handle open_for_reading(const std::filesystem::path& path) {
+  require_readable(path);
+  return open_without_trial(path);
+}
+
+Handle open_without_trial(const std::filesystem::path& path) {
   be_quiet();
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
@@ -105,17 +111,20 @@ Handle new_dataset(hid_t file, const std::string& path, hid_t type, hid_t space)
 template <class Read>
 std::vector<std::string> texts_of(Handle type, Handle space, std::string_view what, Read read) {
   if (H5Tget_class(type.id()) != H5T_STRING) throw SolverError(std::string(what) + " is not text.");
+  constexpr std::size_t most = std::size_t{64} << 20u;  // bytes, as of any input
   const auto n = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space.id())));
+  const bool is_variable = H5Tis_variable_str(type.id()) > 0;
+  const std::size_t slot = is_variable ? sizeof(char*) : H5Tget_size(type.id());
+  if (slot == 0 || n > most / slot) throw SolverError(std::string(what) + " tells of more text than it can hold.");
   std::vector<std::string> texts;
   texts.reserve(n);
   if (n == 0) return texts;
-  if (H5Tis_variable_str(type.id()) > 0) {
+  if (is_variable) {
     std::vector<char*> buffer(n, nullptr);
     require(read(type.id(), buffer.data()), what);
     for (const char* text : buffer) texts.emplace_back(text == nullptr ? "" : text);
     H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, buffer.data());
   } else {
-    const std::size_t slot = H5Tget_size(type.id());
     std::string buffer(n * slot, '\0');
     require(read(type.id(), buffer.data()), what);
     for (std::size_t i = 0; i < n; ++i)

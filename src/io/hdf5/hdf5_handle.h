@@ -48,8 +48,10 @@ void be_quiet();
 void require(herr_t status, std::string_view what);
 
 /// Opens for reading: also a file that a run is writing (SWMR), or that a killed run left behind.
-/// @throws InputError if there is no such file or it cannot be read as HDF5
+/// @throws InputError if there is no such file or it cannot be read as HDF5; DamagedFile if HDF5 would crash on it
 [[nodiscard]] Handle open_for_reading(const std::filesystem::path& path);
+/// The same without require_readable().
+[[nodiscard]] Handle open_without_trial(const std::filesystem::path& path);
 
 /// Attaches text to a file, group or dataset.
 void write_attribute(hid_t object, const std::string& name, const std::string& text);

@@ -37,6 +37,13 @@ SeriesReader::SeriesReader(hid_t file, const fs::path& file_path, const std::str
   if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || dimensions.empty())
     throw_unreadable(file_path, dataset + " does not hold a series of numbers.");
   shape_.assign(dimensions.begin(), dimensions.end());
+  // Compressed numbers of other programs take less room than they have in memory; rows that are not written yet take none.
+  constexpr double largest_compression = 1100., not_written = 1024. * 1024. * 1024.;
+  double bytes = sizeof(double);
+  for (const hsize_t n : dimensions) bytes *= static_cast<double>(n);
+  if (const auto stored = static_cast<double>(H5Dget_storage_size(id));
+      bytes > largest_compression * stored + not_written)
+    throw_damaged(file_path, "this file is damaged (" + dataset + " tells of more numbers than it can hold).");
 }
 
 std::size_t SeriesReader::row_size() const {
@@ -63,8 +70,12 @@ std::vector<double> SeriesReader::rows(std::size_t from, std::size_t n) const {
 std::vector<std::string> attribute_texts(hid_t object, const fs::path& path, const std::string& owner,
                                          const std::string& name) {
   if (H5Aexists(object, name.c_str()) <= 0) throw_unreadable(path, owner + " has no attribute \"" + name + "\".");
-  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "attribute " + name);
-  return read_attribute_texts(attribute.id(), "attribute " + name);
+  try {
+    const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "attribute " + name);
+    return read_attribute_texts(attribute.id(), "attribute " + name);
+  } catch (const SolverError& error) {
+    throw_damaged(path, "this file is damaged (" + owner + ": " + error.what() + ").");
+  }
 }
 
 }  // namespace rotordrop::hdf5

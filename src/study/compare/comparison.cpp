@@ -146,7 +146,7 @@ void require_something_to_compare(const RecordedDrop& drop, const RecordedDrop* 
   const auto* other = models.empty() || models.front() != kinds[0] ? kinds[0] : kinds[1];
   throw InputError({where, 0, 0},
                    models.empty() ? "the results hold no thermal model"
-                                  : fmt::format("the results hold the {}, but no {} to compare it with",
+                                  : fmt::format("the results hold the {}, but no {} to compare with",
                                                 models.front()->title, other->title),
                    fmt::format("Run the case with thermal.models = [\"{}\", \"{}\"], or name other results with "
                                "--against DIR.",
