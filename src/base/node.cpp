@@ -13,6 +13,8 @@ Node::Node(double value, SourcePosition where) : value_(value), where_(std::move
 Node::Node(const char* value, SourcePosition where) : value_(std::string(value)), where_(std::move(where)) {}
 Node::Node(std::string value, SourcePosition where) : value_(std::move(value)), where_(std::move(where)) {}
 
+Node Node::array() { return array(Array()); }
+
 Node Node::array(Array items, SourcePosition where) {
   Node node;
   node.value_ = std::move(items);

@@ -29,7 +29,8 @@ class Node {
   Node(double value, SourcePosition where = {});
   Node(const char* value, SourcePosition where = {});
   Node(std::string value, SourcePosition where = {});
-  static Node array(Array items = {}, SourcePosition where = {});
+  static Node array();
+  static Node array(Array items, SourcePosition where = {});
   static Node table(SourcePosition where = {});
   static Node table(std::initializer_list<std::pair<std::string, Node>> entries);
 
