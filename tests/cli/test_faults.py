@@ -1,5 +1,6 @@
 """Short forms of the scripts of tests/faults: they find nothing here, and must be able to find something."""
 
+import copy
 import pathlib
 import random
 import subprocess
@@ -24,7 +25,7 @@ class Faults(unittest.TestCase):
 
     def test_random_machines_have_the_properties(self):
         with tempfile.TemporaryDirectory() as folder:
-            self.assertIn("4 machines, 4 of them touched, 6 properties each: 0 failures", self.call("properties", 4, 5, "--save", folder))
+            self.assertIn("4 machines, 4 of them touched, 8 properties each: 0 failures", self.call("properties", 4, 5, "--save", folder))
 
 
 class ThePropertiesCanFail(unittest.TestCase):
@@ -64,6 +65,23 @@ class ThePropertiesCanFail(unittest.TestCase):
             self.program.drop = wrong
             with self.assertRaises(AssertionError):
                 self.properties.energy_closes(self.program, self.machine, self.summary)
+
+    def test_momentum(self):
+        real = self.program.drop
+        def wrong(machine):
+            summary = real(machine)
+            summary["rotor"]["polar_inertia"] *= 1.05
+            return summary
+        self.program.drop = wrong
+        with self.assertRaises(AssertionError):
+            self.properties.spin_momentum(self.program, self.machine, self.summary)
+
+    def test_restarts(self):
+        self.properties.restart_anywhere(self.program, self.machine, self.summary)
+        other = copy.deepcopy(self.summary)
+        other["bearings"]["DE"]["friction_heat"] *= 1 + 1e-15
+        with self.assertRaises(AssertionError):
+            self.properties.restart_anywhere(self.program, self.machine, other)
 
     def test_even_heating(self):
         machine = self.properties.random_machine(random.Random("5 3"))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What must hold for every machine, tried on random valid ones: balances, symmetries, units, even heating.
+"""What must hold for every machine, tried on random valid ones: balances, symmetries, units, restarts, even heating.
 
     tests/faults/properties.py build/release/rotordrop [MACHINES] [SEED] [--save DIR]
 
@@ -14,9 +14,15 @@ import json
 import math
 import pathlib
 import random
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
+
+import h5py
+import numpy
 
 CATALOGUE = pathlib.Path(__file__).resolve().parents[2] / "params/bearings"
 ROUNDOFF = 1e-6  # relative, of peaks, times and heats
@@ -42,6 +48,8 @@ def case_text(machine):
     lines += ["[contact]", f"friction_coefficient = {m['friction']!r}", f"air_gap = {toml(m['gap'])}"]
     lines += ["[integration]", m.get("integration", 'method = "runge-kutta-4"\nstep = "2 us"')]
     lines += ["[materials]", "steel = { E = 2.1e11, nu = 0.3, rho = 7850, k = 46, c = 470, alpha = 11.5e-6 }", "Si3N4 = { E = 3.15e11, nu = 0.26, rho = 3200, k = 25, c = 680, alpha = 3.2e-6 }"]
+    if "output" in m:
+        lines += ["[output]", m["output"]]
     for name, bearing in m["bearings"].items():
         lines += [f"[bearings.{name}]", 'type = "touchdown"'] + [f"{key} = {toml(value)}" for key, value in bearing.items()]
     if "rises" in m:
@@ -182,6 +190,44 @@ def energy_closes(program, machine, _):
         raise AssertionError("energy comes from nowhere")
 
 
+def spin_momentum(program, machine, _):
+    """Friction at the bores alone changes the rotor's spin: Ip (omega - omega_0) = - sum of the integral of F R. No unbalance, which turns it, too."""
+    summary = program.drop({**machine, "unbalance": [], "output": 'interval = "4 us"'})
+    with h5py.File(program.folder / "out/results.h5") as file:
+        times, speed = file["time"][()], file["rotor/spin_speed"][()]
+        change = summary["rotor"]["polar_inertia"] * (speed[-1] - speed[0])
+        impulse, moved = 0.0, 0.0
+        for name, bearing in machine["bearings"].items():
+            # Growth changes the rotor's radius by less than 1e-3 of itself.
+            moment = file[f"bearings/{name}/friction_force"][()] * (0.5 * bore_of(bearing["catalogue"]) - machine["gap"])
+            impulse -= numpy.trapz(moment, times)
+            moved += numpy.trapz(abs(moment), times)
+    # Rows 4 us apart follow impacts of some tenths of a millisecond within a part in a thousand.
+    if abs(change - impulse) > 5e-3 * moved + 1e-9:
+        raise AssertionError(f"spin momentum: it changes by {change} N m s, and friction gives {impulse}")
+
+
+def restart_anywhere(program, machine, summary):
+    """Interrupted at any instant and resumed, the same bits. Steps are fixed."""
+    program.write(machine)
+    shutil.rmtree(program.folder / "parts", ignore_errors=True)
+    process = subprocess.Popen([program.path, "run", "case.toml", "-o", "parts", "--quiet"], cwd=program.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    time.sleep(random.Random(repr(machine["speed"])).uniform(0.02, 0.25))
+    process.send_signal(signal.SIGTERM)
+    if process.wait(timeout=60) not in (0, 143, -15):
+        raise AssertionError(f"restart: the interrupted run ended with {process.returncode}")
+    program.call("run", "case.toml", "-o", "parts", "--resume", "--quiet")
+    resumed = json.loads((program.folder / "parts/summary.json").read_text())
+    whole = copy.deepcopy(summary)
+    for one in (whole, resumed):
+        for key in ("wall_time", "cpu_time", "rhs_evaluations"):  # the first of a part is evaluated anew
+            one["run"].pop(key)
+    if whole != resumed:
+        differing = [f"{name}.{key}" for name, bearing in whole["bearings"].items() for key in bearing if bearing[key] != resumed["bearings"][name].get(key)]
+        differing += [key for key in whole if key != "bearings" and whole[key] != resumed.get(key)]
+        raise AssertionError(f"restart: the resumed drop differs in {differing}")
+
+
 def mirror_image(program, machine, summary):
     """z becomes -z: everything that turns turns the other way."""
     other = copy.deepcopy(machine)
@@ -239,7 +285,7 @@ def even_heating(program, machine, summary):
             raise AssertionError(f"even heating: preload of {name} goes from {a} to {b} N")
 
 
-PROPERTIES = [energy_closes, mirror_image, turned_by_a_ball, order_and_names, units, even_heating]
+PROPERTIES = [energy_closes, spin_momentum, restart_anywhere, mirror_image, turned_by_a_ball, order_and_names, units, even_heating]
 
 
 def fault_of(program, machine, property_):
