@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/trimmed.h"
+
 namespace rotordrop {
 
 std::pair<std::string_view, std::string_view> split_comment(std::string_view line) {
@@ -17,13 +19,8 @@ std::pair<std::string_view, std::string_view> split_comment(std::string_view lin
       quote = c == quote ? '\0' : quote;
     else if (c == '"' || c == '\'')
       quote = c;
-    else if (c == '#') {
-      std::string_view comment = line.substr(i + 1);
-      const auto first = comment.find_first_not_of(" \t\r");
-      comment =
-          first == std::string_view::npos ? "" : comment.substr(first, comment.find_last_not_of(" \t\r") - first + 1);
-      return {line.substr(0, i), comment};
-    }
+    else if (c == '#')
+      return {line.substr(0, i), trimmed(line.substr(i + 1), " \t\r")};
   }
   return {line, ""};
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "base/trimmed.h"
 #include "io/text/input_file.h"
 #include "io/text/parameter_keys.h"
 #include "io/text/toml_mistakes.h"
@@ -151,12 +152,6 @@ Node override_value(const std::string& text, const std::string& name) {
   return Node(text, {name});
 }
 
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string_view::npos ? ""
-                                         : std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
-}
-
 }  // namespace
 
 Node parse_toml(std::string_view text, const std::string& file) {
@@ -180,8 +175,8 @@ Node read_toml_text(std::string_view text, const std::filesystem::path& path,
 
 Setting read_setting(std::string_view assignment) {
   const auto equals = assignment.find('=');
-  const std::string path = trimmed(assignment.substr(0, equals));
-  const std::string text = equals == std::string_view::npos ? "" : trimmed(assignment.substr(equals + 1));
+  const std::string path(trimmed(assignment.substr(0, equals)));
+  const std::string text(equals == std::string_view::npos ? "" : trimmed(assignment.substr(equals + 1)));
   if (const auto parts = assignments_in(assignment); parts.size() > 1) {
     std::string each;
     for (const auto& part : parts) each += " --set " + shell_quoted(part);
