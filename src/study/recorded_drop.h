@@ -39,15 +39,16 @@ class RecordedDrop {
   struct Table {
     std::vector<double> values;  ///< row after row
     std::size_t n_columns = 1;
-    std::string time_path;
-    std::string unit, long_name;       ///< of a drop in memory
-    std::vector<std::string> columns;  ///< likewise: their names, if they have any
+    SeriesMeaning meaning;
   };
   [[nodiscard]] const Table& table(const std::string& dataset) const;
   /// Unit, meaning and columns of a dataset, from memory or from its file.
   [[nodiscard]] SeriesMeaning meaning(const std::string& dataset) const;
   /// One column of a dataset. @throws InputError if it is not there, has no rows, or a value that is no number
   [[nodiscard]] TimeSeries series(const std::string& dataset, std::size_t column = 0) const;
+
+  /// Growth of one of growth_surfaces, from a dataset with one column for each; zero for a surface that results of an earlier version lack.
+  [[nodiscard]] TimeSeries growth(const std::string& dataset, std::size_t surface) const;
 
   // Paths of a model's series, as the coupling of the finite elements makes them.
   /// Volume mean of a body or temperature of a node, "inner_ring", "ball"; of a model that meshes sections also a surface, "bore", with columns mean, lowest, highest.

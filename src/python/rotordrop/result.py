@@ -48,15 +48,14 @@ class Result:
 
     def __init__(self, run: _core.Drop | None, case: Case | None = None, directory: pathlib.Path | None = None) -> None:
         self.case = case
+        self.directory = directory
         if run is not None:
             self.recorded: _core.RecordedDrop = run.recorded
             self._summary: dict[str, typing.Any] | None = run.summary
             self.notes = tuple(run.notes)
-            self.directory = pathlib.Path(self.recorded.directory) if str(self.recorded.directory) not in ("", ".") else None
         else:
             assert directory is not None
             self.recorded = _core.open_results(directory)
-            self.directory = directory
             file = directory / "summary.json"
             self._summary = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else None
             self.notes = ()
