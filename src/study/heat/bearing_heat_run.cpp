@@ -57,8 +57,7 @@ class BearingHeatRun {
 
   Json run() {
     if (is_first_rank()) {
-      folder_.emplace(options_.directory,
-                      options_.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+      folder_.emplace(options_.directory, ResultsFolder::existing_results(false, options_.force));
       recorder_.emplace(make_recorder(case_, options_));
       write_text_atomically(options_.directory / "parameters.toml", case_.drop.resolved);
       if (!field_times_.empty()) fields_.emplace(options_.directory / "fields", case_.bearing);

@@ -149,7 +149,7 @@ Study read_study_of(const fs::path& directory) {
   Study study = read_study(file, {}, case_file);
   // The files have names of the folder; what study and case were called stands in the journal.
   if (const fs::path journal = directory / "study.journal"; fs::is_regular_file(journal, ignored))
-    if (const Json header = Json::parse(Journal::read(journal).header, nullptr, false); header.is_object()) {
+    if (const Json header = Json::parse(Journal::header_of(journal), nullptr, false); header.is_object()) {
       study.name = header.value("name", study.name);
       study.base.name = header.value("case", study.base.name);
     }
@@ -183,7 +183,7 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
       records.insert_or_assign(point, std::move(record));
     }
   }
-  const ResultsFolder folder(output, force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+  const ResultsFolder folder(output, ResultsFolder::existing_results(false, force));
   write_inputs(study, output);
   const StudyTable table = make_table(study, design, records, layouts);
   Journal joined(output / "study.journal", journal_header(study, digest, 1, 1));
