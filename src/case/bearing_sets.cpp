@@ -74,7 +74,8 @@ void make_set(const std::string& name, Node& bearing, Faults& faults) {
 void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
   const Node* bearings = tree.find("bearings");
   if (!bearings || !bearings->is_table()) return;
-  for (const auto& [name, key_where, bearing] : bearings->entries()) {
+  for (const Node::Entry& named : bearings->entries()) {
+    const Node& bearing = named.value;
     const Node* catalogue = bearing.is_table() ? bearing.find("catalogue") : nullptr;
     const Node* rows = bearing.is_table() ? bearing.find("rows") : nullptr;
     if (!catalogue || !catalogue->is_text() || !rows || !rows->is_number() || bearing.has("count")) continue;
@@ -94,7 +95,7 @@ void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
     const double times = rows->number() / own_rows->number();
     warnings.push_back({rows->where(),
                         fmt::format("bearings.{}.rows = {:.0f}, but {} are those of one bearing of the catalogue ({}).",
-                                    name, rows->number(), of_one, entry),
+                                    named.key, rows->number(), of_one, entry),
                         fmt::format("Write count = {:.3g} instead of rows = {:.0f}, or give them of the whole set.",
                                     times, rows->number())});
   }
