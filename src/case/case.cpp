@@ -16,7 +16,6 @@
 #include "case/program_files.h"
 #include "io/text/json_reader.h"
 #include "io/text/parameter_writers.h"
-#include "io/text/source_comments.h"
 #include "io/text/toml_reader.h"
 #include "machine/build_machine.h"
 #include "machine/check_machine.h"
@@ -266,9 +265,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     result.warnings = look_for_slips(*declaration, result.parameters, result.tree);
     look_for_single_entries(result.tree, result.warnings);
     add_keys(result.warnings, result.tree);
-    SourceComments comments;
-    result.resolved = write_resolved({declaration}, result.tree,
-                                     [&comments](const SourcePosition& where) { return comments.at(where); });
+    result.resolved = resolve({declaration}, result.tree);
     return result;
   } catch (const InputError& error) {
     std::vector<Fault> faults = error.faults();

@@ -27,6 +27,10 @@ fs::path results_in(const fs::path& directory) {
   return directory / "results.h5";
 }
 
+bool is_text(const std::string& dataset) {
+  return dataset == "/parameters" || dataset == "/given" || dataset == "/inputs";
+}
+
 }  // namespace
 
 RecordedDrop::RecordedDrop(const fs::path& directory) : directory_(directory), file_(results_in(directory)) {
@@ -56,7 +60,7 @@ RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, const fs:
 }
 
 void RecordedDrop::open() {
-  datasets_ = list_datasets(file_);
+  for (auto& path : list_datasets(file_)) (is_text(path) ? texts_ : datasets_).push_back(std::move(path));
   if (!has("/energy/mechanical"))
     throw InputError({directory_.string(), 0, 0}, "these are heat-only results; they contain no drop",
                      "Give the directory into which `rotordrop run` wrote.");
@@ -88,6 +92,11 @@ std::vector<const ThermalKind*> RecordedDrop::models() const {
   auto kinds = thermal_kinds();
   std::erase_if(kinds, [&](const ThermalKind* kind) { return !has(*kind); });
   return kinds;
+}
+
+std::optional<std::string> RecordedDrop::text(const std::string& dataset) const {
+  if (!std::binary_search(texts_.begin(), texts_.end(), dataset)) return {};
+  return read_text(file_, dataset);
 }
 
 const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const {

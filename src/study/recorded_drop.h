@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,10 @@ class RecordedDrop {
   [[nodiscard]] bool has(const ThermalKind& model) const;
   /// Thermal models with temperatures of a touchdown bearing, in the order of thermal_kinds().
   [[nodiscard]] std::vector<const ThermalKind*> models() const;
-  /// Paths of all datasets, in alphabetical order.
+  /// Paths of all datasets of numbers, in alphabetical order.
   [[nodiscard]] const std::vector<std::string>& datasets() const { return datasets_; }
+  /// What the drop's file tells in words: "/parameters", "/given", "/inputs"; none: it does not, or the drop is in memory.
+  [[nodiscard]] std::optional<std::string> text(const std::string& dataset) const;
   /// A dataset as it is, numbers that are none included.
   struct Table {
     std::vector<double> values;  ///< row after row
@@ -64,7 +67,7 @@ class RecordedDrop {
   std::filesystem::path directory_, file_;
   CaseParameters parameters_;
   std::string case_name_;
-  std::vector<std::string> datasets_;  ///< sorted
+  std::vector<std::string> datasets_, texts_;  ///< sorted
   bool is_windowed_ = false;
   mutable std::map<std::string, Table> tables_;  ///< read so far
 };

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/trimmed.h"
-#include "io/text/source_comments.h"
+#include "io/text/comments.h"
 
 namespace rotordrop {
 namespace {

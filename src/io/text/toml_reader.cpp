@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/trimmed.h"
+#include "io/text/comments.h"
 #include "io/text/input_file.h"
 #include "io/text/parameter_keys.h"
 #include "io/text/toml_mistakes.h"
@@ -77,9 +78,33 @@ SourcePosition position_of_error(const toml::parse_error& error, const std::stri
   return PositionsOf{file}(error.source());
 }
 
+/// Gives keys the comments of their lines.
+void add_comments(Node& node, const std::vector<std::string_view>& comments) {
+  if (node.is_array())
+    for (Node& item : node.items()) add_comments(item, comments);
+  if (!node.is_table()) return;
+  for (Node::Entry& entry : node.entries()) {
+    const auto line = static_cast<std::size_t>(entry.where.line);
+    if (line >= 1 && line <= comments.size()) entry.comment = comments[line - 1];
+    add_comments(entry.value, comments);
+  }
+}
+
+std::vector<std::string_view> comments_of_lines(std::string_view text) {
+  std::vector<std::string_view> comments;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const auto end = std::min(text.find('\n', begin), text.size());
+    comments.push_back(split_comment(text.substr(begin, end - begin)).second);
+    begin = end + 1;
+  }
+  return comments;
+}
+
 Node parsed_toml(std::string_view text, const PositionsOf& position) {
   require_shallow_toml(text, position.file);
-  return converted_table(toml::parse(text, position.file), position);
+  Node tree = converted_table(toml::parse(text, position.file), position);
+  if (position.has_lines) add_comments(tree, comments_of_lines(text));
+  return tree;
 }
 
 /// @param text       of the file at `path`

@@ -179,7 +179,7 @@ class Result:
         return [(float(one.attrib["timestep"]), pvd.parent / one.attrib["file"]) for one in sets]
 
     def _is_series(self, path: str) -> bool:
-        return not path.endswith("/time") and path != "/parameters"
+        return not path.endswith("/time")
 
 
 def read(directory: str | os.PathLike[str]) -> Result:

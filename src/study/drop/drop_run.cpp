@@ -117,7 +117,7 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
     fields.emplace(options.directory, *options.elements, p.thermal.fe, drop.loop().time());
     drop.sections().set_fields(*fields);
   }
-  write_text_atomically(options.directory / "parameters.toml", c.resolved);
+  write_text_atomically(options.directory / "parameters.toml", c.resolved.text);
 
   checkpoints.start_clocks();
   progress.begin(drop.loop().time());

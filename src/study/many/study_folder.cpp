@@ -9,32 +9,18 @@
 #include "io/checkpoint.h"
 #include "io/results_folder.h"
 #include "io/sha256.h"
+#include "io/text/comments.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/search/fit_evaluation.h"
 #include "study/many/study_table.h"
 
 namespace rotordrop {
-namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string without_comments(const std::string& text) {
-  std::string result;
-  bool is_quoted = false, is_comment = false;
-  for (const char c : text) {
-    if (c == '\n') is_comment = false;
-    if (c == '"' && !is_comment) is_quoted = !is_quoted;
-    if (c == '#' && !is_quoted) is_comment = true;
-    if (!is_comment) result += c;
-  }
-  return result;
-}
-
-}  // namespace
-
 std::string digest_of(const Study& study, const Design& design) {
-  std::string text = without_comments(study.base.resolved);
+  std::string text = without_comments(study.base.resolved.text);
   for (const auto& d : study.derived) text += d.name + "=" + d.formula.text() + "\n";
   for (const auto& k : study.keep_results) text += "keep " + k + "\n";
   for (const auto& l : study.limits) text += "limit " + l.pattern + "\n";
@@ -136,7 +122,7 @@ void take_journals_of_ranks(const fs::path& directory, const std::string& header
 
 void write_inputs(const Study& study, const fs::path& directory) {
   write_text_atomically(directory / "study.toml", study.text);
-  write_text_atomically(directory / "case.toml", study.base.resolved);
+  write_text_atomically(directory / "case.toml", study.base.resolved.text);
   if (study.fit) write_measured(study.fit->measured, directory);
 }
 
