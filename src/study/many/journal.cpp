@@ -14,16 +14,12 @@
 #include <optional>
 #include <system_error>
 
+#include "io/sha256.h"
+
 namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string check_sum(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return fmt::format("{:016x}", hash);
-}
 
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();

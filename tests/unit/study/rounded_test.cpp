@@ -22,7 +22,7 @@ TEST(Rounded, TakesNumbersBelowTheSmallestNormalOne) {
 
 TEST(Rounded, IsNullWhereThereIsNoNumber) {
   EXPECT_TRUE(rounded(std::nan(""), 6).is_null());
-  EXPECT_TRUE(rounded(std::vector{1., INFINITY}, 1.)[1].is_null());
+  EXPECT_TRUE(rounded(std::vector<double>{1., INFINITY}, 1.)[1].is_null());
 }
 
 }  // namespace
