@@ -33,8 +33,9 @@ std::string given_values_json(const ResolvedParameters& parameters) {
     const std::string value = normalised(shortened(toml_value(p.value), 60), p.unit);
     if (fallback != value) values.push_back({p.name, value, fallback, p.origin, p.help});
   }
+  // ASCII: Octave stops reading a result file at any other text.
   return nlohmann::ordered_json{{"values", values}, {"n_defaults", parameters.n_defaults}}.dump(
-      -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      -1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace rotordrop
