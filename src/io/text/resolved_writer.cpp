@@ -40,13 +40,14 @@ class Resolver {
         value(d, given, from_parent, place, path_of_shared);
     }
     for (const Declaration& d : section.declarations) {
-      const Node* given = table.find(d.key);
+      const Node::Entry* entry = table.entry(d.key);
+      const Node* given = entry ? &entry->value : nullptr;
       const Node* from_parent = shared.find(d.key);
       const Place below = place.below(d.key);
       if (given && from_parent)
         tables(d, merged(*from_parent, *given), below, "");
       else if (given)
-        tables(d, *given, below, "");
+        tables(d, *given, below, own_mark(*entry));
       else if (from_parent)
         tables(d, *from_parent, below, fmt::format("  # from [{}]", path_of_shared));
       else if (d.fallback || (d.kind == Kind::table && d.required))
@@ -62,6 +63,11 @@ class Resolver {
   }
   /// In a parameters.toml that is read again.
   static bool is_marked_default(const Node::Entry& entry) { return entry.comment == default_mark; }
+  /// The mark of a table that rotordrop wrote there.
+  static std::string own_mark(const Node::Entry& entry) {
+    const bool is_own = is_marked_default(entry) || entry.comment.starts_with(origin_mark);
+    return is_own ? "  # " + entry.comment : "";
+  }
   static std::string origin_in(const Node::Entry& entry, const Place& place) {
     std::string origin = origin_text(entry);
     if (!entry.where.is_known() && place.of_program && !place.of_program->empty()) origin += ": " + *place.of_program;
@@ -90,12 +96,14 @@ class Resolver {
   /// The key that selects a variant.
   void tag(const Declaration& d, const Node::Entry& named, const VariantDeclaration& chosen, const Place& place) {
     const Node::Entry* given = named.value.entry(d.tag_key);
-    if (given && is_marked_default(*given) && d.fallback_tag == chosen.tag) given = nullptr;
-    line(d.tag_key, Node(chosen.tag), given ? "" : default_mark);
-    if (given)
-      result_.given.push_back({joined_path(place.name, d.tag_key), given->value, origin_in(*given, place), {}, "", ""});
-    else
+    if (!given || (is_marked_default(*given) && d.fallback_tag == chosen.tag)) {
+      line(d.tag_key, Node(chosen.tag), default_mark);
       ++result_.n_defaults;
+      return;
+    }
+    std::string origin = origin_in(*given, place);
+    line(d.tag_key, Node(chosen.tag), shows_origins_ ? std::string(origin_mark) + origin : "");
+    result_.given.push_back({joined_path(place.name, d.tag_key), given->value, std::move(origin), {}, "", ""});
   }
   void tables(const Declaration& d, const Node& node, const Place& place, const std::string& mark) {
     if (d.kind == Kind::table) {
