@@ -9,6 +9,7 @@ find_dependency(SUNDIALS COMPONENTS arkode cvodes kinsol sunlinsoldense sunmatri
 find_dependency(NLopt)
 find_dependency(tomlplusplus)
 find_dependency(ZLIB)
+find_dependency(OpenSSL COMPONENTS Crypto)
 
 # Debian 12 has no CMake package of UDUNITS-2, and of HDF5 no target.
 if(NOT TARGET rotordrop_udunits2)

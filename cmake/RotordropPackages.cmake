@@ -58,7 +58,7 @@ set(CPACK_COMPONENT_STUDIES_DESCRIPTION
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME librotordrop-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "rotordrop (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libboost-dev, libhdf5-dev, libsundials-dev, libtomlplusplus-dev, zlib1g-dev, libudunits2-dev, libnlopt-dev")
+    "rotordrop (= ${PROJECT_VERSION}-1), libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libboost-dev, libhdf5-dev, libsundials-dev, libtomlplusplus-dev, zlib1g-dev, libssl-dev, libudunits2-dev, libnlopt-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS cmake)
 set(CPACK_COMPONENT_DEV_DESCRIPTION
     "libraries and headers of rotordrop\n Static libraries, C++20 headers and a CMake package, for supports and thermal\n models of one's own.")

@@ -12,7 +12,7 @@ The rules:
 - case, study and cli see machine, integrate, io and the contracts, and of the parts only headers named *_parameters.h: what can be
   asked of a part goes through machine and analysis.
 - A room may lie in another's folder: thermal/fe. Nobody else includes its headers; it is loaded at run time.
-- A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5 and toml++: only io; zlib: io and cache. deal.II, UMFPACK,
+- A library belongs to the rooms that LIBRARIES gives it. SUNDIALS: only integrate. HDF5 and toml++: only io; zlib: io and cache; OpenSSL: io. deal.II, UMFPACK,
   CHOLMOD, PETSc, MPI and gmsh: only thermal/fe. pybind11: only python.
 - What a room's CMakeLists.txt names under DEPENDS must be in ROOMS too.
 - docs/images/rooms.svg shows what ROOMS says, and docs/reference/source-layout.md has a line for each room.
@@ -82,6 +82,7 @@ LIBRARIES = [
     ("SUNDIALS", r"(arkode|cvodes?|idas?|kinsol|nvector|sundials|sunlinsol|sunmatrix|sunnonlinsol|sunmemory|sunadaptcontroller)/", {"integrate"}),
     ("HDF5", r"(hdf5(_hl)?\.h|H5)", {"io"}),
     ("zlib", r"zlib", {"io", "cache"}),
+    ("OpenSSL", r"openssl/", {"io"}),
     ("toml++", r"(toml\+\+/|toml\.hpp)", {"io"}),
     ("nlohmann-json", r"nlohmann/", {"io", "case", "study", "cli", "python"}),
     ("OpenTURNS", r"openturns/", {"study/openturns"}),

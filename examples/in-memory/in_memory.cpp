@@ -6,16 +6,14 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "analysis/memory_series.h"
+#include "case/built_machine.h"
 #include "case/case_text.h"
-#include "case/fe_module.h"
-#include "machine/build_machine.h"
 #include "study/time_series.h"
 
 using namespace rotordrop;
@@ -35,16 +33,9 @@ TimeSeries line(const SeriesInMemory& s) { return {s.times, s.values}; }
 
 Findings find(const std::string& text, const std::string& folder) {
   const Case c = read_case_text(text, folder);
-  FiniteElements elements = finite_elements_of(c);
-  std::unique_ptr<Machine> machine;
-  {
-    // The finite-element libraries make one section at a time.
-    static std::mutex building;
-    const std::lock_guard one_at_a_time(building);
-    machine = build_machine(c.parameters, c.tree, &elements);
-  }
-  Drop drop(*machine, c.parameters, c.parameters.integration, c.parameters.output, &elements);
-  const MemorySeries series(*machine, drop);
+  BuiltMachine built(c);
+  Drop drop(built.machine(), c.parameters, c.parameters.integration, c.parameters.output, &built.elements());
+  const MemorySeries series(built.machine(), drop);
   drop.run();
 
   Findings found;
@@ -57,7 +48,7 @@ Findings find(const std::string& text, const std::string& folder) {
   found.bore = difference_of(line(series.series("/growth/lumped/TB1", bore)),
                              line(series.series("/growth/fe/TB1", bore)), {.floor = 1e-9});
   const DropResult result = drop.result();
-  found.energy_residual = machine->energy_balance(result.end_time, result.state).residual;
+  found.energy_residual = built.machine().energy_balance(result.end_time, result.state).residual;
   return found;
 }
 

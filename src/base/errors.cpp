@@ -60,15 +60,19 @@ std::string to_string(const SourcePosition& where) {
   return fmt::format("{}:{}:{}", where.file, where.line, where.column);
 }
 
-void Faults::add(SourcePosition where, std::string message, std::string advice) {
-  Fault fault{std::move(where), std::move(message), std::move(advice), {}};
+void Faults::add(Fault fault) {
   if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) faults_.push_back(std::move(fault));
 }
 
-void Faults::add(const Faults& others) {
-  for (const Fault& fault : others)
-    if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) faults_.push_back(fault);
+void Faults::add(SourcePosition where, std::string message, std::string advice) {
+  add(Fault{std::move(where), std::move(message), std::move(advice), {}});
 }
+
+void Faults::add(const std::vector<Fault>& others) {
+  for (const Fault& fault : others) add(fault);
+}
+
+void Faults::add(const Faults& others) { add(others.faults_); }
 
 void Faults::throw_if_any() const {
   if (!faults_.empty()) throw InputError(*this);

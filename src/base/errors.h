@@ -36,7 +36,9 @@ struct Fault {
 class Faults {
  public:
   /// A fault that is already in the list (same place, same words) is not added again.
+  void add(Fault fault);
   void add(SourcePosition where, std::string message, std::string advice = "");
+  void add(const std::vector<Fault>& others);
   void add(const Faults& others);
 
   bool empty() const { return faults_.empty(); }

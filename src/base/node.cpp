@@ -37,22 +37,29 @@ Node Node::table(std::initializer_list<std::pair<std::string, Node>> entries) {
 
 double Node::number() const { return is(Kind::integer) ? static_cast<double>(integer()) : std::get<double>(value_); }
 
-const Node* Node::find(std::string_view key) const {
+const Node::Entry* Node::entry(std::string_view key) const {
   if (!is_table()) return nullptr;
-  const auto found =
-      std::find_if(entries().begin(), entries().end(), [&](const Entry& entry) { return entry.key == key; });
-  return found == entries().end() ? nullptr : &found->value;
+  const auto found = std::find_if(entries().begin(), entries().end(), [&](const Entry& e) { return e.key == key; });
+  return found == entries().end() ? nullptr : &*found;
+}
+
+const Node* Node::find(std::string_view key) const {
+  const Entry* found = entry(key);
+  return found ? &found->value : nullptr;
 }
 
 Node* Node::find(std::string_view key) { return const_cast<Node*>(std::as_const(*this).find(key)); }
 
 Node& Node::set(std::string key, Node value, SourcePosition where_key) {
-  for (Entry& entry : entries())
-    if (entry.key == key) {
-      entry.where = std::move(where_key);
-      return entry.value = std::move(value);
-    }
-  return entries().emplace_back(Entry{std::move(key), std::move(where_key), std::move(value)}).value;
+  const Entry* before = entry(key);
+  std::string comment = before && before->where == where_key ? before->comment : "";
+  return set(Entry{std::move(key), std::move(where_key), std::move(value), std::move(comment)});
+}
+
+Node& Node::set(Entry entry) {
+  for (Entry& own : entries())
+    if (own.key == entry.key) return (own = std::move(entry)).value;
+  return entries().emplace_back(std::move(entry)).value;
 }
 
 void Node::erase(std::string_view key) {
@@ -108,7 +115,7 @@ Node merged(const Node& defaults, const Node& over) {
   result.set_where(over.where());
   for (const Node::Entry& entry : over.entries()) {
     const Node* base = defaults.find(entry.key);
-    result.set(entry.key, base ? merged(*base, entry.value) : entry.value, entry.where);
+    result.set(Node::Entry{entry.key, entry.where, base ? merged(*base, entry.value) : entry.value, entry.comment});
   }
   return result;
 }

@@ -55,8 +55,11 @@ class Node {
   const Node* find(std::string_view key) const;
   Node* find(std::string_view key);
   bool has(std::string_view key) const { return find(key) != nullptr; }
-  /// Adds or replaces a key of this table. Returns the stored value.
+  /// Adds or replaces a key of this table. Returns the stored value. What stands behind the key stays if its place does.
   Node& set(std::string key, Node value, SourcePosition where_key = {});
+  Node& set(Entry entry);
+  /// A key with what belongs to it; nullptr if there is none, or if this is no table.
+  const Entry* entry(std::string_view key) const;
   void erase(std::string_view key);
 
   /// Where the value stands; for a table "[contact]", its header.
@@ -72,6 +75,7 @@ struct Node::Entry {
   std::string key;
   SourcePosition where;  ///< of the key
   Node value;
+  std::string comment = {};  ///< what its author wrote behind it, on its line
 };
 
 /// Where a key of this table stands; the place of the table itself if the key is not given. A dotted path such as

@@ -1,6 +1,7 @@
 #include "base/units.h"
 
 #include "base/errors.h"
+#include "base/trimmed.h"
 
 #include <fmt/format.h>
 #include <udunits2.h>
@@ -86,11 +87,6 @@ struct DimensionVisitor {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c & 0x80) != 0; }
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 enum class UnitText { sound, has_other_exponent, has_number };
 

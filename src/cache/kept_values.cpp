@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <tuple>
 #include <vector>
 
@@ -25,8 +24,10 @@ std::uint32_t checksum(std::string_view bytes) {
 }
 
 std::map<std::string, std::string> read_values(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  // In one piece: these are some megabytes.
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  std::string text(in ? static_cast<std::size_t>(in.tellg()) : 0, '\0');
+  if (!in.seekg(0).read(text.data(), static_cast<std::streamsize>(text.size()))) return {};
   std::map<std::string, std::string> values;
   if (!text.starts_with(mark)) return values;
   try {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/errors.h"
-#include "case/fe_module.h"
+#include "case/modules/fe_module.h"
 #include "io/checkpoint.h"
 #include "machine/heat/bearing_mesh_data.h"
 #include "model/section_quality.h"
@@ -45,7 +45,7 @@ void check_sections(const Case& c, const std::vector<std::string>& names) {
     try {
       static_cast<void>(section_plan(c.parameters, c.tree, name));
     } catch (const InputError& error) {
-      for (const auto& fault : error.faults()) faults.add(fault.where, fault.message, fault.advice);
+      faults.add(error.faults());
     }
   }
   faults.throw_if_any();

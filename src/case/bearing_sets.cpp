@@ -15,8 +15,9 @@ namespace {
 
 /// Whether a value is from the catalogue's file, wherever its folder is.
 bool is_from(const Node& value, const std::string& entry) {
-  const std::filesystem::path file = value.where().file;
-  return file.filename() == entry + ".toml" && file.parent_path().filename() == "bearings";
+  const auto file = std::filesystem::path(value.where().file).lexically_normal();
+  const auto end = (std::filesystem::path("/bearings") / (entry + ".toml")).lexically_normal();
+  return file.generic_string().ends_with(end.generic_string());
 }
 
 /// A catalogue's value times a factor, in SI.
@@ -42,9 +43,10 @@ void make_set(const std::string& name, Node& bearing, Faults& faults) {
   if (!(count >= 2. && count <= 8. && count == std::floor(count))) return;  // the range is that of the key
   const Node* catalogue = bearing.find("catalogue");
   if (!catalogue || !catalogue->is_text()) {
-    faults.add(given->where(), fmt::format("bearings.{}.count = {:.0f} makes a set of a catalogue bearing, but "
-                                           "bearings.{}.catalogue is not given.",
-                                           name, count, name),
+    faults.add(given->where(),
+               fmt::format("bearings.{}.count = {:.0f} makes a set of a catalogue bearing, but "
+                           "bearings.{}.catalogue is not given.",
+                           name, count, name),
                "Name one, or write rows, width, ring_mass, ring_spin_inertia and C0 of the whole set.");
     return;
   }
@@ -63,8 +65,7 @@ void make_set(const std::string& name, Node& bearing, Faults& faults) {
   }
   static constexpr std::array<std::pair<const char*, const char*>, 4> of_all = {
       {{"width", "m"}, {"ring_mass", "kg"}, {"ring_spin_inertia", "kg m2"}, {"C0", "N"}}};
-  for (const auto& [key, unit] : of_all)
-    multiply(bearing, entry, key, unit, count);
+  for (const auto& [key, unit] : of_all) multiply(bearing, entry, key, unit, count);
   multiply(bearing, entry, "C", "N", std::pow(count, 0.7));
 }
 
@@ -73,7 +74,8 @@ void make_set(const std::string& name, Node& bearing, Faults& faults) {
 void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
   const Node* bearings = tree.find("bearings");
   if (!bearings || !bearings->is_table()) return;
-  for (const auto& [name, key_where, bearing] : bearings->entries()) {
+  for (const Node::Entry& named : bearings->entries()) {
+    const Node& bearing = named.value;
     const Node* catalogue = bearing.is_table() ? bearing.find("catalogue") : nullptr;
     const Node* rows = bearing.is_table() ? bearing.find("rows") : nullptr;
     if (!catalogue || !catalogue->is_text() || !rows || !rows->is_number() || bearing.has("count")) continue;
@@ -91,12 +93,11 @@ void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
     const Node* own_rows = read.find("rows");
     if (!own_rows || !own_rows->is_number() || rows->number() <= own_rows->number()) continue;
     const double times = rows->number() / own_rows->number();
-    warnings.push_back(
-        {rows->where(),
-         fmt::format("bearings.{}.rows = {:.0f}, but {} are those of one bearing of the catalogue ({}).", name,
-                     rows->number(), of_one, entry),
-         fmt::format("Write count = {:.3g} instead of rows = {:.0f}, or give them of the whole set.", times,
-                     rows->number())});
+    warnings.push_back({rows->where(),
+                        fmt::format("bearings.{}.rows = {:.0f}, but {} are those of one bearing of the catalogue ({}).",
+                                    named.key, rows->number(), of_one, entry),
+                        fmt::format("Write count = {:.3g} instead of rows = {:.0f}, or give them of the whole set.",
+                                    times, rows->number())});
   }
 }
 

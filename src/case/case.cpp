@@ -11,12 +11,11 @@
 #include "case/bearing_sets.h"
 #include "case/case_keys.h"
 #include "case/case_text.h"
-#include "case/parts_modules.h"
+#include "case/modules/parts_modules.h"
 #include "case/plausibility.h"
 #include "case/program_files.h"
 #include "io/text/json_reader.h"
 #include "io/text/parameter_writers.h"
-#include "io/text/source_comments.h"
 #include "io/text/toml_reader.h"
 #include "machine/build_machine.h"
 #include "machine/check_machine.h"
@@ -138,7 +137,7 @@ void load_rotor_geometry(Node& tree, Faults& faults) {
   try {
     rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
   } catch (const InputError& fault) {
-    for (const auto& one : fault.faults()) faults.add(one.where, one.message, one.advice);
+    faults.add(fault.faults());
     rotor->set("geometry", any_geometry(), key);
   }
 }
@@ -262,12 +261,11 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     check_machine(result.parameters, result.tree, faults);
     check_output(result.parameters, result.tree, faults);
     faults.throw_if_any();
-    result.warnings = look_for_slips(result.parameters, result.tree);
+    const ErasedSection declaration = section.erased();
+    result.warnings = look_for_slips(*declaration, result.parameters, result.tree);
     look_for_single_entries(result.tree, result.warnings);
     add_keys(result.warnings, result.tree);
-    SourceComments comments;
-    result.resolved = write_resolved({section.erased()}, result.tree,
-                                     [&comments](const SourcePosition& where) { return comments.at(where); });
+    result.resolved = resolve({declaration}, result.tree);
     return result;
   } catch (const InputError& error) {
     std::vector<Fault> faults = error.faults();

@@ -8,6 +8,7 @@
 #include "base/parameters/declaration.h"
 #include "case/limits.h"
 #include "integrate/integration_parameters.h"
+#include "io/text/parameter_writers.h"
 #include "machine/machine_parameters.h"
 #include "thermal/heating/prescribed_heat_parameters.h"
 
@@ -27,7 +28,7 @@ struct Case {
   std::string name;  ///< the file's name without its ending
   Node tree;         ///< with its bases, bearings' catalogue data, rotor geometry and overrides merged in
   CaseParameters parameters;
-  std::string resolved;         ///< complete TOML that reads back to the same values
+  ResolvedParameters resolved;
   std::vector<Fault> warnings;  ///< what is allowed but unusual, most often a slip
 };
 

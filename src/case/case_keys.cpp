@@ -28,11 +28,9 @@ bool is_key_character(char c) {
 [[noreturn]] void unknown(const std::string& key, const std::string& word, const std::string& path,
                           std::vector<std::string> known, const SourcePosition& where) {
   std::sort(known.begin(), known.end());
-  const std::string guess = closest_name(word, known);
   throw InputError(
       where, fmt::format("unknown key \"{}\": {} has no \"{}\".", key, path.empty() ? "a case" : path, word),
-      (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", path.empty() ? guess : path + "." + guess)) +
-          fmt::format("Known there: {}.", fmt::join(known, ", ")));
+      suggestion(word, known, fmt::format("Known there: {}.", fmt::join(known, ", ")), path.empty() ? "" : path + "."));
 }
 
 std::vector<std::string> names_in(const SectionDeclaration& section) {

@@ -3,44 +3,10 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <map>
-#include <sstream>
-
-#include "case/case.h"
-#include "io/text/parameter_writers.h"
-#include "io/text/source_comments.h"
+#include <nlohmann/json.hpp>
 
 namespace rotordrop {
 namespace {
-
-/// One `key = value` of parameters.toml.
-struct Assignment {
-  std::string section, key, value, source;
-  bool is_default = false;
-};
-
-std::vector<Assignment> assignments_of(const std::filesystem::path& file) {
-  std::vector<Assignment> list;
-  std::ifstream stream(file);
-  std::string section;
-  std::map<std::string, int> count;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with("[[")) {
-      section = line.substr(2, line.find("]]") - 2);
-      section += fmt::format("[{}]", count[section]++);
-    } else if (line.starts_with("[")) {
-      section = line.substr(1, line.find(']') - 1);
-    } else if (const auto equals = line.find(" = "); equals != std::string::npos) {
-      const std::string_view code = split_comment(line).first, comment = split_comment(line).second;
-      Assignment a{section, line.substr(0, equals), std::string(code.substr(equals + 3)), "", comment == "default"};
-      a.value.resize(a.value.find_last_not_of(' ') + 1);
-      if (comment.starts_with(source_mark)) a.source = comment.substr(std::string_view(source_mark).size());
-      list.push_back(std::move(a));
-    }
-  }
-  return list;
-}
 
 std::string shortened(const std::string& text, std::size_t length) {
   return text.size() <= length ? text : text.substr(0, length) + " … (in parameters.toml)";
@@ -58,57 +24,18 @@ std::string normalised(std::string text, const std::string& unit) {
   return fmt::format("{:.6g}{}", number, rest);
 }
 
-using Path = std::vector<std::string>;
-
-const Declaration* found_in(const SectionDeclaration& section, const Path& path, std::size_t at) {
-  if (at >= path.size()) return nullptr;
-  const Declaration* d = section.find(path[at]);
-  if (!d || at + 1 == path.size()) return d;
-  const bool is_named = d->kind == Declaration::Kind::tables;
-  if (d->nested) return found_in(*d->nested, path, at + (is_named ? 2 : 1));
-  for (const auto& variant : d->variants)
-    if (const auto* found = found_in(*variant.section, path, at + 2)) return found;
-  return nullptr;
-}
-
-const Declaration* declaration_of(const std::vector<ErasedSection>& sections, const std::string& name) {
-  Path path;
-  std::istringstream stream(name);
-  for (std::string part; std::getline(stream, part, '.');) path.push_back(part.substr(0, part.find('[')));
-  for (const auto& section : sections) {
-    const bool is_top = section->name.empty();
-    if (!is_top && section->name != path[0]) continue;
-    if (const auto* found = found_in(*section, path, is_top ? 0 : 1)) return found;
-  }
-  return nullptr;
-}
-
-std::string materials_source(const std::vector<ErasedSection>& sections) {
-  const Declaration* materials = sections.front()->find("materials");
-  return materials ? materials->source : "";
-}
-
 }  // namespace
 
-GivenValues given_values(const std::filesystem::path& parameters) {
-  GivenValues values;
-  const auto sections = case_sections();
-  for (const auto& a : assignments_of(parameters)) {
-    if (a.is_default) {
-      ++values.n_defaults;
-      continue;
-    }
-    const std::string name = a.section.empty() ? a.key : a.section + "." + a.key;
-    const Declaration* d = declaration_of(sections, name);
-    const std::string unit = d ? d->unit : "";
-    const std::string fallback = d && d->fallback ? normalised(shortened(toml_value(*d->fallback), 40), unit) : "—";
-    const std::string value = normalised(shortened(a.value, 60), unit);
-    if (fallback == value) continue;
-    const bool is_built_in = a.source == "the program" && a.section.starts_with("materials.");
-    values.list.push_back({name, value, fallback, is_built_in ? "the program: " + materials_source(sections) : a.source,
-                           d ? d->help : ""});
+std::string given_values_json(const ResolvedParameters& parameters) {
+  auto values = nlohmann::ordered_json::array();
+  for (const auto& p : parameters.given) {
+    const std::string fallback = p.fallback ? normalised(shortened(toml_value(*p.fallback), 40), p.unit) : "—";
+    const std::string value = normalised(shortened(toml_value(p.value), 60), p.unit);
+    if (fallback != value) values.push_back({p.name, value, fallback, p.origin, p.help});
   }
-  return values;
+  // ASCII: Octave stops reading a result file at any other text.
+  return nlohmann::ordered_json{{"values", values}, {"n_defaults", parameters.n_defaults}}.dump(
+      -1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace rotordrop

@@ -1,26 +1,12 @@
 #pragma once
-#include <filesystem>
 #include <string>
-#include <vector>
+
+#include "io/text/parameter_writers.h"
 
 namespace rotordrop {
 
-/// A parameter that differs from its default.
-struct GivenValue {
-  std::string name;      ///< "bearings.TB1.node"
-  std::string value;     ///< with its unit, if it has one
-  std::string fallback;  ///< likewise; a dash if there is none
-  std::string
-      source;  ///< file, line and what their author wrote there; "--set"; empty for runs of programs that did not keep it
-  std::string help;
-};
-
-struct GivenValues {
-  std::vector<GivenValue> list;
-  std::size_t n_defaults = 0;  ///< parameters besides these
-};
-
-/// The given parameters of a run, as its parameters.toml records them.
-GivenValues given_values(const std::filesystem::path& parameters);
+/// Which parameters differ from their defaults, and where they are from: JSON with "values", each [name, value, default, origin, meaning] as
+/// texts, and "n_defaults", the number of the others.
+std::string given_values_json(const ResolvedParameters& parameters);
 
 }  // namespace rotordrop

@@ -166,9 +166,9 @@ void look_at_laws(const std::string& name, const TouchdownParameters& b, const C
 
 }  // namespace
 
-std::vector<Fault> look_for_slips(const CaseParameters& p, const Node& tree) {
+std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseParameters& p, const Node& tree) {
   std::vector<Fault> warnings;
-  for (const auto& section : case_sections()) look_for_unusual_values(*section, tree, warnings);
+  look_for_unusual_values(section, tree, warnings);
   look_at_diameters(p, tree, warnings);
   look_at_rotor(p, tree, warnings);
   look_at_probes(p, tree, warnings);

@@ -5,7 +5,9 @@ namespace rotordrop {
 
 /// Looks for what single values cannot show: dimensions that do not fit each other, a rotor that cannot be, a surface that is too fast.
 /// All of it can be computed, and most often is a slip: warnings, each with its reason.
-[[nodiscard]] std::vector<Fault> look_for_slips(const CaseParameters& parameters, const Node& tree);
+/// @param section  the declaration by which the tree was read
+[[nodiscard]] std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseParameters& parameters,
+                                                const Node& tree);
 
 /// Faults of what the case asks to be written.
 void check_output(const CaseParameters& parameters, const Node& tree, Faults& faults);

@@ -139,10 +139,8 @@ std::string manual_page(const CLI::App& app, const std::string& topic, const std
     known.push_back(command->get_name());
   }
   known.emplace_back("case");
-  const std::string guess = closest_name(topic, known);
   throw InputError({"man", 0, 0}, fmt::format("there is no page on \"{}\".", topic),
-                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                       fmt::format("Pages: {}.", fmt::join(known, ", ")));
+                   suggestion(topic, known, fmt::format("Pages: {}.", fmt::join(known, ", "))));
 }
 
 }  // namespace rotordrop

@@ -166,7 +166,7 @@ InputError with_right_forms(const InputError& error, const std::vector<std::stri
       if (form != "--set " + shell_quoted(assignment))
         fault.advice += (fault.advice.empty() ? "" : "\n") + fmt::format("Write it as: {}", form);
     }
-    faults.add(fault.where, fault.message, fault.advice);
+    faults.add(std::move(fault));
   }
   return InputError(faults);
 }

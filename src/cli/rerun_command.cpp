@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "case/fe_module.h"
-#include "case/recorded_growth.h"
+#include "case/built_machine.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/signals.h"
-#include "machine/build_machine.h"
 #include "study/rerun/rerun.h"
 
 namespace rotordrop {
@@ -27,13 +25,12 @@ int rerun_command(const RerunCommand& command) {
   options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
   ProgressLine line;
   if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
-  FiniteElements elements = finite_elements_of(c);
-  const auto machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
-  options.elements = &elements;
+  BuiltMachine built(c);
+  options.elements = &built.elements();
   catch_signals();
   FinishedDrop result;
   try {
-    result = run_drop(c, *machine, options);
+    result = run_drop(c, built.machine(), options);
   } catch (...) {
     line.finish();
     throw;

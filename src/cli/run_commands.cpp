@@ -7,9 +7,8 @@
 #include "analysis/facts/rotor_report.h"
 #include "base/errors.h"
 #include "base/version.h"
+#include "case/built_machine.h"
 #include "case/case.h"
-#include "case/fe_module.h"
-#include "case/recorded_growth.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/signals.h"
@@ -56,8 +55,10 @@ std::string header(const Case& c) {
 void tell_warnings(const Case& c, bool strict) {
   if (strict) {
     Faults faults;
-    for (const auto& warning : c.warnings)
-      faults.add(warning.where, warning.message, warning.advice + "\nWithout --strict this is a warning.");
+    for (Fault warning : c.warnings) {
+      warning.advice += "\nWithout --strict this is a warning.";
+      faults.add(std::move(warning));
+    }
     faults.throw_if_any();
   }
   for (const auto& warning : c.warnings)
@@ -120,15 +121,14 @@ int run_command(const RunCommand& command) {
   ProgressLine line;
   if (line.is_shown() && !command.quiet) options.report = [&](const Progress& p) { line.show(p); };
 
-  FiniteElements elements = finite_elements_of(drop_case);
-  const auto machine = build_machine(drop_case.parameters, drop_case.tree, &elements, recorded_growth(drop_case));
-  options.elements = &elements;
+  BuiltMachine built(drop_case);
+  options.elements = &built.elements();
   if (!command.quiet) fmt::print("{}", header(drop_case));
   std::fflush(stdout);
   catch_signals();
   FinishedDrop result;
   try {
-    result = run_drop(drop_case, *machine, options);
+    result = run_drop(drop_case, built.machine(), options);
   } catch (...) {
     line.finish();
     throw;
@@ -155,9 +155,8 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   if (is_heat_case(file)) return check_heat_case(file, overrides);
   const Case c = read_case(file, overrides);
   tell_warnings(c, strict);
-  FiniteElements elements = finite_elements_of(c);
-  const auto machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
-  require_known_limits(c, *machine, &elements);
+  BuiltMachine built(c);
+  require_known_limits(c, built.machine(), &built.elements());
   fmt::print("{}", header(c));
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,

@@ -5,11 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "base/errors.h"
 #include "base/version.h"
@@ -112,6 +110,7 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
   StudyOptions options;
   std::tie(options.shard, options.n_shards) = parse_shard(command.shard);
   Study study = read_study(command.file, command.overrides);
+  if (ranks) refuse_search_of_ranks(study);
   if (study.is_search() && !command.shard.empty())
     throw InputError({"--shard", 0, 0},
                      "a search cannot be divided into shards: each of its points follows from earlier ones.",
@@ -151,7 +150,6 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
       fmt::print(stderr, "\r\033[K{}", progress_text(p));
       std::fflush(stderr);
     };
-  if (ranks) refuse_search_of_ranks(study);
   const StudyOutcome outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
   if (ranks) ranks->leave(outcome.is_anyone_lost);
   if (is_shown) fmt::print(stderr, "\n");
@@ -205,14 +203,12 @@ int study_command(const StudyCommand& asked) {
   try {
     return ranks->rank() == 0 ? study_command_of(command, ranks) : study_command_of_rank(command, *ranks);
   } catch (const std::exception&) {
-    // Before the work begins all ranks end together. Later nobody waits for this one.
-    const bool has_begun = ranks->has_begun();
-    if (!has_begun) ranks->begin(false);
-    ranks->leave(has_begun);
-    if (ranks->rank() == 0 || has_begun) throw;
-    // mpirun ends all ranks as soon as one fails: rank 0 says why before that.
-    std::this_thread::sleep_for(std::chrono::seconds(1));
-    return 2;
+    // Before the work begins rank 0 tells all that it does not: they leave together, and only rank 0 fails, which says why. Later, and where
+    // rank 0 finds no fault, nobody waits for this one.
+    const bool is_begun = ranks->has_begun() || ranks->begin(false);
+    ranks->leave(is_begun);
+    if (is_begun || ranks->rank() == 0) throw;
+    return 0;
   }
 }
 

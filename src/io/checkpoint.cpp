@@ -99,9 +99,6 @@ constexpr std::string_view check_sum_mark = "\nrotordrop check sum ";
 constexpr std::size_t check_sum_digits = 16;
 constexpr std::size_t trailer_size = check_sum_mark.size() + check_sum_digits + 1;
 
-/// The first digits of SHA-256: they find every changed byte and every missing end.
-std::string check_sum(std::string_view bytes) { return sha256_of(bytes).substr(0, check_sum_digits); }
-
 Handle in_memory() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");
   hdf5::require(H5Pset_fapl_core(access.id(), std::size_t{1} << 20, false), "keep file in memory");

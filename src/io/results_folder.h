@@ -18,6 +18,10 @@ class ResultsFolder {
     replace,  ///< they are removed
     resume    ///< they are kept
   };
+  /// As options say it.
+  static Existing existing_results(bool resume, bool force) {
+    return resume ? Existing::resume : force ? Existing::replace : Existing::refuse;
+  }
   /// Makes the directory if it does not exist.
   /// @throws InputError if it cannot be made or written into, if another process writes into it, if it holds results that must not be
   /// replaced, or if it holds folders of someone else by the names that results need

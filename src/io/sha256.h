@@ -7,6 +7,8 @@ namespace rotordrop {
 
 /// SHA-256 (FIPS 180-4) as 64 hexadecimal digits, as the command sha256sum prints it.
 std::string sha256_of(std::string_view bytes);
+/// Its first 16 digits: they find every changed byte and every missing end.
+std::string check_sum(std::string_view bytes);
 /// SHA-256 of a TOML text without its comments and without white space outside of quotes.
 std::string sha256_of_toml(std::string_view text);
 /// SHA-256 of a file's content. @throws InputError if it cannot be read

@@ -47,11 +47,11 @@ enum class Observed {
 
 /// A quantity that a part can report: becomes a dataset of the results.
 struct Observable {
-  std::string name;                  ///< dataset name, e.g. "contact_force"
-  std::string unit;                  ///< UDUNITS text of the SI unit
-  std::string long_name;             ///< what it is, in a sentence
-  std::size_t size = 1;              ///< numbers per instant
-  std::vector<std::string> columns;  ///< names of the columns if size > 1
+  std::string name;                       ///< dataset name, e.g. "contact_force"
+  std::string unit;                       ///< UDUNITS text of the SI unit
+  std::string long_name;                  ///< what it is, in a sentence
+  std::size_t size = 1;                   ///< numbers per instant
+  std::vector<std::string> columns = {};  ///< names of the columns if size > 1
   Observed kind = Observed::other;
   std::string place = {};  ///< bearing that it belongs to; a support's own is filled in by the machine
 };

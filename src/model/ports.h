@@ -62,9 +62,13 @@ inline constexpr std::array<const char*, growth_surfaces.size()> growth_surface_
 inline std::array<double, growth_surfaces.size()> growth_values(const Expansion& e) {
   return {e.shaft, e.bore, e.inner_race, e.outer_race, e.ball, e.inner_width, e.outer_width, e.row_difference};
 }
-/// @param values [growth_surfaces.size()]
+/// Whether results of this or an earlier version have so many surfaces: five while growth was radial only, seven while all rows grew alike.
+constexpr bool is_number_of_surfaces(std::size_t n) { return n == 5 || n == 7 || n == growth_surfaces.size(); }
+/// @param values  of growth_surfaces; those that an earlier version did not have may be missing, and are zero
 inline Expansion expansion_of(std::span<const double> values) {
-  return {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7]};
+  Expansion e;
+  for (std::size_t k = 0; k < values.size(); ++k) e.*growth_surfaces.at(k) = values[k];
+  return e;
 }
 /// f a + g b
 inline Expansion combined(double f, const Expansion& a, double g, const Expansion& b) {

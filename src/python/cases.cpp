@@ -28,7 +28,7 @@ void add_cases(py::module_& core) {
   py::class_<Case, std::shared_ptr<Case>>(core, "Case", "A case as read, checked and completed.")
       .def_readonly("name", &Case::name)
       .def_readonly("file", &Case::file)
-      .def_readonly("resolved", &Case::resolved)
+      .def_property_readonly("resolved", [](const Case& c) { return c.resolved.text; })
       .def_property_readonly("warnings", [](const Case& c) { return faults_to_python(c.warnings); })
       .def_property_readonly("bearings",
                              [](const Case& c) {

@@ -3,13 +3,10 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <fstream>
-#include <mutex>
 #include <set>
 
-#include "case/fe_module.h"
-#include "case/recorded_growth.h"
+#include "case/built_machine.h"
 #include "io/checkpoint.h"
-#include "machine/build_machine.h"
 #include "python/bindings.h"
 #include "python/values.h"
 #include "python/watch.h"
@@ -32,21 +29,6 @@ struct PythonRun {
   std::vector<std::string> notes;
 };
 
-struct BuiltMachine {
-  FiniteElements elements;
-  std::unique_ptr<Machine> machine;
-};
-
-/// Without Python's lock.
-BuiltMachine build(const Case& c) {
-  BuiltMachine built;
-  std::unique_lock<std::mutex> lock(section_lock(), std::defer_lock);
-  if (c.parameters.thermal.runs_sections()) lock.lock();
-  built.elements = finite_elements_of(c);
-  built.machine = build_machine(c.parameters, c.tree, &built.elements, recorded_growth(c));
-  return built;
-}
-
 /// Calls a Python function from a run without Python's lock. None: nothing.
 std::function<void(const Progress&)> report_to(const py::object& progress) {
   if (progress.is_none()) return {};
@@ -66,50 +48,36 @@ PythonRun run_in_memory(const Case& c, const std::optional<std::set<std::string>
   options.report = report_to(progress);
   options.tell = [&](const std::string& note) { drop.notes.push_back(note); };
   const py::gil_scoped_release others_may_run;
-  BuiltMachine built = build(c);
-  options.elements = &built.elements;
-  FinishedDrop run = run_drop_in_memory(c, *built.machine, options);
+  BuiltMachine built(c);
+  options.elements = &built.elements();
+  FinishedDrop run = run_drop_in_memory(c, built.machine(), options);
   drop.recorded = std::move(run.recorded);
   drop.summary = summary_json(run.summary);
   drop.is_completed = run.completed;
   return drop;
 }
 
-/// Ctrl-C ends it after the step under way, with a checkpoint, as it ends the program.
 PythonRun run_in_folder(const Case& c, const std::filesystem::path& directory, bool force, bool resume,
                         const py::object& progress) {
-  const ActiveRun active;
+  StoppableRun stoppable(progress);
   PythonRun drop;
-  Watch watch;
-  volatile std::sig_atomic_t stop = 0;
-  std::exception_ptr interruption;
-  const auto report = report_to(progress);
   RunOptions options;
   options.directory = directory;
   options.force = force;
   options.resume = resume;
-  options.stop = &stop;
+  options.stop = stoppable.stop();
   options.tell = [&](const std::string& note) { drop.notes.push_back(note); };
-  options.report = [&](const Progress& p) {
-    if (interruption) return;
-    try {
-      watch.look();
-      if (report) report(p);
-    } catch (...) {
-      interruption = std::current_exception();
-      stop = 1;
-    }
-  };
+  options.report = [&](const Progress& p) { stoppable.report(p); };
   {
     const py::gil_scoped_release others_may_run;
-    BuiltMachine built = build(c);
-    options.elements = &built.elements;
-    FinishedDrop run = run_drop(c, *built.machine, options);
+    BuiltMachine built(c);
+    options.elements = &built.elements();
+    FinishedDrop run = run_drop(c, built.machine(), options);
     drop.summary = summary_json(run.summary);
     drop.is_completed = run.completed;
-    drop.recorded = std::make_shared<const RecordedDrop>(directory);  // all of its series
+    drop.recorded = std::make_shared<const RecordedDrop>(directory, c);  // all of its series
   }
-  if (interruption) std::rethrow_exception(interruption);
+  stoppable.raise();
   return drop;
 }
 

@@ -25,30 +25,16 @@ struct StudyCall {
 /// Ctrl-C, and what the caller's function raises, stop it as Ctrl-C stops the program: the journal keeps the points that are finished.
 py::dict run(const std::filesystem::path& file, const std::vector<std::string>& overrides, const StudyCall& call,
              const py::object& progress) {
-  const ActiveRun active;
-  Watch watch;
-  volatile std::sig_atomic_t stop = 0;
-  std::exception_ptr interruption;
+  StoppableRun stoppable(progress);
   std::vector<std::string> notes;
   StudyOptions options;
   options.directory = call.directory;
   options.n_workers = call.n_workers;
   options.force = call.force;
   options.resume = call.resume;
-  options.stop = &stop;
+  options.stop = stoppable.stop();
   options.tell = [&](const std::string& note) { notes.push_back(note); };
-  options.report = [&](const StudyProgress& p) {
-    if (interruption) return;
-    try {
-      watch.look();
-      if (progress.is_none()) return;
-      const py::gil_scoped_acquire lock;
-      progress(p);
-    } catch (...) {
-      interruption = std::current_exception();
-      stop = 1;
-    }
-  };
+  options.report = [&](const StudyProgress& p) { stoppable.report(p); };
   StudyOutcome outcome;
   {
     const py::gil_scoped_release others_may_run;
@@ -58,7 +44,7 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
     probe_results(study, design, options.evaluate);
     outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
   }
-  if (interruption) std::rethrow_exception(interruption);
+  stoppable.raise();
   py::dict told;
   told["points"] = outcome.n_points;
   told["done"] = outcome.done;

@@ -6,7 +6,6 @@
 #include "base/errors.h"
 
 namespace rotordrop::python {
-namespace py = pybind11;
 
 namespace {
 

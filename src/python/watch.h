@@ -3,9 +3,12 @@
 #include <pybind11/pybind11.h>
 
 #include <chrono>
+#include <csignal>
+#include <exception>
 #include <functional>
 
 namespace rotordrop::python {
+namespace py = pybind11;
 
 /// Exists while a run goes on. The interpreter waits for all of them before it ends: a thread that asks for its lock after that is torn off.
 class ActiveRun {
@@ -30,6 +33,40 @@ class Watch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point last_ = Clock::now();
   unsigned calls_ = 0;
+};
+
+/// A run that ends as the program does after a signal. Ctrl-C, and what the caller's function raises, stop it after the step under way; they
+/// are raised when it has saved its state. Made and destroyed with Python's lock.
+class StoppableRun {
+ public:
+  /// @param progress  called with what the run reports; None: nothing
+  explicit StoppableRun(py::object progress) : progress_(std::move(progress)) {}
+  [[nodiscard]] const volatile std::sig_atomic_t* stop() const { return &stop_; }
+  /// Called by the run, without Python's lock.
+  template <class News>
+  void report(const News& news) {
+    if (interruption_) return;
+    try {
+      watch_.look();
+      if (progress_.is_none()) return;
+      const py::gil_scoped_acquire lock;
+      progress_(news);
+    } catch (...) {
+      interruption_ = std::current_exception();
+      stop_ = 1;
+    }
+  }
+  /// Raises what stopped it, if anything did. With Python's lock.
+  void raise() const {
+    if (interruption_) std::rethrow_exception(interruption_);
+  }
+
+ private:
+  const ActiveRun active_;
+  Watch watch_;
+  py::object progress_;
+  volatile std::sig_atomic_t stop_ = 0;
+  std::exception_ptr interruption_;
 };
 
 }  // namespace rotordrop::python

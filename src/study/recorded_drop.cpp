@@ -27,6 +27,10 @@ fs::path results_in(const fs::path& directory) {
   return directory / "results.h5";
 }
 
+bool is_text(const std::string& dataset) {
+  return dataset == "/parameters" || dataset == "/given" || dataset == "/inputs";
+}
+
 }  // namespace
 
 RecordedDrop::RecordedDrop(const fs::path& directory) : directory_(directory), file_(results_in(directory)) {
@@ -46,17 +50,17 @@ RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, const fs:
     datasets_.push_back(group.path);
     for (auto& kept : group.kept) {
       datasets_.push_back(kept.path);
-      tables_[kept.path] = {std::move(kept.values), kept.size, group.path, kept.unit, kept.long_name,
-                            std::move(kept.columns)};
+      tables_[kept.path] = {
+          std::move(kept.values), kept.size, {kept.unit, kept.long_name, group.path, std::move(kept.columns)}};
     }
     is_windowed_ = is_windowed_ || group.path == "/windows/time";
-    tables_[group.path] = {std::move(group.times), 1, {}, "s", "time", {}};
+    tables_[group.path] = {std::move(group.times), 1, {"s", "time", {}, {}}};
   }
   std::sort(datasets_.begin(), datasets_.end());
 }
 
 void RecordedDrop::open() {
-  datasets_ = list_datasets(file_);
+  for (auto& path : list_datasets(file_)) (is_text(path) ? texts_ : datasets_).push_back(std::move(path));
   if (!has("/energy/mechanical"))
     throw InputError({directory_.string(), 0, 0}, "these are heat-only results; they contain no drop",
                      "Give the directory into which `rotordrop run` wrote.");
@@ -90,25 +94,29 @@ std::vector<const ThermalKind*> RecordedDrop::models() const {
   return kinds;
 }
 
+std::optional<std::string> RecordedDrop::text(const std::string& dataset) const {
+  if (!std::binary_search(texts_.begin(), texts_.end(), dataset)) return {};
+  return read_text(file_, dataset);
+}
+
 const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const {
   const auto found = tables_.find(dataset);
   if (found != tables_.end()) return found->second;
-  Series raw = read_series(file_, dataset);
-  std::string time_path;
-  if (!dataset.ends_with("/time")) time_path = read_attribute(file_, dataset, "time");
+  auto [raw, meaning] = read_series_with_meaning(file_, dataset);
+  if (meaning.time_path.empty() && !dataset.ends_with("/time"))
+    throw InputError({file_.string(), 0, 0}, dataset + " does not name its times", "Is this a drop's series?");
   const std::size_t n_columns = raw.shape.size() > 1 ? raw.shape[1] : 1;
-  return tables_[dataset] = {std::move(raw.values), n_columns, time_path, {}, {}, {}};
+  return tables_[dataset] = {std::move(raw.values), n_columns, std::move(meaning)};
 }
 
 SeriesMeaning RecordedDrop::meaning(const std::string& dataset) const {
-  if (!file_.empty()) return read_meaning(file_, dataset);
-  const Table& t = table(dataset);
-  return {t.unit, t.long_name, t.time_path, t.columns};
+  const auto read = tables_.find(dataset);
+  return read == tables_.end() && !file_.empty() ? read_meaning(file_, dataset) : table(dataset).meaning;
 }
 
 TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) const {
   const Table& t = table(dataset);
-  const Table& times = table(t.time_path);
+  const Table& times = table(t.meaning.time_path);
   // While it is being written, or after it was killed, a series may have rows whose times are not there yet.
   const std::size_t n = std::min(times.values.size(), t.values.size() / t.n_columns);
   if (column >= t.n_columns)
@@ -122,7 +130,7 @@ TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) 
   for (std::size_t i = 0; i < n; ++i) {
     if (!(i == 0 ? std::isfinite(result.times[0]) : result.times[i] > result.times[i - 1]))
       throw InputError({file_.string(), 0, 0},
-                       fmt::format("this file is damaged: {} does not rise after its row {}", t.time_path, i),
+                       fmt::format("this file is damaged: {} does not rise after its row {}", t.meaning.time_path, i),
                        "A run that was interrupted can be resumed from a checkpoint; otherwise run the case again.");
     const double value = t.values[i * t.n_columns + column];
     if (!std::isfinite(value))
@@ -132,6 +140,14 @@ TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) 
     result.values.push_back(value);
   }
   return result;
+}
+
+TimeSeries RecordedDrop::growth(const std::string& dataset, std::size_t surface) const {
+  const std::size_t n_columns = table(dataset).n_columns;
+  if (surface < n_columns || !is_number_of_surfaces(n_columns)) return series(dataset, surface);
+  TimeSeries none = series(dataset);
+  std::fill(none.values.begin(), none.values.end(), 0.);
+  return none;
 }
 
 std::string RecordedDrop::node_path(const ThermalKind& model, const std::string& bearing,
@@ -149,7 +165,7 @@ std::vector<std::string> RecordedDrop::pressure_paths(const std::string& bearing
   std::vector<std::string> paths;
   for (const auto& path : datasets_)
     if (path.starts_with("/bearings/" + bearing + "/") && path.find("pressure") != std::string::npos &&
-        read_attribute(file_, path, "units") == "Pa")
+        meaning(path).unit == "Pa")
       paths.push_back(path);
   return paths;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,21 +34,24 @@ class RecordedDrop {
   [[nodiscard]] bool has(const ThermalKind& model) const;
   /// Thermal models with temperatures of a touchdown bearing, in the order of thermal_kinds().
   [[nodiscard]] std::vector<const ThermalKind*> models() const;
-  /// Paths of all datasets, in alphabetical order.
+  /// Paths of all datasets of numbers, in alphabetical order.
   [[nodiscard]] const std::vector<std::string>& datasets() const { return datasets_; }
+  /// What the drop's file tells in words: "/parameters", "/given", "/inputs"; none: it does not, or the drop is in memory.
+  [[nodiscard]] std::optional<std::string> text(const std::string& dataset) const;
   /// A dataset as it is, numbers that are none included.
   struct Table {
     std::vector<double> values;  ///< row after row
     std::size_t n_columns = 1;
-    std::string time_path;
-    std::string unit, long_name;       ///< of a drop in memory
-    std::vector<std::string> columns;  ///< likewise: their names, if they have any
+    SeriesMeaning meaning;
   };
   [[nodiscard]] const Table& table(const std::string& dataset) const;
   /// Unit, meaning and columns of a dataset, from memory or from its file.
   [[nodiscard]] SeriesMeaning meaning(const std::string& dataset) const;
   /// One column of a dataset. @throws InputError if it is not there, has no rows, or a value that is no number
   [[nodiscard]] TimeSeries series(const std::string& dataset, std::size_t column = 0) const;
+
+  /// Growth of one of growth_surfaces, from a dataset with one column for each; zero for a surface that results of an earlier version lack.
+  [[nodiscard]] TimeSeries growth(const std::string& dataset, std::size_t surface) const;
 
   // Paths of a model's series, as the coupling of the finite elements makes them.
   /// Volume mean of a body or temperature of a node, "inner_ring", "ball"; of a model that meshes sections also a surface, "bore", with columns mean, lowest, highest.
@@ -63,7 +67,7 @@ class RecordedDrop {
   std::filesystem::path directory_, file_;
   CaseParameters parameters_;
   std::string case_name_;
-  std::vector<std::string> datasets_;  ///< sorted
+  std::vector<std::string> datasets_, texts_;  ///< sorted
   bool is_windowed_ = false;
   mutable std::map<std::string, Table> tables_;  ///< read so far
 };

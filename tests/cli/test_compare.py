@@ -96,6 +96,34 @@ class Lumped(ProgramTest):
             for found in [bearing["runs"]["air_gap"], *bearing["runs"]["expansion"].values(), *bearing["runs"]["temperatures"]["lumped"].values()]:
                 self.assertEqual((found["largest_difference"], found["beyond_from"], found["time_beyond"]), (0, None, 0))
 
+    def test_results_that_lack_surfaces_count_as_zero_there(self):
+        """Growth was radial once (five surfaces), then alike in all rows (seven): comparison, preload and a recorded driver read such results as if those were zero."""
+        for n in (5, 7):
+            for name in ("old", "zero"):
+                shutil.rmtree(self.folder / name, ignore_errors=True)
+                shutil.copytree(self.folder / "b", self.folder / name)
+                with h5py.File(self.folder / name / "results.h5", "a") as file:
+                    for path in [f"/bearings/{bearing}/expansion" for bearing in ("TB1", "TB2")]:
+                        values, attributes = file[path][:], dict(file[path].attrs)
+                        values[:, n:] = 0
+                        del file[path]
+                        dataset = file.create_dataset(path, data=values[:, :n] if name == "old" else values)
+                        for key, value in attributes.items():
+                            dataset.attrs[key] = value
+            reports, histories, drops = [], [], []
+            for name in ("old", "zero"):
+                self.succeed("compare", "a", "--against", name, "-o", "c.json", "--force")
+                reports.append(json.loads((self.folder / "c.json").read_text())["bearings"]["TB1"]["runs"]["expansion"])
+                self.succeed("preload", "reference.toml", "--bearing", "TB2", "--results", name, "-o", f"p-{name}", "--force", *settings(preload__growth_by_speed="none"))
+                histories.append(json.loads((self.folder / f"p-{name}/preload.json").read_text())["bearings"]["TB2"]["history"])
+                self.succeed("run", short_case(self, f"{name}.toml", ["lumped"], thermal__driver='"recorded"', thermal__recorded=json.dumps(f"{name}/results.h5")), "-o", f"d-{name}", "--force")
+                with h5py.File(self.folder / f"d-{name}/results.h5") as file:
+                    drops.append(file["/bearings/TB2/expansion"][:])
+            self.assertEqual(list(reports[0]), GROWTH)
+            self.assertEqual(reports[0], reports[1])
+            self.assertEqual(histories[0]["preload"], histories[1]["preload"])
+            numpy.testing.assert_array_equal(drops[0], drops[1])
+
     def test_one_model_alone_has_nothing_to_be_compared_with(self):
         message = self.refused("a")
         self.assertIn("no finite elements to compare with", message)

@@ -74,6 +74,13 @@ class Ranks(ProgramTest):
         self.assertEqual(code, 2)
         self.assertEqual(error.count("range is empty"), 1)
 
+    def test_a_search_is_refused_by_rank_0_alone(self):
+        self.write("s.toml", STUDY.partition("[design]")[0] + '[minimise]\nresult = "bearings.TB1.peak_contact_force"\n')
+        code, _, error = self.run_ranks(3, "-o", "bad")
+        self.assertEqual(code, 2, error)
+        self.assertEqual(error.count("a search runs in one process"), 1)
+        self.assertFalse((self.folder / "bad").exists())
+
     def killed(self, rank):
         """A study of three ranks of which one is killed after its first points."""
         self.write("s.toml", STUDY.replace("SIZE", "60"))

@@ -129,6 +129,20 @@ class Page(SharedRun):
         self.assertIn("spin", given["bearings.TB1.ring_spin_inertia"][3].lower())
         self.assertNotIn("rotor.initial_offset", given, "at its default")
 
+    def test_a_run_from_recorded_parameters_knows_the_first_origins(self):
+        """parameters.toml reads back to itself, comments and defaults included; results without recorded origins have those of its comments."""
+        shutil.copy(self.out / "parameters.toml", self.folder / "drop.toml")
+        self.succeed("run", "drop.toml", "-o", "again")
+        self.assertEqual((self.folder / "again/parameters.toml").read_text(), (self.out / "parameters.toml").read_text())
+        shutil.copytree(self.out, self.folder / "old")
+        with h5py.File(self.folder / "old/results.h5", "a") as file:
+            del file["given"]
+        for name in ("again", "old"):
+            self.succeed("report", name, "-o", f"{name}.html")
+            provenance = data_of((self.folder / f"{name}.html").read_text())["provenance"]
+            self.assertEqual(provenance["given"], self.data["provenance"]["given"], name)
+            self.assertEqual(provenance["n_defaults"], self.data["provenance"]["n_defaults"], name)
+
     def test_sound_runs_have_no_warnings(self):
         states = {check["name"]: check["state"] for check in self.data["checks"]}
         self.assertNotIn("warning", states.values())

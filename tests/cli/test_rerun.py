@@ -37,10 +37,12 @@ class Rerun(ProgramTest):
         done = self.succeed("rerun", file, "-o", "again")
         with h5py.File(file) as first:
             names = []
-            first.visititems(lambda name, item: names.append(name) if isinstance(item, h5py.Dataset) and name != "parameters" else None)
+            first.visititems(lambda name, item: names.append(name) if isinstance(item, h5py.Dataset) and name not in ("parameters", "given") else None)
             with h5py.File(self.folder / "again/results.h5") as second:
                 for name in names:
                     self.assertEqual(first[name][()].tobytes(), second[name][()].tobytes(), name)
+                for name in ("parameters", "given"):
+                    self.assertEqual(first[name][()].decode(), second[name][()].decode(), "values and where they are from")
             n_rows = len(first["time"])
         self.assertGreater(len(names), 50)
         self.assertIn(f"the same bits as {file}: {len(names)} datasets, {n_rows} rows\n", done.stdout)

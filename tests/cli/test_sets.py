@@ -1,6 +1,7 @@
 """count: a set of catalogue bearings has the mass, inertia, width and ratings of all."""
 
 import re
+import shutil
 import sys
 import tomllib
 import unittest
@@ -34,6 +35,13 @@ class Sets(ProgramTest):
         other = tomllib.loads((PARAMS / "bearings/71914-25-pair-X.toml").read_text())
         for key, digits in (("ring_mass", 1e-9), ("width", 1e-9), ("C0", 1e-9), ("C", 1e-3)):
             self.assertAlmostEqual(quantity(pair[key]) / quantity(other[key]), 1, delta=digits, msg=key)
+
+    def test_an_entry_may_lie_in_a_folder_of_the_catalogue(self):
+        (self.folder / "bearings/own").mkdir(parents=True)
+        shutil.copy(PARAMS / "bearings/71914-25.toml", self.folder / "bearings/own/one.toml")
+        for name in ("own/one", "../bearings/own/one"):
+            pair = self.resolved(f'[bearings.TB2]\ncatalogue = "{name}"\ncount = 2\npreload = "290 N"\n')
+            self.assertEqual((pair["rows"], quantity(pair["width"])), (2, 32e-3), name)
 
     def test_what_the_case_gives_is_of_the_whole_set(self):
         pair = self.resolved('[bearings.TB2]\ncatalogue = "71914-25"\ncount = 2\nring_mass = "0.3 kg"\npreload = "290 N"\n')

@@ -50,7 +50,7 @@ class Drop(PackageTest):
         self.assertEqual({k: v for k, v in here.items() if k not in clocks}, {k: v for k, v in program.items() if k not in clocks})
         with h5py.File(self.folder / "out/results.h5") as file:
             paths = []
-            file.visititems(lambda name, item: paths.append("/" + name) if isinstance(item, h5py.Dataset) and name != "parameters" else None)
+            file.visititems(lambda name, item: paths.append("/" + name) if isinstance(item, h5py.Dataset) and name not in ("parameters", "given") else None)
             self.assertEqual(self.result.recorded.datasets, sorted(paths))
             for path in paths:
                 if path.endswith("/time"):

@@ -21,7 +21,7 @@ Node variant_defaults(const Node& table, const VariantDeclaration& chosen) {
   Node defaults = Node::table(table.where());
   if (chosen.takes_defaults)
     for (const Node::Entry& entry : table.entries())
-      if (chosen.section->find(entry.key)) defaults.set(entry.key, entry.value, entry.where);
+      if (chosen.section->find(entry.key)) defaults.set(entry);
   return defaults;
 }
 

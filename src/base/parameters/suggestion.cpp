@@ -56,10 +56,11 @@ std::string closest_name(std::string_view word, const std::vector<std::string>& 
   return longer.size() == 1 ? longer.front() : "";
 }
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& known, const std::string& rest) {
+std::string suggestion(std::string_view word, const std::vector<std::string>& known, const std::string& rest,
+                       std::string_view path) {
   const std::string close = closest_name(word, known);
   if (close.empty()) return rest;
-  return fmt::format("Did you mean \"{}\"?{}{}", close, rest.empty() ? "" : "  ", rest);
+  return fmt::format("Did you mean \"{}{}\"?{}{}", path, close, rest.empty() ? "" : "  ", rest);
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {

@@ -187,12 +187,10 @@ void add_without_repeating_defaults(const Faults& from_one_table, const Node& de
     shared.push_back(entry.where);
     collect_positions(entry.value, shared);
   }
-  for (const Fault& fault : from_one_table) {
-    const bool is_shared =
-        fault.where.is_known() && std::find(shared.begin(), shared.end(), fault.where) != shared.end();
-    faults.add(fault.where,
-               is_shared ? with_path_replaced(fault.message, path_of_table, path_of_defaults) : fault.message,
-               fault.advice);
+  for (Fault fault : from_one_table) {
+    if (fault.where.is_known() && std::find(shared.begin(), shared.end(), fault.where) != shared.end())
+      fault.message = with_path_replaced(fault.message, path_of_table, path_of_defaults);
+    faults.add(std::move(fault));
   }
 }
 

@@ -13,6 +13,27 @@ using hdf5::SeriesReader;
 using hdf5::throw_damaged;
 using hdf5::throw_unreadable;
 
+namespace {
+
+SeriesMeaning meaning_of(hid_t owner, const fs::path& path, const std::string& dataset) {
+  const auto texts = [&](const char* name) {
+    return H5Aexists(owner, name) > 0 ? attribute_texts(owner, path, dataset, name) : std::vector<std::string>();
+  };
+  const auto text = [&](const char* name) {
+    const auto found = texts(name);
+    return found.empty() ? std::string() : found.front();
+  };
+  return {text("units"), text("long_name"), text("time"), texts("columns")};
+}
+
+}  // namespace
+
+std::pair<Series, SeriesMeaning> read_series_with_meaning(const fs::path& path, const std::string& dataset) {
+  const Handle file = hdf5::open_for_reading(path);
+  const SeriesReader reader(file.id(), path, dataset);
+  return {{reader.rows(0, reader.n_rows()), reader.shape()}, meaning_of(reader.id(), path, dataset)};
+}
+
 Series read_series(const fs::path& path, const std::string& dataset) {
   const Handle file = hdf5::open_for_reading(path);
   const SeriesReader reader(file.id(), path, dataset);
@@ -47,15 +68,7 @@ SeriesMeaning read_meaning(const fs::path& path, const std::string& dataset) {
   const Handle file = hdf5::open_for_reading(path);
   if (!has_object(file.id(), dataset)) throw_unreadable(path, "there is no " + dataset + " in this file.");
   const Handle owner(H5Oopen(file.id(), dataset.c_str(), H5P_DEFAULT), H5Oclose, dataset);
-  const auto texts = [&](const char* name) {
-    return H5Aexists(owner.id(), name) > 0 ? attribute_texts(owner.id(), path, dataset, name)
-                                           : std::vector<std::string>();
-  };
-  const auto text = [&](const char* name) {
-    const auto found = texts(name);
-    return found.empty() ? std::string() : found.front();
-  };
-  return {text("units"), text("long_name"), text("time"), texts("columns")};
+  return meaning_of(owner.id(), path, dataset);
 }
 
 std::vector<std::string> list_datasets(const fs::path& path) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/errors.h"
@@ -39,6 +40,9 @@ struct SeriesMeaning {
 /// As read_attribute, for lists such as `columns`.
 [[nodiscard]] std::vector<std::string> read_attribute_list(const std::filesystem::path& path, const std::string& object,
                                                            const std::string& name);
+/// Numbers and what they mean, in one look at the file.
+[[nodiscard]] std::pair<Series, SeriesMeaning> read_series_with_meaning(const std::filesystem::path& path,
+                                                                        const std::string& dataset);
 [[nodiscard]] SeriesMeaning read_meaning(const std::filesystem::path& path, const std::string& dataset);
 /// Paths of all datasets, in alphabetical order.
 [[nodiscard]] std::vector<std::string> list_datasets(const std::filesystem::path& path);

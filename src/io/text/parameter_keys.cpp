@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "base/trimmed.h"
 #include "io/text/toml_reader.h"
 
 namespace rotordrop {
@@ -28,11 +29,7 @@ void add_keys(const SectionDeclaration& section, const std::string& path, std::v
   }
 }
 
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\n");
-  if (first == std::string_view::npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(" \t\n") - first + 1));
-}
+constexpr std::string_view blanks = " \t\n";
 
 bool is_toml(const std::string& text) {
   try {
@@ -55,10 +52,10 @@ std::string with_plain_quotes(std::string text) {
 }
 
 std::string without_outer_quotes(std::string text) {
-  text = trimmed(text);
+  text = std::string(trimmed(text, blanks));
   while (!text.empty() && (text.front() == '"' || text.front() == '\'')) text.erase(0, 1);
   while (!text.empty() && (text.back() == '"' || text.back() == '\'')) text.pop_back();
-  return trimmed(text);
+  return std::string(trimmed(text, blanks));
 }
 
 /// "0,05 mm" as "0.05 mm".
@@ -84,7 +81,7 @@ std::vector<std::string> items_of(std::string_view text) {
     else
       items.back() += c;
   }
-  for (auto& item : items) item = trimmed(item);
+  for (auto& item : items) item = std::string(trimmed(item, blanks));
   if (items.size() > 1 && items.back().empty()) items.pop_back();
   return items;
 }
@@ -146,8 +143,8 @@ std::string shell_quoted(const std::string& word) {
 std::string right_form(const std::vector<ErasedSection>& sections, const std::string& key, std::string_view value) {
   const auto keys = parameter_keys(sections);
   const Declaration* d = declaration_of(keys, key);
-  std::string text = with_plain_quotes(trimmed(value));
-  while (text.starts_with("=")) text = trimmed(std::string_view(text).substr(1));
+  std::string text = with_plain_quotes(std::string(trimmed(value, blanks)));
+  while (text.starts_with("=")) text = std::string(trimmed(std::string_view(text).substr(1), blanks));
   if (text.starts_with("[") && !is_toml(text))
     text = mended_list(text);
   else if (!text.starts_with("[") && !text.starts_with("{") && d && takes_list(*d))
@@ -158,7 +155,7 @@ std::string right_form(const std::vector<ErasedSection>& sections, const std::st
 }
 
 std::vector<std::string> assignments_in(std::string_view text) {
-  const std::string whole = trimmed(text);
+  const std::string whole(trimmed(text, blanks));
   std::vector<std::string> parts;
   std::size_t begin = 0;
   bool is_quoted = false;
@@ -178,11 +175,11 @@ std::vector<std::string> assignments_in(std::string_view text) {
         !is_key(std::string_view(whole).substr(word, end - word)))
       continue;
     if (whole.find('=', begin) > i) continue;  // what stands before is no assignment
-    parts.push_back(trimmed(std::string_view(whole).substr(begin, i - begin)));
+    parts.emplace_back(trimmed(std::string_view(whole).substr(begin, i - begin), blanks));
     begin = word;
     i = equals;
   }
-  parts.push_back(trimmed(std::string_view(whole).substr(begin)));
+  parts.emplace_back(trimmed(std::string_view(whole).substr(begin), blanks));
   return parts;
 }
 

@@ -3,11 +3,11 @@
 #include "base/node.h"
 #include "base/parameters/declaration.h"
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-/// Three texts from the declarations of all sections. A section's name is its table; a section without a name holds the
+/// Texts from the declarations of all sections. A section's name is its table; a section without a name holds the
 /// top level.
 namespace rotordrop {
 
@@ -20,11 +20,28 @@ std::string write_defaults(const std::vector<ErasedSection>& sections);
 /// somewhere.
 std::string write_json_schema(const std::vector<ErasedSection>& sections);
 
-/// The tree as read, completed with all defaults, as TOML that reads back to the same values; "# default" marks what
-/// was not given. Defaults for all bearings are written out in each. Keys that no section declares are left out.
-/// @param source_of  a line of text on where a given value is from, for a comment "# from ..." behind it; none: no such comments
-std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree,
-                           const std::function<std::string(const SourcePosition&)>& source_of = {});
+/// A parameter that was given, rather than left at its declared default.
+struct GivenParameter {
+  std::string name;  ///< "bearings.TB1.node", "rotor.unbalance[0].me"
+  Node value;
+  std::string origin;            ///< as of origin_text(); of a value for all bearings with "[bearings], " before it
+  std::optional<Node> fallback;  ///< declared; none if it must be given or may be absent
+  std::string unit, help;        ///< declared
+};
+
+/// The parameters of a case: every value, and where each that was given is from.
+struct ResolvedParameters {
+  /// TOML that reads back to the same values, complete with all defaults; "# from ORIGIN" marks what was given, "# default" the others.
+  /// Defaults for all bearings are written out in each. Keys that no section declares are left out.
+  std::string text;
+  std::vector<GivenParameter> given;
+  std::size_t n_defaults = 0;  ///< parameters besides these
+};
+/// @param shows_origins  false: the text only says what is not given
+ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree, bool shows_origins = true);
+
+/// Its text, without origins.
+std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree);
 
 /// A value as TOML on one line; numbers read back to the same double. Throws std::invalid_argument for null, which TOML
 /// has not.

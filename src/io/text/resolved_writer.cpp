@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 
+#include "io/text/comments.h"
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_text.h"
 
@@ -13,74 +14,124 @@ namespace {
 
 using Kind = Declaration::Kind;
 
-class ResolvedWriter {
+constexpr const char* default_mark = "default";
+
+/// Where a table of parameters stands.
+struct Place {
+  std::string path;                         ///< of its header: "rotor.unbalance"
+  std::string name;                         ///< the same with entries of lists counted: "rotor.unbalance[0]"
+  const std::string* of_program = nullptr;  ///< source of values that the program gives; may be empty
+
+  [[nodiscard]] Place below(const std::string& key) const {
+    return {joined_path(path, key), joined_path(name, key), of_program};
+  }
+};
+
+class Resolver {
  public:
-  explicit ResolvedWriter(std::function<std::string(const SourcePosition&)> source_of)
-      : source_of_(std::move(source_of)) {}
+  explicit Resolver(bool shows_origins) : shows_origins_(shows_origins) {}
   /// @param shared  for a named table of variants: the values that come from its parent table
-  void section(const SectionDeclaration& section, const Node& table, const std::string& path,
-               const Node& shared = Node(), const std::string& path_of_shared = "") {
+  void section(const SectionDeclaration& section, const Node& table, const Place& place, const Node& shared = Node(),
+               const std::string& path_of_shared = "") {
     for (const Declaration& d : section.declarations) {
-      const Node* given = table.find(d.key);
-      const Node* from_parent = shared.find(d.key);
+      const Node::Entry* given = table.entry(d.key);
+      const Node::Entry* from_parent = shared.entry(d.key);
       if (is_one_value(d) || is_empty_list(d, given ? given : from_parent))
-        value(d, given, from_parent, position_of(given ? table : shared, d.key), path_of_shared);
+        value(d, given, from_parent, place, path_of_shared);
     }
     for (const Declaration& d : section.declarations) {
-      const Node* given = table.find(d.key);
+      const Node::Entry* entry = table.entry(d.key);
+      const Node* given = entry ? &entry->value : nullptr;
       const Node* from_parent = shared.find(d.key);
+      const Place below = place.below(d.key);
       if (given && from_parent)
-        tables(d, merged(*from_parent, *given), joined_path(path, d.key), "");
+        tables(d, merged(*from_parent, *given), below, "");
       else if (given)
-        tables(d, *given, joined_path(path, d.key), "");
+        tables(d, *given, below, own_mark(*entry));
       else if (from_parent)
-        tables(d, *from_parent, joined_path(path, d.key), fmt::format("  # from [{}]", path_of_shared));
+        tables(d, *from_parent, below, fmt::format("  # from [{}]", path_of_shared));
       else if (d.fallback || (d.kind == Kind::table && d.required))
-        tables(d, d.fallback ? *d.fallback : Node::table(), joined_path(path, d.key), "  # default");
+        tables(d, d.fallback ? *d.fallback : Node::table(), below, "  # default");
     }
   }
-  void header(const std::string& header) { text_ += (text_.empty() ? "" : "\n") + header + "\n"; }
-  const std::string& text() const { return text_; }
+  void header(const std::string& header) { result_.text += (result_.text.empty() ? "" : "\n") + header + "\n"; }
+  [[nodiscard]] ResolvedParameters& result() { return result_; }
 
  private:
-  static bool is_empty_list(const Declaration& d, const Node* given) {
-    return d.kind == Kind::list && given && given->is_array() && given->items().empty();
+  static bool is_empty_list(const Declaration& d, const Node::Entry* given) {
+    return d.kind == Kind::list && given && given->value.is_array() && given->value.items().empty();
   }
-  void value(const Declaration& d, const Node* given, const Node* from_parent, const SourcePosition& where,
+  /// In a parameters.toml that is read again.
+  static bool is_marked_default(const Node::Entry& entry) { return entry.comment == default_mark; }
+  /// The mark of a table that rotordrop wrote there.
+  static std::string own_mark(const Node::Entry& entry) {
+    const bool is_own = is_marked_default(entry) || entry.comment.starts_with(origin_mark);
+    return is_own ? "  # " + entry.comment : "";
+  }
+  static std::string origin_in(const Node::Entry& entry, const Place& place) {
+    std::string origin = origin_text(entry);
+    if (!entry.where.is_known() && place.of_program && !place.of_program->empty()) origin += ": " + *place.of_program;
+    return origin;
+  }
+  void line(const std::string& key, const Node& value, const std::string& comment) {
+    result_.text +=
+        fmt::format("{} = {}{}{}\n", toml_key(key), toml_value(value), comment.empty() ? "" : "  # ", comment);
+  }
+  void value(const Declaration& d, const Node::Entry* given, const Node::Entry* from_parent, const Place& place,
              const std::string& path_of_shared) {
-    const auto source = [&](const char* prefix) { return source_of_ ? prefix + source_of_(where) : ""; };
-    if (given)
-      text_ += fmt::format("{} = {}{}\n", toml_key(d.key), toml_value(*given), source("  # from "));
-    else if (from_parent)
-      text_ += fmt::format("{} = {}  # from [{}]{}\n", toml_key(d.key), toml_value(*from_parent), path_of_shared,
-                           source(", "));
-    else if (d.fallback)
-      text_ += fmt::format("{} = {}  # default\n", toml_key(d.key), toml_value(*d.fallback));
+    const Node::Entry* entry = given ? given : from_parent;
+    if (entry && !(d.fallback && is_marked_default(*entry) && toml_value(entry->value) == toml_value(*d.fallback))) {
+      const std::string parent = given ? "" : fmt::format("[{}]", path_of_shared);
+      std::string origin = parent.empty() ? "" : parent + ", ";
+      origin += origin_in(*entry, place);
+      const std::string shown = shows_origins_ ? origin : parent;
+      line(d.key, entry->value, shown.empty() ? "" : std::string(origin_mark) + shown);
+      result_.given.push_back(
+          {joined_path(place.name, d.key), entry->value, std::move(origin), d.fallback, d.unit, d.help});
+    } else if (d.fallback) {
+      line(d.key, *d.fallback, default_mark);
+      ++result_.n_defaults;
+    }
   }
-  void tables(const Declaration& d, const Node& node, const std::string& path, const std::string& mark) {
+  /// The key that selects a variant.
+  void tag(const Declaration& d, const Node::Entry& named, const VariantDeclaration& chosen, const Place& place) {
+    const Node::Entry* given = named.value.entry(d.tag_key);
+    if (!given || (is_marked_default(*given) && d.fallback_tag == chosen.tag)) {
+      line(d.tag_key, Node(chosen.tag), default_mark);
+      ++result_.n_defaults;
+      return;
+    }
+    std::string origin = origin_in(*given, place);
+    line(d.tag_key, Node(chosen.tag), shows_origins_ ? std::string(origin_mark) + origin : "");
+    result_.given.push_back({joined_path(place.name, d.tag_key), given->value, std::move(origin), {}, "", ""});
+  }
+  void tables(const Declaration& d, const Node& node, const Place& place, const std::string& mark) {
     if (d.kind == Kind::table) {
-      header(fmt::format("[{}]{}", path, mark));
-      section(*d.nested, node, path);
+      header(fmt::format("[{}]{}", place.path, mark));
+      section(*d.nested, node, place);
     } else if (d.kind == Kind::list && node.is_array()) {
+      std::size_t n = 0;
       for (const Node& item : node.items()) {
-        header(fmt::format("[[{}]]{}", path, mark));
-        section(*d.nested, item, path);
+        header(fmt::format("[[{}]]{}", place.path, mark));
+        section(*d.nested, item, {place.path, fmt::format("{}[{}]", place.name, n++), place.of_program});
       }
     } else if (d.kind == Kind::tables && node.is_table()) {
       if (node.entries().empty())  // given as empty: that is not the default
-        header(fmt::format("[{}]{}", path, mark));
+        header(fmt::format("[{}]{}", place.path, mark));
       for (const Node::Entry& entry : node.entries()) {
-        header(fmt::format("[{}]{}", joined_path(path, entry.key), mark));
-        section(*d.nested, entry.value, joined_path(path, entry.key));
+        Place below = place.below(entry.key);
+        below.of_program = &d.source;
+        header(fmt::format("[{}]{}", below.path, mark));
+        section(*d.nested, entry.value, below);
       }
     } else if (d.kind == Kind::variants && node.is_table()) {
       for (const Node::Entry& entry : node.entries())
         if (const VariantDeclaration* chosen = variant_of(d, entry.value); chosen && !is_variant_default(d, entry)) {
-          header(fmt::format("[{}]", joined_path(path, entry.key)));
-          const std::string tag_mark = entry.value.has(d.tag_key) ? "" : "  # default";
-          text_ += fmt::format("{} = {}{}\n", toml_key(d.tag_key), quoted_text(chosen->tag), tag_mark);
-          section(without_tag(*chosen->section, d.tag_key), entry.value, joined_path(path, entry.key),
-                  variant_defaults(node, *chosen), path);
+          const Place below = place.below(entry.key);
+          header(fmt::format("[{}]", below.path));
+          tag(d, entry, *chosen, below);
+          section(without_tag(*chosen->section, d.tag_key), entry.value, below, variant_defaults(node, *chosen),
+                  place.path);
         }
     }
   }
@@ -90,26 +141,29 @@ class ResolvedWriter {
     return section;
   }
 
-  const std::function<std::string(const SourcePosition&)> source_of_;
-  std::string text_;
+  const bool shows_origins_;
+  ResolvedParameters result_;
 };
 
 }  // namespace
 
-std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree,
-                           const std::function<std::string(const SourcePosition&)>& source_of) {
-  ResolvedWriter writer(source_of);
+ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree, bool shows_origins) {
+  Resolver resolver(shows_origins);
   for (const ErasedSection& section : top_level_first(sections)) {
     if (section->name.empty()) {
-      writer.section(*section, tree, "");
+      resolver.section(*section, tree, {});
       continue;
     }
     const std::string path = toml_key(section->name);
-    writer.header(fmt::format("[{}]", path));
+    resolver.header(fmt::format("[{}]", path));
     const Node* given = tree.find(section->name);
-    writer.section(*section, given ? *given : Node::table(), path);
+    resolver.section(*section, given ? *given : Node::table(), {path, path});
   }
-  return writer.text();
+  return std::move(resolver.result());
+}
+
+std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree) {
+  return resolve(sections, tree, false).text;
 }
 
 }  // namespace rotordrop

@@ -7,6 +7,9 @@
 #include <regex>
 #include <vector>
 
+#include "base/trimmed.h"
+#include "io/text/comments.h"
+
 namespace rotordrop {
 namespace {
 
@@ -20,30 +23,12 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// What a mistake is, and the line as it is meant; empty if that is not clear.
 struct Guess {
   std::string what, meant;
 };
 
 const std::string key_pattern = R"(^\s*([A-Za-z0-9_."'-]+)\s*)";
-
-/// A text up to a mark of a comment that is not in quotes.
-std::string without_comment(const std::string& line) {
-  char quote = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (quote == 0 && line[i] == '#') return trimmed(line.substr(0, i));
-    if (quote == 0 && (line[i] == '"' || line[i] == '\''))
-      quote = line[i];
-    else if (line[i] == quote)
-      quote = 0;
-  }
-  return trimmed(line);
-}
 
 /// Whether quotes of a line are left open, and from where on.
 std::optional<std::size_t> open_quote(const std::string& line) {
@@ -105,17 +90,17 @@ std::optional<Guess> about_value(const std::string& key, const std::string& valu
   if (std::regex_search(value, m,
                         std::regex(R"(^[\[{](?:.*?[\[,=])?\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?\s*[A-Za-z%/][^,\]}"]*))")))
     return Guess{"a value with a unit is in quotes, in lists, too",
-                 fmt::format("{} = {}", key, replaced(value, m.str(1), '"' + trimmed(m.str(1)) + '"'))};
+                 fmt::format("{} = {}", key, replaced(value, m.str(1), fmt::format("\"{}\"", trimmed(m.str(1)))))};
   return {};
 }
 
 std::optional<Guess> about_line(const std::vector<std::string>& lines, int number, std::string_view description) {
   const std::string& line = lines[static_cast<std::size_t>(number - 1)];
-  const std::string bare = without_comment(line);
+  const std::string bare(trimmed(split_comment(line).first));
   std::smatch m;
   for (const char* quote : {"\u201c", "\u201d", "\u201e", "\u201f", "\u00ab", "\u00bb"})
     if (line.find(quote) != std::string::npos) {
-      std::string meant = trimmed(line);
+      std::string meant(trimmed(line));
       for (const char* other : {"\u201c", "\u201d", "\u201e", "\u201f", "\u00ab", "\u00bb"})
         meant = replaced(meant, other, "\"");
       return Guess{"quotes are straight (\"), not those of a word processor", meant};
@@ -137,21 +122,22 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
   }
   if (std::regex_search(line, std::regex(R"(^\s*(//|;|%|--))")))
     return Guess{"a comment begins with #",
-                 "# " + trimmed(std::regex_replace(line, std::regex(R"(^\s*(//|;|%|--)+\s*)"), ""))};
+                 fmt::format("# {}", trimmed(std::regex_replace(line, std::regex(R"(^\s*(//|;|%|--)+\s*)"), "")))};
   if (description.find("escape") != std::string_view::npos && line.find('\\') != std::string::npos)
     return Guess{"a backslash has a meaning of its own in double quotes; in the name of a file write /",
-                 replaced(trimmed(line), "\\", "/")};
+                 replaced(std::string(trimmed(line)), "\\", "/")};
   if (std::regex_match(bare, m, std::regex(R"(\[+\s*([A-Za-z0-9_.-]+)\s*\]?)")) && !bare.ends_with("]"))
     return Guess{"the name of a section has no closing bracket", fmt::format("[{}]", m.str(1))};
   if (const auto open = open_quote(line)) {
-    const std::string text = trimmed(line.substr(*open + 1));
+    const std::string_view text = trimmed(std::string_view(line).substr(*open + 1));
     const bool is_simple = text.find_first_of("\"',[]{}#=") == std::string::npos;
-    return Guess{"a text has no closing quote", is_simple ? trimmed(line.substr(0, *open)) + " \"" + text + "\"" : ""};
+    return Guess{"a text has no closing quote",
+                 is_simple ? fmt::format("{} \"{}\"", trimmed(std::string_view(line).substr(0, *open)), text) : ""};
   }
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(:=?\s*(.*)$)")))
     return Guess{"a value follows an equals sign", fmt::format("{} = {}", m.str(1), m.str(2))};
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(=\s*(.*)$)")))
-    return about_value(m.str(1), trimmed(m.str(2)));
+    return about_value(m.str(1), std::string(trimmed(m.str(2))));
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(([+-]?[\d"'].*)$)")))
     return Guess{"there is no equals sign between key and value", fmt::format("{} = {}", m.str(1), m.str(2))};
   return {};
@@ -168,7 +154,7 @@ TomlMistake toml_mistake(std::string_view text, int line, std::string_view descr
     if (guess = about_line(lines, before, description); guess) line = before;
   std::string own(description);
   if (own.starts_with("Error")) own.front() = 'e';
-  const std::string shown = trimmed(lines[static_cast<std::size_t>(line - 1)]);
+  const std::string shown(trimmed(lines[static_cast<std::size_t>(line - 1)]));
   if (!guess) return {fmt::format("this is not valid TOML: {}.", own), shown.empty() ? "" : "The line is: " + shown};
   return {fmt::format("this is not valid TOML: {}.", guess->what),
           guess->meant.empty() ? "The line is: " + shown : "Write it as: " + guess->meant};

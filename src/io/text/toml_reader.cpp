@@ -8,6 +8,8 @@
 #include <sstream>
 #include <tuple>
 
+#include "base/trimmed.h"
+#include "io/text/comments.h"
 #include "io/text/input_file.h"
 #include "io/text/parameter_keys.h"
 #include "io/text/toml_mistakes.h"
@@ -76,9 +78,33 @@ SourcePosition position_of_error(const toml::parse_error& error, const std::stri
   return PositionsOf{file}(error.source());
 }
 
+/// Gives keys the comments of their lines.
+void add_comments(Node& node, const std::vector<std::string_view>& comments) {
+  if (node.is_array())
+    for (Node& item : node.items()) add_comments(item, comments);
+  if (!node.is_table()) return;
+  for (Node::Entry& entry : node.entries()) {
+    const auto line = static_cast<std::size_t>(entry.where.line);
+    if (line >= 1 && line <= comments.size()) entry.comment = comments[line - 1];
+    add_comments(entry.value, comments);
+  }
+}
+
+std::vector<std::string_view> comments_of_lines(std::string_view text) {
+  std::vector<std::string_view> comments;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const auto end = std::min(text.find('\n', begin), text.size());
+    comments.push_back(split_comment(text.substr(begin, end - begin)).second);
+    begin = end + 1;
+  }
+  return comments;
+}
+
 Node parsed_toml(std::string_view text, const PositionsOf& position) {
   require_shallow_toml(text, position.file);
-  return converted_table(toml::parse(text, position.file), position);
+  Node tree = converted_table(toml::parse(text, position.file), position);
+  if (position.has_lines) add_comments(tree, comments_of_lines(text));
+  return tree;
 }
 
 /// @param text       of the file at `path`
@@ -151,12 +177,6 @@ Node override_value(const std::string& text, const std::string& name) {
   return Node(text, {name});
 }
 
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string_view::npos ? ""
-                                         : std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
-}
-
 }  // namespace
 
 Node parse_toml(std::string_view text, const std::string& file) {
@@ -180,8 +200,8 @@ Node read_toml_text(std::string_view text, const std::filesystem::path& path,
 
 Setting read_setting(std::string_view assignment) {
   const auto equals = assignment.find('=');
-  const std::string path = trimmed(assignment.substr(0, equals));
-  const std::string text = equals == std::string_view::npos ? "" : trimmed(assignment.substr(equals + 1));
+  const std::string path(trimmed(assignment.substr(0, equals)));
+  const std::string text(equals == std::string_view::npos ? "" : trimmed(assignment.substr(equals + 1)));
   if (const auto parts = assignments_in(assignment); parts.size() > 1) {
     std::string each;
     for (const auto& part : parts) each += " --set " + shell_quoted(part);

@@ -142,7 +142,7 @@ class Case:
             return Result(_core.run_in_memory(self._case, kept, told), self)
         if keep is not None:
             raise ValueError("a run in a directory keeps all series; leave out keep")
-        return Result(_core.run_in_folder(self._case, pathlib.Path(directory), force, resume, told), self)
+        return Result(_core.run_in_folder(self._case, pathlib.Path(directory), force, resume, told), self, pathlib.Path(directory))
 
     def modes(self, speeds: Sequence[float | str] | float | str | None = None, n_modes: int = 10) -> xarray.Dataset:
         """Natural modes of the rotor with the case's linear supports, or free-free if it has none.
@@ -184,8 +184,7 @@ class Case:
 
         bearing   only this touchdown bearing, by itself; default: what the case's [statics] names
         """
-        case = self if bearing is None else self.with_overrides({"statics.subject": "bearings"})
-        return _core.statics(case._case, bearing or "")
+        return _core.statics(self._case, bearing or "")
 
     def preload(self, bearing: str | None = None, drop: Result | None = None) -> preload.Preload:
         """Thermal preload of touchdown bearings by themselves: steady running, maps, and over a drop (docs/how-to/preload.md).

@@ -52,8 +52,6 @@ def write(result: Result, file: str | os.PathLike[str]) -> None:
     units: dict[str, typing.Any] = {}
     columns: dict[str, typing.Any] = {}
     for path in result.recorded.datasets:
-        if path == "/parameters":
-            continue
         one = series.table(result.recorded, path)
         words = path.strip("/").split("/")
         put(tree, words, np.array(one.values).reshape(len(one.values), -1))

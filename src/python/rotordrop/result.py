@@ -48,15 +48,14 @@ class Result:
 
     def __init__(self, run: _core.Drop | None, case: Case | None = None, directory: pathlib.Path | None = None) -> None:
         self.case = case
+        self.directory = directory
         if run is not None:
             self.recorded: _core.RecordedDrop = run.recorded
             self._summary: dict[str, typing.Any] | None = run.summary
             self.notes = tuple(run.notes)
-            self.directory = pathlib.Path(self.recorded.directory) if str(self.recorded.directory) not in ("", ".") else None
         else:
             assert directory is not None
             self.recorded = _core.open_results(directory)
-            self.directory = directory
             file = directory / "summary.json"
             self._summary = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else None
             self.notes = ()
@@ -180,7 +179,7 @@ class Result:
         return [(float(one.attrib["timestep"]), pvd.parent / one.attrib["file"]) for one in sets]
 
     def _is_series(self, path: str) -> bool:
-        return not path.endswith("/time") and path != "/parameters"
+        return not path.endswith("/time")
 
 
 def read(directory: str | os.PathLike[str]) -> Result:

@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 #include "base/version.h"
-#include "case/fe_module.h"
+#include "case/modules/fe_module.h"
 #include "io/text/parameter_writers.h"
 #include "machine/build_machine.h"
 #include "machine/check_machine.h"

@@ -123,7 +123,7 @@ Json compare_runs(const std::string& name, const RecordedDrop& drop, const Recor
   j["air_gap"] = difference_json(drop.series(gap), against.series(gap), {options.growth}, names, instants);
   for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)
     j["expansion"][growth_surface_keys[c]] =
-        difference_json(drop.series(expansion, c), against.series(expansion, c), {options.growth}, names, instants);
+        difference_json(drop.growth(expansion, c), against.growth(expansion, c), {options.growth}, names, instants);
   for (const ThermalKind* kind : thermal_kinds()) {
     if (!drop.has(*kind) || !against.has(*kind)) continue;
     const Tolerance tolerance = temperature_tolerance(options, drop.parameters().run.ambient);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/trimmed.h"
 #include "base/units.h"
 
 namespace rotordrop {
@@ -24,9 +25,7 @@ double positive_si(const std::string& text, const char* unit, QuantityKind kind,
 TemperatureTolerance parse_temperature_tolerance(const std::string& text) {
   const auto percent = text.find('%');
   if (percent != std::string::npos) {
-    std::string before = text.substr(0, percent);
-    before.erase(before.find_last_not_of(' ') + 1);
-    const auto value = bare_number(before);
+    const auto value = bare_number(std::string(trimmed(std::string_view(text).substr(0, percent))));
     if (!value || !(*value > 0.) || !std::isfinite(*value) ||
         text.find_first_not_of(' ', percent + 1) != std::string::npos)
       throw InputError({"--tolerance", 0, 0}, fmt::format("\"{}\" is not a percentage above zero", text),

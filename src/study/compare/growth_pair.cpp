@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
@@ -17,11 +16,7 @@ using Json = nlohmann::ordered_json;
 TimeSeries growth_series(const Side& side, const std::string& bearing, std::size_t surface) {
   const std::string judged = side.drop.node_path(side.kind, bearing, "elastic_growth");
   const bool has_judged = side.kind.meshes_sections && side.drop.has(judged);
-  const std::string path = has_judged ? judged : side.drop.growth_path(side.kind, bearing);
-  if (surface < side.drop.table(path).n_columns) return side.drop.series(path, surface);
-  TimeSeries none = side.drop.series(path, 0);  // results of a version that did not know this surface
-  std::fill(none.values.begin(), none.values.end(), 0.);
-  return none;
+  return side.drop.growth(has_judged ? judged : side.drop.growth_path(side.kind, bearing), surface);
 }
 
 /// constant + sum of factors times growths, by one model.

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/parameters/suggestion.h"
+#include "base/trimmed.h"
 #include "base/units.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/text/input_file.h"
@@ -43,10 +44,7 @@ struct Column {
   std::vector<double> values;
 };
 
-std::string trimmed(const std::string& text) {
-  const auto from = text.find_first_not_of(" \t\r\""), to = text.find_last_not_of(" \t\r\"");
-  return from == std::string::npos ? "" : text.substr(from, to - from + 1);
-}
+constexpr std::string_view blanks = " \t\r\"";
 
 std::optional<double> number_of(const std::string& text) {
   double value = 0.;
@@ -60,7 +58,9 @@ std::optional<double> number_of(const std::string& text) {
 Column named_column(const std::string& text) {
   const auto open = text.rfind(" [");
   if (open == std::string::npos || text.back() != ']') return {text, "", {}};
-  return {trimmed(text.substr(0, open)), text.substr(open + 2, text.size() - open - 3), {}};
+  return {std::string(trimmed(std::string_view(text).substr(0, open), blanks)),
+          text.substr(open + 2, text.size() - open - 3),
+          {}};
 }
 
 /// Numbers in columns, with a line of names or without; lines that begin with # are remarks.
@@ -69,14 +69,13 @@ std::vector<Column> read_table(const fs::path& file, const SourcePosition& where
   std::vector<Column> columns;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    line = trimmed(line).empty() || trimmed(line).front() == '#' ? "" : line;
-    if (line.empty()) continue;
+    if (const auto bare = trimmed(line, blanks); bare.empty() || bare.front() == '#') continue;
     const char separator = line.find(';') != std::string::npos    ? ';'
                            : line.find('\t') != std::string::npos ? '\t'
                                                                   : ',';
     std::vector<std::string> cells;
     std::istringstream parts(line);
-    for (std::string cell; std::getline(parts, cell, separator);) cells.push_back(trimmed(cell));
+    for (std::string cell; std::getline(parts, cell, separator);) cells.emplace_back(trimmed(cell, blanks));
     if (columns.empty() && !number_of(cells.front())) {
       for (const auto& cell : cells) columns.push_back(named_column(cell));
       continue;

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/parameters/suggestion.h"
-#include "io/hdf5/recorded_series.h"
 #include "study/json_number.h"
 #include "study/report/decimation.h"
 #include "study/report/report.h"
 #include "study/report/report_template.h"
+#include "study/report/rounded.h"
 
 namespace rotordrop {
 namespace {
@@ -19,12 +19,7 @@ constexpr std::size_t n_buckets = 700;  // as many as a figure has dots across
 
 Json curve(const std::string& name, const TimeSeries& series) {
   const TimeSeries thin = decimated(series, n_buckets);
-  Json j{{"name", name}, {"times", Json::array()}, {"values", Json::array()}};
-  for (std::size_t i = 0; i < thin.times.size(); ++i) {
-    j["times"].push_back(std::stod(fmt::format("{:.7g}", thin.times[i])));
-    j["values"].push_back(std::stod(fmt::format("{:.6g}", thin.values[i])));
-  }
-  return j;
+  return {{"name", name}, {"times", rounded(thin.times, 1., 7)}, {"values", rounded(thin.values, 1., 6)}};
 }
 
 }  // namespace
@@ -77,7 +72,7 @@ MeasuredComparison compare_with_measured(const RecordedDrop& drop, const std::ve
     if (!drop.has(m.keys.series))
       throw InputError({m.keys.file, 0, 0}, fmt::format("the drop has no series {}.", m.keys.series),
                        suggestion(m.keys.series, drop.datasets(), "docs/reference/results.md lists them."));
-    const std::string unit = read_attribute(drop.directory() / "results.h5", m.keys.series, "units");
+    const std::string unit = drop.meaning(m.keys.series).unit;
     if (!m.unit.empty() && m.unit != unit)
       throw InputError({m.keys.file, 0, 0},
                        fmt::format("{} is in {}, but the measured values are in {}.", m.keys.series, unit, m.unit));

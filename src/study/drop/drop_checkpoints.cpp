@@ -38,8 +38,8 @@ DropCheckpoints::DropCheckpoints(const fs::path& directory, const Case& drop_cas
       folder_(folder),
       tell_(std::move(tell)),
       interval_(drop_case.parameters.output.checkpoint_interval),
-      text_digest_(sha256_of_toml(drop_case.resolved)),
-      digest_(sha256_of_toml(drop_case.resolved + digests_of_files(drop_case))) {
+      text_digest_(sha256_of_toml(drop_case.resolved.text)),
+      digest_(sha256_of_toml(drop_case.resolved.text + digests_of_files(drop_case))) {
   for (const auto& entry : machine.layout().entries()) entry_names_.push_back(entry.name);
 }
 

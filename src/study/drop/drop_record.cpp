@@ -3,6 +3,7 @@
 #include "base/processor.h"
 #include "base/version.h"
 #include "base/wide_vectors.h"
+#include "case/given_values.h"
 #include "case/named_files.h"
 #include "integrate/sundials_version.h"
 #include "io/hdf5/hdf5_version.h"
@@ -23,7 +24,7 @@ RecordHeader record_header(const Case& drop_case) {
        {"frame",
         "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y "
         "towards +z"}},
-      {{"/parameters", drop_case.resolved}}};
+      {{"/parameters", drop_case.resolved.text}, {"/given", given_values_json(drop_case.resolved)}}};
   std::string inputs;
   for (const auto& file : named_files(drop_case)) inputs += file.digest + " " + file.path.string() + "\n";
   if (!inputs.empty()) header.texts.emplace_back("/inputs", inputs);

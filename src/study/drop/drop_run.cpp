@@ -99,9 +99,7 @@ void require_known_limits(const Case& c, const Machine& machine, FiniteElements*
 FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& options) {
   const auto& p = c.parameters;
   require_known_limits(c, machine, options.elements);
-  ResultsFolder folder(options.directory, options.resume  ? ResultsFolder::Existing::resume
-                                          : options.force ? ResultsFolder::Existing::replace
-                                                          : ResultsFolder::Existing::refuse);
+  ResultsFolder folder(options.directory, ResultsFolder::existing_results(options.resume, options.force));
   Drop drop(machine, p, p.integration, p.output, options.elements, options.tell);
   DropRecord record(options.directory, c, machine, drop);
   const bool are_compared = p.thermal.models.size() > 1;
@@ -119,7 +117,7 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
     fields.emplace(options.directory, *options.elements, p.thermal.fe, drop.loop().time());
     drop.sections().set_fields(*fields);
   }
-  write_text_atomically(options.directory / "parameters.toml", c.resolved);
+  write_text_atomically(options.directory / "parameters.toml", c.resolved.text);
 
   checkpoints.start_clocks();
   progress.begin(drop.loop().time());

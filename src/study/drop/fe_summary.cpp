@@ -135,7 +135,7 @@ FeSummary fe_summary(const FiniteElements::Section& s, const ThermalKind& kind, 
     } else if (series.n_columns == 1) {
       fe.rises.emplace_back(name, series.values.back() - zero);
     } else {
-      fe.surfaces.push_back(surface_scalars(name, series.values, drop.table(series.time_path).values, zero));
+      fe.surfaces.push_back(surface_scalars(name, series.values, drop.table(series.meaning.time_path).values, zero));
     }
   }
   return fe;

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "base/parameters/suggestion.h"
 #include "case/bearing_mesh.h"
-#include "case/fe_module.h"
+#include "case/modules/fe_module.h"
 #include "io/text/toml_reader.h"
 #include "machine/check_machine.h"
 #include "study/heat/recorded_heat.h"

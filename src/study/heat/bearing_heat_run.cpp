@@ -41,7 +41,7 @@ Recorder make_recorder(const BearingHeatCase& c, const HeatRunOptions& options) 
                              {"git_revision", git_revision()},
                              {"hdf5_version", hdf5_version()},
                              {"case", c.drop.name}},
-                            {{"/parameters", c.drop.resolved}}};
+                            {{"/parameters", c.drop.resolved.text}}};
   RecorderOptions recorder_options;
   recorder_options.overwrite = options.force;
   return {options.directory / "results.h5", header, {series}, recorder_options};
@@ -57,10 +57,9 @@ class BearingHeatRun {
 
   Json run() {
     if (is_first_rank()) {
-      folder_.emplace(options_.directory,
-                      options_.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+      folder_.emplace(options_.directory, ResultsFolder::existing_results(false, options_.force));
       recorder_.emplace(make_recorder(case_, options_));
-      write_text_atomically(options_.directory / "parameters.toml", case_.drop.resolved);
+      write_text_atomically(options_.directory / "parameters.toml", case_.drop.resolved.text);
       if (!field_times_.empty()) fields_.emplace(options_.directory / "fields", case_.bearing);
     }
     probes_.resize(case_.probes.size());

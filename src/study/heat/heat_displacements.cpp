@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "case/fe_module.h"
+#include "case/modules/fe_module.h"
 
 namespace rotordrop {
 

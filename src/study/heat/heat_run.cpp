@@ -9,7 +9,7 @@
 #include "base/cpu_time.h"
 #include "base/errors.h"
 #include "base/version.h"
-#include "case/fe_module.h"
+#include "case/modules/fe_module.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/field_series.h"
 #include "io/hdf5/hdf5_version.h"
@@ -121,8 +121,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   const FieldTimes field_times(study.field_times, study.field_interval);
   std::optional<ResultsFolder> folder;
   if (is_first_rank()) {
-    folder.emplace(options.directory,
-                   options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+    folder.emplace(options.directory, ResultsFolder::existing_results(false, options.force));
     recorder.emplace(make_recorder(heat_case, options));
     write_text_atomically(options.directory / "parameters.toml", heat_case.resolved);
     if (!field_times.empty()) fields.emplace(options.directory / "fields", "temperature");

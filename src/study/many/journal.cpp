@@ -11,18 +11,15 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
+
+#include "io/sha256.h"
 
 namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string check_sum(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return fmt::format("{:016x}", hash);
-}
 
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();
@@ -55,6 +52,27 @@ PointRecord record_of(const Json& line) {
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+/// The next sound line of a journal; none: it ends, or is damaged from here on.
+std::optional<Json> next_line(std::istream& in, std::size_t& bytes) {
+  std::string line;
+  if (!std::getline(in, line) || in.eof()) return {};  // no line break: its writer was killed
+  if (line.size() < 18 || line[16] != ' ' || check_sum(std::string_view(line).substr(17)) != line.substr(0, 16))
+    return {};
+  Json json = Json::parse(line.begin() + 17, line.end(), nullptr, false);
+  if (json.is_discarded()) return {};
+  bytes = line.size() + 1;
+  return json;
+}
+
+/// The header that begins a journal. @throws InputError
+std::string header_in(std::istream& in, const std::filesystem::path& file, std::size_t& bytes) {
+  if (!in) throw InputError({file.string(), 0, 0}, "there is no such file, or it cannot be read.");
+  const auto line = next_line(in, bytes);
+  if (!line || !line->is_object() || !line->contains("header") || !(*line)["header"].is_string())
+    throw InputError({file.string(), 0, 0}, "this is not the journal of a study, or its beginning is damaged.");
+  return (*line)["header"];
+}
+
 [[noreturn]] void not_written(const std::filesystem::path& file) {
   throw SolverError(file.string() + " cannot be written: " + std::generic_category().message(errno) +
                     ".\n       Finished points are kept. Go on with --resume when there is room.");
@@ -75,23 +93,16 @@ PointResult result_of(const PointRecord& record, const std::vector<std::vector<s
 
 Journal::Content Journal::read(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError({file.string(), 0, 0}, "there is no such file, or it cannot be read.");
   Content content;
-  std::string line;
-  bool is_first = true;
-  while (std::getline(in, line)) {
-    if (in.eof()) break;  // no line break: its writer was killed
-    if (line.size() < 18 || line[16] != ' ' || check_sum(std::string_view(line).substr(17)) != line.substr(0, 16))
-      break;
+  std::size_t bytes = 0;
+  content.header = header_in(in, file, bytes);
+  content.valid_bytes = bytes;
+  while (const auto json = next_line(in, bytes)) {
     try {
-      const Json json = Json::parse(line.begin() + 17, line.end());
-      if (is_first) {
-        content.header = json.at("header").get<std::string>();
-        is_first = false;
-      } else if (json.contains("names")) {
-        content.layouts.push_back(json["names"].get<std::vector<std::string>>());
+      if (json->contains("names")) {
+        content.layouts.push_back(json->at("names").get<std::vector<std::string>>());
       } else {
-        PointRecord record = record_of(json);
+        PointRecord record = record_of(*json);
         if (record.is_done &&
             (record.layout >= content.layouts.size() || content.layouts[record.layout].size() != record.values.size()))
           break;
@@ -101,11 +112,15 @@ Journal::Content Journal::read(const std::filesystem::path& file) {
     } catch (const Json::exception&) {
       break;
     }
-    content.valid_bytes += line.size() + 1;
+    content.valid_bytes += bytes;
   }
-  if (is_first)
-    throw InputError({file.string(), 0, 0}, "this is not the journal of a study, or its beginning is damaged.");
   return content;
+}
+
+std::string Journal::header_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::size_t bytes = 0;
+  return header_in(in, file, bytes);
 }
 
 Journal::Journal(std::filesystem::path file, const std::string& header) : file_(std::move(file)) {

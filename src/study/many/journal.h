@@ -36,6 +36,8 @@ class Journal {
   };
   /// @throws InputError if the file is no journal. A damaged end is left out.
   static Content read(const std::filesystem::path& file);
+  /// Its header alone: its first line. @throws InputError likewise
+  static std::string header_of(const std::filesystem::path& file);
 
   /// A new file, or one to go on with after `content`, whose damaged end is cut off. @throws SolverError
   Journal(std::filesystem::path file, const std::string& header);

@@ -81,10 +81,8 @@ ProbedResults probe_results(Study& study, const Design& design, const Evaluator&
   for (const auto& derived : study.derived) {
     for (const auto& name : derived.formula.names())
       if (std::find(names.begin(), names.end(), name) == names.end()) {
-        const std::string guess = closest_name(name, names);
         faults.add(derived.where, fmt::format("derived.{}: no result is called \"{}\".", derived.name, name),
-                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                       "Formulas use the names of summary.json (docs/reference/results.md).");
+                   suggestion(name, names, "Formulas use the names of summary.json (docs/reference/results.md)."));
       }
   }
   faults.throw_if_any();

@@ -149,11 +149,9 @@ void check_choice(const Study& study, Faults& faults) {
     names.push_back(p.name);
     if (p.name == study.choice->parameter) found = &p;
   }
-  const std::string guess = closest_name(study.choice->parameter, names);
   if (!found)
     faults.add(study.choice->where, fmt::format("choose.parameter = \"{}\" is not varied.", study.choice->parameter),
-               (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                   fmt::format("Varied: {}.", fmt::join(names, ", ")));
+               suggestion(study.choice->parameter, names, fmt::format("Varied: {}.", fmt::join(names, ", "))));
   else if (found->distribution.is_continuous() && study.design.kind != DesignKind::grid &&
            study.design.kind != DesignKind::one_at_a_time)
     faults.add(study.choice->where,

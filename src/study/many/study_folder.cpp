@@ -9,32 +9,18 @@
 #include "io/checkpoint.h"
 #include "io/results_folder.h"
 #include "io/sha256.h"
+#include "io/text/comments.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/search/fit_evaluation.h"
 #include "study/many/study_table.h"
 
 namespace rotordrop {
-namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string without_comments(const std::string& text) {
-  std::string result;
-  bool is_quoted = false, is_comment = false;
-  for (const char c : text) {
-    if (c == '\n') is_comment = false;
-    if (c == '"' && !is_comment) is_quoted = !is_quoted;
-    if (c == '#' && !is_quoted) is_comment = true;
-    if (!is_comment) result += c;
-  }
-  return result;
-}
-
-}  // namespace
-
 std::string digest_of(const Study& study, const Design& design) {
-  std::string text = without_comments(study.base.resolved);
+  std::string text = without_comments(study.base.resolved.text);
   for (const auto& d : study.derived) text += d.name + "=" + d.formula.text() + "\n";
   for (const auto& k : study.keep_results) text += "keep " + k + "\n";
   for (const auto& l : study.limits) text += "limit " + l.pattern + "\n";
@@ -136,7 +122,7 @@ void take_journals_of_ranks(const fs::path& directory, const std::string& header
 
 void write_inputs(const Study& study, const fs::path& directory) {
   write_text_atomically(directory / "study.toml", study.text);
-  write_text_atomically(directory / "case.toml", study.base.resolved);
+  write_text_atomically(directory / "case.toml", study.base.resolved.text);
   if (study.fit) write_measured(study.fit->measured, directory);
 }
 
@@ -149,7 +135,7 @@ Study read_study_of(const fs::path& directory) {
   Study study = read_study(file, {}, case_file);
   // The files have names of the folder; what study and case were called stands in the journal.
   if (const fs::path journal = directory / "study.journal"; fs::is_regular_file(journal, ignored))
-    if (const Json header = Json::parse(Journal::read(journal).header, nullptr, false); header.is_object()) {
+    if (const Json header = Json::parse(Journal::header_of(journal), nullptr, false); header.is_object()) {
       study.name = header.value("name", study.name);
       study.base.name = header.value("case", study.base.name);
     }
@@ -183,7 +169,7 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
       records.insert_or_assign(point, std::move(record));
     }
   }
-  const ResultsFolder folder(output, force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+  const ResultsFolder folder(output, ResultsFolder::existing_results(false, force));
   write_inputs(study, output);
   const StudyTable table = make_table(study, design, records, layouts);
   Journal joined(output / "study.journal", journal_header(study, digest, 1, 1));

@@ -225,9 +225,7 @@ void complete_results(const Study& study, PointResult& result) {
 }
 
 StudyOutcome run_study(const Study& study, const Design& design, const StudyOptions& options) {
-  const ResultsFolder folder(options.directory, options.resume  ? ResultsFolder::Existing::resume
-                                                : options.force ? ResultsFolder::Existing::replace
-                                                                : ResultsFolder::Existing::refuse);
+  const ResultsFolder folder(options.directory, ResultsFolder::existing_results(options.resume, options.force));
   const std::string digest = digest_of(study, design);
   const std::string header = journal_header(study, digest, options.shard, options.n_shards);
   const fs::path file = options.directory / "study.journal";
@@ -281,7 +279,8 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
 
 StudyOutcome run_as_rank(const Study& study, const Design& design, const StudyOptions& options) {
   StudyOutcome outcome;
-  if (!options.ranks->begin(true)) return outcome;
+  outcome.is_complete = !options.ranks->begin(true);  // rank 0 then says why nothing is begun
+  if (outcome.is_complete) return outcome;
   const std::string header = journal_header(study, digest_of(study, design), options.shard, options.n_shards);
   const unsigned n_workers = workers_of(options.n_workers, n_points(study, design));
   GivenPoints points(*options.ranks, n_workers);

@@ -29,10 +29,8 @@ class ParameterReader {
     }
     for (const auto& entry : node.entries())
       if (std::find(words.begin(), words.end(), entry.key) == words.end()) {
-        const std::string guess = closest_name(entry.key, words);
         faults_.add(entry.where, fmt::format("unknown key \"{}\" in vary.{}.", entry.key, p_.name),
-                    (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                        fmt::format("Known here: {}.", fmt::join(words, ", ")));
+                    suggestion(entry.key, words, fmt::format("Known here: {}.", fmt::join(words, ", "))));
       }
     if (const Node* levels = node.find("levels")) {
       if (!levels->is(Node::Kind::integer) || levels->integer() < 1 || levels->integer() > 100000)
@@ -169,10 +167,8 @@ class ParameterReader {
     }
     if (d.kind == K::values) {
       names.emplace_back("discrete");
-      const std::string guess = kind.is_text() ? closest_name(kind.text(), names) : "";
       return fault(kind, fmt::format("there is no distribution {}.", to_text(kind)),
-                   (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                       fmt::format("Known: {}.", fmt::join(names, ", ")));
+                   suggestion(kind.is_text() ? kind.text() : "", names));
     }
     std::optional<double> lower, upper;
     if (d.kind != K::normal) {
@@ -224,7 +220,7 @@ void read_keys(const NamedNode& entry, const Study& study, VariedParameter& para
     try {
       parameter.keys.push_back(declared_key(name, study.base.tree, where));
     } catch (const InputError& error) {
-      for (const auto& fault : error.faults()) faults.add(fault.where, fault.message, fault.advice);
+      faults.add(error.faults());
     }
   }
   for (const auto& key : parameter.keys)
@@ -252,12 +248,10 @@ void resolve_formulas(Study& study, Faults& faults) {
         parameter.formula_of.push_back(*found);
         continue;
       }
-      const std::string guess = closest_name(name, known);
       faults.add(parameter.where,
                  fmt::format("vary.{}: its formula uses \"{}\", which is not a drawn parameter with numbers.",
                              parameter.name, name),
-                 (guess.empty() ? "" : fmt::format("Did you mean \"{}\"?  ", guess)) +
-                     fmt::format("Drawn: {}.", fmt::join(known, ", ")));
+                 suggestion(name, known, fmt::format("Drawn: {}.", fmt::join(known, ", "))));
     }
   }
 }

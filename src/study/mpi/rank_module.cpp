@@ -17,7 +17,7 @@ class MpiRanks final : public Ranks {
   MpiRanks() {
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-    // A rank that is lost must not end the others (mpirun --enable-recovery).
+    // A rank that is lost must not end the others where the launcher lets them live; mpirun of Open MPI ends all by itself.
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);

@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "case/fe_module.h"
-#include "case/recorded_growth.h"
+#include "case/built_machine.h"
 #include "machine/build_machine.h"
 #include "study/json_number.h"
 #include "study/result_limits.h"
@@ -31,13 +30,12 @@ bool is_judged(const std::string& name) {
 }
 
 FinishedDrop run_again(const Case& c, const volatile std::sig_atomic_t* stop) {
-  FiniteElements elements = finite_elements_of(c);
-  const auto machine = build_machine(c.parameters, c.tree, &elements, recorded_growth(c));
+  BuiltMachine built(c);
   MemoryRunOptions options;
-  options.elements = &elements;
+  options.elements = &built.elements();
   options.is_stopped = [stop] { return stop && *stop; };
   options.is_kept = [](const std::string&) { return false; };
-  return run_drop_in_memory(c, *machine, options);
+  return run_drop_in_memory(c, built.machine(), options);
 }
 
 /// The case without what a summary of its own would judge.

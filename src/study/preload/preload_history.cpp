@@ -36,8 +36,7 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
                      fmt::format("the drop recorded no growth for a touchdown bearing \"{}\"", bearing),
                      "Choose a recorded bearing with --bearing.");
   std::array<TimeSeries, growth_surfaces.size()> growth;
-  const std::size_t n_surfaces = std::min(growth.size(), drop.table(from + "expansion").n_columns);
-  for (std::size_t i = 0; i < n_surfaces; ++i) growth[i] = drop.series(from + "expansion", i);
+  for (std::size_t k = 0; k < growth.size(); ++k) growth[k] = drop.growth(from + "expansion", k);
   const auto speed = drop.series(from + "ring_speed");
   const auto force_y = drop.series(from + "bearing_force", 0), force_z = drop.series(from + "bearing_force", 1);
 
@@ -79,7 +78,7 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
     BearingState state;
     state.speed = speed.values[i];
     std::array<double, growth_surfaces.size()> recorded{};
-    for (std::size_t k = 0; k < n_surfaces; ++k) recorded[k] = growth[k].values[i];
+    for (std::size_t k = 0; k < growth.size(); ++k) recorded[k] = growth[k].values[i];
     state.growth = combined(1., expansion_of(recorded), 1., cold_growth(cold_parameters, b, state.speed));
     // The balls' force on the ring is what a ring at rest answers with.
     if (under_load) {

@@ -63,12 +63,11 @@ Json run_preload(const Case& c, const PreloadOptions& options) {
   std::optional<RecordedDrop> drop;
   if (!options.results.empty()) drop.emplace(options.results);
   check_directory(options);
-  const ResultsFolder folder(options.directory,
-                             options.force ? ResultsFolder::Existing::replace : ResultsFolder::Existing::refuse);
+  const ResultsFolder folder(options.directory, ResultsFolder::existing_results(false, options.force));
   std::vector<PreloadTable> tables;
   Json report = find_preload(c, options.bearing, drop ? &*drop : nullptr, tables);
   write_tables(options.directory / "preload.h5", c, tables, options.force);
-  write_text_atomically(options.directory / "parameters.toml", c.resolved);
+  write_text_atomically(options.directory / "parameters.toml", c.resolved.text);
   write_text_atomically(options.directory / "preload.json", report.dump(2) + "\n");
   return report;
 }

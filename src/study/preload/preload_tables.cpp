@@ -45,7 +45,7 @@ void write_tables(const std::filesystem::path& file, const Case& c, const std::v
                              {"git_revision", git_revision()},
                              {"content", "thermal preload"},
                              {"case", c.name}},
-                            {{"/parameters", c.resolved}}};
+                            {{"/parameters", c.resolved.text}}};
   Recorder recorder(file, header, groups, options);
   for (std::size_t g = 0; g < tables.size(); ++g)
     for (std::size_t i = 0; i < tables[g].axis.size(); ++i) recorder.append(g, tables[g].axis[i], tables[g].rows[i]);

@@ -155,10 +155,10 @@ Json report_provenance(const RecordedDrop& drop) {
   fact("SHA-256 of results.h5", sha256_of_file(results));
   fact("SHA-256 of parameters.toml", sha256_of_file(parameters));
 
-  const GivenValues values = given_values(parameters);
-  Json given = Json::array();
-  for (const auto& v : values.list) given.push_back({v.name, v.value, v.fallback, v.source, v.help});
-  return {{"facts", facts}, {"given", given}, {"n_defaults", values.n_defaults}};
+  // Results from before origins were recorded: as their parameters.toml has them.
+  const auto recorded = drop.text("/given");
+  const auto given = Json::parse(recorded ? *recorded : given_values_json(read_case(parameters).resolved));
+  return {{"facts", facts}, {"given", given["values"]}, {"n_defaults", given["n_defaults"]}};
 }
 
 }  // namespace rotordrop

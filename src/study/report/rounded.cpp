@@ -11,11 +11,14 @@ namespace rotordrop {
 
 using Json = nlohmann::ordered_json;
 
+Json rounded(double value, int digits) {
+  // Not std::stod, which throws for subnormal numbers.
+  return std::isfinite(value) ? Json(std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr)) : Json();
+}
+
 Json rounded(std::span<const double> values, double scale, int digits) {
   Json list = Json::array();
-  for (const double v : values)
-    list.push_back(std::isfinite(v) ? Json(std::strtod(fmt::format("{:.{}g}", v * scale, digits).c_str(), nullptr))
-                                    : Json(nullptr));
+  for (const double v : values) list.push_back(rounded(v * scale, digits));
   return list;
 }
 

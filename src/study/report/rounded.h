@@ -7,6 +7,8 @@
 
 namespace rotordrop {
 
+/// Null if it is not finite.
+nlohmann::ordered_json rounded(double value, int digits);
 /// Five digits are more than a picture shows; times get one more, since they grow while their differences do not. Values that are not finite
 /// become null.
 nlohmann::ordered_json rounded(std::span<const double> values, double scale, int digits = 5);

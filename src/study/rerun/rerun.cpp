@@ -10,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -86,10 +85,15 @@ RecordedInput read_recorded_input(const fs::path& path) {
   input.revision = attribute_or_unknown(input.file, "git_revision");
   input.processor = attribute_or_unknown(input.file, "processor");
   input.instruction_set = attribute_or_unknown(input.file, "instruction_set");
+  GivenCase given;
+  given.file = input.file.parent_path() / (read_attribute(input.file, "/", "case") + ".toml");
+  given.tree = parse_toml(read_text(input.file, "/parameters"), given.file.string());
   // Of a set of catalogue bearings the values are all there: the catalogue itself may have gone.
-  const std::string text =
-      std::regex_replace(read_text(input.file, "/parameters"), std::regex("(^|\n)(catalogue|count) = [^\n]*"), "$1");
-  input.drop_case = read_case_text(text, input.file.parent_path(), read_attribute(input.file, "/", "case"));
+  if (Node* bearings = given.tree->find("bearings"); bearings && bearings->is_table())
+    for (auto& bearing : bearings->entries())
+      if (bearing.value.is_table())
+        for (const char* key : {"catalogue", "count"}) bearing.value.erase(key);
+  input.drop_case = read_given_case(given, {});
   return input;
 }
 
@@ -99,7 +103,7 @@ nlohmann::ordered_json finished_summary(const fs::path& directory, const Case& c
     return nullptr;
   std::ifstream parameters(directory / "parameters.toml"), file(directory / "summary.json");
   const std::string text{std::istreambuf_iterator<char>(parameters), {}};
-  if (sha256_of_toml(text) != sha256_of_toml(c.resolved)) return nullptr;
+  if (sha256_of_toml(text) != sha256_of_toml(c.resolved.text)) return nullptr;
   auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
   if (!summary.is_object() || !summary.contains("run") || !summary["run"].value("completed", false)) return nullptr;
   require_same_files(directory / "results.h5", list_datasets(directory / "results.h5"));
@@ -111,7 +115,7 @@ BitComparison compare_bits(const fs::path& first, const fs::path& second) {
   const auto ours = list_datasets(second);
   std::map<std::string, TimeAxes> axes;
   for (const auto& name : list_datasets(first)) {
-    if (name == "/parameters" || name == "/inputs") continue;
+    if (name == "/parameters" || name == "/given" || name == "/inputs") continue;
     ++result.n_datasets;
     if (!std::binary_search(ours.begin(), ours.end(), name)) {
       result.differences.push_back({name, "missing"});

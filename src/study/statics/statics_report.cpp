@@ -239,7 +239,7 @@ Json find_rest(const Case& c, const std::string& bearing) {
   Json j;
   j["case"] = c.name;
   const auto names = chosen_touchdowns(c, bearing);
-  if (c.parameters.statics.subject == StaticsSubject::shaft) {
+  if (bearing.empty() && c.parameters.statics.subject == StaticsSubject::shaft) {
     j["shaft"] = shaft_json(c);
     return j;
   }

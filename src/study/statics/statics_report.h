@@ -7,7 +7,7 @@
 namespace rotordrop {
 
 /// Static equilibrium of the subject of [statics], SI; see docs/how-to/statics.md for every key.
-/// @param bearing  only this touchdown bearing; empty: all
+/// @param bearing  only this touchdown bearing, by itself whatever the subject is; empty: the subject
 /// @throws InputError for an unknown bearing, SolverError if no equilibrium is found
 nlohmann::ordered_json find_rest(const Case& static_case, const std::string& bearing);
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <map>
 
 using namespace rotordrop;
 using testing::AllOf;
@@ -181,6 +182,49 @@ TEST(ResolvedParameters, MarkWhatWasNotGiven) {
   EXPECT_THAT(text, HasSubstr("[run.bearings.\"TB 2\"]\ntype = \"touchdown\"\n"));
   EXPECT_THAT(text, Not(HasSubstr("static_friction"))) << "absent and without a default";
   EXPECT_THAT(resolved(short_case), HasSubstr("[run.materials.steel]  # default\n"));
+}
+
+TEST(ResolvedParameters, TellWhereEachGivenValueIsFrom) {
+  const Node tree = parse_toml(
+      "[run]\nend_time = 0.3  # as long as it takes\n[run.bearings]\nfriction = 0.15  # of all\n[run.bearings.TB1]\n"
+      "contact_stiffness = 1e9\nball = \"steel\"\nwaviness = [{ order = 3 }, { order = 7 }]  # measured\n",
+      "/some/where/case.toml");
+  std::map<std::string, std::string> origins;
+  const auto resolved = resolve(sections(), tree);
+  for (const auto& given : resolved.given) origins[given.name] = given.origin;
+  const std::map<std::string, std::string> expected = {
+      {"run.end_time", "case.toml:2: as long as it takes"},
+      {"run.bearings.TB1.contact_stiffness", "case.toml:6"},
+      {"run.bearings.TB1.ball", "case.toml:7"},
+      {"run.bearings.TB1.friction", "[run.bearings], case.toml:4: of all"},
+      {"run.bearings.TB1.waviness[0].order", "case.toml:8: measured"},
+      {"run.bearings.TB1.waviness[1].order", "case.toml:8: measured"},
+      {"run.materials.steel.density", "the program"}};
+  EXPECT_EQ(origins, expected);
+  EXPECT_EQ(resolved.given.front().unit, "s");
+  EXPECT_EQ(resolved.given.front().help, "The run ends here.");
+  EXPECT_FALSE(resolved.given.front().fallback);
+  EXPECT_THAT(resolved.text, HasSubstr("order = 7  # from case.toml:8: measured\n"));
+}
+
+// What rotordrop has written reads back with the same origins, and defaults are defaults still.
+TEST(ResolvedParameters, AreTheSameTextWhenTheyAreReadAgain) {
+  const auto first = resolve(sections(), parse_toml(std::string(full_case) + "# end\n", "case.toml"));
+  const auto again = resolve(sections(), parse_toml(first.text, "parameters.toml"));
+  EXPECT_EQ(again.text, first.text);
+  EXPECT_EQ(again.n_defaults, first.n_defaults);
+  ASSERT_EQ(again.given.size(), first.given.size());
+  for (std::size_t i = 0; i < first.given.size(); ++i) EXPECT_EQ(again.given[i].origin, first.given[i].origin);
+}
+
+TEST(ResolvedParameters, OfADefaultThatSomeoneChangedHaveThatOrigin) {
+  const std::string text = resolve(sections(), parse_toml(short_case, "case.toml")).text;
+  const std::string line = "is_recorded = true  # default";
+  std::string changed = text;
+  ASSERT_NE(changed.find(line), std::string::npos);
+  changed.replace(changed.find(line), line.size(), "is_recorded = false  # default");
+  EXPECT_THAT(resolve(sections(), parse_toml(changed, "p.toml")).text,
+              HasSubstr("is_recorded = false  # from p.toml:"));
 }
 
 TEST(TomlValue, ReadsBackToTheSameDouble) {

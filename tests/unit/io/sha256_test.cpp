@@ -22,5 +22,18 @@ TEST(Sha256, PadsRightAroundTheEndOfABlock) {
   EXPECT_EQ(sha256_of(std::string(65, 'x')), "9537c5fdf120482f7d58d25e9ed583f52c02b4e304ea814db1633ad565aed7e9");
 }
 
+TEST(Sha256OfToml, IsOfValuesWithoutCommentsAndBlanks) {
+  const std::string digest = sha256_of_toml("a = 1\nb = \"x y # z\"\n");
+  EXPECT_EQ(sha256_of_toml("a=1 # one\n# more\n\nb = \"x y # z\"  # text"), digest);
+  EXPECT_NE(sha256_of_toml("a = 1\nb = \"x  y # z\"\n"), digest) << "blanks in quotes are of the value";
+  EXPECT_NE(sha256_of_toml("a = 1\nb = \"x y # w\"\n"), digest) << "no comment begins in quotes";
+}
+
+TEST(Sha256OfToml, ReadsEscapedQuotes) {
+  EXPECT_NE(sha256_of_toml("a = \"x \\\" # y\"\n"), sha256_of_toml("a = \"x \\\" # z\"\n"));
+  EXPECT_NE(sha256_of_toml("a = '\\' # y\nb = 1\n"), sha256_of_toml("a = '\\' # y\nb = 2\n"));
+  EXPECT_EQ(sha256_of_toml("a = '\\' # y\n"), sha256_of_toml("a = '\\' # z\n"));
+}
+
 }  // namespace
 }  // namespace rotordrop

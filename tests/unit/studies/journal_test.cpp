@@ -46,6 +46,16 @@ TEST(Journal, GivesBackEveryBitOfItsNumbers) {
   EXPECT_FALSE(content.records.at(3).is_done);
 }
 
+TEST(Journal, TellsItsHeaderWithoutTheRest) {
+  const test::StudyFolder folder;
+  const auto file = folder.path() / "j";
+  Journal(file, "head \"of\" it").append(7, result_of(1.), 0.);
+  std::ofstream(file, std::ios::binary | std::ios::app) << "a damaged end\n";
+  EXPECT_EQ(Journal::header_of(file), "head \"of\" it");
+  std::ofstream(file, std::ios::binary) << "no journal\n";
+  EXPECT_THROW((void)Journal::header_of(file), InputError);
+}
+
 // A killed writer leaves any beginning of its file: whatever the cut, all whole lines are read, and what is added after them too.
 TEST(Journal, LosesAtMostTheLineThatWasBeingWritten) {
   const test::StudyFolder folder;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "case/case.h"
-#include "case/fe_module.h"
+#include "case/modules/fe_module.h"
 #include "io/hdf5/recorded_series.h"
 #include "machine/build_machine.h"
 #include "study/drop/drop_run.h"

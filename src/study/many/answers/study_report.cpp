@@ -14,6 +14,7 @@
 #include "study/many/study_folder.h"
 #include "study/report/report.h"
 #include "study/report/report_template.h"
+#include "study/report/rounded.h"
 
 namespace rotordrop {
 namespace {
@@ -22,14 +23,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_shown = 400'000;  // numbers on the page
 
-/// Six digits are more than a picture shows.
-Json rounded(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::stod(fmt::format("{:.6g}", value));
-}
+constexpr int digits = 6;  // more than a picture shows
 
 Json value_of(const Node& value) {
-  if (value.is_number()) return rounded(value.number());
+  if (value.is_number()) return rounded(value.number(), digits);
   return value.is_text() ? value.text() : to_text(value);
 }
 
@@ -105,7 +102,7 @@ Json study_report_data(const std::filesystem::path& directory) {
   data["results"] = Json::array();
   for (const auto* column : shown_results(study, table)) {
     Json values = Json::array();
-    for (const auto k : done) values.push_back(rounded(column->values[k]));
+    for (const auto k : done) values.push_back(rounded(column->values[k], digits));
     data["results"].push_back(
         {{"name", column->name}, {"unit", column->unit}, {"long_name", column->long_name}, {"values", values}});
   }

@@ -7,15 +7,18 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr auto heartbeat = 1s;
-constexpr auto silence_of_a_rank = 20s;  // after which it is given up
 constexpr auto silence_of_rank_0 = 60s;
 constexpr auto look_again = 50ms;
 
 }  // namespace
 
 SharedPoints::SharedPoints(std::vector<std::size_t> points, Ranks& ranks, bool stops_on_failure,
-                           std::function<void(const std::string&)> tell)
-    : ranks_(ranks), tell_(std::move(tell)), points_(std::move(points)), stops_on_failure_(stops_on_failure) {
+                           std::function<void(const std::string&)> tell, std::chrono::milliseconds silence)
+    : ranks_(ranks),
+      tell_(std::move(tell)),
+      points_(std::move(points)),
+      stops_on_failure_(stops_on_failure),
+      silence_(silence) {
   for (int k = 1; k < ranks.size(); ++k) others_[k].heard = Clock::now();
 }
 
@@ -89,7 +92,7 @@ void SharedPoints::serve(bool is_over) {
   while (const auto message = ranks_.receive()) hear(*message);
   std::vector<int> silent;
   for (const auto& [k, rank] : others_)
-    if (Clock::now() - rank.heard > silence_of_a_rank) silent.push_back(k);
+    if (Clock::now() - rank.heard > silence_) silent.push_back(k);
   for (const int k : silent) give_up(k);
 }
 

@@ -13,12 +13,17 @@
 namespace rotordrop {
 
 /// Rank 0: computes points itself and gives points to the other ranks. Those of a rank that falls silent are computed here.
+/// Silent is a rank that hangs, such as in a file system that does not answer or stopped by someone, or is lost under a launcher that lets
+/// the others live. Open MPI's mpirun does not: it ends all ranks when one dies. The study then is complete, but its launcher may wait for
+/// the silent rank.
 class SharedPoints final : public PointSource {
  public:
   /// @param stops_on_failure  a failed point anywhere ends the study
   /// @param tell              called when a rank is lost
+  /// @param silence           after which a rank is given up
   SharedPoints(std::vector<std::size_t> points, Ranks& ranks, bool stops_on_failure,
-               std::function<void(const std::string&)> tell);
+               std::function<void(const std::string&)> tell,
+               std::chrono::milliseconds silence = std::chrono::seconds(20));
   std::optional<std::size_t> next() override;
   void serve(bool is_over) override;
   [[nodiscard]] bool is_complete() const override;
@@ -46,6 +51,7 @@ class SharedPoints final : public PointSource {
   std::map<int, Rank> others_;  ///< that are at work
   Elsewhere elsewhere_;
   const bool stops_on_failure_;
+  const std::chrono::milliseconds silence_;
   bool is_over_ = false, is_anyone_lost_ = false, is_stopped_by_failure_ = false;
 };
 

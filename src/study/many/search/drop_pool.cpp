@@ -5,13 +5,8 @@
 #include "base/cpu_time.h"
 
 namespace rotordrop {
-namespace {
 
 using Clock = std::chrono::steady_clock;
-/// How often those who wait look whether the program is to stop: a signal wakes nobody.
-constexpr std::chrono::milliseconds look_again{100};
-
-}  // namespace
 
 DropPool::DropPool(const Study& study, const StudyOptions& options, Journal& journal, Journal::Content earlier,
                    unsigned n_workers)
@@ -20,7 +15,10 @@ DropPool::DropPool(const Study& study, const StudyOptions& options, Journal& jou
 }
 
 DropPool::~DropPool() {
-  is_closed_ = true;
+  {
+    const std::scoped_lock lock(lock_);
+    is_closed_ = true;
+  }
   waiting_.notify_all();
 }
 
@@ -62,7 +60,7 @@ std::vector<PointResult> DropPool::run(std::size_t first, const Design& rows,
 void DropPool::work() {
   std::unique_lock lock(lock_);
   for (;;) {
-    while (tasks_.empty() && !is_closed_) waiting_.wait_for(lock, look_again);
+    waiting_.wait(lock, [this] { return !tasks_.empty() || is_closed_; });
     if (tasks_.empty()) return;
     const Task task = tasks_.front();
     tasks_.pop_front();

@@ -64,7 +64,8 @@ class DropPool {
   std::deque<Task> tasks_;
   Counts counts_;
   std::exception_ptr error_;
-  std::atomic<bool> is_stopped_by_failure_{false}, has_error_{false}, is_closed_{false};
+  bool is_closed_ = false;  ///< no further task comes
+  std::atomic<bool> is_stopped_by_failure_{false}, has_error_{false};
   std::vector<std::jthread> workers_;
 };
 

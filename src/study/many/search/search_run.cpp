@@ -150,9 +150,7 @@ class SearchRun {
 }  // namespace
 
 StudyOutcome run_search(const Study& study, const StudyOptions& options) {
-  const ResultsFolder folder(options.directory, options.resume  ? ResultsFolder::Existing::resume
-                                                : options.force ? ResultsFolder::Existing::replace
-                                                                : ResultsFolder::Existing::refuse);
+  const ResultsFolder folder(options.directory, ResultsFolder::existing_results(options.resume, options.force));
   const SearchSpace space(study);
   const std::string digest = digest_of(study, space.corners());
   const std::string header = journal_header(study, digest, 1, 1);

@@ -1,6 +1,5 @@
-#include "case/fe_module.h"
+#include "case/modules/fe_module.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include "cache/kept_mesh.h"
 #include "cache/kept_values.h"
 #include "case/bearing_mesh.h"
+#include "case/modules/load_module.h"
 #include "case/program_files.h"
 
 namespace rotordrop {
@@ -20,26 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A shared library that is loaded when a case asks for it.
-struct Module {
-  std::string file;    ///< empty: the program was built without it
-  std::string room;    ///< for messages
-  std::string needed;  ///< who needs it, for messages
-};
-
 template <class Function>
-Function* load(const Module& module, const char* function) {
-  const fs::path file = module.file.empty() ? fs::path() : module_file(module.file);
-  if (file.empty() || !fs::exists(file))
-    throw InputError({}, "this program was built without " + module.room + ", which " + module.needed + " needs",
-                     "Install its libraries with ./install-dependencies, then build with\n"
-                     "cmake --preset release -DROTORDROP_FE=ON && cmake --build build/release");
-  // Local symbols: the rooms bring libraries of their own, among them another build of HDF5 than ours.
-  void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
-  if (!handle) throw SolverError(module.room + " cannot be loaded: " + std::string(dlerror()));
-  auto* const found = reinterpret_cast<Function*>(dlsym(handle, function));
-  if (!found) throw SolverError(module.room + " " + file.string() + " belongs to another version of the program");
-  return found;
+Function* load(const char* file, const char* room, const char* needed_by, const char* function) {
+  return function_in_module<Function>({file, room, needed_by,
+                                       "Install its libraries with ./install-dependencies, then build with\n"
+                                       "cmake --preset release -DROTORDROP_FE=ON && cmake --build build/release"},
+                                      Symbols::when_called, function);
 }
 
 /// Tells one build of a module from another, without loading it.
@@ -60,14 +46,14 @@ std::mutex& section_lock() {
 }
 
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem) {
-  static auto* const make = load<MakeHeatSolver>({ROTORDROP_FE_MODULE, "the finite-element module", "`rotordrop heat`"},
-                                                 make_heat_solver_name);
+  static auto* const make =
+      load<MakeHeatSolver>(ROTORDROP_FE_MODULE, "the finite-element module", "`rotordrop heat`", make_heat_solver_name);
   return std::unique_ptr<HeatConductionSolver>(make(problem));
 }
 
 std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem) {
-  static auto* const make = load<MakeElasticSolver>(
-      {ROTORDROP_FE_MODULE, "the finite-element module", "thermal.expansion = \"elastic\""}, make_elastic_solver_name);
+  static auto* const make = load<MakeElasticSolver>(ROTORDROP_FE_MODULE, "the finite-element module",
+                                                    "thermal.expansion = \"elastic\"", make_elastic_solver_name);
   return std::unique_ptr<ElasticSolver>(make(problem));
 }
 
@@ -89,7 +75,7 @@ SectionMesh section_mesh_of(const SectionPlan& plan) {
 }
 
 SectionMesher& section_mesher() {
-  static auto* const get = load<GetSectionMesher>({ROTORDROP_MESH_MODULE, "the mesh module", "the mesh of a bearing"},
+  static auto* const get = load<GetSectionMesher>(ROTORDROP_MESH_MODULE, "the mesh module", "the mesh of a bearing",
                                                   get_section_mesher_name);
   return *get();
 }

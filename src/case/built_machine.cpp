@@ -1,13 +1,16 @@
-#include "case/recorded_growth.h"
+#include "case/built_machine.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <mutex>
 
 #include "base/errors.h"
+#include "case/modules/fe_module.h"
 #include "io/hdf5/recorded_series.h"
 #include "machine/build_machine.h"
+#include "machine/heat/growth_history.h"
 
 namespace rotordrop {
 namespace {
@@ -21,11 +24,6 @@ std::vector<std::string> recorded_bearings(const std::filesystem::path& file) {
       names.push_back(path.substr(prefix.size(), path.size() - prefix.size() - suffix.size()));
   return names;
 }
-
-/// Columns of results from before widths were among the surfaces: growth was radial then, so their widths' is zero.
-constexpr std::size_t surfaces_without_widths = 5;
-/// From before rows grew apart: all rows' raceways grew alike.
-constexpr std::size_t surfaces_without_rows = 7;
 
 std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
                                            const std::vector<std::string>& bearings) {
@@ -41,8 +39,7 @@ std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
     times = read_series(file, read_attribute(file, dataset, "time")).values;
     growth.push_back(read_series(file, dataset));
     const auto& shape = growth.back().shape;
-    if (shape.size() != 2 || (shape[1] != growth_surfaces.size() && shape[1] != surfaces_without_rows &&
-                              shape[1] != surfaces_without_widths))
+    if (shape.size() != 2 || !is_number_of_surfaces(shape[1]))
       throw InputError(
           {},
           fmt::format("its growth of {} has {} columns instead of {}: {}.", name, shape.size() == 2 ? shape[1] : 1,
@@ -58,16 +55,15 @@ std::shared_ptr<GrowthHistory> read_growth(const std::filesystem::path& file,
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < growth.size(); ++k) {
       const std::size_t columns = growth[k].shape[1];
-      row[k] = {};
-      for (std::size_t c = 0; c < columns; ++c) row[k].*growth_surfaces[c] = growth[k].values[i * columns + c];
+      row[k] = expansion_of(std::span(growth[k].values).subspan(i * columns, columns));
     }
     history->append(times[i], row);
   }
   return history;
 }
 
-}  // namespace
-
+/// Growth that an earlier run fed back (/bearings/NAME/expansion), if thermal.driver requires it; null otherwise. Linear between that
+/// run's records; what it recorded last holds on.
 std::shared_ptr<const GrowthHistory> recorded_growth(const Case& c) {
   const auto& thermal = c.parameters.thermal;
   if (driver_of(thermal) != recorded_driver) return nullptr;
@@ -78,6 +74,15 @@ std::shared_ptr<const GrowthHistory> recorded_growth(const Case& c) {
     throw InputError(position_of_value(*c.tree.find("thermal"), "recorded"),
                      fmt::format("thermal.recorded = \"{}\": {}", *thermal.recorded, fault.message), fault.advice);
   }
+}
+
+}  // namespace
+
+BuiltMachine::BuiltMachine(const Case& c) {
+  std::unique_lock<std::mutex> lock(section_lock(), std::defer_lock);
+  if (c.parameters.thermal.runs_sections()) lock.lock();
+  elements_ = finite_elements_of(c);
+  machine_ = build_machine(c.parameters, c.tree, &elements_, recorded_growth(c));
 }
 
 }  // namespace rotordrop

@@ -1,6 +1,5 @@
-#include "case/parts_modules.h"
+#include "case/modules/parts_modules.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "case/modules/load_module.h"
 #include "case/program_files.h"
 #include "machine/parts_module.h"
 
@@ -38,20 +38,10 @@ class Collected final : public PartsRegistry {
   std::vector<ThermalKind> thermal_;
 };
 
-template <class Function>
-Function* entry(void* module, const char* name) {
-  return reinterpret_cast<Function*>(dlsym(module, name));
-}
-
-std::string said_by_loader() {
-  const char* said = dlerror();
-  return said ? said : "no reason given";
-}
-
 /// Throws unless the module was built for this program; adds its parts.
 void add_parts_of(void* module, const std::string& file, const SourcePosition& where) {
-  auto* const interface = entry<PartsInterface>(module, parts_interface_name);
-  auto* const add_parts = entry<AddParts>(module, add_parts_name);
+  auto* const interface = reinterpret_cast<PartsInterface*>(address_in(module, parts_interface_name));
+  auto* const add_parts = reinterpret_cast<AddParts*>(address_in(module, add_parts_name));
   if (!interface || !add_parts)
     throw InputError(where, fmt::format("{} is not a module of parts: it has no ROTORDROP_PARTS(...).", file),
                      how_to_build);
@@ -89,11 +79,10 @@ void load_parts_module(const fs::path& file, const SourcePosition& where) {
   const fs::path real = fs::canonical(file, error);
   if (error) throw InputError(where, fmt::format("there is no module {}: {}.", file.string(), error.message()));
   if (loaded.count(real.string()) != 0) return;
-  // All symbols at once: what is missing is told now and not in the middle of a run. Local: the module brings libraries of its own.
-  void* const module = dlopen(real.c_str(), RTLD_NOW | RTLD_LOCAL);
+  std::string why;
+  void* const module = load_module(real, Symbols::at_once, why);
   if (!module)
-    throw InputError(where, fmt::format("the module {} cannot be loaded: {}.", file.string(), said_by_loader()),
-                     how_to_build);
+    throw InputError(where, fmt::format("the module {} cannot be loaded: {}.", file.string(), why), how_to_build);
   add_parts_of(module, file.string(), where);
   loaded.insert(real.string());
 }

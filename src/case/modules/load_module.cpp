@@ -1,0 +1,38 @@
+#include "case/modules/load_module.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "case/program_files.h"
+
+namespace rotordrop {
+
+namespace fs = std::filesystem;
+
+void* load_module(const fs::path& file, Symbols symbols, std::string& why) {
+  void* const handle = dlopen(file.c_str(), (symbols == Symbols::at_once ? RTLD_NOW : RTLD_LAZY) | RTLD_LOCAL);
+  if (handle) return handle;
+  const char* said = dlerror();
+  why = said ? said : "no reason given";
+  return nullptr;
+}
+
+void* address_in(void* module, const char* function) { return dlsym(module, function); }
+
+void* address_in_module(const Module& module, Symbols symbols, const char* function) {
+  const fs::path file = module.file.empty() ? fs::path() : module_file(module.file);
+  std::error_code ignored;
+  if (file.empty() || !fs::exists(file, ignored))
+    throw InputError({},
+                     fmt::format("this program was built without {}, which {} needs", module.name, module.needed_by),
+                     module.how_to_have);
+  std::string why;
+  void* const handle = load_module(file, symbols, why);
+  if (!handle) throw SolverError(fmt::format("{} cannot be loaded: {}", module.name, why));
+  void* const found = address_in(handle, function);
+  if (!found)
+    throw SolverError(fmt::format("{} {} belongs to another version of the program", module.name, file.string()));
+  return found;
+}
+
+}  // namespace rotordrop
