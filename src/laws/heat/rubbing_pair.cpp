@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -43,8 +44,7 @@ TrackMemory::TrackMemory(const RubbedBody& body, std::size_t n_cells, double axi
       heat_(n_cells, 0.),
       fresh_(n_cells, 0.),
       interval_(shortest_interval),
-      per_interval_(1. / shortest_interval),
-      is_kept_(n_kept, 0) {
+      per_interval_(1. / shortest_interval) {
   RootKernel kernel(duration, shortest_interval);
   rate_ = std::move(kernel.rate);
   weight_ = std::move(kernel.weight);
@@ -73,10 +73,15 @@ const double* TrackMemory::decay_over(double lag) const {
   if (count < static_cast<double>(n_kept) - 1.) {
     const auto k = static_cast<std::size_t>(count + 0.5);
     if (std::fabs(count - static_cast<double>(k)) < 1e-6) {
-      double* const kept = &kept_decay_[k * rate_.size()];
-      if (!is_kept_[k]) fill(kept, static_cast<double>(k) * interval_);
-      is_kept_[k] = 1;
-      return kept;
+      const std::size_t n = rate_.size();
+      for (; n_filled_ <= k; ++n_filled_) {
+        double* const decay = &kept_decay_[n_filled_ * n];
+        if (n_filled_ < 2)
+          fill(decay, static_cast<double>(n_filled_) * interval_);
+        else
+          std::transform(decay - n, decay, &kept_decay_[n], decay, std::multiplies<>());
+      }
+      return &kept_decay_[k * n];
     }
   }
   if (lag != decay_lag_) fill(decay_.data(), lag);

@@ -52,7 +52,7 @@ class TrackMemory {
   static constexpr std::size_t n_kept = 512;
   double interval_ = 0, per_interval_ = 0;
   mutable std::vector<double> kept_decay_, decay_;
-  mutable std::vector<char> is_kept_;
+  mutable std::size_t n_filled_ = 0;  ///< of kept decays, each the one before times that of one interval
   mutable double decay_lag_ = -1;
 };
 
