@@ -1,15 +1,24 @@
-// What a drop costs: right-hand sides, balls, and the whole reference case against real time. Figures are ratios within one run; nothing is
-// asserted. Run: build/release/rotordrop_benchmarks
+// What a drop costs: balls beside a yardstick, right-hand sides by kind of ring and balls, recorded rows, and the whole reference case against real
+// time. Nothing is asserted. Run: build/release/rotordrop_benchmarks; benchmarks/performance.py makes a table of it.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
+#include <numbers>
+#include <string>
 #include <vector>
+
+#include <unistd.h>
 
 #include "case/case.h"
 #include "integrate/integrator.h"
+#include "io/hdf5/recorder.h"
 #include "machine/build_machine.h"
+#include "yardstick.h"
 
 namespace {
 
@@ -22,36 +31,21 @@ const Case& settling() {
 
 /// A machine and its state in the middle of the first contact.
 struct Contact {
-  std::unique_ptr<Machine> machine = build_machine(settling().parameters, settling().tree);
-  std::vector<double> y, dydt;
+  std::unique_ptr<Machine> machine;
+  std::vector<double> y;
   double t = 0.0085;
-  Contact() : y(machine->layout().size()), dydt(y.size()) {
+  int n_balls = 0;
+  explicit Contact(const Case& c = settling())
+      : machine(build_machine(c.parameters, c.tree)), y(machine->layout().size()) {
     machine->initial_state(y);
     const MachineSystem system(*machine);
-    auto integrator = make_integrator(system, settling().parameters.integration, 0., y, t);
+    auto integrator = make_integrator(system, c.parameters.integration, 0., y, t);
     while (integrator->time() < t) integrator->advance();
     y.assign(integrator->state().begin(), integrator->state().end());
-  }
-  [[nodiscard]] int n_balls() const {
-    int n = 0;
-    for (const auto& entry : settling().parameters.bearings)
-      n += entry.touchdown()->rows * entry.touchdown()->balls_per_row;
-    return n;
+    for (const auto& entry : c.parameters.bearings)
+      n_balls += entry.touchdown()->rows * entry.touchdown()->balls_per_row;
   }
 };
-
-void right_hand_side(benchmark::State& state) {
-  const Contact c;
-  std::vector<double> dydt(c.y.size());
-  Evaluation found;
-  for (auto _ : state) {
-    c.machine->evaluate(c.t, c.y, dydt, found);
-    benchmark::DoNotOptimize(dydt.data());
-  }
-  state.counters["per_ball"] = benchmark::Counter(
-      static_cast<double>(c.n_balls()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
-BENCHMARK(right_hand_side);
 
 /// Balls with inertia against those without, per right-hand side: in the first contact, but with the inner rings at a given part of the
 /// rotor's speed. Both run by turns, a few milliseconds each; counters: the ratio of their CPU times, median, least and largest.
@@ -86,25 +80,153 @@ void inertia_ratio(benchmark::State& state, double part_of_speed) {
 BENCHMARK_CAPTURE(inertia_ratio, ring_at_full_speed, 1.)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(inertia_ratio, ring_at_a_third, 0.33)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// 71914: 23 balls in one row.
-void ball_row(benchmark::State& state) {
-  const auto* p = settling().parameters.bearings[1].touchdown();
-  const auto data =
-      touchdown_data("TB2", *p, settling().parameters.contact, {{2e11, 0.3}, {2e11, 0.3}, {}, 0., false, 0., {}});
-  const BallRow row(data.rows[0], {});
+/// Seconds of one cycle of the processor: a chain of dependent additions takes one each.
+double cycle() {
+  static const double shortest = [] {
+    double best = 1.;
+    for (int turn = 0; turn < 20; ++turn) {
+      constexpr long n = 1000000;
+      long x = 0;
+      const std::clock_t start = std::clock();
+      for (long i = 0; i < 8 * n; ++i) {
+        ++x;
+        benchmark::DoNotOptimize(x);
+      }
+      best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / (8. * n));
+    }
+    return best;
+  }();
+  return shortest;
+}
+
+/// Counters: time and cycles for each of `n` things in an iteration.
+void count_each(benchmark::State& state, const char* thing, double n) {
+  using benchmark::Counter;
+  state.counters[std::string("per_") + thing] = Counter(n, Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters[std::string("cycles_per_") + thing] =
+      Counter(n * cycle(), Counter::kIsIterationInvariantRate | Counter::kInvert);
+}
+
+/// All rows of the reference machine, each call's displacement following from the call before, as in an integrator.
+struct Rows {
+  std::vector<BallRow> rows;
+  std::vector<yardstick::Row> plain;
+  double n_balls = 0;
+  Rows() {
+    for (const auto& entry : settling().parameters.bearings) {
+      const auto data = touchdown_data(entry.name, *entry.touchdown(), settling().parameters.contact,
+                                       {{2e11, 0.3}, {2e11, 0.3}, {}, 0., false, 0., {}});
+      for (const auto& g : data.rows) {
+        rows.emplace_back(g, std::vector<RaceWave>{});
+        yardstick::Row row;
+        const auto n = static_cast<std::size_t>(g.n_balls);
+        row.idle.fill(-1.);
+        for (std::size_t j = 0; j < n; ++j) {
+          const double azimuth = g.phase + 2. * std::numbers::pi * static_cast<double>(j) / g.n_balls;
+          row.cosine[j] = std::cos(azimuth);
+          row.sine[j] = std::sin(azimuth);
+          row.idle[j] = 0.;
+        }
+        row.n_vectors = filled_up(n) / vector_length;
+        row.A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
+        row.radial = row.A * std::cos(g.contact_angle) - g.radial_clearance;
+        row.axial = g.direction * (row.A * std::sin(g.contact_angle) + g.preload_offset);
+        row.K = g.stiffness;
+        row.damping = 1.5 * g.damping_beta;
+        plain.push_back(row);
+        n_balls += g.n_balls;
+      }
+    }
+  }
+};
+constexpr double lean = -10e-6;  // [m]
+double displaced(double force) { return lean + 1e-13 * force; }
+
+void balls(benchmark::State& state) {
+  const Rows all;
   BallRowInput in;
-  in.displacement.y = -10e-6;
+  in.displacement.y = lean;
   in.rate.y = -0.01;
   BallRowOutput out;
   for (auto _ : state) {
-    row.evaluate_translations(in, out);
-    benchmark::DoNotOptimize(&out);
+    double force = 0.;
+    for (const auto& row : all.rows) {
+      row.evaluate_translations(in, out);
+      force += out.force_y;
+    }
+    in.displacement.y = displaced(force);
   }
-  state.counters["per_ball"] =
-      benchmark::Counter(static_cast<double>(p->balls_per_row),
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  count_each(state, "ball", all.n_balls);
+  state.counters["force"] = in.displacement.y;
 }
-BENCHMARK(ball_row);
+BENCHMARK(balls);
+
+void balls_of_the_yardstick(benchmark::State& state) {
+  const Rows all;
+  if (all.plain.size() != 3) return state.SkipWithError("the reference machine has three rows");
+  yardstick::Motion m;
+  m.y = lean;
+  m.vy = -0.01;
+  std::array<yardstick::Sums, 3> sums;
+  for (auto _ : state) {
+    wide<yardstick::sum_rows<3>>(all.plain.data(), m, sums.data());
+    m.y = displaced(sums[0].fy + sums[1].fy + sums[2].fy);
+  }
+  count_each(state, "ball", all.n_balls);
+  state.counters["force"] = m.y;
+}
+BENCHMARK(balls_of_the_yardstick);
+
+/// A right-hand side in the first contact, by kind of rings and balls.
+void right_hand_side_of(benchmark::State& state, const std::vector<std::string>& settings) {
+  const Case c = read_case(ROTORDROP_SOURCE_DIR "/params/neisi2019-settling.toml", settings);
+  const Contact contact(c);
+  std::vector<double> dydt(contact.y.size());
+  Evaluation found;
+  for (auto _ : state) {
+    contact.machine->evaluate(contact.t, contact.y, dydt, found);
+    benchmark::DoNotOptimize(dydt.data());
+  }
+  count_each(state, "ball", static_cast<double>(contact.n_balls));
+  state.counters["states"] = static_cast<double>(contact.y.size());
+}
+const std::string free_rings = "bearings.ring_motion=free", inertial = "bearings.ball_model=inertial",
+                  bent = "bearings.ring_bending=arc";
+BENCHMARK_CAPTURE(right_hand_side_of, rigid_rings, std::vector<std::string>{});
+BENCHMARK_CAPTURE(right_hand_side_of, free_rings, std::vector<std::string>{free_rings});
+BENCHMARK_CAPTURE(right_hand_side_of, inertial_balls, std::vector<std::string>{inertial});
+BENCHMARK_CAPTURE(right_hand_side_of, bent_rings, std::vector<std::string>{bent});
+BENCHMARK_CAPTURE(right_hand_side_of, bent_rings_and_inertial_balls, std::vector<std::string>{bent, inertial});
+
+/// A row of the reference drop's results, appended and written.
+void recorded_row(benchmark::State& state) {
+  const auto machine = build_machine(settling().parameters, settling().tree);
+  SeriesGroup group{"/time", {}};
+  for (const auto* list : {&machine->step_observables(), &machine->state_observables()})
+    for (const auto& o : *list) group.channels.push_back({o.name, o.unit, o.long_name, o.size, o.columns});
+  const auto file =
+      std::filesystem::temp_directory_path() / ("rotordrop-benchmark-" + std::to_string(::getpid()) + ".h5");
+  constexpr int n_rows = 6000;
+  std::size_t n_values = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    RecorderOptions options;
+    options.overwrite = true;
+    Recorder recorder(file, {}, {group}, options);
+    n_values = recorder.row_size(0);
+    std::vector<double> row(n_values, 1.);
+    state.ResumeTiming();
+    for (int i = 0; i < n_rows; ++i) {
+      row[static_cast<std::size_t>(i) % n_values] = i;
+      recorder.append(0, 5e-5 * i, row);
+    }
+    recorder.close();
+  }
+  std::filesystem::remove(file);
+  count_each(state, "row", n_rows);
+  state.counters["values"] = static_cast<double>(n_values);
+}
+BENCHMARK(recorded_row)->Unit(benchmark::kMillisecond);
 
 /// The reference drop, 0.3 s, without start-up and files. Counter "of_real_time": CPU time over simulated time.
 void drop(benchmark::State& state, IntegrationMethod method, double step_or_tolerance) {
@@ -134,6 +256,7 @@ void drop(benchmark::State& state, IntegrationMethod method, double step_or_tole
 }
 BENCHMARK_CAPTURE(drop, runge_kutta_4_5us, IntegrationMethod::runge_kutta_4, 5e-6)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(drop, runge_kutta_4_10us, IntegrationMethod::runge_kutta_4, 10e-6)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(drop, tsitouras_1e_6, IntegrationMethod::tsitouras, 1e-6)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(drop, dormand_prince_3e_7, IntegrationMethod::dormand_prince, 3e-7)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(drop, adams_1e_6, IntegrationMethod::adams, 1e-6)->Unit(benchmark::kMillisecond);
 

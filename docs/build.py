@@ -34,7 +34,7 @@ PAGES = [
                 ("docs/how-to/studies.md", "studies"), ("docs/how-to/python.md", "python"), ("docs/how-to/heat.md", "heat"), ("docs/how-to/mesh.md", "mesh"), ("docs/how-to/extending.md", "extending"), ("CONTRIBUTING.md", "contributing")]),
     ("Theory", [("docs/theory/model.md", "model"), ("docs/theory/growth.md", "growth"), ("docs/theory/ring-bending.md", "ring-bending"), ("docs/theory/verification.md", "verification"), ("docs/theory/validation.md", "validation"),
                 ("docs/theory/convergence.md", "convergence")]),
-    ("Reference", [("COMMANDS", "commands"), ("PARAMETERS", "parameter-reference"), ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("PARAMETERS OF STUDIES", "study-parameter-reference"), ("docs/reference/results.md", "results"), ("docs/reference/warnings.md", "warnings"),
+    ("Reference", [("COMMANDS", "commands"), ("PARAMETERS", "parameter-reference"), ("PARAMETERS OF HEAT", "heat-parameter-reference"), ("PARAMETERS OF STUDIES", "study-parameter-reference"), ("docs/reference/results.md", "results"), ("docs/reference/warnings.md", "warnings"), ("docs/performance.md", "performance"),
                    ("params/bearings/README.md", "bearings"), ("docs/reference/reliability.md", "reliability"), ("docs/reference/source-layout.md", "source-layout"), ("CHANGELOG.md", "changelog")]),
 ]
 

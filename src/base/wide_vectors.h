@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -30,6 +32,42 @@ inline constexpr std::size_t vector_length = 8;
 /// The same number if it is a multiple, known to the compiler to leave no remainder.
 [[nodiscard]] ROTORDROP_KERNEL constexpr std::size_t whole_vectors(std::size_t n) {
   return n / vector_length * vector_length;
+}
+
+/// A value for every element of a vector. Sums that a loop over vectors keeps in one are reduced once, after the loop, and in the same order at
+/// every level.
+struct Lanes {
+  std::array<double, vector_length> value{};
+  ROTORDROP_KERNEL double& operator[](std::size_t i) { return value[i]; }
+  [[nodiscard]] ROTORDROP_KERNEL double sum() const {
+    const auto& v = value;
+    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+  }
+  [[nodiscard]] ROTORDROP_KERNEL double largest() const {
+    const auto& v = value;
+    return std::max(std::max(std::max(v[0], v[4]), std::max(v[2], v[6])),
+                    std::max(std::max(v[1], v[5]), std::max(v[3], v[7])));
+  }
+};
+static_assert(vector_length == 8);
+
+/// The first values of a list in a vector, zeros behind them.
+ROTORDROP_KERNEL Lanes first_of(const double* list, std::size_t count) {
+  Lanes a;
+#pragma omp simd
+  for (std::size_t i = 0; i < vector_length; ++i) a[i] = i < count ? list[i] : 0.;
+  return a;
+}
+/// The first values of a vector to a list.
+ROTORDROP_KERNEL void store_first(const Lanes& a, std::size_t count, double* list) {
+#pragma omp simd
+  for (std::size_t i = 0; i < vector_length; ++i)
+    if (i < count) list[i] = a.value[i];
+}
+/// a + f b
+ROTORDROP_KERNEL void add_product(Lanes& a, double f, const double* b) {
+#pragma omp simd
+  for (std::size_t i = 0; i < vector_length; ++i) a[i] += f * b[i];
 }
 
 template <auto kernel>

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/sine_cosine.h"
 #include "bearing/statics/ring_equilibrium.h"
 #include "bearing/statics/steady_friction.h"
 #include "bearing/touchdown_touch.h"
@@ -81,8 +82,9 @@ BallRowInput TouchdownBearing::row_input(const Expansion& growth, std::span<cons
     in.rate.psi_z = y[tilt_rate_z];
   }
   in.cage_angle = y[cage_angle];
-  in.cage_cosine = std::cos(in.cage_angle);
-  in.cage_sine = std::sin(in.cage_angle);
+  const auto [sine, cosine] = sine_cosine(in.cage_angle);
+  in.cage_cosine = cosine;
+  in.cage_sine = sine;
   in.cage_speed = cage_speed(y);
   in.ring_angle = y[ring_angle];
   in.ring_speed = y[ring_spin];

@@ -63,16 +63,42 @@ auto& at(List& list, int i) {
   return list[static_cast<std::size_t>(i)];
 }
 
-/// out = y + sum_j factor_j k_j on the entries [from, to).
+/// out = y + sum_j factor_j k_j on the entries [from, to), of as many k as this was compiled for.
+template <int n>
+ROTORDROP_KERNEL void combine_all(std::size_t from, std::size_t to, const double* y, const double* factors,
+                                  const double* const* list, double* out) {
+  const double* k[n];
+  double factor[n];
+  std::copy_n(list, n, k);
+  std::copy_n(factors, n, factor);
+#pragma omp simd
+  for (std::size_t i = from; i < to; ++i) {
+    double sum = y[i];
+#pragma GCC unroll 8
+    for (int j = 0; j < n; ++j) sum += factor[j] * k[j][i];
+    out[i] = sum;
+  }
+}
+
+/// The same for `n` of them, at most most_stages.
 ROTORDROP_KERNEL void combine(std::size_t from, std::size_t to, const double* y, const double* factor,
                               const double* const* k, int n, double* out) {
-  if (out != y) std::copy(y + from, y + to, out + from);
-  for (int j = 0; j < n; ++j) {
-    if (factor[j] == 0.) continue;
-    const double f = factor[j];
-    const double* kj = k[j];
-#pragma omp simd
-    for (std::size_t i = from; i < to; ++i) out[i] += f * kj[i];
+  static_assert(most_stages == 7);
+  switch (n) {
+    case 1:
+      return combine_all<1>(from, to, y, factor, k, out);
+    case 2:
+      return combine_all<2>(from, to, y, factor, k, out);
+    case 3:
+      return combine_all<3>(from, to, y, factor, k, out);
+    case 4:
+      return combine_all<4>(from, to, y, factor, k, out);
+    case 5:
+      return combine_all<5>(from, to, y, factor, k, out);
+    case 6:
+      return combine_all<6>(from, to, y, factor, k, out);
+    default:
+      return combine_all<7>(from, to, y, factor, k, out);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/wide_vectors.h"
 #include "integrate/integrator.h"
 
 namespace rotordrop {
@@ -21,15 +22,17 @@ std::string not_finite(const StateLayout& layout, std::span<const double> values
   return list;
 }
 
-}  // namespace
-
 // x * 0 is 0 for finite x and NaN otherwise.
-bool all_finite(std::span<const double> values) {
+ROTORDROP_KERNEL bool are_finite(const double* values, std::size_t n) {
   double sum = 0.;
 #pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < values.size(); ++i) sum += values[i] * 0.;
+  for (std::size_t i = 0; i < n; ++i) sum += values[i] * 0.;
   return sum == 0.;
 }
+
+}  // namespace
+
+bool all_finite(std::span<const double> values) { return wide<are_finite>(values.data(), values.size()); }
 
 void throw_rates_not_finite(const StateLayout& layout, std::span<const double> rates, double t, double step) {
   throw SolverError(

@@ -25,7 +25,9 @@ FrictionLoadFactors friction_load_factors(double contact_angle) {
 
 double load_torque(const FrictionLoads& loads, double z, double y, double static_rating, double pitch_diameter) {
   if (!(loads.torque > 0.)) return 0. * loads.torque;  // keeps NaN
-  return z * std::pow(loads.static_equivalent / static_rating, y) * loads.torque * pitch_diameter;
+  const double ratio = loads.static_equivalent / static_rating;
+  // Deep-groove bearings have the exponent 0.5 or 0.55.
+  return z * (y == 0.5 ? std::sqrt(ratio) : std::pow(ratio, y)) * loads.torque * pitch_diameter;
 }
 
 double drag_torque(double viscosity, double ring_speed, double pitch_diameter, double f2) {

@@ -56,12 +56,12 @@ inline constexpr double least_share_of_load = 1e-3;
 
 /// Loads of a row's contacts, the gyroscopic tractions at them, and where they reach: what is observed, not needed for the motion.
 struct RowTractions {
-  double inner_load = 0, outer_load = 0;    ///< sums over the balls [N]
-  double gyroscopic = 0;                    ///< sum of T_g's part at the outer race [N]
-  double largest_gyroscopic_over_load = 0;  ///< largest part of T_g over the load of its contact
-  double inner_gyroscopic = 0;              ///< sum of T_g's part at the inner race [N]
-  double centrifugal = 0;                   ///< F_c of a ball at the cage's speed [N]
-  double truncation = 0;                    ///< largest part of a contact ellipse's length beyond its raceway's edge
+  double inner_load, outer_load;        ///< sums over the balls [N]
+  double gyroscopic;                    ///< sum of T_g's part at the outer race [N]
+  double largest_gyroscopic_over_load;  ///< largest part of T_g over the load of its contact
+  double inner_gyroscopic;              ///< sum of T_g's part at the inner race [N]
+  double centrifugal;                   ///< F_c of a ball at the cage's speed [N]
+  double truncation;                    ///< largest part of a contact ellipse's length beyond its raceway's edge
 };
 
 /// What is reported where friction gives nothing, or less than a hundredth of what is asked.

@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/sine_cosine.h"
+#include "base/wide_vectors.h"
 #include "rotor/modal_basis.h"
 
 namespace rotordrop {
@@ -27,9 +29,6 @@ double highest_frequency(const RotorSettings& settings) {
   }
   return std::numeric_limits<double>::infinity();
 }
-
-/// Columns of coefficients are stored in whole vectors of two.
-constexpr std::size_t padded(std::size_t n) { return (n + 1) / 2 * 2; }
 
 }  // namespace
 
@@ -76,6 +75,105 @@ Motion operator+(const Motion& a, const Motion& b) {
           a.tilt_rate_z + b.tilt_rate_z};
 }
 
+struct ModalRotor::Kernels {
+  ROTORDROP_KERNEL static void motions(const ModalRotor& rotor, const double* y, const double* shape,
+                                       std::size_t n_points, Motion* out) {
+    const std::size_t n = rotor.n_modes_, stride = filled_up(n);
+    for (std::size_t p = 0; p < n_points; ++p, shape += 2 * stride) {
+      Lanes displacement_y, displacement_z, velocity_y, velocity_z, slope_y, slope_z, slope_rate_y, slope_rate_z;
+      for (std::size_t first = 0; first < n; first += vector_length) {
+        const double *deflection = shape + first, *slope = shape + stride + first;
+        const Lanes q_y = first_of(y + first, n - first), q_z = first_of(y + n + first, n - first);
+        const Lanes v_y = first_of(y + 2 * n + first, n - first), v_z = first_of(y + 3 * n + first, n - first);
+#pragma omp simd
+        for (std::size_t i = 0; i < vector_length; ++i) {
+          displacement_y[i] += deflection[i] * q_y.value[i];
+          displacement_z[i] += deflection[i] * q_z.value[i];
+          velocity_y[i] += deflection[i] * v_y.value[i];
+          velocity_z[i] += deflection[i] * v_z.value[i];
+          slope_y[i] += slope[i] * q_y.value[i];
+          slope_z[i] += slope[i] * q_z.value[i];
+          slope_rate_y[i] += slope[i] * v_y.value[i];
+          slope_rate_z[i] += slope[i] * v_z.value[i];
+        }
+      }
+      out[p] = {0, displacement_y.sum(), displacement_z.sum(), -slope_z.sum(),      slope_y.sum(),
+                0, velocity_y.sum(),     velocity_z.sum(),     -slope_rate_z.sum(), slope_rate_y.sum()};
+    }
+  }
+
+  ROTORDROP_KERNEL static RotorPower rates(const ModalRotor& rotor, double t, const double* __restrict y,
+                                           const Force* __restrict force_on_station, double* __restrict dydt) {
+    const std::size_t n = rotor.n_modes_, stride = filled_up(n);
+    const double *q_y = y, *q_z = y + n, *v_y = y + 2 * n, *v_z = y + 3 * n;
+    const double spin_angle = y[4 * n], omega = y[4 * n + 1];
+
+    // The spin first: the unbalance needs its acceleration.
+    const double drive = rotor.drive_torque_.empty() ? 0 : rotor.drive_torque(t);
+    double torque = drive;
+    for (std::size_t s = 0; s < rotor.n_stations_; ++s) torque += force_on_station[s].torque;
+    double windage = 0;
+    if (rotor.windage_) {
+      windage = (*rotor.windage_)(omega);
+      torque -= windage;
+    }
+    const double omega_rate = torque / rotor.body_.Ip;
+    dydt[4 * n] = omega;
+    dydt[4 * n + 1] = omega_rate;
+
+    // The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
+    const auto [sine, cosine] = sine_cosine(spin_angle);
+    const double along_cos = omega * omega * cosine + omega_rate * sine,
+                 along_sin = omega * omega * sine - omega_rate * cosine;
+    const double *u_cos = rotor.unbalance_cos_.data(), *u_sin = rotor.unbalance_sin_.data();
+    const double *c = rotor.damping_rate_.data(), *k = rotor.omega_squared_.data();
+    Lanes unbalance_work, damping;
+    for (std::size_t first = 0; first < n; first += vector_length) {
+      const std::size_t count = n - first;
+      const Lanes displacement_y = first_of(q_y + first, count), displacement_z = first_of(q_z + first, count);
+      const Lanes velocity_y = first_of(v_y + first, count), velocity_z = first_of(v_z + first, count);
+      Lanes a_y, a_z;
+#pragma omp simd
+      for (std::size_t i = 0; i < vector_length; ++i) {
+        const std::size_t m = first + i;
+        const double vy = velocity_y.value[i], vz = velocity_z.value[i];
+        const double unbalance_y = along_cos * u_cos[m] - along_sin * u_sin[m];
+        const double unbalance_z = along_sin * u_cos[m] + along_cos * u_sin[m];
+        unbalance_work[i] += unbalance_y * vy + unbalance_z * vz;
+        damping[i] += c[m] * (vy * vy + vz * vz);
+        a_y[i] = unbalance_y - c[m] * vy - k[m] * displacement_y.value[i];
+        a_z[i] = unbalance_z - c[m] * vz - k[m] * displacement_z.value[i];
+      }
+      // Uniform gravity moves the centre of gravity alone.
+      if (first == 0) {
+        a_y[0] += rotor.gravity_y_;
+        a_z[0] += rotor.gravity_z_;
+      }
+      // The translation (mode 0) has no slope and so no gyroscopic term.
+      const double* G = rotor.gyroscopic_.data() + stride + first;
+      for (std::size_t j = 1; j < n; ++j, G += stride) {
+        add_product(a_y, -omega * v_z[j], G);
+        add_product(a_z, omega * v_y[j], G);
+      }
+      const double* per_force = rotor.force_influence_.data() + first;
+      for (std::size_t s = 0; s < rotor.n_stations_; ++s, per_force += 2 * stride) {
+        const double* per_moment = per_force + stride;
+        const Force& f = force_on_station[s];
+        add_product(a_y, f.y, per_force);
+        add_product(a_y, f.moment_z, per_moment);
+        add_product(a_z, f.z, per_force);
+        add_product(a_z, -f.moment_y, per_moment);
+      }
+      store_first(velocity_y, count, dydt + first);
+      store_first(velocity_z, count, dydt + n + first);
+      store_first(a_y, count, dydt + 2 * n + first);
+      store_first(a_z, count, dydt + 3 * n + first);
+    }
+    return {rotor.body_.mass * damping.sum(), rotor.body_.mass * unbalance_work.sum(), drive * omega, windage * omega,
+            omega_rate};
+  }
+};
+
 ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& settings,
                        const std::vector<int>& station_nodes)
     : n_stations_(station_nodes.size()),
@@ -93,61 +191,40 @@ ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& setti
   n_modes_ = n;
   body_ = basis.body;
 
-  omega_squared_.resize(n);
-  damping_rate_.resize(n);
-  gyroscopic_.assign(n * padded(n), 0.0);
+  omega_squared_.resize(filled_up(n));
+  damping_rate_.resize(filled_up(n));
+  gyroscopic_.assign(n * filled_up(n), 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     omega_squared_[i] = basis.omega(row) * basis.omega(row);
     damping_rate_[i] = 2 * settings.modal_damping * basis.omega(row) + settings.mass_proportional_alpha;
     for (std::size_t j = 0; j < n; ++j)
-      gyroscopic_[i * padded(n) + j] = basis.gyroscopic(row, static_cast<Eigen::Index>(j));
+      gyroscopic_[i * filled_up(n) + j] = basis.gyroscopic(row, static_cast<Eigen::Index>(j));
   }
 
-  const auto append_shape = [&](int node, std::vector<Shape>& to) {
+  const auto append_shape = [&](int node, std::vector<double>& to) {
     assert(node >= 1 && node <= geometry.n_nodes());
-    for (Eigen::Index k = 0; k < basis.n_modes(); ++k)
-      to.push_back({basis.shape(2 * node - 2, k), basis.shape(2 * node - 1, k)});
+    for (const Eigen::Index row : {2 * node - 2, 2 * node - 1})
+      for (std::size_t k = 0; k < filled_up(n); ++k)
+        to.push_back(k < n ? basis.shape(row, static_cast<Eigen::Index>(k)) : 0.);
   };
   for (int node = 1; node <= geometry.n_nodes(); ++node) append_shape(node, node_shape_);
   for (const int node : station_nodes) {
     append_shape(node, station_shape_);
     station_position_.push_back(geometry.position(node));
   }
-  force_influence_.assign(2 * n_stations_ * padded(n), 0.0);
-  for (std::size_t s = 0; s < n_stations_; ++s)
-    for (std::size_t i = 0; i < n; ++i) {
-      force_influence_[2 * s * padded(n) + i] = station_shape_[s * n + i].deflection / body_.mass;
-      force_influence_[(2 * s + 1) * padded(n) + i] = station_shape_[s * n + i].slope / body_.mass;
-    }
+  for (const double shape : station_shape_) force_influence_.push_back(shape / body_.mass);
 
-  unbalance_cos_.assign(n, 0.0);
-  unbalance_sin_.assign(n, 0.0);
+  unbalance_cos_.assign(filled_up(n), 0.0);
+  unbalance_sin_.assign(filled_up(n), 0.0);
   for (const auto& unbalance : settings.unbalance) {
     assert(unbalance.node >= 1 && unbalance.node <= geometry.n_nodes());
-    const Shape* shape = node_shape_.data() + static_cast<std::size_t>(unbalance.node - 1) * n;
+    const double* deflection = node_shape_.data() + static_cast<std::size_t>(unbalance.node - 1) * 2 * filled_up(n);
     for (std::size_t i = 0; i < n; ++i) {
-      unbalance_cos_[i] += unbalance.me * std::cos(unbalance.angle) * shape[i].deflection / body_.mass;
-      unbalance_sin_[i] += unbalance.me * std::sin(unbalance.angle) * shape[i].deflection / body_.mass;
+      unbalance_cos_[i] += unbalance.me * std::cos(unbalance.angle) * deflection[i] / body_.mass;
+      unbalance_sin_[i] += unbalance.me * std::sin(unbalance.angle) * deflection[i] / body_.mass;
     }
   }
-
-  // The counts that a cut-off leaves in practice get loops of fixed length.
-  constexpr std::array<Rates, 11> fixed_rates{&ModalRotor::rates_of<0>, nullptr,
-                                              &ModalRotor::rates_of<2>, &ModalRotor::rates_of<3>,
-                                              &ModalRotor::rates_of<4>, &ModalRotor::rates_of<5>,
-                                              &ModalRotor::rates_of<6>, &ModalRotor::rates_of<7>,
-                                              &ModalRotor::rates_of<8>, &ModalRotor::rates_of<9>,
-                                              &ModalRotor::rates_of<10>};
-  constexpr std::array<Motions, 11> fixed_motions{&ModalRotor::motions_of<0>, nullptr,
-                                                  &ModalRotor::motions_of<2>, &ModalRotor::motions_of<3>,
-                                                  &ModalRotor::motions_of<4>, &ModalRotor::motions_of<5>,
-                                                  &ModalRotor::motions_of<6>, &ModalRotor::motions_of<7>,
-                                                  &ModalRotor::motions_of<8>, &ModalRotor::motions_of<9>,
-                                                  &ModalRotor::motions_of<10>};
-  const std::size_t chosen = n < fixed_rates.size() ? n : 0;
-  rates_ = fixed_rates[chosen];
-  motions_ = fixed_motions[chosen];
 }
 
 std::vector<StateEntry> ModalRotor::state_entries() const {
@@ -177,20 +254,21 @@ std::vector<StateEntry> ModalRotor::state_entries() const {
 
 void ModalRotor::motions(std::span<const double> y, std::span<Motion> out) const {
   assert(y.size() == n_state() && out.size() == n_stations_);
-  (this->*motions_)(y.data(), station_shape_.data(), n_stations_, out.data());
+  wide<Kernels::motions>(*this, y.data(), station_shape_.data(), n_stations_, out.data());
   if (axial_) add_axial_motion(y, out);
 }
 
 void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) const {
   assert(y.size() == n_state() && out.size() == n_nodes_);
-  (this->*motions_)(y.data(), node_shape_.data(), n_nodes_, out.data());
+  wide<Kernels::motions>(*this, y.data(), node_shape_.data(), n_nodes_, out.data());
   if (axial_) add_axial_motion(y, out);
 }
 
 Motion ModalRotor::node_motion(int node, std::span<const double> y) const {
   assert(y.size() == n_state() && node >= 1 && static_cast<std::size_t>(node) <= n_nodes_);
   Motion motion;
-  (this->*motions_)(y.data(), node_shape_.data() + static_cast<std::size_t>(node - 1) * n_modes_, 1, &motion);
+  wide<Kernels::motions>(*this, y.data(),
+                         node_shape_.data() + static_cast<std::size_t>(node - 1) * 2 * filled_up(n_modes_), 1, &motion);
   if (axial_) add_axial_motion(y, {&motion, 1});
   return motion;
 }
@@ -202,33 +280,10 @@ void ModalRotor::add_axial_motion(std::span<const double> y, std::span<Motion> o
   }
 }
 
-template <std::size_t n_fixed>
-void ModalRotor::motions_of(const double* y, const Shape* shape, std::size_t n_points, Motion* out) const {
-  const std::size_t n = n_fixed > 0 ? n_fixed : n_modes_;
-  const double *q_y = y, *q_z = y + n, *v_y = y + 2 * n, *v_z = y + 3 * n;
-  for (std::size_t p = 0; p < n_points; ++p, shape += n) {
-    double displacement_y = 0, displacement_z = 0, velocity_y = 0, velocity_z = 0;
-    double slope_y = 0, slope_z = 0, slope_rate_y = 0, slope_rate_z = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto [deflection, slope] = shape[i];
-      displacement_y += deflection * q_y[i];
-      displacement_z += deflection * q_z[i];
-      velocity_y += deflection * v_y[i];
-      velocity_z += deflection * v_z[i];
-      slope_y += slope * q_y[i];
-      slope_z += slope * q_z[i];
-      slope_rate_y += slope * v_y[i];
-      slope_rate_z += slope * v_z[i];
-    }
-    out[p] = {0, displacement_y, displacement_z, -slope_z,      slope_y,
-              0, velocity_y,     velocity_z,     -slope_rate_z, slope_rate_y};
-  }
-}
-
 RotorPower ModalRotor::rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
                              std::span<double> dydt) const {
   assert(y.size() == n_state() && dydt.size() == n_state() && force_on_station.size() == n_stations_);
-  RotorPower power = (this->*rates_)(t, y.data(), force_on_station.data(), dydt.data());
+  RotorPower power = wide<Kernels::rates>(*this, t, y.data(), force_on_station.data(), dydt.data());
   if (axial_) add_axial_rates(t, y, force_on_station, dydt, power);
   return power;
 }
@@ -242,87 +297,6 @@ void ModalRotor::add_axial_rates(double t, std::span<const double> y, std::span<
   dydt[axial_at() + 1] = force / body_.mass + axial_->gravity;
   power.damping += alpha_ * body_.mass * velocity * velocity;
   power.drive_work += pull * velocity;
-}
-
-template <std::size_t n_fixed>
-RotorPower ModalRotor::rates_of(double t, const double* __restrict y, const Force* __restrict force_on_station,
-                                double* __restrict dydt) const {
-  const std::size_t n = n_fixed > 0 ? n_fixed : n_modes_;
-  const double *q_y = y, *q_z = y + n, *v_y = y + 2 * n, *v_z = y + 3 * n;
-  const double spin_angle = y[4 * n], omega = y[4 * n + 1];
-
-  // Accelerations: in registers, padded to whole vectors, if their number is known here; otherwise straight in the
-  // result.
-  constexpr std::size_t n_padded = padded(n_fixed);
-  alignas(16) double local_y[n_padded + 1] = {}, local_z[n_padded + 1] = {};
-  double *a_y = n_fixed > 0 ? local_y : dydt + 2 * n, *a_z = n_fixed > 0 ? local_z : dydt + 3 * n;
-  const std::size_t n_summed = n_fixed > 0 ? n_padded : n;
-  const std::size_t stride = n_fixed > 0 ? n_padded : padded(n);
-
-  // The spin first: the unbalance needs its acceleration.
-  const double drive = drive_torque_.empty() ? 0 : drive_torque(t);
-  double torque = drive;
-  for (std::size_t s = 0; s < n_stations_; ++s) torque += force_on_station[s].torque;
-  double windage = 0;
-  if (windage_) {
-    windage = (*windage_)(omega);
-    torque -= windage;
-  }
-  const double omega_rate = torque / body_.Ip;
-  dydt[4 * n] = omega;
-  dydt[4 * n + 1] = omega_rate;
-
-  // The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
-  const double cosine = std::cos(spin_angle), sine = std::sin(spin_angle);
-  const double along_cos = omega * omega * cosine + omega_rate * sine,
-               along_sin = omega * omega * sine - omega_rate * cosine;
-  const double *u_cos = unbalance_cos_.data(), *u_sin = unbalance_sin_.data();
-  const double *c = damping_rate_.data(), *k = omega_squared_.data();
-  double unbalance_work = 0, damping = 0;
-#pragma omp simd reduction(+ : unbalance_work, damping)
-  for (std::size_t i = 0; i < n; ++i) {
-    const double unbalance_y = along_cos * u_cos[i] - along_sin * u_sin[i];
-    const double unbalance_z = along_sin * u_cos[i] + along_cos * u_sin[i];
-    unbalance_work += unbalance_y * v_y[i] + unbalance_z * v_z[i];
-    damping += c[i] * (v_y[i] * v_y[i] + v_z[i] * v_z[i]);
-    dydt[i] = v_y[i];
-    dydt[n + i] = v_z[i];
-    a_y[i] = unbalance_y - c[i] * v_y[i] - k[i] * q_y[i];
-    a_z[i] = unbalance_z - c[i] * v_z[i] - k[i] * q_z[i];
-  }
-  // Uniform gravity moves the centre of gravity alone.
-  a_y[0] += gravity_y_;
-  a_z[0] += gravity_z_;
-
-  // The translation (mode 0) has no slope and so no gyroscopic term.
-  const double* G = gyroscopic_.data() + stride;
-#pragma GCC unroll 10
-  for (std::size_t j = 1; j < n; ++j, G += stride) {
-    const double from_y = omega * v_y[j], from_z = omega * v_z[j];
-#pragma GCC unroll 10
-    for (std::size_t i = 0; i < n_summed; ++i) {
-      a_y[i] -= G[i] * from_z;
-      a_z[i] += G[i] * from_y;
-    }
-  }
-
-  const double* per_force = force_influence_.data();
-  for (std::size_t s = 0; s < n_stations_; ++s, per_force += 2 * stride) {
-    const double* per_moment = per_force + stride;
-    const double force_y = force_on_station[s].y, moment_z = force_on_station[s].moment_z;
-    const double force_z = force_on_station[s].z, moment_y = force_on_station[s].moment_y;
-#pragma GCC unroll 10
-    for (std::size_t i = 0; i < n_summed; ++i) {
-      a_y[i] += per_force[i] * force_y + per_moment[i] * moment_z;
-      a_z[i] += per_force[i] * force_z - per_moment[i] * moment_y;
-    }
-  }
-  if (n_fixed > 0)
-    for (std::size_t i = 0; i < n; ++i) {
-      dydt[2 * n + i] = a_y[i];
-      dydt[3 * n + i] = a_z[i];
-    }
-  return {body_.mass * damping, body_.mass * unbalance_work, drive * omega, windage * omega, omega_rate};
 }
 
 double ModalRotor::energy(std::span<const double> y) const {
@@ -366,7 +340,7 @@ void ModalRotor::add_static_deflection(std::span<const Force> force_on_station, 
   const std::size_t n = n_modes_;
   for (std::size_t s = 0; s < n_stations_; ++s)
     for (std::size_t i = 2; i < n; ++i) {
-      const double per_force = station_shape_[s * n + i].deflection / (body_.mass * omega_squared_[i]);
+      const double per_force = station_shape_[2 * s * filled_up(n) + i] / (body_.mass * omega_squared_[i]);
       y[i] += per_force * force_on_station[s].y;
       y[n + i] += per_force * force_on_station[s].z;
     }
@@ -374,7 +348,7 @@ void ModalRotor::add_static_deflection(std::span<const Force> force_on_station, 
 
 std::vector<double> ModalRotor::mode_frequencies() const {
   std::vector<double> frequencies;
-  for (const double w2 : omega_squared_) frequencies.push_back(std::sqrt(w2) / two_pi);
+  for (std::size_t k = 0; k < n_modes_; ++k) frequencies.push_back(std::sqrt(omega_squared_[k]) / two_pi);
   return frequencies;
 }
 

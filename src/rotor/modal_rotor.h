@@ -112,18 +112,7 @@ class ModalRotor final : public RotorModel {
   [[nodiscard]] std::vector<double> mode_frequencies() const;
 
  private:
-  /// Deflection and slope per unit modal coordinate.
-  struct Shape {
-    double deflection = 0, slope = 0;
-  };
-  using Rates = RotorPower (ModalRotor::*)(double, const double*, const Force*, double*) const;
-  using Motions = void (ModalRotor::*)(const double*, const Shape*, std::size_t, Motion*) const;
-
-  // Bodies of rates() and motions(); n_fixed is the number of modes if the compiler knows it, else 0.
-  template <std::size_t n_fixed>
-  RotorPower rates_of(double t, const double* y, const Force* force_on_station, double* dydt) const;
-  template <std::size_t n_fixed>
-  void motions_of(const double* y, const Shape* shape, std::size_t n_points, Motion* out) const;
+  struct Kernels;  // bodies of rates() and motions(), for several widths of vectors
 
   [[nodiscard]] std::size_t axial_at() const { return 4 * n_modes_ + 2; }
   void add_axial_motion(std::span<const double> y, std::span<Motion> out) const;
@@ -131,18 +120,17 @@ class ModalRotor final : public RotorModel {
                        std::span<double> dydt, RotorPower& power) const;
 
   std::size_t n_modes_ = 0, n_stations_ = 0, n_nodes_ = 0;
-  Rates rates_ = nullptr;
-  Motions motions_ = nullptr;
   RigidBody body_;
   double gravity_y_ = 0, gravity_z_ = 0, alpha_ = 0;
-  std::vector<double> omega_squared_;    // [n_modes]
-  std::vector<double> damping_rate_;     // [n_modes] 2 zeta omega_k + alpha
-  std::vector<double> gyroscopic_;       // [n_modes columns of padded n_modes]
-  std::vector<double> unbalance_cos_;    // [n_modes] sum of me cos(a) Phi / m
-  std::vector<double> unbalance_sin_;    // [n_modes] sum of me sin(a) Phi / m
-  std::vector<double> force_influence_;  // [n_stations x (force, moment) x padded n_modes] acceleration per unit force
-  std::vector<Shape> station_shape_;     // [n_stations x n_modes]
-  std::vector<Shape> node_shape_;        // [n_nodes x n_modes]
+  // Lists of modes are filled up to whole vectors.
+  std::vector<double> omega_squared_;    // [modes]
+  std::vector<double> damping_rate_;     // [modes] 2 zeta omega_k + alpha
+  std::vector<double> gyroscopic_;       // [n_modes columns][modes]
+  std::vector<double> unbalance_cos_;    // [modes] sum of me cos(a) Phi / m
+  std::vector<double> unbalance_sin_;    // [modes] sum of me sin(a) Phi / m
+  std::vector<double> force_influence_;  // [n_stations][force, moment][modes] acceleration per unit force
+  std::vector<double> station_shape_;    // [n_stations][deflection, slope][modes] per unit modal coordinate
+  std::vector<double> node_shape_;       // [n_nodes][deflection, slope][modes]
   std::vector<double> station_position_;
   TimeTable drive_torque_;
   std::optional<Windage> windage_;

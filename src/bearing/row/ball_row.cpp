@@ -12,6 +12,19 @@
 #include "bearing/row/ball_row_kernels.h"
 
 namespace rotordrop {
+namespace {
+
+/// Added to the penetrations of a row without waves: nothing, but idle_penetration behind its balls.
+const double* only_idle(int n_balls) {
+  static const auto list = [] {
+    std::array<double, BallRow::max_balls + vector_length> values{};
+    std::fill_n(values.end() - vector_length, vector_length, idle_penetration);
+    return values;
+  }();
+  return list.data() + (BallRow::max_balls - n_balls);
+}
+
+}  // namespace
 
 double RaceContact::largest_pressure(double load) const {
   if (load <= 0.) return 0.;
@@ -139,40 +152,48 @@ double BallRow::waviness_power(const BallRowInput& in, const double* added, cons
   return power;
 }
 
+KernelInput BallRow::kernel_input(const BallRowInput& in, double* waved, Widening& bent) const {
+  const bool is_bent = !in.shape.empty();
+  if (is_bent) widen(in, bent);
+  if (!waves_.empty()) fill_added(in, waved);
+  const Constants at = grown(in);
+  return {cosine_.data(),
+          sine_.data(),
+          waves_.empty() ? only_idle(geometry_.n_balls) : waved,
+          n_padded_,
+          waves_.empty() ? 2. * in.ball_growth : 0.,
+          at.A,
+          at.radial,
+          at.axial,
+          at.arm,
+          geometry_.position,
+          geometry_.stiffness,
+          1.5 * geometry_.damping_beta,
+          in.cage_cosine,
+          in.cage_sine,
+          in.displacement,
+          in.rate,
+          is_bent ? &bent : nullptr};
+}
+
 template <class Kernel>
 void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
-  const bool is_bent = !in.shape.empty();
   Widening bent;
-  if (is_bent) widen(in, bent);
-  std::array<double, max_balls> added;
-  fill_added(in, added.data());
-  const Constants at = grown(in);
-  const KernelInput balls{cosine_.data(),
-                          sine_.data(),
-                          added.data(),
-                          n_padded_,
-                          at.A,
-                          at.radial,
-                          at.axial,
-                          at.arm,
-                          geometry_.position,
-                          geometry_.stiffness,
-                          1.5 * geometry_.damping_beta,
-                          in.cage_cosine,
-                          in.cage_sine,
-                          in.displacement,
-                          in.rate,
-                          is_bent ? &bent : nullptr};
-  kernel(balls, out);
-  if (is_bent) press_shapes(in, bent);
+  std::array<double, max_balls> waved;
+  const KernelInput balls = kernel_input(in, waved.data(), bent);
+  if (tractions) {
+    const double F_c = centrifugal_force(in);
+    const TractionInput with{F_c,
+                             geometry_.inner_gyroscopic_share,
+                             {{geometry_.inner, stiffness_root_}, {geometry_.outer, stiffness_root_}}};
+    kernel(balls, out, &with, tractions);
+    tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
+  } else {
+    kernel(balls, out, nullptr, nullptr);
+  }
+  if (balls.bent) press_shapes(in, bent);
   out.inner_load_roots = out.outer_load_roots = stiffness_root_ * out.inner_load_roots;
-  out.waviness_power = waves_.empty() ? 0. : waviness_power(in, added.data(), is_bent ? bent.width.data() : nullptr);
-  if (!tractions) return;
-  const double F_c = centrifugal_force(in);
-  const RaceEdges edges{{geometry_.inner, stiffness_root_}, {geometry_.outer, stiffness_root_}};
-  (is_bent ? sum_bent_tractions : sum_tractions)(balls, F_c, geometry_.inner_gyroscopic_share, edges, *tractions);
-  tractions->centrifugal = F_c;
-  tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
+  out.waviness_power = waves_.empty() ? 0. : waviness_power(in, waved.data(), balls.bent ? bent.width.data() : nullptr);
 }
 
 double BallRow::centrifugal_force(const BallRowInput& in) const {
@@ -181,13 +202,12 @@ double BallRow::centrifugal_force(const BallRowInput& in) const {
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run([](const KernelInput& k, BallRowOutput& o) { k.bent ? sum_bent_translations(k, o) : sum_translations(k, o); }, in,
-      out, tractions);
+  run(sum_translations, in, out, tractions);
 }
 
 void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run([](const KernelInput& k, BallRowOutput& o) { k.bent ? sum_all_bent(k, o) : sum_all(k, o); }, in, out, tractions);
+  run(sum_all_motions, in, out, tractions);
 }
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
@@ -235,22 +255,9 @@ double BallRow::energy(const BallRowInput& in) const {
       both += inertial_.c_i * std::pow(w.u_i[j], 5) + inertial_.c_o * std::pow(w.Q_o[j], 5. / 3.);
     return 0.4 * both;
   }
-  std::array<double, max_balls> added;
-  fill_added(in, added.data());
-  const Constants at = grown(in);
   Widening bent;
-  const double* width = nullptr;  // of bent rings
-  if (!in.shape.empty()) {
-    widen(in, bent);
-    width = bent.width.data();
-  }
-  double sum = 0.;
-  for (int j = 0; j < geometry_.n_balls; ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    const double delta = std::max(penetration(in, at, j, added[k], width ? width[k] : 0.), 0.);
-    sum += delta * delta * std::sqrt(delta);
-  }
-  return 0.4 * geometry_.stiffness * sum;
+  std::array<double, max_balls> waved;
+  return 0.4 * geometry_.stiffness * sum_deflections(kernel_input(in, waved.data(), bent));
 }
 
 double BallRow::offset_for_axial_load(const BallRowGeometry& g, double axial_load) {

@@ -8,6 +8,7 @@
 
 namespace rotordrop {
 
+struct KernelInput;   // bearing/row/ball_row_kernels.h
 struct RowTractions;  // laws/skidding.h
 struct Widening;      // bearing/row/ball_row_bending.h
 
@@ -161,6 +162,8 @@ class BallRow {
     double A, radial, axial, arm;  // A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
   };
   [[nodiscard]] Constants grown(const BallRowInput& input) const;
+  /// @param waved [max_balls], @param bent  space that what is returned may refer to
+  [[nodiscard]] KernelInput kernel_input(const BallRowInput& input, double* waved, Widening& bent) const;
   template <class Kernel>
   void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
   void fill_added(const BallRowInput& input, double* added) const;

@@ -6,202 +6,175 @@
 #include "base/wide_vectors.h"
 #include "bearing/row/ball_row_bending.h"
 
-// The row kernel is compiled for several kinds of machine and chosen when the program starts. AVX-512 serves for its 32 registers: the
-// loop keeps eight sums.
-// Sanitizers cannot see through the chooser.
+// The row kernel is compiled for several kinds of machine and chosen when the program starts.
 namespace rotordrop {
 
 namespace {
 
-/// The arrays of bent rings, which overlap with nothing else that a kernel reads.
-struct BentArrays {
-  const double* __restrict width;
-  const double* __restrict rate;
-  const double* __restrict slope;
-  double* __restrict force;
+/// Sums over a row's balls, kept by lane.
+struct ForceSums {
+  Lanes fx, fy, fz, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, cage, largest, roots;
 };
-template <bool is_bent>
-ROTORDROP_KERNEL BentArrays bent_arrays(const KernelInput& in) {
-  if constexpr (is_bent)
-    return {in.bent->width.data(), in.bent->rate.data(), in.bent->slope.data(), in.bent->force.data()};
-  return {};
-}
+struct TractionSums {
+  Lanes inner, outer, gyroscopic, largest, truncation;
+};
 
-// The two kernels differ in the tilt and axial terms only; kept apart because the short one is the hot loop of every drop.
-template <bool is_bent>
-ROTORDROP_KERNEL void translations(const KernelInput& in, BallRowOutput& out) {
-  const BentArrays bent = bent_arrays<is_bent>(in);
-  double fy = 0, fz = 0, fx = 0, dissipated = 0, elastic_radial = 0, elastic_axial = 0, elastic_normal = 0, cage = 0;
-  double largest = 0, roots = 0;
-  const double C = in.cage_cosine, S = in.cage_sine, ey = in.e.y, ez = in.e.z, vy = in.v.y, vz = in.v.z;
-  const double radial = in.radial, Bx = in.axial, Bx2 = Bx * Bx, A = in.A, K = in.K, damping = in.damping;
-#pragma omp simd reduction(+ : fy, fz, fx, dissipated, elastic_radial, elastic_axial, elastic_normal, cage, roots) reduction(max : largest)
-  for (std::size_t j = 0; j < in.n; ++j) {
-    const double c = C * in.cosine[j] - S * in.sine[j];
-    const double s = S * in.cosine[j] + C * in.sine[j];
-    double Br = radial + ey * c + ez * s, Br_rate = vy * c + vz * s;
-    if constexpr (is_bent) {
-      Br += bent.width[j];
-      Br_rate += bent.rate[j];
-    }
-    const double distance = std::sqrt(Br * Br + Bx2);
-    const double inverse = 1. / distance;
-    const double cos_phi = Br * inverse;
-    const double delta = std::max(distance - A + in.added[j], 0.);
-    const double rate = cos_phi * Br_rate;
-    const double root = std::sqrt(delta);
-    const double stiffness = K * root;
-    const double elastic = stiffness * delta;
-    const double F = std::max(stiffness * (delta + damping * rate), 0.);
-    const double F_radial = F * cos_phi;
-    if constexpr (is_bent) bent.force[j] = F_radial;
-    fy -= F_radial * c;
-    fz -= F_radial * s;
-    fx -= F * inverse;
-    dissipated += (F - elastic) * rate;
-    elastic_radial += elastic * cos_phi;
-    elastic_axial += elastic * inverse;
-    elastic_normal += elastic;
-    double Br_turn = ez * c - ey * s;
-    if constexpr (is_bent) Br_turn += bent.slope[j];
-    cage += elastic * cos_phi * Br_turn;
-    largest = std::max(largest, F);
-    roots += root;
-  }
-  out.force_x = fx * Bx;
-  out.force_y = fy;
-  out.force_z = fz;
-  out.moment_y = out.moment_z = 0;
-  out.damping_power = dissipated;
-  out.elastic_radial = elastic_radial;
-  out.elastic_axial = elastic_axial * Bx;
-  out.elastic_normal = elastic_normal;
-  out.elastic_outer_surplus = 0;
-  out.cage_torque = cage;
-  out.largest_load = out.largest_outer_load = largest;
-  out.inner_load_roots = roots;
-  out.inner_loads = out.outer_loads = elastic_normal;
-  out.inertia_power = out.inertia_per_speed = 0;
-}
+/// One ball's contact with the races.
+struct BallContact {
+  double sin_phi, cos_phi, delta, root, F;
+};
 
-template <bool is_bent>
-ROTORDROP_KERNEL void all_motions(const KernelInput& in, BallRowOutput& out) {
-  const BentArrays bent = bent_arrays<is_bent>(in);
-  double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
-  double elastic_axial = 0, largest = 0, roots = 0;
-  const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
-  const RingDisplacement e = in.e, v = in.v;
-#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, cage, roots) reduction(max : largest)
-  for (std::size_t j = 0; j < in.n; ++j) {
-    const double c = C * in.cosine[j] - S * in.sine[j];
-    const double s = S * in.cosine[j] + C * in.sine[j];
-    double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
-    double Br_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
-    double Br_turn = (e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s;
-    if constexpr (is_bent) {
-      Br += bent.width[j];
-      Br_rate += bent.rate[j];
-      Br_turn += bent.slope[j];
-    }
-    const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
-    const double distance = std::sqrt(Br * Br + Bx * Bx);
-    const double inverse = 1. / distance;
-    const double cos_phi = Br * inverse, sin_phi = Bx * inverse;
-    const double delta = std::max(distance - in.A + in.added[j], 0.);
-    const double rate = cos_phi * Br_rate + sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
-    const double root = std::sqrt(delta);
-    const double stiffness = in.K * root;
-    const double elastic = stiffness * delta;
-    const double F = std::max(stiffness * (delta + in.damping * rate), 0.);
-    const double F_radial = F * cos_phi, F_axial = F * sin_phi;
-    if constexpr (is_bent) bent.force[j] = F_radial;
-    fy -= F_radial * c;
-    fz -= F_radial * s;
-    fx -= F_axial;
-    my += F_radial * xr * s - F_axial * arm * s;
-    mz += F_axial * arm * c - F_radial * xr * c;
-    dissipated += (F - elastic) * rate;
-    elastic_radial += elastic * cos_phi;
-    elastic_axial += elastic * sin_phi;
-    elastic_normal += elastic;
-    cage += elastic * (cos_phi * Br_turn + sin_phi * arm * (e.psi_y * c + e.psi_z * s));
-    largest = std::max(largest, F);
-    roots += root;
-  }
-  out.force_x = fx;
-  out.force_y = fy;
-  out.force_z = fz;
-  out.moment_y = my;
-  out.moment_z = mz;
-  out.damping_power = dissipated;
-  out.elastic_radial = elastic_radial;
-  out.elastic_axial = elastic_axial;
-  out.elastic_normal = elastic_normal;
-  out.elastic_outer_surplus = 0;
-  out.cage_torque = cage;
-  out.largest_load = out.largest_outer_load = largest;
-  out.inner_load_roots = roots;
-  out.inner_loads = out.outer_loads = elastic_normal;
-  out.inertia_power = out.inertia_per_speed = 0;
-}
-
-template <bool is_bent>
-ROTORDROP_KERNEL void tractions_of(const KernelInput& in, double F_c, double inner_share, const RaceEdges& edges,
-                                   RowTractions& out) {
-  const BentArrays bent = bent_arrays<is_bent>(in);
-  double inner = 0, outer = 0, gyroscopic = 0, largest = 0, truncation = 0;
+ROTORDROP_KERNEL void add_tractions(const TractionInput& with, const BallContact& b, std::size_t l, TractionSums& sum) {
   constexpr double nothing = 1e-100;  // [N]
-  const RaceEdge inner_edge = edges.inner, outer_edge = edges.outer;
+  const OuterContact o = outer_contact(b.F, b.sin_phi, b.cos_phi, with.F_c);
+  const double T_g = gyroscopic_traction(with.F_c, o.sine);
+  sum.inner[l] += b.F;
+  sum.outer[l] += o.load;
+  sum.gyroscopic[l] += T_g;
+  const double inner_demand = with.inner_share * T_g / (b.F + nothing),
+               outer_demand = (1. - with.inner_share) * T_g * o.per_load;
+  sum.largest[l] = std::max(sum.largest[l], std::max(inner_demand, outer_demand));
+  // Without damping, Q^(1/3) = K^(1/3) delta^(1/2).
+  const auto &inner_edge = with.edges.inner, &outer_edge = with.edges.outer;
+  const double sine = std::fabs(b.sin_phi), per_root = 1. / (b.root + 1e-30);
+  const double inner_margin = (inner_edge.sine * b.cos_phi - inner_edge.cosine * sine) * per_root;
+  const double outer_margin = (outer_edge.sine * b.cos_phi - outer_edge.cosine * sine) * per_root;
+  const double margin = inner_margin < outer_margin ? inner_margin : outer_margin;
+  const double beyond = b.delta > 0. ? 0.5 - margin : 0.;
+  sum.truncation[l] = sum.truncation[l] > beyond ? sum.truncation[l] : beyond;
+}
+
+// A ring that only translates leaves out the terms of tilt and axial motion: the hot loop of every drop.
+template <bool tilts, bool is_bent, bool with_tractions>
+ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* with,
+                                RowTractions* tractions) {
+  ForceSums sum;
+  TractionSums traction_sum;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e, v = in.v;
-#pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : largest, truncation)
-  for (std::size_t j = 0; j < in.n; ++j) {
-    const double c = C * in.cosine[j] - S * in.sine[j];
-    const double s = S * in.cosine[j] + C * in.sine[j];
-    double Br = in.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s;
-    double Br_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
-    if constexpr (is_bent) {
-      Br += bent.width[j];
-      Br_rate += bent.rate[j];
+  const double radial = in.radial, A = in.A, grown = in.grown, K = in.K, damping = in.damping;
+  const std::size_t n = whole_vectors(in.n);
+  for (std::size_t first = 0; first < n; first += vector_length) {
+#pragma omp simd
+    for (std::size_t l = 0; l < vector_length; ++l) {
+      const std::size_t j = first + l;
+      const double c = C * in.cosine[j] - S * in.sine[j];
+      const double s = S * in.cosine[j] + C * in.sine[j];
+      double e_y = e.y, e_z = e.z, v_y = v.y, v_z = v.z, Bx = in.axial, Bx_rate = 0., Bx_turn = 0.;
+      if constexpr (tilts) {
+        e_y += xr * e.psi_z;
+        e_z -= xr * e.psi_y;
+        v_y += xr * v.psi_z;
+        v_z -= xr * v.psi_y;
+        Bx += e.x + arm * (e.psi_y * s - e.psi_z * c);
+        Bx_rate = v.x + arm * (v.psi_y * s - v.psi_z * c);
+        Bx_turn = arm * (e.psi_y * c + e.psi_z * s);
+      }
+      double Br = radial + e_y * c + e_z * s, Br_rate = v_y * c + v_z * s, Br_turn = e_z * c - e_y * s;
+      if constexpr (is_bent) {
+        Br += in.bent->width[j];
+        Br_rate += in.bent->rate[j];
+        Br_turn += in.bent->slope[j];
+      }
+      const double distance = std::sqrt(Br * Br + Bx * Bx);
+      const double inverse = 1. / distance;
+      const double cos_phi = Br * inverse, sin_phi = Bx * inverse;
+      const double delta = std::max(distance - A + (grown + in.added[j]), 0.);
+      double rate = cos_phi * Br_rate;
+      if constexpr (tilts) rate += sin_phi * Bx_rate;
+      const double root = std::sqrt(delta);
+      const double stiffness = K * root;
+      const double elastic = stiffness * delta;
+      const double F = std::max(stiffness * (delta + damping * rate), 0.);
+      const double F_radial = F * cos_phi, F_axial = F * sin_phi;
+      if constexpr (is_bent) in.bent->force[j] = F_radial;
+      sum.fx[l] -= F_axial;
+      sum.fy[l] -= F_radial * c;
+      sum.fz[l] -= F_radial * s;
+      if constexpr (tilts) {
+        sum.my[l] += F_radial * xr * s - F_axial * arm * s;
+        sum.mz[l] += F_axial * arm * c - F_radial * xr * c;
+      }
+      sum.dissipated[l] += (F - elastic) * rate;
+      sum.elastic_radial[l] += elastic * cos_phi;
+      sum.elastic_axial[l] += elastic * sin_phi;
+      sum.elastic_normal[l] += elastic;
+      sum.cage[l] += elastic * (cos_phi * Br_turn + sin_phi * Bx_turn);
+      sum.largest[l] = std::max(sum.largest[l], F);
+      sum.roots[l] += root;
+      if constexpr (with_tractions) add_tractions(*with, {sin_phi, cos_phi, delta, root, F}, l, traction_sum);
     }
-    const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
-    const double distance = std::sqrt(Br * Br + Bx * Bx);
-    const double inverse = 1. / distance;
-    const double cos_phi = Br * inverse, sin_phi = Bx * inverse;
-    const double delta = std::max(distance - in.A + in.added[j], 0.);
-    const double rate = cos_phi * Br_rate + sin_phi * (v.x + arm * (v.psi_y * s - v.psi_z * c));
-    const double F = std::max(in.K * std::sqrt(delta) * (delta + in.damping * rate), 0.);
-    const OuterContact o = outer_contact(F, sin_phi, cos_phi, F_c);
-    const double T_g = gyroscopic_traction(F_c, o.sine);
-    inner += F;
-    outer += o.load;
-    gyroscopic += T_g;
-    const double inner_demand = inner_share * T_g / (F + nothing), outer_demand = (1. - inner_share) * T_g * o.per_load;
-    largest = std::max(largest, std::max(inner_demand, outer_demand));
-    // Without damping, Q^(1/3) = K^(1/3) delta^(1/2).
-    const double sine = std::fabs(sin_phi), per_root = 1. / (std::sqrt(delta) + 1e-30);
-    const double inner_margin = (inner_edge.sine * cos_phi - inner_edge.cosine * sine) * per_root;
-    const double outer_margin = (outer_edge.sine * cos_phi - outer_edge.cosine * sine) * per_root;
-    const double margin = inner_margin < outer_margin ? inner_margin : outer_margin;
-    const double beyond = delta > 0. ? 0.5 - margin : 0.;
-    truncation = truncation > beyond ? truncation : beyond;
   }
-  out = {inner, outer, (1. - inner_share) * gyroscopic, largest, inner_share * gyroscopic};
-  out.truncation = std::min(truncation, 1.);
+  out.force_x = sum.fx.sum();
+  out.force_y = sum.fy.sum();
+  out.force_z = sum.fz.sum();
+  out.moment_y = tilts ? sum.my.sum() : 0.;
+  out.moment_z = tilts ? sum.mz.sum() : 0.;
+  out.damping_power = sum.dissipated.sum();
+  out.elastic_radial = sum.elastic_radial.sum();
+  out.elastic_axial = sum.elastic_axial.sum();
+  out.elastic_normal = sum.elastic_normal.sum();
+  out.elastic_outer_surplus = 0;
+  out.cage_torque = sum.cage.sum();
+  out.largest_load = out.largest_outer_load = sum.largest.largest();
+  out.inner_load_roots = sum.roots.sum();
+  out.inner_loads = out.outer_loads = out.elastic_normal;
+  out.inertia_power = out.inertia_per_speed = 0;
+  if constexpr (with_tractions) {
+    const double gyroscopic = traction_sum.gyroscopic.sum();
+    tractions->inner_load = traction_sum.inner.sum();
+    tractions->outer_load = traction_sum.outer.sum();
+    tractions->gyroscopic = (1. - with->inner_share) * gyroscopic;
+    tractions->largest_gyroscopic_over_load = traction_sum.largest.largest();
+    tractions->inner_gyroscopic = with->inner_share * gyroscopic;
+    tractions->centrifugal = with->F_c;
+    tractions->truncation = std::min(traction_sum.truncation.largest(), 1.);
+  }
+}
+
+template <bool is_bent>
+ROTORDROP_KERNEL double deflections(const KernelInput& in) {
+  Lanes sum;
+  const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
+  const RingDisplacement e = in.e;
+  const double e_y = e.y + xr * e.psi_z, e_z = e.z - xr * e.psi_y;
+  const std::size_t n = whole_vectors(in.n);
+  for (std::size_t first = 0; first < n; first += vector_length) {
+#pragma omp simd
+    for (std::size_t l = 0; l < vector_length; ++l) {
+      const std::size_t j = first + l;
+      const double c = C * in.cosine[j] - S * in.sine[j];
+      const double s = S * in.cosine[j] + C * in.sine[j];
+      double Br = in.radial + e_y * c + e_z * s;
+      if constexpr (is_bent) Br += in.bent->width[j];
+      const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
+      const double delta = std::max(std::sqrt(Br * Br + Bx * Bx) - in.A + (in.grown + in.added[j]), 0.);
+      sum[l] += delta * delta * std::sqrt(delta);
+    }
+  }
+  return sum.sum();
+}
+
+template <bool tilts>
+void sum_chosen(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  if (in.bent)
+    with ? wide<sum_balls<tilts, true, true>>(in, out, with, tractions)
+         : wide<sum_balls<tilts, true, false>>(in, out, with, tractions);
+  else
+    with ? wide<sum_balls<tilts, false, true>>(in, out, with, tractions)
+         : wide<sum_balls<tilts, false, false>>(in, out, with, tractions);
 }
 
 }  // namespace
 
-void sum_translations(const KernelInput& in, BallRowOutput& out) { wide<translations<false>>(in, out); }
-void sum_bent_translations(const KernelInput& in, BallRowOutput& out) { wide<translations<true>>(in, out); }
-void sum_all(const KernelInput& in, BallRowOutput& out) { wide<all_motions<false>>(in, out); }
-void sum_all_bent(const KernelInput& in, BallRowOutput& out) { wide<all_motions<true>>(in, out); }
-void sum_tractions(const KernelInput& in, double F_c, double inner_share, const RaceEdges& edges, RowTractions& out) {
-  wide<tractions_of<false>>(in, F_c, inner_share, edges, out);
+void sum_translations(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  sum_chosen<false>(in, out, with, tractions);
 }
-void sum_bent_tractions(const KernelInput& in, double F_c, double inner_share, const RaceEdges& edges,
-                        RowTractions& out) {
-  wide<tractions_of<true>>(in, F_c, inner_share, edges, out);
+void sum_all_motions(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  sum_chosen<true>(in, out, with, tractions);
+}
+double sum_deflections(const KernelInput& in) {
+  return in.bent ? wide<deflections<true>>(in) : wide<deflections<false>>(in);
 }
 
 }  // namespace rotordrop

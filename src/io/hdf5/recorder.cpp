@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 
@@ -30,9 +31,8 @@ namespace {
 struct Column {
   Handle dataset;
   std::string path;
-  std::size_t size = 1;          ///< values per row
-  bool is_flat = true;           ///< [time], not [time, size]
-  std::vector<double> buffered;  ///< rows not yet written [n, size]
+  std::size_t size = 1;  ///< values per row
+  bool is_flat = true;   ///< [time], not [time, size]
 
   [[nodiscard]] int rank() const { return is_flat ? 1 : 2; }
 };
@@ -41,11 +41,12 @@ struct Group {
   Column time;
   std::vector<Column> columns;
   std::size_t row_size = 0;
+  std::vector<double> times, rows;  ///< not yet written [n], [n, row_size]
   std::size_t n_written = 0;
   double last_time = -std::numeric_limits<double>::infinity();
   std::uint64_t check_sum = 0;  ///< of all rows so far, times included
 
-  [[nodiscard]] std::size_t n_buffered() const { return time.buffered.size(); }
+  [[nodiscard]] std::size_t n_buffered() const { return times.size(); }
 };
 
 Handle chunked(std::size_t chunk_rows, std::size_t size, int rank) {
@@ -58,10 +59,10 @@ Handle chunked(std::size_t chunk_rows, std::size_t size, int rank) {
   return list;
 }
 
-Handle small_cache(std::size_t chunk_bytes) {
-  // Rows are written once, in order: two chunks are enough, where HDF5 would take 1 MB for each of some hundred datasets.
+/// Rows are written once, in order, many at a time: a chunk goes to the file at once, and those of a dataset follow on each other.
+Handle no_cache() {
   Handle list(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "make property list");
-  hdf5::require(H5Pset_chunk_cache(list.id(), 17, 2 * chunk_bytes, 1.0), "set chunk cache");
+  hdf5::require(H5Pset_chunk_cache(list.id(), 17, 0, 1.0), "set chunk cache");
   return list;
 }
 
@@ -73,10 +74,9 @@ Column make_column(hid_t file, const Channel& channel, const std::string& time_p
   const hsize_t now[2] = {0, channel.size};
   const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
   const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
-  const std::size_t chunk_bytes = chunk_rows * channel.size * sizeof(double);
   column.dataset =
       Handle(H5Dcreate2(file, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), hdf5::with_missing_groups().id(),
-                        chunked(chunk_rows, channel.size, column.rank()).id(), small_cache(chunk_bytes).id()),
+                        chunked(chunk_rows, channel.size, column.rank()).id(), no_cache().id()),
              H5Dclose, "cannot make dataset " + channel.path);
   hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
   hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
@@ -91,10 +91,10 @@ std::uint64_t mixed(std::uint64_t sum, double value) {
   return sum ^ (sum >> 32);
 }
 
-/// Writes the buffered rows behind the first `from`.
-void write_buffered(Column& column, std::size_t from) {
+/// Writes rows behind the first `from`. @param values [n, size]
+void write_rows(const Column& column, std::size_t from, std::span<const double> values) {
   const std::string what = "dataset " + column.path;
-  const std::size_t n = column.buffered.size() / column.size;
+  const std::size_t n = values.size() / column.size;
   const hsize_t extent[2] = {from + n, column.size};
   hdf5::require(H5Dset_extent(column.dataset.id(), extent), what);
   const Handle in_file(H5Screate_simple(column.rank(), extent, nullptr), H5Sclose, what);
@@ -102,10 +102,22 @@ void write_buffered(Column& column, std::size_t from) {
   const hsize_t count[2] = {n, column.size};
   hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start, nullptr, count, nullptr), what);
   const Handle in_memory(H5Screate_simple(column.rank(), count, nullptr), H5Sclose, what);
-  hdf5::require(H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT,
-                         column.buffered.data()),
-                what);
-  column.buffered.clear();
+  hdf5::require(
+      H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()), what);
+}
+
+/// Writes the buffered rows of all columns but the time's.
+void write_columns(const Group& group) {
+  std::vector<double> values;
+  std::size_t first = 0;  // value of the column in a row
+  for (const Column& column : group.columns) {
+    values.resize(group.n_buffered() * column.size);
+    auto to = values.begin();
+    for (std::size_t at = first; at < group.rows.size(); at += group.row_size)
+      for (std::size_t k = 0; k < column.size; ++k) *to++ = group.rows[at + k];
+    write_rows(column, group.n_written, values);
+    first += column.size;
+  }
 }
 
 void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups,
@@ -220,16 +232,17 @@ void Recorder::Implementation::flush() {
   hdf5::be_quiet();
   try {
     for (auto& group : groups)
-      if (group.n_buffered() > 0)
-        for (auto& column : group.columns) write_buffered(column, group.n_written);
+      if (group.n_buffered() > 0) write_columns(group);
     hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL),
                   "flush");  // the values are out before the times that announce them
     for (auto& group : groups) {
       const std::size_t n = group.n_buffered();
       if (n == 0) continue;
-      write_buffered(group.time, group.n_written);
+      write_rows(group.time, group.n_written, group.times);
       hdf5::require(H5Dflush(group.time.dataset.id()), "flush");
       group.n_written += n;
+      group.times.clear();
+      group.rows.clear();
     }
   } catch (const SolverError& error) {
     failure = "the result file " + path.string() + " could not be written (" + error.what() + ").\n" +
@@ -301,15 +314,10 @@ void Recorder::append(std::size_t group_index, double time, std::span<const doub
   if (!(time >= group.last_time))
     throw std::invalid_argument("Recorder: times of " + group.time.path + " must not decrease");
   group.last_time = time;
-  group.time.buffered.push_back(time);
+  group.times.push_back(time);
+  group.rows.insert(group.rows.end(), row.begin(), row.end());
   group.check_sum = mixed(group.check_sum, time);
   for (const double value : row) group.check_sum = mixed(group.check_sum, value);
-  auto next = row.begin();
-  for (auto& column : group.columns) {
-    const auto end = next + static_cast<std::ptrdiff_t>(column.size);
-    column.buffered.insert(column.buffered.end(), next, end);
-    next = end;
-  }
   const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
   if (group.n_buffered() >= implementation_->options.rows_per_flush ||
       waited.count() >= implementation_->options.seconds_per_flush)

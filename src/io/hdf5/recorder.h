@@ -38,7 +38,7 @@ struct RecordHeader {
 
 struct RecorderOptions {
   bool overwrite = false;             ///< replace an existing file; without it an existing file is an InputError
-  std::size_t rows_per_flush = 4096;  ///< rows of a group held in memory before they are written
+  std::size_t rows_per_flush = 8192;  ///< rows of a group held in memory before they are written
   double seconds_per_flush = 1;       ///< [s] of wall time after which append() writes what it holds
   std::size_t rows_per_chunk =
       1024;  ///< chunk length of the datasets: larger is faster, but each dataset takes one chunk at least

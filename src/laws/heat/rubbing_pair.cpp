@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -14,17 +15,19 @@ namespace {
 
 using std::numbers::pi;
 
+/// Of lists of whole vectors.
 ROTORDROP_KERNEL double sum_of_products(const double* a, const double* b, std::size_t n) {
-  double sum = 0.;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
-  return sum;
+  Lanes sum;
+  for (std::size_t first = 0; first < n; first += vector_length)
+#pragma omp simd
+    for (std::size_t i = 0; i < vector_length; ++i) sum[i] += a[first + i] * b[first + i];
+  return sum.sum();
 }
 
 /// y <- decay y + gain flux. What has died away must not become denormal, which is slow to compute with.
 ROTORDROP_KERNEL void go_on(const double* decay, const double* gain, double flux, std::size_t n, double* y) {
 #pragma omp simd
-  for (std::size_t i = 0; i < n; ++i) y[i] = decay[i] * y[i] + gain[i] * flux + 1e-250;
+  for (std::size_t i = 0; i < whole_vectors(n); ++i) y[i] = decay[i] * y[i] + gain[i] * flux + 1e-250;
 }
 
 }  // namespace
@@ -41,10 +44,13 @@ TrackMemory::TrackMemory(const RubbedBody& body, std::size_t n_cells, double axi
       heat_(n_cells, 0.),
       fresh_(n_cells, 0.),
       interval_(shortest_interval),
-      is_kept_(n_kept, 0) {
+      per_interval_(1. / shortest_interval) {
   RootKernel kernel(duration, shortest_interval);
   rate_ = std::move(kernel.rate);
   weight_ = std::move(kernel.weight);
+  // Filled up to whole vectors with terms that stay zero.
+  rate_.resize(filled_up(rate_.size()), 0.);
+  weight_.resize(rate_.size(), 0.);
   memory_.assign(n_cells * rate_.size(), 0.);
   gain_.resize(rate_.size());
   decay_.resize(rate_.size());
@@ -52,8 +58,10 @@ TrackMemory::TrackMemory(const RubbedBody& body, std::size_t n_cells, double axi
 }
 
 std::size_t TrackMemory::cell_at(double angle) const {
-  const double turns = angle / (2. * pi);
-  const auto cell = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(n_cells()));
+  const double turns = angle * (0.5 / pi);
+  double whole = static_cast<double>(static_cast<long>(turns));
+  if (whole > turns) whole -= 1.;
+  const auto cell = static_cast<std::size_t>((turns - whole) * static_cast<double>(n_cells()));
   return std::min(cell, n_cells() - 1);
 }
 
@@ -61,13 +69,20 @@ const double* TrackMemory::decay_over(double lag) const {
   const auto fill = [&](double* to, double over) {
     for (std::size_t l = 0; l < rate_.size(); ++l) to[l] = std::exp(-rate_[l] * over);
   };
-  const double count = std::nearbyint(lag / interval_);
-  if (count < static_cast<double>(n_kept) && std::fabs(lag - count * interval_) < 1e-6 * interval_) {
-    const auto k = static_cast<std::size_t>(count);
-    double* const kept = &kept_decay_[k * rate_.size()];
-    if (!is_kept_[k]) fill(kept, count * interval_);
-    is_kept_[k] = 1;
-    return kept;
+  const double count = lag * per_interval_;
+  if (count < static_cast<double>(n_kept) - 1.) {
+    const auto k = static_cast<std::size_t>(count + 0.5);
+    if (std::fabs(count - static_cast<double>(k)) < 1e-6) {
+      const std::size_t n = rate_.size();
+      for (; n_filled_ <= k; ++n_filled_) {
+        double* const decay = &kept_decay_[n_filled_ * n];
+        if (n_filled_ < 2)
+          fill(decay, static_cast<double>(n_filled_) * interval_);
+        else
+          std::transform(decay - n, decay, &kept_decay_[n], decay, std::multiplies<>());
+      }
+      return &kept_decay_[k * n];
+    }
   }
   if (lag != decay_lag_) fill(decay_.data(), lag);
   decay_lag_ = lag;
@@ -89,7 +104,8 @@ void TrackMemory::add(double from, double to, double half_angle, double heat) {
 }
 
 void TrackMemory::commit(double t, double step) {
-  if (step != gain_step_) {
+  // Steps of equal length differ by the roundoff of the times between which they lie.
+  if (!(std::fabs(step - gain_step_) <= 1e-9 * step)) {
     gain_step_ = step;
     for (std::size_t l = 0; l < rate_.size(); ++l)
       gain_[l] = scale_ * weight_[l] * (rate_[l] > 0. ? -std::expm1(-rate_[l] * step) / rate_[l] : step);

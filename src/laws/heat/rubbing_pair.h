@@ -41,7 +41,7 @@ class TrackMemory {
   [[nodiscard]] const double* decay_over(double lag) const;
 
   double scale_ = 0, cell_area_ = 0;
-  std::vector<double> rate_, weight_;  ///< of the terms [1/s], [s^-1/2]
+  std::vector<double> rate_, weight_;  ///< of the terms [1/s], [s^-1/2] [n_terms], whole vectors of them
   std::vector<double> memory_;         ///< [n_cells][n_terms]
   std::vector<double> heated_at_;      ///< time of a cell's memory [s] [n_cells]
   std::vector<double> heat_, fresh_;   ///< [J] [n_cells]
@@ -50,9 +50,9 @@ class TrackMemory {
   double gain_step_ = -1;
   // Lags are mostly whole numbers of intervals: their decays are kept [up to n_kept][n_terms].
   static constexpr std::size_t n_kept = 512;
-  double interval_ = 0;
+  double interval_ = 0, per_interval_ = 0;
   mutable std::vector<double> kept_decay_, decay_;
-  mutable std::vector<char> is_kept_;
+  mutable std::size_t n_filled_ = 0;  ///< of kept decays, each the one before times that of one interval
   mutable double decay_lag_ = -1;
 };
 

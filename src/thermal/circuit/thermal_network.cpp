@@ -1,9 +1,11 @@
 #include "thermal/circuit/thermal_network.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace rotordrop {
 namespace {
@@ -89,6 +91,8 @@ ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
   const std::size_t surroundings = with_capacity_.size();
   state_of[n] = surroundings;
   for (std::size_t i = 0; i < elimination.massless.size(); ++i) massless_of[elimination.massless[i]] = i;
+  flows_ = LinearFlows(surroundings, data_.places.size());
+  const auto watts_into = [&](std::size_t state) { return state == surroundings ? 1. : inverse_capacity_[state]; };
 
   // Conductances between kept nodes after elimination: the Schur complement's off-diagonal entries.
   for (std::size_t a = 0; a <= n; ++a)
@@ -99,7 +103,12 @@ ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
       for (std::size_t m = 0; m < elimination.massless.size(); ++m)
         G -= elimination.laplacian(row, static_cast<Eigen::Index>(elimination.massless[m])) *
              elimination.weights(static_cast<Eigen::Index>(m), column);
-      if (G > 0.) links_.push_back({state_of[a], state_of[b], G});
+      if (!(G > 0.)) continue;
+      for (const auto& [from, to] : {std::pair{state_of[a], state_of[b]}, std::pair{state_of[b], state_of[a]}}) {
+        if (from == surroundings) continue;  // always at the ambient temperature
+        flows_.by_rise(from, from) -= G * watts_into(from);
+        flows_.by_rise(to, from) += G * watts_into(to);
+      }
     }
   for (const auto& r : data_.resistors) {
     if (r.law == Data::Law::constant) continue;
@@ -135,6 +144,14 @@ ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
     spread(place.shaft_node, port.shaft, port.shaft_lost);
     spread(place.inner_contact, port.inner, port.inner_lost);
     spread(place.outer_contact, port.outer, port.outer_lost);
+    std::size_t at = 0;
+    for (const auto& [terms, lost] :
+         {std::pair{&port.ring, port.ring_lost}, std::pair{&port.shaft, port.shaft_lost},
+          std::pair{&port.inner, port.inner_lost}, std::pair{&port.outer, port.outer_lost}}) {
+      for (const auto& term : *terms)
+        flows_.by_port(term.node, ports_.size(), at) += term.factor * watts_into(term.node);
+      flows_.by_port(surroundings, ports_.size(), at++) += lost;
+    }
     ports_.push_back(std::move(port));
   }
 
@@ -169,15 +186,18 @@ ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
   }
 
   for (const auto& g : data_.growths) {
+    while (growths_.size() <= g.place) growths_.emplace_back(surroundings);
     const std::size_t node = index(g.node);
+    const auto surface = static_cast<std::size_t>(std::find(growth_surfaces.begin(), growth_surfaces.end(), g.surface) -
+                                                  growth_surfaces.begin());
     if (massless_of[node] == none) {
-      growth_terms_.push_back({g.place, g.surface, state_of[node], g.coefficient});
+      if (node != n) growths_[g.place](surface, state_of[node]) += g.coefficient;
       continue;
     }
     const auto row = static_cast<Eigen::Index>(massless_of[node]);
     for (std::size_t k = 0; k < n; ++k)
       if (const double weight = elimination.weights(row, static_cast<Eigen::Index>(k)); weight != 0.)
-        growth_terms_.push_back({g.place, g.surface, state_of[k], g.coefficient * weight});
+        growths_[g.place](surface, state_of[k]) += g.coefficient * weight;
   }
 
   shown_.resize(n);
@@ -238,14 +258,12 @@ std::vector<std::size_t> ThermalNetwork::ring_states() const {
 }
 
 void ThermalNetwork::growth(std::span<const double> T, std::span<Expansion> out) const {
-  for (auto& expansion : out) expansion = {};
-  for (const auto& term : growth_terms_)
-    out[term.place].*term.surface += term.coefficient * (T[term.node] - data_.ambient);
+  for (std::size_t p = 0; p < out.size(); ++p)
+    out[p] = p < growths_.size() ? growths_[p].of(T, data_.ambient) : Expansion{};
 }
 
 void ThermalNetwork::growth_rates(std::span<const double> rate, std::span<Expansion> out) const {
-  for (auto& expansion : out) expansion = {};
-  for (const auto& term : growth_terms_) out[term.place].*term.surface += term.coefficient * rate[term.node];
+  for (std::size_t p = 0; p < out.size(); ++p) out[p] = p < growths_.size() ? growths_[p].of(rate, 0.) : Expansion{};
 }
 
 ContactHeat ThermalNetwork::Rolling::heat(std::span<const double> T, double ambient, const HeatInput& input) const {
@@ -260,45 +278,28 @@ ContactHeat ThermalNetwork::Rolling::heat(std::span<const double> T, double ambi
 
 double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInput> heat, std::span<double> dydt) const {
   const std::size_t n = with_capacity_.size();
-  double lost = 0.;
-  for (std::size_t i = 0; i < n; ++i) dydt[i] = 0.;
-  // Flows first, as watts into each node; what leaves one node enters the other.
-  const auto flow = [&](std::size_t a, std::size_t b, double q) {
-    dydt[a] -= q;
-    if (b == n)
-      lost += q;
-    else
-      dydt[b] += q;
-  };
-  for (const auto& link : links_)
-    flow(link.a, link.b, link.conductance * (T[link.a] - (link.b == n ? data_.ambient : T[link.b])));
+  double lost = flows_.rates(T, data_.ambient, heat, dydt);
+  const auto give = [&](std::size_t node, double watts) { dydt[node] += watts * inverse_capacity_[node]; };
   for (const auto& link : law_links_) {
     const double difference = T[link.a] - (link.b == n ? data_.ambient : T[link.b]);
     const auto& r = link.resistor;
     const double q = r.law == Data::Law::housing_convection
                          ? housing_convection(difference) * r.area * difference
                          : difference / (heat[r.place].is_in_contact ? r.resistance : r.R_apart);
-    flow(link.a, link.b, q);
-  }
-  for (std::size_t p = 0; p < ports_.size(); ++p) {
-    const Port& port = ports_[p];
-    const double to_ring = heat[p].rub_into_ring, to_shaft = heat[p].rub - to_ring;
-    for (const auto& term : port.ring) dydt[term.node] += term.factor * to_ring;
-    for (const auto& term : port.shaft) dydt[term.node] += term.factor * to_shaft;
-    for (const auto& term : port.inner) dydt[term.node] += term.factor * heat[p].inner;
-    for (const auto& term : port.outer) dydt[term.node] += term.factor * heat[p].outer;
-    lost += port.ring_lost * to_ring + port.shaft_lost * to_shaft + port.inner_lost * heat[p].inner +
-            port.outer_lost * heat[p].outer;
+    give(link.a, -q);
+    if (link.b == n)
+      lost += q;
+    else
+      give(link.b, q);
   }
   for (const auto& r : rolling_) {
     const Port& port = ports_[r.place];
     const ContactHeat q = r.heat(T, data_.ambient, heat[r.place]);
-    for (const auto& term : port.inner) dydt[term.node] += term.factor * q.inner;
-    for (const auto& term : port.outer) dydt[term.node] += term.factor * q.outer;
+    for (const auto& term : port.inner) give(term.node, term.factor * q.inner);
+    for (const auto& term : port.outer) give(term.node, term.factor * q.outer);
     lost += port.inner_lost * q.inner + port.outer_lost * q.outer;
-    dydt[r.balls] -= q.from_balls();
+    give(r.balls, -q.from_balls());
   }
-  for (std::size_t i = 0; i < n; ++i) dydt[i] *= inverse_capacity_[i];
   return lost;
 }
 
@@ -324,9 +325,9 @@ void ThermalNetwork::observe(std::span<const double> T, std::span<const HeatInpu
     double value = shown.of_ambient * data_.ambient;
     for (const auto& term : shown.of_temperature) value += term.factor * T[term.node];
     for (std::size_t p = 0; p < ports_.size(); ++p) {
-      const double to_ring = heat[p].rub_into_ring;
-      value += shown.of_heat[4 * p] * to_ring + shown.of_heat[4 * p + 1] * (heat[p].rub - to_ring) +
-               shown.of_heat[4 * p + 2] * heat[p].inner + shown.of_heat[4 * p + 3] * heat[p].outer;
+      const auto watts = heat_by_port(heat[p]);
+      value += shown.of_heat[4 * p] * watts[0] + shown.of_heat[4 * p + 1] * watts[1] +
+               shown.of_heat[4 * p + 2] * watts[2] + shown.of_heat[4 * p + 3] * watts[3];
     }
     out[i] = value;
   }

@@ -4,6 +4,7 @@
 
 #include "laws/heat/heat_flow.h"
 #include "model/thermal_model.h"
+#include "thermal/circuit/linear_flows.h"
 #include "thermal/heating/rolling_exchange.h"
 
 namespace rotordrop {
@@ -79,15 +80,11 @@ class ThermalNetwork final : public ThermalModel {
   [[nodiscard]] std::vector<std::size_t> ring_states() const override;
 
  private:
-  struct Link {  // between two nodes with capacity, or one and the surroundings (b = ambient_index)
-    std::size_t a, b;
-    double conductance;
-  };
-  struct LawLink {
+  struct LawLink {  // between two nodes with capacity, or one and the surroundings (b = number of those)
     std::size_t a, b;
     ThermalNetworkData::Resistor resistor;
   };
-  struct Term {  // of heat into a node, or of growth
+  struct Term {  // of heat into a node, or of a massless node's temperature
     std::size_t node;
     double factor;
   };
@@ -104,12 +101,6 @@ class ThermalNetwork final : public ThermalModel {
     double inner_inner, inner_outer, outer_outer;  // rises by heat into the contacts [K/W]
     [[nodiscard]] ContactHeat heat(std::span<const double> T, double ambient, const HeatInput& input) const;
   };
-  struct GrowthTerm {
-    std::size_t place;
-    double Expansion::*surface;
-    std::size_t node;
-    double coefficient;
-  };
   struct Shown {  // a massless node: weights of temperatures [K/K] and of the ports' heats [K/W]
     double of_ambient = 0;
     std::vector<Term> of_temperature;
@@ -119,12 +110,12 @@ class ThermalNetwork final : public ThermalModel {
   ThermalNetworkData data_;
   std::vector<std::size_t> with_capacity_;  // state index -> node index
   std::vector<double> inverse_capacity_;
-  std::vector<Link> links_;
+  LinearFlows flows_;  // through constant resistors, and from ports
   std::vector<LawLink> law_links_;
   std::vector<Port> ports_;
   std::vector<Rolling> rolling_;
-  std::vector<GrowthTerm> growth_terms_;
-  std::vector<Shown> shown_;  // one per node
+  std::vector<LinearGrowth> growths_;  // of each place
+  std::vector<Shown> shown_;           // one per node
 };
 
 }  // namespace rotordrop

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Table of what the program costs: docs/performance.md.
+
+    /usr/bin/python3 benchmarks/performance.py [--build build/release] [--previous PROGRAM --previous-case FILE] [--rounds 7] [--update]
+
+Kernels and right-hand sides come from rotordrop_benchmarks, repeated; whole drops, start-up and finite elements from the program. Programs run by turns, so
+that what else happens on the machine meets all of them; every figure is CPU time, the least of the rounds, and behind it the median's surplus over the least: a
+machine that does other work shows in the surplus first.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import platform
+import re
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "docs"))
+from document_tables import put_between  # noqa: E402
+
+DOCUMENT = ROOT / "docs/performance.md"
+CASE = ROOT / "params/neisi2019-settling.toml"
+HEAT = ROOT / "params/heat/ring-in-housing.toml"
+BEGIN, END = "<!-- performance.py: begin -->\n", "<!-- performance.py: end -->"
+FAST = ["--set", 'integration.method="tsitouras"', "--set", "integration.tolerance=1e-6"]
+NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"]
+
+KERNELS = [
+    ("balls", "ball", "one ball, its forces and energies"),
+    ("balls_of_the_yardstick", "ball", "the same by the yardstick of `benchmarks/yardstick.h`"),
+    ("right_hand_side_of/rigid_rings", None, "right-hand side, rigid rings that translate"),
+    ("right_hand_side_of/free_rings", None, "the same, rings that also tilt and move along the axis"),
+    ("right_hand_side_of/inertial_balls", None, "the same, balls with inertia"),
+    ("right_hand_side_of/bent_rings", None, "the same, bent rings over the arc of contact"),
+    ("right_hand_side_of/bent_rings_and_inertial_balls", None, "the same, bent rings and balls with inertia"),
+    ("recorded_row", "row", "one recorded row, written to the file"),
+]
+
+
+class Samples(list):
+    """CPU times [s] of one thing."""
+
+    def text(self, unit, per_second):
+        if not self:
+            return "-"
+        least, middle = min(self), statistics.median(self)
+        return f"{least * per_second:.3g} {unit} (+{(middle / least - 1.0) * 100.0:.0f} %)" if least > 0 else f"0 {unit}"
+
+
+def cpu_of(command, **options):
+    """CPU of a process and its children [s]."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **options)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def version_of(program):
+    return subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.strip()
+
+
+def kernels(program, rounds):
+    """(time, cycles) of each benchmark, by repetition."""
+    out = subprocess.run(
+        [program, "--benchmark_format=json", f"--benchmark_repetitions={rounds}", "--benchmark_min_time=0.1",
+         "--benchmark_filter=^(" + "|".join(name for name, _, _ in KERNELS) + ")$", "--benchmark_enable_random_interleaving=true"],
+        check=True, capture_output=True, text=True).stdout
+    found = {}
+    for run in json.loads(out)["benchmarks"]:
+        if run["run_type"] != "iteration":
+            continue
+        name = run["run_name"]
+        thing = next(thing for known, thing, _ in KERNELS if known == name)
+        if thing:
+            found.setdefault(name, []).append((run[f"per_{thing}"], run[f"cycles_per_{thing}"]))
+        else:
+            balls = run["cpu_time"] * 1e-9 / run["per_ball"]  # of one right-hand side
+            found.setdefault(name, []).append((run["cpu_time"] * 1e-9, run["cycles_per_ball"] * balls))
+    return found
+
+
+def drop(program, case, folder, settings):
+    """CPU of a drop and of its whole process [s]."""
+    out = pathlib.Path(folder, "drop")
+    process = cpu_of([program, "run", case, *settings, "--quiet", "--force", "-o", out])
+    run = json.loads((out / "summary.json").read_text(encoding="utf-8"))["run"]
+    return run["cpu_time"], process
+
+
+def heat(program, folder):
+    """CPU per step and unknown of a heat run [s]; None without finite elements."""
+    out = pathlib.Path(folder, "heat")
+    try:
+        cpu_of([program, "heat", HEAT, "--quiet", "--force", "-o", out])
+        solved = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+        return solved["cpu_time"] / solved["steps"] / solved["unknowns"]
+    except (subprocess.CalledProcessError, FileNotFoundError, KeyError):
+        return None
+
+
+def programs_table(programs, rounds):
+    """Rows of (what, texts of each program)."""
+    samples = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for turn in range(rounds):
+            for name, (program, case, settings) in programs.items():
+                def add(what, value):
+                    if value is not None:
+                        samples.setdefault(what, {}).setdefault(name, Samples()).append(value)
+                in_drop, process = drop(program, case, folder, settings)
+                bare, _ = drop(program, case, folder, settings + NO_ROWS)
+                add("drop", in_drop)
+                add("process", process)
+                add("bare", bare)
+                add("start", cpu_of([program, "--version"]))
+                short, whole = drop(program, case, folder, settings + ["--set", "run.end_time=1ms"])
+                add("fixed", whole - short)
+                add("heat", heat(program, folder))
+                print(f"round {turn + 1} of {rounds}: {name}", flush=True)
+    texts = [
+        ("drop", "reference drop of 0.3 s with its records (`run.cpu_time`)", "ms", 1e3),
+        ("bare", "the same, almost without rows", "ms", 1e3),
+        ("process", "the whole process of the first", "ms", 1e3),
+        ("fixed", "a process of a drop of 1 ms, without the drop", "ms", 1e3),
+        ("start", "`rotordrop --version`", "ms", 1e3),
+        ("heat", "finite elements of `rotordrop heat`, per step and unknown", "ns", 1e9),
+    ]
+    return [(what, [samples.get(key, {}).get(name, Samples()).text(unit, scale) for name in programs])
+            for key, what, unit, scale in texts if key in samples]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
+    parser.add_argument("--previous", type=pathlib.Path, help="program of the previous release, to run by turns with this one")
+    parser.add_argument("--previous-case", type=pathlib.Path, default=CASE, help="the reference case as that release has it")
+    parser.add_argument("--rounds", type=int, default=7)
+    parser.add_argument("--update", action="store_true", help=f"put the tables into {DOCUMENT.relative_to(ROOT)}")
+    a = parser.parse_args()
+
+    found = kernels(a.build / "rotordrop_benchmarks", a.rounds)
+    lines = ["", "| | time | cycles |", "|---|---|---|"]
+    for name, _, what in KERNELS:
+        times, cycles = Samples(t for t, _ in found[name]), min(c for _, c in found[name])
+        unit, scale = ("us", 1e6) if min(times) > 1e-6 else ("ns", 1e9)
+        lines.append(f"| {what} | {times.text(unit, scale)} | {cycles:.3g} |")
+
+    programs = {"this": (a.build / "rotordrop", CASE, FAST)}
+    if a.previous:
+        programs["previous"] = (a.previous, a.previous_case, [])
+    lines += ["", "| | this version, Tsitouras 1e-6 |" + (" previous release, Dormand-Prince 3e-7 |" if a.previous else ""),
+              "|---|---|" + ("---|" if a.previous else "")]
+    for what, values in programs_table(programs, a.rounds):
+        lines.append(f"| {what} | " + " | ".join(values) + " |")
+
+    cpu = re.search(r"model name\s*:\s*(.*)", pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8"))
+    load = os.getloadavg()[0]
+    lines = [f"Machine: {cpu.group(1) if cpu else platform.processor()}, {os.cpu_count()} cores, load {load:.1f} at the end; {a.rounds} rounds.",
+             f"This version: {version_of(a.build / 'rotordrop')}."] + (
+                 [f"Previous release: {version_of(a.previous)}."] if a.previous else []) + lines
+    text = "\n".join(lines) + "\n"
+    print(text)
+    if a.update:
+        put_between(DOCUMENT, BEGIN, END, text)
+
+
+if __name__ == "__main__":
+    main()

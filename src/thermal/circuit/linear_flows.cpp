@@ -1,0 +1,53 @@
+#include "thermal/circuit/linear_flows.h"
+
+#include <algorithm>
+
+namespace rotordrop {
+namespace {
+
+ROTORDROP_KERNEL double flows(const double* columns, std::size_t stride, const double* T, double ambient,
+                              std::size_t n_nodes, const HeatInput* heat, std::size_t n_places, double* dTdt) {
+  double lost = 0.;
+  for (std::size_t row = 0; row < stride; row += vector_length) {
+    const double* column = columns + row;
+    Lanes sum;
+    for (std::size_t j = 0; j < n_nodes; ++j, column += stride) add_product(sum, T[j] - ambient, column);
+    for (std::size_t p = 0; p < n_places; ++p)
+      for (const double watts : heat_by_port(heat[p])) {
+        add_product(sum, watts, column);
+        column += stride;
+      }
+    for (std::size_t l = 0; l < vector_length; ++l) {
+      if (row + l < n_nodes) dTdt[row + l] = sum.value[l];
+      if (row + l == n_nodes) lost = sum.value[l];
+    }
+  }
+  return lost;
+}
+
+ROTORDROP_KERNEL void growths(const double* columns, const double* T, double above, std::size_t n_nodes, double* out) {
+  Lanes sum;
+  for (std::size_t j = 0; j < n_nodes; ++j, columns += vector_length) add_product(sum, T[j] - above, columns);
+  std::copy(sum.value.begin(), sum.value.end(), out);
+}
+
+}  // namespace
+
+LinearFlows::LinearFlows(std::size_t n_nodes, std::size_t n_places)
+    : n_nodes_(n_nodes),
+      n_places_(n_places),
+      stride_(filled_up(n_nodes + 1)),
+      columns_((n_nodes + 4 * n_places) * stride_, 0.) {}
+
+double LinearFlows::rates(std::span<const double> T, double ambient, std::span<const HeatInput> heat,
+                          std::span<double> dTdt) const {
+  return wide<flows>(columns_.data(), stride_, T.data(), ambient, n_nodes_, heat.data(), n_places_, dTdt.data());
+}
+
+Expansion LinearGrowth::of(std::span<const double> T, double above) const {
+  std::array<double, n_surfaces> values;
+  wide<growths>(columns_.data(), T.data(), above, columns_.size() / n_surfaces, values.data());
+  return expansion_of(values);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/wide_vectors.h"
+#include "model/ports.h"
+
+namespace rotordrop {
+
+/// Watts of a place by port: ring, shaft, inner contact, outer contact.
+inline std::array<double, 4> heat_by_port(const HeatInput& h) {
+  return {h.rub_into_ring, h.rub - h.rub_into_ring, h.inner, h.outer};
+}
+
+/// The linear part of a small network as dense columns, which is quicker than link by link:
+///   rate_i = sum_j by_rise_ij (T_j - T_ambient) + sum_p by_port_ip H_p   [K/s],
+/// with one more row for what the surroundings take [W].
+class LinearFlows {
+ public:
+  LinearFlows() = default;
+  LinearFlows(std::size_t n_nodes, std::size_t n_places);
+
+  /// Of a row, a node's rate or n_nodes() for the heat lost, by a node's rise.
+  double& by_rise(std::size_t row, std::size_t node) { return columns_[node * stride_ + row]; }
+  /// The same by the heat at a port of a place, in the order of heat_by_port().
+  double& by_port(std::size_t row, std::size_t place, std::size_t port) {
+    return columns_[(n_nodes_ + 4 * place + port) * stride_ + row];
+  }
+  [[nodiscard]] std::size_t n_nodes() const { return n_nodes_; }
+
+  /// @param T     [n_nodes]
+  /// @param heat  [n_places]
+  /// @param dTdt  [n_nodes]
+  /// @return heat lost [W]
+  double rates(std::span<const double> T, double ambient, std::span<const HeatInput> heat,
+               std::span<double> dTdt) const;
+
+ private:
+  std::size_t n_nodes_ = 0, n_places_ = 0, stride_ = 0;
+  std::vector<double> columns_;  ///< [n_nodes + 4 n_places][stride]
+};
+
+/// Growth of one place by the temperatures of a network, a column of surfaces for each node [m/K].
+class LinearGrowth {
+ public:
+  static constexpr std::size_t n_surfaces = growth_surfaces.size();
+  static_assert(n_surfaces == vector_length);
+  explicit LinearGrowth(std::size_t n_nodes) : columns_(n_nodes * n_surfaces, 0.) {}
+  /// @param surface  its place in growth_surfaces
+  double& operator()(std::size_t surface, std::size_t node) { return columns_[node * n_surfaces + surface]; }
+  /// Growth by the temperatures above one [m], or its rate by their rates above zero [m/s]. @param T [n_nodes]
+  [[nodiscard]] Expansion of(std::span<const double> T, double above) const;
+
+ private:
+  std::vector<double> columns_;
+};
+
+}  // namespace rotordrop
