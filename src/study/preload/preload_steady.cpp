@@ -10,6 +10,7 @@
 #include "analysis/preload/build_preload.h"
 #include "case/fe_module.h"
 #include "machine/build_machine.h"
+#include "machine/heat/make_sections.h"
 #include "study/preload/preload_course.h"
 
 namespace rotordrop {

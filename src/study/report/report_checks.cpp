@@ -11,6 +11,7 @@
 #include "analysis/statics/statics.h"
 #include "bearing/touchdown_parameters.h"
 #include "model/run_warning.h"
+#include "study/json_number.h"
 #include "study/report/report.h"
 
 namespace rotordrop {
