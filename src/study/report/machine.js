@@ -97,7 +97,7 @@ function sideView(machine, scale) {
   for (const support of machine.supports) parts.push(...drawSupport(support, scale, axis, scale.r(shaftRadius(support.x))));
   for (const probe of machine.probes) {
     const at = scale.x(probe.x), y = axis - scale.r(probe.radius);
-    parts.push(element("path", { class: "probe", d: `M${at} ${y}l-5 -11h10zM${at} ${y - 11}v-12`, fill: MACHINE.probe, stroke: MACHINE.probe }, element("title", {}, `${probe.name}: probe at x = ${short(probe.x)} mm, clearance ${short(probe.clearance)} µm`)));
+    parts.push(element("path", { class: "probe", d: `M${at} ${y}l-6 -13h12z`, fill: MACHINE.probe, stroke: "#fff" }, element("title", {}, `${probe.name}: probe at x = ${short(probe.x)} mm, clearance ${short(probe.clearance)} µm`)));
   }
   for (const u of machine.unbalances) {
     const y = axis - scale.r(shaftRadius(u.x)) * Math.cos((u.angle * Math.PI) / 180);

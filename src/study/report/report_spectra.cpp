@@ -24,7 +24,7 @@ std::string words(const Waterfall& w) {
       "Amplitudes, 0-peak, of {} segments of {:.4g} ms: Hann window, mean of the segment taken away, filled up with "
       "zeros to "
       "four times its length; a steady sine shows its amplitude within 1 %. Lines closer than {:.3g} Hz run into one. "
-      "Samples are {:.3g} µs apart; motion faster than {:.4g} Hz would fold back.",
+      "Samples are {:.3g} µs apart; motion faster than {:.6g} Hz would fold back.",
       w.times.size(), w.segment * 1e3, 2. / w.segment, w.interval * 1e6, 0.5 / w.interval);
 }
 

@@ -62,7 +62,7 @@ Waterfall waterfall(const TimeSeries& y, const TimeSeries* z, double interval, d
   if (n < fewest_samples) return result;
   const std::size_t length =
       std::max(fewest_samples,
-               std::bit_floor(std::min(n / 4, static_cast<std::size_t>(std::round(longest_segment / interval)))));
+               std::bit_floor(std::min(n / 3, static_cast<std::size_t>(std::round(longest_segment / interval)))));
   result.segment = static_cast<double>(length) * interval;
 
   // Periodic Hann window.

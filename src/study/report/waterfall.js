@@ -16,7 +16,7 @@ function showWaterfall(fall, into) {
   for (let row = 0; row < rows; ++row)
     for (let k = 0; k < columns; ++k) pixels.data.set([...shade(levels[(rows - 1 - row) * columns + k] / 255), 255], 4 * (row * columns + k));
   canvas.getContext("2d").putImageData(pixels, 0, 0);
-  const total = isNarrow() ? 380 : 620, left = isNarrow() ? 62 : 76, top = 10, bar = isNarrow() ? 84 : 70, width = total - left - bar, height = isNarrow() ? 200 : 270, right = left + width + 14;
+  const total = isNarrow() ? 380 : 620, left = isNarrow() ? 62 : 76, top = 10, bar = isNarrow() ? 84 : 80, width = total - left - bar, height = isNarrow() ? 200 : 270, right = left + width + 14;
   const step = rows > 1 ? (times[rows - 1] - times[0]) / (rows - 1) : 1, t0 = times[0] - step / 2, t1 = times[rows - 1] + step / 2;
   const df = columns > 1 ? (fall.high - fall.low) / (columns - 1) : 1, f0 = fall.low - df / 2, f1 = fall.high + df / 2;
   const toX = (f) => left + ((f - f0) / (f1 - f0)) * width, toY = (t) => top + height - ((t - t0) / (t1 - t0)) * height;
