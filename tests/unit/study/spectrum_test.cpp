@@ -107,8 +107,12 @@ TEST(Spectrum, OverTimeFollowsASineThatBeginsLate) {
   const Waterfall w = waterfall(s, nullptr, interval, 2000.);
   for (std::size_t i = 0; i < w.times.size(); ++i) {
     const double most = *std::max_element(w.amplitude[i].begin(), w.amplitude[i].end());
-    if (w.times[i] + 0.5 * w.segment < 0.15) EXPECT_LT(most, 1e-12) << w.times[i];
-    if (w.times[i] - 0.5 * w.segment > 0.15) EXPECT_NEAR(most, 1., 0.01) << w.times[i];
+    if (w.times[i] + 0.5 * w.segment < 0.15) {
+      EXPECT_LT(most, 1e-12) << w.times[i];
+    }
+    if (w.times[i] - 0.5 * w.segment > 0.15) {
+      EXPECT_NEAR(most, 1., 0.01) << w.times[i];
+    }
   }
   EXPECT_NEAR(w.times.front(), 0.5 * w.segment, 1e-9);
   EXPECT_NEAR(w.times.back(), 0.3 - 0.5 * w.segment, interval);
