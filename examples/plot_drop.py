@@ -200,6 +200,16 @@ def stack(n, height=2.3, width=7.2):
 # Panels: each draws into given axes and returns whether there was anything to draw. ------------------------------------------
 
 
+def orbit_reach(case):
+    """Half the side of every orbit's picture [um]: equal air gaps are equal circles."""
+    reach = 0.0
+    for bearing in case.results.bearings:
+        series = case.results.get(f"/bearings/{bearing}/orbit", quiet=True)
+        if series is not None:
+            reach = max(reach, np.nanmax(np.abs(series[1] - case.ring_at_rest(bearing))), case.gap(bearing) or 0.0)
+    return 1e6 * reach
+
+
 def orbit_panel(case, axes, bearing, with_legend=True):
     axes.set_title(f"{bearing}: orbit of the rotor", color=case.colour[bearing])
     series = case.results.get(f"/bearings/{bearing}/orbit")
@@ -217,10 +227,9 @@ def orbit_panel(case, axes, bearing, with_legend=True):
     axes.plot(*points[0], "o", color="white", markeredgecolor=ROTOR_COLOUR, markersize=5, label="start", zorder=5)
     axes.plot(*points[-1], "o", color=ROTOR_COLOUR, markersize=5, label="end", zorder=5)
     centre = 1e6 * case.ring_at_rest(bearing)[::-1]  # z, y
-    reach = np.nanmax(np.abs(points - centre))
+    reach = orbit_reach(case)
     gap = case.gap(bearing)
     if gap is not None:
-        reach = max(reach, 1e6 * gap)
         angle = np.linspace(0, 2 * np.pi, 361)
         axes.plot(centre[0] + 1e6 * gap * np.cos(angle), centre[1] + 1e6 * gap * np.sin(angle), label="air gap", **GAP_STYLE)
     axes.set_aspect("equal")

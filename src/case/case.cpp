@@ -65,6 +65,15 @@ Section<CaseParameters> case_section() {
   load_parts_of_environment();
   using P = CaseParameters;
   Section<P> s("", "A rotor drop.");
+  s.text("title", &P::title,
+         {.help = "Title of the case, one line, for its readers: the screen, summary.json and the report show it."});
+  s.text("note", &P::note,
+         {.help = "Remark on the case, for its readers, of any length: summary.json and the report show it."});
+  s.check([](const P& c, const Node& table, Faults& faults) {
+    if (c.title && std::any_of(c.title->begin(), c.title->end(), [](unsigned char x) { return x < 0x20 || x == 0x7f; }))
+      faults.add(position_of_value(table, "title"), "title has a line break or another control character.",
+                 "Write one line; longer remarks belong in `note`.");
+  });
   s.table<RunParameters>("run", &P::run, run_section());
   s.table<RotorParameters>("rotor", &P::rotor, rotor_section());
   s.table<ContactParameters>("contact", &P::contact, contact_section());

@@ -16,6 +16,7 @@ namespace rotordrop {
 
 /// All parameters of a case.
 struct CaseParameters : MachineParameters {
+  std::optional<std::string> title, note;        ///< the user's words about the case, for its readers
   std::optional<PrescribedHeatParameters> heat;  ///< of `rotordrop heat` alone
   IntegrationParameters integration;
   OutputParameters output;

@@ -46,9 +46,9 @@ std::string header(const Case& c) {
   std::string bearings;
   for (const auto& entry : p.bearings) bearings += (bearings.empty() ? "" : ", ") + entry.name;
   return fmt::format(
-      "rotordrop {} ({})   case {}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; thermal growth fed back: {}\n",
-      version(), git_revision(), c.name, rotor_report(p.rotor).body.mass, p.run.initial_speed * 30. / std::numbers::pi,
-      bearings, driver_in_words(p.thermal));
+      "rotordrop {} ({})   case {}{}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; thermal growth fed back: {}\n",
+      version(), git_revision(), c.name, p.title ? ": " + *p.title : "", rotor_report(p.rotor).body.mass,
+      p.run.initial_speed * 30. / std::numbers::pi, bearings, driver_in_words(p.thermal));
 }
 
 /// What is unusual in a case; faults if `strict`.

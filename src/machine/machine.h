@@ -187,6 +187,7 @@ class Machine final {
   std::vector<PlaceLedger> ledger_of_place_;  // of each thermal place
   std::vector<Observable> step_observables_, detail_observables_, state_observables_;
   std::size_t n_step_ = 0, n_detail_ = 0;  ///< sizes of the first two
+  std::size_t n_rotor_observed_ = 0;       ///< of the rotor besides its spin
   double initial_mechanical_ = 0;
 };
 

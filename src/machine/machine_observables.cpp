@@ -31,6 +31,7 @@ void Machine::list_observables() {
   add(state_observables_, "/rotor/",
       {{"spin_speed", "rad/s", "spin speed of the rotor", 1, {}},
        {"spin_angle", "rad", "spin angle of the rotor", 1, {}}});
+  n_rotor_observed_ = add(state_observables_, "/rotor/", parts_.rotor->observables());
   for (std::size_t i = 0; i < thermal_.size(); ++i) {
     auto observables = parts_.thermal[i].model->observables();
     for (auto& o : observables)
@@ -91,7 +92,8 @@ void Machine::observe_state(std::span<const double> y, const Evaluation& found, 
   const Spin spin = parts_.rotor->spin(rotor_part(y));
   out[0] = spin.speed;
   out[1] = spin.angle;
-  std::size_t at = 2;
+  parts_.rotor->observe(rotor_part(y), out.subspan(2, n_rotor_observed_));
+  std::size_t at = 2 + n_rotor_observed_;
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
     parts_.thermal[k].model->observe(thermal_part(k, y), found.heats, out.subspan(at, thermal_[k].n_observed));
     at += thermal_[k].n_observed;

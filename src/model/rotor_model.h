@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "model/observable.h"
 #include "model/ports.h"
 #include "model/state_layout.h"
 
@@ -36,6 +37,10 @@ class RotorModel {
                            std::span<double> dydt) const = 0;
   /// Whether the gas around it brakes it; then rates() reports that power.
   [[nodiscard]] virtual bool has_windage() const { return false; }
+  /// What it reports besides its spin; names are below /rotor/.
+  [[nodiscard]] virtual std::vector<Observable> observables() const { return {}; }
+  /// @param out  [sum of sizes of observables()]
+  virtual void observe(std::span<const double>, std::span<double>) const {}
   /// Kinetic (with spin), elastic and gravitational energy [J]; gravity's zero is the undisplaced centre line.
   [[nodiscard]] virtual double energy(std::span<const double> y) const = 0;
 };

@@ -273,6 +273,21 @@ Motion ModalRotor::node_motion(int node, std::span<const double> y) const {
   return motion;
 }
 
+std::vector<Observable> ModalRotor::observables() const {
+  if (n_modes_ <= 2) return {};
+  std::vector<std::string> columns = {"translation", "tilt"};
+  for (std::size_t k = 2; k < n_modes_; ++k) columns.push_back(fmt::format("bending {}", k - 1));
+  std::vector<Observable> list;
+  for (const char plane : {'y', 'z'})
+    list.push_back({fmt::format("modal_{}", plane), "m",
+                    fmt::format("coordinates of the rotor's free-free modes along {}", plane), n_modes_, columns});
+  return list;
+}
+
+void ModalRotor::observe(std::span<const double> y, std::span<double> out) const {
+  if (n_modes_ > 2) std::copy_n(y.begin(), 2 * n_modes_, out.begin());
+}
+
 void ModalRotor::add_axial_motion(std::span<const double> y, std::span<Motion> out) const {
   for (Motion& motion : out) {
     motion.x = y[axial_at()];

@@ -90,6 +90,9 @@ class ModalRotor final : public RotorModel {
                    std::span<double> dydt) const override;
   [[nodiscard]] bool has_windage() const override { return windage_.has_value(); }
   [[nodiscard]] double energy(std::span<const double> y) const override;
+  /// Of a rotor that bends: modal_y, modal_z, its modal coordinates [m].
+  [[nodiscard]] std::vector<Observable> observables() const override;
+  void observe(std::span<const double> y, std::span<double> out) const override;
 
   /// State of the undeformed rotor that moves as a rigid body.
   /// @param motion_of_centre_of_gravity  displacement, tilt and their rates; see straight_line() and orbit()
@@ -99,6 +102,10 @@ class ModalRotor final : public RotorModel {
   void add_static_deflection(std::span<const Force> force_on_station, std::span<double> y) const;
   /// Motion of every node [n_nodes]; for pictures and tests, not for the hot path.
   void node_motions(std::span<const double> y, std::span<Motion> out) const;
+  /// Displacement of a node per unit of a modal coordinate [-]. @param node  numbered from 1; @param mode  from 0
+  [[nodiscard]] double mode_shape(int node, std::size_t mode) const {
+    return node_shape_[static_cast<std::size_t>(node - 1) * n_modes_ + mode].deflection;
+  }
   /// Torque of motor or brake [N m].
   [[nodiscard]] double drive_torque(double t) const { return value_at(drive_torque_, t); }
 

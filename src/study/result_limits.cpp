@@ -19,7 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 void collect(const Json& value, const std::string& path, std::vector<std::pair<std::string, double>>& to) {
-  for (const char* other : {"run.wall_time", "run.cpu_time", "input_warnings", "warnings", "limits", "second_opinion"})
+  for (const char* other :
+       {"title", "note", "run.wall_time", "run.cpu_time", "input_warnings", "warnings", "limits", "second_opinion"})
     if (path == other) return;
   if (value.is_object()) {
     for (const auto& [key, inner] : value.items()) collect(inner, path.empty() ? key : path + "." + key, to);

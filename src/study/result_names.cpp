@@ -91,6 +91,7 @@ constexpr std::array rules{
     Rule{"support.largest_stored_energy", "J", "largest energy in the springs of the support"},
     Rule{"support.meets_stop", "1", "whether the outer ring meets its stop"},
     Rule{"run.end_time", "s", "end of the simulated time"},
+    Rule{"run.ambient", "K", "temperature of the surroundings"},
     Rule{"run.completed", "1", "whether the run came to its end"},
     Rule{"accepted", "1", "whether all limits of the case are met"},
     Rule{"run.warnings", "1", "number of warnings of the run"},

@@ -1,5 +1,6 @@
 """`rotordrop preload`: verdicts of the documented cases, maps against `rotordrop statics`, histories of a drop, refusals, figures."""
 
+import importlib
 import json
 import pathlib
 import shutil
@@ -226,6 +227,36 @@ class Preload(ProgramTest):
         done = subprocess.run([sys.executable, SOURCE / "examples/plot_preload.py", self.folder], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no", done.stderr)
+        self.axes_show_their_lines()
+
+    def axes_show_their_lines(self):
+        sys.path.append(str(SOURCE / "examples"))
+        try:
+            script = importlib.import_module("plot_preload")
+        finally:
+            sys.path.pop()
+        report = json.loads((self.folder / "out/preload.json").read_text())
+        with h5py.File(self.folder / "out/preload.h5") as file:
+            for name in ("TB1", "TB2"):
+                bearing = script.Bearing(file, report, name)
+                for page in (script.running_page, script.maps_page):
+                    figure = page(bearing)
+                    figure.canvas.draw()
+                    texts = [text.get_text() for axes in figure.axes for text in axes.texts]
+                    self.assertEqual("no preload" in texts, name == "TB1", "a single row holds none")
+                    for axes in figure.axes:
+                        low, high = axes.get_ylim()
+                        left, right = axes.get_xlim()
+                        for line in axes.lines:
+                            x, y = (script.np.asarray(values, float) for values in line.get_data())
+                            if len(x) > 2 and not axes.get_ylabel().startswith("temperature"):
+                                seen = y[(x >= left) & (x <= right)]
+                                self.assertLessEqual(script.np.nanmax(seen), high, (name, axes.get_ylabel()))
+                                self.assertGreater(script.np.nanmax(seen), 0.05 * (high - low) + low, f"{name} {axes.get_ylabel()}: not a line along the axis")
+                        # A legend that stands above its axes covers no line.
+                        if axes.get_legend() and axes.get_ylabel() in ("heat [W]", "preload at operating point [N]"):
+                            self.assertGreaterEqual(axes.get_legend().get_window_extent().y0, axes.get_window_extent().y1 - 1)
+                    script.plt.close(figure)
 
 
 if __name__ == "__main__":

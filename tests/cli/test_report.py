@@ -20,7 +20,7 @@ import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from browser import BROWSER, DRIVER, Browser  # noqa: E402
-from program import PROGRAM, SOURCE, ProgramTest, content_of, settings, start  # noqa: E402
+from program import PARAMS, PROGRAM, SOURCE, ProgramTest, content_of, settings, start  # noqa: E402
 
 sys.path.insert(0, str(SOURCE / "examples"))
 from rotordrop_results import RISE, Results, read_vtu  # noqa: E402
@@ -29,9 +29,23 @@ HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 LARGEST = 5_000_000  # bytes of a page
 
 
+def numbers_of(text, kind):
+    """Numbers that the page has as base64, the lowest byte first."""
+    return numpy.frombuffer(base64.b64decode(text), kind).astype(float)
+
+
+def unpacked(packed):
+    return packed["low"] + (packed["high"] - packed["low"]) * numbers_of(packed["levels"], "<u2") / 65535
+
+
 def data_of(page):
-    """What the page's script draws from."""
-    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+    """What the page's script draws from, packed lines as lists."""
+    data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+    for chart in data["charts"]:
+        for line in chart["lines"]:
+            if "levels" in line:
+                line.update(x=numbers_of(data["axes"][line["axis"]], "<f4").tolist(), y=unpacked(line).tolist())
+    return data
 
 
 class SharedRun(ProgramTest):
@@ -40,13 +54,25 @@ class SharedRun(ProgramTest):
     models = ["lumped"]
 
     @classmethod
+    def text(cls):
+        """The case, beside which the files of params lie."""
+        return f'''base = "reference.toml"
+thermal.fe.section = "plain"
+thermal.fe.field_times = ["3 ms", "8.3 ms", "8.6 ms", "12 ms", "15 ms"]
+run.end_time = "15 ms"  # as long as it takes
+bearings.drag_viscosity = "16e-6 m2/s" # warm air
+thermal.models = {json.dumps(cls.models)}
+'''
+
+    @classmethod
     def setUpClass(cls):
         super().setUpClass()
         maker = cls("make")
         ProgramTest.setUp(maker)
         cls.maker = maker
-        models = json.dumps(cls.models)
-        maker.write("drop.toml", f'base = "reference.toml"\nthermal.fe.section = "plain"\nthermal.fe.field_times = ["3 ms", "8.3 ms", "8.6 ms", "12 ms", "15 ms"]\nrun.end_time = "15 ms"  # as long as it takes\nbearings.drag_viscosity = "16e-6 m2/s" # warm air\nthermal.models = {models}\n')
+        for case in PARAMS.glob("*.toml"):
+            shutil.copy(case, maker.folder)
+        maker.write("drop.toml", cls.text())
         maker.succeed("run", "drop.toml", "-o", "out")
         cls.screen = maker.succeed("report", "out").stdout
         cls.out = maker.folder / "out"
@@ -375,6 +401,46 @@ class OtherRuns(ProgramTest):
         self.assertEqual(data["animation"]["bearings"], [])
         self.assertIn("on linear supports", data["words"][0])
 
+    def test_the_campbell_diagram_has_the_critical_speeds(self):
+        supports = "".join(f'[bearings.{name}]\ntype = "linear"\nnode = {node}\nstiffness = [[2e7, 0], [0, 3e7]]\ndamping = [[1e3, 0], [0, 1e3]]\n' for name, node in (("A", 2), ("B", 28)))
+        self.write("linear.toml", f'[run]\nend_time = "10 ms"\ninitial_speed = "8000 rpm"\n[rotor]\ngeometry = "neisi2019-rotor.json"\n{supports}')
+        self.run_case("linear.toml")
+        charts = {chart["id"]: chart for chart in self.report()["charts"]}
+        critical = json.loads(self.succeed("critical-speeds", "linear.toml", "--json", "--map", "1e6 N/m, 1e9 N/m").stdout)
+        points = charts["campbell"]["points"]
+        self.assertEqual(len(points), len(critical["critical_speeds"]))
+        self.assertGreaterEqual(len(points), 4)
+        for point, one in zip(points, critical["critical_speeds"]):
+            self.assertAlmostEqual(point["x"], one["speed"] * 30 / math.pi, delta=1e-3 * point["x"], msg="rpm")
+            self.assertAlmostEqual(point["y"], one["frequency"], delta=1e-3 * point["y"], msg="Hz")
+            self.assertIn(one["whirl"], point["text"])
+            # It lies on a line of the diagram.
+            nearest = min(abs(numpy.interp(point["x"], line["x"], line["y"]) - point["y"]) for line in charts["campbell"]["lines"] if line["name"] != "spin frequency" and line["x"][0] <= point["x"] <= line["x"][-1])
+            self.assertLess(nearest, 0.01 * point["y"])
+        # The map: at a stiffness that both have.
+        for line, speeds in zip(charts["critical-speed-map"]["lines"], zip(*[at["speeds"][:2] for at in critical["map"]])):
+            for at, speed in zip(critical["map"], speeds):
+                x = math.log10(at["stiffness"])
+                if line["x"][0] <= x <= line["x"][-1]:
+                    self.assertAlmostEqual(numpy.interp(x, line["x"], line["y"]), speed * 30 / math.pi, delta=0.01 * speed * 30 / math.pi)
+
+    def test_a_rigid_rotor_has_no_modes_and_a_side_view_of_its_own(self):
+        self.succeed("run", self.case('rotor.model = "rigid"\n'), "-o", "out", "--quiet")
+        data = self.report()
+        self.assertEqual((data["modes"], data["bending"], data["machine"]["is_rigid"]), (None, None, True))
+        self.assertEqual(len(data["machine"]["elements"]), 30)
+        self.assertFalse([chart for chart in data["charts"] if chart["id"] in ("campbell", "critical-speed-map")])
+        with h5py.File(self.folder / "out/results.h5") as results:
+            self.assertNotIn("modal_y", results["/rotor"])
+
+    def test_a_title_of_several_lines_is_refused(self):
+        done = self.call("check", self.case('title = "one\\ntwo"\n'))
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"drop.toml:3:\d+: title has a line break")
+        screen = self.succeed("run", self.case('title = "Compressor 7"\n'), "-o", "out").stdout
+        self.assertIn("case drop: Compressor 7\n", screen)
+        self.assertRegex(screen, r"mean temperature rise \S+ K inner ring \(\S+ degC\)")
+
     def test_assumptions_say_which_motion_was_computed(self):
         for name in ("neisi2019-thrust.toml", "neisi2019-settling.toml"):
             shutil.copy(SOURCE / "params" / name, self.folder)
@@ -466,11 +532,11 @@ class InTheBrowser(SharedRun):
 
     def test_every_figure_shows_its_lines(self):
         figures = self.browser.run("""
-            return [...document.querySelectorAll("figure:not(.map):not(.field)")].map((figure) => ({
+            return [...document.querySelectorAll("figure:not(.map):not(.field):not(.machine)")].map((figure) => ({
               name: figure.id || figure.textContent,
               lines: [...figure.querySelectorAll("path.series")].map((path) => path.getAttribute("d")),
-              box: figure.querySelector("svg").getBoundingClientRect().toJSON(),
-              view: figure.querySelector("svg").viewBox.baseVal.width,
+              box: figure.querySelector("svg[role]").getBoundingClientRect().toJSON(),
+              view: figure.querySelector("svg[role]").viewBox.baseVal.width, left: figure.querySelector("svg[role]").viewBox.baseVal.x,
               labels: [...figure.querySelectorAll(".x-label, .y-label")].map((text) => text.textContent)}))""")
         drawn = {figure["name"] for figure in figures}
         self.assertLessEqual({"figure-" + name for name in self.charts}, drawn)
@@ -483,10 +549,10 @@ class InTheBrowser(SharedRun):
                     numbers = [float(word) for word in re.findall(r"[^ML ]+", d)]
                     self.assertGreater(len(numbers), 3)
                     self.assertTrue(all(map(math.isfinite, numbers)))
-                    self.assertTrue(all(-1 <= x <= figure["view"] + 1 for x in numbers[::2]) or figure["view"] == 350, "inside its frame")
+                    self.assertTrue(all(-1 <= x - figure["left"] <= figure["view"] + 1 for x in numbers[::2]), "inside its frame")
                 for label in figure["labels"]:
                     self.assertRegex(label, r" \[.+\]$", "an axis has a unit")
-        self.assertEqual(len(figures), len(self.charts) + 4, "two drops and two orbits")
+        self.assertEqual(len(figures), len(self.charts) + 6, "two drops, two orbits, centre line and bending")
 
     @unittest.skipUnless(HAS_ROOM, "the finite-element room is not built")
     def test_fields_are_pictures_with_units(self):
@@ -620,6 +686,382 @@ class InTheBrowser(SharedRun):
         text = self.browser.run("return document.getElementById('page').textContent")
         for sentence in comparison["in_short"] + comparison["verdict"]:
             self.assertIn(sentence, text)
+
+
+class Samples(SharedRun):
+    """Runs with more rows than a figure has points."""
+
+    @classmethod
+    def text(cls):
+        return 'base = "neisi2019-settling.toml"\nrun.end_time = "80 ms"\n'
+
+    def test_figures_have_every_sample(self):
+        with h5py.File(self.out / "results.h5") as results:
+            times = results["/time"][:]
+            self.assertGreater(len(times), 1002, "more than a figure needs")
+            for chart, line, values in (("contact-force", 0, results["/bearings/TB1/contact_force"][:] / 1e3), ("displacement-z", 1, 1e6 * results["/bearings/TB2/orbit"][:, 1]), ("residuals", 0, 1e6 * results["/energy/residual"][:])):
+                with self.subTest(chart):
+                    found = self.charts[chart]["lines"][line]
+                    numpy.testing.assert_allclose(found["x"], 1e3 * times, atol=1e-5)
+                    numpy.testing.assert_allclose(found["y"], values, atol=numpy.ptp(values) / 65535)
+
+    def test_lines_beyond_two_megabytes_are_thinned_and_say_so(self):
+        self.succeed("run", "reference.toml", "-o", "long", "--quiet", *settings(run__end_time="80 ms", output__interval="2 us"))
+        self.succeed("report", "long")
+        page = (self.folder / "long/report.html").read_text()
+        self.assertLess(len(page), LARGEST)
+        lines = [line for chart in data_of(page)["charts"] if chart["x"]["label"] == "time" for line in chart["lines"]]
+        whole, thinned = [line for line in lines if "axis" in line], [line for line in lines if "span" in line]
+        self.assertGreater(len(whole), 5, "the first figures")
+        self.assertGreater(len(thinned), 5)
+        for line in thinned:
+            self.assertAlmostEqual(line["span"], 80 / 500, delta=1e-3, msg="ms")
+            self.assertLessEqual(len(line["x"]), 1002)
+        self.assertLessEqual(sum(len(line["x"]) for line in whole), 750_000)
+
+
+def centred(rows):
+    return rows - rows.mean(axis=0)
+
+
+@unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
+class Pictures(SharedRun):
+    """Pictures of the machine against its case, on a machine that has every part: ribbons under the outer rings, magnets, probes, unbalances; and a linear support."""
+
+    @classmethod
+    def text(cls):
+        return """base = "neisi2019-ribbon.toml"
+title = "Compressor 7, second rotor"
+note = "Ribbons as delivered.\\nAsk before use."
+run.end_time = "15 ms"
+limits."bearings.*.peak_contact_force".max = "4 kN"
+limits."bearings.TB1.friction_heat".max = "200 J"
+
+[bearings.L1]
+type = "linear"
+node = 16
+stiffness = [["1e4 N/m", 0], [0, "1e4 N/m"]]
+damping = [["10 N s/m", 0], [0, "10 N s/m"]]
+"""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.geometry = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
+        cls.x = {node["id"]: 1e3 * node["x"] for node in cls.geometry["nodes"]}  # mm
+        cls.browser = Browser()
+        cls.browser.open(cls.out / "report.html")
+        cls.requests = cls.browser.requests()
+        cls.messages = cls.browser.log("browser")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        super().tearDownClass()
+
+    def parts(self, selector):
+        """Boxes of parts of the side view, in its units (which are pixels at 1366)."""
+        return self.browser.run("return [...document.querySelectorAll('#figure-machine ' + arguments[0])].map((e) => { const b = e.getBBox(); return [b.x, b.y, b.width, b.height]; })", selector)
+
+    def test_nothing_is_complained_of_or_asked_for(self):
+        self.assertEqual([m["message"] for m in self.messages], [])
+        self.assertEqual([url for url in self.requests if not url.startswith("data:")], [(self.out / "report.html").resolve().as_uri()])
+        self.assertEqual(self.browser.run("return document.getElementById('page').dataset.ready"), "yes")
+
+    def test_title_and_note_are_those_of_the_case(self):
+        self.assertEqual(self.browser.run("return document.querySelector('h1').textContent"), "Compressor 7, second rotor")
+        self.assertEqual(self.browser.run("return document.querySelector('.user-note').innerText"), "Ribbons as delivered.\nAsk before use.")
+        self.assertIn("Drop drop", self.browser.run("return document.querySelector('.case-name').textContent"))
+        summary = json.loads((self.out / "summary.json").read_text())
+        self.assertEqual((summary["title"], summary["note"]), ("Compressor 7, second rotor", "Ribbons as delivered.\nAsk before use."))
+
+    def scale(self):
+        """Pixels per millimetre and where x = 0 lies, from the dimension chain's own numbers: ends of the shaft."""
+        boxes = self.parts("rect.element")
+        first, last = self.geometry["elements"][0], self.geometry["elements"][-1]
+        length = self.x[last["n2"]] - self.x[first["n1"]]
+        pixels = (boxes[-1][0] + boxes[-1][2] - boxes[0][0]) / length
+        return pixels, boxes[0][0] - pixels * self.x[first["n1"]]
+
+    def test_the_shaft_has_the_steps_of_the_case_to_a_pixel(self):
+        boxes, (pixels, zero) = self.parts("rect.element"), self.scale()
+        self.assertEqual(len(boxes), len(self.geometry["elements"]), "solid: a box each")
+        self.assertGreater(pixels, 1, "wide enough to be a drawing")
+        middle = boxes[0][1] + boxes[0][3] / 2
+        for box, element in zip(boxes, self.geometry["elements"]):
+            self.assertAlmostEqual(box[0], zero + pixels * self.x[element["n1"]], delta=0.5)
+            self.assertAlmostEqual(box[0] + box[2], zero + pixels * self.x[element["n2"]], delta=0.5)
+            self.assertAlmostEqual(box[3], pixels * 1e3 * element["od"], delta=0.5, msg="diameters have the scale of lengths")
+            self.assertAlmostEqual(box[1] + box[3] / 2, middle, delta=0.01)
+        self.assertGreater(len({round(box[3]) for box in boxes}), 1, "steps are seen")
+
+    def test_parts_stand_at_their_nodes(self):
+        pixels, zero = self.scale()
+        centre = lambda box: (box[0] + box[2] / 2 - zero) / pixels  # noqa: E731
+        for selector, nodes in (("rect.outer-ring", [2, 2, 28, 28]), ("rect.inner-ring", [2, 2, 28, 28]), ("path.magnet", [7, 7, 25, 25]), ("path.probe", [7, 25]), ("path.linear", [16]), ("circle.unbalance", [5, 16])):
+            with self.subTest(selector):
+                found = sorted(map(centre, self.parts(selector)))
+                self.assertEqual(len(found), len(nodes))
+                for x, node in zip(found, sorted(nodes)):
+                    self.assertAlmostEqual(x, self.x[node], delta=1 / pixels + (2 if selector == "path.linear" else 0), msg="a pixel")
+        balls = self.parts("ellipse.ball")
+        self.assertEqual(len(balls), 2 * (1 + 2), "rows of TB1 and TB2, above and below")
+        middle = self.parts("rect.element")[0]
+        for box, (ball, pitch) in zip(balls[:2], ((11.906, 90), (11.906, 90))):
+            self.assertAlmostEqual(box[3], pixels * ball, delta=1)
+            self.assertAlmostEqual(abs(box[1] + box[3] / 2 - middle[1] - middle[3] / 2), pixels * pitch / 2, delta=1)
+        cg = self.browser.run("return document.querySelector('#figure-machine g.centre-of-gravity').transform.baseVal.consolidate().matrix.e")
+        body = json.loads((self.out / "summary.json").read_text())["rotor"]
+        self.assertAlmostEqual((cg - zero) / pixels, 1e3 * body["centre_of_gravity"], delta=1 / pixels)
+
+    def test_dimensions_are_the_distances(self):
+        places = sorted({self.x[1], self.x[2], self.x[7], self.x[16], self.x[25], self.x[28], self.x[31]})
+        texts = [float(text) for text in self.browser.run("return [...document.querySelectorAll('#figure-machine .chain')].map((t) => t.textContent)")]
+        distances = [b - a for a, b in zip(places, places[1:])]
+        self.assertGreaterEqual(len(texts), 4, "room for most of them")
+        left = list(distances)
+        for text in texts:
+            nearest = min(left, key=lambda d: abs(d - text))
+            self.assertAlmostEqual(nearest, text, delta=1e-3 * nearest)
+            left.remove(nearest)
+        self.assertAlmostEqual(float(self.browser.run("return document.querySelector('#figure-machine .length').textContent")), self.x[31] - self.x[1], delta=0.01)
+
+    def test_the_drawing_and_its_names_stay_in_their_frame_and_apart(self):
+        for figure in ("machine", "modes"):
+            view, boxes = self.browser.run("""const svg = document.querySelector("#figure-" + arguments[0] + " svg"), v = svg.viewBox.baseVal;
+                return [[v.width, v.height], [...svg.querySelectorAll("rect, path, circle, ellipse, text:not([transform])")].filter((e) => !e.closest("g[transform]")).map((e) => { const b = e.getBBox(); return [b.x, b.y, b.x + b.width, b.y + b.height, e.outerHTML]; })]""", figure)
+            self.assertGreater(len(boxes), 10)
+            for x0, y0, x1, y1, what in boxes:
+                self.assertTrue(-1 <= x0 and x1 <= view[0] + 1 and -1 <= y0 and y1 <= view[1] + 1, what)
+        names = self.browser.run("return [...document.querySelectorAll('#figure-machine .part-name')].map((e) => { const b = e.getBBox(); return [b.x, b.y, b.x + b.width, b.y + b.height, e.textContent]; })")
+        self.assertEqual({name[4] for name in names}, {"TB1", "TB2", "M1", "M2", "L1", "magnet_A", "magnet_B"})
+        for i, a in enumerate(names):
+            for b in names[:i]:
+                self.assertTrue(a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1], (a[4], b[4]))
+
+    def test_mode_shapes_are_those_of_the_whole_model(self):
+        self.succeed("modes", self.maker.folder / "drop.toml", "--speeds", "15200 rpm", "--shapes", "modes.h5")
+        shown = self.data["modes"]["modes"]
+        self.assertEqual(len(shown), 6)
+        with h5py.File(self.folder / "modes.h5") as modes:
+            group = modes["speed_0"]
+            for k, mode in enumerate(shown):
+                self.assertAlmostEqual(mode["frequency"], group["frequency"][k], delta=2e-3 * group["frequency"][k])
+                y = group["shape_y_real"][k] + 1j * group["shape_y_imaginary"][k]
+                z = group["shape_z_real"][k] + 1j * group["shape_z_imaginary"][k]
+                plane = y if abs(y).max() >= abs(z).max() else z
+                top = plane[numpy.argmax(abs(plane))]
+                numpy.testing.assert_allclose(mode["shape"], (plane / top).real, atol=0.02)
+        drawn = self.browser.run("return [...document.querySelectorAll('#figure-modes path.mode')].map((p) => p.getAttribute('d'))")
+        pixels, zero = self.scale()
+        for d, mode in zip(drawn, shown):
+            points = numpy.array([float(word) for word in re.findall(r"[^ML ]+", d)]).reshape(-1, 2)
+            numpy.testing.assert_allclose((points[:, 0] - zero) / pixels, list(self.x.values()), atol=0.1, err_msg="under the side view")
+            self.assertAlmostEqual(numpy.ptp(points[:, 1]), 26 * numpy.ptp(mode["shape"]), delta=0.2)
+
+    def test_bending_and_rigid_motion_give_the_recorded_orbits(self):
+        bending = self.data["bending"]
+        time = numbers_of(bending["time"], "<f4")
+        with h5py.File(self.out / "results.h5") as results:
+            times = 1e3 * results["/time"][:]
+            rows = [int(numpy.argmin(abs(times - t))) for t in time]
+            for path, node in (("/bearings/TB1/orbit", 2), ("/bearings/TB2/orbit", 28), ("/probes/magnet_A/position", 7)):
+                for column, plane in enumerate("yz"):
+                    displacement = sum(shape[node - 1] * unpacked(q) for shape, q in zip(bending["shapes"], bending[plane]))
+                    numpy.testing.assert_allclose(displacement, 1e6 * results[path][rows, column], atol=0.05, err_msg=f"{path} {plane}, um")
+            numpy.testing.assert_allclose(unpacked(bending["y"][0]), 1e6 * results["/rotor/modal_y"][rows, 0], atol=0.01)
+        self.assertEqual(bending["frequencies"][:2], [0, 0])
+        self.assertAlmostEqual(bending["frequencies"][2], 673.5, delta=0.5, msg="Hz, the rotor file's first bending frequency")
+
+    def test_the_centre_line_follows_the_slider(self):
+        draw = """const slider = document.getElementById("time"); slider.value = arguments[0]; slider.dispatchEvent(new Event("input"));
+                  const figure = (id) => [...document.querySelectorAll(`#figure-${id} path.series`)].map((p) => p.getAttribute("d"));
+                  return [figure("centre-line"), figure("bending")]"""
+        animation, seen = self.data["animation"], []
+        for i in (0, 160, len(animation["bearings"][0]["time"]) - 1):
+            lines, _ = self.browser.run(draw, i)
+            points = [numpy.array([float(word) for word in re.findall(r"[^ML ]+", d)]).reshape(-1, 2) for d in lines]
+            self.assertEqual([len(p) for p in points], [31, 31], "a point at each node")
+            # Two bearings' recorded orbits give the scale; the other two values then follow.
+            (tb1, tb2) = animation["bearings"]
+            y, z = points[0][:, 1], points[1][:, 1]
+            seen.append(((tb1["y"][i], y[1]), (tb2["y"][i], y[27]), (tb1["z"][i], z[1]), (tb2["z"][i], z[27])))
+        pairs = numpy.array(seen).reshape(-1, 2)
+        slope, offset = numpy.polyfit(pairs[:, 0], pairs[:, 1], 1)
+        self.assertLess(slope, 0, "up is up")
+        self.assertLess(abs(pairs[:, 1] - slope * pairs[:, 0] - offset).max(), 0.5, "px")
+        self.assertGreater(numpy.ptp(pairs[:, 1]), 50, "px")
+
+    def test_rotor_and_rings_are_never_cut_off(self):
+        boxes = self.browser.run("""const slider = document.getElementById("time"), found = [];
+            for (let i = 0; i <= +slider.max; i += 3) {
+              slider.value = i; slider.dispatchEvent(new Event("input"));
+              for (const figure of document.querySelectorAll("figure.drop")) {
+                const svg = figure.querySelector("svg"), frame = svg.getBoundingClientRect();
+                for (const part of svg.querySelectorAll("g.rotor circle, g:not(.rotor) > circle")) {  // turned boxes would be too large
+                  const m = part.getScreenCTM(), r = +part.getAttribute("r") * Math.hypot(m.a, m.b);
+                  found.push([m.e - r - frame.left, m.f - r - frame.top, frame.right - m.e - r, frame.bottom - m.f - r]);
+                }
+                for (const part of svg.querySelectorAll("svg > path:not(.axis):not(.series)")) { const b = part.getBoundingClientRect(); found.push([b.left - frame.left, b.top - frame.top, frame.right - b.right, frame.bottom - b.bottom]); }
+              }
+            }
+            return [Math.min(...found.map((f) => Math.min(...f))), found.length]""")
+        self.assertGreater(boxes[1], 100)
+        self.assertGreaterEqual(boxes[0], 0, "px to the nearest edge")
+
+    def test_both_pictures_have_one_air_gap(self):
+        gaps = self.browser.run("""return ["TB1", "TB2"].map((name) => {
+            const orbit = document.querySelector(`#figure-orbit-${name} circle.gap`), view = orbit.ownerSVGElement.viewBox.baseVal;
+            return [+orbit.getAttribute("r"), +orbit.getAttribute("cy"), view.height]; })""")
+        self.assertAlmostEqual(gaps[0][0], gaps[1][0], delta=0.01, msg="equal gaps are equal circles")
+        with h5py.File(self.out / "results.h5") as results:
+            rest = [1e6 * results[f"/bearings/{name}/ring_position"][0] for name in ("TB1", "TB2")]
+        drops = self.browser.run("return [...document.querySelectorAll('figure.drop circle.gap')].slice(0, 2).map((c) => [+c.getAttribute('r'), +c.getAttribute('cx'), +c.getAttribute('cy')])")
+        for (radius, cx, cy), (y, z) in zip(drops, rest):
+            self.assertAlmostEqual(radius, 46, delta=0.01)
+            self.assertAlmostEqual(cx, 46 / 250 * z, delta=0.01)
+            self.assertAlmostEqual(cy, -46 / 250 * y, delta=0.01)
+        scale = gaps[0][0] / 250  # px per um in the orbits
+        self.assertAlmostEqual(gaps[0][1] - gaps[1][1], -scale * (rest[0][0] - rest[1][0]), delta=0.05, msg="each around its ring")
+        self.assertGreater(abs(rest[0][0] - rest[1][0]), 5, "um: the rings hang differently")
+
+    def levels(self, chart):
+        """Limits that a figure shows, and levels that its lines of limits stand at, by its own axis."""
+        return self.browser.run("""const figure = document.querySelector("#figure-" + arguments[0]), ticks = [...figure.querySelectorAll('text[text-anchor=end]:not(.limit)')].map((t) => [+t.getAttribute("y") - 4, +t.textContent]);
+            const [[y0, v0], [y1, v1]] = [ticks[0], ticks[ticks.length - 1]];
+            return [...figure.querySelectorAll("path.limit")].map((p) => v0 + (+/M\\S+ (\\S+)h/.exec(p.getAttribute("d"))[1] - y0) / (y1 - y0) * (v1 - v0))""", chart)
+
+    def test_limits_stand_at_their_values(self):
+        with h5py.File(self.out / "results.h5") as results:
+            rest = [1e6 * results[f"/bearings/{name}/ring_position"][0, 0] for name in ("TB1", "TB2")]
+        for chart, expected in (("displacement-y", [rest[0] - 250, rest[0] + 250, rest[1] - 250, rest[1] + 250]), ("contact-force", [4, 4]), ("heat-given", [200]), ("clearance", [0]), ("ring-position", [-150, 150, -150, 150]),
+                                ("probe-position", [-400, 400] * 4), ("bearing-force", [-31, 31, -62, 62]), ("temperature-TB1", [130])):
+            with self.subTest(chart):
+                limits = [limit["value"] for limit in self.charts[chart]["limits"]]
+                if chart == "bearing-force":
+                    self.assertEqual(limits[:2], [-31, 31], "C0 of TB1, kN")
+                else:
+                    numpy.testing.assert_allclose(sorted(limits), sorted(expected), atol=1e-3)
+                found = self.levels(chart)
+                self.assertEqual(len(found), len(limits), "each has its line")
+                numpy.testing.assert_allclose(sorted(found), sorted(limits), atol=0.01 * max(abs(v) for v in limits) + 1e-3)
+        names = self.browser.run("return [...document.querySelectorAll('#figure-contact-force text.limit, #figure-contact-force .beyond:not([hidden])')].map((t) => t.textContent).join('; ')")
+        self.assertIn("TB1: peak_contact_force at most", names)
+        beyond = self.browser.run("return document.querySelector('#figure-temperature-TB1 .beyond').textContent")
+        self.assertEqual(beyond, "Beyond this figure: temperature_limit of steel (130 K).")
+
+    def test_temperatures_have_degrees_celsius(self):
+        label, ticks = self.browser.run("""const figure = document.querySelector("#figure-temperature-TB1");
+            return [figure.querySelector(".second-label").textContent, [...figure.querySelectorAll("text.second")].map((t) => [+t.getAttribute("y") - 4, +t.textContent])]""")
+        self.assertEqual(label, "temperature [°C]")
+        kelvin = self.browser.run("""return [...document.querySelectorAll("#figure-temperature-TB1 text[text-anchor=end]:not(.limit)")].map((t) => [+t.getAttribute("y") - 4, +t.textContent])""")
+        slope, zero = numpy.polyfit([y for y, _ in kelvin], [v for _, v in kelvin], 1)
+        for y, celsius in ticks:
+            self.assertAlmostEqual(celsius, slope * y + zero + 20, delta=0.02, msg="ambient is 20 °C")
+        self.assertGreaterEqual(len(ticks), 2)
+        rows = {row["name"]: row["values"][0] for row in self.data["numbers"]["rows"]}
+        rise, celsius = re.fullmatch(r"(\S+) \((\S+) °C\)", rows["inner-ring temperature rise at end, lumped"]).groups()
+        self.assertAlmostEqual(float(celsius), 20 + float(rise), delta=0.01)
+        self.assertIn("293.15 K (20 °C)", " ".join(self.data["words"]))
+
+    def test_spectra_are_those_of_numpy(self):
+        with h5py.File(self.out / "results.h5") as results:
+            orbit, force = 1e6 * results["/bearings/TB2/orbit"][:], results["/bearings/TB2/contact_force"][:]
+        n, length, interval = len(force), 128, 50e-6
+        window = 0.5 - 0.5 * numpy.cos(2 * numpy.pi * numpy.arange(length) / length)
+        segments = (n - length) // (length // 8) + 1
+        starts = [(n - length) * i // (segments - 1) for i in range(segments)]
+        for name, signal, sides in (("orbit-TB2", orbit[:, 0] + 1j * orbit[:, 1], 1), ("force-TB2", force, 2)):
+            spectra = [sides * abs(numpy.fft.fft(window * centred(signal[k:k + length]), 4 * length)) / window.sum() for k in starts]
+            frequency = numpy.fft.fftfreq(4 * length, interval)
+            chart = self.charts["spectrum-" + name]
+            at = [int(numpy.argmin(abs(frequency - f))) for f in chart["lines"][0]["x"]]
+            numpy.testing.assert_allclose(frequency[at], chart["lines"][0]["x"], rtol=1e-4)
+            for line, expected in zip(chart["lines"], (numpy.max(spectra, axis=0), numpy.sqrt(numpy.mean(numpy.square(spectra), axis=0)))):
+                expected = expected[at]
+                if sides == 2:
+                    expected[numpy.array(line["x"]) == 0] /= 2
+                found = 10 ** numpy.array(line["y"], float)
+                shown = numpy.isfinite(found)
+                numpy.testing.assert_allclose(found[shown], expected[shown], rtol=1e-3)
+                self.assertTrue((expected[~shown] < 1.001e-3 * expected.max()).all(), "three decades")
+                self.assertGreater(shown.sum(), 20)
+            fall = next(fall for fall in self.data["waterfalls"] if fall["id"] == "waterfall-" + name)
+            self.assertAlmostEqual(fall["largest"], numpy.max(spectra, axis=0)[at].max(), delta=1e-3 * fall["largest"])
+            levels = numbers_of(fall["levels"], "u1").reshape(len(fall["times"]), fall["columns"])
+            expected = 255 * numpy.clip(1 + numpy.log10(numpy.maximum(numpy.array(spectra)[:, at], 1e-300) / fall["largest"]) / 3, 0, 1)
+            away = numpy.array(chart["lines"][0]["x"]) != 0
+            numpy.testing.assert_allclose(levels[:, away], expected[:, away], atol=1.01)
+
+    def test_waterfalls_are_pictures_of_their_amplitudes(self):
+        self.assertEqual(len(self.data["waterfalls"]), self.browser.run("return document.querySelectorAll('figure.waterfall').length"))
+        self.assertGreaterEqual(len(self.data["waterfalls"]), 5, "orbits of both bearings and probes, forces")
+        for fall in self.data["waterfalls"]:
+            size, dark, box = self.browser.run("""
+                const image = document.querySelector("#figure-" + arguments[0] + " image"), canvas = document.createElement("canvas"), source = new Image();
+                source.src = image.getAttribute("href");
+                return source.decode().then(() => {
+                  [canvas.width, canvas.height] = [source.width, source.height];
+                  const context = canvas.getContext("2d");
+                  context.drawImage(source, 0, 0);
+                  const pixels = context.getImageData(0, 0, source.width, source.height).data;
+                  let darkest = 0;
+                  for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 2] < pixels[4 * darkest + 2]) darkest = i / 4;
+                  return [[source.width, source.height], [Math.floor(darkest / source.width), darkest % source.width], image.getBoundingClientRect().toJSON()];
+                })""", fall["id"])
+            self.assertEqual(size, [fall["columns"], len(fall["times"])])
+            levels = numbers_of(fall["levels"], "u1").reshape(len(fall["times"]), fall["columns"])
+            self.assertEqual(levels[len(fall["times"]) - 1 - dark[0], dark[1]], 255, "time runs upwards; the darkest point is the largest amplitude")
+            self.assertGreater(min(box["width"], box["height"]), 150)
+
+    def drag(self, figure, low, high):
+        box = self.browser.run("const e = document.querySelector(arguments[0] + ' .plot'); e.scrollIntoView({block: 'center'}); return e.getBoundingClientRect().toJSON()", figure)
+        y = box["y"] + box["height"] / 2
+        self.browser.point(("move", box["x"] + low * box["width"], y), ("down",), ("move", box["x"] + high * box["width"], y), ("up",))
+        return box
+
+    def test_a_zoomed_figure_shows_every_sample_and_says_so(self):
+        self.drag("#figure-contact-force", 0.5, 0.6)
+        try:
+            samples, state, ends = self.browser.run("""const figure = document.querySelector("#figure-contact-force");
+                return [figure.querySelectorAll("circle.sample").length, figure.querySelector(".state-of-zoom").textContent, [...figure.querySelectorAll("text[text-anchor=middle]:not(.x-label):not(.y-label)")].map((t) => +t.textContent)]""")
+            self.assertEqual(state, "Shown: every recorded sample.")
+            # 1.5 ms of rows every 50 us, for two bearings, and one or two beyond each side.
+            self.assertTrue(2 * 30 <= samples <= 2 * 36, samples)
+            self.assertGreaterEqual(min(ends), 7)
+            self.assertLessEqual(max(ends), 9.1)
+        finally:
+            self.browser.run("document.querySelector('#figure-contact-force button').click()")
+        self.assertTrue(self.browser.run("return document.querySelector('#figure-contact-force .state-of-zoom').hidden"))
+
+    def test_playback_runs_at_the_chosen_speed(self):
+        paces = self.browser.run("return [...document.querySelectorAll('#pace option')].map((o) => o.textContent)")
+        self.assertIn("1 s shows 3 ms", paces)
+        self.assertIn("real time", paces)
+        start = """const slider = document.getElementById("time"), pace = document.getElementById("pace");
+                   slider.value = 0; slider.dispatchEvent(new Event("input")); pace.value = arguments[0]; document.getElementById("play").click();
+                   return new Promise((done) => { const began = performance.now(); setTimeout(() => { document.getElementById("play").click(); done([performance.now() - began, +slider.value, document.getElementById("play").textContent]); }, 900); })"""
+        times = self.data["animation"]["bearings"][0]["time"]
+        for pace in (1, 10):
+            elapsed, frame, text = self.browser.run(start, pace)
+            self.assertEqual(text, "play", "stopped again")
+            self.assertAlmostEqual(times[frame], pace * elapsed / 1000, delta=0.35 * pace + 0.06, msg="ms of the drop")
+
+    def test_it_fits_a_telephone_and_a_sheet_of_paper(self):
+        try:
+            self.browser.call("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": {"width": 420, "height": 900, "deviceScaleFactor": 1, "mobile": False}})
+            self.browser.open(self.out / "report.html")
+            self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 420)
+            self.assertEqual([m["message"] for m in self.browser.log("browser")], [])
+            small = self.browser.run("""return [...document.querySelectorAll("figure svg[role] text")].filter((t) => t.textContent && t.getBoundingClientRect().width > 0)
+                .map((t) => [parseFloat(getComputedStyle(t).fontSize) * t.ownerSVGElement.getBoundingClientRect().width / t.ownerSVGElement.viewBox.baseVal.width, t.textContent]).filter(([size]) => size < 8.5)""")
+            self.assertEqual(small, [], "letters that are too small to read")
+        finally:
+            self.browser.call("POST", "/goog/cdp/execute", {"cmd": "Emulation.clearDeviceMetricsOverride", "params": {}})
+            self.browser.open(self.out / "report.html")
+        printed = base64.b64decode(self.browser.call("POST", "/print", {"page": {"width": 21, "height": 29.7}, "shrinkToFit": False, "background": True}))
+        self.assertTrue(printed.startswith(b"%PDF"))
+        self.assertLess(len(re.findall(rb"/Type\s*/Page\b", printed)), 24)
 
 
 if __name__ == "__main__":

@@ -79,6 +79,19 @@ class Plots(WithAResult):
         self.assertNotIn("not in the file", plot(result))
         self.assertTrue((result / "figures/overview.png").is_file())
 
+    def test_equal_air_gaps_are_equal_circles(self):
+        script = load_script(ROOT / "examples/plot_drop.py")
+        case = script.Case(script.Results(self.result / "results.h5"), {})
+        figure, axes = script.plt.subplots(1, 2)
+        for panel, bearing in zip(axes, ("TB1", "TB2")):
+            script.orbit_panel(case, panel, bearing)
+            gap = next(line for line in panel.lines if line.get_label() == "air gap")
+            self.assertAlmostEqual(max(gap.get_xdata()) - min(gap.get_xdata()), 500, delta=0.5, msg="um")
+        spans = [panel.get_xlim()[1] - panel.get_xlim()[0] for panel in axes]
+        self.assertAlmostEqual(spans[0], spans[1], delta=1e-9 * spans[0])
+        self.assertAlmostEqual(spans[0], axes[0].get_ylim()[1] - axes[0].get_ylim()[0], delta=1e-9 * spans[0])
+        script.plt.close(figure)
+
     @unittest.skipUnless((PROGRAM.parent / "rotordrop_fe.so").exists(), "built without finite elements")
     def test_the_finite_elements_are_drawn_beside_the_circuit(self):
         script = load_script(ROOT / "examples/plot_drop.py")

@@ -1,5 +1,6 @@
 #include "analysis/facts/rotor_report.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "rotor/modal_rotor.h"
@@ -13,6 +14,16 @@ RotorReport rotor_report(const RotorParameters& parameters) {
   for (const double f : rotor.mode_frequencies())
     if (f > 0.) report.free_free_frequencies.push_back(f);
   return report;
+}
+
+RotorShapes rotor_shapes(const RotorParameters& parameters, const std::vector<int>& stations) {
+  const ModalRotor rotor(parameters.geometry, rotor_settings(parameters, {}), stations);
+  RotorShapes shapes{rotor.mode_frequencies(), {}};
+  for (std::size_t mode = 0; mode < rotor.n_modes(); ++mode) {
+    auto& shape = shapes.shape.emplace_back();
+    for (int node = 1; node <= parameters.geometry.n_nodes(); ++node) shape.push_back(rotor.mode_shape(node, mode));
+  }
+  return shapes;
 }
 
 namespace {
@@ -35,10 +46,16 @@ std::vector<LinearSupportAtNode> springs(const std::vector<int>& nodes, double s
 
 }  // namespace
 
-std::vector<WhirlModes> machine_modes(const MachineParameters& p, const std::vector<double>& spin_speeds) {
+std::vector<WhirlModes> machine_modes(const MachineParameters& p, const std::vector<double>& spin_speeds,
+                                      double largest_frequency) {
   const auto supports = linear_supports(p);
-  const ModalAnalysis analysis(p.rotor.geometry, {.modal_damping = p.rotor.modal_damping,
-                                                  .mass_proportional_alpha = p.rotor.mass_proportional_alpha});
+  ModalAnalysisOptions options{.modal_damping = p.rotor.modal_damping,
+                               .mass_proportional_alpha = p.rotor.mass_proportional_alpha};
+  if (std::isfinite(largest_frequency)) {
+    options.cut_off_frequency = 2.5 * largest_frequency;
+    for (const auto& support : supports) options.attachment_nodes.push_back(support.node);
+  }
+  const ModalAnalysis analysis(p.rotor.geometry, options);
   std::vector<WhirlModes> all;
   for (const double speed : spin_speeds) all.push_back(analysis.whirl_modes(speed, supports));
   return all;
@@ -51,7 +68,7 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
   const bool has_linear = !supports.empty();
   std::vector<std::string> stations;
   for (const auto& entry : p.bearings)
-    if (!has_linear || entry.linear()) {
+    if (!has_linear || entry.linear() || entry.magnet()) {
       nodes.push_back(entry.node());
       stations.push_back(entry.name);
     }
@@ -60,9 +77,13 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
     report.is_on_given_stiffness = true;
   }
   if (!supports.empty()) report.stations = stations;
-  ModalAnalysisOptions damped{.modal_damping = p.rotor.modal_damping,
-                              .mass_proportional_alpha = p.rotor.mass_proportional_alpha};
-  const ModalAnalysis analysis(p.rotor.geometry, damped);
+  const ModalAnalysisOptions damped{.modal_damping = p.rotor.modal_damping,
+                                    .mass_proportional_alpha = p.rotor.mass_proportional_alpha};
+  // A picture needs no modes far above it; the supports' nodes keep their flexibility.
+  ModalAnalysisOptions few = damped;
+  few.cut_off_frequency = 5. * options.up_to / (2. * std::numbers::pi);
+  few.attachment_nodes = nodes;
+  const ModalAnalysis analysis(p.rotor.geometry, options.is_coarse ? few : damped);
   report.speeds = analysis.critical_speeds(options.up_to, supports);
   const auto at_end = analysis.whirl_modes(options.up_to, supports);
   report.n_overdamped = at_end.n_overdamped;
@@ -74,10 +95,7 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
       if (speed <= options.up_to) report.map_speeds.back().push_back(speed);
   }
   if (options.n_speeds > 1) {
-    // A picture needs no modes far above it; the supports' nodes keep their flexibility.
-    damped.cut_off_frequency = 5. * options.up_to / (2. * std::numbers::pi);
-    damped.attachment_nodes = nodes;
-    const ModalAnalysis coarse(p.rotor.geometry, damped);
+    const ModalAnalysis coarse(p.rotor.geometry, few);
     for (int k = 0; k < options.n_speeds; ++k) {
       report.diagram_speeds.push_back(options.up_to * k / (options.n_speeds - 1));
       report.diagram_modes.push_back(coarse.whirl_modes(report.diagram_speeds.back(), supports));

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,10 +17,20 @@ struct RotorReport {
 };
 RotorReport rotor_report(const RotorParameters& rotor);
 
+/// The modes whose coordinates a run records (/rotor/modal_y, /rotor/modal_z): displacement of node i = sum over k of shape[k][i] coordinate k.
+struct RotorShapes {
+  std::vector<double> frequency;           ///< [n_modes] [Hz]; 0 for translation and tilt
+  std::vector<std::vector<double>> shape;  ///< [n_modes][n_nodes] [-]
+};
+/// @param stations  nodes at which supports stand (from 1)
+RotorShapes rotor_shapes(const RotorParameters& rotor, const std::vector<int>& stations);
+
 /// Natural modes at constant spin with the case's linear supports; free-free if it has none. Touchdown bearings do not hold the
 /// levitated rotor and take no part.
 /// @param spin_speeds [rad/s]
-std::vector<WhirlModes> machine_modes(const MachineParameters& parameters, const std::vector<double>& spin_speeds);
+/// @param largest_frequency  [Hz] up to which modes are wanted; the supports' nodes keep their flexibility
+std::vector<WhirlModes> machine_modes(const MachineParameters& parameters, const std::vector<double>& spin_speeds,
+                                      double largest_frequency = std::numeric_limits<double>::infinity());
 
 /// What critical speeds are asked for.
 struct CriticalSpeedOptions {
@@ -28,6 +39,7 @@ struct CriticalSpeedOptions {
   std::optional<double> stiffness;
   std::vector<double> map;  ///< [N/m] stiffnesses of all stations for a critical-speed map
   int n_speeds = 0;         ///< places of the Campbell diagram from 0 to up_to; 0: none
+  bool is_coarse = false;   ///< all from the diagram's few modes: for pictures
 };
 
 /// Critical speeds of the rotor on linear supports, and what surrounds them.

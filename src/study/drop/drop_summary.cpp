@@ -87,6 +87,9 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
   const std::span<const double> y = result.state;
   DropSummary s;
   s.case_name = drop_case.name;
+  s.title = p.title.value_or("");
+  s.note = p.note.value_or("");
+  s.ambient = p.run.ambient;
   s.rotor = rotor_report(p.rotor);
   std::vector<double> observed(observed_size(machine.state_observables()));
   Evaluation found;

@@ -56,10 +56,12 @@ struct BearingSummary {
 /// Scalars of a drop, from which summary.json, the screen and studies are rendered. SI.
 struct DropSummary {
   std::string case_name;
+  std::string title, note;  ///< the user's; empty: none
   RotorReport rotor;
   std::vector<BearingSummary> bearings;
   std::vector<ProbeSummary> probes;
   double rotor_speed_end = 0;     ///< [rad/s]
+  double ambient = 0;             ///< [K]; 0: of a summary that does not tell it
   double mechanical_initial = 0;  ///< energy at the start [J]
   EnergyBalance energy;           ///< at the end; `heat` of `heat_models`
   bool has_windage = false;

@@ -158,6 +158,8 @@ RunWarning warning_of(const Json& j) {
 DropSummary recorded_summary(const Json& j) {
   DropSummary s;
   s.case_name = j.value("case", "");
+  s.title = j.value("title", "");
+  s.note = j.value("note", "");
   for (const auto& [name, b] : j["bearings"].items()) s.bearings.push_back(bearing_of(name, b));
   const Json probes = j.value("probes", Json::object());
   for (const auto& [name, probe] : probes.items()) s.probes.push_back(probe_of(name, probe));
@@ -178,6 +180,7 @@ DropSummary recorded_summary(const Json& j) {
   const Json& run = j["run"];
   s.completed = run["completed"].get<bool>();
   s.end_time = number(run, "end_time");
+  s.ambient = run.value("ambient", 0.);
   s.until = run["until"].get<std::string>();
   s.ended_by = run["ended_by"].get<std::string>();
   for (const auto& warning : j.value("warnings", Json::array()))

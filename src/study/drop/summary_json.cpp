@@ -116,6 +116,8 @@ Json energy_json(const DropSummary& s) {
 Json summary_json(const DropSummary& s) {
   Json j;
   j["case"] = s.case_name;
+  if (!s.title.empty()) j["title"] = s.title;
+  if (!s.note.empty()) j["note"] = s.note;
   j["rotor"] = {{"mass", s.rotor.body.mass},
                 {"polar_inertia", s.rotor.body.Ip},
                 {"diametral_inertia", s.rotor.body.Id},
@@ -129,6 +131,7 @@ Json summary_json(const DropSummary& s) {
   if (s.windows) j["windows"] = windows_json(s.windows->report, s.windows->energy);
   j["run"] = {{"completed", s.completed},
               {"end_time", s.end_time},
+              {"ambient", s.ambient},
               {"ended_by", s.ended_by},
               {"until", s.until},
               {"wall_time", s.wall_time},

@@ -19,46 +19,47 @@ constexpr double rpm = 30. / std::numbers::pi;
 
 std::string ms(double time) { return std::isfinite(time) ? fmt::format("{:.4g} ms", time * 1e3) : "never"; }
 
-/// "1.23 K inner ring, 0.45 K shaft": of the bodies that a model has.
-std::string rises_text(const BearingSummary::Rises& rises) {
+/// "1.23 K inner ring (21.4 degC), 0.45 K shaft (20.6 degC)": of the bodies that a model has. @param ambient  [K]; 0: unknown
+std::string rises_text(const BearingSummary::Rises& rises, double ambient) {
   std::string text;
   for (const auto& [node, words] :
        {std::pair{"inner_ring", "inner ring"}, std::pair{"shaft", "shaft"}, std::pair{"ball", "balls"}})
     if (const double* rise = rises.find(node))
-      text += fmt::format("{}{:.2f} K {}", text.empty() ? "" : ", ", *rise, words);
+      text += fmt::format("{}{:.2f} K {}{}", text.empty() ? "" : ", ", *rise, words,
+                          ambient > 0. ? fmt::format(" ({:.1f} degC)", ambient + *rise - 273.15) : "");
   return text;
 }
 
 /// "2.31 K inner ring, 0.96 K shaft, 0.01 K balls; finite elements 2.33 K inner ring ...": by every model.
-std::string all_rises_text(const BearingSummary& b) {
+std::string all_rises_text(const BearingSummary& b, double ambient) {
   std::string text;
   const auto add = [&](const ThermalKind& kind, const std::string& rises) {
     text += text.empty() ? "" : "; ";
     text += (text.empty() ? "" : kind.word + " ") + rises;
   };
   for (const auto& rises : b.rises)
-    if (rises.kind->is_unmarked) add(*rises.kind, rises_text(rises));
+    if (rises.kind->is_unmarked) add(*rises.kind, rises_text(rises, ambient));
   if (b.section) {
     const FeSummary& fe = b.section->fe;
     const auto* bore = fe.surface("bore");
     add(*b.section->kind,
-        rises_text({b.section->kind, fe.rises}) +
+        rises_text({b.section->kind, fe.rises}, ambient) +
             (bore && bore->has_rows ? fmt::format(", bore {:.1f} K at {}", bore->highest, ms(bore->highest_time))
                                     : ""));
   }
   for (const auto& rises : b.rises)
-    if (!rises.kind->is_unmarked) add(*rises.kind, rises_text(rises));
+    if (!rises.kind->is_unmarked) add(*rises.kind, rises_text(rises, ambient));
   return text;
 }
 
-std::string bearing_text(const BearingSummary& b) {
+std::string bearing_text(const BearingSummary& b, double ambient) {
   const BearingScalars& s = b.scalars;
   const std::size_t indent = b.name.size() + 2;
   std::string text = fmt::format(
       "{}: first contact {}, peak contact force {:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", b.name,
       ms(s.first_contact_time), s.contact_force.value * 1e-3, b.friction_heat, s.friction_heat_rate.value * 1e-3);
   text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; mean temperature rise {}\n", "",
-                      indent, s.ring_speed_end * rpm, ms(s.catch_up_time), all_rises_text(b));
+                      indent, s.ring_speed_end * rpm, ms(s.catch_up_time), all_rises_text(b, ambient));
   if (b.local) text += local_text(b.name, *b.local);
   if (b.is_free)
     text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", indent, s.axial_force.smallest * 1e-3,
@@ -106,7 +107,7 @@ std::string energy_text(const DropSummary& s) {
 
 std::string summary_text(const DropSummary& s) {
   std::string text;
-  for (const auto& b : s.bearings) text += bearing_text(b);
+  for (const auto& b : s.bearings) text += bearing_text(b, s.ambient);
   text += probe_text(s.probes) + reduction_text(s);
   if (!s.until.empty())
     text += s.ended_by == s.until ? fmt::format("Ended by run.until = \"{}\" at t = {:.6g} s, at {:.4g} rpm\n", s.until,

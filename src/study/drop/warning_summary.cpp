@@ -61,8 +61,10 @@ std::string sentence(const RunWarning& w) {
   if (code == "gap-closed")
     return fmt::format("growth by heat and speed leaves {:.4g} um of the air gap{}", w.worst * 1e6, when(w));
   if (code == "temperature")
-    return fmt::format("{} reaches {:.4g} K{}, above the {:.4g} K that its material stands (temperature_limit)", w.part,
-                       w.worst, when(w), w.limit);
+    return fmt::format(
+        "{} reaches {:.4g} K ({:.4g} degC){}, above the {:.4g} K ({:.4g} degC) that its material stands "
+        "(temperature_limit)",
+        w.part, w.worst, w.worst - 273.15, when(w), w.limit, w.limit - 273.15);
   if (code == "fit-open")
     return fmt::format("the fit of the outer ring in its housing opens or would have to pull, up to {:.0f} % of it{}",
                        100. * w.worst, when(w));
@@ -82,8 +84,10 @@ std::string sentence(const RunWarning& w) {
         "thermal.fe.response_tolerance",
         100. * w.worst, w.part);
   if (code == "local-temperature")
-    return fmt::format("the {} reaches {:.0f} K where it rubs{}, above the {:.4g} K that its material stands", w.part,
-                       w.worst, when(w), w.limit);
+    return fmt::format(
+        "the {} reaches {:.0f} K ({:.0f} degC) where it rubs{}, above the {:.4g} K ({:.4g} degC) that its material "
+        "stands",
+        w.part, w.worst, w.worst - 273.15, when(w), w.limit, w.limit - 273.15);
   if (code == "wear")
     return fmt::format("the {} wears by {:.3g} um in this drop, more than contact.wear_depth_limit = {:.3g} um", w.part,
                        w.worst * 1e6, w.limit * 1e6);

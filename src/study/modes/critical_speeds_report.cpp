@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -61,8 +62,11 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
   j["case"] = rotor_case.name;
   j["units"] = {{"speed", "rad/s"},   {"frequency", "Hz"}, {"damping_ratio", "1"},      {"separation", "1"},
                 {"stiffness", "N/m"}, {"up_to", "rad/s"},  {"operating_speed", "rad/s"}};
+  const auto& supports = rotor_case.parameters.bearings;
+  const bool has_magnets = std::any_of(supports.begin(), supports.end(), [](const auto& s) { return s.magnet(); });
   j["supports"] = report.stations.empty()        ? "free-free"
                   : report.is_on_given_stiffness ? "isotropic springs of --stiffness"
+                  : has_magnets                  ? "the case's linear supports and magnets"
                                                  : "the case's linear supports";
   j["stations"] = report.stations;
   if (options.stiffness) j["stiffness"] = *options.stiffness;

@@ -5,7 +5,7 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const page = document.getElementById("page");
 const tip = document.getElementById("tip");
 const SVG = "http://www.w3.org/2000/svg";
-const DRAWN = new Set(["svg", "g", "path", "line", "circle", "text", "rect", "title", "image", "clipPath", "defs"]);
+const DRAWN = new Set(["svg", "g", "path", "line", "circle", "ellipse", "text", "rect", "title", "image", "clipPath", "defs"]);
 
 function element(name, attributes, ...children) {
   const made = DRAWN.has(name) ? document.createElementNS(SVG, name) : document.createElement(name);

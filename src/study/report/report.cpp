@@ -56,6 +56,8 @@ std::string embedded(const Json& data) {
 
 }  // namespace
 
+std::string in_celsius(double temperature) { return fmt::format("{:.4g} °C", temperature - 273.15); }
+
 Json read_json_of(const RecordedDrop& drop, const std::string& name) {
   const auto path = drop.directory() / name;
   if (!std::filesystem::exists(path)) return nullptr;
@@ -70,13 +72,26 @@ Json read_json_of(const RecordedDrop& drop, const std::string& name) {
 Json report_data(const RecordedDrop& drop) {
   const Json summary = read_json_of(drop, "summary.json"), comparison = read_json_of(drop, "comparison.json");
   Json data;
+  const auto& p = drop.parameters();
   data["title"] = "Drop " + drop.case_name();
+  if (p.title) data["user_title"] = *p.title;
+  if (p.note) data["note"] = *p.note;
   data["words"] = report_words(drop);
   if (!summary.is_null() && summary.contains("limits")) data["acceptance"] = report_acceptance(summary);
   data["numbers"] = report_numbers(drop, summary);
   data["checks"] = report_checks(drop, summary);
+  data["machine"] = report_machine(drop);
+  data["modes"] = report_modes(drop);
+  data["bending"] = report_bending(drop);
   data["animation"] = report_animation(drop);
-  data["charts"] = report_charts(drop);
+  Json axes = Json::array();
+  data["charts"] = report_charts(drop, axes);
+  data["axes"] = std::move(axes);
+  add_limits(drop, summary, data["charts"]);
+  for (Json& chart : report_critical_speeds(drop)) data["charts"].push_back(std::move(chart));
+  ReportSpectra spectra = report_spectra(drop);
+  for (Json& chart : spectra.charts) data["charts"].push_back(std::move(chart));
+  data["waterfalls"] = std::move(spectra.waterfalls);
   data["fields"] = report_fields(drop);
   data["ball_loads"] = report_ball_loads(drop);
   if (!comparison.is_null())
@@ -93,6 +108,8 @@ std::string html_page(const Json& data, std::string_view css, std::string_view j
   return filled(report_html, {{"@TITLE@", title}, {"@CSS@", css}, {"@DATA@", numbers}, {"@JS@", script}});
 }
 
-std::string report_page(const Json& data) { return html_page(data, report_css, std::string(figures_js) + report_js); }
+std::string report_page(const Json& data) {
+  return html_page(data, report_css, std::string(figures_js) + drop_js + machine_js + waterfall_js + report_js);
+}
 
 }  // namespace rotordrop

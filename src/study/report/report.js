@@ -1,140 +1,28 @@
 // Draws the page: texts, tables, the drop at an instant, fields; after figures.js.
 
-// The rotor in one bearing, seen along +x: gap and displacements magnified, radii not.
-class Drop {
-  constructor(bearing, into) {
-    this.bearing = bearing;
-    this.scale = 46 / bearing.gap;
-    this.bore = 140;
-    this.journal = this.bore - this.scale * bearing.gap;
-    const trace = bearing.time.map((_, i) => (i ? "L" : "M") + this.x(bearing.z[i]).toFixed(1) + " " + this.y(bearing.y[i]).toFixed(1)).join("");
-    const body = { fill: "#dfe5ea", stroke: "#667" }, hole = { fill: "#fff", stroke: "#667" };
-    // A bent ring is drawn by its shape, which stands while the ring turns; a rigid one turns as it is.
-    this.bent = bearing.shape && { outside: element("path", body), bore: element("path", hole) };
-    this.ring = element("g", {}, ...(this.bent ? [] : [element("circle", { r: this.bore + 16, ...body }), element("circle", { r: this.bore, ...hole })]),
-      element("line", { x1: 0, x2: 0, y1: -this.bore - 16, y2: -this.bore, stroke: "#222", "stroke-width": 3 }));
-    this.rotor = element("g", { class: "rotor" }, element("circle", { r: this.journal, fill: COLOURS[5], "fill-opacity": 0.45, stroke: COLOURS[0], "stroke-width": 1.5 }),
-      element("line", { x1: 0, x2: 0, y1: -this.journal, y2: -this.journal + 16, stroke: COLOURS[0], "stroke-width": 4 }));
-    this.contact = element("circle", { r: 7, fill: COLOURS[1] });
-    this.centre = element("circle", { r: 4, fill: "#222" });
-    this.caption = element("p", { class: "note" });
-    const svg = element("svg", { viewBox: "-175 -175 350 350", role: "img", "aria-label": `Rotor in ${bearing.name}` }, ...(this.bent ? [this.bent.outside, this.bent.bore] : []), this.ring, this.rotor,
-      element("circle", { r: this.scale * bearing.gap, fill: "none", stroke: "#888", "stroke-dasharray": "5 3" }),
-      element("path", { class: "series", d: trace, fill: "none", stroke: COLOURS[0], "stroke-width": 0.8, opacity: 0.8 }),
-      this.contact, this.centre,
-      element("path", { class: "axis", d: "M-165 150v-22m-3 6l3 -6l3 6M-165 150h22m-6 -3l6 3l-6 3" }), element("text", { x: -168, y: 123 }, "y"), element("text", { x: -139, y: 153 }, "z"));
-    into.append(element("figure", { class: "drop" }, element("figcaption", {}, `${bearing.name}: radial air gap ${short(bearing.gap)} µm, magnified`), svg, this.caption));
-  }
-
-  x(z) { return this.scale * z; }
-  y(y) { return -this.scale * y; }
-
-  // Radial displacement of a bent ring [um] at an angle from +y towards +z.
-  bending(at, angle) {
-    return this.bearing.shape.coefficients.reduce((sum, row, k) => sum + row[at] * (k % 2 ? Math.sin : Math.cos)((2 + (k >> 1)) * angle), 0);
-  }
-
-  // Outline of a bent ring whose centre is at y, z [um].
-  outline(radius, at, y, z) {
-    let d = "";
-    for (let k = 0; k < 180; ++k) {
-      const angle = (k * Math.PI) / 90, r = radius + this.scale * this.bending(at, angle);
-      d += `${k ? "L" : "M"}${(this.x(z) + r * Math.sin(angle)).toFixed(1)} ${(this.y(y) - r * Math.cos(angle)).toFixed(1)}`;
-    }
-    return d + "Z";
-  }
-
-  show(time) {
-    const b = this.bearing, i = nearest(b.time, time);
-    if (this.bent) {
-      const at = nearest(b.shape.time, time);
-      this.bent.outside.setAttribute("d", this.outline(this.bore + 16, at, b.ring_y[i], b.ring_z[i]));
-      this.bent.bore.setAttribute("d", this.outline(this.bore, at, b.ring_y[i], b.ring_z[i]));
-    }
-    const turned = (y, z, angle) => `translate(${this.x(z).toFixed(2)} ${this.y(y).toFixed(2)}) rotate(${((angle * 180) / Math.PI).toFixed(1)})`;
-    this.ring.setAttribute("transform", turned(b.ring_y[i], b.ring_z[i], b.ring_angle[i]));
-    this.rotor.setAttribute("transform", turned(b.y[i], b.z[i], b.rotor_angle[i]));
-    this.centre.setAttribute("cx", this.x(b.z[i]));
-    this.centre.setAttribute("cy", this.y(b.y[i]));
-    const y = b.y[i] - b.ring_y[i], z = b.z[i] - b.ring_z[i], r = Math.hypot(y, z) || 1;
-    this.contact.setAttribute("visibility", b.penetration[i] > 0 ? "visible" : "hidden");
-    this.contact.setAttribute("cx", this.x(b.ring_z[i]) + (this.bore * z) / r);
-    this.contact.setAttribute("cy", this.y(b.ring_y[i]) - (this.bore * y) / r);
-    this.caption.textContent = `y ${short(b.y[i])} µm, z ${short(b.z[i])} µm, contact force ${short(b.force[i])} kN`;
-  }
-}
-
-// The rotor in the stationary part around a probe, drawn alike.
-function probeDrop(probe, into) {
-  const still = probe.time.map(() => 0);
-  const drop = new Drop({ ...probe, ring_y: still, ring_z: still, ring_angle: still, penetration: probe.clearance.map((left) => -left), force: still }, into);
-  const show = drop.show.bind(drop);
-  drop.show = (time) => {
-    show(time);
-    const i = nearest(probe.time, time);
-    drop.caption.textContent = `y ${short(probe.y[i])} µm, z ${short(probe.z[i])} µm, ` + (probe.clearance[i] > 0 ? `clearance left ${short(probe.clearance[i])} µm` : `${short(-probe.clearance[i])} µm beyond the clearance`);
-  };
-  return drop;
-}
-
-function showDrops(animation) {
-  const drops = element("div", { class: "drops" });
-  const times = animation.bearings[0].time;
-  const slider = element("input", { type: "range", id: "time", min: 0, max: times.length - 1, step: 1, "aria-label": "time" });
-  const output = element("output", { id: "instant" }), play = element("button", { id: "play" }, "play");
-  const steps = times.slice(1).map((time, k) => time - times[k]);
-  const shortest = steps.reduce((a, b) => Math.min(a, b), Infinity), longest = steps.reduce((a, b) => Math.max(a, b), 0);
-  const pace = longest > 1.5 * shortest ? `every ${short(shortest)} to ${short(longest)} ms, more often while something changes` : `every ${short(longest)} ms`;
-  section("The drop", element("div", { class: "player" }, play, slider, output), drops,
-    element("p", { class: "note" }, `Seen along +x: y up, z to the right, positive spin clockwise. Gap, displacements, penetration and the bending of rings share one magnification; the radii are not to that scale. ` +
-      `Dashed: limit of the rotor centre (dot) set by the air gap with the ring centred; a ring with clearance, or under load, sits lower. Filled dot on the bore: contact. The bars turn with rotor and ring. One frame ${pace}; faster motion is not visible here.`));
-  const made = animation.bearings.map((bearing) => new Drop(bearing, drops));
-  for (const probe of animation.probes || []) made.push(probeDrop(probe, drops));
-  const show = () => {
-    const time = times[+slider.value];
-    output.textContent = `t = ${short(time)} ms`;
-    made.forEach((drop) => drop.show(time));
-  };
-  slider.oninput = show;
-  slider.value = nearest(times, animation.start || 0);
-  show();
-  let timer = null;
-  const stop = () => {
-    clearInterval(timer);
-    timer = null;
-    play.textContent = "play";
-  };
-  play.onclick = () => {
-    if (timer) return stop();
-    if (+slider.value >= times.length - 1) slider.value = 0;
-    play.textContent = "stop";
-    timer = setInterval(() => {
-      slider.value = +slider.value + Math.max(1, Math.round(times.length / 1500));
-      show();
-      if (+slider.value >= times.length - 1) stop();
-    }, 33);
-  };
-}
-
 function showOrbits(animation) {
   const figures = element("div", { class: "figures" });
   section("Orbits", figures);
+  // Every sample where the figures of displacement have them, else the frames of the drop.
+  const line = (name, id) => data.charts.find((c) => c.id === "displacement-" + id)?.lines.find((l) => l.name === name && l.rises && l.complete);
+  const frames = (b) => ({ x: b.z, y: b.y, said: `one sample every ${short((b.time[b.time.length - 1] - b.time[0]) / (b.time.length - 1))} ms; results.h5 has every one` });
+  const samples = (b) => {
+    const y = line(b.name, "y"), z = line(b.name, "z");
+    return y && z ? { x: z.y, y: y.y, said: "every recorded sample" } : frames(b);
+  };
+  const farthest = ({ x, y }) => x.reduce((most, v, i) => Math.max(most, Math.abs(v), Math.abs(y[i])), 0);
+  // One scale for all bearings: equal air gaps are equal circles.
+  const reach = 1.08 * Math.max(...animation.bearings.map((b) => Math.max(farthest(samples(b)), b.gap + Math.abs(Drop.rest(b).y))));
   animation.bearings.forEach((b, i) => new Figure({
-    id: "orbit-" + b.name, title: `${b.name}: orbit of the rotor's centre`, square: true, circle: b.gap,
+    id: "orbit-" + b.name, title: `${b.name}: orbit of the rotor's centre`, square: true, circle: b.gap, centre: { x: Drop.rest(b).z, y: Drop.rest(b).y }, reach,
     x: { label: "z", unit: "um" }, y: { label: "y (up)", unit: "um" },
-    note: `Dashed: radial air gap of ${short(b.gap)} µm (0-peak), at ambient temperature, about the axis of the unloaded outer ring. An inner ring with clearance, or under load, sits lower.`,
-    lines: [{ name: "rotor centre", colour: i, dash: 0, x: b.z, y: b.y }] }, figures));
+    note: `From the axis of the unloaded outer ring. Dashed: radial air gap of ${short(b.gap)} µm (0-peak), at ambient temperature, about the inner ring's centre before the drop, which hangs in its clearance.`,
+    lines: [{ name: "rotor centre", colour: i, dash: 0, ...samples(b) }] }, figures));
   (animation.probes || []).forEach((p, i) => new Figure({
     id: "orbit-probe-" + p.name, title: `${p.name}: orbit of the rotor's centre at the probe`, square: true, circle: p.gap,
     x: { label: "z", unit: "um" }, y: { label: "y (up)", unit: "um" },
     note: `Dashed: radial clearance of ${short(p.gap)} µm about the stationary part's axis.`,
-    lines: [{ name: "rotor centre", colour: i + animation.bearings.length, dash: 0, x: p.z, y: p.y }] }, figures));
-}
-
-// White to dark blue; darker is more, also in grey.
-function shade(part, stops = [[255, 255, 255], [86, 180, 233], [0, 114, 178], [0, 32, 64]]) {
-  const at = Math.max(0, Math.min(1, part)) * (stops.length - 1), i = Math.min(Math.floor(at), stops.length - 2);
-  return stops[i].map((low, c) => Math.round(low + (at - i) * (stops[i + 1][c] - low)));
+    lines: [{ name: "rotor centre", colour: i + animation.bearings.length, dash: 0, ...frames(p) }] }, figures));
 }
 
 // Load of every ball over time: a row of the picture for each ball.
@@ -146,26 +34,26 @@ function showBallLoads(bearing, into) {
     pixels.data.set([...shade(load / bearing.largest), 255], 4 * (ball * columns + k));
   }));
   canvas.getContext("2d").putImageData(pixels, 0, 0);
-  const left = 76, top = 10, width = 470, height = 228, right = left + width + 14;
+  const total = isNarrow() ? 380 : 620, left = isNarrow() ? 62 : 76, top = 10, width = total - left - 74, height = isNarrow() ? 188 : 228, right = left + width + 14;
   const picture = element("image", { href: canvas.toDataURL(), x: left, y: top, width, height, preserveAspectRatio: "none", style: "image-rendering: pixelated" });
   const bar = Array.from({ length: 40 }, (_, i) => element("rect", { x: right, y: top + height * (1 - (i + 1) / 40), width: 12, height: height / 40 + 0.5, fill: `rgb(${shade((i + 0.5) / 40)})` }));
-  const svg = element("svg", { viewBox: "0 0 620 280", role: "img", "aria-label": `${bearing.name}: load of every ball` }, picture, ...bar,
+  const svg = element("svg", { viewBox: `0 0 ${total} ${height + 52}`, role: "img", "aria-label": `${bearing.name}: load of every ball` }, picture, ...bar,
     element("path", { class: "axis", d: `M${left} ${top}h${width}v${height}h${-width}z` }));
   const text = (x, y, anchor, content, more = {}) => svg.append(element("text", { x, y, "text-anchor": anchor, ...more }, content));
-  for (const { value, text: label } of ticks(0, bearing.end, 6)) text(left + (width * value) / bearing.end, top + height + 15, "middle", label);
+  for (const { value, text: label } of ticks(0, bearing.end, isNarrow() ? 4 : 6)) text(left + (width * value) / bearing.end, top + height + 15, "middle", label);
   for (const { value, text: label } of ticks(0, bearing.largest, 4)) text(right + 16, top + height * (1 - value / bearing.largest) + 4, "start", label);
   for (let first = 0; first < n; first += bearing.balls_per_row) {
     const y = top + (height * first) / n;
     text(left - 6, y + 10, "end", `row ${first / bearing.balls_per_row + 1}`);
     svg.append(element("line", { class: "axis", x1: left, x2: left + width, y1: y, y2: y }));
   }
-  text(left + width / 2, 272, "middle", "time [ms]", { class: "x-label" });
+  text(left + width / 2, height + 44, "middle", "time [ms]", { class: "x-label" });
   svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "ball (colour: load [N])"));
   const caption = element("p", { class: "note" }, `Balls of each row from top to bottom, 1 to ${bearing.balls_per_row}; darker means a higher load. Each point is the largest recorded load in its time interval (0-peak).`);
   const figure = element("figure", { class: "map", id: "figure-balls-" + bearing.name }, element("figcaption", {}, `${bearing.name}: load of every ball`), svg, caption);
   svg.onpointermove = (event) => {
     const box = svg.getBoundingClientRect();
-    const k = Math.floor((((event.clientX - box.left) * 620) / box.width - left) / width * columns), ball = Math.floor((((event.clientY - box.top) * 620) / box.width - top) / height * n);
+    const k = Math.floor((((event.clientX - box.left) * total) / box.width - left) / width * columns), ball = Math.floor((((event.clientY - box.top) * total) / box.width - top) / height * n);
     tip.hidden = !(k >= 0 && k < columns && ball >= 0 && ball < n);
     if (tip.hidden) return;
     tip.textContent = `row ${Math.floor(ball / bearing.balls_per_row) + 1}, ball ${(ball % bearing.balls_per_row) + 1}, ${short((k / columns) * bearing.end)} ms: ${short(bearing.loads[ball][k])} N`;
@@ -175,9 +63,6 @@ function showBallLoads(bearing, into) {
   svg.onpointerleave = () => { tip.hidden = true; };
   into.append(figure);
 }
-
-// White through orange to dark brown; darker is warmer, also in grey.
-const WARM = [[255, 255, 255], [253, 208, 140], [230, 120, 20], [160, 50, 0], [70, 15, 0]];
 
 // The section of a bearing with its temperatures at one instant.
 function showField(bearing, picture, into) {
@@ -208,7 +93,7 @@ function showField(bearing, picture, into) {
   text(left + width / 2, total.height - 10, "middle", "x [mm]", { class: "x-label" });
   svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "r [mm]"),
     element("text", { class: "bar-label", "text-anchor": "middle", transform: `translate(${total.width - 8} ${top + height / 2}) rotate(-90)` }, "temperature rise [K]"));
-  const caption = element("p", { class: "note" }, `Recorded field nearest to: ${picture.next_to.join("; ")}. From ${fixed(picture.low)} to ${fixed(picture.high)} K above ambient; circumferential means. The colour scale follows the square root of the rise, so that thin hot layers and warm bodies are both visible.`);
+  const caption = element("p", { class: "note" }, `Recorded field nearest to: ${picture.next_to.join("; ")}. From ${fixed(picture.low)} to ${fixed(picture.high)} K above ambient (${fixed(bearing.ambient + picture.low)} to ${fixed(bearing.ambient + picture.high)} °C); circumferential means. The colour scale follows the square root of the rise, so that thin hot layers and warm bodies are both visible.`);
   svg.onpointermove = (event) => {
     const box = svg.getBoundingClientRect(), zoom = total.width / box.width;
     const x = x0 + ((event.clientX - box.left) * zoom - left) / scale, r = r0 + (top + height - (event.clientY - box.top) * zoom) / scale;
@@ -232,7 +117,7 @@ function showFields() {
 
 function showHead() {
   const warnings = data.checks.filter((check) => check.state === "warning"), missing = data.checks.filter((check) => check.state === "unknown"), uncertain = data.checks.filter((check) => check.state === "uncertain");
-  page.append(element("h1", {}, data.title), element("div", { class: "subtitle" }, data.provenance.facts.filter((f) => f[0] === "run by").map((f) => f[1]).join("")), element("nav", {}));
+  page.append(element("h1", {}, data.user_title || data.title), ...(data.user_title ? [element("div", { class: "case-name" }, data.title)] : []), element("div", { class: "subtitle" }, data.provenance.facts.filter((f) => f[0] === "run by").map((f) => f[1]).join("")), element("nav", {}));
   page.append(element("div", { class: "alert" + (warnings.length ? "" : " none") },
     ...(warnings.length ? warnings.map((w) => element("p", {}, element("strong", {}, `Warning, ${w.name}: `), w.text)) : [element("p", {}, "No warnings.")]),
     ...uncertain.map((u) => element("p", {}, element("strong", {}, `Uncertain, ${u.name}: `), u.text)),
@@ -264,11 +149,13 @@ function showAcceptance({ verdict, state, rows }) {
     element("p", { class: "note" }, "Limits are those of the case ([limits]). Usage: value over an upper limit, or lower limit over value. What could not be assessed is not accepted."));
 }
 
+unpackLines(data.charts);
 showHead();
 if (data.acceptance) showAcceptance(data.acceptance);
-section("The case", ...data.words.map((text) => element("p", {}, text)));
+section("The case", ...(data.note ? [element("p", { class: "user-note" }, data.note)] : []), ...data.words.map((text) => element("p", {}, text)));
 showNumbers();
 section("Checks", table(["", "", ""], data.checks.map((c) => [element("span", { class: "state " + c.state }, { ok: "✓ good", warning: "! warning", unknown: "? not assessed", uncertain: "? uncertain" }[c.state]), c.name, c.text])));
+showMachine(data.machine, data.modes);
 if (data.animation.bearings.length) {
   showDrops(data.animation);
   showOrbits(data.animation);
@@ -282,11 +169,12 @@ for (const chart of data.charts) {
   }
   new Figure(chart, sections.get(chart.section));
 }
+for (const fall of data.waterfalls) showWaterfall(fall, sections.get("Spectra"));
 for (const bearing of data.ball_loads) showBallLoads(bearing, sections.get("Balls"));
 if (data.comparison)
   section("Lumped circuit against finite elements", list(data.comparison.in_short), element("h3", {}, "Verdict"), list(data.comparison.verdict));
 section("Assumptions", list(data.assumptions));
 showProvenance();
 page.append(element("p", { class: "note screen" }, "Figures: hover for values, drag to zoom, double-click to reset, click a legend entry to hide its line. " +
-  "Series are thinned to what a figure can show, keeping the smallest and largest sample of each time interval; results.h5 has all samples."));
+  "Lines with more samples than a figure can show keep the smallest and largest of each interval; a zoomed figure says what it shows."));
 page.dataset.ready = "yes";

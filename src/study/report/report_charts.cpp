@@ -8,6 +8,7 @@
 #include "io/hdf5/recorded_series.h"
 #include "study/drop/whirl.h"
 #include "study/report/decimation.h"
+#include "study/report/packed.h"
 #include "study/report/report.h"
 #include "study/report/rounded.h"
 
@@ -54,12 +55,19 @@ class Charts {
 
   void line(const std::string& name, TimeSeries s, double scale, Style style, double offset = 0.) {
     for (double& v : s.values) v -= offset;
-    const TimeSeries few = decimated(s, n_buckets_);
-    charts_.back()["lines"].push_back({{"name", name},
-                                       {"colour", style.colour},
-                                       {"dash", style.dash},
-                                       {"x", rounded(few.times, time_scale_, 6)},
-                                       {"y", rounded_to_range(few.values, scale)}});
+    Json line = {{"name", name}, {"colour", style.colour}, {"dash", style.dash}};
+    const bool is_long = s.values.size() > 2 * n_buckets_ + 2;
+    if (is_long && s.values.size() <= samples_left_) {
+      samples_left_ -= s.values.size();
+      line["axis"] = axis_of(s.times);
+      line.update(packed(s.values, scale));
+    } else {
+      const TimeSeries few = decimated(s, n_buckets_);
+      line["x"] = rounded(few.times, time_scale_, 6);
+      line["y"] = rounded_to_range(few.values, scale);
+      if (is_long) line["span"] = time_scale_ * (s.times.back() - s.times.front()) / static_cast<double>(n_buckets_);
+    }
+    charts_.back()["lines"].push_back(std::move(line));
   }
 
   /// A recorded quantity, if the run has it.
@@ -113,8 +121,24 @@ class Charts {
     if (!charts_.empty() && charts_.back()["lines"].empty()) charts_.erase(charts_.size() - 1);
   }
 
+  /// Times that lines share, packed.
+  [[nodiscard]] Json axes() const {
+    Json list = Json::array();
+    for (const auto& times : axes_) list.push_back(packed_floats(times, time_scale_));
+    return list;
+  }
+
  private:
+  std::size_t axis_of(const std::vector<double>& times) {
+    const auto found = std::find(axes_.begin(), axes_.end(), times);
+    if (found != axes_.end()) return static_cast<std::size_t>(found - axes_.begin());
+    axes_.push_back(times);
+    return axes_.size() - 1;
+  }
+
   const RecordedDrop& drop_;
+  std::vector<std::vector<double>> axes_;
+  std::size_t samples_left_ = 750'000;  ///< two megabytes
   std::vector<std::string> names_;
   Json charts_ = Json::array();
   double end_ = 0, time_scale_ = 1;
@@ -255,7 +279,8 @@ void add_temperatures(Charts& c, const RecordedDrop& drop) {
                                                           {"inner_raceway", "inner raceway"},
                                                           {"outer_raceway", "outer raceway"},
                                                           {"housing_surface", "housing surface"}};
-  const std::string above = fmt::format("Temperature rise above ambient ({:.2f} K). ", ambient);
+  const std::string above =
+      fmt::format("Temperature rise above ambient ({:.2f} K, {}). ", ambient, in_celsius(ambient));
   const auto models = drop.models();
   for (const auto& [name, parameters] : drop.bearings()) {
     c.figure("temperature-" + name, "Temperatures", name + ": bodies", "temperature rise", "K",
@@ -300,7 +325,7 @@ void add_balls(Charts& c, const RecordedDrop& drop) {
     for (std::size_t row = 0; row < std::max<std::size_t>(rows.size(), 1); ++row)
       c.recorded(path, c.names()[i] + " row " + std::to_string(row + 1), 1., {i, row}, row);
   }
-  c.figure("pressures", "Balls", "Contact pressures", "pressure", "GPa", "Static limit of ISO 76: 4.2 GPa.");
+  c.figure("pressures", "Balls", "Contact pressures", "pressure", "GPa", "ISO 76 has 4.2 GPa as the static limit.");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     std::size_t dash = 0;
     for (const auto& path : drop.pressure_paths(c.names()[i])) c.recorded(path, path.substr(10), 1e-9, {i, dash++});
@@ -326,7 +351,7 @@ void add_energy(Charts& c) {
 
 }  // namespace
 
-Json report_charts(const RecordedDrop& drop) {
+Json report_charts(const RecordedDrop& drop, Json& axes) {
   Charts c(drop);
   add_motion(c, drop);
   add_probes(c, drop);
@@ -338,6 +363,7 @@ Json report_charts(const RecordedDrop& drop) {
   add_balls(c, drop);
   add_energy(c);
   c.drop_empty();
+  axes = c.axes();
   return c.take();
 }
 

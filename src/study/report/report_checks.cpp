@@ -184,9 +184,10 @@ void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Jso
                               : ambient + high >= limit ? "below, but the upper bound is above,"
                                                         : "below";
   const std::string text = fmt::format(
-      "the bore reaches {:.0f} K at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving heat band, lasting some "
-      "milliseconds); {} the {:.0f} K up to which its material is dimensionally stable",
-      ambient + rise, time * 1e3, ambient + low, ambient + high, verdict, limit);
+      "the bore reaches {:.0f} K ({}) at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving heat band, lasting some "
+      "milliseconds); {} the {:.0f} K ({}) up to which its material is dimensionally stable",
+      ambient + rise, in_celsius(ambient + rise), time * 1e3, ambient + low, ambient + high, verdict, limit,
+      in_celsius(limit));
   if (ambient + rise < limit && ambient + high >= limit)
     checks.uncertain(title, text);
   else
@@ -222,10 +223,11 @@ void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::str
         warmest = std::max(warmest, largest_of(drop.series(path)).value);
   const std::string title = name + ": mean temperature of rings and balls";
   if (warmest > 0. && std::isfinite(limit))
-    checks.add(title, warmest < limit,
-               fmt::format("up to {:.4g} K; rings of {} are dimensionally stable up to {:.0f} K. Surfaces that rub are "
-                           "hotter",
-                           warmest, b.ring, limit));
+    checks.add(
+        title, warmest < limit,
+        fmt::format("up to {:.4g} K ({}); rings of {} are dimensionally stable up to {:.0f} K ({}). Surfaces that "
+                    "rub are hotter",
+                    warmest, in_celsius(warmest), b.ring, limit, in_celsius(limit)));
   else if (warmest > 0.)
     checks.unknown(title, fmt::format("not assessed: materials.{} has no temperature_limit", b.ring));
   else

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "study/report/packed.h"
 #include "study/report/report.h"
 #include "study/report/section_picture.h"
 #include "study/rub/impact.h"
@@ -12,18 +13,6 @@ namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) bits = (bits << 8) | (k < n ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= n ? digits[(bits >> (18 - 6 * k)) & 63] : '=';
-  }
-  return text;
-}
 
 /// The recorded field next to an instant, and whose it is.
 struct Choice {
@@ -67,7 +56,7 @@ Json report_fields(const RecordedDrop& drop) {
     auto instants = instants_of(first_impact(drop, name), end, {0.5 * end});
     for (auto& instant : instants)
       if (instant.time == 0.5 * end) instant.name = "middle";
-    Json bearing = {{"name", name}, {"pictures", Json::array()}};
+    Json bearing = {{"name", name}, {"ambient", drop.parameters().run.ambient - 273.15}, {"pictures", Json::array()}};
     for (const auto& choice : chosen(files, instants)) {
       const TemperatureField field = read_field(choice.field.file);
       const SectionPicture picture = picture_of(field, std::min(most_points, all_points / n_pictures));

@@ -35,7 +35,8 @@ class Rows {
   Json rows_ = Json::array();
 };
 
-void add_summary(Rows& rows, std::size_t column, const Json& b) {
+/// @param ambient  [K]
+void add_summary(Rows& rows, std::size_t column, const Json& b, double ambient) {
   struct Row {
     const char *key, *name, *unit;
     double scale;
@@ -72,10 +73,12 @@ void add_summary(Rows& rows, std::size_t column, const Json& b) {
     const Json::json_pointer pointer(r.key);
     if (!b.contains(pointer)) continue;
     const Json& value = b.at(pointer);
-    rows.set(column, r.name, r.unit,
-             value.is_number()
-                 ? fmt::format("{:.{}g}", value.get<double>() * r.scale, r.unit == std::string("rpm") ? 5 : 4)
-                 : std::string("—"));
+    std::string text = "—";
+    if (value.is_number()) {
+      text = fmt::format("{:.{}g}", value.get<double>() * r.scale, r.unit == std::string("rpm") ? 5 : 4);
+      if (r.unit == std::string("K")) text += fmt::format(" ({})", in_celsius(ambient + value.get<double>()));
+    }
+    rows.set(column, r.name, r.unit, text);
   }
   if (b.contains("whirl")) {
     rows.set(column, "direction of longest whirl", "", b["whirl"]["direction"].get<std::string>());
@@ -125,7 +128,7 @@ Json report_numbers(const RecordedDrop& drop, const Json& summary) {
     const std::string& name = bearings[i].first;
     names.push_back(name);
     if (!summary.is_null() && summary.contains("bearings") && summary["bearings"].contains(name))
-      add_summary(rows, i, summary["bearings"][name]);
+      add_summary(rows, i, summary["bearings"][name], drop.parameters().run.ambient);
     add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 0), "vertical displacement");
     add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 1), "horizontal displacement");
   }

@@ -7,6 +7,9 @@ extern const char* const report_html;
 extern const char* const report_css;
 extern const char* const page_js;  // of all pages, before their own
 extern const char* const figures_js;
+extern const char* const drop_js;
+extern const char* const machine_js;
+extern const char* const waterfall_js;
 extern const char* const report_js;
 // Those of src/study/many/answers, the page of a study.
 extern const char* const study_css;

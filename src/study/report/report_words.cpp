@@ -48,10 +48,10 @@ Json report_words(const RecordedDrop& drop) {
   const auto touchdown = drop.bearings();
   words.push_back(
       fmt::format("A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) spins at {:.6g} rpm {} "
-                  "The simulation covers {:.6g} ms at an ambient temperature of {:.2f} K.",
+                  "The simulation covers {:.6g} ms at an ambient temperature of {:.2f} K ({}).",
                   rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * 30. / std::numbers::pi,
                   touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.",
-                  p.run.latest_end() * 1e3, p.run.ambient));
+                  p.run.latest_end() * 1e3, p.run.ambient, in_celsius(p.run.ambient)));
   if (p.run.until != EndCondition::time)
     words.push_back(fmt::format("The run ends before that with run.until = \"{}\".", name_of(p.run.until)));
   if (p.rotor.windage)
