@@ -73,6 +73,7 @@ Json report_data(const RecordedDrop& drop) {
   data["title"] = "Drop " + drop.case_name();
   data["words"] = report_words(drop);
   if (!summary.is_null() && summary.contains("limits")) data["acceptance"] = report_acceptance(summary);
+  if (!summary.is_null()) data["damage"] = report_damage(summary);
   data["numbers"] = report_numbers(drop, summary);
   data["checks"] = report_checks(drop, summary);
   data["animation"] = report_animation(drop);
