@@ -18,6 +18,7 @@
 #include "io/text/parameter_writers.h"
 #include "io/text/source_comments.h"
 #include "io/text/toml_reader.h"
+#include "machine/balance.h"
 #include "machine/build_machine.h"
 #include "machine/check_machine.h"
 
@@ -262,6 +263,8 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     check_machine(result.parameters, result.tree, faults);
     check_output(result.parameters, result.tree, faults);
     faults.throw_if_any();
+    if (result.parameters.rotor.balance_grade)
+      result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters, result.tree, faults);
     result.warnings = look_for_slips(result.parameters, result.tree);
     look_for_single_entries(result.tree, result.warnings);
     add_keys(result.warnings, result.tree);
