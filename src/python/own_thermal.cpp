@@ -74,6 +74,7 @@ class PythonThermalModel final : public ThermalModel {
   [[nodiscard]] std::vector<Observable> observables() const override { return observables_; }
   void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                std::span<double> out) const override {
+    if (out.empty()) return;
     const py::gil_scoped_acquire lock;
     const auto observed =
         numbers_of(part_.attr("observe")(array_of(temperature), list_of(heat)), out.size(), name_ + ".observe()");
