@@ -20,6 +20,7 @@ Drop::Drop(const Machine& machine, const MachineParameters& p, const Integration
       rows_(machine, schedule(machine, p.run, output, output.interval), sections_->growth_in_force()),
       detail_rows_(machine, schedule(machine, p.run, output, output.detail_interval), sections_->growth_in_force()),
       scalars_(machine),
+      fatigue_(machine, p),
       impulse_(make_contact_impulse(machine, scalars_, p.run)),
       kelvin_(machine.state_observables(), observed_size(machine.step_observables())),
       guards_(machine, p, integration),
@@ -37,6 +38,7 @@ Drop::Drop(const Machine& machine, const MachineParameters& p, const Integration
   loop_.add(rows_);
   if (!machine.detail_observables().empty()) loop_.add(detail_rows_);
   loop_.add(scalars_);
+  loop_.add(fatigue_);
   loop_.add(guards_);
   loop_.add(*impulse_);
   loop_.add(*sections_);
@@ -61,6 +63,7 @@ DropResult Drop::result() const {
     result.windows_energy = windows->energy;
   }
   if (const auto* growth = sections_->growth_in_force()) result.growth_in_force = *growth;
+  for (std::size_t i = 0; i < scalars_.size(); ++i) result.fatigue.push_back(fatigue_.of(scalars_.name(i)));
   result.warnings = guards_.found(scalars_);
   const EndedRun ended{parameters_,           machine_, scalars_, result.windows ? &*result.windows : nullptr,
                        result.windows_energy, elements_};

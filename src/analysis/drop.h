@@ -10,6 +10,7 @@
 #include "analysis/output_parameters.h"
 #include "analysis/section_coupling.h"
 #include "analysis/series_rows.h"
+#include "analysis/watch/ball_fatigue.h"
 #include "analysis/watch/contact_impulse.h"
 #include "analysis/watch/fit_watch.h"
 #include "analysis/watch/kelvin_check.h"
@@ -30,8 +31,9 @@ struct DropResult {
   double averaging_start = 0;                       ///< [s]
   std::optional<WindowedSections::Report> windows;  ///< of a windowed coupling
   HeatEnergy windows_energy;
-  std::optional<GrowthHistory> growth_in_force;  ///< of a machine that takes it from windows
-  std::vector<RunWarning> warnings;              ///< what was found beyond its limit
+  std::optional<GrowthHistory> growth_in_force;      ///< of a machine that takes it from windows
+  std::vector<std::optional<FatigueShare>> fatigue;  ///< of each touchdown bearing; none without a rating
+  std::vector<RunWarning> warnings;                  ///< what was found beyond its limit
 };
 
 /// A drop in memory: the loop, and the observers that every drop has. Files and screens join them as sinks of rows and further observers.
@@ -61,6 +63,7 @@ class Drop {
   SeriesRows rows_;
   DetailRows detail_rows_;
   DropScalars scalars_;
+  BallFatigue fatigue_;
   std::unique_ptr<ContactImpulse> impulse_;
   KelvinCheck kelvin_;
   RunGuards guards_;

@@ -19,7 +19,10 @@ class DropLoop {
            const GrowthHistory* growth_in_force = nullptr);
 
   /// They see each step in the order in which they were added, and must outlive the loop.
-  void add(Observer& observer) { observers_.push_back(&observer); }
+  void add(Observer& observer) {
+    observers_.push_back(&observer);
+    found_.wants_details |= observer.wants_details();
+  }
   /// From the start, or from where unpack() has put it, to the end. After an exception time() and state() are those of the last step that every
   /// observer has seen.
   /// @param is_stopped  asked after every step

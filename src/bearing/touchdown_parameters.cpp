@@ -249,10 +249,19 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
               .usual = between(100, 1e8),
               .help = "Static load rating of all rows together; for a pair twice the catalogue value of a single "
                       "bearing. Each of n rows has C0 / n."});
-  s.quantity("C", &P::C,
-             {.unit = "N",
-              .range = positive(),
-              .help = "Dynamic load rating; not used by the drop, kept with the bearing's data."});
+  s.quantity(
+      "C", &P::C,
+      {.unit = "N",
+       .range = positive(),
+       .usual = between(100, 1e8),
+       .help = "Dynamic load rating of all rows together; for a pair 2^0.7 times the catalogue value of a single "
+               "bearing. For contact fatigue by a drop (ISO 281); without it fatigue is not assessed."});
+  s.quantity("required_static_safety", &P::required_static_safety,
+             {.range = positive(),
+              .fallback = "1",
+              .source = "ISO 76: at 1 the most loaded ball dents the raceway by a ten-thousandth of its diameter",
+              .help = "Smallest static safety of a ball with which the drop may be repeated; below it the number of "
+                      "allowed drops is 0."});
   s.quantity("f2", &P::f2,
              {.range = at_least(0),
               .fallback = "0.25",

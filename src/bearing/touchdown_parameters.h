@@ -61,6 +61,7 @@ struct TouchdownParameters {
   std::string ball, ring;
   double ring_mass = 0, ring_spin_inertia = 0, width = 0;
   double f1_z = 0, f1_y = 0, f2 = 0, C0 = 0;
+  double required_static_safety = 1;
   std::optional<double> C, bore_diameter, outside_diameter;
   SupportParameters support;
   std::vector<WavinessParameters> waviness;

@@ -17,6 +17,7 @@
 #include "io/text/json_reader.h"
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_reader.h"
+#include "machine/balance.h"
 #include "machine/build_machine.h"
 #include "machine/check_machine.h"
 
@@ -270,6 +271,8 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     check_machine(result.parameters, result.tree, faults);
     check_output(result.parameters, result.tree, faults);
     faults.throw_if_any();
+    if (result.parameters.rotor.balance_grade)
+      result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters, result.tree, faults);
     const ErasedSection declaration = section.erased();
     result.warnings = look_for_slips(*declaration, result.parameters, result.tree);
     look_for_single_entries(result.tree, result.warnings);

@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/signals.h"
+#include "machine/balance.h"
 #include "machine/build_machine.h"
 #include "study/compare/comparison.h"
 #include "study/drop/drop_run.h"
@@ -161,6 +162,7 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
   const auto report = rotor_report(c.parameters.rotor);
   fmt::print("rotor: {:.4f} kg, Ip {:.6g} kg m2, Id {:.6g} kg m2, centre of gravity at {:.4f} m\n", report.body.mass,
              report.body.Ip, report.body.Id, report.body.centre_of_gravity);
+  fmt::print("{}", balance_text(c.parameters));
   for (const auto& entry : c.parameters.bearings)
     if (entry.touchdown()) {
       fmt::print("{}", conventions_text(c.parameters, entry.name));

@@ -38,6 +38,8 @@ class Observer {
   virtual void step(const Step& step) = 0;
   /// A time [s] at which it wants an evaluation if a step ends just there.
   [[nodiscard]] virtual double due() const { return std::numeric_limits<double>::infinity(); }
+  /// Whether evaluations that it sees must hold the detailed observables.
+  [[nodiscard]] virtual bool wants_details() const { return false; }
   /// For checkpoints: all that decides about what it tells later.
   virtual void pack(PackedValues&) const {}
   /// @throws std::logic_error if something is missing or does not fit

@@ -10,5 +10,6 @@ void add_drops(pybind11::module_& core);         ///< runs, and their series in 
 void add_analyses(pybind11::module_& core);      ///< modes, critical speeds, statics, preload, comparison
 void add_studies(pybind11::module_& core);       ///< many drops of one case
 void add_own_supports(pybind11::module_& core);  ///< supports written in Python
+void add_own_thermal(pybind11::module_& core);   ///< thermal models written in Python
 
 }  // namespace rotordrop::python

@@ -26,4 +26,5 @@ PYBIND11_MODULE(_core, core) {
   python::add_analyses(core);
   python::add_studies(core);
   python::add_own_supports(core);
+  python::add_own_thermal(core);
 }

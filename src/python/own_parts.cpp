@@ -25,6 +25,17 @@ std::vector<KeyOfPart> keys_of(const py::list& parameters) {
   return keys;
 }
 
+bool replace_class(const KnownClasses& known, const std::string& type, const std::vector<KeyOfPart>& keys,
+                   const py::object& part) {
+  const auto found = known.find(type);
+  if (found == known.end()) return false;
+  if (found->second.keys != keys)
+    throw py::value_error(
+        fmt::format("the parameters of \"{}\" cannot change; start Python again, or give it another type", type));
+  *found->second.part = part;
+  return true;
+}
+
 std::vector<StateEntry> state_entries_of(const py::handle& states) {
   std::vector<StateEntry> entries;
   for (const auto& one : states) {
@@ -49,7 +60,13 @@ py::object array_of(std::span<const double> values) {
 }
 
 std::vector<double> numbers_of(const py::handle& values, std::size_t n, const std::string& what) {
-  auto numbers = values.cast<std::vector<double>>();
+  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(values);
+  if (!array || array.ndim() != 1) {
+    PyErr_Clear();
+    throw py::value_error(fmt::format("{} must return {} numbers, and returned {}", what, n,
+                                      py::repr(values).cast<std::string>().substr(0, 60)));
+  }
+  std::vector<double> numbers(array.data(), array.data() + array.size());
   if (numbers.size() != n)
     throw py::value_error(fmt::format("{} must return {} numbers, and returned {}", what, n, numbers.size()));
   return numbers;

@@ -2,12 +2,14 @@
 // What supports and thermal models written in Python share.
 #include <pybind11/pybind11.h>
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/node.h"
+#include "base/parameters/section.h"
 #include "model/observable.h"
 #include "model/state_layout.h"
 
@@ -21,6 +23,31 @@ struct KeyOfPart {
 };
 /// From tuples (name, unit, default or None, help).
 std::vector<KeyOfPart> keys_of(const pybind11::list& parameters);
+
+/// Declares the keys in a section; their values, in SI, go into `values` of what it reads.
+/// @param prefix  of their names in messages, "thermal.wall."
+template <class P>
+void declare_keys(Section<P>& section, const std::vector<KeyOfPart>& keys, const std::string& prefix = "") {
+  for (const KeyOfPart& key : keys)
+    section.custom(
+        key.name,
+        {.unit = key.unit, .accepts = key.unit, .fallback = key.fallback, .required = !key.fallback, .help = key.help},
+        [key, prefix](const Node& node, P& target, Faults& faults) {
+          if (const auto value = read_quantity(node, {.unit = key.unit}, prefix + key.name, faults))
+            target.values[key.name] = *value;
+        });
+}
+
+/// Python classes by the names that cases give them. They stay for ever: cases may still ask for them when Python has ended.
+struct KnownClass {
+  pybind11::object* part = nullptr;
+  std::vector<KeyOfPart> keys;
+};
+using KnownClasses = std::map<std::string, KnownClass>;
+/// A notebook's cell may run again: the class takes the place of the one that is known by this name.
+/// @returns false if there is none @throws ValueError if that has other keys
+bool replace_class(const KnownClasses& known, const std::string& type, const std::vector<KeyOfPart>& keys,
+                   const pybind11::object& part);
 
 /// From rotordrop.State: name, unit, scale.
 std::vector<StateEntry> state_entries_of(const pybind11::handle& states);

@@ -4,7 +4,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <map>
 
 #include "machine/supports.h"
 #include "python/bindings.h"
@@ -18,7 +17,7 @@ namespace {
 /// Keys of a support of a Python class, in SI.
 struct PythonKeys {
   int node = 0;
-  std::map<std::string, double> values;
+  std::map<std::string, double> values = {};
 };
 
 /// What a Python class returns from one evaluation.
@@ -85,44 +84,24 @@ class PythonSupport final : public Support {
 Section<PythonKeys> section_of(const std::string& type, const std::vector<KeyOfPart>& keys) {
   Section<PythonKeys> section(type, "A support written in Python.");
   section.integer("node", &PythonKeys::node, {.range = at_least(1), .help = "Rotor node that it holds, from 1."});
-  for (const KeyOfPart& key : keys)
-    section.custom(
-        key.name,
-        {.unit = key.unit, .accepts = key.unit, .fallback = key.fallback, .required = !key.fallback, .help = key.help},
-        [key](const Node& node, PythonKeys& target, Faults& faults) {
-          if (const auto value = read_quantity(node, {.unit = key.unit}, key.name, faults))
-            target.values[key.name] = *value;
-        });
+  declare_keys(section, keys);
   return section;
 }
 
-/// Classes by their types. They stay for ever: cases may still ask for them when Python has ended.
-struct KnownClass {
-  py::object* part = nullptr;
-  std::vector<KeyOfPart> keys;
-};
-std::map<std::string, KnownClass>& known_classes() {
-  static auto* known = new std::map<std::string, KnownClass>;
+KnownClasses& known_classes() {
+  static auto* known = new KnownClasses;
   return *known;
 }
 
 void add_support(const std::string& type, const py::list& parameters, const py::object& part) {
   const auto keys = keys_of(parameters);
-  auto& known = known_classes();
-  if (const auto found = known.find(type); found != known.end()) {
-    // A notebook's cell may run again.
-    if (found->second.keys != keys)
-      throw py::value_error(fmt::format(
-          "the parameters of the support \"{}\" cannot change; start Python again, or give it another type", type));
-    *found->second.part = part;
-    return;
-  }
+  if (replace_class(known_classes(), type, keys, part)) return;
   auto* kept = new py::object(part);
   add_support_kind(type, section_of(type, keys), [kept](const std::string& name, const PythonKeys& p) {
     const py::gil_scoped_acquire lock;
     return std::make_unique<PythonSupport>(name, (*kept)(name, p.values));
   });
-  known[type] = {kept, keys};
+  known_classes()[type] = {kept, keys};
 }
 
 }  // namespace

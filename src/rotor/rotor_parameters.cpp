@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace rotordrop {
@@ -20,6 +23,43 @@ void read_geometry_key(const Node& node, RotorParameters& target, Faults& faults
   else
     faults.add(node.where(), fmt::format("rotor.geometry is {}, not the name of a file or a table.", kind_name(node)),
                "Write geometry = \"rotor.json\", or give nodes, elements and material in [rotor.geometry].");
+}
+
+/// "G2.5", in mm/s.
+void read_balance_grade(const Node& node, RotorParameters& target, Faults& faults) {
+  const std::string text = node.is_text() ? node.text() : "";
+  const auto number = text.find_first_not_of(' ', 1);
+  double grade = 0.;
+  if (text.starts_with('G') && number != std::string::npos) {
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + number, end, grade);
+    if (error == std::errc() && stop == end && grade > 0. && std::isfinite(grade)) {
+      target.balance_grade = 1e-3 * grade;
+      return;
+    }
+  }
+  faults.add(node.where(),
+             fmt::format("rotor.balance_grade = {} is not a balance grade.",
+                         node.is_text() ? fmt::format("\"{}\"", text) : kind_name(node)),
+             "Write G and e_per omega in mm/s, such as \"G2.5\" (ISO 21940-11).");
+}
+
+void read_balance_planes(const Node& node, RotorParameters& target, Faults& faults) {
+  std::vector<int> planes;
+  bool is_good = node.is_array() && (node.items().size() == 1 || node.items().size() == 2);
+  if (is_good)
+    for (const Node& item : node.items()) {
+      is_good = is_good && item.is(Node::Kind::integer) && item.integer() >= 1 &&
+                item.integer() <= std::numeric_limits<int>::max();
+      if (is_good) planes.push_back(static_cast<int>(item.integer()));
+    }
+  if (is_good && planes.size() == 2) is_good = planes[0] != planes[1];
+  if (!is_good) {
+    faults.add(node.where(), "rotor.balance_planes must be one node or two different nodes, such as [2, 28].",
+               "Nodes are numbered from 1.");
+    return;
+  }
+  target.balance_planes = planes;
 }
 
 void check_inline_geometry(const RotorParameters& parameters, const Node& table, Faults& faults) {
@@ -98,6 +138,30 @@ Section<RotorParameters> rotor_section() {
                  .help = "Mass-proportional damping. It also damps rigid-body motion, as if the rotor fell through "
                          "oil: bounces decay sooner and the fall takes longer."})
       .list("unbalance", &RotorParameters::unbalance, unbalance, {.help = "Unbalances; none if omitted."})
+      .custom("balance_grade",
+              {.accepts = "G and a number, such as \"G2.5\"",
+               .json_types = {"string"},
+               .help = "Balance grade of ISO 21940-11, instead of unbalance: the rotor gets the permissible unbalance "
+                       "of its mass times e_per = G / balance_speed, G in mm/s, in its balance_planes. `check` shows "
+                       "it."},
+              read_balance_grade)
+      .quantity("balance_speed", &RotorParameters::balance_speed,
+                {.unit = "rad/s",
+                 .range = positive(),
+                 .help = "Speed for which the balance grade is, the highest in service; run.initial_speed if not "
+                         "given."})
+      .custom("balance_planes",
+              {.accepts = "one or two nodes",
+               .json_types = {"array"},
+               .help = "Nodes at which the unbalance of the balance grade acts: all of it at one, or parts at two by "
+                       "the lever about the centre of gravity, which must lie between them. The outermost bearings "
+                       "if not given."},
+              read_balance_planes)
+      .quantities("balance_angles", &RotorParameters::balance_angles,
+                  {.unit = "rad",
+                   .fallback = {"0 deg", "0 deg"},
+                   .help = "Angular positions of both planes' unbalances at spin angle 0, from +y towards +z. Equal: a "
+                           "static unbalance at the centre of gravity; 180 deg apart: a couple."})
       .function("torque", &RotorParameters::torque,
                 {.unit = "N m",
                  .argument_unit = "s",

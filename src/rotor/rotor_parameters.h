@@ -34,8 +34,12 @@ struct RotorParameters {
   double mass_proportional_alpha = 0;  ///< [1/s]
   double cut_off_frequency = 0;        ///< [Hz]
   bool residual_flexibility = false;
-  std::vector<Unbalance> unbalance;
-  TimeTable torque;  ///< [N m]
+  std::vector<Unbalance> unbalance;        ///< given, or by the balance grade
+  std::optional<double> balance_grade;     ///< e_per omega of ISO 21940-11 [m/s]
+  std::optional<double> balance_speed;     ///< for which the grade is [rad/s]; the rotor's at the start
+  std::vector<int> balance_planes;         ///< one or two nodes; none: those of the outermost bearings
+  std::array<double, 2> balance_angles{};  ///< of the planes' unbalances at spin angle 0 [rad]
+  TimeTable torque;                        ///< [N m]
   std::optional<WindageParameters> windage;
   AxialFreedom axial_motion = AxialFreedom::locked;
   TimeTable axial_force;  ///< along +x [N]

@@ -7,13 +7,14 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import time
 import unittest
 
 import h5py
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import HEATED_DISC, PROGRAM, ProgramTest  # noqa: E402
+from program import HEATED_DISC, PROGRAM, ProgramTest, start  # noqa: E402
 
 HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 
@@ -49,6 +50,33 @@ class Octave(ProgramTest):
                 self.assertIn(tuple(map(int, size)), (expected, expected[::-1] if here.ndim == 1 else expected), name)
                 np.testing.assert_array_equal(values, here.ravel(), err_msg=name)
             self.assertEqual(rows[-1].rstrip("\0"), (self.folder / "out/parameters.toml").read_text())
+
+    def test_it_loads_a_run_that_goes_on_and_one_that_was_killed(self):
+        # Every step takes long, so that the run is not over while Octave starts.
+        run = start("run", "reference.toml", "-o", "out", "--set", 'rotor.model="full"', "--set", "integration.tolerance=1e-11", cwd=self.folder)
+        try:
+            file = self.folder / "out/results.h5"
+            for _ in range(600):
+                if file.is_file() and run.poll() is None:
+                    with h5py.File(file, "r") as results:
+                        if len(results["time"]) > 20:
+                            break
+                time.sleep(0.1)
+            script = "s = load('out/results.h5'); printf('%d ', size(s.bearings.TB1.orbit), numel(s.time), numel(s.detail.time), size(s.bearings.TB1.ball_loads));"
+            sizes = self.octave(script)
+            self.assertIsNone(run.poll(), "it goes on")
+        finally:
+            run.kill()
+            run.communicate()
+        columns, rows, times, details, balls, loads = map(int, sizes.split())
+        self.assertGreater(times, 20)
+        self.assertEqual((columns, balls), (2, 14))
+        self.assertLessEqual(abs(rows - times), 200, "written meanwhile")
+        sizes = list(map(int, self.octave(script).split()))
+        with h5py.File(self.folder / "out/results.h5", "r") as results:
+            n, m = len(results["time"]), len(results["detail/time"])
+        self.assertEqual(sizes, [2, n, n, m, 14, m])
+        self.assertGreaterEqual(n, times)
 
     def test_shapes_do_not_depend_on_the_number_of_rows(self):
         self.run_case("reference.toml", run__end_time="10 us")

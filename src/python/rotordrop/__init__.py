@@ -15,7 +15,20 @@ from ._core import git_revision, version as __version__
 from .case import Case, Progress
 from .comparison import compare
 from .errors import CaseWarning, Error, Fault, InputError, SolverError
-from .parts import Quantity, Series, State, Support, SupportInput, SupportResponse, add_support
+from .parts import (
+    Expansion,
+    HeatInput,
+    Quantity,
+    Series,
+    State,
+    Support,
+    SupportInput,
+    SupportResponse,
+    ThermalBearing,
+    ThermalModel,
+    add_support,
+    add_thermal_model,
+)
 from .preload import Preload
 from .result import Result, read
 from .studies import StudyProgress, StudyResult, read_study, study
@@ -25,7 +38,9 @@ __all__ = [
     "Case",
     "CaseWarning",
     "Error",
+    "Expansion",
     "Fault",
+    "HeatInput",
     "InputError",
     "Preload",
     "Progress",
@@ -39,8 +54,11 @@ __all__ = [
     "Support",
     "SupportInput",
     "SupportResponse",
+    "ThermalBearing",
+    "ThermalModel",
     "__version__",
     "add_support",
+    "add_thermal_model",
     "compare",
     "git_revision",
     "params_folder",

@@ -20,6 +20,18 @@ SupportResponse = _core.SupportResponse
 machine [W], `rates` of its states, `observed` numbers of its series."""
 
 
+Expansion = _core.Expansion
+"""Growth of a bearing's surfaces [m], positive outwards: `shaft`, `bore`, `inner_race`, `outer_race`, `ball` (radius), `inner_width`, `outer_width`, `row_difference`."""
+
+HeatInput = _core.HeatInput
+"""Heat that a bearing releases [W]: `rub` of rotor and bore, `rub_into_ring` the part of it that enters the ring (the rest enters the rotor), `inner` and `outer` of the balls at
+both races, by row in `rows`; `is_in_contact`; `rotor_surface_speed`, `ring_surface_speed` [m/s]; `balls`, what rolling balls conduct (`inner_to_ball`, `outer_to_ball`, `inner_to_outer` [W/K])."""
+
+ThermalBearing = _core.ThermalBearing
+"""What a thermal model is told about a touchdown bearing: `name`; materials `ring`, `ball` (`conductivity`, `heat_capacity`, `density`, `expansion`, `poisson_ratio`); dimensions [m];
+`capacities` [J/K] and `resistances` [K/W] of the lumped circuit; `growth(shaft=, inner_ring=, outer_ring=, ball=)`, the Expansion when each part is evenly warmer by so much [K]."""
+
+
 class Quantity(typing.NamedTuple):
     """A key of a part in a case."""
 
@@ -95,12 +107,96 @@ class Support:
         raise NotImplementedError(f"{type(self).__name__}.energy")
 
 
+class ThermalModel:
+    """A thermal model of all touchdown bearings written in Python. Derive from it, and make it known by `add_thermal_model`.
+
+        @rd.add_thermal_model
+        class Rings(rd.ThermalModel):
+            type = "rings"
+            parameters = {"cooling": rd.Quantity("W/K", 0.0)}
+
+            def __init__(self, bearings, ambient, values):
+                super().__init__(bearings, ambient, values)
+                self.states = [rd.State(f"{bearing.name}/inner_ring", "K", 1.0) for bearing in bearings]
+                self.capacity = np.array([bearing.capacities["inner_ring"] for bearing in bearings])
+
+            def rates(self, temperature, heat):
+                lost = self.values["cooling"] * (temperature - self.ambient)
+                into = np.array([one.rub + one.inner + one.outer for one in heat])
+                return (into - lost) / self.capacity, lost.sum()
+
+            def growth(self, temperature):
+                return [bearing.growth(inner_ring=T - self.ambient) for bearing, T in zip(self.bearings, temperature)]
+
+            def stored_energy(self, temperature):
+                return float(self.capacity @ (temperature - self.ambient))
+
+    Cases then say `thermal.models = ["lumped", "rings"]`, `[thermal.rings]` with its parameters, and `thermal.driver = "rings"` to feed its growth back; its series are below /rings/.
+    It must book every joule: heat in is the rate of `stored_energy` plus the heat lost, or its residual in `summary["energy"]` shows it.
+
+    type         in cases, summary and series: letters, digits, _ and -
+    title        in sentences; "thermal model TYPE" unless given
+    parameters   keys in cases, in the table [thermal.TYPE]
+    states       temperatures, usually named "BEARING/PART"; absolute [K]
+    series       what it reports, in the order of observe(); None: its states. "BEARING/inner_ring" joins figures, progress and comparison
+    """
+
+    type: typing.ClassVar[str] = ""
+    title: typing.ClassVar[str] = ""
+    parameters: typing.ClassVar[Mapping[str, Quantity]] = {}
+    states: Sequence[State] = ()
+    series: Sequence[Series] | None = None
+
+    def __init__(self, bearings: Sequence[ThermalBearing], ambient: float, values: Mapping[str, float]) -> None:
+        """One for each machine. @param bearings  touchdown bearings in the order of the case @param ambient  [K] @param values  of the parameters [SI]"""
+        self.bearings = list(bearings)
+        self.ambient = ambient
+        self.values = dict(values)
+
+    def initial_state(self) -> Sequence[float] | npt.NDArray[np.float64]:
+        """Temperatures at the start [K]; ambient unless overridden."""
+        return [self.ambient] * len(self.states)
+
+    def rates(self, temperature: npt.NDArray[np.float64], heat: Sequence[HeatInput]) -> tuple[Sequence[float] | npt.NDArray[np.float64], float]:
+        """Rates of the states [K/s] and the heat lost to ambient [W]. Pure: nothing may be kept from one call to the next. @param heat  of each bearing"""
+        raise NotImplementedError(f"{type(self).__name__}.rates")
+
+    def growth(self, temperature: npt.NDArray[np.float64]) -> Sequence[Expansion]:
+        """Growth of each bearing over ambient; linear in the temperatures. Called when the machine is built, and not during a run."""
+        raise NotImplementedError(f"{type(self).__name__}.growth")
+
+    def stored_energy(self, temperature: npt.NDArray[np.float64]) -> float:
+        """Heat stored since the start [J]."""
+        raise NotImplementedError(f"{type(self).__name__}.stored_energy")
+
+    def observe(self, temperature: npt.NDArray[np.float64], heat: Sequence[HeatInput]) -> Sequence[float] | npt.NDArray[np.float64]:
+        """Numbers of the series, those with columns one after the other; the states unless overridden."""
+        return temperature
+
+    def reported(self) -> Sequence[Series]:
+        """The series, or what stands for them if there are none."""
+        if self.series is not None:
+            return self.series
+        return [Series(one.name.replace(" ", "_"), one.unit, f"{one.name}, by the thermal model {self.type}") for one in self.states]
+
+
 S = typing.TypeVar("S", bound=type[Support])
+M = typing.TypeVar("M", bound=type[ThermalModel])
+
+
+def _keys(kind: type[Support] | type[ThermalModel]) -> list[tuple[str, str, float | str | None, str]]:
+    if not kind.type:
+        raise ValueError(f"{kind.__name__} needs a `type`, by which cases name it")
+    return [(key, one.unit, one.default, one.help) for key, one in kind.parameters.items()]
 
 
 def add_support(kind: S) -> S:
     """Lets cases name a class derived from Support by its `type`; usable as a decorator. Call it before such a case is read. A class may be replaced by one with the same parameters."""
-    if not kind.type:
-        raise ValueError(f"{kind.__name__} needs a `type`, by which cases name it")
-    _core.add_support(kind.type, [(key, one.unit, one.default, one.help) for key, one in kind.parameters.items()], kind)
+    _core.add_support(kind.type, _keys(kind), kind)
+    return kind
+
+
+def add_thermal_model(kind: M) -> M:
+    """Lets cases name a class derived from ThermalModel by its `type`; usable as a decorator. Call it before such a case is read. A class may be replaced by one with the same parameters."""
+    _core.add_thermal_model(kind.type, kind.title, _keys(kind), kind)
     return kind

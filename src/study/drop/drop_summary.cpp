@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "analysis/section_coupling.h"
+#include "study/drop/damage_summary.h"
 #include "study/drop/warning_summary.h"
 #include "study/recorded_drop.h"
 
@@ -111,8 +112,10 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
             b.section->fe.elastic_end = elastic_state(section, section.solver->field(), b.scalars.ring_speed_end);
         }
     for (const auto& entry : p.bearings)
-      if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == b.name)
+      if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == b.name) {
         b.local = local_summary(recorded, b.name, *touchdown, b.scalars.first_contact_time);
+        b.damage = damage_json(b, result.fatigue[i], *touchdown);
+      }
     if (b.is_free) b.shoulder = shoulder_report(p, b.name);
     b.whirl = whirl_summary(recorded, b.name);
     b.support = support_summary(scalars.supports(), machine, p, b.name, y);

@@ -45,6 +45,7 @@ struct BearingSummary {
   std::optional<LocalSummary> local;
   std::optional<ShoulderReport> shoulder;  ///< of a free ring with shoulders
   WhirlSummary whirl;
+  std::optional<nlohmann::ordered_json> damage;  ///< damage_json()
   std::optional<SupportSummary> support;
   /// Rub heat derived from the spin-up alone, and what the integrated rub heat is more [J].
   struct SpinUp {

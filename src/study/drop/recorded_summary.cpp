@@ -104,6 +104,7 @@ BearingSummary bearing_of(const std::string& name, const Json& j) {
       b.rises.push_back({kind, rises_in(of)});
   }
   if (j.contains("local")) b.local = local_of(j["local"], j["wear"]);
+  if (j.contains("damage")) b.damage = j["damage"];
   b.is_free = j.contains("axial");
   if (b.is_free) {
     b.scalars.axial_force.smallest = number(j["axial"]["force"], "smallest");

@@ -83,6 +83,7 @@ Json bearing_json(const BearingSummary& b) {
     j["local"] = local_json(*b.local);
     j["wear"] = wear_json(*b.local);
   }
+  if (b.damage) j["damage"] = *b.damage;
   if (b.shoulder) j["shoulder"] = shoulder_json(*b.shoulder);
   j["whirl"] = whirl_json(b.whirl);
   j["support"] = support_json(b.support);

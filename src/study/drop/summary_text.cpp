@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "study/drop/damage_summary.h"
 #include "study/drop/drop_summary.h"
 #include "study/drop/warning_summary.h"
 #include "study/opinion/second_opinion.h"
@@ -61,6 +62,7 @@ std::string bearing_text(const BearingSummary& b, double ambient) {
   text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; mean temperature rise {}\n", "",
                       indent, s.ring_speed_end * rpm, ms(s.catch_up_time), all_rises_text(b, ambient));
   if (b.local) text += local_text(b.name, *b.local);
+  if (b.damage) text += damage_text(*b.damage, indent);
   if (b.is_free)
     text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", indent, s.axial_force.smallest * 1e-3,
                         s.axial_force.largest * 1e-3);

@@ -78,6 +78,7 @@ Json report_data(const RecordedDrop& drop) {
   if (p.note) data["note"] = *p.note;
   data["words"] = report_words(drop);
   if (!summary.is_null() && summary.contains("limits")) data["acceptance"] = report_acceptance(summary);
+  if (!summary.is_null()) data["damage"] = report_damage(summary);
   data["numbers"] = report_numbers(drop, summary);
   data["checks"] = report_checks(drop, summary);
   data["machine"] = report_machine(drop);

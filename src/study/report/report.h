@@ -52,6 +52,8 @@ nlohmann::ordered_json report_ball_loads(const RecordedDrop& drop);
 nlohmann::ordered_json report_fields(const RecordedDrop& drop);
 /// Limits of the case with verdicts in words: `verdict`, and rows of result, value, limit, usage, state. @param summary  with `limits`
 nlohmann::ordered_json report_acceptance(const nlohmann::ordered_json& summary);
+/// Rows like these of what one drop does to each bearing, and of how many drops it may take; the basis under `key`.
+nlohmann::ordered_json report_damage(const nlohmann::ordered_json& summary);
 /// Rows of the table of main numbers, texts of figures with their units.
 nlohmann::ordered_json report_numbers(const RecordedDrop& drop, const nlohmann::ordered_json& summary);
 /// Checks made for warnings, and their results: name, state ("ok", "warning", "uncertain", "unknown": not assessed), text.

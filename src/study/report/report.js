@@ -141,17 +141,27 @@ function showProvenance() {
   section("Provenance", ...parts);
 }
 
-function showAcceptance({ verdict, state, rows }) {
+function limitTable(rows) {
   const words = { ok: "✓ accepted", warning: "! REJECTED", unknown: "? not assessed" };
-  section("Acceptance", element("p", { class: "verdict " + state }, element("strong", {}, verdict)),
-    table(["", "result", "value", "limit", "usage"], rows.map((r) => [element("span", { class: "state " + r.state }, words[r.state]),
-      r.meaning ? element("span", { title: r.key }, r.meaning) : r.key, unit(r.value), unit(r.limit), r.usage]), ["", "", "number", "number", "number"]),
+  return table(["", "result", "value", "limit", "usage"], rows.map((r) => [element("span", { class: "state " + r.state }, words[r.state]),
+    r.meaning ? element("span", { title: r.key }, r.meaning) : r.key, unit(r.value), unit(r.limit), r.usage]), ["", "", "number", "number", "number"]);
+}
+
+function showDamage(rows) {
+  const bases = [...new Set(rows.map((r) => r.meaning.split(":")[0] + ", " + r.key))].filter((text) => !text.includes("the least of"));
+  section("Damage per drop", limitTable(rows),
+    element("p", { class: "note" }, "The allowed number of drops is the least of what was assessed: drops until the fatigue life L10 or the permitted wear depth is used up; 0 if the static safety is too small. " + bases.join(". ") + "."));
+}
+
+function showAcceptance({ verdict, state, rows }) {
+  section("Acceptance", element("p", { class: "verdict " + state }, element("strong", {}, verdict)), limitTable(rows),
     element("p", { class: "note" }, "Limits are those of the case ([limits]). Usage: value over an upper limit, or lower limit over value. What could not be assessed is not accepted."));
 }
 
 unpackLines(data.charts);
 showHead();
 if (data.acceptance) showAcceptance(data.acceptance);
+if (data.damage && data.damage.length) showDamage(data.damage);
 section("The case", ...(data.note ? [element("p", { class: "user-note" }, data.note)] : []), ...data.words.map((text) => element("p", {}, text)));
 showNumbers();
 section("Checks", table(["", "", ""], data.checks.map((c) => [element("span", { class: "state " + c.state }, { ok: "✓ good", warning: "! warning", unknown: "? not assessed", uncertain: "? uncertain" }[c.state]), c.name, c.text])));

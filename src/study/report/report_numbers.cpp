@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "study/json_number.h"
 #include "study/report/report.h"
 #include "study/result_names.h"
 
@@ -118,6 +119,43 @@ Json report_acceptance(const Json& summary) {
                     : all == false ? "warning"
                                    : "unknown"},
           {"rows", rows}};
+}
+
+Json report_damage(const Json& summary) {
+  Json rows = Json::array();
+  for (const auto& [name, b] : summary["bearings"].items()) {
+    if (!b.contains("damage")) continue;
+    const Json& d = b["damage"];
+    const auto add = [&, bearing = name](const std::string& meaning, const char* value, const std::string& limit,
+                                         double usage, const std::string& basis) {
+      const double number = number_at(d, value);
+      const bool is_known = std::isfinite(usage);
+      rows.push_back({{"key", basis},
+                      {"meaning", bearing + ": " + meaning},
+                      {"value", std::isfinite(number) ? fmt::format("{:.4g}", number) : std::string("—")},
+                      {"limit", limit},
+                      {"usage", is_known ? fmt::format("{:.3g} %", 100. * usage) : std::string("—")},
+                      {"state", !is_known     ? "unknown"
+                                : usage <= 1. ? "ok"
+                                              : "warning"}});
+    };
+    const auto basis = [&](std::size_t k) { return d["basis"][k].get<std::string>(); };
+    const double required = number_at(d, "/required_static_safety"), safety = number_at(d, "/static_safety"),
+                 drops = number_at(d, "/allowed_drops");
+    add("static safety of the worst ball", "/static_safety", fmt::format("≥ {:.4g}", required),
+        std::isfinite(safety) ? required / safety : 0., basis(0));
+    add("contact fatigue per drop, share of the life L10", "/fatigue/share", "≤ 1", number_at(d, "/fatigue/share"),
+        basis(1));
+    add("wear per drop, share of the permitted depth", "/wear_share", "≤ 1", number_at(d, "/wear_share"), basis(2));
+    const std::string governed = d["governed_by"].is_null() ? "" : ", by " + d["governed_by"].get<std::string>();
+    add("allowed number of such drops" + governed, "/allowed_drops", "≥ 1",
+        std::isnan(drops) ? 0.
+        : drops > 0.      ? 1. / drops
+                          : std::nan(""),
+        "the least of what was assessed above");
+    if (drops == 0.) rows.back()["state"] = "warning";
+  }
+  return rows;
 }
 
 Json report_numbers(const RecordedDrop& drop, const Json& summary) {

@@ -1,0 +1,116 @@
+#include "analysis/watch/ball_fatigue.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "bearing/touchdown_bearing.h"
+
+namespace rotordrop {
+namespace {
+
+std::optional<std::size_t> column_of(const Machine& machine, const std::string& name) {
+  std::size_t at = 0;
+  for (const auto& o : machine.detail_observables()) {
+    if (o.name == name) return at;
+    at += o.size;
+  }
+  return {};
+}
+
+std::vector<RatedRow> rated_rows(const TouchdownBearing& bearing, double C) {
+  const auto& rows = bearing.data().rows;
+  std::vector<RatedRow> rated;
+  for (const auto& row : rows)
+    rated.push_back({row.n_balls, row.ball_diameter, row.pitch_diameter, row.contact_angle,
+                     rating_of_row(C, static_cast<int>(rows.size()))});
+  return rated;
+}
+
+}  // namespace
+
+LoadCycles LoadCycles::finished() const {
+  LoadCycles all = *this;
+  open_.finish(all);
+  return all;
+}
+
+void LoadCycles::operator()(double range, double cycles) {
+  static_assert(load_life_exponent == 3.);
+  sum_ += cycles * range * range * range;
+  largest_ = std::max(largest_, range);
+}
+
+std::vector<double> LoadCycles::packed() const {
+  std::vector<double> values = {sum_, largest_};
+  values.insert(values.end(), open_.open().begin(), open_.open().end());
+  return values;
+}
+
+void LoadCycles::unpack(const std::vector<double>& from) {
+  if (from.size() < 2) throw std::invalid_argument("load cycles of another kind");
+  sum_ = from[0];
+  largest_ = from[1];
+  open_.set_open({from.begin() + 2, from.end()});
+}
+
+BallFatigue::BallFatigue(const Machine& machine, const MachineParameters& parameters) {
+  for (std::size_t i = 0; i < machine.n_supports(); ++i) {
+    const auto* touchdown = dynamic_cast<const TouchdownBearing*>(&machine.support(i));
+    const auto column = column_of(machine, machine.support(i).results_path() + "/ball_loads");
+    if (!touchdown || !column) continue;
+    for (const auto& entry : parameters.bearings) {
+      if (entry.name != touchdown->name() || !entry.touchdown() || !entry.touchdown()->C) continue;
+      Bearing b{entry.name, *entry.touchdown()->C, *column, rated_rows(*touchdown, *entry.touchdown()->C), {}};
+      std::size_t n_balls = 0;
+      for (const auto& row : b.rows) n_balls += static_cast<std::size_t>(row.n_balls);
+      b.balls.resize(n_balls);
+      bearings_.push_back(std::move(b));
+    }
+  }
+}
+
+void BallFatigue::step(const Step& step) {
+  if (!step.is_observed) return;
+  for (Bearing& b : bearings_)
+    for (std::size_t j = 0; j < b.balls.size(); ++j) b.balls[j].follow(step.found->details[b.column + j]);
+}
+
+std::optional<FatigueShare> BallFatigue::of(const std::string& bearing) const {
+  for (const Bearing& b : bearings_) {
+    if (b.name != bearing) continue;
+    FatigueShare found;
+    found.rating = b.rating;
+    double worst_ball = 0.;
+    std::size_t ball = 0;
+    for (const RatedRow& row : b.rows) {
+      double sum = 0.;
+      for (int j = 0; j < row.n_balls; ++j) {
+        const LoadCycles cycles = b.balls[ball++].finished();
+        sum += cycles.sum_of_cubes();
+        found.largest_cycle = std::max(found.largest_cycle, cycles.largest());
+        found.load_over_rating = std::max(found.load_over_rating, cycles.largest() / ball_load_at_rating(row));
+        worst_ball = std::max(worst_ball, cycles.sum_of_cubes());
+      }
+      found.rows.push_back(life_share(row, sum));
+      found.share = together(found.share, found.rows.back());
+    }
+    const double largest = found.largest_cycle;
+    if (largest > 0.) found.equivalent_cycles = worst_ball / (largest * largest * largest);
+    return found;
+  }
+  return {};
+}
+
+void BallFatigue::pack(PackedValues& to) const {
+  for (const Bearing& b : bearings_)
+    for (std::size_t j = 0; j < b.balls.size(); ++j)
+      to["fatigue/" + b.name + "/ball " + std::to_string(j + 1)] = b.balls[j].packed();
+}
+
+void BallFatigue::unpack(const PackedValues& from) {
+  for (Bearing& b : bearings_)
+    for (std::size_t j = 0; j < b.balls.size(); ++j)
+      b.balls[j].unpack(from.at("fatigue/" + b.name + "/ball " + std::to_string(j + 1)));
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,64 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "laws/fatigue/ball_life.h"
+#include "laws/fatigue/rainflow.h"
+#include "machine/machine.h"
+#include "machine/machine_parameters.h"
+#include "model/observer.h"
+
+namespace rotordrop {
+
+/// Contact fatigue of one bearing by the load cycles of its balls (laws/fatigue/ball_life.h).
+struct FatigueShare {
+  double share = 0;          ///< of the life L10 that was used up
+  double rating = 0;         ///< C of all rows [N]
+  double largest_cycle = 0;  ///< range [N]
+  double equivalent_cycles =
+      0;                        ///< cycles of that range that do the same to its ball; of the ball with the largest sum
+  double load_over_rating = 0;  ///< largest cycle over the ball load under C; ISO 281 holds to 0.5
+  std::vector<double> rows;     ///< share of each row's own life
+};
+
+/// Counts load cycles of one ball, and keeps the sum of their cubes.
+class LoadCycles {
+ public:
+  void follow(double load) { open_.follow(load, *this); }
+  /// As if the load ended here.
+  [[nodiscard]] LoadCycles finished() const;
+  [[nodiscard]] double sum_of_cubes() const { return sum_; }  ///< [N^3]
+  [[nodiscard]] double largest() const { return largest_; }   ///< range [N]
+  void operator()(double range, double cycles);
+  [[nodiscard]] std::vector<double> packed() const;
+  void unpack(const std::vector<double>& from);
+
+ private:
+  Rainflow open_;
+  double sum_ = 0, largest_ = 0;
+};
+
+/// Follows the loads of all balls of the bearings with a dynamic load rating, at every observed step.
+class BallFatigue final : public Observer {
+ public:
+  BallFatigue(const Machine& machine, const MachineParameters& parameters);
+  void step(const Step& step) override;
+  [[nodiscard]] bool wants_details() const override { return !bearings_.empty(); }
+  void pack(PackedValues& to) const override;
+  void unpack(const PackedValues& from) override;
+  /// So far; nothing for a bearing without a rating.
+  [[nodiscard]] std::optional<FatigueShare> of(const std::string& bearing) const;
+
+ private:
+  struct Bearing {
+    std::string name;
+    double rating = 0;
+    std::size_t column = 0;  // of the first ball among the details
+    std::vector<RatedRow> rows;
+    std::vector<LoadCycles> balls;  // of all rows
+  };
+  std::vector<Bearing> bearings_;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,37 @@
+#pragma once
+// Contact fatigue of ball bearings from the loads of their balls: ISO 281's load-life rule with Palmgren-Miner's sum.
+//
+// Under a constant radial load F with half the circle loaded (no clearance, no preload) the most loaded ball carries
+//   Q_max = F / (Z cos(alpha) J_r),  J_r = 1/(2 pi) integral of cos^(5/2) over the loaded half = 0.2288   (Stribeck's 4.37)
+// and in a turn of the inner ring each of the Z balls passes the load (1 - gamma)/2 times, gamma = D cos(alpha) / d_m. ISO 281 defines the rating C as
+// the load that 90 % of all bearings bear for 1e6 turns, and the life under F as (C/F)^p with p = 3. So one passage with the peak Q has the share
+//   (Q / Q_C)^3 / (1e6 Z (1 - gamma)/2),  Q_C = Q_max(C)
+// of that life, and shares add up (Palmgren, Miner). A load cycle of the range Q is taken as such a passage. For what ISO 281 is made for the sum is
+// its life exactly; a test says so.
+namespace rotordrop {
+
+inline constexpr double load_life_exponent = 3.;  ///< p of ball bearings, ISO 281
+
+/// One row of a bearing or set, with the rating of that row by itself.
+struct RatedRow {
+  int n_balls = 0;            ///< Z
+  double ball_diameter = 0;   ///< D [m]
+  double pitch_diameter = 0;  ///< d_m [m]
+  double contact_angle = 0;   ///< alpha [rad]
+  double rating = 0;          ///< C of this row [N]
+};
+
+/// Rating of one of n equal rows with the rating C together: C / n^0.7 (ISO 281, rows of ball bearings).
+double rating_of_row(double C, int n_rows);
+
+/// Q_C [N]
+double ball_load_at_rating(const RatedRow& row);
+
+/// Share of a row's life. @param sum_of_cubes  of all cycles' ranges, of all of its balls [N^3]
+double life_share(const RatedRow& row, double sum_of_cubes);
+
+/// Share of a bearing's life from those of its rows: (sum D^e)^(1/e) with Weibull's exponent e = 10/9 of ball bearings (ISO 281).
+/// Adding a row: combined = together(combined, share of the row).
+double together(double share, double other);
+
+}  // namespace rotordrop

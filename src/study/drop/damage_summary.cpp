@@ -1,0 +1,88 @@
+#include "study/drop/damage_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "study/drop/drop_summary.h"
+#include "study/json_number.h"
+
+namespace rotordrop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json fatigue_json(const FatigueShare& f) {
+  return {{"share", f.share},
+          {"rows", f.rows},
+          {"rating", f.rating},
+          {"largest_cycle", f.largest_cycle},
+          {"equivalent_cycles", f.equivalent_cycles},
+          {"load_over_rating", f.load_over_rating}};
+}
+
+/// Whole drops; null if there is no end to them.
+Json drops_of(double share) {
+  constexpr double most = 1e15;
+  if (!(share > 1. / most)) return nullptr;
+  // A share of exactly 1/n allows n drops, whatever its roundoff.
+  return static_cast<long long>(std::floor(1. / share * (1. + 1e-12)));
+}
+
+std::string fatigue_basis(const std::optional<FatigueShare>& f) {
+  if (!f) return "contact fatigue: not assessed, the bearing's dynamic load rating C is not given";
+  std::string text = fmt::format(
+      "contact fatigue: ISO 281, C = {:.4g} kN, p = 3, L10 (90 % reliability); cycles of every ball's load by rainflow "
+      "(ASTM E1049), summed by Palmgren-Miner",
+      f->rating * 1e-3);
+  if (f->load_over_rating > 0.5)
+    text +=
+        fmt::format("; the largest ball load is {:.3g} times that under C, ISO 281 holds to 0.5", f->load_over_rating);
+  return text;
+}
+
+}  // namespace
+
+Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
+  const double safety = std::pow(static_pressure_limit / b.scalars.contact_pressure.value, 3);  // infinite without load
+  const Json wear = b.local ? wear_json(*b.local) : Json::object();
+  const double wear_drops = number_at(wear, "/drops_until_limit");
+  const double wear_share = std::isfinite(wear_drops) ? 1. / wear_drops : 0.;
+  const double fatigue_share = fatigue ? fatigue->share : 0.;
+  const bool is_safe = safety >= p.required_static_safety;
+  Json j;
+  j["static_safety"] = json_number(safety);
+  j["required_static_safety"] = p.required_static_safety;
+  j["fatigue"] = fatigue ? fatigue_json(*fatigue) : Json(nullptr);
+  j["wear_share"] = b.local ? Json(wear_share) : Json(nullptr);
+  j["allowed_drops"] = is_safe ? drops_of(std::max(fatigue_share, wear_share)) : Json(0);
+  j["governed_by"] = !is_safe                       ? Json("static safety")
+                     : j["allowed_drops"].is_null() ? Json(nullptr)
+                     : wear_share >= fatigue_share  ? Json("wear")
+                                                    : Json("fatigue");
+  j["basis"] = {fmt::format("static safety: (4.2 GPa over the largest contact pressure of a ball) cubed, ISO 76; at "
+                            "least {:.4g} required",
+                            p.required_static_safety),
+                fatigue_basis(fatigue),
+                b.local ? fmt::format("wear: Archard, until contact.wear_depth_limit = {:.4g} um, every drop at the "
+                                      "same place",
+                                      number_at(wear, "/depth_limit") * 1e6)
+                        : "wear: not assessed"};
+  return j;
+}
+
+std::string damage_text(const Json& d, std::size_t indent) {
+  std::string text = fmt::format("{:{}}damage per drop: static safety ", "", indent);
+  text += d["static_safety"].is_null() ? "unloaded" : fmt::format("{:.3g}", d["static_safety"].get<double>());
+  text += d["fatigue"].is_null() ? ", fatigue not assessed (no C)"
+                                 : fmt::format(", fatigue {:.2g} of L10", d["fatigue"]["share"].get<double>());
+  if (!d["wear_share"].is_null()) text += fmt::format(", wear {:.2g} of its limit", d["wear_share"].get<double>());
+  text += d["allowed_drops"].is_null() ? "; allowed drops: no limit found"
+                                       : fmt::format("; allowed drops: {} ({})", d["allowed_drops"].get<long long>(),
+                                                     d["governed_by"].get<std::string>());
+  return text + "\n";
+}
+
+}  // namespace rotordrop

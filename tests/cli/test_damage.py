@@ -1,0 +1,125 @@
+"""Damage per drop: static safety, contact fatigue and wear of each bearing, and the allowed number of drops, computed here a second time from the series."""
+
+import json
+import math
+import re
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import ProgramTest, settings  # noqa: E402
+
+RATED = settings(bearings__TB1__C="39.7 kN", bearings__TB2__C="33 kN", run__end_time="30 ms", output__interval="5 us", output__detail_interval="5 us")
+
+
+def rainflow(values):
+    """Ranges and numbers of cycles of a history by ASTM E1049-85, 5.4.4, point by point as the standard has them."""
+    points = [values[0]]
+    for value in values[1:]:
+        if value == points[-1]:
+            continue
+        if len(points) > 1 and (value - points[-1]) * (points[-1] - points[-2]) > 0:
+            points[-1] = value
+        else:
+            points.append(value)
+    read, cycles = [], []
+    for point in points:
+        read.append(point)
+        while len(read) >= 3:
+            x, y = abs(read[-1] - read[-2]), abs(read[-2] - read[-3])
+            if x < y:
+                break
+            if len(read) == 3:
+                cycles.append((y, 0.5))
+                del read[0]
+            else:
+                cycles.append((y, 1.0))
+                del read[-3:-1]
+    return cycles + [(abs(b - a), 0.5) for a, b in zip(read, read[1:])]
+
+
+class Damage(ProgramTest):
+    def test_the_peer_counts_the_example_of_the_standard(self):
+        counts = {}
+        for size, n in rainflow([-2, 1, -3, 5, -1, 3, -4, 4, -2]):
+            counts[size] = counts.get(size, 0) + n
+        self.assertEqual(counts, {3: 0.5, 4: 1.5, 6: 0.5, 8: 1.0, 9: 0.5})
+
+    def test_fatigue_is_that_of_the_recorded_ball_loads(self):
+        self.succeed("run", "reference.toml", "-o", "out", *RATED)
+        summary = self.summary()
+        J_r = np.mean(np.maximum(np.cos(np.linspace(0, 2 * np.pi, 40001)[:-1]), 0) ** 2.5)
+        with h5py.File(self.folder / "out/results.h5") as results:
+            for name, C, Z, D, d_m, alpha, rows in (("TB1", 39.7e3, 14, 11.906e-3, 90e-3, 0, 1), ("TB2", 33e3, 23, 9.525e-3, 85e-3, math.radians(25), 2)):
+                fatigue = summary["bearings"][name]["damage"]["fatigue"]
+                loads = results[f"bearings/{name}/ball_loads"][:]
+                self.assertEqual(loads.shape[1], Z * rows)
+                of_row = C / rows**0.7
+                Q_C = of_row / (Z * math.cos(alpha) * J_r)
+                passages = 1e6 * Z * (1 - D * math.cos(alpha) / d_m) / 2
+                shares, largest = [], 0
+                for row in range(rows):
+                    cycles = [cycle for ball in range(row * Z, (row + 1) * Z) for cycle in rainflow(loads[:, ball])]
+                    shares.append(sum(n * size**3 for size, n in cycles) / Q_C**3 / passages)
+                    largest = max(largest, *(size for size, n in cycles))
+                share = sum(one ** (10 / 9) for one in shares) ** 0.9
+                self.assertGreater(share, 1e-9)
+                # Rows every 5 us find the peaks a little below those at the steps.
+                self.assertAlmostEqual(fatigue["share"], share, delta=0.02 * share)
+                self.assertAlmostEqual(fatigue["largest_cycle"], largest, delta=0.01 * largest)
+                self.assertAlmostEqual(fatigue["load_over_rating"], fatigue["largest_cycle"] / Q_C, delta=1e-4 * fatigue["load_over_rating"])
+                self.assertEqual(len(fatigue["rows"]), rows)
+                self.assertEqual(fatigue["rating"], C)
+                self.assertGreaterEqual(fatigue["equivalent_cycles"], 0.5)
+
+    def test_the_allowed_number_is_the_least_of_all(self):
+        done = self.succeed("run", "reference.toml", "-o", "out", *RATED, *settings(bearings__required_static_safety=0.01))
+        for name, bearing in self.summary()["bearings"].items():
+            damage = bearing["damage"]
+            self.assertAlmostEqual(damage["static_safety"], (4.2e9 / bearing["largest_contact_pressure"]) ** 3, delta=1e-9)
+            self.assertAlmostEqual(damage["wear_share"], 1 / bearing["wear"]["drops_until_limit"], delta=1e-9 * damage["wear_share"])
+            shares = {"fatigue": damage["fatigue"]["share"], "wear": damage["wear_share"]}
+            governed = max(shares, key=shares.get)
+            self.assertEqual((damage["governed_by"], damage["allowed_drops"]), (governed, math.floor(1 / shares[governed] * (1 + 1e-12))))
+            self.assertIn("ISO 281", damage["basis"][1])
+            self.assertRegex(done.stdout, rf"allowed drops: {damage['allowed_drops']} \({governed}\)")
+
+    def test_too_little_static_safety_allows_none(self):
+        done = self.succeed("run", "reference.toml", "-o", "out", *RATED, *settings(bearings__required_static_safety=1e6))
+        for bearing in self.summary()["bearings"].values():
+            self.assertEqual((bearing["damage"]["allowed_drops"], bearing["damage"]["governed_by"]), (0, "static safety"))
+        self.assertIn("allowed drops: 0 (static safety)", done.stdout)
+        self.succeed("report", "out")
+        page = (self.folder / "out/report.html").read_text()
+        data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+        rows = {row["meaning"]: row for row in data["damage"]}
+        self.assertEqual(rows["TB1: static safety of the worst ball"]["state"], "warning")
+        self.assertEqual(rows["TB1: allowed number of such drops, by static safety"]["state"], "warning")
+        self.assertEqual(rows["TB2: contact fatigue per drop, share of the life L10"]["state"], "ok")
+
+    def test_without_a_rating_fatigue_is_not_assessed(self):
+        done = self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="12 ms"))
+        damage = self.summary()["bearings"]["TB1"]["damage"]
+        self.assertIsNone(damage["fatigue"])
+        self.assertIn("not assessed", damage["basis"][1])
+        self.assertIn("fatigue not assessed (no C)", done.stdout)
+
+    def test_a_drop_without_contact_has_no_end_of_drops(self):
+        self.succeed("run", "reference.toml", "-o", "out", *RATED, *settings(run__end_time="5 ms"))
+        damage = self.summary()["bearings"]["TB1"]["damage"]
+        self.assertEqual(damage["wear_share"], 0)
+        self.assertLess(damage["fatigue"]["share"], 1e-12, "weight of the rings")
+
+    def test_limits_and_resumption_know_it(self):
+        case = self.case("[limits]\nbearings.TB1.damage.allowed_drops.min = 20\nbearings.TB2.damage.fatigue.share.max = 1e-3\n")
+        self.succeed("run", case, "-o", "out", *RATED)
+        limits = {limit["key"]: limit for limit in self.summary()["limits"]}
+        self.assertEqual(limits["bearings.TB2.damage.fatigue.share"]["value"], self.summary()["bearings"]["TB2"]["damage"]["fatigue"]["share"])
+        self.assertIn("bearings.TB1.damage.allowed_drops", limits)
+
+
+if __name__ == "__main__":
+    unittest.main()
