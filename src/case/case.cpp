@@ -273,6 +273,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     faults.throw_if_any();
     if (result.parameters.rotor.balance_grade)
       result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters, result.tree, faults);
+    faults.throw_if_any();
     const ErasedSection declaration = section.erased();
     result.warnings = look_for_slips(*declaration, result.parameters, result.tree);
     look_for_single_entries(result.tree, result.warnings);
