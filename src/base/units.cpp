@@ -114,10 +114,7 @@ UnitText check_unit_text(std::string_view text) {
   return UnitText::sound;
 }
 
-/// The unit of a text that check_unit_text found sound; nothing if UDUNITS does not know it, or if it is logarithmic or
-/// a date.
-std::optional<Unit> parsed(std::string_view text) {
-  const std::lock_guard guard(udunits_lock());
+std::optional<Unit> parsed_anew(std::string_view text) {
   const std::string terminated(text);
   Unit unit;
   unit.handle = std::shared_ptr<ut_unit>(ut_parse(unit_system(), terminated.c_str(), UT_UTF8), [](ut_unit* u) {
@@ -126,6 +123,17 @@ std::optional<Unit> parsed(std::string_view text) {
   if (!unit.handle || DimensionVisitor::visit(unit.handle.get(), &unit.dimension) != UT_SUCCESS) return {};
   std::erase_if(unit.dimension, [](const auto& power) { return power.second == 0; });
   return unit;
+}
+
+/// The unit of a text that check_unit_text found sound; nothing if UDUNITS does not know it, or if it is logarithmic or
+/// a date. A text is parsed once.
+std::optional<Unit> parsed(std::string_view text) {
+  constexpr std::size_t most = 1000;  // nobody writes so many units; mutated files do
+  static std::map<std::string, std::optional<Unit>, std::less<>> known;
+  const std::lock_guard guard(udunits_lock());
+  if (const auto found = known.find(text); found != known.end()) return found->second;
+  if (known.size() >= most) known.clear();
+  return known.emplace(text, parsed_anew(text)).first->second;
 }
 
 /// The unit of a declaration.
@@ -251,20 +259,20 @@ std::string advice_on_dimension(const Unit& given, const Unit& needed, QuantityK
 
 Conversion convert_unit(double value, std::string_view unit_text, std::string_view text, std::string_view si_unit,
                         QuantityKind kind, std::string_view name) {
-  const std::string needs = fmt::format("{} needs {}", name, described(si_unit, kind));
+  const auto needs = [&] { return fmt::format("{} needs {}", name, described(si_unit, kind)); };
   if (takes_bare_numbers_only(si_unit))
     return failed(
         fmt::format("{} has a unit, but {} takes a bare number in {}", text, name, si_unit),
         fmt::format("Units with such an exponent cannot be converted. Write the value in {} without a unit.", si_unit));
   if (unit_text.front() == ',')
-    return failed(fmt::format("\"{}\" is not a number with a unit; {}", text, needs),
+    return failed(fmt::format("\"{}\" is not a number with a unit; {}", text, needs()),
                   "Write a decimal point, not a comma.");
   switch (check_unit_text(unit_text)) {
     case UnitText::has_other_exponent:
-      return failed(fmt::format("the unit of \"{}\" has an exponent that is not an integer; {}", text, needs),
+      return failed(fmt::format("the unit of \"{}\" has an exponent that is not an integer; {}", text, needs()),
                     "Exponents of units must be integers, as in m2 or s^-1.");
     case UnitText::has_number:
-      return failed(fmt::format("the unit of \"{}\" contains a number; {}", text, needs),
+      return failed(fmt::format("the unit of \"{}\" contains a number; {}", text, needs()),
                     "Write one number, then its unit.");
     case UnitText::sound:
       break;
@@ -272,18 +280,18 @@ Conversion convert_unit(double value, std::string_view unit_text, std::string_vi
   const Unit& needed = declared(si_unit);
   const auto given = parsed(unit_text);
   if (!given)
-    return failed(fmt::format("unknown unit \"{}\" in \"{}\"; {}", unit_text, text, needs),
+    return failed(fmt::format("unknown unit \"{}\" in \"{}\"; {}", unit_text, text, needs()),
                   "Units are written as in \"N m\", \"W/(m K)\" or \"kg/m3\".");
 
   const Dimension per_second{{"s", -1}};
   if (kind == QuantityKind::angular_speed && given->dimension == per_second)
-    return failed(fmt::format("{} does not say whether it counts revolutions or radians; {}", text, needs),
+    return failed(fmt::format("{} does not say whether it counts revolutions or radians; {}", text, needs()),
                   "Write rpm (revolutions per minute) or rad/s instead of Hz or 1/s.");
   if (given->dimension != needed.dimension) {
     const NamedDimension* dimension = named(given->dimension);
     const std::string what =
         dimension ? with_article(dimension->name) : "a value in " + in_base_units(given->dimension);
-    return failed(fmt::format("{} is {}; {}", text, what, needs), advice_on_dimension(*given, needed, kind));
+    return failed(fmt::format("{} is {}; {}", text, what, needs()), advice_on_dimension(*given, needed, kind));
   }
 
   const std::lock_guard guard(udunits_lock());

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <memory>
+#include <mutex>
 
 #include "base/parameters/suggestion.h"
 #include "case/bearing_sets.h"
@@ -62,8 +64,7 @@ Section<OutputParameters> output_section() {
   return s;
 }
 
-Section<CaseParameters> case_section() {
-  load_parts_of_environment();
+Section<CaseParameters> declared_case_section() {
   using P = CaseParameters;
   Section<P> s("", "A rotor drop.");
   s.text("title", &P::title,
@@ -100,6 +101,23 @@ Section<CaseParameters> case_section() {
                "The summary says which limits are met, and how much of each is used (docs/how-to/limits.md)."},
       [](const Node& node, P& target, Faults& faults) { read_limits(node, target.limits, faults); });
   return s;
+}
+
+/// Declared once, and again when parts of others have brought keys of their own.
+struct CaseSection {
+  Section<CaseParameters> section = declared_case_section();
+  ErasedSection erased = section.erased();
+};
+std::shared_ptr<const CaseSection> case_section() {
+  load_parts_of_environment();
+  static std::mutex lock;
+  static std::shared_ptr<const CaseSection> kept;
+  static std::pair<std::size_t, std::size_t> n_kept;  // parts are never taken away
+  const std::lock_guard guard(lock);
+  const std::pair n{support_kinds().size(), thermal_kinds().size()};
+  if (!kept || n != n_kept) kept = std::make_shared<const CaseSection>();
+  n_kept = n;
+  return kept;
 }
 
 /// Where a file named in the parameters is: beside the file that names it, or in the working folder for the command line.
@@ -224,7 +242,7 @@ std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
   return folders;
 }
 
-std::vector<ErasedSection> case_sections() { return {case_section().erased()}; }
+std::vector<ErasedSection> case_sections() { return {case_section()->erased}; }
 
 namespace {
 
@@ -265,7 +283,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     Faults faults;
     complete_tree(result.tree, file, settings, faults);
     const auto section = case_section();
-    result.parameters = section.read(result.tree, faults);
+    result.parameters = section->section.read(result.tree, faults);
     // What follows looks at several sections together, and so needs each of them sound.
     faults.throw_if_any();
     check_machine(result.parameters, result.tree, faults);
@@ -274,11 +292,10 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     if (result.parameters.rotor.balance_grade)
       result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters, result.tree, faults);
     faults.throw_if_any();
-    const ErasedSection declaration = section.erased();
-    result.warnings = look_for_slips(*declaration, result.parameters, result.tree);
+    result.warnings = look_for_slips(*section->erased, result.parameters, result.tree);
     look_for_single_entries(result.tree, result.warnings);
     add_keys(result.warnings, result.tree);
-    result.resolved = resolve({declaration}, result.tree);
+    result.resolved = resolve({section->erased}, result.tree);
     return result;
   } catch (const InputError& error) {
     std::vector<Fault> faults = error.faults();

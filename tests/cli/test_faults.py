@@ -23,6 +23,9 @@ class Faults(unittest.TestCase):
         said = self.call("kills", 6, 5)
         self.assertRegex(said, r"\d+ runs, [678] kills, seed 5")
 
+    def test_killed_studies_end_as_unbroken_ones(self):
+        self.assertIn("6 kills, seed 5: the same bits", self.call("study_kills", 6, 5, 16))
+
     def test_random_machines_have_the_properties(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertIn("4 machines, 4 of them touched, 8 properties each: 0 failures", self.call("properties", 4, 5, "--save", folder))

@@ -2,6 +2,7 @@
 
 import json
 import random
+import struct
 import subprocess
 import sys
 import time
@@ -30,6 +31,21 @@ peak = { formula = "max(bearings.TB1.peak_contact_force, bearings.TB2.peak_conta
 parameter = "damping"
 result = "peak"
 """
+
+
+def numbers_of(summary, path=""):
+    """Numbers of summary.json by the names that a study gives them."""
+    if path in ("input_warnings", "warnings", "limits", "second_opinion"):
+        return {}
+    if isinstance(summary, dict):
+        return {name: value for key, inner in summary.items() for name, value in numbers_of(inner, f"{path}.{key}" if path else key).items()}
+    if isinstance(summary, list):
+        return {name: value for i, inner in enumerate(summary) for name, value in numbers_of(inner, f"{path}[{i}]").items()}
+    if summary is None:
+        return {path: numpy.nan}
+    if isinstance(summary, str):
+        return {path: float(summary == "yes")} if summary in ("yes", "no") else {}
+    return {path: float(summary)}
 
 
 def kill_until_done(folder, seed, longest):
@@ -133,14 +149,21 @@ class Studies(ProgramTest):
         self.assertEqual(again["bearings"]["TB1"]["peak_contact_force"], forces[7])
         self.assertTrue((self.folder / "out/point-7/report.html").is_file())
 
-    def test_a_point_is_the_case_with_its_parameters_set(self):
-        self.study("out")
+    def test_points_have_the_bits_of_single_runs(self):
+        self.write("s.toml", STUDY.replace("values = [2e3, 4e3, 8e3] }", 'values = [2e3, 4e3, 8e3] }\nbearings.TB1.balls_per_row = [18, 20, 22]\n"rotor.unbalance[0].me" = { range = ["1 g mm", "3 g mm"] }'))
+        self.study("out", "--jobs", "2")
         with h5py.File(self.folder / "out/study.h5") as h5:
-            friction, damping = float(h5["/parameters/contact.friction_coefficient"][5]), float(h5["/parameters/damping"][5])
-            force = h5["/results/bearings.TB2.peak_contact_force"][5]
-        alone = self.run_case("drop.toml", output="alone", contact__friction_coefficient=repr(friction),
-                              bearings__TB1__support__C_y=repr(damping), bearings__TB2__support__C_y=repr(damping))
-        self.assertEqual(alone["bearings"]["TB2"]["peak_contact_force"], force)
+            parameters = {key: h5["/parameters"][key][:] for key in h5["/parameters"] if key != "damping"}
+            results = {key: h5["/results"][key][:] for key in h5["/results"] if key != "peak"}
+        for point in (0, 5, 11):
+            values = {key: column[point].item() for key, column in parameters.items()}
+            values["bearings.TB1.balls_per_row"] = int(values["bearings.TB1.balls_per_row"])
+            arguments = [word for key, value in values.items() for word in ("--set", f"{key}={value!r}")]
+            self.succeed("run", "drop.toml", "-o", f"alone-{point}", *arguments)
+            alone = numbers_of(json.loads((self.folder / f"alone-{point}/summary.json").read_text()))
+            self.assertEqual(set(alone) - {"run.wall_time", "run.cpu_time"}, set(results))
+            different = {key for key, values in results.items() if struct.pack("d", alone[key]) != struct.pack("d", values[point])}
+            self.assertEqual(different, set(), point)
 
     FAILING = """
 case = "drop.toml"
