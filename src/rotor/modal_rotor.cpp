@@ -264,6 +264,10 @@ void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) 
   if (axial_) add_axial_motion(y, out);
 }
 
+double ModalRotor::mode_shape(int node, std::size_t mode) const {
+  return node_shape_[static_cast<std::size_t>(node - 1) * 2 * filled_up(n_modes_) + mode];
+}
+
 Motion ModalRotor::node_motion(int node, std::span<const double> y) const {
   assert(y.size() == n_state() && node >= 1 && static_cast<std::size_t>(node) <= n_nodes_);
   Motion motion;

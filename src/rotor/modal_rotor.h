@@ -103,9 +103,7 @@ class ModalRotor final : public RotorModel {
   /// Motion of every node [n_nodes]; for pictures and tests, not for the hot path.
   void node_motions(std::span<const double> y, std::span<Motion> out) const;
   /// Displacement of a node per unit of a modal coordinate [-]. @param node  numbered from 1; @param mode  from 0
-  [[nodiscard]] double mode_shape(int node, std::size_t mode) const {
-    return node_shape_[static_cast<std::size_t>(node - 1) * n_modes_ + mode].deflection;
-  }
+  [[nodiscard]] double mode_shape(int node, std::size_t mode) const;
   /// Torque of motor or brake [N m].
   [[nodiscard]] double drive_torque(double t) const { return value_at(drive_torque_, t); }
 
