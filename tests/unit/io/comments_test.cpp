@@ -32,8 +32,11 @@ TEST(OriginOfAValue, IsFileLineAndWhatStandsBehindIt) {
   EXPECT_EQ(origin(tree, "b"), "case.toml:2");
   EXPECT_EQ(origin(tree, "c"), "base.toml:7: source: (est.)") << "what rotordrop wrote names the first source";
   EXPECT_EQ(origin(*tree.find("t"), "d"), "case.toml:5");
-  EXPECT_EQ(origin_text({"air_gap", {"--set contact.air_gap", 0, 0}, Node(1)}), "--set");
-  EXPECT_EQ(origin_text({"air_gap", {}, Node(1)}), "the program");
+  Node table = Node::table();
+  table.set("given", Node(1), {"--set contact.air_gap", 0, 0});
+  table.set("built_in", Node(1));
+  EXPECT_EQ(origin(table, "given"), "--set");
+  EXPECT_EQ(origin(table, "built_in"), "the program");
 }
 
 TEST(OriginOfAValue, StaysWithItWhenTablesAreMergedOrItsValueIsCompleted) {

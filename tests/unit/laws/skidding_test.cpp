@@ -89,8 +89,8 @@ TEST(OuterContact, TakesTheInnerLoadAndTheCentrifugalForce) {
 
 TEST(RollingDemand, ComparesWhatARowAsksForWithItsFriction) {
   // Ten balls of 1 kg at 1 m/s2: 7 N inside, 3 N outside.
-  EXPECT_NEAR(rolling_demand({140., 1e9, 0., 0.}, 10, 1., 1., 0.1), 0.5, 1e-15) << "7 N of 14 N";
-  EXPECT_NEAR(rolling_demand({1e9, 100., 4., 0.}, 10, 1., 1., 0.1), 0.5, 1e-15) << "3 N along, 4 N across, of 10 N";
+  EXPECT_NEAR(rolling_demand({140., 1e9, 0., 0., 0., 0., 0.}, 10, 1., 1., 0.1), 0.5, 1e-15) << "7 N of 14 N";
+  EXPECT_NEAR(rolling_demand({1e9, 100., 4., 0., 0., 0., 0.}, 10, 1., 1., 0.1), 0.5, 1e-15) << "3 N along, 4 N across, of 10 N";
 }
 
 TEST(TractionDemand, IsFiniteWithoutLoadOrFriction) {
