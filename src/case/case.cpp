@@ -11,6 +11,7 @@
 
 #include "base/parameters/suggestion.h"
 #include "case/bearing_sets.h"
+#include "case/case_family.h"
 #include "case/case_keys.h"
 #include "case/case_text.h"
 #include "case/modules/parts_modules.h"
@@ -139,7 +140,12 @@ Node any_geometry() {
                       {"elements", Node::array(std::move(elements))}});
 }
 
-void load_rotor_geometry(Node& tree, Faults& faults) {
+/// Files that many cases have in common, read once.
+using ReadFile = std::function<Node(const fs::path&)>;
+
+Node read_geometry(const fs::path& file) { return file.extension() == ".toml" ? read_toml(file) : read_json(file); }
+
+void load_rotor_geometry(Node& tree, const ReadFile& read, Faults& faults) {
   Node* rotor = tree.find("rotor");
   if (!rotor || !rotor->is_table()) return;
   const Node* geometry = rotor->find("geometry");
@@ -163,7 +169,7 @@ void load_rotor_geometry(Node& tree, Faults& faults) {
     return;
   }
   try {
-    rotor->set("geometry", path.extension() == ".toml" ? read_toml(path) : read_json(path), key);
+    rotor->set("geometry", read(path), key);
   } catch (const InputError& fault) {
     faults.add(fault.faults());
     rotor->set("geometry", any_geometry(), key);
@@ -247,7 +253,8 @@ std::vector<ErasedSection> case_sections() { return {case_section()->erased}; }
 namespace {
 
 /// Puts settings, files that the tree names, and built-in materials into a tree.
-void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>& settings, Faults& faults) {
+void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>& settings, const ReadFile& geometry,
+                   Faults& faults) {
   Node over = Node::table(tree.where());
   for (const Setting& setting : settings) {
     if (names_entry(setting)) continue;
@@ -260,7 +267,7 @@ void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>&
   for (const Setting& setting : settings)
     if (names_entry(setting)) set_entry(tree, setting);
   make_sets(tree, faults);
-  load_rotor_geometry(tree, faults);
+  load_rotor_geometry(tree, geometry, faults);
   complete_paths(tree);
   // Built-in materials lie under those that the case gives.
   const Node* materials = tree.find("materials");
@@ -270,8 +277,17 @@ void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>&
     tree.set("materials", merged(default_materials(), *materials), position_of(tree, "materials"));
 }
 
+/// What is said about a sound case: unusual values, and the complete text.
+void add_words(const ErasedSection& declaration, Case& result) {
+  result.warnings = look_for_slips(*declaration, result.parameters, result.tree);
+  look_for_single_entries(result.tree, result.warnings);
+  add_keys(result.warnings, result.tree);
+  result.resolved = resolve({declaration}, result.tree);
+}
+
 /// @param read  the tree of `file` with its bases
-Case case_of(const fs::path& file, const std::vector<Setting>& settings, const std::function<Node()>& read) {
+Case case_of(const fs::path& file, const std::vector<Setting>& settings, const std::function<Node()>& read,
+             const ReadFile& geometry = read_geometry, bool has_words = true) {
   Case result;
   result.file = file;
   result.name = file.stem().string();
@@ -281,7 +297,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
   try {
     result.tree = read();
     Faults faults;
-    complete_tree(result.tree, file, settings, faults);
+    complete_tree(result.tree, file, settings, geometry, faults);
     const auto section = case_section();
     result.parameters = section->section.read(result.tree, faults);
     // What follows looks at several sections together, and so needs each of them sound.
@@ -292,10 +308,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     if (result.parameters.rotor.balance_grade)
       result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters, result.tree, faults);
     faults.throw_if_any();
-    result.warnings = look_for_slips(*section->erased, result.parameters, result.tree);
-    look_for_single_entries(result.tree, result.warnings);
-    add_keys(result.warnings, result.tree);
-    result.resolved = resolve({section->erased}, result.tree);
+    if (has_words) add_words(section->erased, result);
     return result;
   } catch (const InputError& error) {
     std::vector<Fault> faults = error.faults();
@@ -340,6 +353,18 @@ Case read_given_case(const GivenCase& given, const std::vector<Setting>& setting
     return given.text ? read_toml_text(*given.text, given.file, load_catalogue_bearings)
                       : read_toml(given.file, load_catalogue_bearings);
   });
+}
+
+CaseFamily::CaseFamily(const fs::path& file) : file_(file), tree_(read_toml(file, load_catalogue_bearings)) {}
+
+Case CaseFamily::read(const std::vector<std::string>& overrides) const {
+  const auto geometry = [this](const fs::path& file) {
+    const std::lock_guard guard(lock_);
+    const auto found = geometries_.find(file);
+    return found != geometries_.end() ? found->second : geometries_.emplace(file, read_geometry(file)).first->second;
+  };
+  return case_of(
+      file_, settings_of(overrides), [this] { return tree_; }, geometry, false);
 }
 
 std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {

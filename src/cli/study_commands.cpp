@@ -213,7 +213,7 @@ int study_command(const StudyCommand& asked) {
 }
 
 int study_join_command(const StudyJoinCommand& command) {
-  const std::size_t missing = join_shards(command.directories, command.output, command.force);
+  const std::size_t missing = join_shards(command.directories, command.output, command.force, command.is_virtual);
   if (missing > 0)
     fmt::print(
         stderr,
@@ -281,6 +281,8 @@ StudyCommands::StudyCommands(CLI::App& app) {
   join_ = study_->add_subcommand("join", "Join the shards of a study.");
   join_->add_option("directories", join_command_.directories, "Directories of the shards")->required();
   join_->add_option("-o,--output", join_command_.output, "Directory for the results")->required();
+  join_->add_flag("--virtual", join_command_.is_virtual,
+                  "Leave results in the shards' files; study.h5 shows them as virtual datasets");
   join_->add_flag("--force", join_command_.force, "Replace results that are in the directory");
   join_->add_flag("--quiet", join_command_.quiet, "Only messages about trouble");
 

@@ -22,7 +22,7 @@ int study_command(const StudyCommand& command);
 struct StudyJoinCommand {
   std::vector<std::filesystem::path> directories;
   std::filesystem::path output;
-  bool force = false, quiet = false;
+  bool is_virtual = false, force = false, quiet = false;
 };
 int study_join_command(const StudyJoinCommand& command);
 

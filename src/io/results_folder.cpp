@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array results{"results.h5",    "summary.json", "preload.h5", "preload.json",
-                             "study.journal", "study.h5",     "study.json"};
+                             "study.journal", "study.h5",     "study.json", "shard.h5"};
 constexpr std::array folders{"checkpoints", "failed", "fields"};
 
 std::string reason(int error) { return std::generic_category().message(error); }
@@ -35,7 +35,7 @@ bool is_there(const fs::path& path) {
 bool is_left_over(const std::string& name) {
   static const std::regex pattern(
       R"((results|comparison|preload)\.h5(\.resuming|(\.resuming)?\.[0-9]+\.new)|)"
-      R"(((summary|comparison|preload)\.json|parameters\.toml|report\.html|study\.(h5|csv|json|toml)|case\.toml|measured\.csv)\.writing)");
+      R"(((summary|comparison|preload)\.json|parameters\.toml|report\.html|study\.(h5|csv|json|toml)|shard\.h5|case\.toml|measured\.csv)\.writing)");
   return std::regex_match(name, pattern);
 }
 
@@ -56,8 +56,9 @@ const std::regex& checkpoint_names() {
 
 void remove_results(const fs::path& directory) {
   std::error_code error;
-  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "measured.json", "measured.html",
-                           "report.html", "study.journal", "study.h5", "study.csv", "study.json", "measured.csv"})
+  for (const char* name :
+       {"summary.json", "comparison.json", "comparison.h5", "measured.json", "measured.html", "report.html",
+        "study.journal", "study.h5", "study.csv", "study.json", "shard.h5", "measured.csv"})
     if (!fs::is_directory(fs::symlink_status(directory / name, error))) fs::remove(directory / name, error);
   static const std::regex journals(R"(rank-[0-9]+\.journal)");
   for (const auto& file : fs::directory_iterator(directory, error))

@@ -118,6 +118,49 @@ class Studies(ProgramTest):
         self.succeed("study", "join", "shard-1", "shard-2", "shard-3", "-o", "joined")
         self.assertEqual(self.bytes_of("joined"), self.bytes_of("whole"))
 
+    def test_virtual_datasets_show_the_shards_files(self):
+        self.write("s.toml", STUDY + '[keep]\nresults = ["bearings.*.friction_heat", "bearings.*.second_contact_time"]\nseries = ["/bearings/TB1/contact_force", "/bearings/TB1/orbit"]\n')
+        self.study("whole")
+        for i in (1, 2, 3):
+            self.study(f"shard-{i}", "--shard", f"{i}/3", "--quiet")
+        shards = [f"shard-{i}" for i in (3, 1, 2)]
+        self.succeed("study", "join", *shards, "-o", "there/joined", "--virtual")
+        (self.folder / "there").rename(self.folder / "moved")
+        for i in (1, 2, 3):
+            (self.folder / f"shard-{i}").rename(self.folder / f"gone-{i}")
+        with h5py.File(self.folder / "moved/joined/study.h5") as h5:
+            self.assertTrue(numpy.isnan(h5["/results/peak"][:]).all())
+        for i in (1, 2, 3):
+            (self.folder / f"gone-{i}").rename(self.folder / f"shard-{i}")
+        compared = []
+        with h5py.File(self.folder / "moved/joined/study.h5") as h5, h5py.File(self.folder / "whole/study.h5") as whole:
+            self.assertEqual(dict(h5.attrs), dict(whole.attrs))
+
+            def compare(name, item):
+                if isinstance(item, h5py.Dataset):
+                    self.assertEqual(h5[name][...].tobytes(), item[...].tobytes(), name)
+                    self.assertEqual(dict(h5[name].attrs), dict(item.attrs), name)
+                    self.assertEqual(h5[name].is_virtual, name.startswith(("results/", "series/")), name)
+                    compared.append(name)
+
+            whole.visititems(compare)
+        self.assertEqual(sum(name.startswith("series/") for name in compared), 4 * 12)
+        with h5py.File(self.folder / "shard-2/shard.h5") as h5:
+            self.assertEqual(list(h5["/point"][:]), [1, 4, 7, 10])
+        for name in ("study.csv",):
+            self.assertEqual((self.folder / "moved/joined" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
+        self.succeed("study", "report", "moved/joined")
+        # A shard that is missing has NaN and status 2.
+        self.assertEqual(self.call("study", "join", "shard-1", "shard-3", "-o", "part", "--virtual").returncode, 1)
+        with h5py.File(self.folder / "part/study.h5") as h5:
+            self.assertEqual(list(h5["/status"][:]), [0, 2, 0] * 4)
+            self.assertEqual(list(numpy.isnan(h5["/results/peak"][:])), [False, True, False] * 4)
+        self.assertIn("given twice", self.call("study", "join", "shard-1", "shard-1", "-o", "no", "--virtual").stderr)
+        (self.folder / "shard-2/shard.h5").unlink()
+        self.assertIn("not finished", self.call("study", "join", *shards, "-o", "no", "--virtual").stderr)
+        self.assertIn("no file shard.h5", self.call("study", "join", "whole", "-o", "no", "--virtual").stderr)
+        self.assertFalse((self.folder / "no").exists())
+
     def test_a_journal_of_something_else_is_not_gone_on_with(self):
         self.study("out", "--shard", "1/3")
         self.assertIn("shard 1 of 3", self.study("out", "--resume", code=2).stderr)
@@ -164,6 +207,19 @@ class Studies(ProgramTest):
             self.assertEqual(set(alone) - {"run.wall_time", "run.cpu_time"}, set(results))
             different = {key for key, values in results.items() if struct.pack("d", alone[key]) != struct.pack("d", values[point])}
             self.assertEqual(different, set(), point)
+
+    def test_local_temperatures_that_nobody_asks_for_change_no_other_result(self):
+        self.study("all")
+        self.write("s.toml", STUDY + '[keep]\nresults = ["bearings.*.friction_heat", "energy.*"]\n')
+        self.study("few")
+        self.write("s.toml", STUDY + '[keep]\nresults = ["run.warnings"]\n')
+        self.study("warnings")
+        with h5py.File(self.folder / "all/study.h5") as whole:
+            for output in ("few", "warnings"):
+                with h5py.File(self.folder / output / "study.h5") as h5:
+                    self.assertLess(len(h5["/results"]), 20)
+                    for key in h5["/results"]:
+                        numpy.testing.assert_array_equal(h5["/results"][key][:], whole["/results"][key][:], err_msg=key)
 
     FAILING = """
 case = "drop.toml"
@@ -227,6 +283,9 @@ kind = "list"
     def test_bad_input_is_told_before_anything_is_written(self):
         for change, message in ((("0.05, 0.3", "0.3, 0.05"), "range is empty"), (("size = 12", "size = 1000000000000"), "size"),
                                 (("contact.friction_coefficient", "contact.friction_coeficient"), "Did you mean"), (("0.05, 0.3", "-0.3, 0.3"), "no valid case"),
+                                (('"contact.friction_coefficient" = { range = [0.05, 0.3] }', '"rotor.initial_offset[0]" = { values = [0, "-900 um"] }'), "is no valid case: the rotor starts 899"),
+                                (('values = [2e3, 4e3, 8e3] }\n[design]\nkind = "latin-hypercube"\nsize = 12', 'range = [1, 2] }\n[design]\nkind = "grid"\nlevels = 100000'), "1e+10 drops"),
+                                (("size = 12", 'size = 12\n[keep]\nseries = ["/bearings/TB1/contact_forc"]'), "Did you mean /bearings/TB1/contact_force?"),
                                 (("peak_contact_force\" =", "peak_force\" ="), "limit is on nothing")):
             with self.subTest(message=message):
                 self.write("bad.toml", STUDY.replace(*change))

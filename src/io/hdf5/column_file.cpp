@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <system_error>
 
 #include "base/errors.h"
@@ -29,6 +30,25 @@ void make_groups(hid_t file, const std::string& path) {
   }
 }
 
+/// How a dataset is stored: here, or in the files of a virtual one.
+Handle layout_of(const TableColumn& column, hid_t space, int rank) {
+  Handle list = without_times(H5P_DATASET_CREATE);
+  if (column.sources.empty()) return list;
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  require(H5Pset_fill_value(list.id(), H5T_NATIVE_DOUBLE, &nothing), "make property list");
+  for (const auto& source : column.sources) {
+    if (source.n_rows == 0) continue;
+    const hsize_t extent[2] = {source.n_rows, column.width}, start[2] = {source.first, 0},
+                  stride[2] = {source.stride, 1};
+    const Handle theirs(H5Screate_simple(rank, extent, nullptr), H5Sclose, "make data space");
+    const Handle ours(H5Scopy(space), H5Sclose, "make data space");
+    require(H5Sselect_hyperslab(ours.id(), H5S_SELECT_SET, start, stride, extent, nullptr), "make data space");
+    require(H5Pset_virtual(list.id(), ours.id(), source.file.c_str(), column.path.c_str(), theirs.id()),
+            "make the virtual dataset " + column.path);
+  }
+  return list;
+}
+
 void write_column(hid_t file, const TableColumn& column) {
   make_groups(file, column.path);
   using Kind = TableColumn::Kind;
@@ -47,10 +67,10 @@ void write_column(hid_t file, const TableColumn& column) {
                      : column.kind == Kind::integers ? H5T_STD_I32LE
                                                      : text.id();
   const Handle dataset(H5Dcreate2(file, column.path.c_str(), type, space.id(), H5P_DEFAULT,
-                                  without_times(H5P_DATASET_CREATE).id(), H5P_DEFAULT),
+                                  layout_of(column, space.id(), rank).id(), H5P_DEFAULT),
                        H5Dclose, "cannot make dataset " + column.path);
   herr_t status = 0;
-  if (extent[0] > 0) {
+  if (extent[0] > 0 && column.sources.empty()) {
     if (column.kind == Kind::numbers) {
       status = H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, column.numbers.data());
     } else if (column.kind == Kind::integers) {

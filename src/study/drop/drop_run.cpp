@@ -55,9 +55,10 @@ class SummarySeries {
 
 /// Adds the summary of a drop that has come to its end.
 void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteElements* elements, MemorySeries series,
-               const std::filesystem::path& directory, FinishedDrop& result) {
+               const std::filesystem::path& directory, FinishedDrop& result, bool has_local_rub = true) {
   result.recorded = std::make_shared<const RecordedDrop>(c, std::move(series), directory);
-  auto& summary = result.summary = summarise(c, machine, drop.scalars(), result, elements, *result.recorded);
+  auto& summary = result.summary =
+      summarise(c, machine, drop.scalars(), result, elements, *result.recorded, has_local_rub);
   result.warnings = summary.warnings;
   if (const auto& limits = c.parameters.limits; !limits.empty())
     summary.limits = assessed(limits, summary_json(summary), result.completed);
@@ -82,7 +83,7 @@ FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, const Mem
   result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.cpu_time = cpu_seconds() - cpu_start;
   progress.tell(result.end_time, result.state);
-  summarise(c, machine, drop, options.elements, std::move(series), {}, result);
+  summarise(c, machine, drop, options.elements, std::move(series), {}, result, options.has_local_rub);
   if (result.completed) stop_at_fatal_warnings(p.run, warnings_json(result.summary.warnings));
   return result;
 }

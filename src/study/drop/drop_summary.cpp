@@ -83,7 +83,8 @@ const double* BearingSummary::Rises::find(const std::string& node) const {
 }
 
 DropSummary summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
-                      const DropResult& result, FiniteElements* elements, const RecordedDrop& recorded) {
+                      const DropResult& result, FiniteElements* elements, const RecordedDrop& recorded,
+                      bool has_local_rub) {
   const auto& p = drop_case.parameters;
   const std::span<const double> y = result.state;
   DropSummary s;
@@ -113,7 +114,7 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
         }
     for (const auto& entry : p.bearings)
       if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == b.name) {
-        b.local = local_summary(recorded, b.name, *touchdown, b.scalars.first_contact_time);
+        if (has_local_rub) b.local = local_summary(recorded, b.name, *touchdown, b.scalars.first_contact_time);
         b.damage = damage_json(b, result.fatigue[i], *touchdown);
       }
     if (b.is_free) b.shoulder = shoulder_report(p, b.name);

@@ -88,9 +88,11 @@ struct DropSummary {
 };
 
 /// @param elements  of the machine, or null
-/// @param recorded  series of the finite elements, of orbits and rubs
+/// @param recorded       series of the finite elements, of orbits and rubs
+/// @param has_local_rub  whether local temperatures and wear are told, and warned of
 DropSummary summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
-                      const DropResult& result, FiniteElements* elements, const RecordedDrop& recorded);
+                      const DropResult& result, FiniteElements* elements, const RecordedDrop& recorded,
+                      bool has_local_rub = true);
 
 /// As in summary.json; docs/reference/results.md has every key.
 nlohmann::ordered_json summary_json(const DropSummary& summary);

@@ -36,6 +36,9 @@ PointResult evaluate_point(const PointRequest& request) {
     MemoryRunOptions options;
     options.elements = &built.elements();
     options.is_stopped = [&] { return request.stop && *request.stop; };
+    // What a case judges by itself may be a local temperature.
+    options.has_local_rub =
+        request.has_local_rub || !c.parameters.run.fatal_warnings.empty() || !c.parameters.limits.empty();
     options.is_kept = [&](const std::string& path) {
       return std::find(request.series.begin(), request.series.end(), path) != request.series.end();
     };

@@ -7,10 +7,12 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 #include "base/cpu_time.h"
 #include "base/parameters/suggestion.h"
+#include "case/built_machine.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/search/fit_evaluation.h"
 #include "study/many/study_run.h"
@@ -26,6 +28,22 @@ std::string named(const Study& study, const StudyPoint& point) {
   return text;
 }
 
+/// Whether a result is of the local temperatures and the wear of a rub (damage counts it), or counts warnings, some of which are of these.
+bool tells_local_rub(const std::string& name) {
+  return name.find(".local.") != std::string::npos || name.find(".wear.") != std::string::npos ||
+         name.find(".damage.") != std::string::npos || name == "run.warnings";
+}
+
+/// Builds what is not meshed: a rotor that starts inside a ring is found here. @throws InputError
+void require_machine(const Case& c) {
+  if (c.parameters.thermal.runs_sections()) return;
+  try {
+    const BuiltMachine built(c);
+  } catch (const SolverError& error) {
+    throw InputError({}, error.what());
+  }
+}
+
 }  // namespace
 
 void check_points(const Study& study, const Design& design, unsigned n_workers) {
@@ -37,7 +55,7 @@ void check_points(const Study& study, const Design& design, unsigned n_workers) 
   const auto check = [&] {
     for (std::size_t i; n_bad < 100 && (i = next.fetch_add(1)) < n;) {
       try {
-        read_case(study.case_file, overrides_of(study, point_of(study, design, i)));
+        require_machine(study.cases->read(overrides_of(study, point_of(study, design, i))));
       } catch (const InputError& error) {
         ++n_bad;
         const std::scoped_lock guard(lock);
@@ -68,11 +86,15 @@ void check_points(const Study& study, const Design& design, unsigned n_workers) 
 }
 
 ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate) {
-  const Case c = read_case(study.case_file, overrides_of(study, point_of(study, design, 0)));
+  const Case c = study.cases->read(overrides_of(study, point_of(study, design, 0)));
   const volatile std::sig_atomic_t at_once = 1;
   PointResult result = evaluate({c, &at_once, series_of_study(study)});
-  if (result.scalars.empty())
-    throw InputError({study.file.string(), 0, 0}, "the first point cannot even begin: " + result.reason);
+  if (result.scalars.empty()) {
+    constexpr std::string_view mark = "error: ";
+    const bool is_marked = result.reason.starts_with(mark);
+    throw InputError({study.file.string(), 0, 0},
+                     "the first point cannot even begin: " + result.reason.substr(is_marked ? mark.size() : 0));
+  }
   result.is_done = true;  // with the rows that it has
   show_measured(study, result);
   std::vector<std::string> names;
@@ -92,6 +114,10 @@ ProbedResults probe_results(Study& study, const Design& design, const Evaluator&
   ProbedResults probed;
   for (const auto& name : names)
     if (is_kept(study, name)) probed.names.push_back(name);
+  std::vector<std::string> needed = probed.names;
+  for (const auto& derived : study.derived)
+    needed.insert(needed.end(), derived.formula.names().begin(), derived.formula.names().end());
+  study.has_local_rub = std::any_of(needed.begin(), needed.end(), tells_local_rub);
   return probed;
 }
 
@@ -100,7 +126,7 @@ StudyEstimate estimate_study(const Study& study, const Design& design, const Pro
   StudyEstimate estimate;
   estimate.n_rows = design.n_rows;
   estimate.n_points = n_points(study, design);
-  const Case c = read_case(study.case_file, overrides_of(study, point_of(study, design, 0)));
+  const Case c = study.cases->read(overrides_of(study, point_of(study, design, 0)));
   volatile std::sig_atomic_t stop = 0;
   PointResult result;
   double cpu = 0.;
@@ -110,7 +136,7 @@ StudyEstimate estimate_study(const Study& study, const Design& design, const Pro
     bool has_ended = false;
     const std::jthread drop([&] {
       const double start = thread_cpu_seconds();
-      result = evaluate({c, &stop, series_of_study(study)});
+      result = evaluate({c, &stop, series_of_study(study), study.has_local_rub});
       cpu = thread_cpu_seconds() - start;
       const std::scoped_lock guard(lock);
       has_ended = true;

@@ -194,6 +194,7 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   faults.throw_if_any();
   study.case_file = case_file.empty() ? case_of(raw, tree, file) : case_file;
   study.base = read_case(study.case_file, overrides);
+  study.cases = std::make_shared<const CaseFamily>(study.case_file);
   study.design = raw.design;
   study.on_failure = raw.on_failure;
   study.n_replicates = raw.replicates.n;

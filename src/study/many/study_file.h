@@ -1,11 +1,12 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "case/case.h"
+#include "case/case_family.h"
 #include "case/case_keys.h"
 #include "case/dotted_names.h"
 #include "case/limits.h"
@@ -81,8 +82,9 @@ struct RankCorrelation {
 struct Study {
   std::filesystem::path file, case_file;
   std::string name;
-  std::vector<std::string> set;  ///< overrides of every point
-  Case base;                     ///< the case with `set`
+  std::vector<std::string> set;             ///< overrides of every point
+  Case base;                                ///< the case with `set`
+  std::shared_ptr<const CaseFamily> cases;  ///< the cases of its points
   std::vector<VariedParameter> parameters;
   DesignParameters design;
   int n_replicates = 1;
@@ -98,6 +100,7 @@ struct Study {
   std::vector<std::size_t> searched;      ///< of a search: which of the drawn parameters it changes
   std::vector<std::string> keep_results;  ///< patterns; empty: all numbers
   std::vector<std::string> keep_series;   ///< datasets of results.h5
+  bool has_local_rub = true;  ///< whether what is kept needs local temperatures and wear; known after probe_results()
   FailurePolicy on_failure = FailurePolicy::go_on;
   std::string text;  ///< of the file
 

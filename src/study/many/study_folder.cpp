@@ -1,9 +1,10 @@
 #include "study/many/study_folder.h"
 
 #include <fmt/format.h>
-#include <fstream>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/version.h"
 #include "io/checkpoint.h"
@@ -142,13 +143,16 @@ Study read_study_of(const fs::path& directory) {
   return study;
 }
 
-std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path& output, bool force) {
-  Study study = read_study_of(directories.front());
-  const Design design = make_design(study);
+namespace {
+
+/// Journals of shards of one study.
+struct JoinedShards {
+  std::string digest, program;
   std::map<std::size_t, PointRecord> records;
   std::vector<std::vector<std::string>> layouts;
-  std::string digest, program;
-  for (const auto& directory : directories) {
+  std::vector<ShardFile> files;  ///< by their whole paths
+
+  void add(const fs::path& directory, const fs::path& first_directory) {
     const fs::path file = directory / "study.journal";
     auto content = Journal::read(file);
     const Json header = Json::parse(content.header, nullptr, false);
@@ -159,9 +163,11 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
     }
     if (its != digest || header.value("program", "") != program)
       throw InputError({file.string(), 0, 0},
-                       its != digest ? "this shard is of another study than " + directories.front().string() + "."
+                       its != digest ? "this shard is of another study than " + first_directory.string() + "."
                                      : "this shard was computed by another version of the program than " +
-                                           directories.front().string() + ".");
+                                           first_directory.string() + ".");
+    files.push_back({fs::absolute(directory).lexically_normal() / "shard.h5", header.value("shard", std::size_t{1}),
+                     header.value("shards", std::size_t{1})});
     const std::size_t first = layouts.size();
     layouts.insert(layouts.end(), content.layouts.begin(), content.layouts.end());
     for (auto& [point, record] : content.records) {
@@ -169,13 +175,46 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
       records.insert_or_assign(point, std::move(record));
     }
   }
+};
+
+/// The files of shards as study.h5 in a folder names them. @throws InputError if a shard is unfinished, or given twice
+std::vector<ShardFile> seen_from(const fs::path& output, std::vector<ShardFile> shards) {
+  std::set<std::size_t> seen;
+  for (auto& s : shards) {
+    const SourcePosition where{s.file.parent_path().string(), 0, 0};
+    if (!fs::is_regular_file(s.file))
+      throw InputError(where, "this shard is not finished, or is the whole study: it has no file shard.h5.",
+                       "Finish it with --resume, or join without --virtual.");
+    if (s.n_shards != shards.front().n_shards)
+      throw InputError(where,
+                       fmt::format("this is one of {} shards, but the first directory holds one of {}.", s.n_shards,
+                                   shards.front().n_shards),
+                       "Join them without --virtual.");
+    if (!seen.insert(s.shard).second)
+      throw InputError(where, fmt::format("shard {} is given twice.", s.shard), "Name each shard once.");
+    s.file = s.file.lexically_relative(fs::absolute(output).lexically_normal());
+  }
+  return shards;
+}
+
+}  // namespace
+
+std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path& output, bool force, bool is_virtual) {
+  Study study = read_study_of(directories.front());
+  const Design design = make_design(study);
+  JoinedShards shards;
+  for (const auto& directory : directories) shards.add(directory, directories.front());
+  const auto virtual_files = is_virtual ? seen_from(output, shards.files) : std::vector<ShardFile>{};
   const ResultsFolder folder(output, ResultsFolder::existing_results(false, force));
   write_inputs(study, output);
-  const StudyTable table = make_table(study, design, records, layouts);
-  Journal joined(output / "study.journal", journal_header(study, digest, 1, 1));
-  for (const auto& [point, record] : records) joined.append(point, result_of(record, layouts), record.cpu_time);
+  const StudyTable table = make_table(study, design, shards.records, shards.layouts);
+  Journal joined(output / "study.journal", journal_header(study, shards.digest, 1, 1));
+  for (auto& [point, record] : shards.records) {
+    if (is_virtual) record.series.clear();
+    joined.append(point, result_of(record, shards.layouts), record.cpu_time);
+  }
   joined.sync();
-  write_results(output, study, design, table, digest);
+  write_results(output, study, design, table, shards.digest, virtual_files);
   return table.count(PointStatus::not_run);
 }
 

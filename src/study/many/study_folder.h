@@ -9,7 +9,8 @@
 
 namespace rotordrop {
 
-// Files of a study's directory: study.toml and case.toml (as they were used), study.journal, study.h5, study.csv, study.json.
+// Files of a study's directory: study.toml and case.toml (as they were used), study.journal, study.h5, study.csv, study.json; of a shard shard.h5
+// instead of the last three.
 
 /// Tells whether two studies have the same points of the same case: SHA-256 of all that decides about them.
 std::string digest_of(const Study& study, const Design& design);
@@ -35,9 +36,10 @@ void write_inputs(const Study& study, const std::filesystem::path& directory);
 Study read_study_of(const std::filesystem::path& directory);
 
 /// The journals of shards become the results of one study in `output`.
+/// @param is_virtual  results and series stay in the shards' files; study.h5 shows them as virtual datasets
 /// @return number of points that no shard has finished
-/// @throws InputError if they are of different studies
+/// @throws InputError if they are of different studies, or unfinished ones that are to be shown virtually
 std::size_t join_shards(const std::vector<std::filesystem::path>& directories, const std::filesystem::path& output,
-                        bool force);
+                        bool force, bool is_virtual = false);
 
 }  // namespace rotordrop

@@ -42,8 +42,8 @@ std::vector<std::string> with_smaller_step(const Case& c, std::vector<std::strin
 
 PointResult evaluated(const Study& study, const std::vector<std::string>& overrides, const StudyOptions& options) {
   try {
-    const Case c = read_case(study.case_file, overrides);
-    return options.evaluate({c, options.stop, series_of_study(study)});
+    const Case c = study.cases->read(overrides);
+    return options.evaluate({c, options.stop, series_of_study(study), study.has_local_rub});
   } catch (const InputError& error) {
     PointResult result;
     result.reason = error.what();
@@ -180,7 +180,7 @@ PointResult run_point(const Study& study, const StudyPoint& point, const StudyOp
   if (!result.is_interrupted && !result.is_done && study.on_failure == FailurePolicy::retry &&
       !(options.stop && *options.stop)) {
     const std::string reason = result.reason;
-    const Case c = read_case(study.case_file, overrides);
+    const Case c = study.cases->read(overrides);
     result = evaluated(study, with_smaller_step(c, overrides), options);
     result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
                                    : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
@@ -272,7 +272,10 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
   outcome.missing = table.count(PointStatus::not_run);
   outcome.cpu_time = table.cpu_time;
   outcome.is_complete = outcome.done + outcome.failed == start.total;
-  if (outcome.is_complete && options.n_shards == 1) write_results(options.directory, study, design, table, digest);
+  if (outcome.is_complete && options.n_shards == 1)
+    write_results(options.directory, study, design, table, digest);
+  else if (outcome.is_complete)
+    write_shard_hdf5(options.directory / "shard.h5", study, design, table, digest, options.shard, options.n_shards);
   folder.require_there();
   return outcome;
 }

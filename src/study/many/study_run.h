@@ -49,7 +49,7 @@ std::vector<std::string> overrides_of(const Study& study, const StudyPoint& poin
 /// Number of threads for so many tasks. @param asked  0: one per core
 unsigned workers_of(unsigned asked, std::size_t n_tasks);
 
-/// Reads the case of every point. @throws InputError with the first faulty points
+/// Reads the case of every point and builds its machine, but for meshes. @throws InputError with the first faulty points
 void check_points(const Study& study, const Design& design, unsigned n_workers);
 
 /// What a study knows of its results before it runs: the first point is begun and stopped after its first step.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <string_view>
 
 #include "base/version.h"
 #include "io/checkpoint.h"
@@ -62,6 +64,40 @@ void add_series(const StudyTable& table, std::vector<TableColumn>& columns) {
     }
 }
 
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+Attributes attributes_of(const Study& study, const Design& design, const std::string& digest) {
+  return {{"program", std::string("rotordrop ") + version()},
+          {"git_revision", git_revision()},
+          {"study", study.name},
+          {"case", study.base.name},
+          {"design", name_of(design.kind)},
+          {"seed", std::to_string(study.design.seed)},
+          {"digest", digest}};
+}
+
+bool is_series(const TableColumn& column) { return column.path.starts_with("/series/"); }
+
+/// Every n-th value from the first on.
+template <class T>
+void thin_out(std::vector<T>& values, std::size_t first, std::size_t n) {
+  std::vector<T> kept;
+  for (std::size_t i = first; i < values.size(); i += n) kept.push_back(std::move(values[i]));
+  values = std::move(kept);
+}
+
+/// Where the values of a result or of a point's series lie.
+std::vector<TableColumn::Source> sources_of(const TableColumn& column, const std::vector<ShardFile>& shards) {
+  std::vector<TableColumn::Source> sources;
+  const std::size_t n = column.numbers.size() / column.width;
+  for (const auto& s : shards) {
+    if (!is_series(column))
+      sources.push_back({s.file, s.shard - 1, s.n_shards, (n + s.n_shards - s.shard) / s.n_shards});
+    else if (std::stoul(column.path.substr(std::string_view("/series/").size())) % s.n_shards == s.shard - 1)
+      sources.push_back({s.file, 0, 1, n});
+  }
+  return sources;
+}
+
 }  // namespace
 
 std::size_t StudyTable::count(PointStatus of) const {
@@ -104,8 +140,9 @@ StudyTable make_table(const Study& study, const Design& design, const std::map<s
   return table;
 }
 
-void write_study_hdf5(const std::filesystem::path& file, const Study& study, const Design& design,
-                      const StudyTable& table, const std::string& digest) {
+namespace {
+
+std::vector<TableColumn> columns_of(const Study& study, const Design& design, const StudyTable& table) {
   std::vector<TableColumn> columns;
   const std::size_t n = table.n_points;
   for (std::size_t i = 0; i < study.parameters.size(); ++i) {
@@ -146,15 +183,36 @@ void write_study_hdf5(const std::filesystem::path& file, const Study& study, con
   if (!design.steps.empty())
     for (auto* column : {&search, &evaluation}) columns.push_back(std::move(*column));
   add_series(table, columns);
-  write_columns(file,
-                {{"program", std::string("rotordrop ") + version()},
-                 {"git_revision", git_revision()},
-                 {"study", study.name},
-                 {"case", study.base.name},
-                 {"design", name_of(design.kind)},
-                 {"seed", std::to_string(study.design.seed)},
-                 {"digest", digest}},
-                columns);
+  return columns;
+}
+
+}  // namespace
+
+void write_study_hdf5(const std::filesystem::path& file, const Study& study, const Design& design,
+                      const StudyTable& table, const std::string& digest, const std::vector<ShardFile>& shards) {
+  auto columns = columns_of(study, design, table);
+  for (auto& column : columns)
+    if (is_series(column) || column.path.starts_with("/results/")) column.sources = sources_of(column, shards);
+  write_columns(file, attributes_of(study, design, digest), columns);
+}
+
+void write_shard_hdf5(const std::filesystem::path& file, const Study& study, const Design& design,
+                      const StudyTable& table, const std::string& digest, std::size_t shard, std::size_t n_shards) {
+  auto columns = columns_of(study, design, table);
+  TableColumn point{"/point", "", "number of the point in the study"};
+  point.kind = TableColumn::Kind::integers;
+  point.integers.resize(table.n_points);
+  std::iota(point.integers.begin(), point.integers.end(), 0);
+  columns.push_back(std::move(point));
+  for (auto& column : columns) {
+    if (is_series(column)) continue;
+    thin_out(column.numbers, shard - 1, n_shards);
+    thin_out(column.integers, shard - 1, n_shards);
+    thin_out(column.texts, shard - 1, n_shards);
+  }
+  auto attributes = attributes_of(study, design, digest);
+  attributes.emplace_back("shard", fmt::format("{}/{}", shard, n_shards));
+  write_columns(file, attributes, columns);
 }
 
 void write_study_csv(const std::filesystem::path& file, const Study& study, const Design& design,

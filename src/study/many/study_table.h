@@ -34,9 +34,19 @@ struct StudyTable {
 StudyTable make_table(const Study& study, const Design& design, const std::map<std::size_t, PointRecord>& records,
                       const std::vector<std::vector<std::string>>& layouts);
 
+/// The shard's own file beside a study's: which rows it holds.
+struct ShardFile {
+  std::filesystem::path file;  ///< seen from the folder of study.h5
+  std::size_t shard = 1, n_shards = 1;
+};
+
 /// study.h5 and study.csv: the same table gives the same bytes.
+/// @param shards  where given, results and series are virtual datasets over these files
 void write_study_hdf5(const std::filesystem::path& file, const Study& study, const Design& design,
-                      const StudyTable& table, const std::string& digest);
+                      const StudyTable& table, const std::string& digest, const std::vector<ShardFile>& shards = {});
+/// shard.h5: the rows of one shard, and which points they are.
+void write_shard_hdf5(const std::filesystem::path& file, const Study& study, const Design& design,
+                      const StudyTable& table, const std::string& digest, std::size_t shard, std::size_t n_shards);
 void write_study_csv(const std::filesystem::path& file, const Study& study, const Design& design,
                      const StudyTable& table);
 

@@ -151,7 +151,9 @@ class ParameterReader {
     d.lower = lower;
     d.upper = upper;
     if (!(lower < upper))
-      fault(at, fmt::format("its range is empty: from {:.6g} to {:.6g} {}.", lower, upper, p_.unit()),
+      fault(at,
+            fmt::format("its range is empty: from {:.6g} to {:.6g}{}.", lower, upper,
+                        p_.unit().empty() || p_.unit() == "1" ? "" : " " + p_.unit()),
             "The first number must be smaller than the second one. For one value write KEY = [value].");
     if (d.kind == Distribution::Kind::log_uniform && lower <= 0.) fault(at, "a logarithmic range must be above zero.");
   }

@@ -330,8 +330,8 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
 }
 
 void write_results(const std::filesystem::path& directory, const Study& study, const Design& design,
-                   const StudyTable& table, const std::string& digest) {
-  write_study_hdf5(directory / "study.h5", study, design, table, digest);
+                   const StudyTable& table, const std::string& digest, const std::vector<ShardFile>& shards) {
+  write_study_hdf5(directory / "study.h5", study, design, table, digest, shards);
   write_study_csv(directory / "study.csv", study, design, table);
   write_text_atomically(directory / "study.json", study_summary(study, design, table).dump(2) + "\n");
 }

@@ -13,9 +13,9 @@ nlohmann::ordered_json study_summary(const Study& study, const Design& design, c
 /// A few lines on the screen.
 std::string study_text(const Study& study, const nlohmann::ordered_json& summary);
 
-/// study.h5, study.csv and study.json.
+/// study.h5, study.csv and study.json. @param shards  as of write_study_hdf5()
 void write_results(const std::filesystem::path& directory, const Study& study, const Design& design,
-                   const StudyTable& table, const std::string& digest);
+                   const StudyTable& table, const std::string& digest, const std::vector<ShardFile>& shards = {});
 
 /// Values of a result by rows of the design: means over the replicates that are done, NaN where none is.
 std::vector<double> row_means(const Study& study, const Design& design, const ResultColumn& column);

@@ -1,0 +1,27 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "case/case.h"
+
+namespace rotordrop {
+
+/// Cases of one file that differ by their settings: the file, its bases and the rotor's geometry are read once.
+/// Any number of threads may read from one family.
+class CaseFamily {
+ public:
+  explicit CaseFamily(const std::filesystem::path& file);
+  /// As read_case(), but without Case::resolved and Case::warnings.
+  [[nodiscard]] Case read(const std::vector<std::string>& overrides) const;
+
+ private:
+  std::filesystem::path file_;
+  Node tree_;  ///< of the file with its bases
+  mutable std::mutex lock_;
+  mutable std::map<std::filesystem::path, Node> geometries_;  ///< by their files
+};
+
+}  // namespace rotordrop
