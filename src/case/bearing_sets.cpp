@@ -17,7 +17,7 @@ namespace {
 bool is_from(const Node& value, const std::string& entry) {
   const auto file = std::filesystem::path(value.where().file).lexically_normal();
   const auto end = (std::filesystem::path("/bearings") / (entry + ".toml")).lexically_normal();
-  return file.generic_string().ends_with(end.generic_string());
+  return ("/" + file.generic_string()).ends_with(end.generic_string());  // also of a path that begins in the folder
 }
 
 /// A catalogue's value times a factor, in SI.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <cmath>
 #include <numbers>
 
@@ -32,8 +33,11 @@ bool are_nodes(const RotorGeometry& geometry, const std::vector<int>& nodes) {
 /// Keys that only say more about a grade.
 void check_lone_keys(const RotorParameters& rotor, const Node& table, Faults& faults) {
   if (rotor.balance_grade) return;
+  // The file of a run's parameters has every key that has a default.
+  const bool are_default =
+      std::all_of(rotor.balance_angles.begin(), rotor.balance_angles.end(), [](double a) { return a == 0.; });
   for (const char* key : {"balance_speed", "balance_planes", "balance_angles"})
-    if (table.has(key))
+    if (table.has(key) && !(key == std::string_view("balance_angles") && are_default))
       faults.add(position_of(table, key),
                  fmt::format("rotor.{} says something about rotor.balance_grade, which is not given.", key),
                  "Add balance_grade = \"G2.5\" or the like, or leave it out.");

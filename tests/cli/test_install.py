@@ -268,7 +268,7 @@ class OwnParts(Installed):
         directory = self.run_module("module", "thermal.driver=wall", case=self.fine)
         said = (directory / "said.txt").read_text()
         self.assertIn("thermal growth fed back: ring walls", said)
-        self.assertRegex(said, r"balls; ring walls \d+\.\d\d K inner ring")
+        self.assertRegex(said, r"balls \(\d+\.\d degC\); ring walls \d+\.\d\d K inner ring")
         self.assertRegex(said, r"ring walls residual \S+ J")
         summary = json.loads((directory / "summary.json").read_text())
         with Results(directory) as run:

@@ -59,7 +59,7 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
   j["wear_share"] = b.local ? Json(wear_share) : Json(nullptr);
   j["allowed_drops"] = is_safe ? drops_of(std::max(fatigue_share, wear_share)) : Json(0);
   j["governed_by"] = !is_safe                       ? Json("static safety")
-                     : j["allowed_drops"].is_null() ? Json(nullptr)
+                     : j["allowed_drops"].is_null() ? Json("nothing")
                      : wear_share >= fatigue_share  ? Json("wear")
                                                     : Json("fatigue");
   j["basis"] = {fmt::format("static safety: (4.2 GPa over the largest contact pressure of a ball) cubed, ISO 76; at "

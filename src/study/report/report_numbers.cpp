@@ -147,7 +147,7 @@ Json report_damage(const Json& summary) {
     add("contact fatigue per drop, share of the life L10", "/fatigue/share", "≤ 1", number_at(d, "/fatigue/share"),
         basis(1));
     add("wear per drop, share of the permitted depth", "/wear_share", "≤ 1", number_at(d, "/wear_share"), basis(2));
-    const std::string governed = d["governed_by"].is_null() ? "" : ", by " + d["governed_by"].get<std::string>();
+    const std::string governed = d["governed_by"] == "nothing" ? "" : ", by " + d["governed_by"].get<std::string>();
     add("allowed number of such drops" + governed, "/allowed_drops", "≥ 1",
         std::isnan(drops) ? 0.
         : drops > 0.      ? 1. / drops

@@ -86,7 +86,7 @@ TEST(StudyFile, TellsWhatIsWrongBeforeAnythingRuns) {
   EXPECT_THAT(fault_of(friction + "[derived.peak]\nformula = \"max(bearings.TB1.peak_force, 1)\"\n"),
               HasSubstr("no result is called"));
   EXPECT_THAT(fault_of(friction + "[keep]\nseries = [\"/bearings/TB1/contact_frce\"]\n"),
-              HasSubstr("Did you mean /bearings/TB1/contact_force"));
+              HasSubstr("Did you mean \"/bearings/TB1/contact_force\"?"));
   EXPECT_THAT(fault_of(friction + "[choose]\nparameter = \"friction\"\nresult = \"rotor_speed_end\"\n"),
               HasSubstr("is not varied"));
   EXPECT_THAT(
