@@ -495,9 +495,8 @@ class OtherRuns(ProgramTest):
         self.assertEqual(self.summary()["bearings"]["TB1"]["whirl"]["direction"], "none")
 
 
-@unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
-class InTheBrowser(SharedRun):
-    models = ["lumped", "fe"] if HAS_ROOM else ["lumped"]
+class InABrowser(SharedRun):
+    """The page of the shared run, opened."""
 
     @classmethod
     def setUpClass(cls):
@@ -511,6 +510,11 @@ class InTheBrowser(SharedRun):
     def tearDownClass(cls):
         cls.browser.close()
         super().tearDownClass()
+
+
+@unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
+class InTheBrowser(InABrowser):
+    models = ["lumped", "fe"] if HAS_ROOM else ["lumped"]
 
     def test_it_is_drawn_without_a_complaint(self):
         self.assertEqual(self.browser.run("return document.getElementById('page').dataset.ready"), "yes")
@@ -725,7 +729,7 @@ def centred(rows):
 
 
 @unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
-class Pictures(SharedRun):
+class Pictures(InABrowser):
     """Pictures of the machine against its case, on a machine that has every part: ribbons under the outer rings, magnets, probes, unbalances; and a linear support."""
 
     @classmethod
@@ -749,15 +753,6 @@ damping = [["10 N s/m", 0], [0, "10 N s/m"]]
         super().setUpClass()
         cls.geometry = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
         cls.x = {node["id"]: 1e3 * node["x"] for node in cls.geometry["nodes"]}  # mm
-        cls.browser = Browser()
-        cls.browser.open(cls.out / "report.html")
-        cls.requests = cls.browser.requests()
-        cls.messages = cls.browser.log("browser")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        super().tearDownClass()
 
     def parts(self, selector):
         """Boxes of parts of the side view, in its units (which are pixels at 1366)."""
