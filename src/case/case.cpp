@@ -306,8 +306,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     check_output(result.parameters, result.tree, faults);
     faults.throw_if_any();
     if (result.parameters.rotor.balance_grade)
-      result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters, result.tree, faults);
-    faults.throw_if_any();
+      result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters);
     if (has_words) add_words(section->erased, result);
     return result;
   } catch (const InputError& error) {

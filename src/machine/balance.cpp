@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "rotor/balance_grade.h"
 
@@ -45,11 +45,10 @@ void check_lone_keys(const RotorParameters& rotor, const Node& table, Faults& fa
 
 }  // namespace
 
-std::vector<Unbalance> unbalance_by_grade(const MachineParameters& p, const Node& case_node, Faults& faults) {
+void check_balance(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& table = table_of(case_node, "rotor");
   check_lone_keys(p.rotor, table, faults);
-  if (!p.rotor.balance_grade) return {};
-  const std::size_t n_before = faults.size();
+  if (!p.rotor.balance_grade) return;
   const Node* list = table.find("unbalance");
   if (list && list->is_array() && !list->items().empty())
     faults.add(position_of(table, "balance_grade"),
@@ -70,17 +69,17 @@ std::vector<Unbalance> unbalance_by_grade(const MachineParameters& p, const Node
     if (has_planes)
       faults.add(position_of_value(table, "balance_planes"),
                  fmt::format("rotor.balance_planes: the rotor has nodes 1 to {}.", geometry.n_nodes()));
-    return {};  // bearings' nodes are checked with the bearings
+    return;  // bearings' nodes are checked with the bearings
   }
   if (planes.empty() || (!has_planes && planes.size() == 1)) {
     faults.add(position_of(table, "balance_grade"),
                "rotor.balance_grade needs planes, and the case has no two bearings at different nodes.",
                "Add rotor.balance_planes, such as [2, 28].");
-    return {};
+    return;
   }
-  const RigidBody body = rigid_body(geometry);
   if (planes.size() == 2) {
-    const double x_A = geometry.position(planes[0]), x_B = geometry.position(planes[1]), x_G = body.centre_of_gravity;
+    const double x_A = geometry.position(planes[0]), x_B = geometry.position(planes[1]);
+    const double x_G = rigid_body(geometry).centre_of_gravity;
     if (!(std::min(x_A, x_B) < x_G && x_G < std::max(x_A, x_B)))
       faults.add(
           position_of(table, has_planes ? "balance_planes" : "balance_grade"),
@@ -88,8 +87,13 @@ std::vector<Unbalance> unbalance_by_grade(const MachineParameters& p, const Node
                       x_G, x_A, x_B),
           "Give rotor.balance_planes on both sides of it, or a single one.");
   }
-  if (faults.size() > n_before) return {};
-  const double U = permissible_unbalance(body.mass, *p.rotor.balance_grade, speed);
+}
+
+std::vector<Unbalance> unbalance_by_grade(const MachineParameters& p) {
+  const auto planes = planes_of(p);
+  const RotorGeometry& geometry = p.rotor.geometry;
+  const RigidBody body = rigid_body(geometry);
+  const double U = permissible_unbalance(body.mass, *p.rotor.balance_grade, speed_of_grade(p));
   const auto& angles = p.rotor.balance_angles;
   if (planes.size() == 1) return {{planes[0], U, angles[0]}};
   const auto parts =

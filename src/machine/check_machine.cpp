@@ -190,7 +190,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
     faults.add(position_of(case_node, "bearings"), "the case has no bearings.",
                "Add at least one table [bearings.NAME] with type = \"touchdown\" or \"linear\".");
   check_against_geometry(p.rotor, p.rotor.geometry, table_of(case_node, "rotor"), faults);
-  (void)unbalance_by_grade(p, case_node, faults);
+  check_balance(p, case_node, faults);
   std::map<int, std::string> taken;
   bool materials_are_known = true;
   for (const auto& entry : p.bearings) {
