@@ -141,16 +141,16 @@ function showProvenance() {
   section("Provenance", ...parts);
 }
 
-function limitTable(rows) {
-  const words = { ok: "✓ accepted", warning: "! REJECTED", unknown: "? not assessed" };
+function limitTable(rows, met = "✓ accepted", exceeded = "! REJECTED") {
+  const words = { ok: met, warning: exceeded, unknown: "? not assessed" };
   return table(["", "result", "value", "limit", "usage"], rows.map((r) => [element("span", { class: "state " + r.state }, words[r.state]),
     r.meaning ? element("span", { title: r.key }, r.meaning) : r.key, unit(r.value), unit(r.limit), r.usage]), ["", "", "number", "number", "number"]);
 }
 
 function showDamage(rows) {
   const bases = [...new Set(rows.map((r) => r.meaning.split(":")[0] + ", " + r.key))].filter((text) => !text.includes("the least of"));
-  section("Damage per drop", limitTable(rows),
-    element("p", { class: "note" }, "The allowed number of drops is the least of what was assessed: drops until the fatigue life L10 or the permitted wear depth is used up; 0 if the static safety is too small. " + bases.join(". ") + "."));
+  section("Damage per drop", limitTable(rows, "✓ within", "! beyond"),
+    element("p", { class: "note" }, "The allowed number of drops is the least of what was assessed: drops until the fatigue life L10 or the permitted wear depth is used up; 0 if the static safety is too small. " + bases.join(". ") + ". Wear coefficients are known to a factor of ten at best."));
 }
 
 function showAcceptance({ verdict, state, rows }) {
