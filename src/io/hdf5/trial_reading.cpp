@@ -74,6 +74,42 @@ void read_everything(const std::filesystem::path& path) {
   ::_exit(0);
 }
 
+struct Trial {
+  const std::filesystem::path& path;
+  unsigned seconds;
+  pid_t child = -1;
+};
+
+/// Called by HDF5, which has one lock for all threads: it is this thread's now, and the child's. A child that is forked amid the call of
+/// another thread would wait for it for ever.
+herr_t fork_and_read(hid_t, const char*, void* data) {
+  auto& trial = *static_cast<Trial*>(data);
+  trial.child = ::fork();
+  if (trial.child == 0) read_and_leave(trial.path, trial.seconds);
+  return 1;  // one call is enough
+}
+
+/// Files that need no trial, by device and number.
+class KnownFiles {
+ public:
+  [[nodiscard]] bool has(const struct stat& file) {
+    const std::lock_guard guard(lock_);
+    return files_.contains({file.st_dev, file.st_ino});
+  }
+  void add(const struct stat& file) {
+    const std::lock_guard guard(lock_);
+    files_.insert({file.st_dev, file.st_ino});
+  }
+
+ private:
+  std::mutex lock_;
+  std::set<std::pair<dev_t, ino_t>> files_;
+};
+KnownFiles& known_files() {
+  static KnownFiles known;
+  return known;
+}
+
 }  // namespace
 
 void try_to_read(const std::filesystem::path& path, unsigned patience) {
@@ -81,11 +117,12 @@ void try_to_read(const std::filesystem::path& path, unsigned patience) {
   const std::uintmax_t size = std::filesystem::file_size(path, ignored);
   const auto seconds =
       patience + static_cast<unsigned>(ignored ? 0 : std::min(size / bytes_per_second, std::uintmax_t{100000}));
-  const pid_t child = ::fork();
-  if (child < 0) return;  // without a process more the file is read as it is
-  if (child == 0) read_and_leave(path, seconds);
+  be_quiet();
+  Trial trial{path, seconds};
+  H5Piterate(H5P_FILE_ACCESS, nullptr, fork_and_read, &trial);
+  if (trial.child < 0) return;  // without a process more the file is read as it is
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
+  while (::waitpid(trial.child, &status, 0) < 0)
     if (errno != EINTR) return;
   if (WIFSIGNALED(status) || WEXITSTATUS(status) != 0)
     throw_damaged(path, WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM
@@ -94,17 +131,15 @@ void try_to_read(const std::filesystem::path& path, unsigned patience) {
 }
 
 void require_readable(const std::filesystem::path& path) {
-  static std::mutex lock;
-  static std::set<std::pair<dev_t, ino_t>> tried;
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return;  // opening says why
-  {
-    const std::lock_guard guard(lock);
-    if (tried.contains({status.st_dev, status.st_ino})) return;
-  }
+  if (::stat(path.c_str(), &status) != 0 || known_files().has(status)) return;  // if it is not there, opening says so
   try_to_read(path);
-  const std::lock_guard guard(lock);
-  tried.insert({status.st_dev, status.st_ino});
+  known_files().add(status);
+}
+
+void know_readable(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) known_files().add(status);
 }
 
 }  // namespace rotordrop::hdf5

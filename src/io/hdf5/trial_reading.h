@@ -7,6 +7,8 @@ namespace rotordrop::hdf5 {
 /// altered bytes of metadata. In a process with a sanitizer it does so, too, though slowly.
 /// @throws DamagedFile if that process ends by a signal, or has to be ended
 void require_readable(const std::filesystem::path& path);
+/// Of a file that this process has made itself: it is not tried.
+void know_readable(const std::filesystem::path& path);
 
 /// The same, each time that it is called. @param patience  what HDF5 may need besides the time of reading [s]
 void try_to_read(const std::filesystem::path& path, unsigned patience = 20);
