@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/checkpoint.h"
+#include "io/text/input_file.h"
 
 namespace rotordrop {
 namespace {
@@ -24,10 +25,12 @@ std::uint32_t checksum(std::string_view bytes) {
 }
 
 std::map<std::string, std::string> read_values(const fs::path& file) {
-  // In one piece: these are some megabytes.
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  std::string text(in ? static_cast<std::size_t>(in.tellg()) : 0, '\0');
-  if (!in.seekg(0).read(text.data(), static_cast<std::streamsize>(text.size()))) return {};
+  std::string text;
+  try {
+    text = read_input_file(file, {}, folder_limit);
+  } catch (const InputError&) {
+    return {};
+  }
   std::map<std::string, std::string> values;
   if (!text.starts_with(mark)) return values;
   try {

@@ -96,7 +96,6 @@ bool is_on_disk(const fs::path& path) {
 namespace {
 
 constexpr std::string_view check_sum_mark = "\nrotordrop check sum ";
-constexpr std::size_t check_sum_digits = 16;
 constexpr std::size_t trailer_size = check_sum_mark.size() + check_sum_digits + 1;
 
 Handle in_memory() {

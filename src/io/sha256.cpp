@@ -41,7 +41,7 @@ std::string sha256_of(std::string_view bytes) {
   return sha.digest();
 }
 
-std::string check_sum(std::string_view bytes) { return sha256_of(bytes).substr(0, 16); }
+std::string check_sum(std::string_view bytes) { return sha256_of(bytes).substr(0, check_sum_digits); }
 
 std::string sha256_of_toml(std::string_view text) {
   std::string significant;

@@ -56,7 +56,8 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 std::optional<Json> next_line(std::istream& in, std::size_t& bytes) {
   std::string line;
   if (!std::getline(in, line) || in.eof()) return {};  // no line break: its writer was killed
-  if (line.size() < 18 || line[16] != ' ' || check_sum(std::string_view(line).substr(17)) != line.substr(0, 16))
+  constexpr std::size_t n = check_sum_digits;
+  if (line.size() < n + 2 || line[n] != ' ' || check_sum(std::string_view(line).substr(n + 1)) != line.substr(0, n))
     return {};
   Json json = Json::parse(line.begin() + 17, line.end(), nullptr, false);
   if (json.is_discarded()) return {};
