@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 #include "base/errors.h"
 #include "base/version.h"
@@ -29,7 +30,10 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   check_machine(p, c.tree, faults);
   faults.throw_if_any();
   FiniteElements elements = finite_elements_of(c);
-  build_machine(p, c.tree, &elements);
+  {
+    const std::lock_guard guard(section_lock());
+    build_machine(p, c.tree, &elements);
+  }
   std::vector<CalibratedBearing> bearings;
   CaseParameters spreading = p;
   spreading.thermal.spreading = RacewaySpreading::strip;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <mutex>
 
 #include "analysis/facts/given_conduction.h"
 #include "base/errors.h"
@@ -49,6 +50,7 @@ void build_models(BearingHeatCase& c) {
   c.elements = finite_elements_of(c.drop);
   c.elements.alone = {.time_tolerance = p.heat->time_tolerance};
   c.ball_conduction = conduction_of_balls(p, c.bearing);
+  const std::lock_guard guard(section_lock());
   c.parts = build_thermal_models(p, c.drop.tree, c.bearing, c.elements, c.ball_conduction);
   FiniteElements::Section* section = c.elements.sections.empty() ? nullptr : &c.elements.sections.front();
   for (const auto& part : c.parts.models) {

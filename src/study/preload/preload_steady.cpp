@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "analysis/preload/build_preload.h"
@@ -113,6 +114,7 @@ std::shared_ptr<const ThermalModel> section_of(const Case& c, const std::string&
                                  model, bearing),
                      "Give an interference, thermal.expansion = \"formula\", or " + circuit + ".");
   FiniteElements elements = finite_elements_of(c);
+  const std::lock_guard guard(section_lock());
   return reduced_fe_model(with_single_bearing(p, bearing), elements, p.preload.end_time);
 }
 
