@@ -9,6 +9,7 @@
 
 #include "base/version.h"
 #include "machine/supports.h"
+#include "thermal/heating/bearing_heat.h"
 #include "thermal/thermal_kinds.h"
 
 namespace rotordrop {

@@ -107,7 +107,6 @@ void add_drops(py::module_& core) {
       .def_readonly("inner_ring_temperature", &Progress::inner_ring_temperature, "warmest inner ring [K], or NaN");
 
   py::class_<RecordedDrop, std::shared_ptr<RecordedDrop>>(core, "RecordedDrop", "Series of a drop.")
-      .def_property_readonly("directory", &RecordedDrop::directory)
       .def_property_readonly("case_name", &RecordedDrop::case_name)
       .def_property_readonly("driver", &RecordedDrop::driver)
       .def_property_readonly("datasets", &RecordedDrop::datasets)

@@ -25,7 +25,7 @@ std::vector<double> all_of(const std::vector<Expansion>& growth) {
   return values;
 }
 
-/// An object of a Python class as a thermal model. Rates, stored heat and what it reports take Python's lock; growth is linear, so that it is asked for once.
+/// An object of a Python class as a thermal model. Rates, stored heat and what it reports take Python's lock; growth is linear, and asked for only when the machine is built.
 class PythonThermalModel final : public ThermalModel {
  public:
   /// With Python's lock.
@@ -179,7 +179,7 @@ void add_thermal_model(const std::string& type, const std::string& title, const 
 }
 
 Expansion growth_of(const BearingCircuitData& b, double shaft, double inner_ring, double outer_ring, double ball) {
-  const auto g = growth_per_rise(growth_dimensions(b), b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.);
+  const auto g = section_growth(b);
   return {.shaft = g.shaft * shaft,
           .bore = g.bore * inner_ring,
           .inner_race = g.inner_race * inner_ring,
