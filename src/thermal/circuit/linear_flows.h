@@ -22,13 +22,12 @@ class LinearFlows {
   LinearFlows() = default;
   LinearFlows(std::size_t n_nodes, std::size_t n_places);
 
-  /// Of a row, a node's rate or n_nodes() for the heat lost, by a node's rise.
+  /// Of a row, a node's rate, or for the number of nodes the heat lost, by a node's rise.
   double& by_rise(std::size_t row, std::size_t node) { return columns_[node * stride_ + row]; }
   /// The same by the heat at a port of a place, in the order of heat_by_port().
   double& by_port(std::size_t row, std::size_t place, std::size_t port) {
     return columns_[(n_nodes_ + 4 * place + port) * stride_ + row];
   }
-  [[nodiscard]] std::size_t n_nodes() const { return n_nodes_; }
 
   /// @param T     [n_nodes]
   /// @param heat  [n_places]

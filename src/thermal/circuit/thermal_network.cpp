@@ -138,21 +138,16 @@ ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
         terms.push_back({state_of[k], weight});
     }
   };
-  for (const auto& place : data_.places) {
-    Port port{};
-    spread(place.ring_node, port.ring, port.ring_lost);
-    spread(place.shaft_node, port.shaft, port.shaft_lost);
-    spread(place.inner_contact, port.inner, port.inner_lost);
-    spread(place.outer_contact, port.outer, port.outer_lost);
-    std::size_t at = 0;
-    for (const auto& [terms, lost] :
-         {std::pair{&port.ring, port.ring_lost}, std::pair{&port.shaft, port.shaft_lost},
-          std::pair{&port.inner, port.inner_lost}, std::pair{&port.outer, port.outer_lost}}) {
-      for (const auto& term : *terms)
-        flows_.by_port(term.node, ports_.size(), at) += term.factor * watts_into(term.node);
-      flows_.by_port(surroundings, ports_.size(), at++) += lost;
+  for (std::size_t p = 0; p < data_.places.size(); ++p) {
+    const auto& place = data_.places[p];
+    std::size_t port = 0;
+    for (const std::string* name : {&place.ring_node, &place.shaft_node, &place.inner_contact, &place.outer_contact}) {
+      std::vector<Term> terms;
+      double lost = 0.;
+      spread(*name, terms, lost);
+      for (const auto& term : terms) flows_.by_port(term.node, p, port) += term.factor * watts_into(term.node);
+      flows_.by_port(surroundings, p, port++) += lost;
     }
-    ports_.push_back(std::move(port));
   }
 
   // Contacts of rolling balls, each a massless node, or one with capacity that a user's circuit has instead.
@@ -293,11 +288,10 @@ double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInpu
       give(link.b, q);
   }
   for (const auto& r : rolling_) {
-    const Port& port = ports_[r.place];
     const ContactHeat q = r.heat(T, data_.ambient, heat[r.place]);
-    for (const auto& term : port.inner) give(term.node, term.factor * q.inner);
-    for (const auto& term : port.outer) give(term.node, term.factor * q.outer);
-    lost += port.inner_lost * q.inner + port.outer_lost * q.outer;
+    for (const auto& term : r.inner_of) give(term.node, term.factor * q.inner);
+    for (const auto& term : r.outer_of) give(term.node, term.factor * q.outer);
+    lost += r.inner_of_ambient * q.inner + r.outer_of_ambient * q.outer;
     give(r.balls, -q.from_balls());
   }
   return lost;
@@ -324,7 +318,7 @@ void ThermalNetwork::observe(std::span<const double> T, std::span<const HeatInpu
     const Shown& shown = shown_[i];
     double value = shown.of_ambient * data_.ambient;
     for (const auto& term : shown.of_temperature) value += term.factor * T[term.node];
-    for (std::size_t p = 0; p < ports_.size(); ++p) {
+    for (std::size_t p = 0; p < data_.places.size(); ++p) {
       const auto watts = heat_by_port(heat[p]);
       value += shown.of_heat[4 * p] * watts[0] + shown.of_heat[4 * p + 1] * watts[1] +
                shown.of_heat[4 * p + 2] * watts[2] + shown.of_heat[4 * p + 3] * watts[3];

@@ -88,11 +88,7 @@ class ThermalNetwork final : public ThermalModel {
     std::size_t node;
     double factor;
   };
-  struct Port {
-    std::vector<Term> ring, shaft, inner, outer;           // how a watt at each port spreads over nodes with capacity
-    double ring_lost, shaft_lost, inner_lost, outer_lost;  // and what of it goes straight to the surroundings
-  };
-  /// Rolling balls of a place, by what its contacts' temperatures follow from.
+  /// Rolling balls of a place, by what its contacts' temperatures follow from. A watt at a contact spreads by the same numbers.
   struct Rolling {
     std::size_t place, balls;
     double factor;
@@ -112,7 +108,6 @@ class ThermalNetwork final : public ThermalModel {
   std::vector<double> inverse_capacity_;
   LinearFlows flows_;  // through constant resistors, and from ports
   std::vector<LawLink> law_links_;
-  std::vector<Port> ports_;
   std::vector<Rolling> rolling_;
   std::vector<LinearGrowth> growths_;  // of each place
   std::vector<Shown> shown_;           // one per node
