@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -49,6 +50,11 @@ def content_of(directory):
     """Every file of a folder with its bytes, and every folder."""
     directory = pathlib.Path(directory)
     return {str(path.relative_to(directory)): path.read_bytes() if path.is_file() else None for path in directory.rglob("*")}
+
+
+def page_data(page):
+    """What the script of a report draws from."""
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
 
 
 class ProgramTest(unittest.TestCase):

@@ -17,7 +17,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, SOURCE  # noqa: E402
+from program import PROGRAM, SOURCE, page_data  # noqa: E402
 
 sys.path.insert(0, str(SOURCE / "examples"))
 from rotordrop_results import Results  # noqa: E402
@@ -238,7 +238,7 @@ class OwnParts(Installed):
         page = (self.folder / "out/report.html").read_text()
         self.assertIn("SNUBBER is a support defined by another program at the rotor's node 16.", page)
         self.assertIn("own-parts.toml:11: source: (est.) 50 um more than the touchdown bearings'", page)
-        data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+        data = page_data(page)
         lines = {chart["id"]: [line["name"] for line in chart["lines"]] for chart in data["charts"]}
         self.assertIn("SNUBBER", lines["displacement-y"])
         self.assertIn("SNUBBER", lines["friction-force"])
@@ -290,7 +290,7 @@ class OwnParts(Installed):
         self.assertEqual(json.loads((directory / "again.json").read_text())["bearings"], comparison["bearings"], "from the files as from memory")
         page = (directory / "page.html").read_text()
         self.assertIn("Thermal models: lumped thermal circuit and ring walls. The clearances follow the ring walls.", page)
-        data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+        data = page_data(page)
         lines = {chart["id"]: [line["name"] for line in chart["lines"]] for chart in data["charts"]}
         for chart in ("temperature-TB1", "growth-TB1"):
             self.assertTrue(any(name.endswith("(walls)") for name in lines[chart]), lines[chart])

@@ -1,12 +1,11 @@
 """Limits of one's own: accepted, rejected or not assessed, in the summary, on the screen, in the report and as an exit code."""
 
 import json
-import re
 import sys
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest, settings  # noqa: E402
+from program import ProgramTest, page_data, settings  # noqa: E402
 
 PEAK, CATCH_UP, HEAT = "bearings.TB1.peak_contact_force", "bearings.TB1.catch_up_time", "bearings.TB1.friction_heat"
 
@@ -48,7 +47,7 @@ class Limits(ProgramTest):
         self.assertIs(self.summary()["accepted"], False)
         self.succeed("report", "out")
         page = (self.folder / "out/report.html").read_text()
-        data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+        data = page_data(page)
         self.assertEqual(data["acceptance"]["state"], "warning")
         self.assertEqual([row["state"] for row in data["acceptance"]["rows"]], ["warning", "ok"])
         self.assertLess(list(data).index("acceptance"), list(data).index("numbers"), "first")

@@ -16,7 +16,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest  # noqa: E402
+from program import ProgramTest, page_data  # noqa: E402
 
 RIGID = """[rotor]
 model = "rigid"
@@ -108,13 +108,12 @@ class Probes(ProgramTest):
         self.assertRegex(done.stdout, r"free \(node 24\): does not touch; smallest clearance \d+(\.\d+)? of 900 um")
         self.assertEqual(self.call("report", "out").returncode, 0)
         page = (self.folder / "out/report.html").read_text()
-        data = json.loads(page.split('<script id="data" type="application/json">')[1].split("</script>")[0]) if 'id="data" type' in page else None
+        data = page_data(page)
         self.assertIn("probe-clearance", page)
-        if data:
-            checks = {check["name"]: check for check in data["checks"]}
-            self.assertEqual(checks["magnet: clearance at the probe"]["state"], "warning")
-            self.assertEqual(checks["free: clearance at the probe"]["state"], "ok")
-            self.assertEqual([probe["name"] for probe in data["animation"]["probes"]], ["magnet", "free"])
+        checks = {check["name"]: check for check in data["checks"]}
+        self.assertEqual(checks["magnet: clearance at the probe"]["state"], "warning")
+        self.assertEqual(checks["free: clearance at the probe"]["state"], "ok")
+        self.assertEqual([probe["name"] for probe in data["animation"]["probes"]], ["magnet", "free"])
 
     def test_strict_refuses_a_clearance_below_the_gap(self):
         case = self.case('[rotor.probes]\nmagnet = { node = 12, clearance = "250 um" }')

@@ -20,7 +20,7 @@ import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from browser import BROWSER, DRIVER, Browser  # noqa: E402
-from program import PARAMS, PROGRAM, SOURCE, ProgramTest, content_of, settings, start  # noqa: E402
+from program import PARAMS, PROGRAM, SOURCE, ProgramTest, content_of, page_data, settings, start  # noqa: E402
 
 sys.path.insert(0, str(SOURCE / "examples"))
 from rotordrop_results import RISE, Results, read_vtu  # noqa: E402
@@ -40,7 +40,7 @@ def unpacked(packed):
 
 def data_of(page):
     """What the page's script draws from, packed lines as lists."""
-    data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+    data = page_data(page)
     for chart in data["charts"]:
         for line in chart["lines"]:
             if "levels" in line:

@@ -13,7 +13,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest  # noqa: E402
+from program import ProgramTest, page_data  # noqa: E402
 
 
 class RingBending(ProgramTest):
@@ -98,7 +98,7 @@ class RingBending(ProgramTest):
         self.drop("arc")
         self.succeed("report", "arc")
         page = (self.folder / "arc/report.html").read_text()
-        data = json.loads(page.partition('<script type="application/json" id="data">')[2].partition("</script>")[0])
+        data = page_data(page)
         for bearing in data["animation"]["bearings"]:
             shape = bearing["shape"]
             self.assertEqual(len(shape["coefficients"]), 22)

@@ -1,6 +1,5 @@
 """Warnings of a run: in the summary, on the screen, in the report, and fatal by choice."""
 
-import json
 import pathlib
 import re
 import sys
@@ -10,7 +9,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import SOURCE, ProgramTest, settings  # noqa: E402
+from program import SOURCE, ProgramTest, page_data, settings  # noqa: E402
 
 # Rotor and bores as soft as rubber: the rotor dips deeper than half its gap of 250 um.
 SOFT = settings(bearings__TB1__contact_stiffness="5e6", bearings__TB2__contact_stiffness="5e6", run__end_time="20 ms")
@@ -47,7 +46,7 @@ class Warnings(ProgramTest):
         self.assertIn(f"{len(found)} warnings (docs/reference/warnings.md):", screen)
         self.succeed("report", "soft")
         page = (self.folder / "soft/report.html").read_text()
-        data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+        data = page_data(page)
         self.assertEqual([check["state"] for check in data["checks"] if check["name"] == "penetration"], ["warning", "warning"])
 
     def test_lost_energy_does_not_stay_silent(self):

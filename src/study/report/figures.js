@@ -246,7 +246,7 @@ class Figure {
       const free = places.find((p) => taken.every((t) => p.right < t.right - t.length - 4 || p.right - length > t.right + 4 || Math.abs(p.y - t.y) > 12)) || places[0];
       if (!free) continue;
       taken.push({ ...free, length });
-      made.push(element("text", { class: "limit", x: free.right, y: free.y, "text-anchor": "end", style: `fill:${COLOURS[colour ?? 7]}` }, name));
+      made.push(element("text", { class: "limit", x: free.right, y: free.y, "text-anchor": "end", style: `fill:${COLOURS[(colour ?? 7) % COLOURS.length]}` }, name));
     }
     let end = -Infinity;
     for (const { name, x: value } of [...(this.chart.marks || [])].sort((a, b) => a.x - b.x)) {
@@ -313,7 +313,7 @@ class Figure {
     for (const { x, low, high } of this.chart.bars || [])
       made.push(element("path", { class: "bar", d: `M${this.toX(x)} ${this.toY(low).toFixed(1)}V${this.toY(high).toFixed(1)}m-6 0h12M${this.toX(x) - 6} ${this.toY(low).toFixed(1)}h12` }));
     for (const { value, colour } of this.chart.limits || [])
-      made.push(element("path", { class: "limit", d: `M${this.margin.left} ${this.toY(value).toFixed(1)}h${this.inner.width}`, stroke: COLOURS[colour ?? 7] }));
+      made.push(element("path", { class: "limit", d: `M${this.margin.left} ${this.toY(value).toFixed(1)}h${this.inner.width}`, stroke: COLOURS[(colour ?? 7) % COLOURS.length] }));
     const centre = this.chart.centre || { x: 0, y: 0 };
     if (this.chart.circle) made.push(element("circle", { class: "gap", cx: this.toX(centre.x), cy: this.toY(centre.y), r: this.toX(this.chart.circle) - this.toX(0), fill: "none", stroke: "#888", "stroke-dasharray": "5 3" }));
     this.chart.lines.forEach((line, i) => {

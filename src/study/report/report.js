@@ -148,7 +148,7 @@ function limitTable(rows, met = "✓ accepted", exceeded = "! REJECTED") {
 }
 
 function showDamage(rows) {
-  const bases = [...new Set(rows.map((r) => r.meaning.split(":")[0] + ", " + r.key))].filter((text) => !text.includes("the least of"));
+  const bases = rows.map((r) => r.basis).filter((basis) => basis);
   section("Damage per drop", limitTable(rows, "✓ within", "! beyond"),
     element("p", { class: "note" }, "The allowed number of drops is the least of what was assessed: drops until the fatigue life L10 or the permitted wear depth is used up; 0 if the static safety is too small. " + bases.join(". ") + ". Wear coefficients are known to a factor of ten at best."));
 }

@@ -278,9 +278,8 @@ void check_residual(Checks& checks, const Json& summary, const std::string& name
                     const std::string& whole) {
   const double r = number_at(summary, residual), all = number_at(summary, whole);
   if (!std::isfinite(r)) return;
-  checks.add(
-      name, std::fabs(r) <= residual_limit * std::max(std::fabs(all), 1e-3),
-      fmt::format("{:.2g} J of {:.5g} J; more than 0.1 % would mean that the time steps are too coarse", r, all));
+  checks.add(name, std::fabs(r) <= residual_limit * std::max(std::fabs(all), 1e-3),
+             fmt::format("{:.2g} J of {:.5g} J (limit 0.1 %); smaller steps or tolerances leave less", r, all));
 }
 
 /// Warnings of the run, except those that a check above words by the same criterion.

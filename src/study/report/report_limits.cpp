@@ -110,8 +110,8 @@ void add_limits(const RecordedDrop& drop, const Json& summary, Json& charts) {
   const auto& bearings = drop.parameters().bearings;
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const std::string& name = bearings[i].name;
-    for (const auto& [touchdown, parameters] : drop.bearings())
-      if (touchdown == name) add_of_bearing(figures, drop, name, parameters, i);
+    if (const auto* touchdown = bearings[i].touchdown(); touchdown && drop.has("/bearings/" + name + "/contact_force"))
+      add_of_bearing(figures, drop, name, *touchdown, i);
     const Json::json_pointer travel("/bearings/" + name + "/support/travel_limit");
     if (!summary.is_null() && summary.contains(travel) && summary.at(travel).is_number())
       for (const double side : {-1., 1.})

@@ -62,9 +62,11 @@ std::vector<int> stations(const CaseParameters& p) {
 bool bends(const CaseParameters& p) { return p.rotor.model != RotorRepresentation::rigid; }
 
 std::string support_words(const CaseParameters& p) {
-  for (const auto& entry : p.bearings)
-    if (entry.linear() || entry.magnet()) return "on linear supports and magnets";
-  return "free-free";
+  const auto& all = p.bearings;
+  const bool has_linear = std::any_of(all.begin(), all.end(), [](const auto& entry) { return entry.linear(); });
+  const bool has_magnets = std::any_of(all.begin(), all.end(), [](const auto& entry) { return entry.magnet(); });
+  if (has_linear && has_magnets) return "on linear supports and magnets";
+  return has_linear ? "on linear supports" : has_magnets ? "on magnets" : "free-free";
 }
 
 /// Deflections at the instant at which the largest of them is largest, in the plane that shows it.

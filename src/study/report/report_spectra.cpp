@@ -19,11 +19,16 @@ using Json = nlohmann::ordered_json;
 constexpr double two_pi = 2. * std::numbers::pi;
 constexpr double decades = 3.;  ///< below the largest amplitude, in colours and on axes
 
+/// Of a frequency whose sign is that of the whirl. @param spin  speed of the rotor at the start
+std::string frequency_label(bool is_two_sided, double spin) {
+  return is_two_sided ? std::string("frequency (positive: ") + (spin < 0. ? "backward)" : "forward)") : "frequency";
+}
+
 std::string words(const Waterfall& w) {
   return fmt::format(
       "Amplitudes, 0-peak, of {} segments of {:.4g} ms: Hann window, mean of the segment taken away, filled up with "
-      "zeros to "
-      "four times its length; a steady sine shows its amplitude within 1 %. Lines closer than {:.3g} Hz run into one. "
+      "zeros to four times its length; a steady sine shows its amplitude within 1 %. Lines closer than {:.3g} Hz run "
+      "into one. "
       "Samples are {:.3g} µs apart; motion faster than {:.6g} Hz would fold back.",
       w.times.size(), w.segment * 1e3, 2. / w.segment, w.interval * 1e6, 0.5 / w.interval);
 }
@@ -74,12 +79,12 @@ Json spectrum_chart(const Signal& signal, const Waterfall& w, double spin, std::
                 {"x", rounded(few.frequencies, 1., 6)},
                 {"y", rounded(logarithms(few.amplitudes, signal.scale), 1., 5)}};
   };
-  Json marks = {{{"x", spin}, {"name", "1x"}}};
+  Json marks = {{{"x", signal.z ? spin : std::abs(spin)}, {"name", "1x"}}};
   if (signal.z) marks.push_back({{"x", -spin}, {"name", "-1x"}});
   return {{"id", "spectrum-" + signal.id},
           {"section", "Spectra"},
           {"title", signal.title},
-          {"x", {{"label", signal.z ? "frequency (positive: forward)" : "frequency"}, {"unit", "Hz"}}},
+          {"x", {{"label", frequency_label(signal.z.has_value(), spin)}, {"unit", "Hz"}}},
           {"y", {{"label", signal.quantity}, {"unit", signal.unit}, {"log", true}}},
           {"note", words(w) + " 1x: spin frequency of the rotor at the start."},
           {"marks", marks},
@@ -113,7 +118,8 @@ Json waterfall_json(const Signal& signal, const Waterfall& w, const TimeSeries& 
           {"columns", columns},
           {"spin", rounded(spins, 1., 5)},
           {"is_two_sided", signal.z.has_value()},
-          {"note", words(w)},
+          {"frequency", frequency_label(signal.z.has_value(), spin.values.front())},
+          {"segment", w.segment * 1e3},
           {"levels", base64(levels)}};
 }
 
@@ -148,8 +154,8 @@ std::vector<Signal> signals_of(const RecordedDrop& drop) {
 ReportSpectra report_spectra(const RecordedDrop& drop) {
   ReportSpectra made{Json::array(), Json::array()};
   const TimeSeries spin = drop.series("/rotor/spin_speed");
-  const double initial = std::abs(spin.values.front()) / two_pi;
-  const double wanted = std::max(1000., 8. * initial);
+  const double initial = spin.values.front() / two_pi;
+  const double wanted = std::max(1000., 8. * std::abs(initial));
   std::size_t colour = 0;
   for (const Signal& signal : signals_of(drop)) {
     const Waterfall w = waterfall(signal.y, signal.z ? &*signal.z : nullptr, drop.parameters().output.interval, wanted);

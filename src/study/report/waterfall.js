@@ -34,7 +34,7 @@ function showWaterfall(fall, into) {
   for (const { value, text: label } of ticks(t0, t1, 5)) text(left - 6, toY(value) + 4, "end", label);
   for (const { value, text: label } of axisTicks([Math.log10(amplitude(0)), Math.log10(fall.largest)], 4, { log: true }))
     text(right + 16, top + height * (1 - (value - Math.log10(amplitude(0))) / fall.decades) + 4, "start", label);
-  text(left + width / 2, height + 44, "middle", fall.is_two_sided ? "frequency (positive: forward) [Hz]" : "frequency [Hz]", { class: "x-label" });
+  text(left + width / 2, height + 44, "middle", `${fall.frequency} [Hz]`, { class: "x-label" });
   svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "time [ms]"),
     element("text", { class: "bar-label", "text-anchor": "middle", transform: `translate(${total - 6} ${top + height / 2}) rotate(-90)` }, `${fall.quantity} [${unit(fall.unit)}]`));
   svg.onpointermove = (event) => {
@@ -49,5 +49,5 @@ function showWaterfall(fall, into) {
   };
   svg.onpointerleave = () => { tip.hidden = true; };
   into.append(element("figure", { class: "map waterfall", id: "figure-" + fall.id }, element("figcaption", {}, fall.title), svg,
-    element("p", { class: "note" }, `Each row is a segment of ${/segments of ([^:]*):/.exec(fall.note)[1]}, at its middle; colours are logarithmic over ${fall.decades} decades. Dashed: the rotor's spin frequency${fall.is_two_sided ? ", forward and backward" : ""}.`)));
+    element("p", { class: "note" }, `Each row is a segment of ${short(+fall.segment.toPrecision(4))} ms, at its middle; colours are logarithmic over ${fall.decades} decades. Dashed: the rotor's spin frequency${fall.is_two_sided ? ", forward and backward" : ""}.`)));
 }
