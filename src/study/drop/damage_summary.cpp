@@ -79,9 +79,12 @@ std::string damage_text(const Json& d, std::size_t indent) {
   text += d["fatigue"].is_null() ? ", fatigue not assessed (no C)"
                                  : fmt::format(", fatigue {:.2g} of L10", d["fatigue"]["share"].get<double>());
   if (!d["wear_share"].is_null()) text += fmt::format(", wear {:.2g} of its limit", d["wear_share"].get<double>());
-  text += d["allowed_drops"].is_null() ? "; allowed drops: no limit found"
-                                       : fmt::format("; allowed drops: {} ({})", d["allowed_drops"].get<long long>(),
-                                                     d["governed_by"].get<std::string>());
+  const bool has_fatigue = !d["fatigue"].is_null(), has_wear = !d["wear_share"].is_null();
+  if (d["allowed_drops"].is_null())
+    text += has_fatigue || has_wear ? "; allowed drops: no limit found" : "; allowed drops: not assessed";
+  else
+    text += fmt::format("; allowed drops: {} ({})", d["allowed_drops"].get<long long>(),
+                        d["governed_by"].get<std::string>());
   return text + "\n";
 }
 
