@@ -9,6 +9,7 @@
 #include <ctime>
 #include <filesystem>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,7 @@ struct Rows {
         rows.emplace_back(g, std::vector<RaceWave>{});
         yardstick::Row row;
         const auto n = static_cast<std::size_t>(g.n_balls);
+        if (n > yardstick::most_balls) throw std::logic_error("a row of more balls than the yardstick has");
         row.idle.fill(-1.);
         for (std::size_t j = 0; j < n; ++j) {
           const double azimuth = g.phase + 2. * std::numbers::pi * static_cast<double>(j) / g.n_balls;
@@ -187,6 +189,7 @@ void right_hand_side_of(benchmark::State& state, const std::vector<std::string>&
     contact.machine->evaluate(contact.t, contact.y, dydt, found);
     benchmark::DoNotOptimize(dydt.data());
   }
+  count_each(state, "call", 1.);
   count_each(state, "ball", static_cast<double>(contact.n_balls));
   state.counters["states"] = static_cast<double>(contact.y.size());
 }

@@ -34,11 +34,11 @@ NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"
 KERNELS = [
     ("balls", "ball", "one ball, its forces and energies"),
     ("balls_of_the_yardstick", "ball", "the same by the yardstick of `benchmarks/yardstick.h`"),
-    ("right_hand_side_of/rigid_rings", None, "right-hand side, rigid rings that translate"),
-    ("right_hand_side_of/free_rings", None, "the same, rings that also tilt and move along the axis"),
-    ("right_hand_side_of/inertial_balls", None, "the same, balls with inertia"),
-    ("right_hand_side_of/bent_rings", None, "the same, bent rings over the arc of contact"),
-    ("right_hand_side_of/bent_rings_and_inertial_balls", None, "the same, bent rings and balls with inertia"),
+    ("right_hand_side_of/rigid_rings", "call", "right-hand side, rigid rings that translate"),
+    ("right_hand_side_of/free_rings", "call", "the same, rings that also tilt and move along the axis"),
+    ("right_hand_side_of/inertial_balls", "call", "the same, balls with inertia"),
+    ("right_hand_side_of/bent_rings", "call", "the same, bent rings over the arc of contact"),
+    ("right_hand_side_of/bent_rings_and_inertial_balls", "call", "the same, bent rings and balls with inertia"),
     ("recorded_row", "row", "one recorded row, written to the file"),
 ]
 
@@ -77,11 +77,7 @@ def kernels(program, rounds):
             continue
         name = run["run_name"]
         thing = next(thing for known, thing, _ in KERNELS if known == name)
-        if thing:
-            found.setdefault(name, []).append((run[f"per_{thing}"], run[f"cycles_per_{thing}"]))
-        else:
-            balls = run["cpu_time"] * 1e-9 / run["per_ball"]  # of one right-hand side
-            found.setdefault(name, []).append((run["cpu_time"] * 1e-9, run["cycles_per_ball"] * balls))
+        found.setdefault(name, []).append((run[f"per_{thing}"], run[f"cycles_per_{thing}"]))
     return found
 
 
