@@ -40,9 +40,9 @@ def time_of(seconds):
     return (seconds / 3600, "h") if seconds[-1] > 7200 else (seconds / 60, "min") if seconds[-1] > 120 else (seconds, "s")
 
 
-def without_preload(panel):
+def without_preload(panel, key="preload"):
     """In place of a line at zero with an axis of no meaning."""
-    panel.text(0.5, 0.5, "no preload", ha="center", va="center", transform=panel.transAxes)
+    panel.text(0.5, 0.5, "no preload" if key == "preload" else "no ball is loaded", ha="center", va="center", transform=panel.transAxes)
     panel.set_xticks([])
     panel.set_yticks([])
 
@@ -142,7 +142,7 @@ def growth_curves(bearing, name, axes):
                                                   ("axial_stiffness", 1e-6, "axial stiffness [N/um]"))):
         values = factor * bearing.get(f"maps/{name}/{key}").reshape(len(x), len(speed))
         if not np.nanmax(values, initial=0) > 0:
-            without_preload(panel)
+            without_preload(panel, key)
             continue
         for k, rpm in enumerate(speed):
             panel.plot(x, values[:, k], color=COLOURS[k % len(COLOURS)], label=f"{rpm:.0f} rpm")
@@ -151,7 +151,7 @@ def growth_curves(bearing, name, axes):
         panel.set_xlim(x[0], x[-1])
         panel.set_ylim(bottom=0)
         panel.ticklabel_format(axis="y", useOffset=False)
-    legend(axes[0], loc="best", fontsize=7)
+    legend(next((panel for panel in axes if panel.lines), axes[0]), loc="best", fontsize=7)
 
 
 def rise_maps(bearing, axes):
@@ -160,9 +160,7 @@ def rise_maps(bearing, axes):
                                                   ("axial_stiffness", 1e-6, "axial stiffness [N/um]"))):
         values = np.ma.masked_invalid(factor * bearing.get(f"maps/rise/{key}").reshape(len(x), len(y))).T
         if values.count() == 0 or values.max() <= 0 or len(x) < 2 or len(y) < 2:
-            panel.text(0.5, 0.5, "no ball is loaded" if key != "preload" else "no preload", ha="center", va="center", transform=panel.transAxes)
-            panel.set_xticks([])
-            panel.set_yticks([])
+            without_preload(panel, key)
             continue
         filled = panel.contourf(x, y, values, levels=12, cmap="viridis")
         panel.figure.colorbar(filled, ax=panel, label=label)

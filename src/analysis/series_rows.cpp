@@ -55,4 +55,9 @@ void DetailRows::write(double t, std::span<const double> y) {
   give(t, found_.details);
 }
 
+void DetailRows::write_end(const Step& step) {
+  if (step.found->details.empty()) return write(step.time, step.after);
+  give(step.time, step.found->details);  // somebody else wants them, too
+}
+
 }  // namespace rotordrop

@@ -61,6 +61,7 @@ class DetailRows final : public ScheduledRows {
 
  private:
   void write(double t, std::span<const double> y) override;
+  void write_end(const Step& step) override;
 };
 
 }  // namespace rotordrop

@@ -140,7 +140,7 @@ Node any_geometry() {
                       {"elements", Node::array(std::move(elements))}});
 }
 
-/// Files that many cases have in common, read once.
+/// Reads a file that a case names.
 using ReadFile = std::function<Node(const fs::path&)>;
 
 Node read_geometry(const fs::path& file) { return file.extension() == ".toml" ? read_toml(file) : read_json(file); }

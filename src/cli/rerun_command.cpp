@@ -10,8 +10,8 @@
 namespace rotordrop {
 
 int rerun_command(const RerunCommand& command) {
-  const RecordedInput input = read_recorded_input(command.file);
-  Case c = input.drop_case;
+  RecordedInput input = read_recorded_input(command.file);
+  Case& c = input.drop_case;
   c.parameters.run.second_opinion = false;  // of the same drop it would be the same
   RunOptions options;
   options.directory =

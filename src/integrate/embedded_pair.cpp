@@ -80,26 +80,13 @@ ROTORDROP_KERNEL void combine_all(std::size_t from, std::size_t to, const double
   }
 }
 
-/// The same for `n` of them, at most most_stages.
+/// The same for `count` of them, from one to most_stages.
+template <int n = 1>
 ROTORDROP_KERNEL void combine(std::size_t from, std::size_t to, const double* y, const double* factor,
-                              const double* const* k, int n, double* out) {
-  static_assert(most_stages == 7);
-  switch (n) {
-    case 1:
-      return combine_all<1>(from, to, y, factor, k, out);
-    case 2:
-      return combine_all<2>(from, to, y, factor, k, out);
-    case 3:
-      return combine_all<3>(from, to, y, factor, k, out);
-    case 4:
-      return combine_all<4>(from, to, y, factor, k, out);
-    case 5:
-      return combine_all<5>(from, to, y, factor, k, out);
-    case 6:
-      return combine_all<6>(from, to, y, factor, k, out);
-    default:
-      return combine_all<7>(from, to, y, factor, k, out);
-  }
+                              const double* const* k, int count, double* out) {
+  if constexpr (n < most_stages)
+    if (count > n) return combine<n + 1>(from, to, y, factor, k, count, out);
+  combine_all<n>(from, to, y, factor, k, out);
 }
 
 /// Sum of (error / (tolerance (scale + largest magnitude of both states)))^2.
@@ -188,7 +175,7 @@ class EmbeddedPair final : public Integrator {
       at(factor, i) = last_step_ * value;
       at(k, i) = at(k_, i).data();
     }
-    wide<combine>(0, n_, before_.data(), factor.data(), k.data(), pair_.n_stages, y.data());
+    wide<combine<1>>(0, n_, before_.data(), factor.data(), k.data(), pair_.n_stages, y.data());
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const override { return statistics_; }
@@ -214,11 +201,11 @@ class EmbeddedPair final : public Integrator {
               stage_.begin() + static_cast<std::ptrdiff_t>(n_controlled_));
     const int last = pair_.n_stages - 1;
     for (int i = 1; i < last; ++i) {
-      wide<combine>(0, n_controlled_, y_.data(), scaled(at(pair_.a, i)), k.data(), i, stage_.data());
+      wide<combine<1>>(0, n_controlled_, y_.data(), scaled(at(pair_.a, i)), k.data(), i, stage_.data());
       evaluate(time_ + at(pair_.c, i) * step, stage_, at(k_, i));
       if (!all_finite(at(k_, i))) return not_finite(i);
     }
-    wide<combine>(0, n_, y_.data(), scaled(at(pair_.a, last)), k.data(), last, stage_.data());
+    wide<combine<1>>(0, n_, y_.data(), scaled(at(pair_.a, last)), k.data(), last, stage_.data());
     if (is_observed()) {
       ++statistics_.rhs_evaluations;
       end_evaluation_(target, stage_, at(k_, last));
@@ -227,7 +214,7 @@ class EmbeddedPair final : public Integrator {
     }
     if (!all_finite(at(k_, last))) return not_finite(last);
     std::fill(error_.begin(), error_.end(), 0.);
-    wide<combine>(0, n_controlled_, error_.data(), scaled(pair_.e), k.data(), pair_.n_stages, error_.data());
+    wide<combine<1>>(0, n_controlled_, error_.data(), scaled(pair_.e), k.data(), pair_.n_stages, error_.data());
     const double sum =
         wide<squared_error>(n_controlled_, error_.data(), y_.data(), stage_.data(), scale_.data(), tolerance_);
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));

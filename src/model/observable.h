@@ -56,6 +56,17 @@ struct Observable {
   std::string place = {};  ///< bearing that it belongs to; a support's own is filled in by the machine
 };
 
+/// Where the numbers of one begin in a row of the list; nothing if none has that name.
+[[nodiscard]] inline std::optional<std::size_t> column_of(const std::vector<Observable>& list,
+                                                          const std::string& name) {
+  std::size_t at = 0;
+  for (const auto& o : list) {
+    if (o.name == name) return at;
+    at += o.size;
+  }
+  return {};
+}
+
 /// Where the numbers of an observable stand in a row.
 struct ObservedColumns {
   std::size_t first = 0, size = 0;

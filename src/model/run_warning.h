@@ -62,7 +62,7 @@ inline constexpr std::array warning_kinds{
   return nullptr;
 }
 
-/// Mechanical energy or heat not accounted for, over that moved: more says that steps or tolerances are too coarse.
+/// Mechanical energy or heat not accounted for, over that moved: smaller steps or tolerances leave less.
 inline constexpr double residual_limit = 1e-3;
 /// Overlap of rotor and bore over the air gap. Overlapping circles touch over +- arccos(c / (c + delta)), 48 deg at a half: laws of a contact that is
 /// narrow against its radius (Hertz) are off there. Estimate.

@@ -65,7 +65,7 @@ std::string with_unit(const Json& value, const Json& unit) {
 std::string range_in_words(const Json& opinion, const Json& limit) {
   if (!opinion.is_object()) return {};
   for (const auto& r : opinion["results"])
-    if (r["key"] == limit["key"] && r["lowest"].is_number())
+    if (r["key"] == limit["key"] && r["spread"].is_number())  // in all drops
       return fmt::format("; {} to {} in {} drops", with_unit(r["lowest"], limit["unit"]),
                          with_unit(r["highest"], limit["unit"]), opinion["neighbours"].get<int>() + 1);
   return {};

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "rotor/modal_rotor.h"
 
@@ -44,13 +45,16 @@ std::vector<LinearSupportAtNode> springs(const std::vector<int>& nodes, double s
   return supports;
 }
 
+ModalAnalysisOptions damped_as(const RotorParameters& rotor) {
+  return {.modal_damping = rotor.modal_damping, .mass_proportional_alpha = rotor.mass_proportional_alpha};
+}
+
 }  // namespace
 
 std::vector<WhirlModes> machine_modes(const MachineParameters& p, const std::vector<double>& spin_speeds,
                                       double largest_frequency) {
   const auto supports = linear_supports(p);
-  ModalAnalysisOptions options{.modal_damping = p.rotor.modal_damping,
-                               .mass_proportional_alpha = p.rotor.mass_proportional_alpha};
+  ModalAnalysisOptions options = damped_as(p.rotor);
   if (std::isfinite(largest_frequency)) {
     options.cut_off_frequency = 2.5 * largest_frequency;
     for (const auto& support : supports) options.attachment_nodes.push_back(support.node);
@@ -77,8 +81,7 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
     report.is_on_given_stiffness = true;
   }
   if (!supports.empty()) report.stations = stations;
-  const ModalAnalysisOptions damped{.modal_damping = p.rotor.modal_damping,
-                                    .mass_proportional_alpha = p.rotor.mass_proportional_alpha};
+  const ModalAnalysisOptions damped = damped_as(p.rotor);
   // A picture needs no modes far above it; the supports' nodes keep their flexibility.
   ModalAnalysisOptions few = damped;
   few.cut_off_frequency = 5. * options.up_to / (2. * std::numbers::pi);
@@ -95,7 +98,9 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
       if (speed <= options.up_to) report.map_speeds.back().push_back(speed);
   }
   if (options.n_speeds > 1) {
-    const ModalAnalysis coarse(p.rotor.geometry, few);
+    std::optional<ModalAnalysis> few_modes;
+    if (!options.is_coarse) few_modes.emplace(p.rotor.geometry, few);
+    const ModalAnalysis& coarse = few_modes ? *few_modes : analysis;
     for (int k = 0; k < options.n_speeds; ++k) {
       report.diagram_speeds.push_back(options.up_to * k / (options.n_speeds - 1));
       report.diagram_modes.push_back(coarse.whirl_modes(report.diagram_speeds.back(), supports));

@@ -8,15 +8,6 @@
 namespace rotordrop {
 namespace {
 
-std::optional<std::size_t> column_of(const Machine& machine, const std::string& name) {
-  std::size_t at = 0;
-  for (const auto& o : machine.detail_observables()) {
-    if (o.name == name) return at;
-    at += o.size;
-  }
-  return {};
-}
-
 std::vector<RatedRow> rated_rows(const TouchdownBearing& bearing, double C) {
   const auto& rows = bearing.data().rows;
   std::vector<RatedRow> rated;
@@ -56,7 +47,7 @@ void LoadCycles::unpack(const std::vector<double>& from) {
 BallFatigue::BallFatigue(const Machine& machine, const MachineParameters& parameters) {
   for (std::size_t i = 0; i < machine.n_supports(); ++i) {
     const auto* touchdown = dynamic_cast<const TouchdownBearing*>(&machine.support(i));
-    const auto column = column_of(machine, machine.support(i).results_path() + "/ball_loads");
+    const auto column = column_of(machine.detail_observables(), machine.support(i).results_path() + "/ball_loads");
     if (!touchdown || !column) continue;
     for (const auto& entry : parameters.bearings) {
       if (entry.name != touchdown->name() || !entry.touchdown() || !entry.touchdown()->C) continue;

@@ -8,17 +8,11 @@
 namespace rotordrop {
 
 SupportWatch::SupportWatch(const Machine& machine) {
-  const auto column_of = [&](const std::string& name) -> std::optional<std::size_t> {
-    std::size_t at = 0;
-    for (const auto& o : machine.step_observables()) {
-      if (o.name == name) return at;
-      at += o.size;
-    }
-    return std::nullopt;
-  };
   for (std::size_t i = 0; i < machine.n_supports(); ++i) {
     const std::string path = machine.support(i).results_path();
-    const auto position = column_of(path + "/support_position"), energy = column_of(path + "/support_energy");
+    const auto& step = machine.step_observables();
+    const auto position = column_of(step, path + "/support_position"),
+               energy = column_of(step, path + "/support_energy");
     if (!position) continue;
     Columns c;
     c.name = machine.support(i).name();

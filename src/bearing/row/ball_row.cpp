@@ -16,7 +16,7 @@ namespace {
 
 /// Added to the penetrations of a row without waves: nothing, but idle_penetration behind its balls.
 const double* only_idle(int n_balls) {
-  static const auto list = [] {
+  static constexpr auto list = [] {
     std::array<double, BallRow::max_balls + vector_length> values{};
     std::fill_n(values.end() - vector_length, vector_length, idle_penetration);
     return values;

@@ -39,7 +39,9 @@ void require_machine(const Case& c) {
   if (c.parameters.thermal.runs_sections()) return;
   try {
     const BuiltMachine built(c);
-  } catch (const SolverError& error) {
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
     throw InputError({}, error.what());
   }
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 
 #include "case/built_machine.h"
 #include "machine/build_machine.h"
@@ -75,7 +76,10 @@ double value_of(const Numbers& numbers, const std::string& name) {
 
 /// What belongs to the end of a drop, or is reached late in it, is not there yet when the first impacts are over.
 bool is_of_the_end(const std::string& name) {
-  return name.find("_end") != std::string::npos || name.ends_with(".catch_up_time");
+  std::string_view result = name;
+  if (constexpr std::string_view bearings = "bearings."; result.starts_with(bearings))
+    result.remove_prefix(result.find('.', bearings.size()));  // a bearing may be called drive_end
+  return result.find("_end") != std::string_view::npos || result.ends_with(".catch_up_time");
 }
 
 /// How far orbits of two drops of a case come apart.

@@ -137,12 +137,12 @@ TEST(Morris, FindsThatTheThirdParameterActsByInteraction) {
   EXPECT_NEAR(linear[names[1]]["mean_magnitude"]["value"].get<double>(), 0., 1e-12);
 }
 
-// Sparse polynomials of degree 9 know this function almost exactly from 400 points, and their indices are the exact ones to that error.
 /// OpenTURNS is optional: ./install-dependencies --studies.
 bool has_surrogates() {
   return std::filesystem::exists(std::filesystem::path(ROTORDROP_PROGRAM).parent_path() / "rotordrop_surrogate.so");
 }
 
+// Sparse polynomials of degree 9 know this function almost exactly from 400 points, and their indices are the exact ones to that error.
 TEST(Surrogate, OfIshigamisFunctionHasItsIndicesAndPredictsWhatItHasNotSeen) {
   if (!has_surrogates()) GTEST_SKIP() << "built without the module of surrogates";
   const auto summary =
