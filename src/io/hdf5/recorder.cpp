@@ -18,6 +18,8 @@
 #include "io/half_made_file.h"
 #include "io/hdf5/hdf5_driver.h"
 #include "io/hdf5/hdf5_handle.h"
+#include "io/hdf5/series_column.h"
+#include "io/hdf5/trial_reading.h"
 
 namespace rotordrop {
 
@@ -27,19 +29,9 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-/// Extendible dataset of which the recorder adds rows at the end.
-struct Column {
-  Handle dataset;
-  std::string path;
-  std::size_t size = 1;  ///< values per row
-  bool is_flat = true;   ///< [time], not [time, size]
-
-  [[nodiscard]] int rank() const { return is_flat ? 1 : 2; }
-};
-
 struct Group {
-  Column time;
-  std::vector<Column> columns;
+  SeriesColumn time;
+  std::vector<SeriesColumn> columns;
   std::size_t row_size = 0;
   std::vector<double> times, rows;  ///< not yet written [n], [n, row_size]
   std::size_t n_written = 0;
@@ -49,68 +41,17 @@ struct Group {
   [[nodiscard]] std::size_t n_buffered() const { return times.size(); }
 };
 
-Handle chunked(std::size_t chunk_rows, std::size_t size, int rank) {
-  Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make property list");
-  const hsize_t chunk[2] = {chunk_rows, size};
-  hdf5::require(H5Pset_chunk(list.id(), rank, chunk), "set chunk size");
-  // Rows that were never written must not look like zeros.
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  hdf5::require(H5Pset_fill_value(list.id(), H5T_NATIVE_DOUBLE, &nan), "set fill value");
-  return list;
-}
-
-/// Rows are written once, in order, many at a time: a chunk goes to the file at once, and those of a dataset follow on each other.
-Handle no_cache() {
-  Handle list(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "make property list");
-  hdf5::require(H5Pset_chunk_cache(list.id(), 17, 0, 1.0), "set chunk cache");
-  return list;
-}
-
-Column make_column(hid_t file, const Channel& channel, const std::string& time_path, std::size_t chunk_rows) {
-  Column column;
-  column.path = channel.path;
-  column.size = channel.size;
-  column.is_flat = channel.size == 1;
-  const hsize_t now[2] = {0, channel.size};
-  const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
-  const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
-  column.dataset =
-      Handle(H5Dcreate2(file, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), hdf5::with_missing_groups().id(),
-                        chunked(chunk_rows, channel.size, column.rank()).id(), no_cache().id()),
-             H5Dclose, "cannot make dataset " + channel.path);
-  hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
-  hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
-  if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);
-  if (!channel.columns.empty()) hdf5::write_attribute(column.dataset.id(), "columns", channel.columns);
-  return column;
-}
-
 /// Mixes a value's bits into a check sum: one multiplication for each, for every row of a run passes here.
 std::uint64_t mixed(std::uint64_t sum, double value) {
   sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
   return sum ^ (sum >> 32);
 }
 
-/// Writes rows behind the first `from`. @param values [n, size]
-void write_rows(const Column& column, std::size_t from, std::span<const double> values) {
-  const std::string what = "dataset " + column.path;
-  const std::size_t n = values.size() / column.size;
-  const hsize_t extent[2] = {from + n, column.size};
-  hdf5::require(H5Dset_extent(column.dataset.id(), extent), what);
-  const Handle in_file(H5Screate_simple(column.rank(), extent, nullptr), H5Sclose, what);
-  const hsize_t start[2] = {from, 0};
-  const hsize_t count[2] = {n, column.size};
-  hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start, nullptr, count, nullptr), what);
-  const Handle in_memory(H5Screate_simple(column.rank(), count, nullptr), H5Sclose, what);
-  hdf5::require(
-      H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()), what);
-}
-
 /// Writes the buffered rows of all columns but the time's.
 void write_columns(const Group& group) {
   std::vector<double> values;
   std::size_t first = 0;  // value of the column in a row
-  for (const Column& column : group.columns) {
+  for (const SeriesColumn& column : group.columns) {
     values.resize(group.n_buffered() * column.size);
     auto to = values.begin();
     for (std::size_t at = first; at < group.rows.size(); at += group.row_size)
@@ -165,6 +106,7 @@ void give_name(const fs::path& from, const fs::path& to, bool may_replace) {
 
 struct Recorder::Implementation {
   fs::path path;
+  RecordHeader header;
   RecorderOptions options;
   std::vector<SeriesGroup> series;
   Handle file;  // before the groups: their datasets close first
@@ -173,8 +115,11 @@ struct Recorder::Implementation {
   std::string failure;  ///< why writing failed; empty while all is well
   bool is_closed = false;
 
-  void create(const RecordHeader& header);
-  void make_datasets(const RecordHeader& header);
+  void make_groups();
+  /// @throws InputError if the file exists and must not be replaced
+  void require_absent() const;
+  void make_file();
+  void make_datasets();
   void flush();
   void close();
   /// Leaves the file as it is, as if the program had been killed. Closing a file after a failed write crashes HDF5 1.10.8 or
@@ -183,11 +128,23 @@ struct Recorder::Implementation {
   void require_open() const;
 };
 
-void Recorder::Implementation::create(const RecordHeader& header) {
+void Recorder::Implementation::make_groups() {
+  for (const auto& description : series) {
+    Group& group = groups.emplace_back();
+    for (const auto& channel : description.channels) group.row_size += channel.size;
+  }
+}
+
+void Recorder::Implementation::require_absent() const {
   std::error_code ignored;
   if (!options.overwrite && fs::exists(path, ignored))
     throw InputError({path.string()}, "this result file already exists.",
                      "Choose another directory, or allow it to be overwritten.");
+}
+
+void Recorder::Implementation::make_file() {
+  hdf5::be_quiet();
+  require_absent();
   // Made under another name first: nobody ever opens a file whose datasets are still being made, and an older one stays until
   // the new one is sound.
   const fs::path beside = path.string() + "." + std::to_string(::getpid()) + ".new";
@@ -195,41 +152,42 @@ void Recorder::Implementation::create(const RecordHeader& header) {
   HalfMadeFile half_made(beside);
   try {
     file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
-    make_datasets(header);
+    make_datasets();
     hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "cannot write it");
     hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
+    hdf5::know_readable(beside);
   } catch (const SolverError& error) {
     abandon();
-    throw SolverError("the result file " + path.string() + " could not be made: " + error.what() + ".");
+    failure = "the result file " + path.string() + " could not be made: " + error.what() + ".";
+    throw SolverError(failure);
   }
   try {
     give_name(beside, path, options.overwrite);
-  } catch (...) {
+  } catch (const std::exception& error) {
     abandon();
+    failure = error.what();
     throw;
   }
   half_made.keep();
 }
 
-void Recorder::Implementation::make_datasets(const RecordHeader& header) {
+void Recorder::Implementation::make_datasets() {
   for (const auto& [name, text] : header.attributes) hdf5::write_attribute(file.id(), name, text);
   for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
-  for (const auto& description : series) {
-    Group group;
-    group.time = make_column(file.id(), {description.time_path, description.unit, description.long_name, 1, {}},
-                             description.time_path, options.rows_per_chunk);
-    for (const auto& channel : description.channels) {
-      group.columns.push_back(make_column(file.id(), channel, description.time_path, options.rows_per_chunk));
-      group.row_size += channel.size;
-    }
-    groups.push_back(std::move(group));
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const SeriesGroup& description = series[i];
+    groups[i].time = make_column(file.id(), {description.time_path, description.unit, description.long_name, 1, {}},
+                                 description.time_path, options.rows_per_chunk);
+    for (const auto& channel : description.channels)
+      groups[i].columns.push_back(make_column(file.id(), channel, description.time_path, options.rows_per_chunk));
   }
 }
 
 void Recorder::Implementation::flush() {
+  hdf5::be_quiet();
+  if (!file.is_open()) make_file();
   last_flush = Clock::now();
   if (std::all_of(groups.begin(), groups.end(), [](const Group& group) { return group.n_buffered() == 0; })) return;
-  hdf5::be_quiet();
   try {
     for (auto& group : groups)
       if (group.n_buffered() > 0) write_columns(group);
@@ -287,11 +245,13 @@ Recorder::Recorder(const fs::path& path, const RecordHeader& header, std::vector
                    const RecorderOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
   check_channels(header, groups, options);
-  hdf5::be_quiet();
   implementation_->path = path;
+  implementation_->header = header;
   implementation_->options = options;
   implementation_->series = std::move(groups);
-  implementation_->create(header);
+  implementation_->make_groups();
+  implementation_->require_absent();
+  if (options.seconds_until_made <= 0.) implementation_->flush();
 }
 
 Recorder::Recorder(Recorder&&) noexcept = default;
@@ -309,16 +269,19 @@ void Recorder::append(std::size_t group_index, double time, std::span<const doub
   implementation_->require_open();
   Group& group = implementation_->groups.at(group_index);
   if (row.size() != group.row_size)
-    throw std::invalid_argument("Recorder: a row of " + group.time.path + " has " + std::to_string(group.row_size) +
-                                " values, given were " + std::to_string(row.size()));
+    throw std::invalid_argument("Recorder: a row of " + implementation_->series[group_index].time_path + " has " +
+                                std::to_string(group.row_size) + " values, given were " + std::to_string(row.size()));
   if (!(time >= group.last_time))
-    throw std::invalid_argument("Recorder: times of " + group.time.path + " must not decrease");
+    throw std::invalid_argument("Recorder: times of " + implementation_->series[group_index].time_path +
+                                " must not decrease");
   group.last_time = time;
   group.times.push_back(time);
   group.rows.insert(group.rows.end(), row.begin(), row.end());
   group.check_sum = mixed(group.check_sum, time);
   for (const double value : row) group.check_sum = mixed(group.check_sum, value);
   const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
+  if (!implementation_->file.is_open() && waited.count() >= implementation_->options.seconds_until_made)
+    implementation_->make_file();
   if (group.n_buffered() >= implementation_->options.rows_per_flush ||
       waited.count() >= implementation_->options.seconds_per_flush)
     implementation_->flush();
@@ -378,7 +341,7 @@ RecordedRows RecordedRows::unpacked(const std::vector<double>& numbers) {
 }
 
 void Recorder::move_to(const fs::path& path) {
-  give_name(implementation_->path, path, true);
+  if (implementation_->file.is_open()) give_name(implementation_->path, path, true);
   implementation_->path = path;
 }
 

@@ -38,6 +38,7 @@ struct RecordHeader {
 
 struct RecorderOptions {
   bool overwrite = false;             ///< replace an existing file; without it an existing file is an InputError
+  double seconds_until_made = 0;      ///< [s] of wall time after which append() makes the file; 0: the constructor does
   std::size_t rows_per_flush = 8192;  ///< rows of a group held in memory before they are written
   double seconds_per_flush = 1;       ///< [s] of wall time after which append() writes what it holds
   std::size_t rows_per_chunk =
@@ -55,8 +56,8 @@ struct RecordedRows {
   static RecordedRows unpacked(const std::vector<double>& numbers);
 };
 
-/// Writes one result file. Everything in it is made by the constructor; after that rows are added and readers may open it at any
-/// time, also after the writer was killed (h5py: `h5py.File(path, "r")`; with `swmr=True` a reader can follow what is added).
+/// Writes one result file. It is made with everything in it by the constructor or soon after, as the options say; from then on
+/// rows are added and readers may open it at any time, also after the writer was killed (h5py: `h5py.File(path, "r")`; with `swmr=True` a reader can follow what is added).
 ///
 /// A row is on file in all channels before its time is: a reader that takes as many rows as there are times never sees half a row.
 /// The file appears under its name complete with all datasets, or not at all. Not compressed: that would cost five times as much as

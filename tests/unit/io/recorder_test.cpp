@@ -3,8 +3,10 @@
 #include "io/hdf5/recorder.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/hdf5/resumed_recording.h"
+#include "io/hdf5/trial_reading.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -269,6 +271,34 @@ TEST_F(RecorderTest, ShowsRowsOnlyAfterAFlushAndThenAll) {
   for (const int end : {ready[0], ready[1], go_on[0], go_on[1]}) ::close(end);
 }
 
+TEST_F(RecorderTest, IsMadeLaterIfAsked) {
+  RecorderOptions options;
+  options.seconds_until_made = 1e9;
+  {
+    Recorder recorder(path, header, machine(), options);
+    append_rows(recorder, 0, 20);
+    EXPECT_EQ(n_files(), 0U);
+    recorder.flush();
+    expect_rows(path, 20);
+  }
+  EXPECT_THROW(Recorder(path, header, machine(), options), InputError);  // at once, not after a second of computing
+  fs::remove(path);
+  Recorder(path, header, machine(), options).close();
+  EXPECT_EQ(read_series(path, "/time").values.size(), 0U);
+  fs::remove(path);
+  options.seconds_until_made = 0.02;
+  Recorder soon(path, header, machine(), options);
+  append_rows(soon, 0, 20);
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  append_rows(soon, 20, 21);
+  EXPECT_EQ(n_files(), 1U);
+  Recorder late(directory / "missing" / "results.h5", header, machine(), options);
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const auto message = message_of([&] { late.flush(); });
+    EXPECT_NE(message.find("could not be made: "), std::string::npos) << message;
+  }
+}
+
 TEST_F(RecorderTest, WritesWhatItHoldsWhenTheTimeForItHasPassed) {
   const Child writer([&] {
     RecorderOptions options;
@@ -514,6 +544,29 @@ TEST_F(RecorderTest, GoesOnWritingAfterItWasMovedInMemoryAndOnDisk) {
   second.close();
   EXPECT_EQ(n_files(), 1U);
   expect_rows(directory / "other.h5", 20);
+}
+
+TEST_F(RecorderTest, AFileIsTriedWhileAnotherThreadReads) {
+  {
+    Recorder recorder(path, header, machine());
+    append_rows(recorder, 0, 2000);
+  }
+  std::atomic<bool> ends = false;
+  std::thread reader([&] {
+    while (!ends) static_cast<void>(read_series(path, "/bearings/TB1/orbit"));
+  });
+  // HDF5 has one lock: a process that begins amid a call of the reader must not wait for it.
+  std::string message;
+  for (int i = 0; i < 20 && message.empty(); ++i) {
+    try {
+      hdf5::try_to_read(path, 2);
+    } catch (const std::exception& error) {
+      message = error.what();
+    }
+  }
+  ends = true;
+  reader.join();
+  EXPECT_EQ(message, "");
 }
 
 TEST_F(RecorderTest, ReadersSayWhatIsNotThere) {

@@ -1,0 +1,63 @@
+#include "io/hdf5/series_column.h"
+
+#include <limits>
+
+namespace rotordrop {
+
+using hdf5::Handle;
+
+namespace {
+
+Handle chunked(std::size_t chunk_rows, std::size_t size, int rank) {
+  Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make property list");
+  const hsize_t chunk[2] = {chunk_rows, size};
+  hdf5::require(H5Pset_chunk(list.id(), rank, chunk), "set chunk size");
+  // Rows that were never written must not look like zeros.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  hdf5::require(H5Pset_fill_value(list.id(), H5T_NATIVE_DOUBLE, &nan), "set fill value");
+  return list;
+}
+
+/// Rows are written once, in order, many at a time: a chunk goes to the file at once, and those of a dataset follow on each other.
+Handle no_cache() {
+  Handle list(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "make property list");
+  hdf5::require(H5Pset_chunk_cache(list.id(), 17, 0, 1.0), "set chunk cache");
+  return list;
+}
+
+}  // namespace
+
+SeriesColumn make_column(hid_t file, const Channel& channel, const std::string& time_path, std::size_t chunk_rows) {
+  SeriesColumn column;
+  column.path = channel.path;
+  column.size = channel.size;
+  column.is_flat = channel.size == 1;
+  const hsize_t now[2] = {0, channel.size};
+  const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
+  const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
+  column.dataset =
+      Handle(H5Dcreate2(file, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), hdf5::with_missing_groups().id(),
+                        chunked(chunk_rows, channel.size, column.rank()).id(), no_cache().id()),
+             H5Dclose, "cannot make dataset " + channel.path);
+  hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
+  hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
+  if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);
+  if (!channel.columns.empty()) hdf5::write_attribute(column.dataset.id(), "columns", channel.columns);
+  return column;
+}
+
+void write_rows(const SeriesColumn& column, std::size_t from, std::span<const double> values) {
+  const std::string what = "dataset " + column.path;
+  const std::size_t n = values.size() / column.size;
+  const hsize_t extent[2] = {from + n, column.size};
+  hdf5::require(H5Dset_extent(column.dataset.id(), extent), what);
+  const Handle in_file(H5Screate_simple(column.rank(), extent, nullptr), H5Sclose, what);
+  const hsize_t start[2] = {from, 0};
+  const hsize_t count[2] = {n, column.size};
+  hdf5::require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start, nullptr, count, nullptr), what);
+  const Handle in_memory(H5Screate_simple(column.rank(), count, nullptr), H5Sclose, what);
+  hdf5::require(
+      H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()), what);
+}
+
+}  // namespace rotordrop
