@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <numbers>
 
 namespace rotordrop {
 namespace {
@@ -119,6 +120,38 @@ constexpr std::array ranges{
     Rule{"growth.*", "m", "growth"},
 };
 
+constexpr double rpm = 30. / std::numbers::pi, hertz = 0.5 / std::numbers::pi;
+
+constexpr std::array shown{
+    ShownResult{"/first_contact_time", "first contact", "ms", 1e3},
+    ShownResult{"/peak_contact_force", "peak contact force (0-peak)", "kN", 1e-3},
+    ShownResult{"/peak_contact_force_time", "time of peak contact force", "ms", 1e3},
+    ShownResult{"/mean_contact_force_end", "mean contact force, last 50 ms", "N", 1.},
+    ShownResult{"/largest_ball_force", "largest ball load", "N", 1.},
+    ShownResult{"/first_bounce_apex", "apex of first bounce (y)", "um", 1e6},
+    ShownResult{"/peak_friction_heat_rate", "peak rub heat rate", "kW", 1e-3},
+    ShownResult{"/friction_heat", "rub heat", "J", 1.},
+    ShownResult{"/inner_heat", "bearing friction heat, inner raceway", "J", 1.},
+    ShownResult{"/outer_heat", "bearing friction heat, outer raceway", "J", 1.},
+    ShownResult{"/catch_up_time", "end of spin-up (ring within 1 % of rotor surface speed)", "ms", 1e3},
+    ShownResult{"/ring_speed_end", "ring speed at end", "rpm", rpm},
+    ShownResult{"/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, lumped", "K", 1.},
+    ShownResult{"/fe/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, FE mean", "K", 1.},
+    ShownResult{"/fe/surface_rise/bore/highest", "largest bore temperature rise, FE (circumferential mean)", "K", 1.},
+    ShownResult{"/local/bore_rise", "local temperature rise of the bore where it rubs", "K", 1.},
+    ShownResult{"/local/bore_rise_low", "… lower bound", "K", 1.},
+    ShownResult{"/local/bore_rise_high", "… upper bound", "K", 1.},
+    ShownResult{"/local/bore_rise_time", "… reached at", "ms", 1e3},
+    ShownResult{"/local/rotor_rise", "local temperature rise of the rotor where it rubs", "K", 1.},
+    ShownResult{"/wear/bore_depth", "largest wear depth of the bore, estimated", "um", 1e6},
+    ShownResult{"/wear/rotor_depth", "largest wear depth of the rotor, estimated", "um", 1e6},
+    ShownResult{"/wear/drops_until_limit", "number of such drops until the permitted wear depth", "", 1.},
+    ShownResult{"/whirl/frequency", "mean frequency of longest whirl", "Hz", 1.},
+    ShownResult{"/whirl/largest_backward_speed", "fastest sustained backward whirl", "Hz", hertz},
+    ShownResult{"/whirl/full_rub_condition/speed_at_bottom", "whirl speed at bottom required for full backward rub",
+                "Hz", hertz},
+};
+
 std::string without_indices(const std::string& name) {
   std::string result;
   bool is_inside = false;
@@ -196,5 +229,7 @@ ResultMeaning meaning_of(const std::string& name) {
   }
   return meaning;
 }
+
+std::span<const ShownResult> shown_results() { return shown; }
 
 }  // namespace rotordrop

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 
 namespace rotordrop {
@@ -9,5 +10,13 @@ struct ResultMeaning {
 };
 /// @param name  dotted, as in summary.json: "bearings.TB1.peak_contact_force", "bearings.TB1.rows[0].truncation"
 ResultMeaning meaning_of(const std::string& name);
+
+/// A row of the report's table of the bearings.
+struct ShownResult {
+  const char* pointer;  ///< to the number in what summary.json has of a bearing
+  const char *name, *unit;
+  double per_si;  ///< number in that unit for one in SI
+};
+std::span<const ShownResult> shown_results();
 
 }  // namespace rotordrop

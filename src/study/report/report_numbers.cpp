@@ -38,45 +38,13 @@ class Rows {
 
 /// @param ambient  [K]
 void add_summary(Rows& rows, std::size_t column, const Json& b, double ambient) {
-  struct Row {
-    const char *key, *name, *unit;
-    double scale;
-  };
-  constexpr double hertz = 0.5 / std::numbers::pi;
-  for (const Row& r :
-       {Row{"/first_contact_time", "first contact", "ms", 1e3},
-        {"/peak_contact_force", "peak contact force (0-peak)", "kN", 1e-3},
-        {"/peak_contact_force_time", "time of peak contact force", "ms", 1e3},
-        {"/mean_contact_force_end", "mean contact force, last 50 ms", "N", 1.},
-        {"/largest_ball_force", "largest ball load", "N", 1.},
-        {"/first_bounce_apex", "apex of first bounce (y)", "um", 1e6},
-        {"/peak_friction_heat_rate", "peak rub heat rate", "kW", 1e-3},
-        {"/friction_heat", "rub heat", "J", 1.},
-        {"/inner_heat", "bearing friction heat, inner raceway", "J", 1.},
-        {"/outer_heat", "bearing friction heat, outer raceway", "J", 1.},
-        {"/catch_up_time", "end of spin-up (ring within 1 % of rotor surface speed)", "ms", 1e3},
-        {"/ring_speed_end", "ring speed at end", "rpm", rpm},
-        {"/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, lumped", "K", 1.},
-        {"/fe/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, FE mean", "K", 1.},
-        {"/fe/surface_rise/bore/highest", "largest bore temperature rise, FE (circumferential mean)", "K", 1.},
-        {"/local/bore_rise", "local temperature rise of the bore where it rubs", "K", 1.},
-        {"/local/bore_rise_low", "… lower bound", "K", 1.},
-        {"/local/bore_rise_high", "… upper bound", "K", 1.},
-        {"/local/bore_rise_time", "… reached at", "ms", 1e3},
-        {"/local/rotor_rise", "local temperature rise of the rotor where it rubs", "K", 1.},
-        {"/wear/bore_depth", "largest wear depth of the bore, estimated", "um", 1e6},
-        {"/wear/rotor_depth", "largest wear depth of the rotor, estimated", "um", 1e6},
-        {"/wear/drops_until_limit", "number of such drops until the permitted wear depth", "", 1.},
-        {"/whirl/frequency", "mean frequency of longest whirl", "Hz", 1.},
-        {"/whirl/largest_backward_speed", "fastest sustained backward whirl", "Hz", hertz},
-        {"/whirl/full_rub_condition/speed_at_bottom", "whirl speed at bottom required for full backward rub", "Hz",
-         hertz}}) {
-    const Json::json_pointer pointer(r.key);
+  for (const ShownResult& r : shown_results()) {
+    const Json::json_pointer pointer(r.pointer);
     if (!b.contains(pointer)) continue;
     const Json& value = b.at(pointer);
     std::string text = "—";
     if (value.is_number()) {
-      text = fmt::format("{:.{}g}", value.get<double>() * r.scale, r.unit == std::string("rpm") ? 5 : 4);
+      text = fmt::format("{:.{}g}", value.get<double>() * r.per_si, r.unit == std::string("rpm") ? 5 : 4);
       if (r.unit == std::string("K")) text += fmt::format(" ({})", in_celsius(ambient + value.get<double>()));
     }
     rows.set(column, r.name, r.unit, text);
@@ -127,10 +95,11 @@ Json report_damage(const Json& summary) {
     if (!b.contains("damage")) continue;
     const Json& d = b["damage"];
     const auto add = [&, bearing = name](const std::string& meaning, const char* value, const std::string& limit,
-                                         double usage, const std::string& basis) {
+                                         double usage, const Json& basis) {
       const double number = number_at(d, value);
       const bool is_known = std::isfinite(usage);
-      rows.push_back({{"key", basis},
+      rows.push_back({{"key", basis.is_null() ? Json("the least of what was assessed above") : basis},
+                      {"basis", basis.is_null() ? Json(nullptr) : Json(bearing + ", " + basis.get<std::string>())},
                       {"meaning", bearing + ": " + meaning},
                       {"value", std::isfinite(number) ? fmt::format("{:.4g}", number) : std::string("—")},
                       {"limit", limit},
@@ -152,8 +121,12 @@ Json report_damage(const Json& summary) {
         std::isnan(drops) ? 0.
         : drops > 0.      ? 1. / drops
                           : std::nan(""),
-        "the least of what was assessed above");
-    if (drops == 0.) rows.back()["state"] = "warning";
+        nullptr);
+    const bool is_whole = !d["fatigue"].is_null() && !d["wear_share"].is_null();
+    if (drops == 0.)
+      rows.back()["state"] = "warning";
+    else if (!is_whole)
+      rows.back()["state"] = "unknown";
   }
   return rows;
 }
