@@ -8,6 +8,7 @@
 #include "base/version.h"
 #include "case/case.h"
 #include "io/checkpoint.h"
+#include "io/picture_file.h"
 #include "study/compare/calibration.h"
 #include "study/modes/critical_speeds_report.h"
 #include "study/modes/modes_report.h"
@@ -79,6 +80,7 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
   const Case c = read_case(command.file, command.overrides);
   auto options = critical_speed_options(c, {command.up_to, command.stiffness, command.map});
   options.n_speeds = 61;
+  if (!command.diagram.empty()) require_picture_name(command.diagram);
   if (!command.diagram.empty() && !command.force && std::filesystem::exists(command.diagram))
     throw InputError({command.diagram.string(), 0, 0}, "the file exists already.",
                      "Choose another with --diagram FILE, or replace it with --force.");
@@ -91,7 +93,7 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
                critical_speeds_text(json));
   const auto file = command.diagram.empty() ? std::filesystem::path("out") / c.name / "campbell.svg" : command.diagram;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-  write_text_atomically(file, campbell_picture(report, options.up_to, json["operating_speed"].get<double>()));
+  write_picture(file, campbell_picture(report, options.up_to, json["operating_speed"].get<double>()));
   fmt::print(stderr, "Campbell diagram in {}\n", file.string());
   return 0;
 }

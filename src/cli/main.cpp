@@ -119,7 +119,7 @@ int run_program(int argc, char** argv) {
                            "Isotropic springs at the linear supports, or at all bearings of a case that has none");
   critical_app->add_option("--map", critical.map,
                            "Critical-speed map over the springs' stiffness, such as \"1e6 N/m, 1e9 N/m\"");
-  critical_app->add_option("--diagram", critical.diagram, "SVG picture; default out/CASE/campbell.svg");
+  critical_app->add_option("--diagram", critical.diagram, "Picture, FILE.svg or FILE.png; default out/CASE/campbell.svg");
   critical_app->add_flag("--json", critical.json, "Report as JSON, with units");
   add_force(*critical_app, critical.force, "the picture given with --diagram");
   add_overrides(*critical_app, critical.overrides);

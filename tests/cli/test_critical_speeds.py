@@ -7,15 +7,19 @@ M u'' - i Omega G u' + K u = 0; with u = exp(+-i Omega t): (K - Omega^2 (M -+ G)
 
 import json
 import math
+import os
+import shutil
+import subprocess
 import sys
 import tomllib
 import unittest
 import xml.etree.ElementTree
 
+import matplotlib.image
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PARAMS, ProgramTest  # noqa: E402
+from program import PARAMS, PROGRAM, ProgramTest  # noqa: E402
 
 RPM = math.pi / 30
 
@@ -138,6 +142,22 @@ stiffness = [["7e7 N/m", 0], [0, "7e7 N/m"]]
         for circle in svg.findall("{*}circle"):
             self.assertTrue(0 < float(circle.get("cx")) < width and 0 < float(circle.get("cy")) < height)
 
+    def test_the_picture_is_drawn_as_png(self):
+        options = ("critical-speeds", "reference.toml", "--diagram", "picture.png")
+        nowhere = subprocess.run([PROGRAM, *options], cwd=self.folder, env={**os.environ, "PATH": str(self.folder)}, capture_output=True, text=True)
+        self.assertEqual(nowhere.returncode, 2)
+        self.assertIn("Install the package librsvg2-bin", nowhere.stderr)
+        if not shutil.which("rsvg-convert"):
+            self.skipTest("rsvg-convert is not installed")
+        self.succeed(*options)
+        self.succeed("critical-speeds", "reference.toml", "--diagram", "picture.svg")
+        _, _, width, height = map(float, xml.etree.ElementTree.parse(self.folder / "picture.svg").getroot().get("viewBox").split())
+        picture = matplotlib.image.imread(self.folder / "picture.png")
+        self.assertEqual(picture.shape[:2], (2 * height, 2 * width))
+        inked = picture[:, :, :3].min(axis=2) < 0.9
+        self.assertTrue(0.005 < inked.mean() < 0.2, "curves and letters on an empty ground")
+        self.assertEqual(sorted(file.name for file in self.folder.glob("picture.*")), ["picture.png", "picture.svg"], "nothing is left beside it")
+
     def test_overdamped_motions_are_kept_apart(self):
         damped = self.SUPPORTS.replace("[bearings.B]", 'damping = [["2e6 N s/m", 0], [0, "2e6 N s/m"]]\n[bearings.B]')
         free, held = self.critical(self.undamped()), self.critical(self.case(damped, "damped.toml"))
@@ -151,6 +171,9 @@ stiffness = [["7e7 N/m", 0], [0, "7e7 N/m"]]
             done = self.call("critical-speeds", "reference.toml", option, value)
             self.assertEqual(done.returncode, 2, value)
             self.assertIn(message, done.stderr)
+        jpeg = self.call("critical-speeds", "reference.toml", "--diagram", "there.jpg")
+        self.assertEqual(jpeg.returncode, 2)
+        self.assertIn("ends in .svg or .png", jpeg.stderr)
         self.write("there.svg", "mine")
         self.assertEqual(self.call("critical-speeds", "reference.toml", "--diagram", "there.svg").returncode, 2)
         self.assertEqual((self.folder / "there.svg").read_text(), "mine")
