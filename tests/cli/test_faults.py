@@ -48,11 +48,11 @@ class ThePropertiesCanFail(unittest.TestCase):
         for property_ in (p.mirror_image, p.turned_by_a_ball, p.order_and_names, p.units):
             first = iter([True])
             # The second machine that is dropped has a thousandth more friction.
-            def wrong(machine, is_first=first, turned=property_ is p.turned_by_a_ball):
+            def wrong(machine, is_first=first, turned=property_ is p.turned_by_a_ball, **isa):
                 if turned and next(is_first, False):
                     return real(machine)
                 text = machine.get("text") or p.case_text(machine)
-                return real({**machine, "text": text.replace(f"friction_coefficient = {machine['friction']!r}", f"friction_coefficient = {1.001 * machine['friction']!r}")})
+                return real({**machine, "text": text.replace(f"friction_coefficient = {machine['friction']!r}", f"friction_coefficient = {1.001 * machine['friction']!r}")}, **isa)
             self.program.drop = wrong
             with self.assertRaises(AssertionError, msg=property_.__name__):
                 property_(self.program, self.machine, self.summary)
