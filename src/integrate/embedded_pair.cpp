@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/wide_vectors.h"
 #include "integrate/failures.h"
+#include "integrate/integrator.h"
 #include "integrate/methods.h"
 
 namespace rotordrop {
@@ -157,8 +158,8 @@ class EmbeddedPair final : public Integrator {
 
   void offer_rates(std::span<const double>) override {}  // they are the last stage's
   [[nodiscard]] bool uses_offered_rates() const override { return is_observed(); }
-  bool evaluate_ends_with(EndEvaluation evaluation) override {
-    end_evaluation_ = std::move(evaluation);
+  bool evaluate_ends_with(const EndEvaluation& evaluation) override {
+    end_evaluation_ = evaluation;
     return true;
   }
 

@@ -1,22 +1,19 @@
 #include "integrate/integration_parameters.h"
 
+#include <fmt/format.h>
+
 namespace rotordrop {
 
 Section<IntegrationParameters> integration_section() {
   using P = IntegrationParameters;
-  using M = IntegrationMethod;
   Section<P> s("integration", "Time integration.");
-  s.choice("method", &P::method,
-           {{"tsitouras", M::tsitouras},
-            {"bogacki-shampine", M::bogacki_shampine},
-            {"runge-kutta-4", M::runge_kutta_4},
-            {"dormand-prince", M::dormand_prince},
-            {"fehlberg-8", M::fehlberg_8},
-            {"adams", M::adams}},
-           {.fallback = "tsitouras",
-            .help = "tsitouras (5th order), bogacki-shampine (3rd, for low accuracy), dormand-prince (5th), fehlberg-8 "
-                    "(8th) and "
-                    "adams (multistep) control their error; runge-kutta-4 has a fixed step."});
+  std::vector<std::pair<std::string, IntegrationMethod>> methods;
+  std::string help;
+  for (const auto& [method, name, words, make] : integration_methods) {
+    methods.emplace_back(name, method);
+    help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", name, words);
+  }
+  s.choice("method", &P::method, std::move(methods), {.fallback = "tsitouras", .help = help + "."});
   s.quantity("step", &P::step,
              {.unit = "s",
               .range = between(1e-9, 1e-3),

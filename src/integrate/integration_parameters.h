@@ -2,10 +2,9 @@
 #include <optional>
 
 #include "base/parameters/section.h"
+#include "integrate/methods.h"
 
 namespace rotordrop {
-
-enum class IntegrationMethod { tsitouras, bogacki_shampine, runge_kutta_4, dormand_prince, fehlberg_8, adams };
 
 /// [integration].
 struct IntegrationParameters {

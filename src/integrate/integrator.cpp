@@ -11,7 +11,9 @@ namespace rotordrop {
 
 std::unique_ptr<Integrator> make_integrator(const OdeSystem& system, const IntegrationParameters& parameters,
                                             double start_time, std::span<const double> state, double end_time) {
-  return make_method(system, parameters, start_time, state, end_time);
+  const auto* kind = std::find_if(integration_methods.begin(), integration_methods.end(),
+                                  [&](const auto& one) { return one.method == parameters.method; });
+  return kind->make(system, parameters, start_time, state, end_time);
 }
 
 std::string worst_components(const StateLayout& layout, std::span<const double> weighted_error, std::size_t count) {

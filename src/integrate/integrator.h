@@ -38,7 +38,7 @@ class Integrator {
   using EndEvaluation = std::function<void(double t, std::span<const double> y, std::span<double> dydt)>;
   /// Has the method evaluate ends of steps so, those that it rejects among them: then looking at every accepted step costs nothing.
   /// @returns whether it can; else nothing changes
-  virtual bool evaluate_ends_with(EndEvaluation) { return false; }
+  virtual bool evaluate_ends_with(const EndEvaluation&) { return false; }
   /// State at a time within the last step.
   virtual void interpolate(double t, std::span<double> y) const = 0;
   [[nodiscard]] virtual IntegrationStatistics statistics() const = 0;

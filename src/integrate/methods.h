@@ -1,28 +1,39 @@
 #pragma once
-// The integrators behind make_integrator(), one file each: their makers, and the choice by the case's method.
-#include "integrate/integrator.h"
+// The integrators, one file each, and the choice by the case's method.
+#include <array>
+#include <memory>
+#include <span>
 
 namespace rotordrop {
+
+class Integrator;
+class OdeSystem;
+struct IntegrationParameters;
+
+enum class IntegrationMethod { tsitouras, bogacki_shampine, runge_kutta_4, dormand_prince, fehlberg_8, adams };
 
 /// Shortest step of an error-controlled method over its longest: a method that needs less is stuck, not careful.
 inline constexpr double shortest_step = 1e-7;
 
-std::unique_ptr<Integrator> make_runge_kutta(const OdeSystem& system, const IntegrationParameters& parameters,
-                                             double start_time, std::span<const double> state, double end_time);
-std::unique_ptr<Integrator> make_embedded_pair(const OdeSystem& system, const IntegrationParameters& parameters,
-                                               double start_time, std::span<const double> state, double end_time);
-std::unique_ptr<Integrator> make_adams(const OdeSystem& system, const IntegrationParameters& parameters,
-                                       double start_time, std::span<const double> state, double end_time);
+using IntegratorMaker = std::unique_ptr<Integrator>(const OdeSystem& system, const IntegrationParameters& parameters,
+                                                    double start_time, std::span<const double> state, double end_time);
+IntegratorMaker make_runge_kutta, make_embedded_pair, make_adams;
 
+/// What `integration.method` may be.
+struct MethodKind {
+  IntegrationMethod method;
+  const char *name, *words;
+  IntegratorMaker* make;
+};
 /// A new method is one more line here.
-inline std::unique_ptr<Integrator> make_method(const OdeSystem& system, const IntegrationParameters& parameters,
-                                               double start_time, std::span<const double> state, double end_time) {
-  using M = IntegrationMethod;
-  const M method = parameters.method;
-  if (method == M::adams) return make_adams(system, parameters, start_time, state, end_time);
-  if (method == M::tsitouras || method == M::bogacki_shampine)
-    return make_embedded_pair(system, parameters, start_time, state, end_time);
-  return make_runge_kutta(system, parameters, start_time, state, end_time);
-}
+inline constexpr std::array integration_methods{
+    MethodKind{IntegrationMethod::tsitouras, "tsitouras", "5th order, controls its error", make_embedded_pair},
+    MethodKind{IntegrationMethod::bogacki_shampine, "bogacki-shampine",
+               "3rd order, for low accuracy, controls its error", make_embedded_pair},
+    MethodKind{IntegrationMethod::runge_kutta_4, "runge-kutta-4", "4th order, with a fixed step", make_runge_kutta},
+    MethodKind{IntegrationMethod::dormand_prince, "dormand-prince", "5th order, controls its error", make_runge_kutta},
+    MethodKind{IntegrationMethod::fehlberg_8, "fehlberg-8", "8th order, controls its error", make_runge_kutta},
+    MethodKind{IntegrationMethod::adams, "adams", "multistep, controls its error", make_adams},
+};
 
 }  // namespace rotordrop

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "integrate/integrator.h"
 #include "integrate/methods.h"
 #include "integrate/sundials_integrator.h"
 
