@@ -306,6 +306,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
 Section<TouchdownParameters> touchdown_section() {
   using P = TouchdownParameters;
   Section<P> s("touchdown", "Ball bearing that catches the falling rotor.");
+  s.if_incomplete("A bearing of the catalogue brings most of them: catalogue = \"6014\".");
   s.text("catalogue", &P::catalogue,
          {.help = "Name of a bearing in params/bearings, such as \"6014\"; its values apply to all keys not set in "
                   "this table."});

@@ -2,6 +2,7 @@
 
 // The keys of [bearings.NAME] with type = "touchdown", and what follows from them alone.
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -94,6 +95,8 @@ Section<TouchdownParameters> touchdown_section();
 
 /// Pressure at which a ball leaves a permanent mark of 1e-4 of its diameter [Pa]. Source: ISO 76, ball bearings.
 inline constexpr double static_pressure_limit = 4.2e9;
+/// Static safety: the load that makes that pressure over the one that makes a given pressure [Pa], which grows with its cube (Hertz).
+inline double static_safety(double pressure) { return std::pow(static_pressure_limit / pressure, 3); }
 
 /// Radius of the bore [m]: the bearing's own, else that of [contact], else half the inner ring's bore.
 double bore_radius(const TouchdownParameters& bearing, const ContactParameters& contact);

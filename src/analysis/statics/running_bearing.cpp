@@ -20,7 +20,7 @@ double radial_clearance(const RingStatics& ring) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& g : ring.rows()) {
     const auto [inner, outer] = row_strains(g);
-    const auto strained = [&](double GrooveStrain::*part) {
+    const auto strained = [&around, &inner = inner, &outer = outer](double GrooveStrain::*part) {
       return around.inner_strain * inner.*part + around.outer_strain * outer.*part;
     };
     const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
@@ -99,7 +99,7 @@ RunningState TouchdownRunning::in(const BearingState& state) const {
     s.centrifugal_over_load = std::max(s.centrifugal_over_load, row.centrifugal_over_load);
     s.neglects_centrifugal = s.neglects_centrifugal || row.neglects_centrifugal;
   }
-  s.static_safety = std::pow(static_pressure_limit / s.largest_pressure, 3);
+  s.static_safety = static_safety(s.largest_pressure);
   s.axial_stiffness = ring.stiffness[0][0];
   s.radial_stiffness_y = ring.stiffness[1][1];
   s.radial_stiffness_z = ring.stiffness[2][2];

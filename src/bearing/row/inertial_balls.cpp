@@ -55,7 +55,7 @@ ROTORDROP_KERNEL Normal turned(double angle, double x, double r) {
 /// @tparam is_split  part of the gyroscopic traction acts at the inner race
 template <bool is_split>
 struct Balance {
-  double L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, F, F_by_i, F_by_o, inverse_L_i;
+  double L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, F, F_by_i, F_by_o, by_L_i;
   double h_n, h_t, force_n, force_t;
   double angle_a, angle_x, stretch_a, stretch_x;  // of the inner contact
   double R_n_a, R_t_a, R_n_x, R_t_x, inverse_det;
@@ -64,10 +64,10 @@ struct Balance {
     L_o = row.l_o + p.delta_o - at.added_o;
     const double v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r, square = v_x * v_x + v_r * v_r + 1e-18,
                  L_i = std::sqrt(square);
-    inverse_L_i = 1. / L_i;
+    by_L_i = 1. / L_i;
     delta_i = L_i - row.l_i + at.added_i;
-    i_x = v_x * inverse_L_i;
-    i_r = v_r * inverse_L_i;
+    i_x = v_x * by_L_i;
+    i_r = v_r * by_L_i;
     c = i_x * p.x + i_r * p.r;
     s = i_x * p.r - i_r * p.x;
     // Two divisions in one.
@@ -91,8 +91,8 @@ struct Balance {
     force_n = Q_i * c - Q_o + F * h_n;
     force_t = Q_i * s + F * h_t;
 
-    angle_a = -L_o * c * inverse_L_i;
-    angle_x = s * inverse_L_i;
+    angle_a = -L_o * c * by_L_i;
+    angle_x = s * by_L_i;
     stretch_a = -L_o * s;
     stretch_x = -c;
     const double F_a = F_by_i * angle_a + F_by_o, F_x = F_by_i * angle_x;
@@ -211,7 +211,7 @@ ROTORDROP_KERNEL double finish_all(const Row row, double u_per_root_i, double en
       push_t -= T * b.s;
       w.T_i[j] = T + row.k * ((b.F_by_i * (b.angle_a * a + b.angle_x * x) + b.F_by_o * a) * p.x + b.F * a * p.r);
     }
-    const double gap_t = b.inverse_L_i * (push_n * by_n + push_t * by_t);
+    const double gap_t = b.by_L_i * (push_n * by_n + push_t * by_t);
     const double B_x = w.B_x_rate[j], B_r = w.B_r_rate[j], outer = w.added_o_rate[j], is_ball = w.is_ball[j];
     if constexpr (is_split) {
       power -= is_ball * T * (B_x * b.i_r - B_r * b.i_x);

@@ -46,7 +46,7 @@ RowReport report_row(const BallRowGeometry& g, const std::vector<BallInPlace>& b
       if (e->load > negligible) row.edge_margin = std::min(row.edge_margin, e->edge_margin);
     row.balls.push_back(ball);
   }
-  row.static_safety = std::pow(static_pressure_limit / row.largest_pressure, 3);
+  row.static_safety = static_safety(row.largest_pressure);
   return row;
 }
 

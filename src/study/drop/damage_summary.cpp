@@ -46,7 +46,7 @@ std::string fatigue_basis(const std::optional<FatigueShare>& f) {
 }  // namespace
 
 Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
-  const double safety = std::pow(static_pressure_limit / b.scalars.contact_pressure.value, 3);  // infinite without load
+  const double safety = static_safety(b.scalars.contact_pressure.value);
   const Json wear = b.local ? wear_json(*b.local) : Json::object();
   const double wear_drops = number_at(wear, "/drops_until_limit");
   const double wear_share = std::isfinite(wear_drops) ? 1. / wear_drops : 0.;

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "study/drop/drop_summary.h"
@@ -28,8 +27,6 @@ Json demand(const FollowedDemand& d) {
           {"longest_beyond", d.longest_beyond}};
 }
 
-Json safety(double pressure) { return json_number(std::pow(static_pressure_limit / pressure, 3)); }
-
 Json bearing_json(const BearingSummary& b) {
   const BearingScalars& s = b.scalars;
   Json j;
@@ -53,11 +50,11 @@ Json bearing_json(const BearingSummary& b) {
   j["largest_ball_force"] = json_number(s.ball_force.value);
   j["largest_contact_pressure"] = json_number(s.contact_pressure.value);
   j["largest_contact_pressure_time"] = json_number(s.contact_pressure.time);
-  j["static_safety"] = safety(s.contact_pressure.value);
+  j["static_safety"] = json_number(static_safety(s.contact_pressure.value));
   for (std::size_t row = 0; row < b.n_rows; ++row)
     j["rows"].push_back({{"largest_contact_pressure", s.row_pressure[row].value},
                          {"largest_contact_pressure_time", json_number(s.row_pressure[row].time)},
-                         {"static_safety", safety(s.row_pressure[row].value)},
+                         {"static_safety", json_number(static_safety(s.row_pressure[row].value))},
                          {"truncation", s.row_truncation[row].largest},
                          {"truncation_time", json_number(s.row_truncation[row].largest_time)},
                          {"time_truncated", s.row_truncation[row].time_truncated},

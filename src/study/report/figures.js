@@ -112,7 +112,7 @@ class Figure {
     this.chart = chart;
     this.shown = chart.lines.map(() => true);
     const narrow = isNarrow();
-    this.width = chart.width || (narrow ? 380 : 620);
+    this.width = narrow ? 380 : 620;
     this.height = chart.square ? (narrow ? 360 : 520) : narrow ? 240 : 280;
     this.margin = { left: narrow ? 62 : 76, right: chart.second ? 62 : 12, top: (chart.marks || []).length ? 24 : 10, bottom: 42 };
     this.inner = { width: this.width - this.margin.left - this.margin.right, height: this.height - this.margin.top - this.margin.bottom };
