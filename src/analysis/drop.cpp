@@ -15,7 +15,7 @@ RowSchedule schedule(const Machine& machine, const RunParameters& run, const Out
 }  // namespace
 
 Drop::Drop(const Machine& machine, const MachineParameters& p, const IntegrationParameters& integration,
-           const OutputParameters& output, FiniteElements* elements, FitWatch::Tell tell)
+           const OutputParameters& output, FiniteElements* elements, const FitWatch::Tell& tell)
     : sections_(make_section_coupling(machine, p.thermal, elements, schedule(machine, p.run, output, output.interval))),
       rows_(machine, schedule(machine, p.run, output, output.interval), sections_->growth_in_force()),
       detail_rows_(machine, schedule(machine, p.run, output, output.detail_interval), sections_->growth_in_force()),

@@ -43,7 +43,7 @@ class Drop {
   /// @param elements  those that the machine was built with, if any
   /// @param tell      called with what a user should know
   Drop(const Machine& machine, const MachineParameters& parameters, const IntegrationParameters& integration,
-       const OutputParameters& output, FiniteElements* elements = nullptr, FitWatch::Tell tell = {});
+       const OutputParameters& output, FiniteElements* elements = nullptr, const FitWatch::Tell& tell = {});
 
   /// Rows of step and state observables, of the detailed ones, and of the sections' windows, if they run in windows.
   [[nodiscard]] SeriesRows& rows() { return rows_; }

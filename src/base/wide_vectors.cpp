@@ -11,7 +11,16 @@ namespace {
 constexpr VectorLevel levels[] = {VectorLevel::base, VectorLevel::v3, VectorLevel::v4};
 
 bool machine_has(VectorLevel level) {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__clang__)  // clang 14 knows features only, not levels
+  __builtin_cpu_init();
+  const bool has_v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                      __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  if (level == VectorLevel::v4)
+    return has_v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+  if (level == VectorLevel::v3) return has_v3;
+#elif defined(__x86_64__)
   __builtin_cpu_init();
   if (level == VectorLevel::v4) return __builtin_cpu_supports("x86-64-v4");
   if (level == VectorLevel::v3) return __builtin_cpu_supports("x86-64-v3");
@@ -44,7 +53,9 @@ void check_vector_level() {
   const char* asked = std::getenv("ROTORDROP_ISA");
   if (!asked) return;
   const auto level = level_called(asked);
-  if (!level) throw InputError({"ROTORDROP_ISA", 0, 0}, "\"" + std::string(asked) + "\" is no instruction set.", "Allowed: base, v3, v4.");
+  if (!level)
+    throw InputError({"ROTORDROP_ISA", 0, 0}, "\"" + std::string(asked) + "\" is no instruction set.",
+                     "Allowed: base, v3, v4.");
   if (!machine_has(*level))
     throw InputError({"ROTORDROP_ISA", 0, 0}, "this machine does not have the instruction set " + name_of(*level) + ".",
                      "It has " + name_of(chosen()) + "; leave ROTORDROP_ISA out to have the best there is.");

@@ -78,13 +78,13 @@ void declare_bearings(Section<T>& section, std::vector<SupportEntry> T::*member)
                  },
                  {.takes_defaults = true}),
       variant<T>("linear", linear_support_section(),
-                 [member](T& target, const std::string& name, LinearSupportParameters p) {
-                   (target.*member).push_back({name, std::move(p)});
+                 [member](T& target, const std::string& name, const LinearSupportParameters& p) {
+                   (target.*member).push_back({name, p});
                  },
                  {}),
       variant<T>("magnet", magnet_section(),
-                 [member](T& target, const std::string& name, MagnetParameters p) {
-                   (target.*member).push_back({name, std::move(p)});
+                 [member](T& target, const std::string& name, const MagnetParameters& p) {
+                   (target.*member).push_back({name, p});
                  },
                  {})};
   for (const SupportKind& kind : support_kinds())

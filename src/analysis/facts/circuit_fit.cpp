@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "base/errors.h"
@@ -49,6 +51,7 @@ Responses responses_of(const ReducedHeat& heat, const Eigen::ArrayXd& t) {
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& candidate : *list)
         if (candidate.name == nodes[k]) output = &candidate;
+    if (output == nullptr) throw std::logic_error(std::string("circuit fit: no body or node ") + nodes[k]);
     for (std::size_t p = 0; p < n_ports; ++p) {
       r[p][k] = Eigen::ArrayXd::Zero(t.size());
       for (std::size_t i = 0; i < heat.n_modes(); ++i)
@@ -143,6 +146,7 @@ struct Fit {
   using InputType = Eigen::VectorXd;
   using ValueType = Eigen::VectorXd;
   using JacobianType = Eigen::MatrixXd;
+  // NOLINTNEXTLINE(readability-identifier-naming): Eigen's names
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
   static constexpr double pull = 0.01;
 
