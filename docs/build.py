@@ -28,7 +28,7 @@ except ImportError as error:
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 # Source (a path from ROOT, or what makes the page), and name of the page.
 PAGES = [
-    ("Start", [("docs/README.md", "index"), ("README.md", "readme"), ("docs/tutorials/guide.md", "guide"), ("examples/README.md", "examples"), ("examples/notebooks/README.md", "notebooks")]),
+    ("Start", [("docs/README.md", "index"), ("README.md", "readme"), ("docs/tutorials/own-machine.md", "own-machine"), ("docs/tutorials/guide.md", "guide"), ("examples/README.md", "examples"), ("examples/notebooks/README.md", "notebooks")]),
     ("How to", [("docs/how-to/parameters.md", "parameters"), ("docs/how-to/report.md", "report"), ("docs/how-to/limits.md", "limits"), ("docs/how-to/second-opinion.md", "second-opinion"), ("docs/how-to/compare.md", "compare"), ("docs/how-to/fields.md", "fields"),
                 ("docs/how-to/statics.md", "statics"), ("docs/how-to/critical-speeds.md", "critical-speeds"), ("docs/how-to/supports.md", "supports"), ("docs/how-to/preload.md", "preload"), ("docs/how-to/coast-down.md", "coast-down"), ("docs/how-to/finite-elements.md", "finite-elements"),
                 ("docs/how-to/studies.md", "studies"), ("docs/how-to/python.md", "python"), ("docs/how-to/heat.md", "heat"), ("docs/how-to/mesh.md", "mesh"), ("docs/how-to/extending.md", "extending"), ("CONTRIBUTING.md", "contributing")]),

@@ -13,7 +13,7 @@ A CSV table has one row per shaft section, from left to right, and a header with
     length [mm], outer_diameter [mm], bore [mm], E [GPa], nu, rho [kg/m3], mass [kg], Ip [kg m2], Id [kg m2]
 
 bore, E, nu and rho (those of steel: 200 GPa, 0.3, 7800 kg/m3) and mass, Ip, Id (of a disk at the section's left end) may be left out. A last row of length 0
-carries a disk at the right end.
+carries a disk at the right end. A column name is for the reader. The program itself takes such a table as `rotor.geometry`, too.
 
 Axes: ROSS has z along the shaft and y up; rotordrop has x along the shaft and y up. Both are right-handed, so z of rotordrop is -x of ROSS.
 """
@@ -47,8 +47,11 @@ def from_table(path):
     columns = []
     for word in rows[0]:
         match = re.fullmatch(r"\s*(\w+)\s*(?:\[(.*?)\])?\s*", word)
+        if match and match[1] == "name":
+            columns.append(("name", 1.0))
+            continue
         if not match or match[1] not in COLUMNS:
-            raise Fault(f"{path}: unknown column \"{word.strip()}\". Known: {', '.join(COLUMNS)}, each with its unit in brackets.")
+            raise Fault(f"{path}: unknown column \"{word.strip()}\". Known: {', '.join(COLUMNS)}, each with its unit in brackets, and name.")
         unit, base = match[2] or "1", COLUMNS[match[1]]
         if unit not in DIMENSIONS[base]:
             raise Fault(f"{path}: column {match[1]} has the unit [{unit}]; allowed: {', '.join(sorted(DIMENSIONS[base]))}.")
@@ -61,7 +64,7 @@ def from_table(path):
         if len(row) != len(columns):
             raise Fault(f"{path}: section {number} has {len(row)} values, the header {len(columns)}.")
         try:
-            value = {name: float(word) * factor for (name, factor), word in zip(columns, row) if word.strip()}
+            value = {name: float(word) * factor for (name, factor), word in zip(columns, row) if word.strip() and name != "name"}
         except ValueError as error:
             raise Fault(f"{path}: section {number}: {error}.") from None
         material = {key: value.get(key, default) for key, default in STEEL.items()}

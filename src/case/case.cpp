@@ -17,7 +17,8 @@
 #include "case/modules/parts_modules.h"
 #include "case/plausibility.h"
 #include "case/program_files.h"
-#include "io/text/json_reader.h"
+#include "case/rotor_file.h"
+
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_reader.h"
 #include "machine/balance.h"
@@ -142,8 +143,6 @@ Node any_geometry() {
 
 /// Reads a file that a case names.
 using ReadFile = std::function<Node(const fs::path&)>;
-
-Node read_geometry(const fs::path& file) { return file.extension() == ".toml" ? read_toml(file) : read_json(file); }
 
 void load_rotor_geometry(Node& tree, const ReadFile& read, Faults& faults) {
   Node* rotor = tree.find("rotor");

@@ -2,7 +2,9 @@
 
 #include "base/errors.h"
 #include "case/program_files.h"
+#include "case/rotor_file.h"
 #include "io/checkpoint.h"
+#include "io/text/input_file.h"
 
 namespace rotordrop {
 namespace {
@@ -30,21 +32,46 @@ air_gap = "250 um"
 # catalogue = "6014"
 )";
 
-}  // namespace
-
-fs::path new_case(const fs::path& directory) {
+/// @returns the case to be written
+fs::path fresh_case_in(const fs::path& directory) {
   const fs::path file = directory / "drop.toml";
   if (fs::exists(file)) throw InputError({file.string(), 0, 0}, "the file already exists", "Choose another folder.");
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw InputError({directory.string(), 0, 0}, "the folder cannot be made: " + error.message());
-  const fs::path params = params_folder();
+  return file;
+}
+
+void copy_to(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::copy_file(from, to, error);
+  if (error) throw InputError({to.string(), 0, 0}, "cannot be written: " + error.message());
+}
+
+}  // namespace
+
+fs::path new_case(const fs::path& directory) {
+  const fs::path file = fresh_case_in(directory);
   for (const auto& [from, to] :
-       {std::pair{"neisi2019.toml", "reference.toml"}, std::pair{"neisi2019-rotor.json", "neisi2019-rotor.json"}}) {
-    fs::copy_file(params / from, directory / to, error);
-    if (error) throw InputError({(directory / to).string(), 0, 0}, "cannot be written: " + error.message());
-  }
+       {std::pair{"neisi2019.toml", "reference.toml"}, std::pair{"neisi2019-rotor.json", "neisi2019-rotor.json"}})
+    copy_to(params_folder() / from, directory / to);
   write_text_atomically(file, drop_toml);
+  return file;
+}
+
+fs::path new_own_case(const fs::path& directory, const fs::path& shaft) {
+  constexpr std::string_view example = "shaft.csv";
+  const fs::path own = params_folder() / "own-machine";
+  std::string text = read_input_file(own / "drop.toml");
+  fs::path geometry = own / example;
+  if (!shaft.empty()) {
+    read_geometry(shaft);
+    geometry = shaft;
+    text.replace(text.find(example), example.size(), shaft.filename().string());
+  }
+  const fs::path file = fresh_case_in(directory);
+  copy_to(geometry, directory / geometry.filename());
+  write_text_atomically(file, text);
   return file;
 }
 

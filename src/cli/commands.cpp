@@ -74,9 +74,10 @@ int schema_command(InputKind kind) {
   return 0;
 }
 
-int new_command(const std::filesystem::path& directory) {
-  const auto file = new_case(directory);
-  write_text_atomically(directory / "schema.json", write_json_schema(case_sections()));
+int new_command(const NewCommand& command) {
+  const auto file = command.is_own || !command.shaft.empty() ? new_own_case(command.directory, command.shaft)
+                                                             : new_case(command.directory);
+  write_text_atomically(command.directory / "schema.json", write_json_schema(case_sections()));
   fmt::print("New case: {}\nRun it with: rotordrop run {}\n", file.string(), file.string());
   return 0;
 }

@@ -28,7 +28,11 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
 enum class InputKind { drop, heat, study };
 int defaults_command(InputKind kind);
 int schema_command(InputKind kind);
-int new_command(const std::filesystem::path& directory);
+struct NewCommand {
+  std::filesystem::path directory, shaft;
+  bool is_own = false;
+};
+int new_command(const NewCommand& command);
 
 struct HeatCommand {
   std::filesystem::path file, directory;

@@ -55,14 +55,9 @@ CLI::Validator not_empty() {
 /// Options and arguments that name files or folders, by what help and completion call them.
 std::vector<std::pair<std::string, std::string>> types_of_paths(const std::string& command) {
   const bool has_folder = command == "run" || command == "rerun" || command == "heat" || command == "preload";
-  return {{"case", "CASE"},
-          {"directory", "DIR"},
-          {"results", command == "rerun" ? "FILE" : "DIR"},
-          {"against", "DIR"},
-          {"measured", "FILE"},
-          {"shapes", "FILE"},
-          {"diagram", "FILE"},
-          {"output", has_folder ? "DIR" : "FILE"}};
+  return {{"case", "CASE"},    {"directory", "DIR"}, {"results", command == "rerun" ? "FILE" : "DIR"},
+          {"against", "DIR"},  {"measured", "FILE"}, {"shapes", "FILE"},
+          {"diagram", "FILE"}, {"from", "FILE"},     {"output", has_folder ? "DIR" : "FILE"}};
 }
 
 /// Declarations of all keys that some command takes with --set.
@@ -119,7 +114,8 @@ int run_program(int argc, char** argv) {
                            "Isotropic springs at the linear supports, or at all bearings of a case that has none");
   critical_app->add_option("--map", critical.map,
                            "Critical-speed map over the springs' stiffness, such as \"1e6 N/m, 1e9 N/m\"");
-  critical_app->add_option("--diagram", critical.diagram, "Picture, FILE.svg or FILE.png; default out/CASE/campbell.svg");
+  critical_app->add_option("--diagram", critical.diagram,
+                           "Picture, FILE.svg or FILE.png; default out/CASE/campbell.svg");
   critical_app->add_flag("--json", critical.json, "Report as JSON, with units");
   add_force(*critical_app, critical.force, "the picture given with --diagram");
   add_overrides(*critical_app, critical.overrides);
@@ -230,9 +226,12 @@ int run_program(int argc, char** argv) {
   auto* schema = app.add_subcommand("schema", "JSON Schema of case files, for editors.");
   schema->add_flag("--heat", heat_schema, "Schema of a heat-only case (rotordrop heat)");
   schema->add_flag("--study", study_schema, "Schema of a study file (rotordrop study)");
-  std::string new_directory;
+  NewCommand own;
   auto* fresh = app.add_subcommand("new", "Create a folder with a case to start from.");
-  fresh->add_option("directory", new_directory, "Folder")->required();
+  fresh->add_option("directory", own.directory, "Folder")->required();
+  fresh->add_flag("--own", own.is_own,
+                  "A machine of your own: a shaft as a table, bearings of the catalogue on ribbons, limits");
+  fresh->add_option("--from", own.shaft, "The same with the shaft of a file: a table (.csv), TOML or JSON");
 
   std::string shell;
   auto* completion =
@@ -287,7 +286,7 @@ int run_program(int argc, char** argv) {
     if (study.is_asked()) return study.run();
     if (*defaults) return defaults_command(kind(heat_defaults, study_defaults));
     if (*schema) return schema_command(kind(heat_schema, study_schema));
-    if (*fresh) return new_command(new_directory);
+    if (*fresh) return new_command(own);
     return bad_input;
   };
   const auto* set = app.get_subcommands().front()->get_option_no_throw("--set");

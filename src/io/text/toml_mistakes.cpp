@@ -83,6 +83,13 @@ std::optional<Guess> about_value(const std::string& key, const std::string& valu
     return Guess{"a value with a unit is in quotes", fmt::format("{} = \"{}\"", key, value)};
   if (std::regex_match(value, std::regex(R"([A-Za-z][A-Za-z0-9 _./-]*)")))
     return Guess{"a text is in quotes", fmt::format("{} = \"{}\"", key, value)};
+  if (std::regex_match(value, std::regex(R"(\d+-[A-Za-z0-9-]+)")))
+    return Guess{"a text is in quotes, also one that begins with digits", fmt::format("{} = \"{}\"", key, value)};
+  if (std::regex_search(value, m, std::regex(R"(=\s*(?!(?:true|false|inf|nan)\b)([A-Za-z][A-Za-z0-9 _/-]*?)\s*[,}])")))
+    return Guess{"a text is in quotes, in lists and tables, too",
+                 fmt::format("{} = {}{}{}", key, value.substr(0, static_cast<std::size_t>(m.position(1))),
+                             fmt::format("\"{}\"", m.str(1)),
+                             value.substr(static_cast<std::size_t>(m.position(1) + m.length(1))))};
   if (value[0] == '{' && value.find('}') == std::string::npos)
     return Guess{"a table in braces is on one line, from { to }", ""};
   if (value[0] == '[' && std::count(value.begin(), value.end(), '[') > std::count(value.begin(), value.end(), ']'))
@@ -134,6 +141,11 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
     return Guess{"a text has no closing quote",
                  is_simple ? fmt::format("{} \"{}\"", trimmed(std::string_view(line).substr(0, *open)), text) : ""};
   }
+  if (std::regex_match(bare, m,
+                       std::regex(R"(([A-Za-z0-9_.\[\]-]*\*[A-Za-z0-9_.*\[\]-]*?)(?:\.(max|min))?\s*=\s*(.*))")))
+    return Guess{"a name with * is in quotes", m[2].length() > 0
+                                                   ? fmt::format("\"{}\" = {{ {} = {} }}", m.str(1), m.str(2), m.str(3))
+                                                   : fmt::format("\"{}\" = {}", m.str(1), m.str(3))};
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(:=?\s*(.*)$)")))
     return Guess{"a value follows an equals sign", fmt::format("{} = {}", m.str(1), m.str(2))};
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(=\s*(.*)$)")))
