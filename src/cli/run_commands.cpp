@@ -90,6 +90,14 @@ void compare_after_run(const RunCommand& command, const std::filesystem::path& d
   for (const auto& line : comparison.report["in_short"]) fmt::print("{}\n", line.get<std::string>());
 }
 
+/// What a quiet run still says: warnings, and why it ends with not_as_asked.
+std::string warnings_and_limits(const RunCommand& command, const DropSummary& s) {
+  const auto warnings = warnings_json(s.warnings);
+  const bool is_told = command.accept && s.limits && accepted(*s.limits) != true;
+  return warnings_text(warnings) +
+         (is_told ? limits_text(*s.limits, s.second_opinion.value_or(nullptr), warnings.size()) : "");
+}
+
 int exit_code_of(const RunCommand& command, const nlohmann::ordered_json& summary) {
   return command.accept && !(summary.contains("accepted") && summary["accepted"] == true) ? not_as_asked : 0;
 }
@@ -111,7 +119,7 @@ int run_command(const RunCommand& command) {
                    options.directory.string(), summary["run"]["end_time"].get<double>(),
                    warnings_text(summary["warnings"]),
                    limits_text(summary.value("limits", nlohmann::ordered_json::array()),
-                               summary.value("second_opinion", nlohmann::ordered_json())));
+                               summary.value("second_opinion", nlohmann::ordered_json()), summary["warnings"].size()));
       stop_at_fatal_warnings(drop_case.parameters.run, summary["warnings"]);
       return exit_code_of(command, summary);
     }
@@ -135,7 +143,9 @@ int run_command(const RunCommand& command) {
     throw;
   }
   line.finish();
-  if (!command.quiet) {
+  if (command.quiet)
+    fmt::print(stderr, "{}", warnings_and_limits(command, result.summary));
+  else {
     fmt::print("{}", summary_text(result.summary));
     fmt::print("{} steps, {:.3g} s; results in {}\n", result.statistics.steps, result.wall_time,
                options.directory.string());

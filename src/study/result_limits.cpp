@@ -1,11 +1,14 @@
 #include "study/result_limits.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/parameters/suggestion.h"
 #include "base/units.h"
@@ -57,8 +60,53 @@ Json usage(double value, double limit, bool is_max) {
 }
 
 std::string with_unit(const Json& value, const Json& unit) {
-  const std::string name = unit.get<std::string>();
-  return fmt::format("{:.4g}{}", value.get<double>(), name.empty() || name == "1" ? "" : " " + name);
+  return in_words(value.get<double>(), unit.get<std::string>());
+}
+
+/// "bearings.*.static_safety" of bearings.TB1.static_safety.
+std::string of_any_bearing(const std::string& name) {
+  constexpr std::string_view group = "bearings.";
+  if (!name.starts_with(group)) return name;
+  const auto dot = name.find('.', group.size());
+  return dot == std::string::npos ? name : std::string(group) + "*" + name.substr(dot);
+}
+
+std::set<std::string> words_of(const std::string& name) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : name + ".")
+    if (std::isalpha(static_cast<unsigned char>(c))) {
+      word += c;
+    } else {
+      words.insert(word);
+      word.clear();
+    }
+  for (const char* every : {"", "bearings"}) words.erase(every);
+  return words;
+}
+
+/// Those of which most words are in a name; none if no word is.
+std::vector<std::string> with_words_of(const std::string& name, const std::vector<std::string>& names) {
+  std::size_t most = 1;
+  std::vector<std::string> best;
+  const auto asked = words_of(name);
+  for (const auto& one : names) {
+    const auto words = words_of(one);
+    const auto n = static_cast<std::size_t>(
+        std::count_if(asked.begin(), asked.end(), [&](const auto& word) { return words.contains(word); }));
+    if (n > most) best.clear();
+    if (n < most) continue;
+    most = n;
+    best.push_back(one);
+  }
+  return best;
+}
+
+/// "; between 127 K and 604 K" of a result that is known within bounds.
+std::string bounds_in_words(const Json& limit) {
+  if (!limit.contains("low")) return {};
+  return fmt::format("; between {} and {}", with_unit(limit["low"], limit["unit"]),
+                     with_unit(limit["high"], limit["unit"]));
 }
 
 /// "; 4.1 N to 4.3 N in 3 drops" where a second opinion has the result.
@@ -80,9 +128,21 @@ std::vector<std::pair<std::string, double>> numbers_of(const Json& summary) {
 }
 
 std::string advice_on_result(const std::string& name, const std::vector<std::string>& names) {
-  return suggestion(name, names,
-                    "Names are those of summary.json (docs/reference/results.md), such as "
-                    "bearings.TB1.peak_contact_force; * stands for any text without a dot.");
+  constexpr std::size_t most_shown = 6;
+  std::vector<std::string> of_any;
+  for (const auto& one : names)
+    if (const auto any = of_any_bearing(one); std::find(of_any.begin(), of_any.end(), any) == of_any.end())
+      of_any.push_back(any);
+  std::string rest;
+  if (auto alike = with_words_of(of_any_bearing(name), of_any); !alike.empty()) {
+    alike.resize(std::min(alike.size(), most_shown));
+    rest = fmt::format("Results with such words: {}.\n", fmt::join(alike, ", "));
+  }
+  rest +=
+      "Names are those of summary.json (docs/reference/results.md), such as bearings.TB1.peak_contact_force; * stands "
+      "for any text without a dot.";
+  const bool is_of_any = name.find('*') != std::string::npos;
+  return suggestion(is_of_any ? of_any_bearing(name) : name, is_of_any ? of_any : names, rest);
 }
 
 std::vector<Limit> resolved_limits(const std::vector<Limit>& limits, const std::vector<std::string>& names,
@@ -109,10 +169,13 @@ std::vector<Limit> resolved_limits(const std::vector<Limit>& limits, const std::
 Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std::string, double>>& numbers,
               bool is_complete) {
   Json list = Json::array();
+  const auto number = [&](const std::string& name) {
+    const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto& n) { return n.first == name; });
+    return found == numbers.end() ? std::nan("") : found->second;
+  };
   for (const auto& limit : limits) {
-    const auto found =
-        std::find_if(numbers.begin(), numbers.end(), [&](const auto& n) { return n.first == limit.pattern; });
-    const double value = found == numbers.end() ? std::nan("") : found->second;
+    const double value = number(limit.pattern), low = number(limit.pattern + "_low"),
+                 high = number(limit.pattern + "_high");
     const bool is_known = is_complete && std::isfinite(value);
     for (const bool is_max : {true, false}) {
       const auto& bound = is_max ? limit.max : limit.min;
@@ -124,6 +187,7 @@ Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std:
                       {"unit", meaning_of(limit.pattern).unit},
                       {"usage", usage(value, *bound, is_max)},
                       {"accepted", is_known ? Json(is_max ? value <= *bound : value >= *bound) : Json(nullptr)}});
+      if (std::isfinite(low) && std::isfinite(high)) list.back().update({{"low", low}, {"high", high}});
     }
   }
   return list;
@@ -149,7 +213,7 @@ Json assessed(const std::vector<Limit>& limits, const Json& summary, bool is_com
   return assessed(resolved, numbers, is_complete);
 }
 
-std::string limits_text(const Json& limits, const Json& second_opinion) {
+std::string limits_text(const Json& limits, const Json& second_opinion, std::size_t n_warnings) {
   if (limits.empty()) return {};
   const Json all = accepted(limits);
   const auto n_met =
@@ -158,18 +222,22 @@ std::string limits_text(const Json& limits, const Json& second_opinion) {
                                  all == true    ? "ACCEPTED"
                                  : all == false ? "REJECTED"
                                                 : "not accepted, since not all could be assessed");
+  if (n_warnings > 0 && all == true)
+    text += fmt::format("  {} of the run above {} no limit; run.warnings = {{ max = 0 }} in [limits] is one\n",
+                        n_warnings == 1 ? "the warning" : fmt::format("the {} warnings", n_warnings),
+                        n_warnings == 1 ? "is" : "are");
   for (const auto& l : limits) {
     const std::string allowed =
         fmt::format("{} {}", l["kind"] == "max" ? "at most" : "at least", with_unit(l["limit"], l["unit"]));
     const std::string usage =
         l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : std::string("-");
-    text += fmt::format("  {:<12} {:>8}  {}{}, {}{}\n",
+    text += fmt::format("  {:<12} {:>8}  {}{}, {}{}{}\n",
                         l["accepted"] == true    ? "accepted"
                         : l["accepted"] == false ? "REJECTED"
                                                  : "not assessed",
                         usage, l["key"].get<std::string>(),
                         l["value"].is_number() ? " = " + with_unit(l["value"], l["unit"]) : std::string(": no value"),
-                        allowed, range_in_words(second_opinion, l));
+                        allowed, bounds_in_words(l), range_in_words(second_opinion, l));
   }
   return text;
 }

@@ -35,6 +35,8 @@ nlohmann::ordered_json assessed(const std::vector<Limit>& limits, const nlohmann
                                 bool is_complete);
 
 /// Lines for the screen, from `limits` of a summary; empty without any. @param second_opinion  that of the summary, or null
-std::string limits_text(const nlohmann::ordered_json& limits, const nlohmann::ordered_json& second_opinion);
+/// @param n_warnings  of the run
+std::string limits_text(const nlohmann::ordered_json& limits, const nlohmann::ordered_json& second_opinion,
+                        std::size_t n_warnings);
 
 }  // namespace rotordrop

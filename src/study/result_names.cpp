@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace rotordrop {
@@ -231,5 +232,21 @@ ResultMeaning meaning_of(const std::string& name) {
 }
 
 std::span<const ShownResult> shown_results() { return shown; }
+
+std::string in_words(double value, const std::string& unit) {
+  struct Scale {
+    const char *unit, *shown;
+    double per_si, from;  ///< shown at that size [SI] and beyond
+  };
+  constexpr Scale scales[] = {{"m", "um", 1e6, 0.},   {"m", "mm", 1e3, 1e-3},   {"m", "m", 1., 1.},
+                              {"s", "us", 1e6, 0.},   {"s", "ms", 1e3, 1e-3},   {"s", "s", 1., 1.},
+                              {"N", "N", 1., 0.},     {"N", "kN", 1e-3, 1e3},   {"J", "J", 1., 0.},
+                              {"J", "kJ", 1e-3, 1e4}, {"W", "W", 1., 0.},       {"W", "kW", 1e-3, 1e3},
+                              {"Pa", "Pa", 1., 0.},   {"Pa", "MPa", 1e-6, 1e5}, {"Pa", "GPa", 1e-9, 1e9}};
+  Scale chosen{unit.c_str(), unit == "1" ? "" : unit.c_str(), 1., 0.};
+  for (const Scale& scale : scales)
+    if (unit == scale.unit && value != 0. && std::fabs(value) >= scale.from) chosen = scale;
+  return fmt::format("{:.4g}{}{}", value * chosen.per_si, *chosen.shown ? " " : "", chosen.shown);
+}
 
 }  // namespace rotordrop

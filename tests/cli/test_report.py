@@ -766,7 +766,7 @@ damping = [["10 N s/m", 0], [0, "10 N s/m"]]
     def test_title_and_note_are_those_of_the_case(self):
         self.assertEqual(self.browser.run("return document.querySelector('h1').textContent"), "Compressor 7, second rotor")
         self.assertEqual(self.browser.run("return document.querySelector('.user-note').innerText"), "Ribbons as delivered.\nAsk before use.")
-        self.assertIn("Drop drop", self.browser.run("return document.querySelector('.case-name').textContent"))
+        self.assertIn("Case drop", self.browser.run("return document.querySelector('.case-name').textContent"))
         summary = json.loads((self.out / "summary.json").read_text())
         self.assertEqual((summary["title"], summary["note"]), ("Compressor 7, second rotor", "Ribbons as delivered.\nAsk before use."))
 

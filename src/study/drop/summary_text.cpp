@@ -118,7 +118,7 @@ std::string summary_text(const DropSummary& s) {
                                                 s.until, s.end_time);
   text += energy_text(s) + warnings_text(warnings_json(s.warnings));
   if (s.second_opinion) text += second_opinion_text(*s.second_opinion);
-  return s.limits ? text + limits_text(*s.limits, s.second_opinion.value_or(nullptr)) : text;
+  return s.limits ? text + limits_text(*s.limits, s.second_opinion.value_or(nullptr), s.warnings.size()) : text;
 }
 
 }  // namespace rotordrop

@@ -73,7 +73,7 @@ Json report_data(const RecordedDrop& drop) {
   const Json summary = read_json_of(drop, "summary.json"), comparison = read_json_of(drop, "comparison.json");
   Json data;
   const auto& p = drop.parameters();
-  data["title"] = "Drop " + drop.case_name();
+  data["title"] = (p.title ? "Case " : "Drop ") + drop.case_name();
   if (p.title) data["user_title"] = *p.title;
   if (p.note) data["note"] = *p.note;
   data["words"] = report_words(drop);

@@ -66,21 +66,27 @@ Json report_acceptance(const Json& summary) {
   const Json& all = summary["accepted"];
   Json rows = Json::array();
   for (const auto& l : summary["limits"]) {
-    const std::string unit = l["unit"].get<std::string>() == "1" ? "" : l["unit"].get<std::string>();
+    const std::string unit = l["unit"].get<std::string>();
     const ResultMeaning meaning = meaning_of(l["key"].get<std::string>());
     const auto number = [&](const Json& value) {
-      return value.is_number() ? fmt::format("{:.4g} {}", value.get<double>(), unit) : std::string("—");
+      return value.is_number() ? in_words(value.get<double>(), unit) : std::string("—");
     };
-    rows.push_back({{"key", l["key"]},
-                    {"meaning", meaning.long_name},
-                    {"value", number(l["value"])},
-                    {"limit", fmt::format("{} {}", l["kind"] == "max" ? "≤" : "≥", number(l["limit"]))},
-                    {"usage", l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : "—"},
-                    {"state", l["accepted"] == true    ? "ok"
-                              : l["accepted"] == false ? "warning"
-                                                       : "unknown"}});
+    rows.push_back(
+        {{"key", l["key"]},
+         {"meaning", meaning.long_name},
+         {"value", number(l["value"]) + (l.contains("low") ? fmt::format(" ({:.4g} to {:.4g})", l["low"].get<double>(),
+                                                                         l["high"].get<double>())
+                                                           : "")},
+         {"limit", fmt::format("{} {}", l["kind"] == "max" ? "≤" : "≥", number(l["limit"]))},
+         {"usage", l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : "—"},
+         {"state", l["accepted"] == true    ? "ok"
+                   : l["accepted"] == false ? "warning"
+                                            : "unknown"}});
   }
-  return {{"verdict", all == true    ? "Accepted: all limits are met in this drop."
+  const std::size_t n_warnings = summary.value("warnings", Json::array()).size();
+  const std::string besides =
+      n_warnings == 0 ? "" : fmt::format(" Warnings of the run, which are no limits: {}.", n_warnings);
+  return {{"verdict", all == true    ? "Accepted: all limits are met in this drop." + besides
                       : all == false ? "Rejected: a limit is exceeded in this drop."
                                      : "Not accepted: not all limits could be assessed."},
           {"state", all == true    ? "ok"

@@ -57,8 +57,11 @@ std::string conventions_text(const MachineParameters& p, const std::string& bear
     text += fmt::format(", radial clearance {:.6g} um (catalogue's radial internal clearance, diametral: {:.6g} um)",
                         clearance, 2. * clearance);
   if (b.contact_angle != 0. && b.rows > 1)
-    text += fmt::format(", preload {:.6g} N on each row{}", b.preload,
-                        b.rows == 2 && b.arrangement != RowArrangement::tandem ? ", the catalogue's of the pair" : "");
+    text += b.preload == 0. ? std::string(", no preload")
+                            : fmt::format(", preload {:.6g} N on each row{}", b.preload,
+                                          b.rows == 2 && b.arrangement != RowArrangement::tandem
+                                              ? " (catalogues call this the pair's preload)"
+                                              : "");
   else if (b.contact_angle != 0.)
     text += fmt::format(", preload {:.6g} N on its row", b.preload);
   text += fmt::format(",\n{:{}}housing fit {:.6g} um of interference by radius ({:.6g} um by diameter), ", "",
