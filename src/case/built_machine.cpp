@@ -79,6 +79,10 @@ std::shared_ptr<const GrowthHistory> recorded_growth(const Case& c) {
 }  // namespace
 
 BuiltMachine::BuiltMachine(const Case& c) {
+  // Modes and critical speeds need none.
+  if (c.parameters.bearings.empty())
+    throw InputError(position_of(c.tree, "bearings"), "the case has no bearings.",
+                     "Add at least one table [bearings.NAME] with type = \"touchdown\" or \"linear\".");
   std::unique_lock<std::mutex> lock(section_lock(), std::defer_lock);
   if (c.parameters.thermal.runs_sections()) lock.lock();
   elements_ = finite_elements_of(c);

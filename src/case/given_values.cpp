@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+
+#include "base/units.h"
 
 namespace rotordrop {
 namespace {
@@ -24,6 +27,19 @@ std::string normalised(std::string text, const std::string& unit) {
   return fmt::format("{:.6g}{}", number, rest);
 }
 
+/// Of a quantity, in SI; NaN of anything else.
+double number_of(const Node& value, const std::string& unit) {
+  if (value.is_number()) return value.number();
+  if (!value.is_text() || unit.empty()) return std::nan("");
+  const auto read = convert_to_si(value.text(), unit, kind_of(unit));
+  return read ? read.value : std::nan("");
+}
+
+bool is_default(const Node& value, const Node& fallback, const std::string& unit) {
+  const double a = number_of(value, unit), b = number_of(fallback, unit);
+  return std::fabs(a - b) <= 1e-12 * std::fabs(b);
+}
+
 }  // namespace
 
 std::string given_values_json(const ResolvedParameters& parameters) {
@@ -31,7 +47,8 @@ std::string given_values_json(const ResolvedParameters& parameters) {
   for (const auto& p : parameters.given) {
     const std::string fallback = p.fallback ? normalised(shortened(toml_value(*p.fallback), 40), p.unit) : "—";
     const std::string value = normalised(shortened(toml_value(p.value), 60), p.unit);
-    if (fallback != value) values.push_back({p.name, value, fallback, p.origin, p.help});
+    if (fallback != value && !(p.fallback && is_default(p.value, *p.fallback, p.unit)))
+      values.push_back({p.name, value, fallback, p.origin, p.help});
   }
   // ASCII: Octave stops reading a result file at any other text.
   return nlohmann::ordered_json{{"values", values}, {"n_defaults", parameters.n_defaults}}.dump(

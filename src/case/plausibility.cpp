@@ -38,11 +38,21 @@ double shaft_diameter(const RotorGeometry& rotor, int node) {
   return diameter;
 }
 
-/// Diameters of a shaft; a geometry has no declarations of its own here.
-void look_at_diameters(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+/// Diameters and materials of a shaft; a geometry has no declarations of its own here.
+void look_at_elements(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   const Node& rotor = table_at(tree, "rotor");
   for (std::size_t i = 0; i < p.rotor.geometry.elements.size(); ++i) {
-    const double od = p.rotor.geometry.elements[i].od;
+    const auto& [n1, n2, od, id, material] = p.rotor.geometry.elements[i];
+    if (material.rho < 500. || material.rho > 25e3)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("a material of the rotor has rho = {:.6g} kg/m3; it is most often between 500 and 25000 kg/m3.",
+                       material.rho),
+           "A bare number is in kg/m3: steel has 7850, or \"7.85 g/cm3\".");
+    if (material.E < 1e9 || material.E > 1e12)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("a material of the rotor has E = {:.6g} Pa; it is most often between 1 and 1000 GPa.",
+                       material.E),
+           "A bare number is in Pa: steel has 2.1e11, or \"210 GPa\".");
     if (od > 3. || od < 2e-3)
       warn(warnings, position_of(rotor, "geometry"),
            fmt::format("element {} of the rotor has od = {:.6g} m; it is most often between 0.002 and 3 m.", i + 1, od),
@@ -95,12 +105,13 @@ void look_at_bearing(const std::string& name, const TouchdownParameters& b, cons
                        "{:.4g} mm.",
                        b.node, mm(shaft), name, mm(bore)),
            "Check the node, the bearing's size and the units of the rotor's od.");
-    else if (shaft < 0.5 * journal)
-      warn(warnings, position_of_value(table, "node"),
-           fmt::format("the shaft at node {} has a diameter of {:.4g} mm, less than half that of the journal in "
-                       "bearings.{}, {:.4g} mm.",
-                       b.node, mm(shaft), name, mm(journal)),
-           "Check the node, the bearing's size and the units of the rotor's od.");
+    else if (shaft < 0.8 * journal)
+      warn(
+          warnings, position_of_value(table, "node"),
+          fmt::format("the shaft at node {} has a diameter of {:.4g} mm, less than 80 % of the journal in bearings.{}, "
+                      "{:.4g} mm, which is its bore less the air gap.",
+                      b.node, mm(shaft), name, mm(journal)),
+          "Unless a thick sleeve is on it, check the node, the bearing's size and the units of the rotor's od.");
   }
   if (b.bore_diameter && std::fabs(*b.bore_diameter - b.inner_ring_diameters[0]) > 0.02 * *b.bore_diameter)
     warn(warnings, position_of_value(table, "inner_ring_diameters"),
@@ -169,7 +180,7 @@ void look_at_laws(const std::string& name, const TouchdownParameters& b, const C
 std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseParameters& p, const Node& tree) {
   std::vector<Fault> warnings;
   look_for_unusual_values(section, tree, warnings);
-  look_at_diameters(p, tree, warnings);
+  look_at_elements(p, tree, warnings);
   look_at_rotor(p, tree, warnings);
   look_at_probes(p, tree, warnings);
   for (const auto& entry : p.bearings)

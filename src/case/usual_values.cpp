@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
 #include "base/parameters/declaration.h"
+#include "base/trimmed.h"
 #include "base/units.h"
 
 namespace rotordrop {
@@ -15,16 +17,16 @@ namespace {
 
 /// Units in which people think of a quantity whose SI unit is the first; a bare number is often meant in one of them.
 const std::pair<const char*, std::vector<const char*>> units_in_mind[] = {
-    {"rad/s", {"rpm"}},       {"m", {"mm", "um"}}, {"s", {"ms", "us"}},  {"K", {"degC"}}, {"Pa", {"MPa", "GPa"}},
-    {"kg m", {"g mm"}},       {"N", {"kN"}},       {"kg", {"g", "t"}},   {"N/m", {"N/mm", "N/um"}},
-    {"kg m2", {"kg mm2"}},    {"m2/s", {"mm2/s"}}, {"J/(kg K)", {"kJ/(kg K)"}},
+    {"rad/s", {"rpm"}},        {"m", {"mm", "um"}},   {"s", {"ms", "us"}}, {"K", {"degC"}},
+    {"Pa", {"MPa", "GPa"}},    {"kg m", {"g mm"}},    {"N", {"kN"}},       {"kg", {"g", "t"}},
+    {"N/m", {"N/mm", "N/um"}}, {"kg m2", {"kg mm2"}}, {"m2/s", {"mm2/s"}}, {"J/(kg K)", {"kJ/(kg K)"}},
 };
 
 /// What a bare number that is unusual may be: the same number in another unit, if that is usual.
 std::string slip(const Declaration& d, double value) {
   std::string text = fmt::format("A bare number is in {}", d.unit);
-  const auto known =
-      std::find_if(std::begin(units_in_mind), std::end(units_in_mind), [&](const auto& u) { return d.unit == u.first; });
+  const auto known = std::find_if(std::begin(units_in_mind), std::end(units_in_mind),
+                                  [&](const auto& u) { return d.unit == u.first; });
   if (known == std::end(units_in_mind)) return text + ".";
   std::string meant;
   for (const char* unit : known->second) {
@@ -37,6 +39,17 @@ std::string slip(const Declaration& d, double value) {
       meant = fmt::format(" If {} is meant, write \"{:.6g} {}\".", unit, value, unit);
   }
   return text + "." + meant;
+}
+
+/// The usual range in the unit in which a value was written, and that unit; in SI where that is not a factor away.
+std::pair<Range, std::string> in_unit_of(const std::string& text, const Declaration& d, double value) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  const std::string unit(trimmed(end));
+  if (number == 0. || unit.empty() || d.quantity_kind == QuantityKind::temperature) return {d.usual, d.unit};
+  Range range = d.usual;
+  for (double* bound : {&range.lower, &range.upper}) *bound = std::stod(fmt::format("{:.6g}", *bound * number / value));
+  return {range, unit};
 }
 
 class Look {
@@ -106,15 +119,17 @@ class Look {
     double value = 0.;
     if (is_bare)
       value = given.number();
-    else if (const auto read = given.is_text() ? convert_to_si(given.text(), d.unit, d.quantity_kind, name) : Conversion{})
+    else if (const auto read =
+                 given.is_text() ? convert_to_si(given.text(), d.unit, d.quantity_kind, name) : Conversion{})
       value = read.value;
     else
       return;
     if (d.usual.contains(value)) return;
     const std::string unit = is_bare && d.unit != "1" ? " " + d.unit : "";
+    const auto [usual, usual_unit] = is_bare ? std::pair(d.usual, d.unit) : in_unit_of(given.text(), d, value);
     Fault warning{given.where(),
                   fmt::format("{} = {}{} is unusual: it is most often {}.", name, to_text(given), unit,
-                              to_string(d.usual, d.unit)),
+                              to_string(usual, usual_unit)),
                   is_bare && d.unit != "1" ? slip(d, value) : std::string("Check the number and its unit.")};
     if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
       warnings_.push_back(std::move(warning));

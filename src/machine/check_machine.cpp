@@ -186,13 +186,10 @@ void check_statics(const MachineParameters& p, const Node& table, Faults& faults
 
 void check_machine(const MachineParameters& p, const Node& case_node, Faults& faults) {
   const Node& bearings = table_of(case_node, "bearings");
-  if (p.bearings.empty())
-    faults.add(position_of(case_node, "bearings"), "the case has no bearings.",
-               "Add at least one table [bearings.NAME] with type = \"touchdown\" or \"linear\".");
   check_against_geometry(p.rotor, p.rotor.geometry, table_of(case_node, "rotor"), faults);
   check_balance(p, case_node, faults);
   std::map<int, std::string> taken;
-  bool materials_are_known = true;
+  bool are_materials_known = true, have_journals = true;
   for (const auto& entry : p.bearings) {
     const Node* own = bearings.find(entry.name);
     const Node& table = own ? *own : bearings;
@@ -212,10 +209,11 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
                                "function of temperature.",
                                entry.name, b->housing_fit * 1e6),
                    "Take thermal.fe.coupling = \"windowed\", which opens and closes fits, or an interference.");
+      have_journals = have_journals && air_gap(*b, p.contact) < bore_radius(*b, p.contact);
       check_touchdown(entry.name, *b, p.contact, table, table_of(case_node, "contact"), faults);
       for (const auto& [key, name] : {std::pair{"ball", b->ball}, std::pair{"ring", b->ring}}) {
         if (find_material(p, name)) continue;
-        materials_are_known = false;
+        are_materials_known = false;
         std::vector<std::string> known;
         for (const auto& m : p.materials) known.push_back(m.first);
         faults.add(position_of_value(table, key),
@@ -224,7 +222,7 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
       }
     }
   }
-  if (materials_are_known) network_data(p, case_node, faults);
+  if (are_materials_known && have_journals) network_data(p, case_node, faults);
   check_thermal_models(p, table_of(case_node, "thermal"), faults);
   check_tables(p, case_node, faults);
   if (p.contact.friction_over_temperature && !follows_rings(p.thermal))

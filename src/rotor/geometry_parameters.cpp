@@ -24,8 +24,11 @@ struct ElementEntry {
   std::optional<int> id;
   int n1 = 0, n2 = 0;
   std::optional<double> length;
-  double od = 0, bore = 0;
+  double od = 0, id_ = 0;
+  std::optional<double> bore_diameter;
   std::optional<std::string> material, name;
+
+  [[nodiscard]] double bore() const { return bore_diameter.value_or(id_); }
 };
 struct MassPointEntry {
   int node = 0;
@@ -50,7 +53,7 @@ void check_geometry(const GeometryEntries& entries, const Node& table, Faults& f
 Section<MaterialEntry> material_section() {
   Section<MaterialEntry> section("material", "Isotropic, linear elastic.");
   section.text("name", &MaterialEntry::name, {.help = "For the reader only."})
-      .quantity("E", &MaterialEntry::E, {.unit = "Pa", .range = positive(), .help = "Young's modulus."})
+      .quantity("E", &MaterialEntry::E, {.unit = "Pa", .range = between(1e6, 1e13), .help = "Young's modulus."})
       .quantity("nu", &MaterialEntry::nu, {.range = between(0, 0.5), .help = "Poisson's ratio."})
       .quantity("rho", &MaterialEntry::rho, {.unit = "kg/m3", .range = positive(), .help = "Density."})
       .text("shear_coefficient", &MaterialEntry::shear_coefficient,
@@ -65,7 +68,7 @@ const Section<GeometryEntries>& geometry_section() {
         .quantity("x", &NodeEntry::x, {.unit = "m", .help = "Axial position; rises from node to node."});
 
     Section<ElementEntry> element("elements");
-    element.integer("id", &ElementEntry::id, {.help = "For the reader only."})
+    element.integer("id", &ElementEntry::id, {.help = "For the reader only; the diameter of a bore is `bore`."})
         .text("name", &ElementEntry::name, {.help = "For the reader only."})
         .integer("n1", &ElementEntry::n1, {.range = at_least(1), .help = "Node at the smaller x."})
         .integer("n2", &ElementEntry::n2, {.range = at_least(1), .help = "The next node."})
@@ -73,11 +76,11 @@ const Section<GeometryEntries>& geometry_section() {
             "length", &ElementEntry::length,
             {.unit = "m", .range = positive(), .help = "If given, it is compared with the positions of the nodes."})
         .quantity("od", &ElementEntry::od, {.unit = "m", .range = positive(), .help = "Outer diameter."})
-        .quantity("id_", &ElementEntry::bore,
-                  {.unit = "m",
-                   .range = at_least(0),
-                   .fallback = "0 m",
-                   .help = "Diameter of the bore; 0 is a solid section."})
+        .quantity("bore", &ElementEntry::bore_diameter,
+                  {.unit = "m", .range = at_least(0), .help = "Diameter of the bore; a solid section if not given."})
+        .quantity(
+            "id_", &ElementEntry::id_,
+            {.unit = "m", .range = at_least(0), .fallback = "0 m", .help = "The same as `bore`, as in older files."})
         .text("material", &ElementEntry::material, {.help = "A name in `materials`; without it, `material` holds."});
 
     Section<MassPointEntry> mass_point("mass_points");
@@ -157,15 +160,27 @@ void check_element(const GeometryEntries& entries, std::size_t k, const Node& ta
                    "Correct the length or the nodes' x; the length may also be left out.");
     }
   }
-  if (element.bore >= element.od)
-    faults.add(where("id_"),
-               fmt::format("id_ = {} m of {} is not smaller than its od = {} m.", element.bore, name, element.od),
-               "A bore must be smaller than its shaft; check that both values are diameters.");
+  const char* bore_key = element.bore_diameter ? "bore" : "id_";
+  if (element.bore_diameter && element.id_ > 0.)
+    faults.add(where("id_"), fmt::format("{} has both bore and id_, which are the same.", name), "Leave id_ out.");
+  if (element.bore() >= element.od)
+    faults.add(
+        where(bore_key),
+        fmt::format("{} = {} m of {} is not smaller than its od = {} m.", bore_key, element.bore(), name, element.od),
+        "A bore must be smaller than its shaft; check that both values are diameters.");
   const auto is_named = [&](const auto& material) { return material.first == *element.material; };
-  if (!element.material && !entries.material)
-    faults.add(where("material"), fmt::format("{} names no material, and there is no default `material`.", name),
-               "Add material = {E, nu, rho} to the geometry, or a name in `materials` to the element.");
-  else if (element.material && std::none_of(entries.materials.begin(), entries.materials.end(), is_named)) {
+  if (!element.material && !entries.material) {
+    const auto has_none = [](const ElementEntry& one) { return !one.material; };
+    const auto first = std::find_if(entries.elements.begin(), entries.elements.end(), has_none);
+    const auto others = std::count_if(first, entries.elements.end(), has_none) - 1;
+    if (&*first == &element)  // once for all of them
+      faults.add(where("material"),
+                 fmt::format("{}{} no material, and there is no default `material`.", name,
+                             others == 0   ? " names"
+                             : others == 1 ? " and 1 other name"
+                                           : fmt::format(" and {} others name", others)),
+                 "Add material = {E, nu, rho} to the geometry, or a name in `materials` to the element.");
+  } else if (element.material && std::none_of(entries.materials.begin(), entries.materials.end(), is_named)) {
     std::vector<std::string> names;
     for (const auto& material : entries.materials) names.push_back(material.first);
     faults.add(where("material"),
@@ -188,12 +203,12 @@ void check_spans(const GeometryEntries& entries, const Node& table, Faults& faul
       for (std::size_t j = 0; j < i; ++j) {
         const auto& a = entries.elements[of_span[span][j]];
         const auto& b = entries.elements[of_span[span][i]];
-        if (std::max(a.bore, b.bore) < std::min(a.od, b.od) * (1 - 1e-9))
+        if (std::max(a.bore(), b.bore()) < std::min(a.od, b.od) * (1 - 1e-9))
           faults.add(
               position_in(table, "elements", of_span[span][i], "od"),
               fmt::format(
                   "two elements between node {} and node {} fill the same space (diameters {} to {} m and {} to {} m).",
-                  span + 1, span + 2, a.bore, a.od, b.bore, b.od),
+                  span + 1, span + 2, a.bore(), a.od, b.bore(), b.od),
               "A sleeve begins where the shaft ends: its id_ must not be smaller than the shaft's od.");
       }
   }
@@ -230,7 +245,7 @@ RotorGeometry read_rotor_geometry(const Node& table, Faults& faults) {
   };
   for (const auto& node : entries.nodes) geometry.node_x.push_back(node.x);
   for (const auto& element : entries.elements)
-    geometry.elements.push_back({element.n1, element.n2, element.od, element.bore, material_of(element)});
+    geometry.elements.push_back({element.n1, element.n2, element.od, element.bore(), material_of(element)});
   for (const auto& point : entries.mass_points)
     geometry.mass_points.push_back({point.node, point.mass, point.Ip, point.Id});
   return geometry;

@@ -225,7 +225,7 @@ GEOMETRY_OF_ROTORS = [
     Fault("two elements in the same space", rotor(elements="[{ n1 = 1, n2 = 2, od = 0.1 }, { n1 = 2, n2 = 3, od = 0.1 }, { n1 = 2, n2 = 3, od = »0.08 }]"), ("fill the same space",), whole=True),
     Fault("a mass point at an unknown node", rotor(more='mass_points = [{ node = »9, mass = 1, name = "disk" }]'), ('node = 9 of mass point "disk"', "nodes 1 to 3"), whole=True),
     Fault("a negative mass point", rotor(more="mass_points = [{ node = 2, mass = »-1 }]"), ("mass = -1 is out of range", ">= 0 kg"), whole=True),
-    Fault("a shaft without material", rotor(material=""), ("element 1", "names no material"), place=("drop.toml",), whole=True),
+    Fault("a shaft without material", rotor(material=""), ("element 1", "and 1 other name no material"), place=("drop.toml",), whole=True),
     Fault("a shaft of negative density", rotor(material="{ E = 2e11, nu = 0.3, rho = »-7800 }"), ("rho = -7800 is out of range",), whole=True),
     Fault("a shaft with a Poisson's ratio of 0.6", rotor(material="{ E = 2e11, nu = »0.6, rho = 7800 }"), ("nu = 0.6 is out of range", "between 0 and 0.5"), whole=True),
     Fault("a shaft of unknown material", rotor(elements='[{ n1 = 1, n2 = 2, od = 0.1, material = »"copper" }, { n1 = 2, n2 = 3, od = 0.1 }]'), ('"copper"', "materials"), whole=True),

@@ -18,7 +18,7 @@ class Conventions(ProgramTest):
 
     def test_a_pair_has_a_preload_and_a_rating_of_one_and_of_both(self):
         said = self.words()
-        self.assertIn("TB2: air gap 250 um by radius (500 um by diameter), preload 290 N on each row, the catalogue's of the pair,", said)
+        self.assertIn("TB2: air gap 250 um by radius (500 um by diameter), preload 290 N on each row (catalogues call this the pair's preload),", said)
         self.assertIn("C0 62 kN of all 2 rows (31 kN of one, as the catalogue has one bearing)", said)
         tandem = self.words(*settings(bearings__TB2__arrangement="tandem"))
         self.assertIn("preload 290 N on each row, housing fit", tandem)

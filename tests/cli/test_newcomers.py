@@ -39,6 +39,11 @@ MISTAKES = [
     ("an unknown bearing", '[bearings.TB1]\ncatalogue = "6o14"\n', 'Did you mean "6014"', None),
     ("a bearing too big for its housing", '[bearings.TB1]\ncatalogue = "6020"\n', r"housing_diameters = \[\"150 mm\", ", None),
     ("a file that is not there", '[rotor]\ngeometry = "rotr.json"\n', r'rotor\.geometry = "rotr\.json": there is no such file', None),
+    ("a star without quotes", '[limits]\nbearings.*.peak_contact_force.max = "8 kN"\n', r"a name with \* is in quotes", '"bearings.*.peak_contact_force" = { max = "8 kN" }'),
+    ("a bearing without quotes", "[bearings.TB1]\ncatalogue = 6014-C3-hybrid\n", "a text is in quotes, also one that begins with digits", 'catalogue = "6014-C3-hybrid"'),
+    ("no quotes in a table", '[bearings.TB1]\nsupport = { type = linear, mass = "85 kg", K_y = 2e9, K_z = 2e9, C_y = 3e3, C_z = 3e3 }\n', "a text is in quotes, in lists and tables, too",
+     'support = { type = "linear", mass = "85 kg", K_y = 2e9, K_z = 2e9, C_y = 3e3, C_z = 3e3 }'),
+    ("millimetres without their unit", "[contact]\nair_gap = 0.25\n", "the air gap of 250 mm is more than a fifth of the bore radius|air_gap = 250 mm is not smaller than bore_radius", None),
     ("a name of a file with line breaks", '[rotor]\ngeometry = "C:\\rotor\\new.json"\n', r"it holds a line break.*write / ", None),
 ]
 

@@ -68,6 +68,7 @@ struct SectionDeclaration {
   std::string name;  ///< key of its table; empty for the top level of a file
   std::string help;
   std::vector<Declaration> declarations;
+  std::string if_incomplete = {};  ///< advice where many keys are missing
 
   const Declaration* find(std::string_view key) const;
 };

@@ -142,7 +142,7 @@ class Section {
   template <class E>
   requires std::is_enum_v<E> Section& choice(std::string key, E T::*member,
                                              std::vector<std::pair<std::string, std::type_identity_t<E>>> words,
-                                             Text options) {
+                                             const Text& options) {
     std::vector<std::string> names;
     for (const auto& word : words) names.push_back(word.first);
     return add(detail::declare(std::move(key), options, std::move(names), false),
@@ -156,7 +156,7 @@ class Section {
 
   /// An array of tables.
   template <class U>
-  Section& list(std::string key, std::vector<U> T::*member, Section<U> section, Nested options = {}) {
+  Section& list(std::string key, std::vector<U> T::*member, Section<U> section, const Nested& options = {}) {
     return add(
         detail::declare(std::move(key), Declaration::Kind::list, options, section.erased()),
         [member, section](const Node& node, const Declaration& d, const ReadContext& here, T& target, Faults& faults) {
@@ -171,7 +171,7 @@ class Section {
   }
   /// One table. An absent table is read as an empty one, so its defaults hold.
   template <class U>
-  Section& table(std::string key, U T::*member, Section<U> section, Nested options = {}) {
+  Section& table(std::string key, U T::*member, Section<U> section, const Nested& options = {}) {
     Declaration declaration = detail::declare(std::move(key), Declaration::Kind::table, options, section.erased());
     declaration.required = true;  // of its keys those without a default are
     return add(std::move(declaration), [member, section](const Node& node, const Declaration& d,
@@ -181,7 +181,7 @@ class Section {
   }
   /// One table that may be absent.
   template <class U>
-  Section& table(std::string key, std::optional<U> T::*member, Section<U> section, Nested options = {}) {
+  Section& table(std::string key, std::optional<U> T::*member, Section<U> section, const Nested& options = {}) {
     return add(
         detail::declare(std::move(key), Declaration::Kind::table, options, section.erased()),
         [member, section](const Node& node, const Declaration& d, const ReadContext& here, T& target, Faults& faults) {
@@ -190,7 +190,7 @@ class Section {
   }
   /// One table that may be absent, whose keys are declared elsewhere: read(table, here, target, faults).
   Section& table(std::string key, ErasedSection section,
-                 std::function<void(const Node&, const ReadContext&, T&, Faults&)> read, Nested options = {}) {
+                 std::function<void(const Node&, const ReadContext&, T&, Faults&)> read, const Nested& options = {}) {
     return add(detail::declare(std::move(key), Declaration::Kind::table, options, std::move(section)),
                [read = std::move(read)](const Node& node, const Declaration& d, const ReadContext& here, T& target,
                                         Faults& faults) {
@@ -200,7 +200,7 @@ class Section {
   /// Named tables, in the order of the file.
   template <class U>
   Section& tables(std::string key, std::vector<std::pair<std::string, U>> T::*member, Section<U> section,
-                  Nested options = {}) {
+                  const Nested& options = {}) {
     return add(
         detail::declare(std::move(key), Declaration::Kind::tables, options, section.erased()),
         [member, section](const Node& node, const Declaration& d, const ReadContext& here, T& target, Faults& faults) {
@@ -215,7 +215,8 @@ class Section {
   }
   /// Named tables of several kinds: the key `tag_key` of each says which. A key directly in the parent table that a
   /// variant with takes_defaults declares is a default for its tables; every other table in it is a named one.
-  Section& variants(std::string key, std::string tag_key, std::vector<Variant<T>> alternatives, Variants options = {}) {
+  Section& variants(std::string key, std::string tag_key, std::vector<Variant<T>> alternatives,
+                    const Variants& options = {}) {
     std::vector<VariantDeclaration> declared;
     for (const auto& alternative : alternatives) declared.push_back(alternative.declaration);
     return add(detail::declare(std::move(key), options, std::move(tag_key), std::move(declared)),
@@ -225,7 +226,7 @@ class Section {
                });
   }
   /// A key with a reader of its own: read(node, target, faults).
-  Section& custom(std::string key, Custom options, std::function<void(const Node&, T&, Faults&)> read) {
+  Section& custom(std::string key, const Custom& options, std::function<void(const Node&, T&, Faults&)> read) {
     return add(detail::declare(std::move(key), options),
                [read = std::move(read)](const Node& node, const Declaration&, const ReadContext&, T& target,
                                         Faults& faults) { read(node, target, faults); });
@@ -243,6 +244,12 @@ class Section {
     }));
   }
 
+  /// Advice where many keys are missing at once.
+  Section& if_incomplete(std::string advice) {
+    declared_.if_incomplete = std::move(advice);
+    return *this;
+  }
+
   const std::string& name() const { return declared_.name; }
 
   /// Reads a table; adds all faults that it finds. What is faulty keeps the value of a default-constructed T.
@@ -253,6 +260,7 @@ class Section {
     if (!here.root) here.root = &declared_;
     detail::report_unknown_keys(table, declared_, here, faults);
     const std::size_t n_faults_before = faults.size();
+    std::vector<const Declaration*> missing;
     for (std::size_t i = 0; i < readers_.size(); ++i) {
       const Declaration& d = declared_.declarations[i];
       if (const Node* given = table.find(d.key))
@@ -262,8 +270,9 @@ class Section {
       else if (d.kind == Declaration::Kind::table && d.required)
         readers_[i](Node::table(table.where()), d, here, target, faults);
       else if (d.required)
-        detail::report_missing_key(table, d, here, faults);
+        missing.push_back(&d);
     }
+    detail::report_missing_keys(table, missing, declared_.if_incomplete, here, faults);
     if (faults.size() == n_faults_before)
       for (const auto& check : checks_) check(target, table, here.path, faults);
     return target;

@@ -108,6 +108,8 @@ void report_unknown_keys(const Node& table, const SectionDeclaration& section, c
   }
 }
 
+namespace {
+
 void report_missing_key(const Node& table, const Declaration& d, const ReadContext& here, Faults& faults) {
   std::string needs;
   switch (d.kind) {
@@ -130,8 +132,24 @@ void report_missing_key(const Node& table, const Declaration& d, const ReadConte
              (needs.empty() ? "" : fmt::format("It must be {}.  ", needs)) + d.help);
 }
 
+}  // namespace
+
+void report_missing_keys(const Node& table, const std::vector<const Declaration*>& missing,
+                         const std::string& if_incomplete, const ReadContext& here, Faults& faults) {
+  constexpr std::size_t many = 4;  // something else is wrong with such a table
+  if (missing.size() < many) {
+    for (const Declaration* d : missing) report_missing_key(table, *d, here, faults);
+    return;
+  }
+  std::vector<std::string> keys;
+  for (const Declaration* d : missing) keys.push_back(d->key);
+  faults.add(table.where(),
+             fmt::format("{} keys are missing {}: {}.", keys.size(), name_of_table(here.path), fmt::join(keys, ", ")),
+             if_incomplete + (if_incomplete.empty() ? "" : "  ") + "`rotordrop defaults` says what each is.");
+}
+
 void report_unknown_defaults(const Node& table, const Declaration& d, const ReadContext& here, Faults& faults) {
-  SectionDeclaration known{.name = here.path, .help = "", .declarations = {}};
+  SectionDeclaration known{.name = here.path, .help = "", .declarations = {}, .if_incomplete = {}};
   for (const VariantDeclaration& variant : d.variants)
     if (variant.takes_defaults)
       for (const Declaration& declaration : variant.section->declarations)

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// What a reader of tables reports: keys that are not known or missing, entries that are no tables.
 namespace rotordrop {
@@ -26,7 +27,8 @@ bool is_readable_map(const Node&, const Declaration&, const std::string& name, F
 
 bool is_readable_table(const Node&, const std::string& path, Faults&);
 void report_unknown_keys(const Node& table, const SectionDeclaration&, const ReadContext&, Faults&);
-void report_missing_key(const Node& table, const Declaration&, const ReadContext&, Faults&);
+void report_missing_keys(const Node& table, const std::vector<const Declaration*>& missing,
+                         const std::string& if_incomplete, const ReadContext&, Faults&);
 void report_unknown_defaults(const Node& table, const Declaration&, const ReadContext&, Faults&);
 void report_unknown_variant(const Node::Entry&, const Declaration&, const ReadContext&, Faults&);
 // Faults about a value that [bearings] gives to every bearing are named after [bearings], once.

@@ -133,7 +133,7 @@ TEST(RotorGeometry, NamesUnknownMaterialsAndNodes) {
   EXPECT_SAYS(text, "node = 5 of mass point \"gear\": the rotor has nodes 1 to 3.");
   json = small_rotor();
   json.erase("material");
-  EXPECT_SAYS(faults_of(json), "element 1 (nodes 1 to 2) names no material, and there is no default `material`.");
+  EXPECT_SAYS(faults_of(json), "element 1 (nodes 1 to 2) and 1 other name no material, and there is no default `material`.");
 }
 
 TEST(RotorGeometry, NamesUnknownKeysAndMissingOnes) {
