@@ -5,7 +5,7 @@
 
 A machine is a stepped shaft with discs, two touchdown bearings of the catalogue, unbalance, and random speed, gaps and contacts. Steps are fixed: a mirrored or
 turned machine then makes the same steps, and differs by roundoff alone, which the first impacts mostly raise less than a million times. Where a machine differs by more, it is
-also run with another instruction set, which changes roundoff alone, and ten times that difference is allowed. A machine that fails is made
+also run with another instruction set and with the last digit of its speed changed, and ten times the largest of these differences is allowed. A machine that fails is made
 simpler as long as it still fails, and saved. Exit code 1 if any does.
 """
 
@@ -176,8 +176,13 @@ def require_equal(program, machine, a, b, what):
     difference, where = largest_difference(a, b)
     if difference <= ROUNDOFF:
         return
-    highest, lowest = (scalars(program.drop(machine, **isa)) for isa in ({}, {"ROTORDROP_ISA": "base"}))
-    roundoff, _ = largest_difference(highest, lowest)
+    own = scalars(program.drop(machine))
+    neighbours = [program.drop(machine, ROTORDROP_ISA="base")]
+    speed = machine["speed"]
+    for _ in range(4):
+        speed = math.nextafter(speed, math.inf)
+        neighbours.append(program.drop({**machine, "speed": speed}))
+    roundoff = max(largest_difference(own, scalars(summary))[0] for summary in neighbours)
     if roundoff > CHAOS:
         print(f"{what}: not told, roundoff alone makes {roundoff:.1g}", flush=True)
     elif difference > 10 * roundoff:
