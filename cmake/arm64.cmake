@@ -10,8 +10,7 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L ${CMAKE_SYSROOT})
-# HDF5 is found by its compiler's wrapper, which is a program of the other machine.
-set(CMAKE_EXE_LINKER_FLAGS_INIT -L${CMAKE_SYSROOT}/usr/lib/aarch64-linux-gnu/hdf5/serial)
-set(CMAKE_SHARED_LINKER_FLAGS_INIT ${CMAKE_EXE_LINKER_FLAGS_INIT})
-set(HDF5_INCLUDE_DIRS ${CMAKE_SYSROOT}/usr/include/hdf5/serial CACHE PATH "")
+# The wrapper of HDF5's compiler is a program of this machine, which would name this machine's headers.
+set(HDF5_C_COMPILER_EXECUTABLE false CACHE FILEPATH "")
 set(HDF5_C_INCLUDE_DIR ${CMAKE_SYSROOT}/usr/include/hdf5/serial CACHE PATH "")
+set(HDF5_hdf5_LIBRARY_RELEASE ${CMAKE_SYSROOT}/usr/lib/aarch64-linux-gnu/hdf5/serial/libhdf5.so CACHE FILEPATH "")

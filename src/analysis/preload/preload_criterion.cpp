@@ -190,8 +190,9 @@ LoopResponse response_at(const PreloadLoop& loop, std::span<const double> T) {
   r.eigenvalue =
       *std::max_element(values.begin(), values.end(), [](const auto& x, const auto& y) { return x.real() < y.real(); });
   r.largest_gain = r.gain;
-  for (double exponent = -8.; exponent <= 3.; exponent += 0.05) {
-    const double s = std::pow(10., exponent);
+  constexpr int n_rates = 220;  // from 1e-8 to 1e3 1/s
+  for (int k = 0; k <= n_rates; ++k) {
+    const double s = std::pow(10., -8. + 0.05 * k);
     const double gain = c.dot((s * Matrix::Identity(rows, rows) - J).partialPivLu().solve(b));
     if (gain > r.largest_gain) {
       r.largest_gain = gain;

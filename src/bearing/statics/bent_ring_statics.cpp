@@ -158,7 +158,8 @@ BoreReaction at_point(const HuntCrossley& law, double gap, const Eigen::Vector2d
   const double slope = slopes.dot(shapes);
   double curvature = 0.;  // second derivative of u_r
   for (Eigen::Index k = 0; k < m; ++k) {
-    const double order = 2. + static_cast<double>(k / 2);
+    const Eigen::Index harmonic = 2 + k / 2;
+    const auto order = static_cast<double>(harmonic);
     curvature -= order * order * values[k] * shapes[k];
   }
   Eigen::VectorXd by(2 + m);

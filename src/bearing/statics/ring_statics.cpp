@@ -41,7 +41,7 @@ RingStatics::Plane RingStatics::plane(std::size_t row, int ball, const RingVecto
   p.by_place << 1., 0., 0., arm * s, -arm * c, travel,  //
       0., c, s, -at * s, at * c, 0.;
   const auto [inner, outer] = row_strains(g);
-  const auto strained = [&](double GrooveStrain::*part) {
+  const auto strained = [this, &inner = inner, &outer = outer](double GrooveStrain::*part) {
     return surroundings_.inner_strain * inner.*part + surroundings_.outer_strain * outer.*part;
   };
   const Eigen::Vector2d rest(
