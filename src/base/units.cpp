@@ -264,9 +264,13 @@ Conversion convert_unit(double value, std::string_view unit_text, std::string_vi
     return failed(
         fmt::format("{} has a unit, but {} takes a bare number in {}", text, name, si_unit),
         fmt::format("Units with such an exponent cannot be converted. Write the value in {} without a unit.", si_unit));
-  if (unit_text.front() == ',')
+  if (unit_text.front() == ',') {
+    const auto digits = unit_text.find_first_not_of("0123456789", 1);
+    const bool may_be_thousands = std::min(digits, unit_text.size()) == 4;  // "11,000 rpm"
     return failed(fmt::format("\"{}\" is not a number with a unit; {}", text, needs()),
-                  "Write a decimal point, not a comma.");
+                  may_be_thousands ? "Write thousands without a comma (11000), and a decimal point as a point (11.0)."
+                                   : "Write a decimal point, not a comma.");
+  }
   switch (check_unit_text(unit_text)) {
     case UnitText::has_other_exponent:
       return failed(fmt::format("the unit of \"{}\" has an exponent that is not an integer; {}", text, needs()),

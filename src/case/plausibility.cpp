@@ -14,6 +14,7 @@ namespace {
 
 /// Above it rings of steel burst: rho v^2 is 1.25 GPa at 400 m/s.
 constexpr double fastest_surface = 400.;                      // [m/s]
+constexpr double slowest_spin = 10. * std::numbers::pi;       // 300 rpm [rad/s]
 constexpr double lightest_rotor = 0.1, heaviest_rotor = 1e5;  // [kg]
 
 void warn(std::vector<Fault>& warnings, const SourcePosition& where, std::string message, std::string advice) {
@@ -28,14 +29,6 @@ const Node& table_at(const Node& tree, std::string_view a, std::string_view b = 
   if (!first || !first->is_table()) return tree;
   const Node* second = b.empty() ? nullptr : first->find(b);
   return second && second->is_table() ? *second : *first;
-}
-
-/// Largest outer diameter of the shaft's elements at a node; 0 if there are none.
-double shaft_diameter(const RotorGeometry& rotor, int node) {
-  double diameter = 0.;
-  for (const auto& element : rotor.elements)
-    if (element.n1 <= node && node <= element.n2) diameter = std::max(diameter, element.od);
-  return diameter;
 }
 
 /// Diameters and materials of a shaft; a geometry has no declarations of its own here.
@@ -90,6 +83,11 @@ void look_at_bearing(const std::string& name, const TouchdownParameters& b, cons
   const Node& table = table_at(tree, "bearings", name);
   const double bore = 2. * bore_radius(b, p.contact), gap = air_gap(b, p.contact), journal = bore - 2. * gap;
   const double speed = 0.5 * journal * std::fabs(p.run.initial_speed);
+  if (p.run.initial_speed != 0. && std::fabs(p.run.initial_speed) < slowest_spin)
+    warn(warnings, position_of_value(table_at(tree, "run"), "initial_speed"),
+         fmt::format("the rotor spins at {:.4g} rpm; magnetically levitated rotors spin faster than {:.0f} rpm.",
+                     std::fabs(p.run.initial_speed) * 30. / std::numbers::pi, slowest_spin * 30. / std::numbers::pi),
+         "A point is a decimal point: eleven thousand is 11000 rpm, not 11.000 rpm.");
   if (speed > fastest_surface)
     warn(
         warnings, position_of_value(table_at(tree, "run"), "initial_speed"),
@@ -105,11 +103,18 @@ void look_at_bearing(const std::string& name, const TouchdownParameters& b, cons
                        "{:.4g} mm.",
                        b.node, mm(shaft), name, mm(bore)),
            "Check the node, the bearing's size and the units of the rotor's od.");
+    else if (bore - shaft < 1.2 * gap)  // gaps are varied with the same shaft
+      warn(
+          warnings, position_of_value(table, "node"),
+          fmt::format("the shaft at node {} has a diameter of {:.5g} mm and leaves {:.4g} mm by radius in bearings.{}, "
+                      "{:.5g} mm, where the air gap is {:.4g} mm.",
+                      b.node, mm(shaft), mm(0.5 * (bore - shaft)), name, mm(bore), mm(gap)),
+          "The air gap is by radius: half of what bore and journal differ by. The drop has a journal that leaves it.");
     else if (shaft < 0.8 * journal)
       warn(
           warnings, position_of_value(table, "node"),
           fmt::format("the shaft at node {} has a diameter of {:.4g} mm, less than 80 % of the journal in bearings.{}, "
-                      "{:.4g} mm, which is its bore less the air gap.",
+                      "{:.4g} mm, which is its bore less twice the air gap.",
                       b.node, mm(shaft), name, mm(journal)),
           "Unless a thick sleeve is on it, check the node, the bearing's size and the units of the rotor's od.");
   }

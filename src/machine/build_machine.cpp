@@ -38,7 +38,12 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
     const auto& [y, z] = ring_centres[ring++].second;
     const double speed = p.run.initial_speed, distance = std::hypot(motions[i].y - y, motions[i].z - z),
                  gap = air_gap(*b, p.contact) - parts.rotor_growth_by_speed[ring - 1] * speed * speed;
-    if (distance > gap)
+    if (gap <= 0.)
+      faults.add(position_of(case_node, "contact"),
+                 fmt::format("the spinning rotor grows by {:.4g} um at {} and closes the air gap of {:.4g} um.",
+                             (air_gap(*b, p.contact) - gap) * 1e6, p.bearings[i].name, air_gap(*b, p.contact) * 1e6),
+                 "Air gaps are a few tenths of a millimetre; check the unit of air_gap.");
+    else if (distance > gap)
       faults.add(
           position_of(case_node, "rotor"),
           fmt::format("the rotor starts {:.6g} um from the centre of the ring of {}, beyond the air gap of {:.6g} um.",

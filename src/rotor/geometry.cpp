@@ -1,8 +1,17 @@
 #include "rotor/geometry.h"
 
+#include <algorithm>
+
 #include <numbers>
 
 namespace rotordrop {
+
+double shaft_diameter(const RotorGeometry& rotor, int node) {
+  double diameter = 0.;
+  for (const auto& element : rotor.elements)
+    if (element.n1 <= node && node <= element.n2) diameter = std::max(diameter, element.od);
+  return diameter;
+}
 
 RigidBody rigid_body(const RotorGeometry& geometry) {
   double mass = 0, first_moment = 0, Ip = 0, Id_about_origin = 0;

@@ -40,6 +40,9 @@ struct RotorGeometry {
   [[nodiscard]] double length(const ShaftElement& element) const { return position(element.n2) - position(element.n1); }
 };
 
+/// Largest outer diameter of the shaft's elements at a node [m]; 0 if there are none.
+[[nodiscard]] double shaft_diameter(const RotorGeometry& rotor, int node);
+
 /// Rotor as one rigid body.
 struct RigidBody {
   double mass = 0;               ///< [kg]

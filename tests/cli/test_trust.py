@@ -417,7 +417,9 @@ class Slips(ProgramTest):
         self.assertFalse((self.folder / "out").exists())
         self.succeed("run", "drop.toml", "-o", "out", *SHORT)
         warnings = self.summary()["input_warnings"]
-        self.assertEqual([w["where"] for w in warnings], ["drop.toml:3:11"])
+        self.assertEqual([w["where"] for w in warnings], ["drop.toml:3:11", "reference.toml:46:8", "reference.toml:74:8"])
+        for w in warnings[1:]:
+            self.assertRegex(w["message"], r"leaves 0\.25 mm by radius in bearings\.TB\d, 70 mm, where the air gap is 1\.2 mm")
         self.succeed("run", "reference.toml", "-o", "usual", *SHORT)
         self.assertEqual(self.summary("usual")["input_warnings"], [])
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,30 +29,59 @@ constexpr std::string_view blanks = " \t\r";
 const std::vector<std::string> known_columns{"length", "outer_diameter", "bore", "E",  "nu",
                                              "rho",    "mass",           "Ip",   "Id", "name"};
 
+void require_utf8(std::string_view line, const SourcePosition& where) {
+  std::size_t n_following = 0;
+  for (const char c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool follows = (byte & 0xc0U) == 0x80U;
+    if (n_following > 0 ? !follows : follows || byte >= 0xf8U || byte == 0U)
+      throw InputError(where, "this line is not text in UTF-8.", "Save the table as CSV in UTF-8.");
+    n_following = n_following > 0 ? n_following - 1 : byte >= 0xf0U ? 3 : byte >= 0xe0U ? 2 : byte >= 0xc0U ? 1 : 0;
+  }
+  if (n_following > 0) throw InputError(where, "this line is not text in UTF-8.", "Save the table as CSV in UTF-8.");
+}
+
+Row cells_of(std::string_view line, char separator, const SourcePosition& where) {
+  Row row;
+  for (std::size_t from = 0; from <= line.size();) {
+    const std::size_t to = std::min(line.find(separator, from), line.size());
+    const std::string_view bare = trimmed(line.substr(from, to - from), blanks);
+    const std::size_t start = bare.empty() ? from : static_cast<std::size_t>(bare.data() - line.data());
+    row.push_back({std::string(bare), {where.file, where.line, static_cast<int>(start) + 1}});
+    from = to + 1;
+  }
+  return row;
+}
+
+/// Rows that hold something. Where the first has semicolons or tabulators, these separate, and a comma is part of a number, which is refused.
 std::vector<Row> rows_of(const std::filesystem::path& file) {
   std::string text = read_input_file(file);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError({file.string(), 0, 0}, "this file is text in UTF-16.", "Save the table as CSV in UTF-8.");
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   std::vector<Row> rows;
-  int line = 0;
+  char separator = 0;
+  int number = 0;
   for (std::size_t start = 0; start < text.size();) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
-    const std::string_view whole = std::string_view(text).substr(start, end - start);
+    const std::string_view line = std::string_view(text).substr(start, end - start);
     start = end + 1;
-    ++line;
-    if (trimmed(whole, blanks).empty() || trimmed(whole, blanks).front() == '#') continue;
-    Row& row = rows.emplace_back();
-    for (std::size_t from = 0; from <= whole.size();) {
-      // A semicolon separates where decimal commas do not let a comma; such numbers are refused with their own message.
-      const std::size_t to = std::min(whole.find_first_of(",;\t", from), whole.size());
-      const std::string_view word = whole.substr(from, to - from);
-      const std::string_view bare = trimmed(word, blanks);
-      const auto column =
-          static_cast<int>(bare.empty() ? from : static_cast<std::size_t>(bare.data() - whole.data())) + 1;
-      row.push_back({std::string(bare), {file.string(), line, column}});
-      from = to + 1;
-    }
+    const SourcePosition where{file.string(), ++number, 1};
+    require_utf8(line, where);
+    if (trimmed(line, blanks).empty() || trimmed(line, blanks).front() == '#') continue;
+    if (separator == 0)
+      separator = line.find(';') != std::string_view::npos    ? ';'
+                  : line.find('\t') != std::string_view::npos ? '\t'
+                                                              : ',';
+    Row row = cells_of(line, separator, where);
+    if (std::any_of(row.begin(), row.end(), [](const Cell& cell) { return !cell.text.empty(); }))
+      rows.push_back(std::move(row));
   }
   return rows;
+}
+
+bool is_of(const std::string& word, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(), [&](const char* one) { return word == one; });
 }
 
 /// "length [mm]": a column and its unit, which may be empty.
@@ -67,9 +97,16 @@ std::vector<Column> columns_of(const Row& header, Faults& faults) {
       column.name = trimmed(std::string_view(cell.text).substr(0, bracket));
       column.unit = trimmed(std::string_view(cell.text).substr(bracket + 1, cell.text.find(']') - bracket - 1));
     }
-    if (std::find(known_columns.begin(), known_columns.end(), column.name) == known_columns.end())
+    const bool is_filler = cell.text.empty();  // a spreadsheet fills lines up
+    const bool needs_unit = column.name != "nu" && column.name != "name";
+    if (!is_filler && std::find(known_columns.begin(), known_columns.end(), column.name) == known_columns.end())
       faults.add(cell.where, fmt::format("unknown column \"{}\".", column.name),
-                 suggestion(column.name, known_columns) + "  Units stand in brackets: length [mm].");
+                 is_of(column.name, {"od", "OD", "D", "diameter"}) ? std::string("Did you mean \"outer_diameter\"?")
+                 : is_of(column.name, {"id", "ID", "d", "id_"})    ? std::string("Did you mean \"bore\"?")
+                                                                   : suggestion(column.name, known_columns));
+    else if (!is_filler && needs_unit && column.unit.empty())
+      faults.add(cell.where, fmt::format("the column {} names no unit.", column.name),
+                 "Write it in brackets, such as length [mm], E [GPa], mass [kg], Ip [kg m2].");
     columns.push_back(std::move(column));
   }
   for (const char* needed : {"length", "outer_diameter"})
@@ -83,8 +120,10 @@ std::vector<Column> columns_of(const Row& header, Faults& faults) {
 Node quantity(const Cell& cell, const std::string& unit) {
   char* end = nullptr;
   const double number = std::strtod(cell.text.c_str(), &end);
-  if (unit.empty() && *end == '\0') return Node(number, cell.where);
-  return Node(cell.text + (unit.empty() ? "" : " " + unit), cell.where);
+  const bool is_number = *end == '\0';
+  if (unit.empty() && is_number) return Node(number, cell.where);
+  const bool has_own_unit = !is_number && std::isalpha(static_cast<unsigned char>(cell.text.back())) != 0;
+  return Node(unit.empty() || has_own_unit ? cell.text : cell.text + " " + unit, cell.where);
 }
 
 /// Makes the tree section by section.
@@ -96,7 +135,7 @@ class Sections {
     if (row.size() != columns_.size()) {
       faults.add(
           row.front().where, fmt::format("this row has {} values, the header {} columns.", row.size(), columns_.size()),
-          "A value that is not given is left empty between its commas. Numbers have decimal points, not commas.");
+          "Numbers have decimal points, not commas. A value that is not given is left empty between its separators.");
       return;
     }
     std::map<std::string, std::pair<const Cell*, const Column*>> given;

@@ -62,9 +62,10 @@ void check_load(Checks& checks, const RecordedDrop& drop, const std::string& nam
     double largest = 0.;
     for (std::size_t k = 0; k < y.values.size(); ++k) largest = std::max(largest, std::hypot(y.values[k], z.values[k]));
     checks.add(name + ": static load rating", largest < b.C0,
-               fmt::format("largest radial load {:.4g} kN, C0 = {:.4g} kN; their ratio, {:.3g}, is the static safety "
-                           "factor of ISO 76 against permanent indentation",
-                           largest * 1e-3, b.C0 * 1e-3, b.C0 / largest));
+               fmt::format(
+                   "largest radial load {:.4g} kN, C0 = {:.4g} kN; their ratio is {:.3g}. static_safety is that of the "
+                   "worst ball, whose load the row does not share evenly",
+                   largest * 1e-3, b.C0 * 1e-3, b.C0 / largest));
   }
   double pressure = 0.;
   for (const auto& path : pressure_paths) pressure = std::max(pressure, largest_of(drop.series(path)).value);
@@ -310,6 +311,8 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
                    ? "the run reached its end"
                    : fmt::format("INTERRUPTED at {:.6g} ms of {:.6g} ms: peak and end values cover this part only",
                                  1e3 * number_at(summary, "/run/end_time"), 1e3 * end));
+    for (const auto& w : summary.value("input_warnings", Json::array()))
+      checks.add("case, " + w["where"].get<std::string>(), false, w["message"].get<std::string>());
   }
   for (const auto& [name, b] : drop.bearings()) {
     check_clearance(checks, drop, name);

@@ -52,7 +52,18 @@ std::string conventions_text(const MachineParameters& p, const std::string& bear
   const auto& b = touchdown_of(p, bearing);
   const double um = 1e6, gap = air_gap(b, p.contact) * um, clearance = b.radial_clearance * um,
                fit = b.housing_fit * um;
-  std::string text = fmt::format("{}: air gap {:.6g} um by radius ({:.6g} um by diameter)", bearing, gap, 2. * gap);
+  const double bore = 2e3 * bore_radius(b, p.contact), shaft = 1e3 * shaft_diameter(p.rotor.geometry, b.node);
+  std::string text = fmt::format("{}: ", bearing);
+  if (b.catalogue) text += *b.catalogue + (b.count > 1 ? fmt::format(", {} of them", b.count) : "") + ", ";
+  if (b.rows == 2)
+    text += b.arrangement == RowArrangement::tandem         ? "tandem, "
+            : b.arrangement == RowArrangement::back_to_back ? "O arrangement, "
+                                                            : "X arrangement, ";
+  text += fmt::format("node {} at x = {:.6g} mm; journal {:.6g} mm in a bore of {:.6g} mm", b.node,
+                      1e3 * p.rotor.geometry.position(b.node), bore - 2. * gap * 1e-3, bore);
+  text += shaft > 0. ? fmt::format(", the shaft there has {:.6g} mm;\n{:{}}", shaft, "", bearing.size() + 2)
+                     : fmt::format(";\n{:{}}", "", bearing.size() + 2);
+  text += fmt::format("air gap {:.6g} um by radius ({:.6g} um by diameter)", gap, 2. * gap);
   if (b.contact_angle == 0.)
     text += fmt::format(", radial clearance {:.6g} um (catalogue's radial internal clearance, diametral: {:.6g} um)",
                         clearance, 2. * clearance);
