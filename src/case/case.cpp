@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "base/parameters/suggestion.h"
+#include "base/units.h"
 #include "case/bearing_sets.h"
 #include "case/case_family.h"
 #include "case/case_keys.h"
@@ -192,10 +193,20 @@ void complete_paths(Node& tree) {
     for (Node& source : sources->items()) complete_path(&source, "recorded");
 }
 
+/// " (70 x 110 x 20 mm)" of a bearing of the catalogue.
+std::string size_in_words(const Node& bearing) {
+  std::vector<std::string> sizes;
+  for (const char* key : {"bore_diameter", "outside_diameter", "width"})
+    if (const Node* size = bearing.find(key); size && size->is_text())
+      if (const auto read = convert_to_si(size->text(), "m", QuantityKind::plain))
+        sizes.push_back(fmt::format("{:.4g}", read.value * 1e3));
+  return sizes.empty() ? "" : fmt::format(" ({} mm)", fmt::join(sizes, " x "));
+}
+
 void load_catalogue(Node& bearing, const std::string& name, const fs::path& case_file) {
   const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
   if (!entry || !entry->is_text()) return;
-  std::vector<std::string> known;
+  std::vector<std::string> known, with_sizes;
   for (const auto& folder : catalogue_folders(case_file)) {
     const fs::path file = folder / (entry->text() + ".toml");
     std::error_code unreadable;
@@ -205,13 +216,16 @@ void load_catalogue(Node& bearing, const std::string& name, const fs::path& case
     }
     std::error_code ignored;
     for (const auto& other : fs::directory_iterator(folder, ignored))
-      if (other.path().extension() == ".toml") known.push_back(other.path().stem().string());
+      if (other.path().extension() == ".toml") {
+        known.push_back(other.path().stem().string());
+        with_sizes.push_back(known.back() + size_in_words(read_toml(other.path())));
+      }
   }
-  std::sort(known.begin(), known.end());
+  std::sort(with_sizes.begin(), with_sizes.end());
   throw InputError(
       entry->where(),
       fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
-      suggestion(entry->text(), known));
+      suggestion(entry->text(), known, fmt::format("Known: {}.", fmt::join(with_sizes, ", "))));
 }
 
 /// Puts the catalogue's data under each bearing of one file that names them, so that they go before what a base says of that bearing.

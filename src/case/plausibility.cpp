@@ -110,13 +110,13 @@ void look_at_bearing(const std::string& name, const TouchdownParameters& b, cons
                       "{:.5g} mm, where the air gap is {:.4g} mm.",
                       b.node, mm(shaft), mm(0.5 * (bore - shaft)), name, mm(bore), mm(gap)),
           "The air gap is by radius: half of what bore and journal differ by. The drop has a journal that leaves it.");
-    else if (shaft < 0.8 * journal)
+    else if (shaft < 0.95 * journal)
       warn(
           warnings, position_of_value(table, "node"),
-          fmt::format("the shaft at node {} has a diameter of {:.4g} mm, less than 80 % of the journal in bearings.{}, "
+          fmt::format("the shaft at node {} has a diameter of {:.4g} mm, less than 95 % of the journal in bearings.{}, "
                       "{:.4g} mm, which is its bore less twice the air gap.",
                       b.node, mm(shaft), name, mm(journal)),
-          "Unless a thick sleeve is on it, check the node, the bearing's size and the units of the rotor's od.");
+          "Unless a sleeve is on it, check the node, the bearing's size and the units of the rotor's od.");
   }
   if (b.bore_diameter && std::fabs(*b.bore_diameter - b.inner_ring_diameters[0]) > 0.02 * *b.bore_diameter)
     warn(warnings, position_of_value(table, "inner_ring_diameters"),

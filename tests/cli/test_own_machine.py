@@ -138,9 +138,9 @@ class OwnMachine(ProgramTest):
         self.succeed("report", "tight")
         self.assertIn("where the air gap is 0.25 mm", (self.folder / "tight/report.html").read_text(), "warnings of the case are in the report, too")
         (self.folder / "mine/shaft.csv").write_text(table)
-        table = (self.folder / "mine/shaft.csv").read_text().replace("99.5", "75")
+        table = (self.folder / "mine/shaft.csv").read_text().replace("99.5", "90")
         (self.folder / "mine/shaft.csv").write_text(table)
-        self.assertRegex(self.said("check", "mine/drop.toml", code=0), "diameter of 75 mm, less than 80 % of the journal in bearings.TB1, 99.5 mm")
+        self.assertRegex(self.said("check", "mine/drop.toml", code=0), "diameter of 90 mm, less than 95 % of the journal in bearings.TB1, 99.5 mm")
 
     def test_a_material_in_wrong_units_is_told(self):
         table = (self.folder / "mine/shaft.csv").read_text()

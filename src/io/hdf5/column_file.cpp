@@ -17,7 +17,7 @@ using namespace hdf5;
 /// Objects without times: the same content is the same file.
 Handle without_times(hid_t kind) {
   Handle list(H5Pcreate(kind), H5Pclose, "make property list");
-  require(H5Pset_obj_track_times(list.id(), 0), "make property list");
+  require(H5Pset_obj_track_times(list.id(), false), "make property list");
   return list;
 }
 
