@@ -93,7 +93,7 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
       ring_centres.push_back(
           {p.rotor.geometry.position(b->node), {state[TouchdownBearing::ring_y], state[TouchdownBearing::ring_z]}});
       parts.supports.push_back(std::move(bearing));
-      parts.thermal_place.push_back(n_places++);
+      parts.thermal_place.emplace_back(n_places++);
     } else {
       if (const auto* l = entry.linear())
         parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l->stiffness, l->damping));
@@ -101,14 +101,14 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
         parts.supports.push_back(nullptr);  // made when it is known where the rotor starts
       else
         parts.supports.push_back(entry.other()->make(entry.name));
-      parts.thermal_place.push_back(std::nullopt);
+      parts.thermal_place.emplace_back(std::nullopt);
     }
   }
   parts.probes = probes_of(p.rotor);
   for (auto& probe : probe_contacts(p.rotor)) {
     nodes.push_back(probe.node);
     parts.supports.push_back(std::move(probe.contact));
-    parts.thermal_place.push_back(std::nullopt);
+    parts.thermal_place.emplace_back(std::nullopt);
   }
   parts.rub_share.assign(n_places, rub_share(p.thermal));
   add_thermal_models(p, case_node, finite_elements, std::move(recorded), parts);

@@ -37,6 +37,7 @@ py::tuple faults_to_python(const std::vector<Fault>& faults) {
 
 void add_errors(py::module_& core) {
   static_cast<void>(core);
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): as pybind11 wants it
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

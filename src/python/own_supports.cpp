@@ -31,7 +31,7 @@ struct SupportResponse {
 class PythonSupport final : public Support {
  public:
   /// With Python's lock.
-  PythonSupport(const std::string& name, py::object part) : name_(name), part_(std::move(part)) {
+  PythonSupport(std::string name, py::object part) : name_(std::move(name)), part_(std::move(part)) {
     states_ = state_entries_of(part_.attr("states"));
     observables_ = observables_of(part_.attr("series"));
     initial_ = numbers_of(part_.attr("initial_state")(), states_.size(), name_ + ".initial_state()");

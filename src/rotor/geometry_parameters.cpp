@@ -24,11 +24,11 @@ struct ElementEntry {
   std::optional<int> id;
   int n1 = 0, n2 = 0;
   std::optional<double> length;
-  double od = 0, id_ = 0;
+  double od = 0, older_bore = 0;
   std::optional<double> bore_diameter;
   std::optional<std::string> material, name;
 
-  [[nodiscard]] double bore() const { return bore_diameter.value_or(id_); }
+  [[nodiscard]] double bore() const { return bore_diameter.value_or(older_bore); }
 };
 struct MassPointEntry {
   int node = 0;
@@ -79,7 +79,7 @@ const Section<GeometryEntries>& geometry_section() {
         .quantity("bore", &ElementEntry::bore_diameter,
                   {.unit = "m", .range = at_least(0), .help = "Diameter of the bore; a solid section if not given."})
         .quantity(
-            "id_", &ElementEntry::id_,
+            "id_", &ElementEntry::older_bore,
             {.unit = "m", .range = at_least(0), .fallback = "0 m", .help = "The same as `bore`, as in older files."})
         .text("material", &ElementEntry::material, {.help = "A name in `materials`; without it, `material` holds."});
 
@@ -161,7 +161,7 @@ void check_element(const GeometryEntries& entries, std::size_t k, const Node& ta
     }
   }
   const char* bore_key = element.bore_diameter ? "bore" : "id_";
-  if (element.bore_diameter && element.id_ > 0.)
+  if (element.bore_diameter && element.older_bore > 0.)
     faults.add(where("id_"), fmt::format("{} has both bore and id_, which are the same.", name), "Leave id_ out.");
   if (element.bore() >= element.od)
     faults.add(

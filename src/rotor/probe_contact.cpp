@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rotordrop {
 
-ProbeContact::ProbeContact(const Probe& probe, const HuntCrossley& contact, const CoulombFriction& friction,
-                           double radius)
-    : name_("probes/" + probe.name), probe_(probe), contact_(contact), friction_(friction), radius_(radius) {}
+ProbeContact::ProbeContact(Probe probe, const HuntCrossley& contact, CoulombFriction friction, double radius)
+    : name_("probes/" + probe.name),
+      probe_(std::move(probe)),
+      contact_(contact),
+      friction_(std::move(friction)),
+      radius_(radius) {}
 
 std::vector<StateEntry> ProbeContact::ledger_entries() const {
   return {{"contact impulse", "N s", 100., "integral of the contact force"},

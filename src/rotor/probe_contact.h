@@ -15,7 +15,7 @@ namespace rotordrop {
 class ProbeContact final : public Support {
  public:
   /// @param radius  of the rotor's surface [m]
-  ProbeContact(const Probe& probe, const HuntCrossley& contact, const CoulombFriction& friction, double radius);
+  ProbeContact(Probe probe, const HuntCrossley& contact, CoulombFriction friction, double radius);
 
   /// Offsets in its own ledgers.
   enum Ledger : std::size_t { contact_impulse, contact_damping, contact_friction, n_ledger };

@@ -71,7 +71,7 @@ const double* TrackMemory::decay_over(double lag) const {
   };
   const double count = lag * per_interval_;
   if (count < static_cast<double>(n_kept) - 1.) {
-    const auto k = static_cast<std::size_t>(count + 0.5);
+    const auto k = static_cast<std::size_t>(count + 0.5);  // NOLINT(bugprone-incorrect-roundings): never negative
     if (std::fabs(count - static_cast<double>(k)) < 1e-6) {
       const std::size_t n = rate_.size();
       for (; n_filled_ <= k; ++n_filled_) {

@@ -75,7 +75,7 @@ SectionMesh own_section_of_bearing(const MeshFileContent& content, const Machine
                                    const std::string& file) {
   const TouchdownParameters& b = touchdown_of(p, name);
   OwnSectionWishes wishes{{"inner_ring", "outer_ring", "housing"}, b.rows, {}};
-  if (p.thermal.fe.shaft != FeShaft::lump) wishes.bodies.push_back("shaft");
+  if (p.thermal.fe.shaft != FeShaft::lump) wishes.bodies.emplace_back("shaft");
   if (p.thermal.fe.shaft == FeShaft::beyond) {
     wishes.shaft_steps = shaft_steps(p, b);
     for (const auto& step : wishes.shaft_steps) wishes.bodies.push_back(step.name);

@@ -99,7 +99,7 @@ Json row_growth_json(const ModelPair& pair) {
     const double lean = std::cos(p.contact_angle), side = places[row].direction * std::sin(p.contact_angle);
     for (std::size_t i = 0; i < approach.values.size(); ++i)
       approach.values[i] = lean * radial.values[i] + side * axial.values[i] + 2. * ball.values.at(i);
-    const auto difference = [&](const Factors& factors, const TimeSeries& found) {
+    const auto difference = [&, &circuit = circuit](const Factors& factors, const TimeSeries& found) {
       return difference_json(of_growth(circuit, pair.bearing, 0., factors), found, pair.growth, pair.names(),
                              pair.instants);
     };

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "base/cpu_time.h"
 #include "base/errors.h"
@@ -29,9 +30,9 @@ std::string digests_of_files(const Case& c) {
 
 }  // namespace
 
-DropCheckpoints::DropCheckpoints(const fs::path& directory, const Case& drop_case, const Machine& machine, Drop& drop,
+DropCheckpoints::DropCheckpoints(fs::path directory, const Case& drop_case, const Machine& machine, Drop& drop,
                                  DropRecord& record, MemorySeries& series, ResultsFolder& folder, Tell tell)
-    : directory_(directory),
+    : directory_(std::move(directory)),
       drop_(drop),
       record_(record),
       series_(series),

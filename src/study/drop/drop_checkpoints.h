@@ -17,7 +17,7 @@ class DropCheckpoints final : public Observer {
  public:
   using Tell = std::function<void(const std::string&)>;
   /// @param series  gets the rows of before when the drop is resumed
-  DropCheckpoints(const std::filesystem::path& directory, const Case& drop_case, const Machine& machine, Drop& drop,
+  DropCheckpoints(std::filesystem::path directory, const Case& drop_case, const Machine& machine, Drop& drop,
                   DropRecord& record, MemorySeries& series, ResultsFolder& folder, Tell tell);
 
   /// Puts drop and record where the newest checkpoint left them, or to the start if there is none yet.

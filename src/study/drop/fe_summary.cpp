@@ -114,7 +114,7 @@ FeSummary fe_summary(const FiniteElements::Section& s, const ThermalKind& kind, 
   fe.unknowns = s.solver->statistics().unknowns;
   fe.cells = s.solver->statistics().cells;
   if (coupling != FeCoupling::windowed) {
-    auto& reduction = fe.reduction.emplace();
+    auto& reduction = *(fe.reduction = FeSummary::Reduction{});
     reduction.modes = s.reduced.n_modes();
     for (const auto& port : s.reduced.ports) reduction.port_errors.emplace_back(port.name, port.response_error);
     for (const auto* outputs : {&s.reduced.bodies, &s.reduced.nodes})

@@ -156,7 +156,7 @@ class Parser {
 
 }  // namespace
 
-Expression::Expression(const std::string& text) : text_(text) { root_ = Parser(text_, names_).parse(); }
+Expression::Expression(std::string text) : text_(std::move(text)) { root_ = Parser(text_, names_).parse(); }
 Expression::~Expression() = default;
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(Expression&&) noexcept = default;

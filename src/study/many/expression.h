@@ -12,7 +12,7 @@ namespace rotordrop {
 class Expression {
  public:
   /// @throws std::invalid_argument with what is wrong, for text that is no formula
-  explicit Expression(const std::string& text);
+  explicit Expression(std::string text);
   ~Expression();
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;
