@@ -88,6 +88,9 @@ class OwnMachine(ProgramTest):
                            ("length [mm]; outer_diameter [mm]\n100; 79,4\n", r"shaft\.csv:2:6: .*79,4 mm.*decimal point, not a comma"),
                            ("length [mm]; outer_diameter [mm]; name\n100; 80; Laufrad gr\u00f6\u00dfer\n".encode("latin-1"), r"shaft\.csv:2:1: this line is not text in UTF-8"),
                            ("length [mm], outer_diameter [mm]\n".encode("utf-16"), "this file is text in UTF-16"),
+                           (header.replace("\n", ",\n") + "100, 80, , 3\n", r"shaft\.csv:2:12: this value stands in a column without a name"),
+                           (header.replace("mass", "length").replace("[kg]", "[mm]") + row, r"shaft\.csv:1:35: there are two columns length"),
+                           ("length [mm]; outer_diameter [mm]\n79,4; 80\n", r"shaft\.csv:2:1: .*79,4 mm.*Write a decimal point, not a comma"),
                            ("# nothing\n", "a line that names its columns")):
             with self.subTest(says):
                 (self.folder / "mine/shaft.csv").write_bytes(text if isinstance(text, bytes) else text.encode())

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -26,19 +27,15 @@ struct Cell {
 using Row = std::vector<Cell>;
 
 constexpr std::string_view blanks = " \t\r";
-const std::vector<std::string> known_columns{"length", "outer_diameter", "bore", "E",  "nu",
-                                             "rho",    "mass",           "Ip",   "Id", "name"};
 
 void require_utf8(std::string_view line, const SourcePosition& where) {
-  std::size_t n_following = 0;
-  for (const char c : line) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool follows = (byte & 0xc0U) == 0x80U;
-    if (n_following > 0 ? !follows : follows || byte >= 0xf8U || byte == 0U)
-      throw InputError(where, "this line is not text in UTF-8.", "Save the table as CSV in UTF-8.");
-    n_following = n_following > 0 ? n_following - 1 : byte >= 0xf0U ? 3 : byte >= 0xe0U ? 2 : byte >= 0xc0U ? 1 : 0;
+  bool is_text = line.find('\0') == std::string_view::npos;
+  try {
+    static_cast<void>(nlohmann::json(line).dump());
+  } catch (const nlohmann::json::exception&) {  // it writes UTF-8 only
+    is_text = false;
   }
-  if (n_following > 0) throw InputError(where, "this line is not text in UTF-8.", "Save the table as CSV in UTF-8.");
+  if (!is_text) throw InputError(where, "this line is not text in UTF-8.", "Save the table as CSV in UTF-8.");
 }
 
 Row cells_of(std::string_view line, char separator, const SourcePosition& where) {
@@ -68,7 +65,7 @@ std::vector<Row> rows_of(const std::filesystem::path& file) {
     start = end + 1;
     const SourcePosition where{file.string(), ++number, 1};
     require_utf8(line, where);
-    if (trimmed(line, blanks).empty() || trimmed(line, blanks).front() == '#') continue;
+    if (trimmed(line, blanks).starts_with('#')) continue;
     if (separator == 0)
       separator = line.find(';') != std::string_view::npos    ? ';'
                   : line.find('\t') != std::string_view::npos ? '\t'
@@ -90,6 +87,8 @@ struct Column {
 };
 
 std::vector<Column> columns_of(const Row& header, Faults& faults) {
+  const std::vector<std::string> known{"length", "outer_diameter", "bore", "E",  "nu",
+                                       "rho",    "mass",           "Ip",   "Id", "name"};
   std::vector<Column> columns;
   for (const Cell& cell : header) {
     Column column{cell.text, ""};
@@ -99,14 +98,17 @@ std::vector<Column> columns_of(const Row& header, Faults& faults) {
     }
     const bool is_filler = cell.text.empty();  // a spreadsheet fills lines up
     const bool needs_unit = column.name != "nu" && column.name != "name";
-    if (!is_filler && std::find(known_columns.begin(), known_columns.end(), column.name) == known_columns.end())
+    if (!is_filler && std::find(known.begin(), known.end(), column.name) == known.end())
       faults.add(cell.where, fmt::format("unknown column \"{}\".", column.name),
                  is_of(column.name, {"od", "OD", "D", "diameter"}) ? std::string("Did you mean \"outer_diameter\"?")
                  : is_of(column.name, {"id", "ID", "d", "id_"})    ? std::string("Did you mean \"bore\"?")
-                                                                   : suggestion(column.name, known_columns));
+                                                                   : suggestion(column.name, known));
     else if (!is_filler && needs_unit && column.unit.empty())
       faults.add(cell.where, fmt::format("the column {} names no unit.", column.name),
                  "Write it in brackets, such as length [mm], E [GPa], mass [kg], Ip [kg m2].");
+    else if (!is_filler &&
+             std::any_of(columns.begin(), columns.end(), [&](const Column& c) { return c.name == column.name; }))
+      faults.add(cell.where, fmt::format("there are two columns {}.", column.name));
     columns.push_back(std::move(column));
   }
   for (const char* needed : {"length", "outer_diameter"})
@@ -116,7 +118,9 @@ std::vector<Column> columns_of(const Row& header, Faults& faults) {
   return columns;
 }
 
-/// A number with its column's unit, as a case has it; a bare one in SI.
+Node steel() { return Node::table({{"E", 2.0e11}, {"nu", 0.3}, {"rho", 7800.}}); }
+
+/// A number with its column's unit, as a case has it.
 Node quantity(const Cell& cell, const std::string& unit) {
   char* end = nullptr;
   const double number = std::strtod(cell.text.c_str(), &end);
@@ -139,10 +143,13 @@ class Sections {
       return;
     }
     std::map<std::string, std::pair<const Cell*, const Column*>> given;
-    for (std::size_t k = 0; k < row.size(); ++k)
-      if (!row[k].text.empty()) given[columns_[k].name] = {&row[k], &columns_[k]};
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (row[k].text.empty()) continue;
+      if (columns_[k].name.empty()) faults.add(row[k].where, "this value stands in a column without a name.");
+      given[columns_[k].name] = {&row[k], &columns_[k]};
+    }
     const auto value = [&](const char* name) { return quantity(*given.at(name).first, given.at(name).second->unit); };
-    add_mass(given.contains("mass") || given.contains("Ip") || given.contains("Id"), row, given, value);
+    add_mass(row, given, value);
     if (is_last && !given.contains("length")) return;
     for (const char* needed : {"length", "outer_diameter"})
       if (!given.contains(needed)) {
@@ -151,10 +158,9 @@ class Sections {
         return;
       }
     const Node length = value("length");
-    const Conversion read = length.is_text() ? convert_to_si(length.text(), "m", QuantityKind::plain, "length")
-                                             : checked_si(length.number(), QuantityKind::plain, "length");
+    const Conversion read = convert_to_si(length.text(), "m", QuantityKind::plain, "length");
     if (!read || !(read.value > 0.)) {
-      faults.add(length.where(), read ? std::string("the length of a section must be larger than 0.") : read.error);
+      faults.add(length.where(), read ? "the length of a section must be larger than 0." : read.error, read.advice);
       return;
     }
     x_ += read.value;
@@ -169,9 +175,8 @@ class Sections {
   }
 
   Node tree(const SourcePosition& where) && {
-    Node steel = Node::table({{"E", 2.0e11}, {"nu", 0.3}, {"rho", 7800.}});
     Node tree = Node::table(where);
-    tree.set("material", std::move(steel), where);
+    tree.set("material", steel(), where);
     tree.set("materials", std::move(materials_), where);
     tree.set("nodes", Node::array(std::move(nodes_), where), where);
     tree.set("elements", Node::array(std::move(elements_), where), where);
@@ -188,8 +193,8 @@ class Sections {
   }
 
   template <class Given, class Value>
-  void add_mass(bool has_any, const Row& row, const Given& given, const Value& value) {
-    if (!has_any) return;
+  void add_mass(const Row& row, const Given& given, const Value& value) {
+    if (!given.contains("mass") && !given.contains("Ip") && !given.contains("Id")) return;
     Node mass = Node::table(row.front().where);
     mass.set("node", Node(n_nodes_, row.front().where));
     mass.set("mass", given.contains("mass") ? value("mass") : Node(0., row.front().where));
@@ -204,7 +209,7 @@ class Sections {
   void add_material(Node& element, const Given& given, const Value& value) {
     if (!given.contains("E") && !given.contains("nu") && !given.contains("rho")) return;
     const std::string name = fmt::format("section {}", n_nodes_);
-    Node material = Node::table({{"E", 2.0e11}, {"nu", 0.3}, {"rho", 7800.}});
+    Node material = steel();
     for (const char* key : {"E", "nu", "rho"})
       if (given.contains(key)) material.set(key, value(key), given.at(key).first->where);
     materials_.set(name, std::move(material));
