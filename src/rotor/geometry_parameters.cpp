@@ -135,12 +135,17 @@ void check_nodes(const GeometryEntries& entries, const Node& table, Faults& faul
   }
 }
 
+std::string name_of_element(const GeometryEntries& entries, std::size_t k) {
+  const auto& element = entries.elements[k];
+  return fmt::format("element {} (nodes {} to {})", element.id.value_or(static_cast<int>(k) + 1), element.n1,
+                     element.n2);
+}
+
 void check_element(const GeometryEntries& entries, std::size_t k, const Node& table, Faults& faults) {
   const auto& element = entries.elements[k];
   const auto where = [&](std::string_view key) { return position_in(table, "elements", k, key); };
   const auto n_nodes = static_cast<int>(entries.nodes.size());
-  const std::string name =
-      fmt::format("element {} (nodes {} to {})", element.id.value_or(static_cast<int>(k) + 1), element.n1, element.n2);
+  const std::string name = name_of_element(entries, k);
   for (const auto& [key, node] : {std::pair("n1", element.n1), std::pair("n2", element.n2)})
     if (node > n_nodes)
       faults.add(where(key), fmt::format("{} = {} of {}: the rotor has nodes 1 to {}.", key, node, name, n_nodes));
@@ -169,24 +174,30 @@ void check_element(const GeometryEntries& entries, std::size_t k, const Node& ta
         fmt::format("{} = {} m of {} is not smaller than its od = {} m.", bore_key, element.bore(), name, element.od),
         "A bore must be smaller than its shaft; check that both values are diameters.");
   const auto is_named = [&](const auto& material) { return material.first == *element.material; };
-  if (!element.material && !entries.material) {
-    const auto has_none = [](const ElementEntry& one) { return !one.material; };
-    const auto first = std::find_if(entries.elements.begin(), entries.elements.end(), has_none);
-    const auto others = std::count_if(first, entries.elements.end(), has_none) - 1;
-    if (&*first == &element)  // once for all of them
-      faults.add(where("material"),
-                 fmt::format("{}{} no material, and there is no default `material`.", name,
-                             others == 0   ? " names"
-                             : others == 1 ? " and 1 other name"
-                                           : fmt::format(" and {} others name", others)),
-                 "Add material = {E, nu, rho} to the geometry, or a name in `materials` to the element.");
-  } else if (element.material && std::none_of(entries.materials.begin(), entries.materials.end(), is_named)) {
+  if (element.material && std::none_of(entries.materials.begin(), entries.materials.end(), is_named)) {
     std::vector<std::string> names;
     for (const auto& material : entries.materials) names.push_back(material.first);
     faults.add(where("material"),
                fmt::format("{} is made of \"{}\", which `materials` does not have.", name, *element.material),
                names.empty() ? "`materials` is empty." : suggestion(*element.material, names));
   }
+}
+
+/// Elements that name no material take the default one: told once for all of them.
+void check_default_material(const GeometryEntries& entries, const Node& table, Faults& faults) {
+  if (entries.material) return;
+  const auto& all = entries.elements;
+  const auto has_none = [](const ElementEntry& element) { return !element.material; };
+  const auto first = std::find_if(all.begin(), all.end(), has_none);
+  if (first == all.end()) return;
+  const auto k = static_cast<std::size_t>(first - all.begin());
+  const auto others = std::count_if(first, all.end(), has_none) - 1;
+  faults.add(position_in(table, "elements", k, "material"),
+             fmt::format("{}{} no material, and there is no default `material`.", name_of_element(entries, k),
+                         others == 0   ? " names"
+                         : others == 1 ? " and 1 other name"
+                                       : fmt::format(" and {} others name", others)),
+             "Add material = {E, nu, rho} to the geometry, or a name in `materials` to the element.");
 }
 
 void check_spans(const GeometryEntries& entries, const Node& table, Faults& faults) {
@@ -209,7 +220,7 @@ void check_spans(const GeometryEntries& entries, const Node& table, Faults& faul
               fmt::format(
                   "two elements between node {} and node {} fill the same space (diameters {} to {} m and {} to {} m).",
                   span + 1, span + 2, a.bore(), a.od, b.bore(), b.od),
-              "A sleeve begins where the shaft ends: its id_ must not be smaller than the shaft's od.");
+              "A sleeve begins where the shaft ends: its bore must not be smaller than the shaft's od.");
       }
   }
 }
@@ -218,6 +229,7 @@ void check_geometry(const GeometryEntries& entries, const Node& table, Faults& f
   const std::size_t n_faults_before = faults.size();
   check_nodes(entries, table, faults);
   for (std::size_t k = 0; k < entries.elements.size(); ++k) check_element(entries, k, table, faults);
+  check_default_material(entries, table, faults);
   const auto n_nodes = static_cast<int>(entries.nodes.size());
   for (std::size_t k = 0; k < entries.mass_points.size(); ++k) {
     const auto& point = entries.mass_points[k];
