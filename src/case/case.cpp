@@ -19,7 +19,6 @@
 #include "case/plausibility.h"
 #include "case/program_files.h"
 #include "case/rotor_file.h"
-
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_reader.h"
 #include "machine/balance.h"
@@ -193,8 +192,14 @@ void complete_paths(Node& tree) {
     for (Node& source : sources->items()) complete_path(&source, "recorded");
 }
 
-/// " (70 x 110 x 20 mm)" of a bearing of the catalogue.
-std::string size_in_words(const Node& bearing) {
+/// " (70 x 110 x 20 mm)" of a bearing of the catalogue; nothing of one that cannot be read.
+std::string size_in_words(const fs::path& file) {
+  Node bearing;
+  try {
+    bearing = read_toml(file);
+  } catch (const InputError&) {
+    return "";
+  }
   std::vector<std::string> sizes;
   for (const char* key : {"bore_diameter", "outside_diameter", "width"})
     if (const Node* size = bearing.find(key); size && size->is_text())
@@ -218,7 +223,7 @@ void load_catalogue(Node& bearing, const std::string& name, const fs::path& case
     for (const auto& other : fs::directory_iterator(folder, ignored))
       if (other.path().extension() == ".toml") {
         known.push_back(other.path().stem().string());
-        with_sizes.push_back(known.back() + size_in_words(read_toml(other.path())));
+        with_sizes.push_back(known.back() + size_in_words(other.path()));
       }
   }
   std::sort(with_sizes.begin(), with_sizes.end());

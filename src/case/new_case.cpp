@@ -5,6 +5,7 @@
 #include "case/rotor_file.h"
 #include "io/checkpoint.h"
 #include "io/text/input_file.h"
+#include "io/text/parameter_writers.h"
 
 namespace rotordrop {
 namespace {
@@ -60,14 +61,15 @@ fs::path new_case(const fs::path& directory) {
 }
 
 fs::path new_own_case(const fs::path& directory, const fs::path& shaft) {
-  constexpr std::string_view example = "shaft.csv";
+  const std::string example = "shaft.csv";
   const fs::path own = params_folder() / "own-machine";
   std::string text = read_input_file(own / "drop.toml");
   fs::path geometry = own / example;
   if (!shaft.empty()) {
     read_geometry(shaft);
     geometry = shaft;
-    text.replace(text.find(example), example.size(), shaft.filename().string());
+    const std::string named = toml_value(Node(example));
+    text.replace(text.find(named), named.size(), toml_value(Node(shaft.filename().string())));
   }
   const fs::path file = fresh_case_in(directory);
   copy_to(geometry, directory / geometry.filename());

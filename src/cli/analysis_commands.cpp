@@ -80,10 +80,12 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
   const Case c = read_case(command.file, command.overrides);
   auto options = critical_speed_options(c, {command.up_to, command.stiffness, command.map});
   options.n_speeds = 61;
-  if (!command.diagram.empty()) require_picture_name(command.diagram);
-  if (!command.diagram.empty() && !command.force && std::filesystem::exists(command.diagram))
-    throw InputError({command.diagram.string(), 0, 0}, "the file exists already.",
-                     "Choose another with --diagram FILE, or replace it with --force.");
+  if (!command.diagram.empty()) {
+    require_picture_name(command.diagram);
+    if (!command.force && std::filesystem::exists(command.diagram))
+      throw InputError({command.diagram.string(), 0, 0}, "the file exists already.",
+                       "Choose another with --diagram FILE, or replace it with --force.");
+  }
   const auto report = critical_speeds(c.parameters, options);
   const auto json = critical_speeds_json(c, report, options);
   if (command.json)

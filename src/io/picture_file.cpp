@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void draw(const fs::path& png, const std::string& svg) {
-  const fs::path drawing = png.string() + ".svg.writing", drawn = png.string() + ".writing";
+  const std::string whole = fs::absolute(png).string();  // a name may begin with -
+  const fs::path drawing = whole + ".svg.writing", drawn = whole + ".writing";
   const HalfMadeFile drawing_goes(drawing), drawn_goes(drawn);
   write_text_atomically(drawing, svg);
   std::string words[] = {"rsvg-convert", "--format=png", "--zoom=2", "--output=" + drawn.string(), drawing.string()};

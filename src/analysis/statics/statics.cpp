@@ -127,7 +127,7 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
   stations_.erase(std::unique(stations_.begin(), stations_.end()), stations_.end());
   if (stations_.size() < 2)
     throw InputError(position_of(case_node, "bearings"),
-                     "a rotor held at a single node has no equilibrium: it would tip over.",
+                     "a rotor held at fewer than two nodes has no equilibrium: it would tip over or fall.",
                      "Give it a second support, or ask for the bearing by itself: statics.subject = \"bearings\".");
   const std::array<double, 2> gravity = {p.run.gravity[1], p.run.gravity[2]};
   rotor_ = std::make_unique<StaticRotor>(p.rotor.geometry, stations_, gravity, p.statics.loads);

@@ -341,7 +341,8 @@ RecordedRows RecordedRows::unpacked(const std::vector<double>& numbers) {
 }
 
 void Recorder::move_to(const fs::path& path) {
-  if (implementation_->file.is_open()) give_name(implementation_->path, path, true);
+  flush();  // it is there then, too
+  give_name(implementation_->path, path, true);
   implementation_->path = path;
 }
 

@@ -56,8 +56,9 @@ struct RecordedRows {
   static RecordedRows unpacked(const std::vector<double>& numbers);
 };
 
-/// Writes one result file. It is made with everything in it by the constructor or soon after, as the options say; from then on
-/// rows are added and readers may open it at any time, also after the writer was killed (h5py: `h5py.File(path, "r")`; with `swmr=True` a reader can follow what is added).
+/// Writes one result file. It is made with everything in it by the constructor or soon after, as the options say; from then on rows are
+/// added and readers may open it at any time, also after the writer was killed (h5py: `h5py.File(path, "r")`; with `swmr=True` a reader
+/// can follow what is added).
 ///
 /// A row is on file in all channels before its time is: a reader that takes as many rows as there are times never sees half a row.
 /// The file appears under its name complete with all datasets, or not at all. Not compressed: that would cost five times as much as

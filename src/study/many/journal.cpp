@@ -59,7 +59,7 @@ std::optional<Json> next_line(std::istream& in, std::size_t& bytes) {
   constexpr std::size_t n = check_sum_digits;
   if (line.size() < n + 2 || line[n] != ' ' || check_sum(std::string_view(line).substr(n + 1)) != line.substr(0, n))
     return {};
-  Json json = Json::parse(line.begin() + 17, line.end(), nullptr, false);
+  Json json = Json::parse(line.begin() + n + 1, line.end(), nullptr, false);
   if (json.is_discarded()) return {};
   bytes = line.size() + 1;
   return json;

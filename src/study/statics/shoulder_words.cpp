@@ -61,9 +61,9 @@ std::string conventions_text(const MachineParameters& p, const std::string& bear
                                                             : "X arrangement, ";
   text += fmt::format("node {} at x = {:.6g} mm; journal {:.6g} mm in a bore of {:.6g} mm", b.node,
                       1e3 * p.rotor.geometry.position(b.node), bore - 2. * gap * 1e-3, bore);
-  text += shaft > 0. ? fmt::format(", the shaft there has {:.6g} mm;\n{:{}}", shaft, "", bearing.size() + 2)
-                     : fmt::format(";\n{:{}}", "", bearing.size() + 2);
-  text += fmt::format("air gap {:.6g} um by radius ({:.6g} um by diameter)", gap, 2. * gap);
+  if (shaft > 0.) text += fmt::format(", the shaft there has {:.6g} mm", shaft);
+  text +=
+      fmt::format(";\n{:{}}air gap {:.6g} um by radius ({:.6g} um by diameter)", "", bearing.size() + 2, gap, 2. * gap);
   if (b.contact_angle == 0.)
     text += fmt::format(", radial clearance {:.6g} um (catalogue's radial internal clearance, diametral: {:.6g} um)",
                         clearance, 2. * clearance);
