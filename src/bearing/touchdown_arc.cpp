@@ -10,7 +10,7 @@
 #include "base/wide_vectors.h"
 #include "bearing/arc_kernels.h"
 #include "bearing/forces_on_shapes.h"
-#include "bearing/touchdown_touch.h"
+#include "bearing/touchdown_contact.h"
 
 namespace rotordrop {
 
@@ -199,7 +199,7 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   c.n_z = sums.z / sums.normal;
   c.tangential_speed = at.vz * c.n_y - at.vy * c.n_z;
   c.slip_speed = surfaces + c.tangential_speed;
-  slide(in, at, c);
+  slide(numbers_, in, at, c);
   return c;
 }
 

@@ -7,6 +7,7 @@
 
 #include "bearing/bent_rings.h"
 #include "bearing/row/ball_row.h"
+#include "bearing/touchdown_numbers.h"
 #include "laws/bearing_friction.h"
 #include "laws/contact.h"
 #include "laws/free_cage.h"
@@ -178,26 +179,59 @@ class TouchdownBearing final : public Support {
                 std::span<double> ledger_rates, SupportOutput& out) const override;
   [[nodiscard]] double energy(const SupportInput& input, std::span<const double> y) const override;
 
+  [[nodiscard]] const TouchdownNumbers<double>& numbers() const { return numbers_; }
+  [[nodiscard]] std::span<const BallRow> rows() const { return rows_; }
+  /// Whether evaluate_with() in lanes knows all that this bearing has.
+  [[nodiscard]] bool runs_in_lanes() const;
+  /// Whether two bearings differ in nothing but their numbers and those of their rows.
+  [[nodiscard]] bool is_alike(const TouchdownBearing& other) const;
+  /// evaluate() with other numbers than its own, and in lanes: of bearings alike (touchdown_evaluate.h).
+  /// @tparam Row  BallRow, or RowInLanes
+  template <class Real, class Row>
+  void evaluate_with(const TouchdownNumbers<Real>& numbers, std::span<const Row> rows,
+                     const SupportInputOf<Real>& input, std::span<const Real> y, std::span<Real> dydt,
+                     std::span<Real> ledger_rates, SupportOutputOf<Real>& out) const;
+
  private:
-  struct Bodies;       // rotor and ring at one place along the bore
-  struct Contact;      // rotor against bore at one place along it
-  struct Touch;        // rotor on ring, all places together
-  struct BallForces;   // sums over the rows
+  template <class Real>
+  static constexpr bool has_all = !RealTraits<Real>::is_in_lanes;  // of one drop: all that a bearing can have
+  template <class Real>
+  struct BodiesOf;  // rotor and ring at one place along the bore
+  template <class Real>
+  struct ContactOf;  // rotor against bore at one place along it
+  template <class Real>
+  struct TouchOf;  // rotor on ring, all places together
+  template <class Real>
+  struct BallForcesOf;  // sums over the rows
+  using Bodies = BodiesOf<double>;
+  using Contact = ContactOf<double>;
+  using Touch = TouchOf<double>;
+  using BallForces = BallForcesOf<double>;
   struct ShapeForces;  // on the shapes of bent rings
   struct ArcTable;     // shapes at the points around the bore
   struct Arc;          // of points where rotor and bore may overlap
   /// Thermal and centrifugal.
-  [[nodiscard]] Expansion growth(const SupportInput& input, std::span<const double> y) const;
+  template <class Real>
+  [[nodiscard]] static ExpansionOf<Real> growth(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+                                                std::span<const Real> y);
   /// @param x  along the bore, from the ring's middle [m]
-  [[nodiscard]] Bodies bodies(const Motion& journal, std::span<const double> y, double x) const;
+  template <class Real>
+  [[nodiscard]] BodiesOf<Real> bodies(const MotionOf<Real>& journal, std::span<const Real> y, double x) const;
   /// Sliding friction of a contact whose normal force and slip around the bore are known; none where a bristle holds it.
-  void slide(const SupportInput& input, const Bodies& at, Contact& c) const;
-  [[nodiscard]] Contact contact(const SupportInput& input, const Expansion& growth, std::span<const double> y,
-                                const Bodies& at) const;
+  template <class Real>
+  void slide(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input, const BodiesOf<Real>& at,
+             ContactOf<Real>& c) const;
+  template <class Real>
+  [[nodiscard]] ContactOf<Real> contact(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+                                        const ExpansionOf<Real>& growth, std::span<const Real> y,
+                                        const BodiesOf<Real>& at) const;
+  void add_bore_waves(std::span<const double> y, const Bodies& at, Contact& c) const;
   /// @param bristle_rates  [n_bristles()]
   /// @param shape_forces   on the inner ring's shapes, added to [BentRings::n_inner()] [N]
-  [[nodiscard]] Touch touch(const SupportInput& input, const Expansion& growth, std::span<const double> y,
-                            std::span<double> bristle_rates, std::span<double> shape_forces) const;
+  template <class Real>
+  [[nodiscard]] TouchOf<Real> touch(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+                                    const ExpansionOf<Real>& growth, std::span<const Real> y,
+                                    std::span<Real> bristle_rates, std::span<Real> shape_forces) const;
   // Bent rings (touchdown_bending.cpp).
   [[nodiscard]] std::span<const double> inner_shape(std::span<const double> y) const;
   [[nodiscard]] std::span<const double> inner_shape_rate(std::span<const double> y) const;
@@ -229,37 +263,47 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] SupportMotion support_motion(std::span<const double> y) const;
   /// Force of the support's law on the outer ring, and loss; writes the rates of the law's states into dydt.
   SupportAnswer carried(std::span<const double> y, std::span<double> dydt) const;
-  [[nodiscard]] double cage_speed(std::span<const double> y) const {
-    return data_.free_cage ? y[free_cage_at()] : cage_ratio_ * y[ring_spin];
-  }
+  /// Rates of a free ring's axial and tilting motion.
+  void tilt(const BallForces& balls, const Touch& touch, std::span<const double> y, std::span<double> dydt) const;
   /// Turns a free cage and brakes the inner ring by it. @return heat of the balls' slip, which is added to `heat` [W]
   double turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt, HeatInput& heat) const;
-  [[nodiscard]] BallRowInput row_input(const Expansion& growth, std::span<const double> y) const;
-  [[nodiscard]] BallForces ball_forces(const BallRowInput& input, bool with_tractions) const;
-  [[nodiscard]] double load_torque_of(const BallForces& forces) const;
-  [[nodiscard]] double row_load_torque(const BallRowOutput& row) const;
+  template <class Real>
+  [[nodiscard]] BallRowInputOf<Real> row_input(const TouchdownNumbers<Real>& q, const ExpansionOf<Real>& growth,
+                                               std::span<const Real> y) const;
+  template <class Real, class Row>
+  [[nodiscard]] BallForcesOf<Real> ball_forces(std::span<const Row> rows, const BallRowInputOf<Real>& input,
+                                               bool with_tractions) const;
+  template <class Real>
+  [[nodiscard]] Real load_torque_of(const TouchdownNumbers<Real>& q, const BallForcesOf<Real>& forces) const;
+  template <class Real>
+  [[nodiscard]] Real row_load_torque(const TouchdownNumbers<Real>& q, const BallRowOutputOf<Real>& row) const;
   [[nodiscard]] double spin_drag(const BallRowInput& input) const;
   [[nodiscard]] double row_spin_drag(const BallRow& row, const BallRowInput& input) const;
   /// @param turning  tanh of the ring's speed over its regularisation
   void divide_among_rows(const BallForces& forces, const BallRowInput& input, double load_torque, double drag_torque,
                          double turning, double ring_speed, std::span<RowHeat> out) const;
-  [[nodiscard]] BallConductances row_conduction(const BallRowOutput& row, double ring_speed) const;
-  [[nodiscard]] BallConduction conduction(const BallForces& forces, double ring_speed) const;
-  void observe(const SupportInput& input, const Expansion& growth, std::span<const double> y, const Touch& touch,
-               const BallForces& balls, double load_torque, double drag_torque, double ring_acceleration,
-               const HeatInput& heat, std::span<double> out) const;
+  template <class Real>
+  [[nodiscard]] static BallConductancesOf<Real> row_conduction(const TouchdownNumbers<Real>& q,
+                                                               const BallRowOutputOf<Real>& row,
+                                                               const Real& ring_speed);
+  template <class Real>
+  [[nodiscard]] BallConductionOf<Real> conduction(const TouchdownNumbers<Real>& q, const BallForcesOf<Real>& forces,
+                                                  const Real& ring_speed) const;
+  template <class Real, class Row>
+  void observe(const TouchdownNumbers<Real>& q, std::span<const Row> rows, const SupportInputOf<Real>& input,
+               const ExpansionOf<Real>& growth, std::span<const Real> y, const TouchOf<Real>& touch,
+               const BallForcesOf<Real>& balls, const Real& load_torque, const Real& drag_torque,
+               const Real& ring_acceleration, const HeatInputOf<Real>& heat, std::span<Real> out) const;
+  /// @param out  [3]
+  void observe_support(const SupportAnswer& answer, std::span<const double> y, std::span<double> out) const;
+  void set_numbers();
 
   TouchdownBearingData data_;
   std::vector<BallRow> rows_;
   std::vector<ShapeMotion> shape_motions_;
   std::shared_ptr<const ArcTable> arc_table_;  // of bent rings that are touched over an arc
-  double strain_per_growth_ = 0;               // of the rings' widths [1/m]
   std::size_t n_support_states_ = 0;
-  double cage_ratio_ = 0;
-  double inner_heat_share_ = 0.5;
-  FrictionLoadFactors friction_load_factors_;
-  double rolling_speed_ratio_ = 0;   // speed of the contacts over the surfaces, over omega_i [m]
-  double spin_speed_sum_ratio_ = 0;  // (|omega_si| + |omega_so|) / omega_i
+  TouchdownNumbers<double> numbers_{};
 };
 
 }  // namespace rotordrop

@@ -6,9 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "bearing/touchdown_touch.h"
-#include "laws/skidding.h"
-
 // What a touchdown bearing lists of itself: its states and ledgers, and the quantities that are recorded, with their values.
 namespace rotordrop {
 
@@ -153,59 +150,6 @@ std::vector<Observable> TouchdownBearing::detailed_observables() const {
   if (data_.bending)
     for (auto& shape : shape_observables()) list.push_back(std::move(shape));
   return list;
-}
-
-void TouchdownBearing::observe(const SupportInput& in, const Expansion& growth, std::span<const double> y,
-                               const Touch& touch, const BallForces& balls, double load_torque, double drag_torque,
-                               double ring_acceleration, const HeatInput& heat, std::span<double> out) const {
-  std::size_t at = 0;
-  const auto put = [&](std::initializer_list<double> values) {
-    for (const double value : values) out[at++] = value;
-  };
-  put({in.journal.y, in.journal.z, in.journal.velocity_y, in.journal.velocity_z});
-  put({y[ring_y], y[ring_z], y[ring_vy], y[ring_vz], y[support_y], y[support_z]});
-  put({touch.middle.penetration, data_.air_gap + growth.bore - growth.shaft, touch.normal, touch.friction,
-       touch.middle.slip_speed});
-  const double rotor_surface = in.rotor_spin.speed * data_.rotor_radius;
-  put({rotor_surface != 0. ? 1. - y[ring_spin] * data_.bore_radius / rotor_surface : 1.});
-  put({balls.force_y, balls.force_z});
-  double largest = 0.;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    put({balls.row[i].largest_load});
-    largest = std::max(largest, balls.row[i].largest_load);
-  }
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto& race = rows_[i].geometry();
-    put({std::max(race.inner.largest_pressure(balls.row[i].largest_load),
-                  race.outer.largest_pressure(balls.row[i].largest_outer_load))});
-  }
-  const double spin_torque = spin_moment(data_.race_friction_coefficient, largest,
-                                         data_.spin_axis_factor * std::cbrt(largest), data_.spin_elliptic_integral);
-  put({y[ring_spin], y[cage_angle], load_torque, drag_torque, spin_torque, spin_speed_sum_ratio_ * y[ring_spin]});
-  put({heat.rub, heat.inner, heat.outer});
-  for (const double surface : growth_values(growth)) out[at++] = surface;
-  double towards_plus = 0., towards_minus = 0.;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const double axial = balls.row[i].force_x;
-    put({axial});
-    (axial > 0. ? towards_plus : towards_minus) += std::fabs(axial);
-  }
-  put({rows_.size() > 1 ? std::min(towards_plus, towards_minus) : 0.});
-  put({balls.tractions[0].centrifugal});
-  for (std::size_t i = 0; i < rows_.size(); ++i) put({balls.tractions[i].truncation});
-  const double mu = data_.race_friction_coefficient;
-  const double acceleration = 0.5 * data_.rows.front().pitch_diameter * cage_ratio_ * std::fabs(ring_acceleration);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto& row = rows_[i].geometry();
-    put({rolling_demand(balls.tractions[i], row.n_balls, row.ball_mass, acceleration, mu)});
-  }
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    put({traction_demand(balls.tractions[i].largest_gyroscopic_over_load, mu, 1.)});
-  if (data_.free_ring) {
-    put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.on_ring.x, touch.shoulder});
-    put({touch.on_ring.moment_y, touch.on_ring.moment_z});
-  }
-  if (data_.free_cage) put({y[free_cage_at()], cage_ratio_ * y[ring_spin], y[free_cage_at() + 1]});
 }
 
 }  // namespace rotordrop

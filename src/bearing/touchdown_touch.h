@@ -8,54 +8,58 @@
 namespace rotordrop {
 
 /// The rotor past the ring at one place along the bore.
-struct TouchdownBearing::Bodies {
-  double y = 0, z = 0;                  // centres [m]
-  double vy = 0, vz = 0;                // [m/s]
-  double vx = 0;                        // [m/s]
-  double rolling_y = 0, rolling_z = 0;  // surface radius times tilt rate [m/s]
+template <class Real>
+struct TouchdownBearing::BodiesOf {
+  Real y = 0, z = 0;                  // centres [m]
+  Real vy = 0, vz = 0;                // [m/s]
+  Real vx = 0;                        // [m/s]
+  Real rolling_y = 0, rolling_z = 0;  // surface radius times tilt rate [m/s]
 };
 
-struct TouchdownBearing::Contact {
-  double n_y = 0, n_z = 0;         // from ring centre to rotor centre
-  double penetration = 0;          // [m]
-  double rate = 0;                 // of the centres' distance [m/s]
-  double tangential_speed = 0;     // of the rotor's centre past the ring's [m/s]
-  double slip_speed = 0;           // rotor's surface past the bore, around it [m/s]
-  double slip_x = 0;               // along the axis [m/s]
-  double elastic = 0, normal = 0;  // [N]
-  double friction = 0;             // on the ring, along +t [N]
-  double friction_x = 0;           // on the ring, along +x [N]
-  double wave_rate = 0;            // of the bore's waves at the contact [m/s]
-  double distance = 0;             // of the centres [m]
-  double bore_slope = 0;           // of a bent bore: du_r/d(theta) over the centres' distance
-  double centres_turning = 0;      // angular speed of the line of centres [rad/s]
-  double lateral = 0;      // on the ring, along +t, of a normal force that leans as the bent bore does; no torque [N]
-  double damping = 0;      // dissipated by the normal force [W]
-  double wave_power = 0;   // of the bore's waves [W]
-  double stored_rate = 0;  // of the bristle's energy, all slip's work but heat [W]
+template <class Real>
+struct TouchdownBearing::ContactOf {
+  Real n_y = 0, n_z = 0;         // from ring centre to rotor centre
+  Real penetration = 0;          // [m]
+  Real rate = 0;                 // of the centres' distance [m/s]
+  Real tangential_speed = 0;     // of the rotor's centre past the ring's [m/s]
+  Real slip_speed = 0;           // rotor's surface past the bore, around it [m/s]
+  Real slip_x = 0;               // along the axis [m/s]
+  Real elastic = 0, normal = 0;  // [N]
+  Real friction = 0;             // on the ring, along +t [N]
+  Real friction_x = 0;           // on the ring, along +x [N]
+  Real wave_rate = 0;            // of the bore's waves at the contact [m/s]
+  Real distance = 0;             // of the centres [m]
+  Real bore_slope = 0;           // of a bent bore: du_r/d(theta) over the centres' distance
+  Real centres_turning = 0;      // angular speed of the line of centres [rad/s]
+  Real lateral = 0;      // on the ring, along +t, of a normal force that leans as the bent bore does; no torque [N]
+  Real damping = 0;      // dissipated by the normal force [W]
+  Real wave_power = 0;   // of the bore's waves [W]
+  Real stored_rate = 0;  // of the bristle's energy, all slip's work but heat [W]
 };
 
-struct TouchdownBearing::Touch {
-  Contact middle;                                // at the middle of the bore; the penetration is the largest along it
-  Force on_ring, on_rotor;                       // moments about each one's centre
-  double elastic = 0, normal = 0, friction = 0;  // of the bore [N]
-  double shoulder = 0;                           // normal force of shoulders on the ring, along +x [N]
-  double shoulder_torque = 0;                    // of their friction, on the ring [N m]
-  double rub_heat = 0, damping = 0, wave_power = 0;  // [W]
-  double centres_power = 0;                          // friction force times the slip that is not spin [W]
-  bool is_touching = false;
+template <class Real>
+struct TouchdownBearing::TouchOf {
+  ContactOf<Real> middle;                          // at the middle of the bore; the penetration is the largest along it
+  ForceOf<Real> on_ring, on_rotor;                 // moments about each one's centre
+  Real elastic = 0, normal = 0, friction = 0;      // of the bore [N]
+  Real shoulder = 0;                               // normal force of shoulders on the ring, along +x [N]
+  Real shoulder_torque = 0;                        // of their friction, on the ring [N m]
+  Real rub_heat = 0, damping = 0, wave_power = 0;  // [W]
+  Real centres_power = 0;                          // friction force times the slip that is not spin [W]
+  MaskOf<Real> is_touching = false;
 };
 
 /// Balls on the inner ring, summed over its rows.
-struct TouchdownBearing::BallForces {
-  BallForces() {}  // leaves the rows unwritten: only those that exist are
-  std::array<BallRowOutput, max_rows> row;
-  std::array<RowTractions, max_rows> tractions;  // when asked for
-  double force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
-  double damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
-  double by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
-  double by_row_difference = 0;                     // dU/d(Expansion::row_difference) [N]
-  double inertia_power = 0, inertia_per_speed = 0;
+template <class Real>
+struct TouchdownBearing::BallForcesOf {
+  BallForcesOf() {}  // leaves the rows unwritten: only those that exist are
+  std::array<BallRowOutputOf<Real>, max_rows> row;
+  std::array<RowTractionsOf<Real>, max_rows> tractions;  // when asked for
+  Real force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
+  Real damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
+  Real by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
+  Real by_row_difference = 0;                     // dU/d(Expansion::row_difference) [N]
+  Real inertia_power = 0, inertia_per_speed = 0;
 };
 
 /// Bent rings while they are evaluated.

@@ -5,24 +5,28 @@
 #include <cmath>
 #include <vector>
 
+#include "base/real.h"
+
 namespace rotordrop {
 
 /// F = K delta^n (1 + 1.5 lambda delta'), never negative. Source: Hunt & Crossley (1975); Neisi 2019 eq. (7), corrected.
-struct HuntCrossley {
-  double K = 0;       ///< stiffness [N/m^n], > 0
-  double n = 1;       ///< exponent, >= 1; 10/9 for a journal in a bore
-  double lambda = 0;  ///< damping [s/m], >= 0; for small impact speed v the restitution is 1 - lambda v
+template <class Real>
+struct HuntCrossleyOf {
+  Real K = 0;       ///< stiffness [N/m^n], > 0
+  Real n = 1;       ///< exponent, >= 1; 10/9 for a journal in a bore
+  Real lambda = 0;  ///< damping [s/m], >= 0; for small impact speed v the restitution is 1 - lambda v
 
   /// Elastic part K delta^n [N]; 0 without penetration.
-  [[nodiscard]] double elastic(double delta) const { return delta > 0. ? K * std::pow(delta, n) : 0.; }
+  [[nodiscard]] Real elastic(const Real& delta) const { return K * pow(larger(delta, Real(0.)), n); }
   /// Whole force from its elastic part [N]. A separating rotor must not be pulled back: clamp at zero.
-  [[nodiscard]] double total(double elastic_force, double delta_rate) const {
-    // max(NaN, 0) is NaN here, unlike fmax: a force that is not a number must go on and be found.
-    return std::max(elastic_force * (1. + 1.5 * lambda * delta_rate), 0.);
+  [[nodiscard]] Real total(const Real& elastic_force, const Real& delta_rate) const {
+    // Unlike fmax, this lets a force that is not a number go on and be found.
+    return larger(elastic_force * (1. + 1.5 * lambda * delta_rate), Real(0.));
   }
   /// Stored energy K delta^(n+1)/(n+1) [J].
-  [[nodiscard]] double energy(double delta) const { return delta > 0. ? elastic(delta) * delta / (n + 1.) : 0.; }
+  [[nodiscard]] Real energy(const Real& delta) const { return elastic(delta) * larger(delta, Real(0.)) / (n + 1.); }
 };
+using HuntCrossley = HuntCrossleyOf<double>;
 
 /// Value of a table of pairs [argument, value] with rising arguments: straight lines between them, constant outside.
 inline double table_value(const std::vector<std::array<double, 2>>& table, double x) {
@@ -36,11 +40,24 @@ inline double table_value(const std::vector<std::array<double, 2>>& table, doubl
 
 /// Coulomb friction, regularised: mu(v) = mu v / sqrt(v^2 + v_reg^2), with an optional higher (or lower) value near
 /// rest (Stribeck): mu = mu_d + (mu_s - mu_d) exp(-(v / v_s)^2); or mu from a table over slip speed. A table over temperature is a factor.
-struct CoulombFriction {
-  double mu = 0;                    ///< dynamic friction coefficient, >= 0
-  double regularisation_speed = 1;  ///< v_reg [m/s], > 0
-  double static_mu = 0;             ///< mu_s; used if has_stribeck
-  double stribeck_speed = 1;        ///< v_s [m/s], > 0
+template <class Real>
+struct CoulombNumbers {
+  Real mu = 0;                    ///< dynamic friction coefficient, >= 0
+  Real regularisation_speed = 1;  ///< v_reg [m/s], > 0
+  Real static_mu = 0;             ///< mu_s; used with has_stribeck
+  Real stribeck_speed = 1;        ///< v_s [m/s], > 0
+
+  /// Coefficient without tables and without the passage through zero.
+  [[nodiscard]] Real largest(bool has_stribeck, const Real& slip_speed_squared) const {
+    if (!has_stribeck) return mu;
+    return mu + (static_mu - mu) * exp(-slip_speed_squared / (stribeck_speed * stribeck_speed));
+  }
+  /// What a coefficient without the passage through zero is with it, over slip speed [s/m].
+  [[nodiscard]] Real regularised(const Real& coefficient, const Real& slip_speed_squared) const {
+    return coefficient / sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
+  }
+};
+struct CoulombFriction : CoulombNumbers<double> {
   bool has_stribeck = false;
   bool has_tables = false;                                   ///< one of those below is not empty
   std::vector<std::array<double, 2>> over_speed = {};        ///< mu over slip speed [m/s]; instead of mu and static_mu
@@ -49,15 +66,13 @@ struct CoulombFriction {
   /// Coefficient without the passage through zero.
   /// @param temperature  of the ring [K]; needed for a table over it only
   [[nodiscard]] double largest(double slip_speed_squared, double temperature = 0.) const {
-    double m = mu;
-    if (has_stribeck) m += (static_mu - mu) * std::exp(-slip_speed_squared / (stribeck_speed * stribeck_speed));
+    double m = CoulombNumbers::largest(has_stribeck, slip_speed_squared);
     if (has_tables) m = from_tables(m, slip_speed_squared, temperature);
     return m;
   }
   /// Coefficient over slip speed [s/m]: times a slip speed, or a vector of it, the signed coefficient.
   [[nodiscard]] double per_speed(double slip_speed_squared, double temperature = 0.) const {
-    return largest(slip_speed_squared, temperature) /
-           std::sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
+    return regularised(largest(slip_speed_squared, temperature), slip_speed_squared);
   }
   /// Signed coefficient at a slip speed [m/s].
   [[nodiscard]] double coefficient(double slip_speed) const { return per_speed(slip_speed * slip_speed) * slip_speed; }

@@ -6,16 +6,9 @@
 
 #include "base/errors.h"
 #include "base/parameters/suggestion.h"
+#include "machine/evaluate_machine.h"
 
 namespace rotordrop {
-namespace {
-
-void add(std::vector<Expansion>& to, const std::vector<Expansion>& from) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] = combined(1., to[i], 1., from[i]);
-}
-
-}  // namespace
-
 Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   const std::size_t n = parts_.supports.size();
   if (parts_.rotor->n_stations() != n || parts_.thermal_place.size() != n)
@@ -133,46 +126,6 @@ void Machine::initial_state(std::span<double> y) const {
   if (parts_.immediate_growth) parts_.immediate_growth->initial_state(y.subspan(immediate_.state, immediate_.n_state));
 }
 
-void Machine::fit(Evaluation& e) const {
-  if (e.inputs.size() != places_.size() || e.heats.size() != n_thermal_places()) {
-    for (auto* list : {&e.growth, &e.growth_rate, &e.immediate_growth}) list->assign(n_thermal_places(), {});
-    e.motions.resize(places_.size());
-    e.inputs.assign(places_.size(), {});
-    e.outputs.assign(places_.size(), {});
-    e.forces.resize(places_.size());
-    e.heats.assign(n_thermal_places(), {});
-  }
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    if (auto& rows = e.outputs[i].heat.rows; rows.size() != places_[i].n_rows) rows.resize(places_[i].n_rows);
-}
-
-void Machine::prepare_inputs(double t, std::span<const double> y, Evaluation& e) const {
-  parts_.rotor->motions(rotor_part(y), e.motions);
-  const Spin spin = parts_.rotor->spin(rotor_part(y));
-  if (parts_.driver)
-    parts_.thermal[*parts_.driver].model->growth(driver_part(y), e.growth);
-  else if (const GrowthHistory* given = given_growth(e))
-    given->at(t, e.growth);
-  else
-    std::fill(e.growth.begin(), e.growth.end(), Expansion{});
-  if (parts_.immediate_growth) {
-    parts_.immediate_growth->growth(y.subspan(immediate_.state, immediate_.n_state), e.immediate_growth);
-    add(e.growth, e.immediate_growth);
-  }
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    auto& input = e.inputs[i];
-    input.time = t;
-    input.journal = e.motions[i];
-    input.rotor_spin = spin;
-    if (const auto place = parts_.thermal_place[i]) {
-      input.growth = e.growth[*place];
-      input.growth.shaft += parts_.rotor_growth_by_speed[*place] * spin.speed * spin.speed;
-      if (const auto& followed = parts_.friction_temperatures)
-        input.ring_temperature = thermal_part(followed->model, y)[followed->states[*place]];
-    }
-  }
-}
-
 void Machine::evaluate(double t, std::span<const double> y, Evaluation& found) const {
   found.rates.resize(layout_.size());
   evaluate(t, y, found.rates, found);
@@ -183,81 +136,35 @@ void Machine::rhs(double t, std::span<const double> y, std::span<double> rates) 
   evaluate(t, y, rates, found);
 }
 
-void Machine::evaluate(double t, std::span<const double> y, std::span<double> dydt, Evaluation& e) const {
-  fit(e);
-  e.time = t;
-  e.step.resize(e.wants_step ? n_step_ : 0);
-  e.details.resize(e.wants_details ? n_detail_ : 0);
-  prepare_inputs(t, y, e);
-  std::size_t step_at = 0, detail_at = 0;
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Place& p = places_[i];
-    auto& out = e.outputs[i];
-    out.observed = e.wants_step ? std::span(e.step).subspan(step_at, p.n_step) : std::span<double>{};
-    out.observed_details = e.wants_details ? std::span(e.details).subspan(detail_at, p.n_detail) : std::span<double>{};
-    step_at += p.n_step;
-    detail_at += p.n_detail;
-    parts_.supports[i]->evaluate(e.inputs[i], y.subspan(p.state, p.n_state), dydt.subspan(p.state, p.n_state),
-                                 dydt.subspan(p.ledger + n_support_ledger, p.n_own), out);
-    e.forces[i] = out.force_on_rotor;
-    if (const auto place = parts_.thermal_place[i]) {
-      auto& heat = e.heats[*place];
-      heat = out.heat;
-      heat.rub_into_ring =
-          heat.rub * parts_.rub_share[*place].to_ring(heat.rotor_surface_speed, heat.ring_surface_speed);
-    }
-  }
-  if (!e.step.empty() && !parts_.probes.empty()) observe_probes(y, std::span(e.step).subspan(step_at));
-  const auto machine_ledger = dydt.subspan(machine_ledger_, n_machine_ledger_);
-  for (std::size_t k = 0; k < thermal_.size(); ++k) {
-    const auto rates = dydt.subspan(thermal_[k].state, thermal_[k].n_state);
-    machine_ledger[heat_lost + k] = parts_.thermal[k].model->rates(thermal_part(k, y), e.heats, rates);
-    for (const auto& heated : heated_ports_)
-      if (heated.model == k)
-        parts_.thermal[k].model->add_heat(heated.port, e.outputs[heated.support].heat_into_port, rates);
-    if (parts_.driver == k) parts_.thermal[k].model->growth_rates(rates, e.growth_rate);
-  }
-  if (!parts_.driver) {
-    if (const GrowthHistory* given = given_growth(e))
-      given->rate(t, e.growth_rate);
+/// The machine's own parts, of one drop.
+struct Machine::OwnParts {
+  const Parts& parts;
+  [[nodiscard]] const RotorModel& rotor() const { return *parts.rotor; }
+  [[nodiscard]] const Support& support(std::size_t i) const { return *parts.supports[i]; }
+  [[nodiscard]] const ThermalModel& thermal(std::size_t i) const { return *parts.thermal[i].model; }
+  [[nodiscard]] const ThermalModel& immediate_growth() const { return *parts.immediate_growth; }
+  [[nodiscard]] const RubShare& rub_share(std::size_t place) const { return parts.rub_share[place]; }
+  [[nodiscard]] double rotor_growth_by_speed(std::size_t place) const { return parts.rotor_growth_by_speed[place]; }
+  /// Growth that is prescribed or comes from outside, and its rate; none: zeros.
+  void given_growth(double t, const Evaluation& e, std::span<Expansion> out) const {
+    if (const GrowthHistory* given = history(e))
+      given->at(t, out);
     else
-      std::fill(e.growth_rate.begin(), e.growth_rate.end(), Expansion{});
+      std::fill(out.begin(), out.end(), Expansion{});
   }
-  if (parts_.immediate_growth) {
-    const auto rates = dydt.subspan(immediate_.state, immediate_.n_state);
-    parts_.immediate_growth->rates(y.subspan(immediate_.state, immediate_.n_state), e.heats, rates);
-    parts_.immediate_growth->growth_rates(rates, e.immediate_growth);
-    add(e.growth_rate, e.immediate_growth);
+  void given_growth_rate(double t, const Evaluation& e, std::span<Expansion> out) const {
+    if (const GrowthHistory* given = history(e))
+      given->rate(t, out);
+    else
+      std::fill(out.begin(), out.end(), Expansion{});
   }
-  const RotorPower power = parts_.rotor->rates(t, rotor_part(y), e.forces, dydt.subspan(0, n_rotor_));
+  [[nodiscard]] const GrowthHistory* history(const Evaluation& e) const {
+    return parts.takes_growth ? e.growth_in_force : parts.prescribed_growth.get();
+  }
+};
 
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const auto& out = e.outputs[i];
-    const auto ledger = dydt.subspan(places_[i].ledger, n_support_ledger);
-    ledger[rub_heat] = out.heat.rub;
-    ledger[inner_heat] = out.heat.inner;
-    ledger[outer_heat] = out.heat.outer;
-    ledger[other_dissipation] = out.other_dissipation;
-    const auto place = parts_.thermal_place[i];
-    // The rotor's speed makes it grow against its contacts; the spin's balance does not feel that.
-    const double by_speed = place ? parts_.rotor_growth_by_speed[*place] : 0.;
-    ledger[prescribed_work] = out.prescribed_work + out.energy_gradient.shaft * by_speed * 2. *
-                                                        e.inputs[i].rotor_spin.speed * power.spin_acceleration;
-    ledger[rub_heat_into_ring] = place ? e.heats[*place].rub_into_ring : 0.;
-    ledger[growth_work] = place ? out.energy_gradient.dot(e.growth_rate[*place]) : 0.;
-    if (places_[i].heats_port) dydt[places_[i].port_ledger()] = out.heat_into_port;
-    if (out.heat.rows.empty()) continue;
-    const auto of_rows =
-        dydt.subspan(places_[i].ledger + n_support_ledger + places_[i].n_own, 2 * out.heat.rows.size());
-    for (std::size_t row = 0; row < out.heat.rows.size(); ++row) {
-      of_rows[2 * row] = out.heat.rows[row].inner;
-      of_rows[2 * row + 1] = out.heat.rows[row].outer;
-    }
-  }
-  machine_ledger[rotor_damping] = power.damping;
-  machine_ledger[unbalance_work] = power.unbalance_work;
-  machine_ledger[drive_work] = power.drive_work;
-  if (parts_.rotor->has_windage()) machine_ledger[heat_lost + thermal_.size()] = power.windage;
+void Machine::evaluate(double t, std::span<const double> y, std::span<double> dydt, Evaluation& e) const {
+  evaluate_with<double>(OwnParts{parts_}, t, y, dydt, e);
 }
 
 double Machine::mechanical_energy(std::span<const double> y, std::span<const SupportInput> inputs) const {
@@ -275,7 +182,7 @@ Evaluation Machine::inputs_at(double t, std::span<const double> y, const GrowthH
   Evaluation e;
   e.growth_in_force = growth_in_force;
   fit(e);
-  prepare_inputs(t, y, e);
+  prepare_inputs<double>(OwnParts{parts_}, t, y, e);
   return e;
 }
 

@@ -73,6 +73,9 @@ class Machine final {
     std::vector<Probe> probes;  ///< watched when step observables are asked for
   };
   explicit Machine(Parts parts);
+  [[nodiscard]] const Parts& parts() const { return parts_; }
+  [[nodiscard]] std::size_t n_step() const { return n_step_; }       ///< size of all step observables
+  [[nodiscard]] std::size_t n_details() const { return n_detail_; }  ///< of all detailed ones
 
   [[nodiscard]] const StateLayout& layout() const { return layout_; }
   /// @param y [layout().size()]
@@ -96,11 +99,21 @@ class Machine final {
   void evaluate(double t, std::span<const double> y, Evaluation& found) const;
   /// The same with the rates elsewhere. @param rates [layout().size()]
   void evaluate(double t, std::span<const double> y, std::span<double> rates, Evaluation& found) const;
+  /// The same with the parts of machines alike side by side: those of several drops (machine/evaluate_machine.h).
+  template <class Real, class PartsOf>
+  void evaluate_with(const PartsOf& parts, const Real& t, std::span<const Real> y, std::span<Real> rates,
+                     EvaluationOf<Real>& found) const;
   /// Rates by themselves, for a few calls: integrators have a MachineSystem.
   void rhs(double t, std::span<const double> y, std::span<double> rates) const;
   /// @param found  by an evaluation of the same y
   /// @param out    [sum of sizes of state_observables()]
   void observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const;
+
+  /// Those of them that need no evaluation, being the rotor's own and the ledgers; the others are left alone. @param out  as above
+  void observe_held(std::span<const double> y, std::span<double> out) const;
+  [[nodiscard]] static bool is_held(const std::string& state_observable) {
+    return state_observable.starts_with("/rotor/") || state_observable.starts_with("/ledger/");
+  }
 
   /// @param growth_in_force  as of Evaluation
   [[nodiscard]] EnergyBalance energy_balance(double t, std::span<const double> y,
@@ -157,11 +170,11 @@ class Machine final {
   [[nodiscard]] std::span<const double> driver_part(std::span<const double> y) const {
     return thermal_part(*parts_.driver, y);
   }
-  void fit(Evaluation& found) const;
-  void prepare_inputs(double t, std::span<const double> y, Evaluation& found) const;
-  [[nodiscard]] const GrowthHistory* given_growth(const Evaluation& e) const {
-    return parts_.takes_growth ? e.growth_in_force : parts_.prescribed_growth.get();
-  }
+  struct OwnParts;
+  template <class Real>
+  void fit(EvaluationOf<Real>& found) const;
+  template <class Real, class PartsOf>
+  void prepare_inputs(const PartsOf& parts, const Real& t, std::span<const Real> y, EvaluationOf<Real>& found) const;
   [[nodiscard]] Evaluation inputs_at(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const;
   [[nodiscard]] double mechanical_energy(std::span<const double> y, std::span<const SupportInput> inputs) const;
   [[nodiscard]] EnergyBalance energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const;

@@ -88,11 +88,17 @@ void Machine::observe_probes(std::span<const double> y, std::span<double> out) c
   }
 }
 
-void Machine::observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const {
+void Machine::observe_held(std::span<const double> y, std::span<double> out) const {
   const Spin spin = parts_.rotor->spin(rotor_part(y));
   out[0] = spin.speed;
   out[1] = spin.angle;
   parts_.rotor->observe(rotor_part(y), out.subspan(2, n_rotor_observed_));
+  std::copy(y.begin() + static_cast<std::ptrdiff_t>(first_ledger_), y.end(),
+            out.last(y.size() - first_ledger_).begin());
+}
+
+void Machine::observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const {
+  observe_held(y, out);
   std::size_t at = 2 + n_rotor_observed_;
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
     parts_.thermal[k].model->observe(thermal_part(k, y), found.heats, out.subspan(at, thermal_[k].n_observed));
@@ -111,7 +117,6 @@ void Machine::observe_state(std::span<const double> y, const Evaluation& found, 
     out[at++] = value;
   for (const auto& heat : b.heat)
     for (const double value : {heat.stored, heat.lost, heat.residual}) out[at++] = value;
-  for (std::size_t i = first_ledger_; i < y.size(); ++i) out[at++] = y[i];
 }
 
 }  // namespace rotordrop

@@ -9,13 +9,15 @@
 namespace rotordrop {
 
 /// Power dissipated by the rotor, or done on it as work [W].
-struct RotorPower {
-  double damping = 0;         ///< dissipated by modal and mass-proportional damping
-  double unbalance_work = 0;  ///< done on the rotor by the unbalance forces (which have no reaction torque on the spin)
-  double drive_work = 0;      ///< done on the rotor by the motor or brake torque
-  double windage = 0;         ///< dissipated by the gas around the rotor
-  double spin_acceleration = 0;  ///< no power: rate of the spin speed [rad/s^2]
+template <class Real>
+struct RotorPowerOf {
+  Real damping = 0;         ///< dissipated by modal and mass-proportional damping
+  Real unbalance_work = 0;  ///< done on the rotor by the unbalance forces (which have no reaction torque on the spin)
+  Real drive_work = 0;      ///< done on the rotor by the motor or brake torque
+  Real windage = 0;         ///< dissipated by the gas around the rotor
+  Real spin_acceleration = 0;  ///< no power: rate of the spin speed [rad/s^2]
 };
+using RotorPower = RotorPowerOf<double>;
 
 /// A rotor. Mass is inverted inside; stations were fixed when it was built. Keeps no copy of the state.
 class RotorModel {

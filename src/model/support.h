@@ -10,26 +10,29 @@
 namespace rotordrop {
 
 /// What a support sees: depends on states alone, never on forces (no feedthrough).
-struct SupportInput {
-  double time = 0;  ///< [s]
-  Motion journal;   ///< of the rotor at the support's station
-  Spin rotor_spin;
-  Expansion growth;
-  double ring_temperature = 0;  ///< mean of the inner ring [K]; 0 where no friction asks for it
+template <class Real>
+struct SupportInputOf {
+  Real time = 0;           ///< [s]
+  MotionOf<Real> journal;  ///< of the rotor at the support's station
+  SpinOf<Real> rotor_spin;
+  ExpansionOf<Real> growth;
+  Real ring_temperature = 0;  ///< mean of the inner ring [K]; 0 where no friction asks for it
 };
+using SupportInput = SupportInputOf<double>;
 
 /// What a support returns from one evaluation.
-struct SupportOutput {
-  Force force_on_rotor;
-  HeatInput heat;
-  double other_dissipation =
-      0;                       ///< dissipated but not given to the thermal model: contact, ball and support damping [W]
-  double heat_into_port = 0;   ///< part of other_dissipation that enters Support::heat_port() [W]
-  double prescribed_work = 0;  ///< done on the machine by cage, waves and growth by speed [W]
-  Expansion energy_gradient;   ///< dU/d(growth) [N]: times the growth rate it is the work of thermal growth
-  std::span<double> observed;  ///< where to write the observables, in their order; empty: do not
-  std::span<double> observed_details;  ///< where to write the detailed (coarsely sampled) ones; empty: do not
+template <class Real>
+struct SupportOutputOf {
+  ForceOf<Real> force_on_rotor;
+  HeatInputOf<Real> heat;
+  Real other_dissipation = 0;  ///< dissipated but not given to the thermal model: contact, ball and support damping [W]
+  Real heat_into_port = 0;     ///< part of other_dissipation that enters Support::heat_port() [W]
+  Real prescribed_work = 0;    ///< done on the machine by cage, waves and growth by speed [W]
+  ExpansionOf<Real> energy_gradient;  ///< dU/d(growth) [N]: times the growth rate it is the work of thermal growth
+  std::span<Real> observed;           ///< where to write the observables, in their order; empty: do not
+  std::span<Real> observed_details;   ///< where to write the detailed (coarsely sampled) ones; empty: do not
 };
+using SupportOutput = SupportOutputOf<double>;
 
 /// Holds the rotor at one station: touchdown bearing, linear spring-damper; later a magnet or a snubber.
 class Support {

@@ -26,17 +26,13 @@ const double* only_idle(int n_balls) {
 
 }  // namespace
 
-double RaceContact::largest_pressure(double load) const {
-  if (load <= 0.) return 0.;
-  const double major = axis_factor * std::cbrt(load);
-  return 1.5 * load * ellipticity / (std::numbers::pi * major * major);
-}
-
+template <>
 double RaceContact::edge_distance(double sine, double cosine) const {
   if (!has_edge()) return std::numeric_limits<double>::infinity();
   return groove_radius * (edge_sine * cosine - edge_cosine * std::fabs(sine));
 }
 
+template <>
 double RaceContact::truncation(double load, double sine, double cosine) const {
   if (!(load > 0.) || !has_edge()) return 0.;
   const double a = axis_factor * std::cbrt(load);
@@ -51,21 +47,31 @@ RowStrains row_strains(const BallRowGeometry& g) {
           {-(x + half * s) + groove_o * s, groove_o * c, groove_o}};
 }
 
-BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves)
-    : geometry_(geometry), strains_(row_strains(geometry)) {
+BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves) : geometry_(geometry) {
   const auto& g = geometry_;
   if (g.n_balls > max_balls) throw std::invalid_argument("a row holds at most 256 balls");
   const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
-  constants_.A = A;
-  constants_.radial = A * std::cos(g.contact_angle) - g.radial_clearance;
-  constants_.axial = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
-  constants_.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
-  stiffness_root_ = std::cbrt(g.stiffness);
+  auto& grooves = numbers_.grooves;
+  grooves.A = A;
+  grooves.radial = A * std::cos(g.contact_angle) - g.radial_clearance;
+  grooves.axial = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
+  grooves.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  numbers_.strains = row_strains(g);
+  numbers_.position = g.position;
+  numbers_.difference_share = g.difference_share;
+  numbers_.stiffness = g.stiffness;
+  numbers_.damping = 1.5 * g.damping_beta;
+  numbers_.stiffness_root = std::cbrt(g.stiffness);
+  numbers_.ball_mass = g.ball_mass;
+  numbers_.pitch_diameter = g.pitch_diameter;
+  numbers_.inner_gyroscopic_share = g.inner_gyroscopic_share;
+  numbers_.inner = g.inner;
+  numbers_.outer = g.outer;
   inertial_ = {std::pow(g.inner.stiffness, -2. / 3.),        std::pow(g.outer.stiffness, -2. / 3.),
                (g.inner_conformity - 0.5) * g.ball_diameter, (g.outer_conformity - 0.5) * g.ball_diameter,
                g.ball_diameter / g.pitch_diameter,           g.inner_gyroscopic_share};
   if (g.has_inertia)
-    starts_ = std::make_shared<InertialStarts>(inertial_, constants_.axial, constants_.radial,
+    starts_ = std::make_shared<InertialStarts>(inertial_, numbers_.grooves.axial, numbers_.grooves.radial,
                                                0.5 * g.ball_mass * g.pitch_diameter);
   const auto azimuth = [&](int j) { return g.phase + 2. * std::numbers::pi * j / g.n_balls; };
   for (int j = 0; j < g.n_balls; ++j) {
@@ -105,25 +111,7 @@ void BallRow::fill_added(const BallRowInput& in, double* added) const {
   }
 }
 
-BallRow::Constants BallRow::grown(const BallRowInput& in) const {
-  const auto& [inner, outer] = strains_;
-  Constants c = constants_;
-  c.A += in.inner_strain * inner.groove + in.outer_strain * outer.groove;
-  c.radial += in.radial_growth + geometry_.difference_share * in.row_difference +
-              (in.inner_strain * inner.radial + in.outer_strain * outer.radial);
-  c.axial += in.inner_strain * inner.axial + in.outer_strain * outer.axial;
-  return c;
-}
-
-std::pair<double, double> BallRow::strain_gradient(const BallRowOutput& out) const {
-  const auto gradient = [&](const GrooveStrain& s, double normal) {
-    return s.axial * out.elastic_axial + s.radial * out.elastic_radial - s.groove * normal;
-  };
-  return {gradient(strains_.inner, out.elastic_normal - out.elastic_outer_surplus),
-          gradient(strains_.outer, out.elastic_normal + out.elastic_outer_surplus)};
-}
-
-double BallRow::penetration(const BallRowInput& in, const Constants& grown, int ball, double added,
+double BallRow::penetration(const BallRowInput& in, const Grooves& grown, int ball, double added,
                             double widening) const {
   const auto j = static_cast<std::size_t>(ball);
   const double c = in.cage_cosine * cosine_[j] - in.cage_sine * sine_[j];
@@ -136,7 +124,7 @@ double BallRow::penetration(const BallRowInput& in, const Constants& grown, int 
 }
 
 double BallRow::waviness_power(const BallRowInput& in, const double* added, const double* widening) const {
-  const Constants at = grown(in);
+  const Grooves at = numbers_.grown(in);
   double power = 0.;
   for (const auto& w : waves_) {
     const double on_ring = w.wave.on_inner_race ? 1. : 0.;
@@ -156,23 +144,11 @@ KernelInput BallRow::kernel_input(const BallRowInput& in, double* waved, Widenin
   const bool is_bent = !in.shape.empty();
   if (is_bent) widen(in, bent);
   if (!waves_.empty()) fill_added(in, waved);
-  const Constants at = grown(in);
-  return {cosine_.data(),
+  return {row_place(numbers_, in, waves_.empty() ? 2. * in.ball_growth : 0.),
+          cosine_.data(),
           sine_.data(),
           waves_.empty() ? only_idle(geometry_.n_balls) : waved,
           n_padded_,
-          waves_.empty() ? 2. * in.ball_growth : 0.,
-          at.A,
-          at.radial,
-          at.axial,
-          at.arm,
-          geometry_.position,
-          geometry_.stiffness,
-          1.5 * geometry_.damping_beta,
-          in.cage_cosine,
-          in.cage_sine,
-          in.displacement,
-          in.rate,
           is_bent ? &bent : nullptr};
 }
 
@@ -182,22 +158,18 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   std::array<double, max_balls> waved;
   const KernelInput balls = kernel_input(in, waved.data(), bent);
   if (tractions) {
-    const double F_c = centrifugal_force(in);
+    const double F_c = numbers_.centrifugal_force(in);
     const TractionInput with{F_c,
                              geometry_.inner_gyroscopic_share,
-                             {{geometry_.inner, stiffness_root_}, {geometry_.outer, stiffness_root_}}};
+                             {{geometry_.inner, numbers_.stiffness_root}, {geometry_.outer, numbers_.stiffness_root}}};
     kernel(balls, out, &with, tractions);
     tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
   } else {
     kernel(balls, out, nullptr, nullptr);
   }
   if (balls.bent) press_shapes(in, bent);
-  out.inner_load_roots = out.outer_load_roots = stiffness_root_ * out.inner_load_roots;
+  out.inner_load_roots = out.outer_load_roots = numbers_.stiffness_root * out.inner_load_roots;
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, waved.data(), balls.bent ? bent.width.data() : nullptr);
-}
-
-double BallRow::centrifugal_force(const BallRowInput& in) const {
-  return 0.5 * geometry_.ball_mass * geometry_.pitch_diameter * in.cage_speed * in.cage_speed;
 }
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
@@ -229,8 +201,8 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
   }
   const auto& v = in.rate;
   const auto& e = in.displacement;
-  const double xr = geometry_.position, arm = constants_.arm;
-  const Constants at = grown(in);
+  const double xr = geometry_.position, arm = numbers_.grooves.arm;
+  const Grooves at = numbers_.grown(in);
   for (int j = 0; j < geometry_.n_balls; ++j) {
     const auto k = static_cast<std::size_t>(j);
     const double c = in.cage_cosine * cosine_[k] - in.cage_sine * sine_[k];

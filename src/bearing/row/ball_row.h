@@ -1,31 +1,35 @@
 #pragma once
 #include <memory>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "bearing/row/inertial_balls.h"
+#include "laws/skidding.h"
 
 namespace rotordrop {
 
-struct KernelInput;   // bearing/row/ball_row_kernels.h
-struct RowTractions;  // laws/skidding.h
-struct Widening;      // bearing/row/ball_row_bending.h
+struct KernelInput;  // bearing/row/ball_row_kernels.h
+struct Widening;     // bearing/row/ball_row_bending.h
 
 /// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
-struct RingDisplacement {
-  double x = 0, y = 0, z = 0;   ///< [m] ([m/s])
-  double psi_y = 0, psi_z = 0;  ///< [rad] ([rad/s])
+template <class Real>
+struct RingDisplacementOf {
+  Real x = 0, y = 0, z = 0;   ///< [m] ([m/s])
+  Real psi_y = 0, psi_z = 0;  ///< [rad] ([rad/s])
 };
+using RingDisplacement = RingDisplacementOf<double>;
 
 /// Hertz constants of the balls on one race.
-struct RaceContact {
-  double stiffness = 0;    ///< K of Q = K delta^1.5 [N/m^1.5]
-  double axis_factor = 0;  ///< semi-major axis of the contact ellipse over Q^(1/3) [m/N^(1/3)]
-  double ellipticity = 1;  ///< semi-major over semi-minor axis
+template <class Real>
+struct RaceContactOf {
+  Real stiffness = 0;    ///< K of Q = K delta^1.5 [N/m^1.5]
+  Real axis_factor = 0;  ///< semi-major axis of the contact ellipse over Q^(1/3) [m/N^(1/3)]
+  Real ellipticity = 1;  ///< semi-major over semi-minor axis
   // Edge of the raceway on either side, where the groove's circle reaches the shoulder.
-  double groove_radius = 0;               ///< [m]; 0: no edge
-  double edge_sine = 0, edge_cosine = 1;  ///< of its angle about the groove's centre, from the radial direction
+  Real groove_radius = 0;               ///< [m]; 0: no edge
+  Real edge_sine = 0, edge_cosine = 1;  ///< of its angle about the groove's centre, from the radial direction
   [[nodiscard]] bool has_edge() const { return groove_radius > 0.; }
   /// Distance of the edge from the centre of a contact, in the contact's tangent plane [m]; infinite without an edge.
   [[nodiscard]] double edge_distance(double sine, double cosine) const;
@@ -33,8 +37,12 @@ struct RaceContact {
   /// @param load [N]; @param sine, cosine  of the contact angle
   [[nodiscard]] double truncation(double load, double sine, double cosine) const;
   /// Largest pressure in the contact ellipse under a load [N], 3 Q / (2 pi a b) [Pa]; 0 without load.
-  [[nodiscard]] double largest_pressure(double load) const;
+  [[nodiscard]] Real largest_pressure(const Real& load) const {
+    const Real major = axis_factor * cbrt(load);
+    return select(load <= 0., Real(0.), 1.5 * load * ellipticity / (std::numbers::pi * major * major));
+  }
 };
+using RaceContact = RaceContactOf<double>;
 
 /// One row of balls between two races.
 struct BallRowGeometry {
@@ -65,14 +73,18 @@ struct BallRowGeometry {
 /// How a row's grooves move and widen with the axial strain of a ring, the growth of its width over its width. With s the row's direction and
 /// x its position, the contact points lie at x -+ s (d/2) sin phi_0; a groove's centre is its radius f d away from them along the normal, and
 /// that radius grows with the ring.
-struct GrooveStrain {
-  double axial = 0;   ///< growth of B_x per strain [m]
-  double radial = 0;  ///< growth of B_r per strain, besides that of the contact points' radii [m]
-  double groove = 0;  ///< growth of the groove's radius per strain; what the contact's deflection loses [m]
+template <class Real>
+struct GrooveStrainOf {
+  Real axial = 0;   ///< growth of B_x per strain [m]
+  Real radial = 0;  ///< growth of B_r per strain, besides that of the contact points' radii [m]
+  Real groove = 0;  ///< growth of the groove's radius per strain; what the contact's deflection loses [m]
 };
-struct RowStrains {
-  GrooveStrain inner, outer;
+using GrooveStrain = GrooveStrainOf<double>;
+template <class Real>
+struct RowStrainsOf {
+  GrooveStrainOf<Real> inner, outer;
 };
+using RowStrains = RowStrainsOf<double>;
 RowStrains row_strains(const BallRowGeometry& geometry);
 
 /// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (eqs. 11, 12).
@@ -84,43 +96,85 @@ struct RaceWave {
 };
 
 /// Instantaneous input of a row.
-struct BallRowInput {
-  RingDisplacement displacement;
-  RingDisplacement rate;
-  double cage_angle = 0, cage_cosine = 1, cage_sine = 0;
-  double cage_speed = 0;      ///< [rad/s], for the work of the prescribed cage
-  double ring_angle = 0;      ///< theta_i [rad]
-  double ring_speed = 0;      ///< omega_i [rad/s]
-  double radial_growth = 0;   ///< eps_in - eps_out, radial displacements of the contact points [m]
-  double row_difference = 0;  ///< of it, last row less first [m]
-  double ball_growth = 0;     ///< eps_b, growth of a ball's radius [m]
-  double inner_strain = 0;    ///< axial strain of the inner ring
-  double outer_strain = 0;    ///< of the outer ring
+template <class Real>
+struct BallRowInputOf {
+  RingDisplacementOf<Real> displacement;
+  RingDisplacementOf<Real> rate;
+  Real cage_angle = 0, cage_cosine = 1, cage_sine = 0;
+  Real cage_speed = 0;      ///< [rad/s], for the work of the prescribed cage
+  Real ring_angle = 0;      ///< theta_i [rad]
+  Real ring_speed = 0;      ///< omega_i [rad/s]
+  Real radial_growth = 0;   ///< eps_in - eps_out, radial displacements of the contact points [m]
+  Real row_difference = 0;  ///< of it, last row less first [m]
+  Real ball_growth = 0;     ///< eps_b, growth of a ball's radius [m]
+  Real inner_strain = 0;    ///< axial strain of the inner ring
+  Real outer_strain = 0;    ///< of the outer ring
   /// Bent rings: coefficients a_2, b_2, a_3, b_3, ... of u_r of the inner raceway less the outer one [m], and their rates [m/s]; empty: rigid rings.
-  std::span<const double> shape, shape_rate;
-  std::span<double> shape_force;  ///< the balls' forces on the inner ring's shapes are added here [N]
+  std::span<const Real> shape, shape_rate;
+  std::span<Real> shape_force;  ///< the balls' forces on the inner ring's shapes are added here [N]
 };
+using BallRowInput = BallRowInputOf<double>;
 
 /// What a row does to the inner ring, and the sums that energy and heat need. Evaluation writes every member.
-struct BallRowOutput {
-  double force_x, force_y, force_z;  ///< on the inner ring [N]
-  double moment_y, moment_z;         ///< on the inner ring [N m]
-  double damping_power;              ///< dissipated in the contacts [W]
-  double elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
-  double elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
-  double elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
-  double
+template <class Real>
+struct BallRowOutputOf {
+  Real force_x, force_y, force_z;  ///< on the inner ring [N]
+  Real moment_y, moment_z;         ///< on the inner ring [N m]
+  Real damping_power;              ///< dissipated in the contacts [W]
+  Real elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
+  Real elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
+  Real elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
+  Real
       elastic_outer_surplus;  ///< by how much that of the outer contacts exceeds it; the inner ones fall short by as much [N]
-  double
-      cage_torque;  ///< dU/d(cage angle) with the waves kept: times the cage's speed the work rate of its motion [N m]
-  double waviness_power;      ///< work rate of the prescribed travel of the waves [W]
-  double largest_load;        ///< of the row's balls on the inner race [N]
-  double largest_outer_load;  ///< on the outer race [N]; the same without inertia
+  Real cage_torque;  ///< dU/d(cage angle) with the waves kept: times the cage's speed the work rate of its motion [N m]
+  Real waviness_power;      ///< work rate of the prescribed travel of the waves [W]
+  Real largest_load;        ///< of the row's balls on the inner race [N]
+  Real largest_outer_load;  ///< on the outer race [N]; the same without inertia
   /// Sums of the loads and of their cube roots on either race, without damping [N], [N^(1/3)]: what conducts heat. Loads of balls without inertia are
   /// the same on both.
-  double inner_load_roots, outer_load_roots, inner_loads, outer_loads;
-  double inertia_power;      ///< work rate of the balls' forces of inertia on the balls, at constant speed [W]
-  double inertia_per_speed;  ///< and more per acceleration of the ring [W s^2/rad]
+  Real inner_load_roots, outer_load_roots, inner_loads, outer_loads;
+  Real inertia_power;      ///< work rate of the balls' forces of inertia on the balls, at constant speed [W]
+  Real inertia_per_speed;  ///< and more per acceleration of the ring [W s^2/rad]
+};
+using BallRowOutput = BallRowOutputOf<double>;
+
+/// Where the grooves' centres are, B_r and B_x of an undisplaced ring [m].
+template <class Real>
+struct GroovesOf {
+  Real A, radial, axial, arm;  ///< A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
+};
+
+/// What a row is, as numbers: nothing but these, so that those of several drops can be laid side by side.
+template <class Real>
+struct RowNumbers {
+  GroovesOf<Real> grooves;
+  RowStrainsOf<Real> strains;
+  Real position, difference_share;                         ///< as in BallRowGeometry
+  Real stiffness, damping, stiffness_root;                 ///< K, 1.5 beta, K^(1/3)
+  Real ball_mass, pitch_diameter, inner_gyroscopic_share;  ///< as in BallRowGeometry
+  RaceContactOf<Real> inner, outer;
+
+  [[nodiscard]] GroovesOf<Real> grown(const BallRowInputOf<Real>& in) const {
+    const auto& [of_inner, of_outer] = strains;
+    GroovesOf<Real> g = grooves;
+    g.A += in.inner_strain * of_inner.groove + in.outer_strain * of_outer.groove;
+    g.radial += in.radial_growth + difference_share * in.row_difference +
+                (in.inner_strain * of_inner.radial + in.outer_strain * of_outer.radial);
+    g.axial += in.inner_strain * of_inner.axial + in.outer_strain * of_outer.axial;
+    return g;
+  }
+  /// Centrifugal force of a ball at the cage's speed [N].
+  [[nodiscard]] Real centrifugal_force(const BallRowInputOf<Real>& in) const {
+    return 0.5 * ball_mass * pitch_diameter * in.cage_speed * in.cage_speed;
+  }
+  /// dU/d(inner_strain) and dU/d(outer_strain) [J] of an evaluation.
+  [[nodiscard]] std::pair<Real, Real> strain_gradient(const BallRowOutputOf<Real>& out) const {
+    const auto gradient = [&](const GrooveStrainOf<Real>& s, const Real& normal) {
+      return s.axial * out.elastic_axial + s.radial * out.elastic_radial - s.groove * normal;
+    };
+    return {gradient(strains.inner, out.elastic_normal - out.elastic_outer_surplus),
+            gradient(strains.outer, out.elastic_normal + out.elastic_outer_surplus)};
+  }
 };
 
 /// Forces of a row of balls after Sopanen & Mikkola (2003), without trigonometry per ball. With b the azimuth of a ball,
@@ -150,18 +204,19 @@ class BallRow {
   [[nodiscard]] double energy(const BallRowInput& input) const;
   /// Axial approach of the races [m] at which an undisplaced row carries an axial load [N] with this geometry's contact.
   static double offset_for_axial_load(const BallRowGeometry& geometry, double axial_load);
-  /// dU/d(inner_strain) and dU/d(outer_strain) [J] of an evaluation.
-  [[nodiscard]] std::pair<double, double> strain_gradient(const BallRowOutput& out) const;
+  [[nodiscard]] const RowNumbers<double>& numbers() const { return numbers_; }
+  [[nodiscard]] std::size_t n_balls() const { return static_cast<std::size_t>(geometry_.n_balls); }
+  /// Of the balls' azimuths at cage angle zero [n_balls].
+  [[nodiscard]] std::span<const double> cosines() const { return {cosine_.data(), n_balls()}; }
+  [[nodiscard]] std::span<const double> sines() const { return {sine_.data(), n_balls()}; }
+  [[nodiscard]] bool is_wavy() const { return !waves_.empty(); }
 
  private:
   struct Wave {
     RaceWave wave;
     std::vector<double> cosine, sine;  // of order * azimuth at cage angle zero, [n_padded]
   };
-  struct Constants {
-    double A, radial, axial, arm;  // A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
-  };
-  [[nodiscard]] Constants grown(const BallRowInput& input) const;
+  using Grooves = GroovesOf<double>;
   /// @param waved [max_balls], @param bent  space that what is returned may refer to
   [[nodiscard]] KernelInput kernel_input(const BallRowInput& input, double* waved, Widening& bent) const;
   template <class Kernel>
@@ -174,20 +229,17 @@ class BallRow {
   void place_balls(const BallRowInput& input, InertialBalls& balls, Widening& widening) const;
   BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls, Widening& widening) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out, RowTractions* tractions) const;
-  [[nodiscard]] double centrifugal_force(const BallRowInput& input) const;
-  [[nodiscard]] double penetration(const BallRowInput& input, const Constants& grown, int ball, double added,
+  [[nodiscard]] double penetration(const BallRowInput& input, const Grooves& grown, int ball, double added,
                                    double widening) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added, const double* widening) const;
 
   BallRowGeometry geometry_;
-  Constants constants_{};
-  RowStrains strains_;
+  RowNumbers<double> numbers_{};
   InertialRow inertial_;
   std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
   std::vector<double> cosine_,
       sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;
-  double stiffness_root_ = 0;  // K^(1/3)
   std::vector<Wave> waves_;
   std::vector<double>
       shapes_;  // cos, sin of n times the azimuths at cage angle zero, n = 2 ...: [2 (highest - 1)][n_padded]

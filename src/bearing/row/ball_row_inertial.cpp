@@ -164,9 +164,9 @@ void BallRow::place_balls(const BallRowInput& in, InertialBalls& w, Widening& be
   const auto n = static_cast<std::size_t>(geometry_.n_balls);
   std::fill_n(w.is_ball.begin(), n, 1.);
   std::fill_n(w.is_ball.begin() + geometry_.n_balls, n_padded_ - n, 0.);
-  const Constants at = grown(in);
-  std::fill_n(w.added_i.begin(), n_padded_, in.ball_growth - in.inner_strain * strains_.inner.groove);
-  std::fill_n(w.added_o.begin(), n_padded_, in.ball_growth - in.outer_strain * strains_.outer.groove);
+  const Grooves at = numbers_.grown(in);
+  std::fill_n(w.added_i.begin(), n_padded_, in.ball_growth - in.inner_strain * numbers_.strains.inner.groove);
+  std::fill_n(w.added_o.begin(), n_padded_, in.ball_growth - in.outer_strain * numbers_.strains.outer.groove);
   std::fill_n(w.added_i_rate.begin(), n_padded_, 0.);
   std::fill_n(w.added_o_rate.begin(), n_padded_, 0.);
   for (const auto& wave : waves_) {
@@ -202,7 +202,7 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   const BallWork work = balance(in, F_0, w, bent);
   const bool is_bent = !in.shape.empty();
   (is_bent ? sum_bent_forces : sum_forces)({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0.,
-                                            constants_.arm, geometry_.position, in.displacement, in.rate, &bent},
+                                            numbers_.grooves.arm, geometry_.position, in.displacement, in.rate, &bent},
                                            w, geometry_.inner_gyroscopic_share != 0., 1.5 * geometry_.damping_beta,
                                            1. / (inertial_.c_i + inertial_.c_o), out);
   if (is_bent) press_shapes(in, bent);
@@ -224,7 +224,7 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
 
   if (!tractions) return;
   *tractions = {};
-  const double F_c = centrifugal_force(in);
+  const double F_c = numbers_.centrifugal_force(in);
   tractions->centrifugal = F_c;
   for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j) {
     const double T_g = gyroscopic_traction(F_c, w.o_x[j]);

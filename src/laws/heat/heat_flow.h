@@ -1,11 +1,15 @@
 #pragma once
 // Laws of heat: free convection, contact constriction, share of rubbing heat.
+#include "base/real.h"
 
 namespace rotordrop {
 
 /// Free convection from a bearing housing h = 23 (T - T_inf)^0.25 [W/m^2 K], clamped at zero rise.
 /// Source: Neisi 2019, eq. (16), after Harris.
-double housing_convection(double rise);
+template <class Real>
+Real housing_convection(const Real& rise) {
+  return 23. * sqrt(sqrt(larger(rise, Real(0.))));
+}
 
 /// Static constriction resistance of one elliptic contact spot, K(e)/(2 pi a) (1/k_1 + 1/k_2) [K/W].
 /// @param semi_major_axis a [m]; @param first_kind K(e)
@@ -16,20 +20,32 @@ double elliptic_constriction(double semi_major_axis, double first_kind, double k
 ///   share = 1 / (1 + (e_rotor/e_ring) sqrt(t_ring/t_rotor)),  t = band_length / |surface speed|,
 /// the time of a surface at rest being the contact's own duration. e = sqrt(k rho c).
 /// Valid for thin heated layers (high Peclet number), as in a rub at tens of m/s.
-struct JaegerShare {
-  double band_length = 0;       ///< of the contact along the surface [m]
-  double contact_duration = 0;  ///< [s]
-  double effusivity_ratio = 1;  ///< e_rotor / e_ring
-  [[nodiscard]] double to_ring(double rotor_surface_speed, double ring_surface_speed) const;
+template <class Real>
+struct JaegerShareOf {
+  Real band_length = 0;       ///< of the contact along the surface [m]
+  Real contact_duration = 0;  ///< [s]
+  Real effusivity_ratio = 1;  ///< e_rotor / e_ring
+  [[nodiscard]] Real to_ring(const Real& rotor_surface_speed, const Real& ring_surface_speed) const {
+    const Real slowest = band_length / contact_duration;  // a surface at rest is heated for the contact's duration
+    const Real v_rotor = larger(abs(rotor_surface_speed), slowest), v_ring = larger(abs(ring_surface_speed), slowest);
+    return 1. / (1. + effusivity_ratio * sqrt(v_rotor / v_ring));
+  }
 };
+using JaegerShare = JaegerShareOf<double>;
 
 /// How the rubbing heat divides between ring and rotor: a constant, or Blok and Jaeger's share.
-struct RubShare {
-  double constant = 0.5;  ///< into the ring
-  bool by_jaeger = false;
-  JaegerShare jaeger;
-  [[nodiscard]] double to_ring(double rotor_surface_speed, double ring_surface_speed) const {
+template <class Real>
+struct RubNumbers {
+  Real constant = 0.5;  ///< into the ring
+  JaegerShareOf<Real> jaeger;
+  [[nodiscard]] Real to_ring(bool by_jaeger, const Real& rotor_surface_speed, const Real& ring_surface_speed) const {
     return by_jaeger ? jaeger.to_ring(rotor_surface_speed, ring_surface_speed) : constant;
+  }
+};
+struct RubShare : RubNumbers<double> {
+  bool by_jaeger = false;
+  [[nodiscard]] double to_ring(double rotor_surface_speed, double ring_surface_speed) const {
+    return RubNumbers::to_ring(by_jaeger, rotor_surface_speed, ring_surface_speed);
   }
 };
 

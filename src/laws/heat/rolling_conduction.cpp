@@ -29,19 +29,6 @@ ContactConduction contact_conduction(const ConductingBody& race, const Conductin
           film_thickness > 0. ? film_conductivity * area / film_thickness : 0.};
 }
 
-BallConductances RowConduction::of_row(double inner_roots, double inner_loads, double outer_roots, double outer_loads,
-                                       double speed) const {
-  const auto root = [](double roots, double loads) { return loads > 0. ? std::sqrt(loads / roots) : 0.; };
-  const double u_i = root(inner_roots, inner_loads), u_o = root(outer_roots, outer_loads);
-  const double n_i = u_i > 0. ? inner_roots / u_i : 0., n_o = u_o > 0. ? outer_roots / u_o : 0.;
-  const double both = std::min(n_i, n_o);
-  BallConductances sum;
-  if (both > 0.) sum = of_balls(both, u_i, u_o, speed);
-  // Pressed outwards by their inertia alone.
-  if (n_o > both) sum.add(of_balls(n_o - both, 0., u_o, speed));
-  return sum;
-}
-
 double repeating_track_conductance(double conductivity, double ball_radius, double half_width) {
   return 2. * pi * pi * conductivity * ball_radius / (std::log(ball_radius / half_width) + 0.43);
 }

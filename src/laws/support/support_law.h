@@ -15,10 +15,12 @@ struct SupportMotion {
 };
 
 /// What a law answers. Power into the law is -(force . velocity) = rate of stored energy + loss.
-struct SupportAnswer {
-  double y = 0, z = 0;  ///< force on the outer ring [N]
-  double loss = 0;      ///< dissipated, >= 0 [W]
+template <class Real>
+struct SupportAnswerOf {
+  Real y = 0, z = 0;  ///< force on the outer ring [N]
+  Real loss = 0;      ///< dissipated, >= 0 [W]
 };
+using SupportAnswer = SupportAnswerOf<double>;
 
 /// Linearised or conservative part for a slow push from the unloaded place, as statics asks for it.
 struct SupportRest {

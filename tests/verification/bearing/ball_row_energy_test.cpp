@@ -215,7 +215,7 @@ TEST(BallRow, GrowthForcesAreTheEnergysDerivativesByGrowth) {
           return oracle_energy(s.geometry, s.waves, moved, moved.cage_angle);
         },
         5e-8);
-    const auto by_strain = row.strain_gradient(out);
+    const auto by_strain = row.numbers().strain_gradient(out);
     for (const auto& [strain, gradient] :
          {std::pair{&BallRowInput::inner_strain, by_strain.first}, {&BallRowInput::outer_strain, by_strain.second}}) {
       const double expected = derivative(

@@ -1,0 +1,36 @@
+#pragma once
+#include <cmath>
+
+// Words of formulas that are written once for one drop (Real = double) and for eight in lanes (Real = Drops<width>, base/drops.h). A formula
+// that chooses says select(condition, a, b) and has both at hand; whole parts of it may be left out where no lane needs them: if (any(condition)).
+
+namespace rotordrop {
+
+using std::abs;
+using std::cbrt;
+using std::exp;
+using std::pow;
+using std::sqrt;
+using std::tanh;
+
+/// What goes with a scalar.
+template <class Real>
+struct RealTraits;
+template <>
+struct RealTraits<double> {
+  using Mask = bool;
+  static constexpr bool is_in_lanes = false;
+};
+/// What comparing two of them gives.
+template <class Real>
+using MaskOf = typename RealTraits<Real>::Mask;
+
+[[gnu::always_inline]] inline double select(bool condition, double a, double b) { return condition ? a : b; }
+[[gnu::always_inline]] inline bool select(bool condition, bool a, bool b) { return condition ? a : b; }
+/// Whether a condition holds in any lane.
+[[gnu::always_inline]] inline bool any(bool condition) { return condition; }
+/// The larger one; what is not a number in the first place stays so.
+[[gnu::always_inline]] inline double larger(double a, double b) { return a < b ? b : a; }
+[[gnu::always_inline]] inline double smaller(double a, double b) { return b < a ? b : a; }
+
+}  // namespace rotordrop

@@ -1,0 +1,139 @@
+#pragma once
+// One ball between its races: the formulas that all sums over a row are made of (see BallRow), for one drop and for eight in lanes.
+#include "base/real.h"
+#include "bearing/row/ball_row.h"
+#include "laws/skidding.h"
+
+namespace rotordrop {
+
+/// What a row's balls have in common at one instant.
+template <class Real>
+struct RowPlaceOf {
+  Real grown;                                        // added to every delta: 2 eps_b
+  Real A, radial, axial, arm, position, K, damping;  // damping = 1.5 beta
+  Real cage_cosine, cage_sine;
+  RingDisplacementOf<Real> e, v;
+};
+
+/// @param grown  added to every delta
+template <class Real>
+RowPlaceOf<Real> row_place(const RowNumbers<Real>& row, const BallRowInputOf<Real>& in, const Real& grown) {
+  const GroovesOf<Real> g = row.grown(in);
+  return {grown,         g.A,         g.radial,       g.axial,      g.arm,           row.position,
+          row.stiffness, row.damping, in.cage_cosine, in.cage_sine, in.displacement, in.rate};
+}
+
+/// By how much bent rings move a ball's races apart, its rate, and its slope around the ring.
+template <class Real>
+struct BallWidening {
+  Real width, rate, slope;
+};
+
+/// One ball's contact with the races, and its parts of the row's sums. Forces are on the ball's inner race, against the ring's.
+template <class Real>
+struct BallTerms {
+  Real c, s;              // of its azimuth
+  Real cos_phi, sin_phi;  // of the contact angle
+  Real delta, root;       // penetration and its root
+  Real elastic, F;        // [N]
+  Real rate;              // of the penetration [m/s]
+  Real cage;              // torque by elastic forces over the cage's turning [N m]
+};
+
+/// @tparam tilts    of a ring that moves in all five ways; one that only translates leaves out the terms of tilt and axial motion
+/// @tparam is_bent  of bent rings
+/// @param added     to the penetration: waves, or what keeps an idle ball away
+template <bool tilts, bool is_bent, class Real>
+[[gnu::always_inline]] inline BallTerms<Real> ball_terms(const RowPlaceOf<Real>& in, const Real& cosine,
+                                                         const Real& sine, const Real& added,
+                                                         const BallWidening<Real>& bent) {
+  BallTerms<Real> b;
+  const Real c = in.cage_cosine * cosine - in.cage_sine * sine;
+  const Real s = in.cage_sine * cosine + in.cage_cosine * sine;
+  Real e_y = in.e.y, e_z = in.e.z, v_y = in.v.y, v_z = in.v.z, Bx = in.axial, Bx_rate = 0., Bx_turn = 0.;
+  if constexpr (tilts) {
+    const auto &e = in.e, &v = in.v;
+    e_y += in.position * e.psi_z;
+    e_z -= in.position * e.psi_y;
+    v_y += in.position * v.psi_z;
+    v_z -= in.position * v.psi_y;
+    Bx += e.x + in.arm * (e.psi_y * s - e.psi_z * c);
+    Bx_rate = v.x + in.arm * (v.psi_y * s - v.psi_z * c);
+    Bx_turn = in.arm * (e.psi_y * c + e.psi_z * s);
+  }
+  Real Br = in.radial + e_y * c + e_z * s, Br_rate = v_y * c + v_z * s, Br_turn = e_z * c - e_y * s;
+  if constexpr (is_bent) {
+    Br += bent.width;
+    Br_rate += bent.rate;
+    Br_turn += bent.slope;
+  }
+  const Real distance = sqrt(Br * Br + Bx * Bx);
+  const Real inverse = 1. / distance;
+  b.c = c;
+  b.s = s;
+  b.cos_phi = Br * inverse;
+  b.sin_phi = Bx * inverse;
+  b.delta = larger(distance - in.A + (in.grown + added), Real(0.));
+  b.rate = b.cos_phi * Br_rate;
+  if constexpr (tilts) b.rate += b.sin_phi * Bx_rate;
+  b.root = sqrt(b.delta);
+  const Real stiffness = in.K * b.root;
+  b.elastic = stiffness * b.delta;
+  b.F = larger(stiffness * (b.delta + in.damping * b.rate), Real(0.));
+  b.cage = b.elastic * (b.cos_phi * Br_turn + b.sin_phi * Bx_turn);
+  return b;
+}
+
+/// Raceways' edges as the tractions' sums need them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.
+template <class Real>
+struct RaceEdgeOf {
+  Real sine, cosine;  // times r / (2 factor K^(1/3))
+  RaceEdgeOf() = default;
+  /// @param stiffness_root  K^(1/3)
+  RaceEdgeOf(const RaceContactOf<Real>& race, const Real& stiffness_root) {
+    const Real per_axis = 0.5 * race.groove_radius / (race.axis_factor * stiffness_root);
+    const auto has_edge = race.groove_radius > 0.;
+    sine = select(has_edge, per_axis * race.edge_sine, Real(1e30));
+    cosine = select(has_edge, per_axis * race.edge_cosine, Real(-1e30));
+  }
+};
+template <class Real>
+struct RaceEdgesOf {
+  RaceEdgeOf<Real> inner, outer;
+};
+
+/// What the tractions of a row depend on besides.
+template <class Real>
+struct TractionInputOf {
+  Real F_c;          // of a ball, at the cage's speed [N]
+  Real inner_share;  // of the gyroscopic traction
+  RaceEdgesOf<Real> edges;
+};
+
+/// One ball's parts of the tractions' sums.
+template <class Real>
+struct TractionTerms {
+  Real outer, gyroscopic, demand, beyond;
+};
+template <class Real>
+[[gnu::always_inline]] inline TractionTerms<Real> traction_terms(const TractionInputOf<Real>& with,
+                                                                 const BallTerms<Real>& b) {
+  constexpr double nothing = 1e-100;  // [N]
+  const OuterContactOf<Real> o = outer_contact(b.F, b.sin_phi, b.cos_phi, with.F_c);
+  TractionTerms<Real> t;
+  t.outer = o.load;
+  t.gyroscopic = gyroscopic_traction(with.F_c, o.sine);
+  const Real inner_demand = with.inner_share * t.gyroscopic / (b.F + nothing);
+  const Real outer_demand = (1. - with.inner_share) * t.gyroscopic * o.per_load;
+  t.demand = larger(inner_demand, outer_demand);
+  // Without damping, Q^(1/3) = K^(1/3) delta^(1/2).
+  const auto &inner_edge = with.edges.inner, &outer_edge = with.edges.outer;
+  const Real sine = abs(b.sin_phi), per_root = 1. / (b.root + 1e-30);
+  const Real inner_margin = (inner_edge.sine * b.cos_phi - inner_edge.cosine * sine) * per_root;
+  const Real outer_margin = (outer_edge.sine * b.cos_phi - outer_edge.cosine * sine) * per_root;
+  const Real beyond = 0.5 - smaller(outer_margin, inner_margin);
+  t.beyond = select(b.delta > 0., beyond, Real(0.));
+  return t;
+}
+
+}  // namespace rotordrop

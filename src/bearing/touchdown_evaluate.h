@@ -1,0 +1,288 @@
+#pragma once
+// The motion of a touchdown bearing: rotor against bore, balls, torques and heat, of one drop or of eight in lanes. What runs in lanes are rigid rings that
+// translate, in rolling balls without inertia or waves, on a spring and a damper, under regularised friction without tables
+// (TouchdownBearing::runs_in_lanes); what is beyond that stands under `has_all`, and is called for one drop only.
+#include <span>
+
+#include "base/sine_cosine.h"
+#include "bearing/row/ball_terms.h"
+#include "bearing/touchdown_contact.h"
+
+namespace rotordrop {
+
+template <class Real>
+BallRowInputOf<Real> TouchdownBearing::row_input(const TouchdownNumbers<Real>& q, const ExpansionOf<Real>& growth,
+                                                 std::span<const Real> y) const {
+  BallRowInputOf<Real> in;
+  in.displacement.y = y[ring_y] - y[support_y];
+  in.displacement.z = y[ring_z] - y[support_z];
+  in.rate.y = y[ring_vy] - y[support_vy];
+  in.rate.z = y[ring_vz] - y[support_vz];
+  in.cage_speed = q.cage_ratio * y[ring_spin];
+  if constexpr (has_all<Real>) {
+    if (data_.free_ring) {
+      in.displacement.x = y[ring_x];
+      in.displacement.psi_y = y[tilt_y];
+      in.displacement.psi_z = y[tilt_z];
+      in.rate.x = y[ring_vx];
+      in.rate.psi_y = y[tilt_rate_y];
+      in.rate.psi_z = y[tilt_rate_z];
+    }
+    if (data_.free_cage) in.cage_speed = y[free_cage_at()];
+  }
+  in.cage_angle = y[cage_angle];
+  const auto turned = sine_cosine(in.cage_angle);
+  in.cage_cosine = turned.cosine;
+  in.cage_sine = turned.sine;
+  in.ring_angle = y[ring_angle];
+  in.ring_speed = y[ring_spin];
+  in.radial_growth = growth.inner_race - growth.outer_race;
+  in.row_difference = growth.row_difference;
+  in.ball_growth = growth.ball;
+  in.inner_strain = q.strain_per_growth * growth.inner_width;
+  in.outer_strain = q.strain_per_growth * growth.outer_width;
+  return in;
+}
+
+template <class Real, class Row>
+TouchdownBearing::BallForcesOf<Real> TouchdownBearing::ball_forces(std::span<const Row> rows,
+                                                                   const BallRowInputOf<Real>& in,
+                                                                   bool with_tractions) const {
+  BallForcesOf<Real> sum;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    auto& row = sum.row[i];
+    RowTractionsOf<Real>* tractions = with_tractions ? &sum.tractions[i] : nullptr;
+    if constexpr (has_all<Real>) {
+      if (data_.free_ring)
+        rows[i].evaluate(in, row, tractions);
+      else
+        rows[i].evaluate_translations(in, row, tractions);
+    } else {
+      rows[i].evaluate_translations(in, row, tractions);
+    }
+    sum.force_x += row.force_x;
+    sum.moment_y += row.moment_y;
+    sum.moment_z += row.moment_z;
+    sum.force_y += row.force_y;
+    sum.force_z += row.force_z;
+    sum.damping_power += row.damping_power;
+    sum.elastic_radial += row.elastic_radial;
+    sum.by_row_difference += rows[i].numbers().difference_share * row.elastic_radial;
+    sum.elastic_normal += row.elastic_normal;
+    const auto by_strain = rows[i].numbers().strain_gradient(row);
+    sum.by_inner_strain += by_strain.first;
+    sum.by_outer_strain += by_strain.second;
+    sum.cage_power += row.cage_torque * in.cage_speed;
+    sum.waviness_power += row.waviness_power;
+    sum.inertia_power += row.inertia_power;
+    sum.inertia_per_speed += row.inertia_per_speed;
+  }
+  return sum;
+}
+
+template <class Real>
+Real TouchdownBearing::load_torque_of(const TouchdownNumbers<Real>& q, const BallForcesOf<Real>& forces) const {
+  if (data_.load_law == FrictionLoadLaw::radial) {
+    const Real P = sqrt(forces.force_y * forces.force_y + forces.force_z * forces.force_z);
+    return load_torque(FrictionLoadsOf<Real>{P, P}, q.f1_z, q.f1_y, q.static_rating, q.pitch_diameter);
+  }
+  Real torque = 0.;
+  for (std::size_t i = 0; i < rows_.size(); ++i) torque += row_load_torque(q, forces.row[i]);
+  return torque;
+}
+
+template <class Real>
+Real TouchdownBearing::row_load_torque(const TouchdownNumbers<Real>& q, const BallRowOutputOf<Real>& row) const {
+  const Real radial = sqrt(row.force_y * row.force_y + row.force_z * row.force_z);
+  return load_torque(q.friction_load_factors.loads(radial, abs(row.force_x)), q.f1_z, q.f1_y,
+                     q.static_rating / static_cast<double>(rows_.size()), q.pitch_diameter);
+}
+
+template <class Real>
+BallConductancesOf<Real> TouchdownBearing::row_conduction(const TouchdownNumbers<Real>& q,
+                                                          const BallRowOutputOf<Real>& row, const Real& ring_speed) {
+  return q.conduction.of_row(row.inner_load_roots, row.inner_loads, row.outer_load_roots, row.outer_loads,
+                             q.rolling_speed_ratio * abs(ring_speed));
+}
+
+template <class Real>
+BallConductionOf<Real> TouchdownBearing::conduction(const TouchdownNumbers<Real>& q, const BallForcesOf<Real>& forces,
+                                                    const Real& ring_speed) const {
+  BallConductancesOf<Real> sum;
+  for (std::size_t i = 0; i < rows_.size(); ++i) sum.add(row_conduction(q, forces.row[i], ring_speed));
+  return {sum.inner_to_ball, sum.outer_to_ball, sum.inner_to_outer};
+}
+
+template <class Real, class Row>
+void TouchdownBearing::evaluate_with(const TouchdownNumbers<Real>& q, std::span<const Row> rows,
+                                     const SupportInputOf<Real>& in, std::span<const Real> y, std::span<Real> dydt,
+                                     std::span<Real> ledger, SupportOutputOf<Real>& out) const {
+  const ExpansionOf<Real> grown = growth(q, in, y);
+  BallRowInputOf<Real> rows_in = row_input(q, grown, y);
+  ShapeForces shapes;
+  std::span<Real> by_rotor;
+  if constexpr (has_all<Real>)
+    if (data_.bending) {
+      fill_ball_shapes(y, shapes);
+      by_rotor = {shapes.by_rotor.data(), data_.bending->n_inner()};
+      lend_shapes(shapes, rows_in);
+    }
+  const TouchOf<Real> t = touch(q, in, grown, y, dydt.subspan(bristles_at(), n_bristles()), by_rotor);
+  const BallForcesOf<Real> balls = ball_forces(rows, rows_in, !out.observed.empty());
+  out.force_on_rotor = t.on_rotor;
+
+  const Real ring_speed = y[ring_spin];
+  const Real M_L = load_torque_of(q, balls);
+  const Real M_v = drag_torque(q.drag_viscosity, ring_speed, q.pitch_diameter, q.f2);
+  Real M_spin = 0.;
+  if constexpr (has_all<Real>)
+    if (data_.add_spin_heat) M_spin = spin_drag(rows_in);
+  const Real turning = tanh(ring_speed / q.drag_regularisation), M = (M_L + M_v + M_spin) * turning;
+
+  dydt[ring_y] = y[ring_vy];
+  dydt[ring_z] = y[ring_vz];
+  dydt[ring_vy] = (t.on_ring.y + balls.force_y) / q.ring_mass + q.gravity_y;
+  dydt[ring_vz] = (t.on_ring.z + balls.force_z) / q.ring_mass + q.gravity_z;
+  dydt[ring_angle] = ring_speed;
+  dydt[ring_spin] = (t.on_ring.torque - M) / q.ring_spin_inertia;
+  dydt[support_y] = y[support_vy];
+  dydt[support_z] = y[support_vz];
+  SupportAnswerOf<Real> support;
+  if (data_.support_law) {
+    if constexpr (has_all<Real>) support = carried(y, dydt);
+    dydt[support_vy] = (-balls.force_y + support.y) / q.support_mass;
+    dydt[support_vz] = (-balls.force_z + support.z) / q.support_mass;
+  } else {
+    const Real damper_y = q.support_damping_y * y[support_vy], damper_z = q.support_damping_z * y[support_vz];
+    dydt[support_vy] = (-balls.force_y - q.support_stiffness_y * y[support_y] - damper_y) / q.support_mass;
+    dydt[support_vz] = (-balls.force_z - q.support_stiffness_z * y[support_z] - damper_z) / q.support_mass;
+    support.loss = damper_y * y[support_vy] + damper_z * y[support_vz];
+  }
+  dydt[cage_angle] = rows_in.cage_speed;
+  Real bending_loss = 0.;
+  if constexpr (has_all<Real>) {
+    if (data_.free_ring) tilt(balls, t, y, dydt);
+    if (data_.bending) bending_loss = bend(y, shapes, dydt);
+  }
+
+  out.heat.rub = t.rub_heat;
+  out.heat.inner = q.inner_heat_share * M * ring_speed * q.heat_over_work;
+  out.heat.outer = (1. - q.inner_heat_share) * M * ring_speed * q.heat_over_work;
+  out.heat.is_in_contact = t.is_touching;
+  if (data_.conduction) out.heat.balls = conduction(q, balls, ring_speed);
+  Real slip_loss = 0.;
+  if constexpr (has_all<Real>) {
+    if (!out.heat.rows.empty()) divide_among_rows(balls, rows_in, M_L, M_v, turning, ring_speed, out.heat.rows);
+    if (data_.free_cage) slip_loss = turn_cage(balls, y, dydt, out.heat);
+  }
+  // The rubbing spot lies on the line of centres and turns with it.
+  const Real spot_speed = q.bore_radius * t.middle.centres_turning;
+  out.heat.rotor_surface_speed = in.rotor_spin.speed * q.rotor_radius - spot_speed;
+  out.heat.ring_surface_speed = ring_speed * q.bore_radius - spot_speed;
+
+  const Real inertia_work = balls.inertia_power + balls.inertia_per_speed * dydt[ring_spin];
+  const Real wave_work = balls.waviness_power + t.wave_power;
+  out.other_dissipation =
+      t.damping + balls.damping_power + support.loss + bending_loss - (q.heat_over_work - 1.) * M * ring_speed;
+  out.energy_gradient = {t.elastic,
+                         -t.elastic,
+                         balls.elastic_radial,
+                         -balls.elastic_radial,
+                         2. * balls.elastic_normal,
+                         q.strain_per_growth * balls.by_inner_strain,
+                         q.strain_per_growth * balls.by_outer_strain,
+                         balls.by_row_difference};
+  // The ring's speed makes it grow against its contacts; the spin's balance does not feel that.
+  const Real centrifugal_work = out.energy_gradient.dot(q.centrifugal_growth) * 2. * ring_speed * dydt[ring_spin];
+  const Real cage_work_rate = data_.free_cage ? Real(0.) : balls.cage_power;
+  out.prescribed_work = cage_work_rate + wave_work + inertia_work + centrifugal_work;
+
+  ledger[contact_impulse] = t.normal;
+  ledger[contact_damping] = t.damping;
+  ledger[ball_damping] = balls.damping_power;
+  ledger[support_damping] = support.loss;
+  ledger[waviness_work] = wave_work;
+  ledger[cage_work] = cage_work_rate;
+  ledger[inertia_of_balls] = inertia_work;
+  // Friction in the bore has the rotor's radius on the rotor, that of shoulders the same on both.
+  const Real bore_torque = t.on_ring.torque - t.shoulder_torque;
+  ledger[spin_up_drive] = in.rotor_spin.speed * (bore_torque + t.shoulder_torque * q.bore_radius / q.rotor_radius);
+  ledger[spin_up_centres] = t.centres_power;
+  std::size_t optional_ledger = first_optional_ledger;
+  if (data_.bending) ledger[optional_ledger++] = bending_loss;
+  if (data_.free_cage) ledger[optional_ledger++] = slip_loss;
+
+  if (!out.observed.empty()) {
+    observe(q, rows, in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
+    if constexpr (has_all<Real>)
+      if (data_.support_law) observe_support(support, y, out.observed.last(3));
+  }
+  if (!out.observed_details.empty()) {
+    std::size_t at = 0;
+    for (const auto& row : rows) {
+      row.ball_loads(rows_in, out.observed_details.subspan(at, row.n_balls()));
+      at += row.n_balls();
+    }
+    for (std::size_t k = 0; k < n_shapes(); ++k) out.observed_details[at + k] = y[shapes_at() + k];
+  }
+}
+
+template <class Real, class Row>
+void TouchdownBearing::observe(const TouchdownNumbers<Real>& q, std::span<const Row> rows,
+                               const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth, std::span<const Real> y,
+                               const TouchOf<Real>& touch, const BallForcesOf<Real>& balls, const Real& load_torque,
+                               const Real& drag_torque, const Real& ring_acceleration, const HeatInputOf<Real>& heat,
+                               std::span<Real> out) const {
+  std::size_t at = 0;
+  const auto put = [&](std::initializer_list<Real> values) {
+    for (const Real& value : values) out[at++] = value;
+  };
+  put({in.journal.y, in.journal.z, in.journal.velocity_y, in.journal.velocity_z});
+  put({y[ring_y], y[ring_z], y[ring_vy], y[ring_vz], y[support_y], y[support_z]});
+  put({touch.middle.penetration, q.air_gap + growth.bore - growth.shaft, touch.normal, touch.friction,
+       touch.middle.slip_speed});
+  const Real rotor_surface = in.rotor_spin.speed * q.rotor_radius;
+  put({select(rotor_surface != 0., 1. - y[ring_spin] * q.bore_radius / rotor_surface, Real(1.))});
+  put({balls.force_y, balls.force_z});
+  Real largest = 0.;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    put({balls.row[i].largest_load});
+    largest = larger(largest, balls.row[i].largest_load);
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& race = rows[i].numbers();
+    put({larger(race.inner.largest_pressure(balls.row[i].largest_load),
+                race.outer.largest_pressure(balls.row[i].largest_outer_load))});
+  }
+  const Real spin_torque =
+      spin_moment(q.race_friction_coefficient, largest, q.spin_axis_factor * cbrt(largest), q.spin_elliptic_integral);
+  put({y[ring_spin], y[cage_angle], load_torque, drag_torque, spin_torque, q.spin_speed_sum_ratio * y[ring_spin]});
+  put({heat.rub, heat.inner, heat.outer});
+  for (const Real& surface : growth_values(growth)) out[at++] = surface;
+  Real towards_plus = 0., towards_minus = 0.;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Real axial = balls.row[i].force_x;
+    put({axial});
+    towards_plus += larger(axial, Real(0.));
+    towards_minus += larger(-axial, Real(0.));
+  }
+  put({rows.size() > 1 ? smaller(towards_plus, towards_minus) : Real(0.)});
+  put({balls.tractions[0].centrifugal});
+  for (std::size_t i = 0; i < rows.size(); ++i) put({balls.tractions[i].truncation});
+  const Real mu = q.race_friction_coefficient;
+  const Real acceleration = 0.5 * q.pitch_diameter * q.cage_ratio * abs(ring_acceleration);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    put({rolling_demand(balls.tractions[i], rows_[i].geometry().n_balls, rows[i].numbers().ball_mass, acceleration,
+                        mu)});
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    put({traction_demand(balls.tractions[i].largest_gyroscopic_over_load, mu, Real(1.))});
+  if constexpr (has_all<Real>) {
+    if (data_.free_ring) {
+      put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.on_ring.x, touch.shoulder});
+      put({touch.on_ring.moment_y, touch.on_ring.moment_z});
+    }
+    if (data_.free_cage) put({y[free_cage_at()], q.cage_ratio * y[ring_spin], y[free_cage_at() + 1]});
+  }
+}
+
+}  // namespace rotordrop
