@@ -117,7 +117,9 @@ class ModalRotor final : public RotorModel {
   [[nodiscard]] std::vector<double> mode_frequencies() const;
 
  private:
-  struct Kernels;  // bodies of rates() and motions(), for several widths of vectors
+  template <class Real>
+  friend class ModalRotorInLanes;  // rotor/modal_rotor_in_lanes.h
+  struct Kernels;                  // bodies of rates() and motions(), for several widths of vectors
 
   [[nodiscard]] std::size_t axial_at() const { return 4 * n_modes_ + 2; }
   void add_axial_motion(std::span<const double> y, std::span<Motion> out) const;

@@ -10,7 +10,8 @@
 namespace rotordrop {
 
 /// Watts of a place by port: ring, shaft, inner contact, outer contact.
-inline std::array<double, 4> heat_by_port(const HeatInput& h) {
+template <class Real>
+std::array<Real, 4> heat_by_port(const HeatInputOf<Real>& h) {
   return {h.rub_into_ring, h.rub - h.rub_into_ring, h.inner, h.outer};
 }
 
@@ -19,6 +20,11 @@ inline std::array<double, 4> heat_by_port(const HeatInput& h) {
 /// with one more row for what the surroundings take [W].
 class LinearFlows {
  public:
+  [[nodiscard]] std::size_t n_rows() const { return n_nodes_ + 1; }
+  [[nodiscard]] std::size_t n_columns() const { return n_nodes_ + 4 * n_places_; }
+  /// Of nodes' rises, then of ports' heats.
+  [[nodiscard]] double factor(std::size_t row, std::size_t column) const { return columns_[column * stride_ + row]; }
+
   LinearFlows() = default;
   LinearFlows(std::size_t n_nodes, std::size_t n_places);
 
@@ -49,6 +55,10 @@ class LinearGrowth {
   explicit LinearGrowth(std::size_t n_nodes) : columns_(n_nodes * n_surfaces, 0.) {}
   /// @param surface  its place in growth_surfaces
   double& operator()(std::size_t surface, std::size_t node) { return columns_[node * n_surfaces + surface]; }
+  [[nodiscard]] std::size_t n_nodes() const { return columns_.size() / n_surfaces; }
+  [[nodiscard]] double factor(std::size_t surface, std::size_t node) const {
+    return columns_[node * n_surfaces + surface];
+  }
   /// Growth by the temperatures above one [m], or its rate by their rates above zero [m/s]. @param T [n_nodes]
   [[nodiscard]] Expansion of(std::span<const double> T, double above) const;
 

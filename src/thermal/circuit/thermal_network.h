@@ -80,6 +80,8 @@ class ThermalNetwork final : public ThermalModel {
   [[nodiscard]] std::vector<std::size_t> ring_states() const override;
 
  private:
+  template <class Real>
+  friend class ThermalNetworkInLanes;  // thermal/circuit/thermal_network_in_lanes.h
   struct LawLink {  // between two nodes with capacity, or one and the surroundings (b = number of those)
     std::size_t a, b;
     ThermalNetworkData::Resistor resistor;

@@ -1,0 +1,303 @@
+#pragma once
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+#include "base/real.h"
+#include "base/sine_cosine.h"
+
+// A number for each of eight drops that run in lanes, held in vectors of the width that the source is compiled for. What runs in lanes is compiled once
+// for each instruction set (cmake/LaneEngine.cmake); the width is part of the type, so that no two of them share a function.
+
+namespace rotordrop {
+
+/// Drops that run in lanes.
+inline constexpr int n_lanes = 8;
+
+/// Numbers in a register of what this source is compiled for.
+#if defined(__AVX512F__)
+inline constexpr int register_width = 8;
+#elif defined(__AVX__)
+inline constexpr int register_width = 4;
+#else
+inline constexpr int register_width = 2;
+#endif
+
+#define ROTORDROP_LANE_WORD [[gnu::always_inline]] friend inline
+
+namespace lane_words {
+/// Vector types of a width.
+template <int width>
+struct Vector;
+#define ROTORDROP_VECTOR(W)                                                  \
+  template <>                                                                \
+  struct Vector<W> {                                                         \
+    typedef double Numbers __attribute__((vector_size(8 * W)));              \
+    typedef long long Bits __attribute__((vector_size(8 * W)));              \
+    typedef unsigned long long Unsigned __attribute__((vector_size(8 * W))); \
+  };
+ROTORDROP_VECTOR(2)
+ROTORDROP_VECTOR(4)
+ROTORDROP_VECTOR(8)
+#undef ROTORDROP_VECTOR
+}  // namespace lane_words
+
+/// Truth of each lane: all bits or none.
+template <int width>
+struct DropMask {
+  static constexpr int n = n_lanes / width;
+  using Bits = typename lane_words::Vector<width>::Bits;
+  Bits part[n];
+  DropMask() = default;
+  [[gnu::always_inline]] inline DropMask(bool value) {
+    for (Bits& p : part) p = Bits{} - static_cast<long long>(value);
+  }
+  [[nodiscard]] bool operator[](int lane) const { return part[lane / width][lane % width] != 0; }
+  ROTORDROP_LANE_WORD DropMask operator&(const DropMask& a, const DropMask& b) {
+    DropMask r;
+    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] & b.part[i];
+    return r;
+  }
+  ROTORDROP_LANE_WORD DropMask operator|(const DropMask& a, const DropMask& b) {
+    DropMask r;
+    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] | b.part[i];
+    return r;
+  }
+  ROTORDROP_LANE_WORD DropMask operator!(const DropMask& a) {
+    DropMask r;
+    for (int i = 0; i < n; ++i) r.part[i] = ~a.part[i];
+    return r;
+  }
+  DropMask& operator|=(const DropMask& b) { return *this = *this | b; }
+  ROTORDROP_LANE_WORD bool any(const DropMask& a) {
+    Bits all = a.part[0];
+    for (int i = 1; i < n; ++i) all |= a.part[i];
+    long long sum = 0;
+    for (int i = 0; i < width; ++i) sum |= all[i];
+    return sum != 0;
+  }
+};
+
+/// A number of each lane.
+template <int width>
+struct Drops {
+  static constexpr int n = n_lanes / width;
+  using Numbers = typename lane_words::Vector<width>::Numbers;
+  using Bits = typename lane_words::Vector<width>::Bits;
+  using Unsigned = typename lane_words::Vector<width>::Unsigned;
+  using Mask = DropMask<width>;
+  Numbers part[n];
+
+  Drops() = default;
+  /// The same number in all lanes.
+  [[gnu::always_inline]] inline Drops(double value) {
+    for (Numbers& p : part) p = value - Numbers{};  // zero plus a number would be an addition
+  }
+  /// @param from  [n_lanes]
+  [[nodiscard, gnu::always_inline]] static inline Drops load(const double* from) {
+    Drops r;
+    std::memcpy(&r.part, from, sizeof r.part);
+    return r;
+  }
+  /// @param to  [n_lanes]
+  [[gnu::always_inline]] inline void store(double* to) const { std::memcpy(to, &part, sizeof part); }
+  [[nodiscard]] double operator[](int lane) const { return part[lane / width][lane % width]; }
+  void set(int lane, double value) { part[lane / width][lane % width] = value; }
+
+#define ROTORDROP_OPERATOR(op)                                            \
+  ROTORDROP_LANE_WORD Drops operator op(const Drops& a, const Drops& b) { \
+    Drops r;                                                              \
+    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] op b.part[i];       \
+    return r;                                                             \
+  }                                                                       \
+  [[gnu::always_inline]] inline Drops& operator op##=(const Drops& b) {   \
+    for (int i = 0; i < n; ++i) part[i] = part[i] op b.part[i];           \
+    return *this;                                                         \
+  }
+  ROTORDROP_OPERATOR(+)
+  ROTORDROP_OPERATOR(-)
+  ROTORDROP_OPERATOR(*)
+  ROTORDROP_OPERATOR(/)
+#undef ROTORDROP_OPERATOR
+  ROTORDROP_LANE_WORD Drops operator-(const Drops& a) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = -a.part[i];
+    return r;
+  }
+
+#define ROTORDROP_COMPARISON(op)                                         \
+  ROTORDROP_LANE_WORD Mask operator op(const Drops& a, const Drops& b) { \
+    Mask r;                                                              \
+    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] op b.part[i];      \
+    return r;                                                            \
+  }
+  ROTORDROP_COMPARISON(<)
+  ROTORDROP_COMPARISON(<=)
+  ROTORDROP_COMPARISON(>)
+  ROTORDROP_COMPARISON(>=)
+  ROTORDROP_COMPARISON(==)
+  ROTORDROP_COMPARISON(!=)
+#undef ROTORDROP_COMPARISON
+
+  ROTORDROP_LANE_WORD Drops select(const Mask& condition, const Drops& a, const Drops& b) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = condition.part[i] ? a.part[i] : b.part[i];
+    return r;
+  }
+  ROTORDROP_LANE_WORD Drops larger(const Drops& a, const Drops& b) { return select(a < b, b, a); }
+  ROTORDROP_LANE_WORD Drops smaller(const Drops& a, const Drops& b) { return select(b < a, b, a); }
+  ROTORDROP_LANE_WORD Drops abs(const Drops& a) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = (Numbers)((Bits)a.part[i] & 0x7fffffffffffffffLL);
+    return r;
+  }
+  ROTORDROP_LANE_WORD Drops sqrt(const Drops& a) {
+    Drops r;
+    for (int i = 0; i < n; ++i)
+      for (int l = 0; l < width; ++l) r.part[i][l] = __builtin_sqrt(a.part[i][l]);
+    return r;
+  }
+  ROTORDROP_LANE_WORD Drops exp(const Drops& a) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = exp_of(a.part[i]);
+    return r;
+  }
+  /// x^y for x >= 0 and one exponent, or one of each lane.
+  ROTORDROP_LANE_WORD Drops pow(const Drops& a, const Drops& b) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = pow_of(a.part[i], b.part[i]);
+    return r;
+  }
+  ROTORDROP_LANE_WORD Drops tanh(const Drops& a) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = tanh_of(a.part[i]);
+    return r;
+  }
+  ROTORDROP_LANE_WORD Drops cbrt(const Drops& a) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = cbrt_of(a.part[i]);
+    return r;
+  }
+  /// To a million radians; not a number beyond.
+  ROTORDROP_LANE_WORD SineCosineOf<Drops> sine_cosine(const Drops& a) {
+    SineCosineOf<Drops> r;
+    for (int i = 0; i < n; ++i) sine_cosine_of(a.part[i], r.sine.part[i], r.cosine.part[i]);
+    return r;
+  }
+
+ private:
+  // Of one register: plain arithmetic and the numbers' bits, so that every instruction set does the same.
+
+  /// The nearest integer of |x| < 2^51, and its bits: adding 1.5 * 2^52 rounds.
+  [[gnu::always_inline]] static inline Numbers nearest(Numbers x, Bits& k) {
+    const Numbers shifted = x + 6755399441055744.;
+    k = (Bits)shifted - 0x4338000000000000LL;
+    return shifted - 6755399441055744.;
+  }
+  /// p 2^k, both of them normal numbers.
+  [[gnu::always_inline]] static inline Numbers times_power_of_two(Numbers p, Bits k) {
+    return (Numbers)((Bits)p + (k << 52));
+  }
+  [[gnu::always_inline]] static inline Numbers limited(Numbers x, double low, double high) {
+    x = x < low ? low - Numbers{} : x;
+    return x > high ? high - Numbers{} : x;
+  }
+  /// exp(r) - 1 - r over r^2, by Taylor's series to r^13, |r| < 0.35.
+  [[gnu::always_inline]] static inline Numbers exp_small(Numbers r) {
+    Numbers s = r * (1. / 6227020800.) + 1. / 479001600.;
+    s = s * r + 1. / 39916800.;
+    s = s * r + 1. / 3628800.;
+    s = s * r + 1. / 362880.;
+    s = s * r + 1. / 40320.;
+    s = s * r + 1. / 5040.;
+    s = s * r + 1. / 720.;
+    s = s * r + 1. / 120.;
+    s = s * r + 1. / 24.;
+    s = s * r + 1. / 6.;
+    s = s * r + 0.5;
+    return 1. + (r + r * r * s);
+  }
+  [[gnu::always_inline]] static inline Numbers exp_of(Numbers x) {
+    Bits k;
+    const Numbers within = limited(x, -708., 709.);
+    const Numbers n_twos = nearest(within * 1.4426950408889634074, k);
+    // ln 2 in two parts, the first with 32 bits.
+    const Numbers r = (within - n_twos * 6.93147180369123816490e-01) - n_twos * 1.90821492927058770002e-10;
+    return times_power_of_two(exp_small(r), k) + (x - x);  // what is not a number stays so
+  }
+  /// x = 2^e m with m from sqrt(1/2) to sqrt(2): e, and ln m by FDLIBM's polynomial (Sun Microsystems, 1993).
+  [[gnu::always_inline]] static inline Numbers split_logarithm(Numbers x, Numbers& e) {
+    constexpr long long root_half = 0x3fe6a09e667f3bcdLL, one = 0x3ff0000000000000LL;
+    const Bits k = (Bits)((Unsigned)((Bits)x + (one - root_half)) >> 52);  // biased by 1023
+    e = (Numbers)(k | 0x4330000000000000LL) - 4503599627371519.;
+    const Numbers f = (Numbers)((Bits)x - ((k - 1023) << 52)) - 1.;
+    const Numbers s = f / (2. + f), z = s * s, w = z * z;
+    const Numbers odd = w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
+    const Numbers even =
+        z * (6.666666666666735130e-01 +
+             w * (2.857142874366239149e-01 + w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
+    const Numbers half = 0.5 * f * f;
+    return f - (half - s * (half + (odd + even)));
+  }
+  /// e times the exponent's leading part is exact, so that a large |ln x| costs no digits. Zero to a positive power is zero.
+  [[gnu::always_inline]] static inline Numbers pow_of(Numbers x, Numbers y) {
+    Numbers e;
+    const Numbers logarithm = y * split_logarithm(x, e);
+    const Numbers y_leading = (Numbers)((Bits)y & ~0x3ffffffLL), twos = e * y_leading;
+    const Numbers sum = twos + logarithm * 1.4426950408889634074;
+    Bits k;
+    const Numbers n_twos = nearest(limited(sum, -1021., 1022.), k);
+    const Numbers rest = ((twos - n_twos) + e * (y - y_leading)) * 6.93147180559945309417e-01 + logarithm;
+    const Numbers power = times_power_of_two(exp_small(rest), k) + (x - x);
+    const Numbers below = x == 0. ? Numbers{} : Numbers{} / Numbers{};
+    return x >= 2.2250738585072014e-308 ? power : (x > 0. ? Numbers{} : below);
+  }
+  /// By exp(2 x), but by a series of fractions near zero. Source: Cephes (S. L. Moshier), tanh.c.
+  [[gnu::always_inline]] static inline Numbers tanh_of(Numbers x) {
+    constexpr long long sign_bit = static_cast<long long>(0x8000000000000000ULL);
+    const Bits sign = (Bits)x & sign_bit;
+    const Numbers a = (Numbers)((Bits)x ^ sign), z = x * x;
+    const Numbers p = (-9.64399179425052238628e-1 * z - 9.92877231001918586564e1) * z - 1.61468768441708447952e3;
+    const Numbers q = ((z + 1.12811678491632931402e2) * z + 2.23548839060100448583e3) * z + 4.84406305325125486048e3;
+    const Numbers small = x + x * z * (p / q);
+    const Numbers large = 1. - 2. / (exp_of(2. * limited(a, 0., 20.)) + 1.);
+    return a < 0.625 ? small : (Numbers)((Bits)large | sign) + (x - x);
+  }
+  /// Of numbers from zero on: a third of the bits as a first guess, then three steps of Halley's.
+  [[gnu::always_inline]] static inline Numbers cbrt_of(Numbers x) {
+    const Numbers bits = (Numbers)((Bits)((Unsigned)(Bits)x >> 20) | 0x4330000000000000LL) - 4503599627370496.;
+    Bits k;
+    nearest(bits * (1. / 3.) + 715094163. * 4096., k);
+    Numbers t = (Numbers)(k << 20);
+    for (int i = 0; i < 3; ++i) {
+      const Numbers cube = t * t * t;
+      t = t - t * (cube - x) / (2. * cube + x);
+    }
+    return x > 0. ? t : x;
+  }
+  [[gnu::always_inline]] static inline void sine_cosine_of(Numbers x, Numbers& sine, Numbers& cosine) {
+    Bits k;
+    const Numbers quarters = nearest(limited(x, -1e6, 1e6) * quarter_turns::per_radian, k);
+    const Numbers r = quarter_turns::rest(x, quarters);
+    const Numbers s = quarter_turns::sine(r), c = quarter_turns::cosine(r);
+    const Bits is_odd = (k & 1) != 0;
+    sine = (Numbers)((Bits)(is_odd ? c : s) ^ ((k & 2) << 62));
+    cosine = (Numbers)((Bits)(is_odd ? s : c) ^ (((k + 1) & 2) << 62));
+    const Numbers beyond = Numbers{} / Numbers{};
+    const Bits is_within = (Numbers)((Bits)x & 0x7fffffffffffffffLL) < 1e6;
+    sine = is_within ? sine : beyond;
+    cosine = is_within ? cosine : beyond;
+  }
+};
+#undef ROTORDROP_LANE_WORD
+
+template <int width>
+struct RealTraits<Drops<width>> {
+  using Mask = DropMask<width>;
+  static constexpr bool is_in_lanes = true;
+};
+
+/// Lanes of what this source is compiled for.
+using EightDrops = Drops<register_width>;
+
+}  // namespace rotordrop

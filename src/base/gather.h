@@ -1,0 +1,29 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cstring>
+#include <span>
+#include <type_traits>
+
+#include "base/drops.h"
+
+namespace rotordrop {
+
+/// Lays the numbers of several drops side by side, number by number. Lanes without a drop repeat the first one.
+/// @tparam Numbers  a struct of nothing but its scalar, in whatever order and depth
+/// @param of        1 to n_lanes of them
+template <template <class> class Numbers, class Real>
+Numbers<Real> gathered(std::span<const Numbers<double>* const> of) {
+  constexpr std::size_t n = sizeof(Numbers<double>) / sizeof(double);
+  static_assert(std::is_trivially_copyable_v<Numbers<Real>> && sizeof(Numbers<Real>) == n * sizeof(Real));
+  std::array<Real, n> columns;
+  for (int lane = 0; lane < n_lanes; ++lane) {
+    std::array<double, n> one;
+    std::memcpy(one.data(), of[static_cast<std::size_t>(lane) < of.size() ? static_cast<std::size_t>(lane) : 0],
+                sizeof one);
+    for (std::size_t i = 0; i < n; ++i) columns[i].set(lane, one[i]);
+  }
+  return std::bit_cast<Numbers<Real>>(columns);
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,200 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "base/drops.h"
+#include "thermal/circuit/thermal_network.h"
+
+namespace rotordrop {
+
+/// Thermal networks of several drops side by side: the same equations as ThermalNetwork's, without the factors that are zero in all of them.
+template <class Real>
+class ThermalNetworkInLanes {
+ public:
+  /// @param networks  alike (is_alike()); lanes without one repeat the first
+  explicit ThermalNetworkInLanes(std::span<const ThermalNetwork* const> networks);
+
+  /// Whether two networks differ in nothing but their numbers: the same nodes with capacity, links and contacts of rolling balls.
+  [[nodiscard]] static bool is_alike(const ThermalNetwork& a, const ThermalNetwork& b);
+
+  void growth(std::span<const Real> T, std::span<ExpansionOf<Real>> out) const { grow(T, ambient_, out); }
+  void growth_rates(std::span<const Real> rate, std::span<ExpansionOf<Real>> out) const { grow(rate, Real(0.), out); }
+  Real rates(std::span<const Real> T, std::span<const HeatInputOf<Real>> heat, std::span<Real> dydt) const;
+  void add_heat(std::size_t port, const Real& watts, std::span<Real> dydt) const {
+    dydt[port] += watts * inverse_capacity_[port];
+  }
+
+ private:
+  struct Term {
+    std::size_t from;
+    Real factor;
+  };
+  using Terms = std::vector<Term>;
+  struct LawLink {
+    std::size_t a, b;
+    ThermalNetworkData::Law law;
+    std::size_t place;
+    Real resistance, R_apart, area;
+  };
+  struct Rolling {
+    std::size_t place, balls;
+    Real factor, inner_of_ambient, outer_of_ambient;
+    Terms inner_of, outer_of;
+    Real inner_inner, inner_outer, outer_outer;
+  };
+  void grow(std::span<const Real> T, const Real& above, std::span<ExpansionOf<Real>> out) const;
+  /// A number of every network.
+  template <class F>
+  Real of_all(F&& number) const {
+    Real r;
+    for (int lane = 0; lane < n_lanes; ++lane) r.set(lane, number(*networks_[static_cast<std::size_t>(lane)]));
+    return r;
+  }
+
+  std::vector<const ThermalNetwork*> networks_;  // [n_lanes]
+  std::size_t n_ = 0, n_places_ = 0;
+  Real ambient_;
+  std::vector<Real> inverse_capacity_;
+  std::vector<Terms> by_rise_, by_port_;  // of each row: the nodes, then the heat lost
+  std::vector<LawLink> law_links_;
+  std::vector<Rolling> rolling_;
+  struct Surface {
+    std::size_t surface;
+    Terms terms;
+  };
+  std::vector<std::vector<Surface>> growths_;  // of each place: surfaces that grow
+};
+
+template <class Real>
+bool ThermalNetworkInLanes<Real>::is_alike(const ThermalNetwork& a, const ThermalNetwork& b) {
+  using Network = ThermalNetwork;
+  const auto same_terms = [](const std::vector<Network::Term>& p, const std::vector<Network::Term>& q) {
+    return std::ranges::equal(p, q, {}, &Network::Term::node, &Network::Term::node);
+  };
+  return a.with_capacity_ == b.with_capacity_ && a.data_.places.size() == b.data_.places.size() &&
+         a.growths_.size() == b.growths_.size() &&
+         std::ranges::equal(a.law_links_, b.law_links_,
+                            [](const auto& p, const auto& q) {
+                              return p.a == q.a && p.b == q.b && p.resistor.law == q.resistor.law &&
+                                     p.resistor.place == q.resistor.place;
+                            }) &&
+         std::ranges::equal(a.rolling_, b.rolling_, [&](const auto& p, const auto& q) {
+           return p.place == q.place && p.balls == q.balls && same_terms(p.inner_of, q.inner_of) &&
+                  same_terms(p.outer_of, q.outer_of);
+         });
+}
+
+template <class Real>
+ThermalNetworkInLanes<Real>::ThermalNetworkInLanes(std::span<const ThermalNetwork* const> networks) {
+  for (int lane = 0; lane < n_lanes; ++lane)
+    networks_.push_back(static_cast<std::size_t>(lane) < networks.size() ? networks[static_cast<std::size_t>(lane)]
+                                                                         : networks.front());
+  const ThermalNetwork& first = *networks_.front();
+  n_ = first.with_capacity_.size();
+  n_places_ = first.data_.places.size();
+  ambient_ = of_all([](const ThermalNetwork& w) { return w.data_.ambient; });
+  for (std::size_t i = 0; i < n_; ++i)
+    inverse_capacity_.push_back(of_all([&](const ThermalNetwork& w) { return w.inverse_capacity_[i]; }));
+  const auto append = [&](Terms& to, std::size_t from, auto&& number) {
+    const Real factor = of_all(number);
+    if (any(factor != 0.)) to.push_back({from, factor});
+  };
+  for (std::size_t row = 0; row < first.flows_.n_rows(); ++row) {
+    by_rise_.emplace_back();
+    by_port_.emplace_back();
+    for (std::size_t column = 0; column < first.flows_.n_columns(); ++column)
+      append(column < n_ ? by_rise_.back() : by_port_.back(), column < n_ ? column : column - n_,
+             [&](const ThermalNetwork& w) { return w.flows_.factor(row, column); });
+  }
+  for (std::size_t k = 0; k < first.law_links_.size(); ++k) {
+    const auto& link = first.law_links_[k];
+    const auto of_link = [&](auto member) {
+      return of_all([&](const ThermalNetwork& w) { return w.law_links_[k].resistor.*member; });
+    };
+    using Resistor = ThermalNetworkData::Resistor;
+    law_links_.push_back({link.a, link.b, link.resistor.law, link.resistor.place, of_link(&Resistor::resistance),
+                          of_link(&Resistor::R_apart), of_link(&Resistor::area)});
+  }
+  for (std::size_t k = 0; k < first.rolling_.size(); ++k) {
+    const auto& one = first.rolling_[k];
+    const auto number = [&](auto member) {
+      return of_all([&](const ThermalNetwork& w) { return w.rolling_[k].*member; });
+    };
+    const auto terms = [&](auto list) {
+      Terms made;
+      for (std::size_t i = 0; i < (one.*list).size(); ++i)
+        made.push_back(
+            {(one.*list)[i].node, of_all([&](const ThermalNetwork& w) { return (w.rolling_[k].*list)[i].factor; })});
+      return made;
+    };
+    using Own = ThermalNetwork::Rolling;
+    rolling_.push_back({one.place, one.balls, number(&Own::factor), number(&Own::inner_of_ambient),
+                        number(&Own::outer_of_ambient), terms(&Own::inner_of), terms(&Own::outer_of),
+                        number(&Own::inner_inner), number(&Own::inner_outer), number(&Own::outer_outer)});
+  }
+  for (std::size_t p = 0; p < first.growths_.size(); ++p) {
+    growths_.emplace_back();
+    for (std::size_t surface = 0; surface < LinearGrowth::n_surfaces; ++surface) {
+      Terms terms;
+      for (std::size_t i = 0; i < n_; ++i)
+        append(terms, i, [&](const ThermalNetwork& w) { return w.growths_[p].factor(surface, i); });
+      if (!terms.empty()) growths_.back().push_back({surface, std::move(terms)});
+    }
+  }
+}
+
+template <class Real>
+void ThermalNetworkInLanes<Real>::grow(std::span<const Real> T, const Real& above,
+                                       std::span<ExpansionOf<Real>> out) const {
+  for (std::size_t p = 0; p < out.size(); ++p) {
+    out[p] = {};
+    if (p >= growths_.size()) continue;
+    for (const Surface& s : growths_[p]) {
+      Real sum = 0.;
+      for (const Term& term : s.terms) sum += term.factor * (T[term.from] - above);
+      out[p].*growth_surfaces_of<Real>[s.surface] = sum;
+    }
+  }
+}
+
+template <class Real>
+Real ThermalNetworkInLanes<Real>::rates(std::span<const Real> T, std::span<const HeatInputOf<Real>> heat,
+                                        std::span<Real> dydt) const {
+  Real lost = 0.;
+  for (std::size_t row = 0; row <= n_; ++row) {
+    Real sum = 0.;
+    for (const Term& term : by_rise_[row]) sum += term.factor * (T[term.from] - ambient_);
+    for (const Term& term : by_port_[row]) sum += term.factor * heat_by_port(heat[term.from / 4])[term.from % 4];
+    (row < n_ ? dydt[row] : lost) = sum;
+  }
+  const auto give = [&](std::size_t node, const Real& watts) { dydt[node] += watts * inverse_capacity_[node]; };
+  for (const LawLink& link : law_links_) {
+    const Real difference = T[link.a] - (link.b == n_ ? ambient_ : T[link.b]);
+    const Real q = link.law == ThermalNetworkData::Law::housing_convection
+                       ? housing_convection(difference) * link.area * difference
+                       : difference / select(heat[link.place].is_in_contact, link.resistance, link.R_apart);
+    give(link.a, -q);
+    if (link.b == n_)
+      lost += q;
+    else
+      give(link.b, q);
+  }
+  for (const Rolling& r : rolling_) {
+    const HeatInputOf<Real>& input = heat[r.place];
+    Real inner = r.inner_of_ambient * ambient_ + r.inner_inner * input.inner + r.inner_outer * input.outer;
+    Real outer = r.outer_of_ambient * ambient_ + r.inner_outer * input.inner + r.outer_outer * input.outer;
+    for (const Term& term : r.inner_of) inner += term.factor * T[term.from];
+    for (const Term& term : r.outer_of) outer += term.factor * T[term.from];
+    const BallConductionOf<Real> G{r.factor * input.balls.inner_to_ball, r.factor * input.balls.outer_to_ball,
+                                   r.factor * input.balls.inner_to_outer};
+    const ContactHeatOf<Real> q =
+        contact_heat(G, inner, outer, T[r.balls], r.inner_inner, r.inner_outer, r.outer_outer);
+    for (const Term& term : r.inner_of) give(term.from, term.factor * q.inner);
+    for (const Term& term : r.outer_of) give(term.from, term.factor * q.outer);
+    lost += r.inner_of_ambient * q.inner + r.outer_of_ambient * q.outer;
+    give(r.balls, -q.from_balls());
+  }
+  return lost;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,168 @@
+// Right-hand sides in lanes against those of one drop: the formulas are the same, so they must agree to rounding, and a lane's must not depend on its
+// place or its neighbours.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "../machine/test_machines.h"
+#include "machine/lanes/machine_lanes.h"
+
+namespace rotordrop {
+namespace {
+
+using namespace rotordrop::testing;
+constexpr std::size_t width = LaneSystem::width;
+
+struct Columns {
+  std::vector<double> rates, step, details;
+  bool operator==(const Columns&) const = default;
+};
+
+/// Rounding of sums of some sixty balls and of powers good to two units in the last place, over the largest value of the same kind.
+void expect_close(const std::vector<double>& lanes, const std::vector<double>& one, const char* what) {
+  ASSERT_EQ(lanes.size(), one.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const double neighbour =
+        std::max(i > 0 ? std::fabs(one[i - 1]) : 0., i + 1 < one.size() ? std::fabs(one[i + 1]) : 0.);
+    EXPECT_NEAR(lanes[i], one[i], 1e-11 * std::max(std::fabs(one[i]), neighbour) + 1e-14) << what << " " << i;
+  }
+}
+
+/// Drops side by side at states of their own.
+class Lanes {
+ public:
+  explicit Lanes(std::vector<const Machine*> machines)
+      : machines_(std::move(machines)), system_(make_lanes(machines_)) {}
+  /// @param states  of each machine
+  std::vector<Columns> evaluate(const std::vector<std::vector<double>>& states) {
+    const Machine& form = *machines_.front();
+    const std::size_t n = form.layout().size();
+    std::vector<double> t(width, 0.01), y(n * width), dydt(n * width), step(form.n_step() * width),
+        details(form.n_details() * width);
+    for (std::size_t l = 0; l < width; ++l)
+      for (std::size_t i = 0; i < n; ++i) y[i * width + l] = states[l < states.size() ? l : 0][i];
+    system_->observe(t, y, dydt, step, details);
+    std::vector<double> again(dydt.size());
+    system_->rates(t, y, again);
+    for (std::size_t i = 0; i < dydt.size(); ++i)
+      if (std::isfinite(dydt[i])) {
+        EXPECT_NEAR(dydt[i], again[i], 1e-11 * std::fabs(dydt[i]) + 1e-12) << "observed and not";
+      }
+    std::vector<Columns> all(machines_.size());
+    for (std::size_t l = 0; l < all.size(); ++l) {
+      const auto column = [l](const std::vector<double>& from) {
+        std::vector<double> to;
+        for (std::size_t i = l; i < from.size(); i += width) to.push_back(from[i]);
+        return to;
+      };
+      all[l] = {column(dydt), column(step), column(details)};
+    }
+    return all;
+  }
+
+ private:
+  std::vector<const Machine*> machines_;
+  std::unique_ptr<LaneSystem> system_;
+};
+
+Columns alone(const Machine& machine, const std::vector<double>& y) {
+  Evaluation found;
+  found.wants_step = found.wants_details = true;
+  machine.evaluate(0.01, y, found);
+  return {found.rates, found.step, found.details};
+}
+
+/// Machines alike: each has its own friction, gap, stiffness, damping, unbalance and materials.
+std::vector<Example> machines(const std::vector<std::string>& common, std::size_t n = width) {
+  std::vector<Example> list;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double x = static_cast<double>(k);
+    auto set = common;
+    set.push_back("contact.friction_coefficient=" + std::to_string(0.05 + 0.02 * x));
+    set.push_back("contact.air_gap=" + std::to_string(2.2e-4 + 1e-5 * x));
+    set.push_back("bearings.TB1.contact_stiffness=" + std::to_string(1e9 + 1e8 * x));
+    set.push_back("bearings.TB2.support.C_y=" + std::to_string(2e3 + 500. * x));
+    set.push_back("bearings.TB2.preload=" + std::to_string(200. + 40. * x));
+    set.push_back("rotor.mass_proportional_alpha=" + std::to_string(5. * x));
+    set.push_back("rotor.unbalance[0].me=" + std::to_string(1e-6 * (1. + x)));
+    set.push_back("thermal.share_to_ring=" + std::to_string(0.5 + 0.05 * x));
+    set.push_back("materials.steel.k=" + std::to_string(40. + 5. * x));
+    list.push_back(reference_machine(set));
+  }
+  return list;
+}
+
+std::vector<const Machine*> pointers(const std::vector<Example>& list) {
+  std::vector<const Machine*> of;
+  for (const auto& e : list) of.push_back(e.machine.get());
+  return of;
+}
+
+class LaneRates : public ::testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(LaneRates, AreThoseOfOneDrop) {
+  const auto list = machines(GetParam());
+  for (const auto& e : list) ASSERT_EQ(why_not_in_lanes(*e), "");
+  Lanes lanes(pointers(list));
+  std::mt19937 random(5);
+  for (int turn = 0; turn < 20; ++turn) {
+    std::vector<std::vector<double>> states;
+    for (std::size_t l = 0; l < width; ++l) states.push_back(random_state(*list[l], random, (turn + l) % 3 != 0));
+    const auto found = lanes.evaluate(states);
+    for (std::size_t l = 0; l < width; ++l) {
+      const Columns one = alone(*list[l], states[l]);
+      expect_close(found[l].rates, one.rates, "rate");
+      expect_close(found[l].step, one.step, "observed value");
+      expect_close(found[l].details, one.details, "detail");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, LaneRates,
+    ::testing::Values(std::vector<std::string>{},
+                      std::vector<std::string>{"bearings.load_law=equivalent", "thermal.contact_conduction=rolling"},
+                      std::vector<std::string>{"thermal.heat_share=jaeger", "thermal.growth_by_speed=closed-form",
+                                               "thermal.expansion=formula"},
+                      std::vector<std::string>{"contact.static_friction_coefficient=0.3", "contact.stribeck_speed=0.5",
+                                               "thermal.shaft_ring_link=in-contact"},
+                      std::vector<std::string>{"rotor.model=rigid", "bearings.internal_heat=ball-speed"}));
+
+TEST(LanesOfDrops, DoNotSeeTheirNeighbours) {
+  const auto list = machines({});
+  const auto all = pointers(list);
+  std::mt19937 random(7);
+  std::vector<std::vector<double>> states;
+  for (std::size_t l = 0; l < width; ++l) states.push_back(random_state(*list[l], random, l % 2 == 0));
+  const auto together = Lanes(all).evaluate(states);
+  for (std::size_t l = 0; l < width; ++l) {
+    EXPECT_EQ(Lanes({all[l]}).evaluate({states[l]})[0], together[l]) << "alone, from lane " << l;
+    // As the last of three others.
+    const std::size_t a = (l + 3) % width, b = (l + 5) % width;
+    EXPECT_EQ(Lanes({all[a], all[b], all[l]}).evaluate({states[a], states[b], states[l]})[2], together[l]);
+  }
+  // A neighbour that is lost does not pull the others with it.
+  states[2].assign(states[2].size(), std::nan(""));
+  const auto beside_lost = Lanes(all).evaluate(states);
+  for (std::size_t l = 0; l < width; ++l)
+    if (l != 2) {
+      EXPECT_EQ(beside_lost[l], together[l]);
+    }
+  EXPECT_FALSE(std::isfinite(beside_lost[2].rates[0]));
+}
+
+TEST(LanesOfDrops, TellWhatDoesNotRunInThem) {
+  EXPECT_EQ(why_not_in_lanes(*reference_machine()), "");
+  const auto reason = [](const std::string& setting) { return why_not_in_lanes(*reference_machine({setting})); };
+  EXPECT_NE(reason("bearings.ball_model=inertial").find("TB1"), std::string::npos);
+  EXPECT_NE(reason("bearings.ring_motion=free"), "");
+  EXPECT_NE(reason("contact.friction_law=sticking"), "");
+  EXPECT_FALSE(are_alike(*reference_machine(), *reference_machine({"bearings.TB2.balls_per_row=22"})));
+  EXPECT_FALSE(are_alike(*reference_machine(), *reference_machine({"rotor.cut_off_frequency=3 kHz"})));
+  EXPECT_FALSE(are_alike(*reference_machine(), *reference_machine({"bearings.load_law=equivalent"})));
+  EXPECT_FALSE(are_alike(*reference_machine(), *reference_machine({"thermal.heat_share=jaeger"})));
+}
+
+}  // namespace
+}  // namespace rotordrop
