@@ -10,54 +10,10 @@
 #include "integrate/failures.h"
 #include "integrate/integrator.h"
 #include "integrate/methods.h"
+#include "integrate/pairs.h"
 
 namespace rotordrop {
 namespace {
-
-constexpr int most_stages = 7, most_powers = 4;
-
-/// y_i = y + h sum_j a_ij k_j, k_i = f(t + c_i h, y_i); the last stage is the new state. Error: h sum_i e_i k_i.
-/// Interpolant: y + h sum_i k_i sum_p polynomial_ip theta^p, p = 1, 2, ...
-struct Pair {
-  int n_stages, order, powers;
-  std::array<double, most_stages> c;
-  std::array<std::array<double, most_stages>, most_stages> a;
-  std::array<double, most_stages> e;
-  std::array<std::array<double, most_powers>, most_stages> polynomial;
-};
-
-/// Order 5(4). Source: Tsitouras, Computers and Mathematics with Applications 62 (2011) 770-775; interpolant of order 4 from the same.
-constexpr Pair tsitouras = {
-    7,
-    5,
-    4,
-    {0., 0.161, 0.327, 0.9, 0.9800255409045097, 1., 1.},
-    {{{},
-      {0.161},
-      {-0.008480655492356989, 0.335480655492357},
-      {2.8971530571054935, -6.359448489975075, 4.3622954328695815},
-      {5.325864828439257, -11.748883564062828, 7.4955393428898365, -0.09249506636175525},
-      {5.86145544294642, -12.92096931784711, 8.159367898576159, -0.071584973281401, -0.028269050394068383},
-      {0.09646076681806523, 0.01, 0.4798896504144996, 1.379008574103742, -3.290069515436081, 2.324710524099774}}},
-    {-0.00178001105222577714, -0.0008164344596567469, 0.007880878010261995, -0.1447110071732629, 0.5823571654525552,
-     -0.45808210592918697, 1. / 66.},
-    {{{1., -2.763706197274826, 2.9132554618219126, -1.0530884977290216},
-      {0., 0.1317, -0.2234, 0.1017},
-      {0., 3.9302962368947516, -5.941033872131505, 2.490627285651253},
-      {0., -12.411077166933676, 30.33818863028232, -16.548102889244902},
-      {0., 37.50931341651104, -88.1789048947664, 47.37952196281928},
-      {0., -27.896526289197286, 65.09189467479366, -34.87065786149661},
-      {0., 1.5, -4., 2.5}}}};
-
-/// Order 3(2), with Hermite's cubic. Source: Bogacki & Shampine, Applied Mathematics Letters 2 (1989) 321-325.
-constexpr Pair bogacki_shampine = {
-    4,
-    3,
-    3,
-    {0., 0.5, 0.75, 1.},
-    {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
-    {-5. / 72., 1. / 12., 1. / 9., -1. / 8.},
-    {{{1., -4. / 3., 5. / 9.}, {0., 1., -2. / 3.}, {0., 4. / 3., -8. / 9.}, {0., -1., 1.}}}};
 
 template <class List>
 auto& at(List& list, int i) {
@@ -106,8 +62,8 @@ ROTORDROP_KERNEL double squared_error(std::size_t n, const double* error, const 
 
 class EmbeddedPair final : public Integrator {
  public:
-  EmbeddedPair(const Pair& pair, const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
-               std::span<const double> state, double end_time)
+  EmbeddedPair(const EmbeddedTableau& pair, const OdeSystem& system, const IntegrationParameters& parameters,
+               double start_time, std::span<const double> state, double end_time)
       : pair_(pair),
         system_(system),
         n_(system.layout().size()),
@@ -116,6 +72,7 @@ class EmbeddedPair final : public Integrator {
         longest_(step_or_bound(parameters)),
         time_(start_time),
         end_time_(end_time),
+        control_(pair, tolerance_, longest_),
         y_(state.begin(), state.end()),
         before_(y_),
         stage_(y_),
@@ -150,7 +107,7 @@ class EmbeddedPair final : public Integrator {
       }
       was_rejected = true;
       ++statistics_.rejected_steps;
-      const double factor = std::isfinite(size) ? std::max(0.2, 0.9 * std::pow(size, -1. / pair_.order)) : 0.25;
+      const double factor = control_.after_rejection(size);
       if (step * factor < shortest_step * longest_) fail(step, size);
       step *= factor;
     }
@@ -170,10 +127,7 @@ class EmbeddedPair final : public Integrator {
     std::array<double, most_stages> factor{};
     std::array<const double*, most_stages> k{};
     for (int i = 0; i < pair_.n_stages; ++i) {
-      double value = 0.;
-      for (int p = pair_.powers; p-- > 0;)
-        value = theta * (value + at(pair_.polynomial, i)[static_cast<std::size_t>(p)]);
-      at(factor, i) = last_step_ * value;
+      at(factor, i) = last_step_ * pair_.weight(static_cast<std::size_t>(i), theta);
       at(k, i) = at(k_, i).data();
     }
     wide<combine<1>>(0, n_, before_.data(), factor.data(), k.data(), pair_.n_stages, y.data());
@@ -232,12 +186,7 @@ class EmbeddedPair final : public Integrator {
     time_ = target;
     last_step_ = step;
     ++statistics_.steps;
-    // PI control. Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed., IV.2 (beta = 0.04).
-    constexpr double beta = 0.04;
-    const double exponent = 1. / pair_.order - 0.75 * beta;
-    double factor = 0.9 * std::pow(std::max(size, 1e-10), -exponent) * std::pow(previous_size_, beta);
-    factor = std::clamp(factor, 0.2, was_rejected ? 1. : 5.);
-    previous_size_ = std::max(size, 1e-4);
+    const double factor = control_.after_acceptance(size, was_rejected);
     // A last step cut to the end says nothing of the next one; there is none.
     if (!ends) next_step_ = std::min(step * factor, longest_);
   }
@@ -251,8 +200,6 @@ class EmbeddedPair final : public Integrator {
     throw_no_step(system_.layout(), time_, step, weighted);
   }
 
-  /// A hundredth of the time in which the states change by their size, at a tolerance of 1e-6; longer and shorter as the method's error allows.
-  /// Source: after II.4 of the same.
   [[nodiscard]] double first_step() const {
     double states = 0., rates = 0.;
     for (std::size_t i = 0; i < n_controlled_; ++i) {
@@ -260,15 +207,15 @@ class EmbeddedPair final : public Integrator {
       states += std::pow(y_[i] / allowed, 2);
       rates += std::pow(k_.front()[i] / allowed, 2);
     }
-    const double step = states > 1e-10 && rates > 1e-10 ? 0.01 * std::sqrt(states / rates) : 1e-6;
-    return std::clamp(step * std::pow(tolerance_ / 1e-6, 1. / pair_.order), 1e-3 * longest_, longest_);
+    return control_.first(states, rates);
   }
 
-  const Pair& pair_;
+  const EmbeddedTableau& pair_;
   const OdeSystem& system_;
   std::size_t n_, n_controlled_;
   double tolerance_, longest_, time_, end_time_;
-  double next_step_ = 0, last_step_ = 0, previous_size_ = 1e-4;
+  StepControl control_;
+  double next_step_ = 0, last_step_ = 0;
   bool has_rates_ = false;
   int bad_stage_ = -1;
   std::vector<double> y_, before_, stage_, error_, scale_;
@@ -281,7 +228,7 @@ class EmbeddedPair final : public Integrator {
 
 std::unique_ptr<Integrator> make_embedded_pair(const OdeSystem& system, const IntegrationParameters& parameters,
                                                double start_time, std::span<const double> state, double end_time) {
-  const Pair& pair = parameters.method == IntegrationMethod::tsitouras ? tsitouras : bogacki_shampine;
+  const EmbeddedTableau& pair = parameters.method == IntegrationMethod::tsitouras ? tsitouras : bogacki_shampine;
   return std::make_unique<EmbeddedPair>(pair, system, parameters, start_time, state, end_time);
 }
 

@@ -1,0 +1,262 @@
+#include "integrate/lane_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/errors.h"
+#include "base/wide_vectors.h"
+#include "integrate/failures.h"
+#include "integrate/integration_parameters.h"
+#include "integrate/methods.h"
+
+namespace rotordrop {
+namespace {
+
+constexpr std::size_t width = LaneSystem::width;
+static_assert(width == vector_length);
+
+/// out = y + sum_j factor_j k_j, factors of every lane. @param factors [count][width]
+template <int n>
+ROTORDROP_KERNEL void combine_all(std::size_t size, const double* y, const double* factors, const double* const* list,
+                                  double* out) {
+  const double* k[n];
+  std::copy_n(list, n, k);
+  for (std::size_t at = 0; at < size * width; at += width) {
+#pragma omp simd
+    for (std::size_t l = 0; l < width; ++l) {
+      double sum = y[at + l];
+#pragma GCC unroll 8
+      for (int j = 0; j < n; ++j) sum += factors[static_cast<std::size_t>(j) * width + l] * k[j][at + l];
+      out[at + l] = sum;
+    }
+  }
+}
+template <int n = 1>
+ROTORDROP_KERNEL void combine_lanes(std::size_t size, const double* y, const double* factors, const double* const* k,
+                                    int count, double* out) {
+  if constexpr (n < most_stages)
+    if (count > n) return combine_lanes<n + 1>(size, y, factors, k, count, out);
+  combine_all<n>(size, y, factors, k, out);
+}
+
+/// Sums of (error / (tolerance (scale + largest magnitude of both states)))^2; not a number for a lane with a rate or a new state that is not finite.
+ROTORDROP_KERNEL void squared_errors(std::size_t n_controlled, std::size_t n, const double* error, const double* before,
+                                     const double* after, const double* rates, const double* scale,
+                                     const double* tolerance, double* sums) {
+  Lanes sum;
+  for (std::size_t i = 0; i < n_controlled; ++i) {
+    const std::size_t at = i * width;
+#pragma omp simd
+    for (std::size_t l = 0; l < width; ++l) {
+      const double a = std::fabs(before[at + l]), b = std::fabs(after[at + l]);
+      const double part = error[at + l] / (tolerance[l] * (scale[i] + (a > b ? a : b)));
+      sum[l] += part * part;
+    }
+  }
+  for (std::size_t at = 0; at < n * width; at += width)
+#pragma omp simd
+    for (std::size_t l = 0; l < width; ++l) sum[l] += (after[at + l] - after[at + l]) + (rates[at + l] - rates[at + l]);
+  std::copy(sum.value.begin(), sum.value.end(), sums);
+}
+
+/// to = from in lanes whose flag is not zero.
+ROTORDROP_KERNEL void take(std::size_t size, const double* flags, const double* from, double* to) {
+  for (std::size_t at = 0; at < size * width; at += width)
+#pragma omp simd
+    for (std::size_t l = 0; l < width; ++l) to[at + l] = flags[l] != 0. ? from[at + l] : to[at + l];
+}
+
+const EmbeddedTableau& tableau(IntegrationMethod method) {
+  return method == IntegrationMethod::tsitouras ? tsitouras : bogacki_shampine;
+}
+
+}  // namespace
+
+bool runs_in_lanes(IntegrationMethod method) {
+  return method == IntegrationMethod::tsitouras || method == IntegrationMethod::bogacki_shampine;
+}
+
+void LaneView::advance() { throw std::logic_error("a lane is advanced with its neighbours"); }
+
+LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step,
+                               std::size_t n_details)
+    : system_(std::move(system)),
+      pair_(tableau(lanes.front().parameters.method)),
+      n_(system_->layout().size()),
+      n_controlled_(system_->first_quadrature()),
+      n_lanes_(lanes.size()),
+      y_(n_ * width),
+      error_(n_ * width),
+      step_(n_step * width),
+      details_(n_details * width) {
+  for (const auto& entry : system_->layout().entries()) scale_.push_back(entry.scale);
+  for (int i = 0; i < pair_.n_stages; ++i) k_.emplace_back(n_ * width);
+  for (std::size_t l = 0; l < width; ++l) {
+    // A lane without a drop repeats the first one's start, and stays there.
+    const Lane& lane = lanes[l < n_lanes_ ? l : 0];
+    if (lane.parameters.method != lanes.front().parameters.method)
+      throw std::invalid_argument("drops in lanes are integrated by one method");
+    for (std::size_t i = 0; i < n_; ++i) y_[i * width + l] = lane.state[i];
+    time_[l] = lane.start_time;
+    end_time_[l] = lane.end_time;
+    tolerance_[l] = lane.parameters.tolerance;
+    longest_[l] = step_or_bound(lane.parameters);
+    control_.emplace_back(pair_, tolerance_[l], longest_[l]);
+    runs_[l] = l < n_lanes_;
+  }
+  before_ = stage_ = y_;
+}
+
+bool LaneIntegrator::any_runs() const {
+  return std::any_of(runs_.begin(), runs_.end(), [](bool runs) { return runs; });
+}
+
+void LaneIntegrator::start() {
+  system_->rates(time_, y_, k_.front());
+  for (std::size_t l = 0; l < n_lanes_; ++l) {
+    ++statistics_[l].rhs_evaluations;
+    double states = 0., rates = 0.;
+    for (std::size_t i = 0; i < n_controlled_; ++i) {
+      const double allowed = scale_[i] + std::fabs(y_[i * width + l]);
+      states += std::pow(y_[i * width + l] / allowed, 2);
+      rates += std::pow(k_.front()[i * width + l] / allowed, 2);
+    }
+    next_step_[l] = control_[l].first(states, rates);
+  }
+  has_rates_ = true;
+}
+
+void LaneIntegrator::combine(std::size_t n, const std::array<double, most_stages>& coefficients, int count) {
+  std::array<const double*, most_stages> k{};
+  std::array<double, most_stages * width> factors;
+  for (int j = 0; j < count; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    k[at] = k_[at].data();
+    for (std::size_t l = 0; l < width; ++l) factors[at * width + l] = tried_[l] * coefficients[at];
+  }
+  wide<combine_lanes<1>>(n, y_.data(), factors.data(), k.data(), count, stage_.data());
+}
+
+LaneIntegrator::PerLane LaneIntegrator::error_sizes() {
+  std::array<const double*, most_stages> k{};
+  std::array<double, most_stages * width> factors;
+  for (std::size_t j = 0; j < k_.size(); ++j) {
+    k[j] = k_[j].data();
+    for (std::size_t l = 0; l < width; ++l) factors[j * width + l] = tried_[l] * pair_.e[j];
+  }
+  std::fill(error_.begin(), error_.end(), 0.);
+  wide<combine_lanes<1>>(n_controlled_, error_.data(), factors.data(), k.data(), pair_.n_stages, error_.data());
+  PerLane sums;
+  wide<squared_errors>(n_controlled_, n_, error_.data(), y_.data(), stage_.data(), k_.back().data(), scale_.data(),
+                       tolerance_.data(), sums.data());
+  for (double& sum : sums) sum = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
+  return sums;
+}
+
+void LaneIntegrator::advance() {
+  if (!has_rates_)
+    start();
+  else
+    wide<take>(n_, stepped_.data(), k_.back().data(), k_.front().data());  // first same as last
+  for (std::size_t l = 0; l < width; ++l) {
+    ends_[l] = false;
+    tried_[l] = 0.;
+    target_[l] = time_[l];
+    if (!runs_[l]) continue;
+    tried_[l] = std::min(next_step_[l], longest_[l]);
+    ends_[l] = time_[l] + tried_[l] * (1. + 1e-6) >= end_time_[l];
+    if (ends_[l]) tried_[l] = end_time_[l] - time_[l];
+    target_[l] = ends_[l] ? end_time_[l] : time_[l] + tried_[l];
+    statistics_[l].rhs_evaluations += pair_.n_stages - 1;
+  }
+  // Nothing depends on quadratures: the stages before the last leave them alone.
+  const int last = pair_.n_stages - 1;
+  for (int i = 1; i < last; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    combine(n_controlled_, pair_.a[at], i);
+    PerLane t;
+    for (std::size_t l = 0; l < width; ++l) t[l] = time_[l] + pair_.c[at] * tried_[l];
+    system_->rates(t, stage_, k_[at]);
+  }
+  combine(n_, pair_.a[static_cast<std::size_t>(last)], last);
+  system_->observe(target_, stage_, k_.back(), step_, details_);
+  const PerLane sizes = error_sizes();
+  for (std::size_t l = 0; l < width; ++l) finish(l, sizes[l]);
+  wide<take>(n_, stepped_.data(), y_.data(), before_.data());
+  wide<take>(n_, stepped_.data(), stage_.data(), y_.data());
+}
+
+void LaneIntegrator::finish(std::size_t l, double size) {
+  stepped_[l] = 0.;
+  if (!runs_[l]) return;
+  if (size <= 1.) {
+    stepped_[l] = 1.;
+    time_[l] = target_[l];
+    last_step_[l] = tried_[l];
+    ++statistics_[l].steps;
+    const double factor = control_[l].after_acceptance(size, was_rejected_[l]);
+    was_rejected_[l] = false;
+    if (ends_[l])
+      runs_[l] = false;
+    else
+      next_step_[l] = std::min(tried_[l] * factor, longest_[l]);
+    return;
+  }
+  was_rejected_[l] = true;
+  ++statistics_[l].rejected_steps;
+  next_step_[l] = tried_[l] * control_[l].after_rejection(size);
+  if (next_step_[l] >= shortest_step * longest_[l]) return;
+  runs_[l] = false;
+  try {
+    fail(l, size);
+  } catch (const SolverError&) {
+    failures_[l] = std::current_exception();
+  }
+}
+
+void LaneIntegrator::fail(std::size_t l, double size) const {
+  if (!std::isfinite(size))
+    for (const auto& k : k_) {
+      std::vector<double> rates(n_);
+      column(k, l, rates);
+      if (!all_finite(rates)) throw_rates_not_finite(system_->layout(), rates, time_[l], tried_[l]);
+    }
+  std::vector<double> weighted(n_);
+  for (std::size_t i = 0; i < n_controlled_; ++i) {
+    const std::size_t at = i * width + l;
+    weighted[i] = error_[at] / (tolerance_[l] * (scale_[i] + std::max(std::fabs(y_[at]), std::fabs(stage_[at]))));
+  }
+  throw_no_step(system_->layout(), time_[l], tried_[l], weighted);
+}
+
+void LaneIntegrator::interpolate(std::size_t l, double t, std::span<double> y) const {
+  if (has_stepped(l) && t == within_time_[l] && t < time_[l] && t > time_[l] - last_step_[l])
+    return column(within_, l, y);  // observe_within() was there
+  const double theta = (t - (time_[l] - last_step_[l])) / last_step_[l];
+  // Like the step's end, a time that rounding puts outside is inside.
+  if (!(theta >= -1e-6 && theta <= 1. + 1e-6)) throw SolverError("a time outside the last step was asked for");
+  column(before_, l, y);
+  for (std::size_t j = 0; j < k_.size(); ++j) {
+    const double factor = last_step_[l] * pair_.weight(j, theta);
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += factor * k_[j][i * width + l];
+  }
+}
+
+void LaneIntegrator::observe_within(std::span<const double> t, std::span<double> step) {
+  within_.resize(y_.size());
+  within_rates_.resize(y_.size());
+  std::array<const double*, most_stages> k{};
+  std::array<double, most_stages * width> factors{};
+  for (std::size_t j = 0; j < k_.size(); ++j) {
+    k[j] = k_[j].data();
+    for (std::size_t l = 0; l < width; ++l)
+      if (has_stepped(l))
+        factors[j * width + l] = last_step_[l] * pair_.weight(j, (t[l] - (time_[l] - last_step_[l])) / last_step_[l]);
+  }
+  wide<combine_lanes<1>>(n_, before_.data(), factors.data(), k.data(), pair_.n_stages, within_.data());
+  std::copy(t.begin(), t.end(), within_time_.begin());
+  system_->observe(t, within_, within_rates_, step, {});
+}
+
+}  // namespace rotordrop

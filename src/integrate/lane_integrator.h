@@ -1,0 +1,104 @@
+#pragma once
+#include <array>
+#include <exception>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "integrate/integrator.h"
+#include "integrate/pairs.h"
+#include "model/lane_system.h"
+
+namespace rotordrop {
+
+/// Whether drops in lanes can be integrated by a method: one of our own embedded pairs.
+[[nodiscard]] bool runs_in_lanes(IntegrationMethod method);
+
+/// Integrates drops side by side by an embedded pair, each with its own time and step, as EmbeddedPair does one. A lane that rejects its step or has
+/// ended keeps its state while the others go on.
+class LaneIntegrator {
+ public:
+  static constexpr std::size_t width = LaneSystem::width;
+  struct Lane {
+    IntegrationParameters parameters;  ///< methods of all lanes are the same
+    double start_time = 0, end_time = 0;
+    std::span<const double> state;  ///< [layout().size()]
+  };
+  /// @param lanes  1 to width
+  /// @param n_step, n_details  of what is observed at the end of every step
+  LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step,
+                 std::size_t n_details);
+
+  /// Tries a step of every lane that runs; has_stepped() tells which of them took theirs.
+  void advance();
+  [[nodiscard]] bool any_runs() const;
+  [[nodiscard]] bool runs(std::size_t lane) const { return runs_[lane]; }
+  [[nodiscard]] bool has_stepped(std::size_t lane) const { return stepped_[lane] != 0.; }
+  void stop(std::size_t lane) { runs_[lane] = false; }
+  /// Why a lane came to a stop by itself; none: it did not.
+  [[nodiscard]] const std::exception_ptr& failure(std::size_t lane) const { return failures_[lane]; }
+
+  [[nodiscard]] double time(std::size_t lane) const { return time_[lane]; }
+  void state(std::size_t lane, std::span<double> y) const { column(y_, lane, y); }
+  /// What was observed at the end of the lane's last step.
+  void step_values(std::size_t lane, std::span<double> values) const { column(step_, lane, values); }
+  void details(std::size_t lane, std::span<double> values) const { column(details_, lane, values); }
+  /// State at a time within the lane's last step.
+  void interpolate(std::size_t lane, double t, std::span<double> y) const;
+  /// Observes all lanes at times of their own within their last steps; lanes that have not stepped give nothing.
+  /// @param t [width]; @param step  [number of values][width]
+  void observe_within(std::span<const double> t, std::span<double> step);
+  [[nodiscard]] IntegrationStatistics statistics(std::size_t lane) const { return statistics_[lane]; }
+
+ private:
+  using PerLane = std::array<double, width>;
+  static void column(const std::vector<double>& from, std::size_t lane, std::span<double> to) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i * width + lane];
+  }
+  void start();
+  void combine(std::size_t n, const std::array<double, most_stages>& coefficients, int count);
+  [[nodiscard]] PerLane error_sizes();
+  void finish(std::size_t lane, double size);
+  [[noreturn]] void fail(std::size_t lane, double size) const;
+
+  std::unique_ptr<LaneSystem> system_;
+  const EmbeddedTableau& pair_;
+  std::size_t n_, n_controlled_, n_lanes_;
+  std::vector<double> scale_;
+  PerLane time_{}, end_time_{}, longest_{}, tolerance_{}, next_step_{}, tried_{}, target_{}, last_step_{};
+  PerLane stepped_{};  // 1 or 0: the last step was taken
+  std::array<bool, width> runs_{}, was_rejected_{}, ends_{};
+  bool has_rates_ = false;
+  std::vector<StepControl> control_;
+  std::vector<double> y_, before_, stage_, error_, step_, details_;  // [n][width]
+  PerLane within_time_{};                                            // of within_ [s]
+  std::vector<double> within_, within_rates_;                        // [n][width], made when they are asked for
+  std::vector<std::vector<double>> k_;
+  std::array<IntegrationStatistics, width> statistics_{};
+  std::array<std::exception_ptr, width> failures_{};
+};
+
+/// One lane as an integrator that somebody else advances.
+class LaneView final : public Integrator {
+ public:
+  LaneView(std::shared_ptr<const LaneIntegrator> lanes, std::size_t lane, std::span<const double> state)
+      : lanes_(std::move(lanes)), lane_(lane), state_(state.begin(), state.end()) {}
+  /// After the lane has stepped.
+  void update() { lanes_->state(lane_, state_); }
+  [[nodiscard]] double time() const override { return lanes_->time(lane_); }
+  [[nodiscard]] std::span<const double> state() const override { return state_; }
+  /// @throws std::logic_error always
+  void advance() override;
+  void offer_rates(std::span<const double>) override {}
+  [[nodiscard]] bool uses_offered_rates() const override { return true; }
+  bool evaluate_ends_with(const EndEvaluation&) override { return true; }
+  void interpolate(double t, std::span<double> y) const override { lanes_->interpolate(lane_, t, y); }
+  [[nodiscard]] IntegrationStatistics statistics() const override { return lanes_->statistics(lane_); }
+
+ private:
+  std::shared_ptr<const LaneIntegrator> lanes_;
+  std::size_t lane_;
+  std::vector<double> state_;
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,93 @@
+#pragma once
+// Explicit embedded Runge-Kutta pairs as numbers, and the control of their step: what the methods for one drop and for drops in lanes share.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace rotordrop {
+
+inline constexpr int most_stages = 7, most_powers = 4;
+
+/// y_i = y + h sum_j a_ij k_j, k_i = f(t + c_i h, y_i); the last stage is the new state. Error: h sum_i e_i k_i.
+/// Interpolant: y + h sum_i k_i sum_p polynomial_ip theta^p, p = 1, 2, ...
+struct EmbeddedTableau {
+  int n_stages, order, powers;
+  std::array<double, most_stages> c;
+  std::array<std::array<double, most_stages>, most_stages> a;
+  std::array<double, most_stages> e;
+  std::array<std::array<double, most_powers>, most_stages> polynomial;
+
+  /// What a stage's rate counts in the interpolant at a part of the step.
+  [[nodiscard]] double weight(std::size_t stage, double theta) const {
+    double value = 0.;
+    for (int p = powers; p-- > 0;) value = theta * (value + polynomial[stage][static_cast<std::size_t>(p)]);
+    return value;
+  }
+};
+
+/// Order 5(4). Source: Tsitouras, Computers and Mathematics with Applications 62 (2011) 770-775; interpolant of order 4 from the same.
+inline constexpr EmbeddedTableau tsitouras = {
+    7,
+    5,
+    4,
+    {0., 0.161, 0.327, 0.9, 0.9800255409045097, 1., 1.},
+    {{{},
+      {0.161},
+      {-0.008480655492356989, 0.335480655492357},
+      {2.8971530571054935, -6.359448489975075, 4.3622954328695815},
+      {5.325864828439257, -11.748883564062828, 7.4955393428898365, -0.09249506636175525},
+      {5.86145544294642, -12.92096931784711, 8.159367898576159, -0.071584973281401, -0.028269050394068383},
+      {0.09646076681806523, 0.01, 0.4798896504144996, 1.379008574103742, -3.290069515436081, 2.324710524099774}}},
+    {-0.00178001105222577714, -0.0008164344596567469, 0.007880878010261995, -0.1447110071732629, 0.5823571654525552,
+     -0.45808210592918697, 1. / 66.},
+    {{{1., -2.763706197274826, 2.9132554618219126, -1.0530884977290216},
+      {0., 0.1317, -0.2234, 0.1017},
+      {0., 3.9302962368947516, -5.941033872131505, 2.490627285651253},
+      {0., -12.411077166933676, 30.33818863028232, -16.548102889244902},
+      {0., 37.50931341651104, -88.1789048947664, 47.37952196281928},
+      {0., -27.896526289197286, 65.09189467479366, -34.87065786149661},
+      {0., 1.5, -4., 2.5}}}};
+
+/// Order 3(2), with Hermite's cubic. Source: Bogacki & Shampine, Applied Mathematics Letters 2 (1989) 321-325.
+inline constexpr EmbeddedTableau bogacki_shampine = {
+    4,
+    3,
+    3,
+    {0., 0.5, 0.75, 1.},
+    {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
+    {-5. / 72., 1. / 12., 1. / 9., -1. / 8.},
+    {{{1., -4. / 3., 5. / 9.}, {0., 1., -2. / 3.}, {0., 4. / 3., -8. / 9.}, {0., -1., 1.}}}};
+
+/// Chooses steps by the errors that they made, of one drop.
+class StepControl {
+ public:
+  StepControl(const EmbeddedTableau& pair, double tolerance, double longest)
+      : order_(pair.order), tolerance_(tolerance), longest_(longest) {}
+
+  /// A hundredth of the time in which the states change by their size, at a tolerance of 1e-6; longer and shorter as the method's error allows.
+  /// Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.4.
+  /// @param state_norm, rate_norm  sums of squares of states and rates over their sizes
+  [[nodiscard]] double first(double state_norm, double rate_norm) const {
+    const double step = state_norm > 1e-10 && rate_norm > 1e-10 ? 0.01 * std::sqrt(state_norm / rate_norm) : 1e-6;
+    return std::clamp(step * std::pow(tolerance_ / 1e-6, 1. / order_), 1e-3 * longest_, longest_);
+  }
+  /// What a step is to be multiplied by that was rejected.
+  [[nodiscard]] double after_rejection(double size) const {
+    return std::isfinite(size) ? std::max(0.2, 0.9 * std::pow(size, -1. / order_)) : 0.25;
+  }
+  /// What a step is to be multiplied by that was accepted with an error of so many times what is allowed.
+  /// PI control. Source: the same, IV.2 (beta = 0.04).
+  [[nodiscard]] double after_acceptance(double size, bool was_rejected) {
+    constexpr double beta = 0.04;
+    const double exponent = 1. / order_ - 0.75 * beta;
+    const double factor = 0.9 * std::pow(std::max(size, 1e-10), -exponent) * std::pow(previous_size_, beta);
+    previous_size_ = std::max(size, 1e-4);
+    return std::clamp(factor, 0.2, was_rejected ? 1. : 5.);
+  }
+
+ private:
+  double order_, tolerance_, longest_, previous_size_ = 1e-4;
+};
+
+}  // namespace rotordrop
