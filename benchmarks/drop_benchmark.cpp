@@ -15,10 +15,12 @@
 
 #include <unistd.h>
 
+#include "analysis/drop_lanes.h"
 #include "case/case.h"
 #include "integrate/integrator.h"
 #include "io/hdf5/recorder.h"
 #include "machine/build_machine.h"
+#include "machine/lanes/machine_lanes.h"
 #include "yardstick.h"
 
 namespace {
@@ -262,6 +264,76 @@ BENCHMARK_CAPTURE(drop, runge_kutta_4_10us, IntegrationMethod::runge_kutta_4, 10
 BENCHMARK_CAPTURE(drop, tsitouras_1e_6, IntegrationMethod::tsitouras, 1e-6)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(drop, dormand_prince_3e_7, IntegrationMethod::dormand_prince, 3e-7)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(drop, adams_1e_6, IntegrationMethod::adams, 1e-6)->Unit(benchmark::kMillisecond);
+
+/// Eight drops over friction and damping, in memory with all that is watched in a drop, without series.
+class EightDrops {
+ public:
+  EightDrops() {
+    for (int k = 0; k < 8; ++k) {
+      cases_.push_back(read_case(ROTORDROP_SOURCE_DIR "/params/neisi2019-settling.toml",
+                                 {"integration.method=tsitouras", "integration.tolerance=1e-6",
+                                  "contact.friction_coefficient=" + std::to_string(0.06 + 0.01 * k),
+                                  "bearings.TB1.support.C_y=" + std::to_string(3000 + 200 * k)}));
+      machines_.push_back(build_machine(cases_.back().parameters, cases_.back().tree));
+    }
+  }
+  /// CPU time of all of them [s]. @param run  of their drops
+  template <class Run>
+  double cpu_time(Run&& run) const {
+    std::vector<std::unique_ptr<Drop>> drops;
+    std::vector<Drop*> list;
+    for (std::size_t k = 0; k < cases_.size(); ++k) {
+      const auto& p = cases_[k].parameters;
+      drops.push_back(std::make_unique<Drop>(*machines_[k], p, p.integration, p.output));
+      list.push_back(drops.back().get());
+    }
+    const std::clock_t start = std::clock();
+    run(list);
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::vector<Case> cases_;
+  std::vector<std::unique_ptr<Machine>> machines_;
+};
+
+/// Drops in lanes beside the same drops one by one, by turns. Counters: milliseconds of each per drop, and how many times the throughput is.
+void lanes(benchmark::State& state) {
+  const EightDrops eight;
+  std::vector<double> together, one_by_one, ratios;
+  for (auto _ : state)
+    for (int turn = 0; turn < 5; ++turn) {
+      one_by_one.push_back(eight.cpu_time([](const std::vector<Drop*>& drops) {
+        for (Drop* drop : drops) drop->run();
+      }));
+      together.push_back(eight.cpu_time([](const std::vector<Drop*>& drops) { run_in_lanes(drops); }));
+      ratios.push_back(one_by_one.back() / together.back());
+    }
+  for (auto* list : {&together, &one_by_one, &ratios}) std::sort(list->begin(), list->end());
+  const auto middle = [](const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; };
+  state.counters["lane_drop_ms"] = 1e3 * middle(together) / 8.;
+  state.counters["single_drop_ms"] = 1e3 * middle(one_by_one) / 8.;
+  state.counters["times"] = middle(ratios);
+  state.counters["times_least"] = ratios.front();
+  state.counters["times_largest"] = ratios.back();
+}
+BENCHMARK(lanes)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// A right-hand side in lanes, of all eight.
+void right_hand_side_in_lanes(benchmark::State& state) {
+  const Contact contact;
+  const std::vector<const Machine*> machines(LaneSystem::width, contact.machine.get());
+  const auto system = make_lanes(machines);
+  constexpr std::size_t width = LaneSystem::width;
+  std::vector<double> t(width, contact.t), y, dydt(contact.y.size() * width);
+  for (const double value : contact.y) y.insert(y.end(), width, value);
+  for (auto _ : state) {
+    system->rates(t, y, dydt);
+    benchmark::DoNotOptimize(dydt.data());
+  }
+  count_each(state, "drop", width);
+}
+BENCHMARK(right_hand_side_in_lanes);
 
 }  // namespace
 

@@ -30,9 +30,9 @@ Drop::Drop(const Machine& machine, const MachineParameters& p, const Integration
       machine_(machine),
       parameters_(p),
       elements_(elements) {
-  rows_.add(closed_fits_);
-  rows_.add(kelvin_);
-  rows_.add(guards_.rows());
+  rows_.add(closed_fits_, RowNeeds::now_and_then);
+  rows_.add(kelvin_, RowNeeds::now_and_then);
+  rows_.add(guards_.rows(), RowNeeds::now_and_then);
   sections_->watch(followed_fits_);
   if (const auto own = sections_->observables(); !own.empty()) sections_->watch(guards_.windows(own));
   loop_.add(rows_);
@@ -45,7 +45,12 @@ Drop::Drop(const Machine& machine, const MachineParameters& p, const Integration
 }
 
 void Drop::run(const std::function<bool()>& is_stopped) {
-  is_complete_ = loop_.run(is_stopped);
+  loop_.run(is_stopped);
+  finish();
+}
+
+void Drop::finish() {
+  is_complete_ = loop_.is_at_end();
   if (is_complete_) sections_->finish(loop_.time(), loop_.state());
 }
 

@@ -55,6 +55,8 @@ class Drop {
 
   /// To the end, or until it is stopped.
   void run(const std::function<bool()>& is_stopped = {});
+  /// After a loop that was run to its end by somebody else (run_in_lanes()).
+  void finish();
   /// So far; times of wall and processor are left to the caller.
   [[nodiscard]] DropResult result() const;
 

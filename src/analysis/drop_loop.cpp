@@ -5,10 +5,8 @@
 #include <stdexcept>
 
 namespace rotordrop {
-namespace {
-
 /// Tells whether growth that comes from outside goes on otherwise than it did.
-class GrowthWatch {
+class DropLoop::GrowthWatch {
  public:
   GrowthWatch(const GrowthHistory* growth, std::size_t n_places) : growth_(growth), before_(n_places), now_(n_places) {}
   void remember(double t) {
@@ -26,8 +24,6 @@ class GrowthWatch {
   const GrowthHistory* growth_;
   std::vector<Expansion> before_, now_;
 };
-
-}  // namespace
 
 /// Without an integrator it is the start.
 class DropLoop::EndedStep final : public Step {
@@ -51,33 +47,46 @@ DropLoop::DropLoop(const Machine& machine, const IntegrationParameters& integrat
       end_(machine, run.until),
       end_time_(run.latest_end()),
       system_(machine, growth_in_force),
-      state_(machine.layout().size()) {
+      state_(machine.layout().size()),
+      growth_(std::make_unique<GrowthWatch>(growth_in_force, machine.n_thermal_places())) {
   found_.wants_step = true;
   found_.growth_in_force = growth_in_force;
   machine.initial_state(state_);
 }
 
+DropLoop::~DropLoop() = default;
+
 bool DropLoop::run(const std::function<bool()>& is_stopped) {
   if (is_at_end()) return true;
-  start();
-  GrowthWatch growth(found_.growth_in_force, machine_.n_thermal_places());
+  integrator_ = make_integrator(system_, integration_, time_, state_, end_time_);
+  has_end_rates_ = integrator_->evaluate_ends_with(
+      [this](double t, std::span<const double> y, std::span<double> dydt) { machine_.evaluate(t, y, dydt, found_); });
+  show_start();
   while (!is_at_end()) {
     integrator_->advance();
-    const EndedStep step = ended_step();
-    growth.remember(step.time);
-    show(step);
-    if (step.is_observed && growth.has_changed(step.time)) evaluate_end(step.time, step.after);
-    time_ = step.time;
-    std::copy(step.after.begin(), step.after.end(), state_.begin());
+    follow_step();
     if (is_stopped && is_stopped()) break;
   }
   return is_at_end();
 }
 
-void DropLoop::start() {
-  integrator_ = make_integrator(system_, integration_, time_, state_, end_time_);
-  has_end_rates_ = integrator_->evaluate_ends_with(
-      [this](double t, std::span<const double> y, std::span<double> dydt) { machine_.evaluate(t, y, dydt, found_); });
+void DropLoop::start(std::unique_ptr<Integrator> integrator) {
+  integrator_ = std::move(integrator);
+  has_end_rates_ = true;
+  show_start();
+}
+
+bool DropLoop::follow_step() {
+  const EndedStep step = ended_step();
+  growth_->remember(step.time);
+  show(step);
+  if (step.is_observed && growth_->has_changed(step.time)) evaluate_end(step.time, step.after);
+  time_ = step.time;
+  std::copy(step.after.begin(), step.after.end(), state_.begin());
+  return is_at_end();
+}
+
+void DropLoop::show_start() {
   if (time_ > 0.) return;
   EndedStep first(nullptr);
   first.before = first.after = state_;

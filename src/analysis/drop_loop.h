@@ -17,6 +17,9 @@ class DropLoop {
   /// @param growth_in_force  of a machine that takes it from outside; must outlive the loop
   DropLoop(const Machine& machine, const IntegrationParameters& integration, const RunParameters& run,
            const GrowthHistory* growth_in_force = nullptr);
+  ~DropLoop();
+  DropLoop(const DropLoop&) = delete;
+  DropLoop& operator=(const DropLoop&) = delete;
 
   /// They see each step in the order in which they were added, and must outlive the loop.
   void add(Observer& observer) {
@@ -29,9 +32,20 @@ class DropLoop {
   /// @returns whether the end was reached
   bool run(const std::function<bool()>& is_stopped = {});
 
-  [[nodiscard]] double time() const { return time_; }          ///< [s]
+  /// For a loop whose steps are taken together with those of others: shows the start, and from then on every step that its integrator has taken.
+  /// @param integrator  stands at time() and state(), and is advanced by the caller; the caller writes what it finds at ends of steps into found()
+  void start(std::unique_ptr<Integrator> integrator);
+  [[nodiscard]] Evaluation& found() { return found_; }
+  [[nodiscard]] const Evaluation& found() const { return found_; }
+  /// After a step. @returns whether the end is reached
+  bool follow_step();
+
+  [[nodiscard]] double time() const { return time_; }  ///< [s]
+  [[nodiscard]] const IntegrationParameters& integration() const { return integration_; }
+  [[nodiscard]] const Machine& machine() const { return machine_; }
   [[nodiscard]] double end_time() const { return end_time_; }  ///< the latest [s]
   [[nodiscard]] std::span<const double> state() const { return state_; }
+  [[nodiscard]] bool is_at_end() const { return time_ >= end_time_ || end_.is_reached(); }
   [[nodiscard]] bool condition_is_met() const { return end_.is_reached(); }
   /// Over all parts of a resumed run.
   [[nodiscard]] IntegrationStatistics statistics() const;
@@ -43,8 +57,8 @@ class DropLoop {
 
  private:
   class EndedStep;
-  [[nodiscard]] bool is_at_end() const { return time_ >= end_time_ || end_.is_reached(); }
-  void start();
+  class GrowthWatch;
+  void show_start();
   void show(const Step& step);
   EndedStep ended_step();
   void evaluate_end(double t, std::span<const double> y);
@@ -60,6 +74,7 @@ class DropLoop {
   std::vector<Observer*> observers_;
   std::unique_ptr<Integrator> integrator_;
   bool has_end_rates_ = false;  ///< the method evaluates ends of steps into found_
+  std::unique_ptr<GrowthWatch> growth_;
   IntegrationStatistics earlier_;
 };
 

@@ -8,9 +8,15 @@ namespace rotordrop {
 MemorySeries::MemorySeries(const Machine& machine, Drop& drop, const Choice& is_kept) {
   using Lists = std::initializer_list<const std::vector<Observable>*>;
   const auto own = drop.sections().observables();
-  drop.rows().add(
-      groups_.emplace_back("/time", Lists{&machine.step_observables(), &machine.state_observables()}, is_kept));
-  drop.detail_rows().add(groups_.emplace_back("/detail/time", Lists{&machine.detail_observables()}, is_kept));
+  const auto& rows =
+      groups_.emplace_back("/time", Lists{&machine.step_observables(), &machine.state_observables()}, is_kept);
+  const bool has_state_rows = std::any_of(rows.kept.begin(), rows.kept.end(), [&](const Kept& k) {
+    return k.first >= machine.n_step() && !Machine::is_held(k.path);
+  });
+  drop.rows().add(groups_.back(), has_state_rows ? RowNeeds::all : RowNeeds::step);
+  if (const auto& details = groups_.emplace_back("/detail/time", Lists{&machine.detail_observables()}, is_kept);
+      !details.kept.empty())
+    drop.detail_rows().add(groups_.back());
   drop.sections().add(groups_.emplace_back("/windows/time", Lists{&own}, is_kept));
 }
 

@@ -1,6 +1,7 @@
 #include "analysis/series_rows.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace rotordrop {
 
@@ -22,8 +23,13 @@ void ScheduledRows::step(const Step& step) {
   if (is_same_time(schedule_.due(), step.time) || step.is_last) write_end(step);
 }
 
-void ScheduledRows::give(double t, std::span<const double> row) {
-  for (RowSink* sink : sinks_) sink->row(t, row);
+bool ScheduledRows::is_needed(RowNeeds needs) const {
+  return std::any_of(sinks_.begin(), sinks_.end(), [needs](const Reader& reader) { return reader.needs == needs; });
+}
+
+void ScheduledRows::give(double t, std::span<const double> row, bool is_whole) {
+  for (const auto& [sink, needs] : sinks_)
+    if (is_whole || needs == RowNeeds::step) sink->row(t, row);
   schedule_.written(t);
 }
 
@@ -32,17 +38,33 @@ SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const Growt
       n_step_(observed_size(machine.step_observables())),
       row_(n_step_ + observed_size(machine.state_observables())) {
   found_.wants_step = true;
+  ahead_.step.resize(n_step_);
+  ahead_.is_whole = false;
+}
+
+double SeriesRows::due_ahead() const {
+  const bool is_read = is_needed(RowNeeds::all) || is_needed(RowNeeds::step);
+  return is_read ? due() : std::numeric_limits<double>::infinity();
 }
 
 void SeriesRows::write(double t, std::span<const double> y) {
+  if (is_thinned_ && due_ahead() > t && t < watched_ + watch_interval) return give(t, row_, false);  // nobody reads it
+  if (t == ahead_time_) return write(t, y, ahead_);
   machine_.evaluate(t, y, found_);
-  write(y, found_);
+  write(t, y, found_);
 }
 
-void SeriesRows::write(std::span<const double> y, const Evaluation& found) {
+void SeriesRows::write(double t, std::span<const double> y, const Evaluation& found) {
   std::copy(found.step.begin(), found.step.end(), row_.begin());
-  machine_.observe_state(y, found, std::span(row_).subspan(n_step_));
-  give(found.time, row_);
+  const bool is_whole = !is_thinned_ || is_needed(RowNeeds::all) || t >= watched_ + watch_interval;
+  if (is_whole) {
+    if (!found.is_whole) machine_.evaluate(t, y, found_);
+    machine_.observe_state(y, found.is_whole ? found : found_, std::span(row_).subspan(n_step_));
+    watched_ = t;
+  } else {
+    machine_.observe_held(y, std::span(row_).subspan(n_step_));
+  }
+  give(t, row_, is_whole);
 }
 
 DetailRows::DetailRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force)
@@ -51,7 +73,7 @@ DetailRows::DetailRows(const Machine& machine, RowSchedule schedule, const Growt
 }
 
 void DetailRows::write(double t, std::span<const double> y) {
-  machine_.evaluate(t, y, found_);
+  if (has_sinks()) machine_.evaluate(t, y, found_);
   give(t, found_.details);
 }
 

@@ -7,11 +7,18 @@
 
 namespace rotordrop {
 
+/// What a sink reads of the rows of step and state observables.
+enum class RowNeeds {
+  all,           ///< all of every row
+  step,          ///< step observables, and of the state what Machine::is_held()
+  now_and_then,  ///< all; of drops in lanes a row every watch_interval is enough
+};
+
 /// Rows at the times of a schedule: between steps by the integrator's own interpolation.
 class ScheduledRows : public Observer {
  public:
   /// @param sink  takes every row, in the order in which sinks were added; must outlive this
-  void add(RowSink& sink) { sinks_.push_back(&sink); }
+  void add(RowSink& sink, RowNeeds needs = RowNeeds::all) { sinks_.push_back({&sink, needs}); }
   void step(const Step& step) override;
   [[nodiscard]] double due() const override { return schedule_.due(); }
   void pack(PackedValues& to) const override { to[name_] = schedule_.packed(); }
@@ -27,7 +34,10 @@ class ScheduledRows : public Observer {
   virtual void write_end(const Step& step) { write(step.time, step.after); }
   /// Whether a change after a long interval without any gets a row at the beginning of the step that brought it.
   [[nodiscard]] virtual bool wants_before_change() const { return false; }
-  void give(double t, std::span<const double> row);
+  /// @param is_whole  the row holds all that its sinks may need
+  void give(double t, std::span<const double> row, bool is_whole = true);
+  [[nodiscard]] bool is_needed(RowNeeds needs) const;
+  [[nodiscard]] bool has_sinks() const { return !sinks_.empty(); }
 
   const Machine& machine_;
   RowSchedule schedule_;
@@ -36,7 +46,11 @@ class ScheduledRows : public Observer {
  private:
   const char* name_;
   std::vector<double> state_;
-  std::vector<RowSink*> sinks_;
+  struct Reader {
+    RowSink* sink;
+    RowNeeds needs;
+  };
+  std::vector<Reader> sinks_;
 };
 
 /// Rows of step and state observables.
@@ -44,14 +58,31 @@ class SeriesRows final : public ScheduledRows {
  public:
   SeriesRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force);
 
+  /// Of drops in lanes: sinks that need a row now and then get no others, unless a sink needs all of every row.
+  static constexpr double watch_interval = 1e-3;  // [s]
+  void thin_out() { is_thinned_ = true; }
+  /// Time of the next row whose values are read [s].
+  [[nodiscard]] double due_ahead() const;
+  /// Step observables of a row to come that were evaluated elsewhere, [observed_size(step_observables())].
+  [[nodiscard]] std::span<double> ahead(double t) {
+    ahead_time_ = t;
+    return ahead_.step;
+  }
+
  private:
   void write(double t, std::span<const double> y) override;
-  void write_end(const Step& step) override { write(step.after, *step.found); }
+  void write_end(const Step& step) override {
+    if (step.is_last) watched_ = -1.;
+    write(step.time, step.after, *step.found);
+  }
   [[nodiscard]] bool wants_before_change() const override { return true; }
-  void write(std::span<const double> y, const Evaluation& found);
+  void write(double t, std::span<const double> y, const Evaluation& found);
 
   std::size_t n_step_;
   std::vector<double> row_;
+  bool is_thinned_ = false;
+  double watched_ = -1., ahead_time_ = -1.;  // times of the last whole row, and of ahead_
+  Evaluation ahead_;
 };
 
 /// Rows of the detailed observables.
