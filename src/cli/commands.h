@@ -10,7 +10,8 @@ struct RunCommand {
   std::filesystem::path file, directory;
   std::vector<std::string> overrides;
   bool force = false, resume = false, quiet = false, strict = false;
-  bool accept = false;  ///< fail if a limit of the case is not met
+  bool accept = false;    ///< fail if a limit of the case is not met
+  bool in_lanes = false;  ///< as a study in lanes computes it
 };
 int run_command(const RunCommand& command);
 /// Exit code of a command that came to its end, but not to what was asked to hold.

@@ -125,6 +125,7 @@ int run_command(const RunCommand& command) {
     }
   options.force = command.force;
   options.resume = command.resume;
+  options.in_lanes = command.in_lanes;
   options.stop = &caught_signal();
   options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
   ProgressLine line;

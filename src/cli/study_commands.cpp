@@ -242,6 +242,7 @@ int study_rerun_command(const StudyRerunCommand& command) {
   run.overrides = point_of(study, design, command.point).overrides;
   run.force = command.force;
   run.quiet = command.quiet;
+  run.in_lanes = study.lanes && !study.is_search();
   const int code = run_command(run);
   if (code != 0) return code;
   ReportCommand report;

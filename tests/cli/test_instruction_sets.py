@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from pathlib import Path
 
 from tests.cli.program import PARAMS, PROGRAM, ProgramTest
 
@@ -57,6 +58,18 @@ class InstructionSets(ProgramTest):
                 self.assertAlmostEqual(a, b, delta=1e-6 * a)
             self.assertAlmostEqual(heats[0], heat, delta=1e-6 * heats[0])
 
+    def test_engines_of_lanes_let_nothing_but_their_factory_out(self):
+        """The linker keeps one copy of an inline function: one of a higher level would end the program on an older processor."""
+        closed = sorted((Path(PROGRAM).resolve().parent / "src/machine").glob("rotordrop_make_lanes_v*.o"))
+        if not closed:
+            self.skipTest("no engines beside the program")
+        self.assertEqual([path.stem for path in closed], ["rotordrop_make_lanes_v3", "rotordrop_make_lanes_v4"])
+        for path in closed:
+            symbols = subprocess.run(["nm", "--defined-only", "--extern-only", str(path)], capture_output=True, text=True, check=True).stdout
+            named = [line for line in symbols.splitlines() if "DW.ref" not in line]
+            self.assertEqual(len(named), 1, symbols)
+            self.assertIn(path.stem.removeprefix("rotordrop_"), named[0])
+
     @unittest.skipUnless(X86 and shutil.which("qemu-x86_64"), "takes an emulator of old processors (qemu-user)")
     def test_runs_on_a_processor_without_avx(self):
         """Nehalem (2008) ends with an illegal instruction at the first one of a higher level."""
@@ -69,6 +82,12 @@ class InstructionSets(ProgramTest):
         with tempfile.TemporaryDirectory() as folder:
             result = emulated("Nehalem", "run", str(PARAMS / "neisi2019-settling.toml"), "-o", f"{folder}/out", "--set", "run.end_time=9 ms",
                               "--set", "bearings.ball_model=inertial")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            study = Path(folder) / "s.toml"
+            study.write_text('case = "neisi2019-settling.toml"\nlanes = true\n[vary]\n"contact.friction_coefficient" = [0.1, 0.2]\n'
+                             '[design]\nkind = "grid"\n[keep]\nresults = ["bearings.*.peak_contact_force"]\n', encoding="utf-8")
+            result = emulated("Nehalem", "study", str(study), "-o", f"{folder}/lanes", "--jobs", "1", "--set", "run.end_time=8.8 ms",
+                              "--set", "integration.method=tsitouras", "--set", "integration.tolerance=1e-6")
             self.assertEqual(result.returncode, 0, result.stderr)
 
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "analysis/drop_lanes.h"
 #include "base/cpu_time.h"
 #include "base/errors.h"
 #include "io/checkpoint.h"
@@ -64,28 +66,49 @@ void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteEl
     summary.limits = assessed(limits, summary_json(summary), result.completed);
 }
 
+void run_in_lane(Drop& drop, const std::function<bool()>& is_stopped) {
+  const std::array<Drop*, 1> one = {&drop};
+  if (const auto failure = run_in_lanes(one, is_stopped).front()) std::rethrow_exception(failure);
+}
+
 }  // namespace
 
+MemoryDrop::MemoryDrop(const Case& c, const Machine& machine, MemoryRunOptions options)
+    : case_(c),
+      machine_(machine),
+      options_(std::move(options)),
+      drop_(machine, c.parameters, c.parameters.integration, c.parameters.output, options_.elements, options_.tell),
+      series_(machine, drop_, choice()) {}
+
+MemorySeries::Choice MemoryDrop::choice() const {
+  if (!options_.is_kept) return {};
+  return [is_in_summary = SummarySeries(case_), is_kept = options_.is_kept](const std::string& path) {
+    return is_in_summary(path) || is_kept(path);
+  };
+}
+
+FinishedDrop MemoryDrop::finished(double wall_time, double cpu_time) {
+  FinishedDrop result{drop_.result(), {}, nullptr};
+  result.wall_time = wall_time;
+  result.cpu_time = cpu_time;
+  summarise(case_, machine_, drop_, options_.elements, std::move(series_), {}, result, options_.has_local_rub);
+  if (result.completed) stop_at_fatal_warnings(case_.parameters.run, warnings_json(result.summary.warnings));
+  return result;
+}
+
 FinishedDrop run_drop_in_memory(const Case& c, const Machine& machine, const MemoryRunOptions& options) {
-  const auto& p = c.parameters;
-  Drop drop(machine, p, p.integration, p.output, options.elements, options.tell);
-  const SummarySeries is_in_summary(c);
-  MemorySeries::Choice is_kept;
-  if (options.is_kept) is_kept = [&](const std::string& path) { return is_in_summary(path) || options.is_kept(path); };
-  MemorySeries series(machine, drop, is_kept);
+  MemoryDrop run(c, machine, options);
+  Drop& drop = run.drop();
   DropProgress progress(machine, drop, drop.sections().growth_in_force(), options.report);
   if (options.report) drop.loop().add(progress);
   progress.begin(drop.loop().time());
   const auto start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_seconds();
   drop.run(options.is_stopped);
-  FinishedDrop result{drop.result(), {}, nullptr};
-  result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result.cpu_time = cpu_seconds() - cpu_start;
-  progress.tell(result.end_time, result.state);
-  summarise(c, machine, drop, options.elements, std::move(series), {}, result, options.has_local_rub);
-  if (result.completed) stop_at_fatal_warnings(p.run, warnings_json(result.summary.warnings));
-  return result;
+  const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double cpu_time = cpu_seconds() - cpu_start;
+  progress.tell(drop.loop().time(), drop.loop().state());
+  return run.finished(wall_time, cpu_time);
 }
 
 void require_known_limits(const Case& c, const Machine& machine, FiniteElements* elements) {
@@ -123,7 +146,11 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   checkpoints.start_clocks();
   progress.begin(drop.loop().time());
   try {
-    drop.run([&] { return options.stop && *options.stop; });
+    const auto is_stopped = [&] { return options.stop && *options.stop; };
+    if (options.in_lanes && !options.resume && why_not_in_lanes(machine, p.integration).empty())
+      run_in_lane(drop, is_stopped);
+    else
+      drop.run(is_stopped);
   } catch (const SolverError& error) {
     fail(error, drop, checkpoints, record);
   }

@@ -22,6 +22,8 @@ struct RunOptions {
   FiniteElements* elements = nullptr;                ///< those that the machine was built with, if any
   std::function<void(const Progress&)> report;       ///< called a few times a second
   std::function<void(const std::string&)> tell;      ///< called with what a user should know
+  /// As a study in lanes computes it, bit for bit, if the drop runs in lanes; not of a run that is resumed.
+  bool in_lanes = false;
 };
 
 /// A finished or interrupted drop with its summary.
@@ -47,6 +49,24 @@ struct MemoryRunOptions {
   MemorySeries::Choice is_kept;                 ///< series besides those that the summary needs; none: all
   std::function<void(const Progress&)> report;  ///< called a few times a second
   FitWatch::Tell tell;                          ///< called with what a user should know
+};
+
+/// A drop in memory, in parts: for drops that run side by side.
+class MemoryDrop {
+ public:
+  /// @param drop_case, machine  must outlive it
+  MemoryDrop(const Case& drop_case, const Machine& machine, MemoryRunOptions options);
+  [[nodiscard]] Drop& drop() { return drop_; }
+  /// After its run. @throws SolverError for warnings that the case calls fatal
+  FinishedDrop finished(double wall_time, double cpu_time);
+
+ private:
+  [[nodiscard]] MemorySeries::Choice choice() const;
+  const Case& case_;
+  const Machine& machine_;
+  MemoryRunOptions options_;
+  Drop drop_;
+  MemorySeries series_;
 };
 
 /// Runs a case without a file: no checkpoints, no temperature fields.

@@ -1,6 +1,7 @@
 #pragma once
 #include <csignal>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,10 @@ struct PointRequest {
 
 /// Runs one drop of a study. Never throws for what is wrong with the drop: that is the result's reason.
 PointResult evaluate_point(const PointRequest& request);
+
+/// Runs several drops of a study, side by side in lanes where they are alike; those that do not run in lanes one by one. A drop's result does not
+/// depend on those that it is handed over with.
+std::vector<PointResult> evaluate_together(std::span<const PointRequest> requests);
 
 using Evaluator = std::function<PointResult(const PointRequest&)>;
 

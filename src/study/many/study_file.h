@@ -102,6 +102,7 @@ struct Study {
   std::vector<std::string> keep_series;   ///< datasets of results.h5
   bool has_local_rub = true;  ///< whether what is kept needs local temperatures and wear; known after probe_results()
   FailurePolicy on_failure = FailurePolicy::go_on;
+  bool lanes = false;  ///< points that are alike run side by side
   std::string text;  ///< of the file
 
   /// Whether its points follow from one another, instead of from a design.

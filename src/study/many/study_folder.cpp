@@ -34,6 +34,7 @@ std::string digest_of(const Study& study, const Design& design) {
       for (std::size_t i = 0; i < m.data.times.size(); ++i)
         text += fmt::format("{} {}\n", m.data.times[i], m.data.values[i]);
   text += fmt::format("on failure {}\n", static_cast<int>(study.on_failure));
+  if (study.lanes) text += "lanes\n";
   std::string digest = sha256_of(text);
   const std::size_t n = n_points(study, design);
   std::string block;

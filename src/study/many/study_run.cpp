@@ -8,6 +8,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <cstdlib>
+#include <deque>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -16,6 +17,7 @@
 
 #include "base/cpu_time.h"
 #include "io/results_folder.h"
+#include "model/lane_system.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/journal.h"
@@ -49,6 +51,23 @@ PointResult evaluated(const Study& study, const std::vector<std::string>& overri
     result.reason = error.what();
     return result;
   }
+}
+
+/// What a study makes of a drop's result: tried once more if it failed and the study says so, with derived results, without what is not kept.
+PointResult completed(const Study& study, const StudyPoint& point, const StudyOptions& options, PointResult result) {
+  if (!result.is_interrupted && !result.is_done && study.on_failure == FailurePolicy::retry &&
+      !(options.stop && *options.stop)) {
+    const std::string reason = result.reason;
+    const auto overrides = overrides_of(study, point);
+    const Case c = study.cases->read(overrides);
+    result = evaluated(study, with_smaller_step(c, overrides), options);
+    result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
+                                   : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
+  }
+  if (result.is_interrupted) return result;
+  show_measured(study, result);
+  complete_results(study, result);
+  return result;
 }
 
 /// Runs points on several threads and follows them.
@@ -126,9 +145,9 @@ class StudyRun {
   void work() {
     try {
       while (!is_over()) {
-        const auto point = points_.next();
-        if (!point) break;
-        compute(*point);
+        const auto few = points_.next_few(study_.lanes ? LaneSystem::width : 1);
+        if (few.empty()) break;
+        study_.lanes ? compute_together(few) : compute(few.front());
       }
     } catch (...) {
       const std::scoped_lock lock(lock_);
@@ -140,8 +159,21 @@ class StudyRun {
   void compute(std::size_t index) {
     const double cpu = thread_cpu_seconds();
     const PointResult result = run_point(study_, point_of(study_, design_, index), options_);
+    take(index, result, thread_cpu_seconds() - cpu);
+  }
+
+  void compute_together(const std::vector<std::size_t>& indices) {
+    const double cpu = thread_cpu_seconds();
+    std::vector<StudyPoint> points;
+    for (const std::size_t index : indices) points.push_back(point_of(study_, design_, index));
+    const auto results = run_points(study_, points, options_);
+    const double each = (thread_cpu_seconds() - cpu) / static_cast<double>(indices.size());
+    for (std::size_t k = 0; k < indices.size(); ++k) take(indices[k], results[k], each);
+  }
+
+  void take(std::size_t index, const PointResult& result, double cpu) {
     if (result.is_interrupted) return;
-    journal_.append(index, result, thread_cpu_seconds() - cpu);
+    journal_.append(index, result, cpu);
     points_.finished(index, result.is_done);
     const std::scoped_lock lock(lock_);
     ++(result.is_done ? progress_.done : progress_.failed);
@@ -175,20 +207,27 @@ std::string name_of_best(const Study& study) {
 }  // namespace
 
 PointResult run_point(const Study& study, const StudyPoint& point, const StudyOptions& options) {
-  const auto overrides = overrides_of(study, point);
-  PointResult result = evaluated(study, overrides, options);
-  if (!result.is_interrupted && !result.is_done && study.on_failure == FailurePolicy::retry &&
-      !(options.stop && *options.stop)) {
-    const std::string reason = result.reason;
-    const Case c = study.cases->read(overrides);
-    result = evaluated(study, with_smaller_step(c, overrides), options);
-    result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
-                                   : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
-  }
-  if (result.is_interrupted) return result;
-  show_measured(study, result);
-  complete_results(study, result);
-  return result;
+  return completed(study, point, options, evaluated(study, overrides_of(study, point), options));
+}
+
+std::vector<PointResult> run_points(const Study& study, std::span<const StudyPoint> points,
+                                    const StudyOptions& options) {
+  std::vector<PointResult> results(points.size());
+  std::deque<Case> cases;
+  std::vector<PointRequest> requests;
+  std::vector<std::size_t> asked;
+  for (std::size_t k = 0; k < points.size(); ++k) try {
+      cases.push_back(study.cases->read(overrides_of(study, points[k])));
+      requests.push_back({cases.back(), options.stop, series_of_study(study), study.has_local_rub});
+      asked.push_back(k);
+    } catch (const InputError& error) {
+      results[k].reason = error.what();
+    }
+  auto found = options.evaluate_together(requests);
+  for (std::size_t i = 0; i < asked.size(); ++i) results[asked[i]] = std::move(found[i]);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    results[k] = completed(study, points[k], options, std::move(results[k]));
+  return results;
 }
 
 std::vector<std::string> overrides_of(const Study& study, const StudyPoint& point) {
@@ -259,7 +298,7 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
       outcome.is_anyone_lost = points.is_anyone_lost();
       outcome.is_stopped |= points.is_stopped_by_failure();
     } else if (!waiting.empty()) {
-      LocalPoints points(std::move(waiting));
+      LocalPoints points(std::move(waiting), n_workers);
       StudyRun(study, design, options, *journal, points, start).run(n_workers, outcome);
     }
     journal->sync();
@@ -286,7 +325,7 @@ StudyOutcome run_as_rank(const Study& study, const Design& design, const StudyOp
   if (outcome.is_complete) return outcome;
   const std::string header = journal_header(study, digest_of(study, design), options.shard, options.n_shards);
   const unsigned n_workers = workers_of(options.n_workers, n_points(study, design));
-  GivenPoints points(*options.ranks, n_workers);
+  GivenPoints points(*options.ranks, n_workers * (study.lanes ? static_cast<unsigned>(LaneSystem::width) : 1U));
   {
     Journal journal(journal_of_rank(options.directory, options.ranks->rank()), header);
     StudyRun(study, design, options, journal, points, {}).run(n_workers, outcome);

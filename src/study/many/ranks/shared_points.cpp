@@ -44,6 +44,11 @@ std::optional<std::size_t> SharedPoints::next() {
   }
 }
 
+std::optional<std::size_t> SharedPoints::next_at_hand() {
+  const std::scoped_lock lock(lock_);
+  return taken();
+}
+
 void SharedPoints::hear(const Ranks::Message& message) {
   const auto found = others_.find(message.from);
   if (found == others_.end()) {
@@ -106,12 +111,21 @@ PointSource::Elsewhere SharedPoints::elsewhere() const {
   return elsewhere_;
 }
 
-GivenPoints::GivenPoints(Ranks& ranks, unsigned n_workers)
-    : ranks_(ranks), n_ahead_(n_workers), said_(Clock::now()), asked_(Clock::now()) {}
+GivenPoints::GivenPoints(Ranks& ranks, unsigned n_ahead)
+    : ranks_(ranks), n_ahead_(n_ahead), said_(Clock::now()), asked_(Clock::now()) {}
 
 std::optional<std::size_t> GivenPoints::next() {
   std::unique_lock lock(lock_);
   while (queue_.empty() && !is_over_) changed_.wait_for(lock, look_again);
+  return first_of_queue();
+}
+
+std::optional<std::size_t> GivenPoints::next_at_hand() {
+  const std::scoped_lock lock(lock_);
+  return first_of_queue();
+}
+
+std::optional<std::size_t> GivenPoints::first_of_queue() {
   if (queue_.empty()) return {};
   const std::size_t point = queue_.front();
   queue_.erase(queue_.begin());

@@ -33,6 +33,7 @@ class SharedPoints final : public PointSource {
   [[nodiscard]] bool is_stopped_by_failure() const { return is_stopped_by_failure_; }
 
  private:
+  std::optional<std::size_t> next_at_hand() override;
   using Clock = std::chrono::steady_clock;
   std::optional<std::size_t> taken();
   void hear(const Ranks::Message& message);
@@ -58,7 +59,8 @@ class SharedPoints final : public PointSource {
 /// Another rank: computes what rank 0 gives.
 class GivenPoints final : public PointSource {
  public:
-  GivenPoints(Ranks& ranks, unsigned n_workers);
+  /// @param n_ahead  points that are asked for before they are needed
+  GivenPoints(Ranks& ranks, unsigned n_ahead);
   std::optional<std::size_t> next() override;
   void finished(std::size_t point, bool is_done) override;
   void serve(bool is_over) override;
@@ -68,6 +70,8 @@ class GivenPoints final : public PointSource {
   [[nodiscard]] bool is_rank_0_lost() const { return is_rank_0_lost_; }
 
  private:
+  std::optional<std::size_t> next_at_hand() override;
+  std::optional<std::size_t> first_of_queue();
   using Clock = std::chrono::steady_clock;
   void report_finished();
 
