@@ -20,7 +20,8 @@ struct Place {
 };
 
 template <bool is_bent>
-ROTORDROP_KERNEL void place_all(const Place& p, double cage_speed, InertialBalls& w) {
+ROTORDROP_KERNEL void place_all(const Place& given, double cage_speed, InertialBalls& w) {
+  const Place p = given;  // a copy that no store can change
   const RingDisplacement e = p.e, v = p.v;
   const double arm = p.arm, xr = p.position;
 #pragma omp simd
@@ -47,8 +48,9 @@ ROTORDROP_KERNEL void place_bent_grooves(const Place& p, double cage_speed, Iner
 
 /// @param hardness  K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is hardness * u
 template <bool is_split, bool is_bent>
-ROTORDROP_KERNEL void sum_all(const Place& p, const InertialBalls& w, double damping, double hardness,
+ROTORDROP_KERNEL void sum_all(const Place& given, const InertialBalls& w, double damping, double hardness,
                               BallRowOutput& out) {
+  const Place p = given;
   double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
   double elastic_axial = 0, elastic_outer = 0, largest = 0, largest_outer = 0;
   const RingDisplacement e = p.e, v = p.v;
@@ -183,10 +185,9 @@ void BallRow::place_balls(const BallRowInput& in, InertialBalls& w, Widening& be
   }
   const bool is_bent = !in.shape.empty();
   if (is_bent) widen(in, bent);
-  (is_bent ? place_bent_grooves : place_grooves)(
-      {cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, at.radial, at.axial, at.arm, geometry_.position,
-       in.displacement, in.rate, &bent},
-      in.cage_speed, w);
+  const Place place{cosine_.data(), sine_.data(),       in.cage_cosine,  in.cage_sine, at.radial, at.axial,
+                    at.arm,         geometry_.position, in.displacement, in.rate,      &bent};
+  is_bent ? wide<place_bent_grooves>(place, in.cage_speed, w) : wide<place_grooves>(place, in.cage_speed, w);
 }
 
 BallWork BallRow::balance(const BallRowInput& in, double F_0, InertialBalls& w, Widening& bent) const {
@@ -201,10 +202,12 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   Widening bent;
   const BallWork work = balance(in, F_0, w, bent);
   const bool is_bent = !in.shape.empty();
-  (is_bent ? sum_bent_forces : sum_forces)({cosine_.data(), sine_.data(), in.cage_cosine, in.cage_sine, 0., 0.,
-                                            numbers_.grooves.arm, geometry_.position, in.displacement, in.rate, &bent},
-                                           w, geometry_.inner_gyroscopic_share != 0., 1.5 * geometry_.damping_beta,
-                                           1. / (inertial_.c_i + inertial_.c_o), out);
+  const Place place{cosine_.data(),       sine_.data(),       in.cage_cosine,  in.cage_sine, 0.,   0.,
+                    numbers_.grooves.arm, geometry_.position, in.displacement, in.rate,      &bent};
+  const bool is_split = geometry_.inner_gyroscopic_share != 0.;
+  const double hardness = 1. / (inertial_.c_i + inertial_.c_o);
+  is_bent ? wide<sum_bent_forces>(place, w, is_split, numbers_.damping, hardness, out)
+          : wide<sum_forces>(place, w, is_split, numbers_.damping, hardness, out);
   if (is_bent) press_shapes(in, bent);
   out.waviness_power = 0.;
   if (!waves_.empty())

@@ -118,8 +118,10 @@ struct Balance {
   /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more; or if the ball got past the inner groove's centre, where
   /// forces balance, too, under loads of no meaning.
   [[nodiscard]] ROTORDROP_KERNEL double is_left(double enough) const {
-    const double past = Q_i > 0. ? larger(-c, 0.) : 0.;
-    return std::abs(force_n) + std::abs(force_t) <= enough * (Q_o + F) && past == 0. ? 0. : 1.;
+    // Without && and ||, which would keep loops from becoming vectors: past the centre nothing is enough.
+    const double past = larger(-c, 0.) * Q_i, allowed = past > 0. ? -1. : enough * (Q_o + F);
+    const double left = std::abs(force_n) + std::abs(force_t);
+    return left <= allowed ? 0. : 1.;
   }
 };
 
