@@ -83,7 +83,7 @@ class Ranks(ProgramTest):
 
     def killed(self, rank):
         """A study of three ranks of which one is killed after its first points."""
-        self.write("s.toml", STUDY.replace("SIZE", "60"))
+        self.write("s.toml", STUDY.replace("SIZE", "200"))
         running = self.start(3, "-o", "killed")
         journal = self.folder / ("killed/study.journal" if rank == 0 else f"killed/rank-{rank}.journal")
         for _ in range(1200):
