@@ -39,6 +39,7 @@ KERNELS = [
     ("right_hand_side_of/inertial_balls", "call", "the same, balls with inertia"),
     ("right_hand_side_of/bent_rings", "call", "the same, bent rings over the arc of contact"),
     ("right_hand_side_of/bent_rings_and_inertial_balls", "call", "the same, bent rings and balls with inertia"),
+    ("right_hand_side_in_lanes", "drop", "right-hand side of one of eight drops in lanes, rigid rings that translate"),
     ("recorded_row", "row", "one recorded row, written to the file"),
 ]
 
@@ -78,6 +79,17 @@ def kernels(program, rounds):
         name = run["run_name"]
         thing = next(thing for known, thing, _ in KERNELS if known == name)
         found.setdefault(name, []).append((run[f"per_{thing}"], run[f"cycles_per_{thing}"]))
+    return found
+
+
+def lanes(program):
+    """Milliseconds of a drop in lanes and of a single one, and how many times as many drops, by instruction set: the median of the benchmark's turns."""
+    found = {}
+    for level in ("v4", "v3", "base"):
+        done = subprocess.run([program, "--benchmark_format=json", "--benchmark_filter=^lanes"], capture_output=True, text=True,
+                              env={**os.environ, "ROTORDROP_ISA": level})
+        if done.returncode == 0:
+            found[level] = json.loads(done.stdout)["benchmarks"][0]
     return found
 
 
@@ -146,6 +158,11 @@ def main():
         times, cycles = Samples(t for t, _ in found[name]), min(c for _, c in found[name])
         unit, scale = ("us", 1e6) if min(times) > 1e-6 else ("ns", 1e9)
         lines.append(f"| {what} | {times.text(unit, scale)} | {cycles:.3g} |")
+
+    lines += ["", "| drops in memory, without series | in lanes | one by one | times as many |", "|---|---|---|---|"]
+    for level, of in lanes(a.build / "rotordrop_benchmarks").items():
+        lines.append(f"| eight at once, instruction set {level} | {of['lane_drop_ms']:.3g} ms a drop | {of['single_drop_ms']:.3g} ms | "
+                     f"{of['times']:.3g} ({of['times_least']:.3g} to {of['times_largest']:.3g}) |")
 
     programs = {"this": (a.build / "rotordrop", CASE, FAST)}
     if a.previous:
