@@ -178,10 +178,17 @@ struct Drops {
     for (int i = 0; i < n; ++i) r.part[i] = cbrt_of(a.part[i]);
     return r;
   }
-  /// To a million radians; not a number beyond.
+  /// Beyond a million radians as the library has them.
   ROTORDROP_LANE_WORD SineCosineOf<Drops> sine_cosine(const Drops& a) {
     SineCosineOf<Drops> r;
     for (int i = 0; i < n; ++i) sine_cosine_of(a.part[i], r.sine.part[i], r.cosine.part[i]);
+    const Mask is_beyond = !(abs(a) < 1e6);
+    if (any(is_beyond))
+      for (int lane = 0; lane < n_lanes; ++lane)
+        if (is_beyond[lane]) {
+          r.sine.set(lane, std::sin(a[lane]));
+          r.cosine.set(lane, std::cos(a[lane]));
+        }
     return r;
   }
 
@@ -283,10 +290,6 @@ struct Drops {
     const Bits is_odd = (k & 1) != 0;
     sine = (Numbers)((Bits)(is_odd ? c : s) ^ ((k & 2) << 62));
     cosine = (Numbers)((Bits)(is_odd ? s : c) ^ (((k + 1) & 2) << 62));
-    const Numbers beyond = Numbers{} / Numbers{};
-    const Bits is_within = (Numbers)((Bits)x & 0x7fffffffffffffffLL) < 1e6;
-    sine = is_within ? sine : beyond;
-    cosine = is_within ? cosine : beyond;
   }
 };
 #undef ROTORDROP_LANE_WORD

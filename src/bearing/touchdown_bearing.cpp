@@ -33,7 +33,7 @@ void TouchdownBearing::set_numbers() {
   q.rotor_radius = d.rotor_radius;
   q.air_gap = d.air_gap;
   q.contact = d.contact;
-  q.friction = d.friction;
+  q.friction = d.friction.numbers();
   q.f1_z = d.f1_z;
   q.f1_y = d.f1_y;
   q.static_rating = d.static_rating;
@@ -66,18 +66,22 @@ void TouchdownBearing::set_numbers() {
 
 bool TouchdownBearing::runs_in_lanes() const {
   const auto& d = data_;
-  const auto is_plain = [](const BallRow& row) { return !row.is_wavy() && !row.geometry().has_inertia; };
-  return !d.free_ring && !d.sticking && !d.bending && !d.free_cage && !d.support_law && !d.heats_rows_apart &&
-         !d.add_spin_heat && !d.friction.has_tables && d.bore_waves.empty() &&
-         std::all_of(rows_.begin(), rows_.end(), is_plain);
+  const auto has_inertia = [](const BallRow& row) { return row.geometry().has_inertia; };
+  return !d.free_ring && !d.sticking && !d.bending && !d.free_cage && !d.heats_rows_apart && !d.add_spin_heat &&
+         !d.friction.has_tables && d.bore_waves.empty() && std::none_of(rows_.begin(), rows_.end(), has_inertia);
 }
 
 bool TouchdownBearing::is_alike(const TouchdownBearing& other) const {
   const auto &a = data_, &b = other.data_;
   return runs_in_lanes() && other.runs_in_lanes() && rows_.size() == other.rows_.size() && a.load_law == b.load_law &&
-         a.conduction.has_value() == b.conduction.has_value() && a.friction.has_stribeck == b.friction.has_stribeck &&
+         a.conduction.has_value() == b.conduction.has_value() &&
+         (a.support_law != nullptr) == (b.support_law != nullptr) && n_support_states_ == other.n_support_states_ &&
+         a.friction.has_stribeck == b.friction.has_stribeck &&
          std::equal(rows_.begin(), rows_.end(), other.rows_.begin(), [](const BallRow& r, const BallRow& s) {
-           return std::ranges::equal(r.cosines(), s.cosines()) && std::ranges::equal(r.sines(), s.sines());
+           return std::ranges::equal(r.cosines(), s.cosines()) && std::ranges::equal(r.sines(), s.sines()) &&
+                  std::ranges::equal(r.waves(), s.waves(), [](const BallRow::Wave& v, const BallRow::Wave& w) {
+                    return v.wave.order == w.wave.order && v.wave.on_inner_race == w.wave.on_inner_race;
+                  });
          });
 }
 
@@ -150,7 +154,7 @@ void TouchdownBearing::divide_among_rows(const BallForces& forces, const BallRow
 
 void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> y, std::span<double> dydt,
                                 std::span<double> ledger, SupportOutput& out) const {
-  evaluate_with<double, BallRow>(numbers_, rows_, in, y, dydt, ledger, out);
+  evaluate_with<double>(*this, in, y, dydt, ledger, out);
 }
 
 void TouchdownBearing::tilt(const BallForces& balls, const Touch& t, std::span<const double> y,

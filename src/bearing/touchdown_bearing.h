@@ -185,12 +185,16 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] bool runs_in_lanes() const;
   /// Whether two bearings differ in nothing but their numbers and those of their rows.
   [[nodiscard]] bool is_alike(const TouchdownBearing& other) const;
-  /// evaluate() with other numbers than its own, and in lanes: of bearings alike (touchdown_evaluate.h).
-  /// @tparam Row  BallRow, or RowInLanes
-  template <class Real, class Row>
-  void evaluate_with(const TouchdownNumbers<Real>& numbers, std::span<const Row> rows,
-                     const SupportInputOf<Real>& input, std::span<const Real> y, std::span<Real> dydt,
+  /// evaluate() of this bearing, or of bearings alike side by side (touchdown_evaluate.h).
+  /// @tparam Of  has numbers(), rows(), carried() and observe_support(): TouchdownBearing, or TouchdownInLanes
+  template <class Real, class Of>
+  void evaluate_with(const Of& of, const SupportInputOf<Real>& input, std::span<const Real> y, std::span<Real> dydt,
                      std::span<Real> ledger_rates, SupportOutputOf<Real>& out) const;
+  /// Force of the support's law on the outer ring, and loss; writes the rates of the law's states into dydt.
+  SupportAnswer carried(std::span<const double> y, std::span<double> dydt) const;
+  /// @param out  [3]
+  void observe_support(const SupportAnswer& answer, std::span<const double> y, std::span<double> out) const;
+  [[nodiscard]] std::size_t n_support_states() const { return n_support_states_; }
 
  private:
   template <class Real>
@@ -261,8 +265,6 @@ class TouchdownBearing final : public Support {
                                       std::span<const double> y) const;
   void touch_shoulders(const SupportInput& input, std::span<const double> y, Touch& sum) const;
   [[nodiscard]] SupportMotion support_motion(std::span<const double> y) const;
-  /// Force of the support's law on the outer ring, and loss; writes the rates of the law's states into dydt.
-  SupportAnswer carried(std::span<const double> y, std::span<double> dydt) const;
   /// Rates of a free ring's axial and tilting motion.
   void tilt(const BallForces& balls, const Touch& touch, std::span<const double> y, std::span<double> dydt) const;
   /// Turns a free cage and brakes the inner ring by it. @return heat of the balls' slip, which is added to `heat` [W]
@@ -294,8 +296,6 @@ class TouchdownBearing final : public Support {
                const ExpansionOf<Real>& growth, std::span<const Real> y, const TouchOf<Real>& touch,
                const BallForcesOf<Real>& balls, const Real& load_torque, const Real& drag_torque,
                const Real& ring_acceleration, const HeatInputOf<Real>& heat, std::span<Real> out) const;
-  /// @param out  [3]
-  void observe_support(const SupportAnswer& answer, std::span<const double> y, std::span<double> out) const;
   void set_numbers();
 
   TouchdownBearingData data_;

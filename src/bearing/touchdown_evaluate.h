@@ -113,10 +113,11 @@ BallConductionOf<Real> TouchdownBearing::conduction(const TouchdownNumbers<Real>
   return {sum.inner_to_ball, sum.outer_to_ball, sum.inner_to_outer};
 }
 
-template <class Real, class Row>
-void TouchdownBearing::evaluate_with(const TouchdownNumbers<Real>& q, std::span<const Row> rows,
-                                     const SupportInputOf<Real>& in, std::span<const Real> y, std::span<Real> dydt,
-                                     std::span<Real> ledger, SupportOutputOf<Real>& out) const {
+template <class Real, class Of>
+void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& in, std::span<const Real> y,
+                                     std::span<Real> dydt, std::span<Real> ledger, SupportOutputOf<Real>& out) const {
+  const TouchdownNumbers<Real>& q = of.numbers();
+  const auto rows = of.rows();
   const ExpansionOf<Real> grown = growth(q, in, y);
   BallRowInputOf<Real> rows_in = row_input(q, grown, y);
   ShapeForces shapes;
@@ -149,7 +150,7 @@ void TouchdownBearing::evaluate_with(const TouchdownNumbers<Real>& q, std::span<
   dydt[support_z] = y[support_vz];
   SupportAnswerOf<Real> support;
   if (data_.support_law) {
-    if constexpr (has_all<Real>) support = carried(y, dydt);
+    support = of.carried(y, dydt);
     dydt[support_vy] = (-balls.force_y + support.y) / q.support_mass;
     dydt[support_vz] = (-balls.force_z + support.z) / q.support_mass;
   } else {
@@ -214,8 +215,7 @@ void TouchdownBearing::evaluate_with(const TouchdownNumbers<Real>& q, std::span<
 
   if (!out.observed.empty()) {
     observe(q, rows, in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
-    if constexpr (has_all<Real>)
-      if (data_.support_law) observe_support(support, y, out.observed.last(3));
+    if (data_.support_law) of.observe_support(support, y, out.observed.last(3));
   }
   if (!out.observed_details.empty()) {
     std::size_t at = 0;

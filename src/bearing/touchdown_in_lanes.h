@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "base/gather.h"
@@ -7,30 +8,64 @@
 
 namespace rotordrop {
 
-/// Touchdown bearings of several drops side by side.
+/// Touchdown bearings of several drops side by side. Laws of supports are those of one drop: they are asked lane by lane.
 template <class Real>
 class TouchdownInLanes {
  public:
   /// @param bearings  alike (TouchdownBearing::is_alike()); lanes without one repeat the first
-  explicit TouchdownInLanes(std::span<const TouchdownBearing* const> bearings) : form_(*bearings.front()) {
+  explicit TouchdownInLanes(std::span<const TouchdownBearing* const> bearings) {
     std::vector<const TouchdownNumbers<double>*> numbers;
     for (const auto* bearing : bearings) numbers.push_back(&bearing->numbers());
     numbers_ = gathered<TouchdownNumbers, Real>(numbers);
-    for (std::size_t i = 0; i < form_.rows().size(); ++i) {
+    for (std::size_t i = 0; i < bearings.front()->rows().size(); ++i) {
       std::vector<const BallRow*> rows;
       for (const auto* bearing : bearings) rows.push_back(&bearing->rows()[i]);
       rows_.emplace_back(rows);
     }
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
+      bearings_.push_back(lane < bearings.size() ? bearings[lane] : bearings.front());
+    const std::size_t n = bearings.front()->support_states_at() + bearings.front()->n_support_states();
+    y_.resize(n);
+    dydt_.resize(n);
   }
   void evaluate(const SupportInputOf<Real>& in, std::span<const Real> y, std::span<Real> dydt, std::span<Real> ledger,
                 SupportOutputOf<Real>& out) const {
-    form_.evaluate_with<Real, RowInLanes<Real>>(numbers_, rows_, in, y, dydt, ledger, out);
+    bearings_.front()->evaluate_with<Real>(*this, in, y, dydt, ledger, out);
+  }
+
+  [[nodiscard]] const TouchdownNumbers<Real>& numbers() const { return numbers_; }
+  [[nodiscard]] std::span<const RowInLanes<Real>> rows() const { return rows_; }
+  SupportAnswerOf<Real> carried(std::span<const Real> y, std::span<Real> dydt) const {
+    SupportAnswerOf<Real> all;
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const TouchdownBearing& bearing = take(lane, y);
+      const SupportAnswer one = bearing.carried(y_, dydt_);
+      for (std::size_t i = bearing.support_states_at(); i < dydt_.size(); ++i) dydt[i].set(lane, dydt_[i]);
+      all.y.set(lane, one.y);
+      all.z.set(lane, one.z);
+      all.loss.set(lane, one.loss);
+    }
+    return all;
+  }
+  void observe_support(const SupportAnswerOf<Real>& answer, std::span<const Real> y, std::span<Real> out) const {
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      std::array<double, 3> one;
+      take(lane, y).observe_support({answer.y[lane], answer.z[lane], answer.loss[lane]}, y_, one);
+      for (std::size_t i = 0; i < one.size(); ++i) out[i].set(lane, one[i]);
+    }
   }
 
  private:
-  const TouchdownBearing& form_;
+  /// A lane's bearing, with its states up to the support's in y_.
+  const TouchdownBearing& take(int lane, std::span<const Real> y) const {
+    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = y[i][lane];
+    return *bearings_[static_cast<std::size_t>(lane)];
+  }
+
+  std::vector<const TouchdownBearing*> bearings_;  // [n_lanes]
   TouchdownNumbers<Real> numbers_;
   std::vector<RowInLanes<Real>> rows_;
+  mutable std::vector<double> y_, dydt_;  // of one lane
 };
 
 }  // namespace rotordrop

@@ -137,8 +137,9 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
           results.names.size(), duration(most * estimate.cpu_time), size_text(most * estimate.bytes));
       return 0;
     }
-    fmt::print("every point is a valid case; {} results of each are kept\nabout {} of CPU and {} of results\n",
-               results.names.size(), duration(estimate.cpu_time), size_text(estimate.bytes));
+    fmt::print("every point is a valid case; {} results of each are kept\nabout {} of CPU{} and {} of results\n",
+               results.names.size(), duration(estimate.cpu_time), study.lanes ? " (one by one; less in lanes)" : "",
+               size_text(estimate.bytes));
     return 0;
   }
   options.ranks = ranks;

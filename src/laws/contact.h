@@ -38,8 +38,7 @@ inline double table_value(const std::vector<std::array<double, 2>>& table, doubl
   return low[1] + (x - low[0]) * ((*after)[1] - low[1]) / ((*after)[0] - low[0]);
 }
 
-/// Coulomb friction, regularised: mu(v) = mu v / sqrt(v^2 + v_reg^2), with an optional higher (or lower) value near
-/// rest (Stribeck): mu = mu_d + (mu_s - mu_d) exp(-(v / v_s)^2); or mu from a table over slip speed. A table over temperature is a factor.
+/// The numbers of CoulombFriction, and its law without tables.
 template <class Real>
 struct CoulombNumbers {
   Real mu = 0;                    ///< dynamic friction coefficient, >= 0
@@ -57,7 +56,13 @@ struct CoulombNumbers {
     return coefficient / sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
   }
 };
-struct CoulombFriction : CoulombNumbers<double> {
+/// Coulomb friction, regularised: mu(v) = mu v / sqrt(v^2 + v_reg^2), with an optional higher (or lower) value near
+/// rest (Stribeck): mu = mu_d + (mu_s - mu_d) exp(-(v / v_s)^2); or mu from a table over slip speed. A table over temperature is a factor.
+struct CoulombFriction {
+  double mu = 0;                    ///< dynamic friction coefficient, >= 0
+  double regularisation_speed = 1;  ///< v_reg [m/s], > 0
+  double static_mu = 0;             ///< mu_s; used if has_stribeck
+  double stribeck_speed = 1;        ///< v_s [m/s], > 0
   bool has_stribeck = false;
   bool has_tables = false;                                   ///< one of those below is not empty
   std::vector<std::array<double, 2>> over_speed = {};        ///< mu over slip speed [m/s]; instead of mu and static_mu
@@ -66,17 +71,18 @@ struct CoulombFriction : CoulombNumbers<double> {
   /// Coefficient without the passage through zero.
   /// @param temperature  of the ring [K]; needed for a table over it only
   [[nodiscard]] double largest(double slip_speed_squared, double temperature = 0.) const {
-    double m = CoulombNumbers::largest(has_stribeck, slip_speed_squared);
+    double m = numbers().largest(has_stribeck, slip_speed_squared);
     if (has_tables) m = from_tables(m, slip_speed_squared, temperature);
     return m;
   }
   /// Coefficient over slip speed [s/m]: times a slip speed, or a vector of it, the signed coefficient.
   [[nodiscard]] double per_speed(double slip_speed_squared, double temperature = 0.) const {
-    return regularised(largest(slip_speed_squared, temperature), slip_speed_squared);
+    return numbers().regularised(largest(slip_speed_squared, temperature), slip_speed_squared);
   }
   /// Signed coefficient at a slip speed [m/s].
   [[nodiscard]] double coefficient(double slip_speed) const { return per_speed(slip_speed * slip_speed) * slip_speed; }
 
+  [[nodiscard]] CoulombNumbers<double> numbers() const { return {mu, regularisation_speed, static_mu, stribeck_speed}; }
   [[nodiscard]] double from_tables(double m, double slip_speed_squared, double temperature) const {
     if (!over_speed.empty()) m = table_value(over_speed, std::sqrt(slip_speed_squared));
     if (!over_temperature.empty()) m *= table_value(over_temperature, temperature);

@@ -15,7 +15,7 @@ namespace rotordrop {
 namespace {
 
 RubShare rub_share(const ThermalParameters& t) {
-  return {{t.share_to_ring, {t.rub_band_length, t.rub_contact_time, 1.}}, t.heat_share == HeatShare::jaeger};
+  return {t.share_to_ring, t.heat_share == HeatShare::jaeger, {t.rub_band_length, t.rub_contact_time, 1.}};
 }
 
 bool driver_meshes_sections(const std::string& driver) {

@@ -109,6 +109,9 @@ class Machine final {
   /// @param out    [sum of sizes of state_observables()]
   void observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const;
 
+  /// Values of the probes' observables, the last of the step observables. @param y  the rotor's states are enough
+  void observe_probes(std::span<const double> y, std::span<double> out) const;
+  [[nodiscard]] std::size_t n_rotor_states() const { return n_rotor_; }
   /// Those of them that need no evaluation, being the rotor's own and the ledgers; the others are left alone. @param out  as above
   void observe_held(std::span<const double> y, std::span<double> out) const;
   [[nodiscard]] static bool is_held(const std::string& state_observable) {
@@ -180,7 +183,6 @@ class Machine final {
   [[nodiscard]] EnergyBalance energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const;
   void list_observables();
   void connect_heat_ports();
-  void observe_probes(std::span<const double> y, std::span<double> out) const;
 
   Parts parts_;
   StateLayout layout_;

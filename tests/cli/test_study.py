@@ -238,6 +238,14 @@ class Studies(ProgramTest):
             self.assertFalse(numpy.array_equal(h5["/results/bearings.TB1.peak_contact_force"][:], forces))
         self.assertIn("another study", self.study("one", "--resume", code=2).stderr)
 
+    def test_what_does_not_run_in_lanes_is_told_and_runs_one_by_one(self):
+        self.study("alone")
+        self.write("s.toml", "lanes = true\n" + STUDY)
+        told = self.study("out").stderr  # of a method of SUNDIALS
+        self.assertIn("run one by one", told)
+        self.assertIn("integration.method", told)
+        self.assertEqual(self.bytes_of("out")[1], self.bytes_of("alone")[1])
+
     def test_local_temperatures_that_nobody_asks_for_change_no_other_result(self):
         self.study("all")
         self.write("s.toml", STUDY + '[keep]\nresults = ["bearings.*.friction_heat", "energy.*"]\n')

@@ -189,6 +189,11 @@ class BallRow {
  public:
   static constexpr int max_balls = 256;
 
+  struct Wave {
+    RaceWave wave;
+    std::vector<double> cosine, sine;  ///< of order * azimuth at cage angle zero, [n_padded]
+  };
+
   /// @throws std::invalid_argument for more than max_balls balls
   BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves);
 
@@ -209,13 +214,9 @@ class BallRow {
   /// Of the balls' azimuths at cage angle zero [n_balls].
   [[nodiscard]] std::span<const double> cosines() const { return {cosine_.data(), n_balls()}; }
   [[nodiscard]] std::span<const double> sines() const { return {sine_.data(), n_balls()}; }
-  [[nodiscard]] bool is_wavy() const { return !waves_.empty(); }
+  [[nodiscard]] std::span<const Wave> waves() const { return waves_; }
 
  private:
-  struct Wave {
-    RaceWave wave;
-    std::vector<double> cosine, sine;  // of order * azimuth at cage angle zero, [n_padded]
-  };
   using Grooves = GroovesOf<double>;
   /// @param waved [max_balls], @param bent  space that what is returned may refer to
   [[nodiscard]] KernelInput kernel_input(const BallRowInput& input, double* waved, Widening& bent) const;

@@ -1,12 +1,14 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "base/gather.h"
+#include "base/sine_cosine.h"
 #include "bearing/row/ball_terms.h"
 
 namespace rotordrop {
 
-/// A row of balls of several drops side by side: rings that translate, balls without inertia or waves. As BallRow otherwise.
+/// A row of balls of several drops side by side: rings that translate, balls without inertia. As BallRow otherwise.
 template <class Real>
 class RowInLanes {
  public:
@@ -17,6 +19,17 @@ class RowInLanes {
     std::vector<const RowNumbers<double>*> numbers;
     for (const BallRow* row : rows) numbers.push_back(&row->numbers());
     numbers_ = gathered<RowNumbers, Real>(numbers);
+    for (std::size_t k = 0; k < rows.front()->waves().size(); ++k) {
+      const BallRow::Wave& form = rows.front()->waves()[k];
+      Wave wave{
+          form.wave.on_inner_race, static_cast<double>(form.wave.order), Real(0.), Real(0.), form.cosine, form.sine};
+      for (int lane = 0; lane < n_lanes; ++lane) {
+        const auto at = std::min(static_cast<std::size_t>(lane), rows.size() - 1);
+        wave.amplitude.set(lane, rows[at]->waves()[k].wave.amplitude);
+        wave.phase.set(lane, rows[at]->waves()[k].wave.phase);
+      }
+      waves_.push_back(std::move(wave));
+    }
     edges_ = {{numbers_.inner, numbers_.stiffness_root}, {numbers_.outer, numbers_.stiffness_root}};
   }
   [[nodiscard]] const RowNumbers<Real>& numbers() const { return numbers_; }
@@ -24,29 +37,75 @@ class RowInLanes {
 
   void evaluate_translations(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out,
                              RowTractionsOf<Real>* tractions) const {
-    tractions ? sum<true>(in, out, tractions) : sum<false>(in, out, tractions);
+    if (waves_.empty())
+      tractions ? sum<true, false>(in, out, tractions) : sum<false, false>(in, out, tractions);
+    else
+      tractions ? sum<true, true>(in, out, tractions) : sum<false, true>(in, out, tractions);
   }
 
   void ball_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
-    for (std::size_t j = 0; j < cosine_.size(); ++j) load[j] = ball(place, j).F;
+    const auto travels = travelling(in);
+    for (std::size_t j = 0; j < cosine_.size(); ++j) load[j] = ball(place, waved(travels, j).added, j).F;
   }
 
  private:
-  [[nodiscard, gnu::always_inline]] inline BallTerms<Real> ball(const RowPlaceOf<Real>& place, std::size_t j) const {
-    return ball_terms<false, false>(place, Real(cosine_[j]), Real(sine_[j]), Real(0.), BallWidening<Real>{});
+  struct Wave {
+    bool on_inner_race;
+    double order;
+    Real amplitude, phase;
+    std::vector<double> cosine, sine;  // of order * azimuth at cage angle zero
+  };
+  /// A wave at an instant: amplitude times cosine and sine of how far it has turned, and its speed of travel [rad/s].
+  struct Travel {
+    Real cosine, sine, speed;
+  };
+  using Travels = std::vector<Travel>;
+  [[nodiscard]] Travels travelling(const BallRowInputOf<Real>& in) const {
+    Travels travels;
+    for (const Wave& w : waves_) {
+      const Real angle = w.on_inner_race ? in.cage_angle - in.ring_angle : in.cage_angle;
+      const Real speed = w.on_inner_race ? in.cage_speed - in.ring_speed : in.cage_speed;
+      const auto turned = sine_cosine(w.order * angle + w.phase);
+      travels.push_back({w.amplitude * turned.cosine, w.amplitude * turned.sine, w.order * speed});
+    }
+    return travels;
+  }
+  /// What the waves add to a ball's penetration [m], and the rate of that by their travel [m/s].
+  struct Waved {
+    Real added, rate;
+  };
+  [[nodiscard]] Waved waved(const Travels& travels, std::size_t j) const {
+    Waved sum{Real(0.), Real(0.)};
+    for (std::size_t k = 0; k < travels.size(); ++k) {
+      const Travel& t = travels[k];
+      const double c = waves_[k].cosine[j], s = waves_[k].sine[j];
+      sum.added += s * t.cosine + c * t.sine;
+      sum.rate += t.speed * (c * t.cosine - s * t.sine);
+    }
+    return sum;
+  }
+  [[nodiscard, gnu::always_inline]] inline BallTerms<Real> ball(const RowPlaceOf<Real>& place, const Real& added,
+                                                                std::size_t j) const {
+    return ball_terms<false, false>(place, Real(cosine_[j]), Real(sine_[j]), added, BallWidening<Real>{});
   }
 
-  template <bool with_tractions>
+  template <bool with_tractions, bool is_wavy>
   void sum(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out, RowTractionsOf<Real>* tractions) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
     const TractionInputOf<Real> with{numbers_.centrifugal_force(in), numbers_.inner_gyroscopic_share, edges_};
     const Real zero = 0.;
     Real fx = zero, fy = zero, fz = zero, dissipated = zero, elastic_radial = zero, elastic_axial = zero,
          elastic_normal = zero, cage = zero, largest = zero, roots = zero;
+    Real waviness = zero;
+    [[maybe_unused]] Travels travels;
+    if constexpr (is_wavy) travels = travelling(in);
     Real inner = zero, outer = zero, gyroscopic = zero, demand = zero, truncation = zero;
     for (std::size_t j = 0; j < cosine_.size(); ++j) {
-      const BallTerms<Real> b = ball(place, j);
+      Waved by_waves{zero, zero};
+      if constexpr (is_wavy) by_waves = waved(travels, j);
+      const BallTerms<Real> b = ball(place, by_waves.added, j);
+      if constexpr (is_wavy) waviness += b.elastic * by_waves.rate;
       if constexpr (with_tractions) {
         const TractionTerms<Real> t = traction_terms(with, b);
         inner += b.F;
@@ -77,7 +136,7 @@ class RowInLanes {
     out.elastic_normal = elastic_normal;
     out.elastic_outer_surplus = zero;
     out.cage_torque = cage;
-    out.waviness_power = zero;
+    out.waviness_power = waviness;
     out.largest_load = out.largest_outer_load = largest;
     out.inner_load_roots = out.outer_load_roots = numbers_.stiffness_root * roots;
     out.inner_loads = out.outer_loads = elastic_normal;
@@ -95,6 +154,7 @@ class RowInLanes {
   RowNumbers<Real> numbers_;
   RaceEdgesOf<Real> edges_;
   std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero
+  std::vector<Wave> waves_;
 };
 
 }  // namespace rotordrop

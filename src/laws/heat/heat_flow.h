@@ -42,10 +42,13 @@ struct RubNumbers {
     return by_jaeger ? jaeger.to_ring(rotor_surface_speed, ring_surface_speed) : constant;
   }
 };
-struct RubShare : RubNumbers<double> {
+struct RubShare {
+  double constant = 0.5;  ///< into the ring
   bool by_jaeger = false;
+  JaegerShare jaeger;
+  [[nodiscard]] RubNumbers<double> numbers() const { return {constant, jaeger}; }
   [[nodiscard]] double to_ring(double rotor_surface_speed, double ring_surface_speed) const {
-    return RubNumbers::to_ring(by_jaeger, rotor_surface_speed, ring_surface_speed);
+    return numbers().to_ring(by_jaeger, rotor_surface_speed, ring_surface_speed);
   }
 };
 

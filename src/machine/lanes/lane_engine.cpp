@@ -37,9 +37,11 @@ class PartsInLanes {
       thermal_.emplace_back(parts_of<ThermalNetwork>(
           machines, [&](const Machine& m) -> auto& { return *m.thermal(i).model; }));
     for (std::size_t place = 0; place < form.rub_share.size(); ++place) {
-      rub_.push_back({gathered<RubNumbers, Real>(parts_of<RubNumbers<double>>(
-                          machines, [&](const Machine& m) -> auto& { return m.parts().rub_share[place]; })),
-                      form.rub_share[place].by_jaeger});
+      std::vector<RubNumbers<double>> rub;
+      for (const Machine* machine : machines) rub.push_back(machine->parts().rub_share[place].numbers());
+      std::vector<const RubNumbers<double>*> of;
+      for (const auto& numbers : rub) of.push_back(&numbers);
+      rub_.push_back({gathered<RubNumbers, Real>(of), form.rub_share[place].by_jaeger});
       growth_by_speed_.emplace_back();
       for (int lane = 0; lane < n_lanes; ++lane) {
         const auto at = std::min(static_cast<std::size_t>(lane), machines.size() - 1);
@@ -84,7 +86,11 @@ class MachineLanes final : public LaneSystem {
  public:
   static_assert(n_lanes == LaneSystem::width);
   explicit MachineLanes(std::span<const Machine* const> machines)
-      : form_(*machines.front()), parts_(machines), y_(form_.layout().size()), dydt_(y_) {}
+      : machines_(machines.begin(), machines.end()),
+        form_(*machines.front()),
+        parts_(machines),
+        y_(form_.layout().size()),
+        dydt_(y_) {}
 
   [[nodiscard]] const StateLayout& layout() const override { return form_.layout(); }
   [[nodiscard]] std::size_t first_quadrature() const override { return form_.first_quadrature(); }
@@ -97,6 +103,7 @@ class MachineLanes final : public LaneSystem {
     observed_.wants_step = !step.empty();
     observed_.wants_details = !details.empty();
     evaluate(t, y, dydt, observed_);
+    if (!step.empty()) observe_probes();
     store(observed_.step, step);
     store(observed_.details, details);
   }
@@ -107,10 +114,21 @@ class MachineLanes final : public LaneSystem {
     form_.evaluate_with<Real>(parts_, Real::load(t.data()), y_, dydt_, e);
     store(dydt_, dydt);
   }
+  void observe_probes() {
+    const std::size_t n_probed = 3 * form_.probes().size(), first = observed_.step.size() - n_probed;
+    if (n_probed == 0) return;
+    std::vector<double> rotor(form_.n_rotor_states()), values(n_probed);
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      for (std::size_t i = 0; i < rotor.size(); ++i) rotor[i] = y_[i][lane];
+      machines_[std::min(static_cast<std::size_t>(lane), machines_.size() - 1)]->observe_probes(rotor, values);
+      for (std::size_t i = 0; i < n_probed; ++i) observed_.step[first + i].set(lane, values[i]);
+    }
+  }
   static void store(const std::vector<Real>& from, std::span<double> to) {
     for (std::size_t i = 0; i < from.size(); ++i) from[i].store(to.data() + i * width);
   }
 
+  std::vector<const Machine*> machines_;
   const Machine& form_;
   PartsInLanes<Real> parts_;
   std::vector<Real> y_, dydt_;

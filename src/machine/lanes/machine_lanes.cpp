@@ -30,8 +30,7 @@ std::string why_not_in_lanes(const Machine& m) {
     if (!bearing) return m.support(i).name() + " is no touchdown bearing";
     if (!bearing->runs_in_lanes())
       return "bearing " + bearing->name() +
-             " has more than rigid rings that translate, rolling balls without inertia or waves, a spring and a "
-             "damper, and "
+             " has more than rigid rings that translate, with a smooth bore, rolling balls without inertia, and "
              "regularised friction";
   }
   for (std::size_t i = 0; i < m.n_thermal_models(); ++i)
@@ -39,7 +38,6 @@ std::string why_not_in_lanes(const Machine& m) {
   const auto& parts = m.parts();
   if (parts.immediate_growth || parts.takes_growth || parts.prescribed_growth)
     return "growth comes from outside its circuits";
-  if (!parts.probes.empty()) return "it has probes";
   return {};
 }
 
@@ -47,8 +45,10 @@ bool are_alike(const Machine& a, const Machine& b) {
   const auto &p = a.parts(), &q = b.parts();
   const auto same_names = [](const StateEntry& one, const StateEntry& other) { return one.name == other.name; };
   if (!why_not_in_lanes(a).empty() || !why_not_in_lanes(b).empty() ||
-      !std::ranges::equal(a.layout().entries(), b.layout().entries(), same_names) || a.n_supports() != b.n_supports() ||
-      a.n_thermal_models() != b.n_thermal_models() || p.thermal_place != q.thermal_place || p.driver != q.driver ||
+      !std::ranges::equal(a.layout().entries(), b.layout().entries(), same_names) ||
+      !std::ranges::equal(a.step_observables(), b.step_observables(), {}, &Observable::name, &Observable::name) ||
+      a.n_supports() != b.n_supports() || a.n_thermal_models() != b.n_thermal_models() ||
+      p.thermal_place != q.thermal_place || p.driver != q.driver ||
       p.friction_temperatures.has_value() != q.friction_temperatures.has_value() ||
       !std::ranges::equal(p.rub_share, q.rub_share, {}, &RubShare::by_jaeger, &RubShare::by_jaeger))
     return false;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <thread>
 
+#include "analysis/drop_lanes.h"
 #include "base/cpu_time.h"
 #include "base/parameters/suggestion.h"
 #include "case/built_machine.h"
@@ -121,6 +122,13 @@ ProbedResults probe_results(Study& study, const Design& design, const Evaluator&
     needed.insert(needed.end(), derived.formula.names().begin(), derived.formula.names().end());
   study.has_local_rub = std::any_of(needed.begin(), needed.end(), tells_local_rub);
   return probed;
+}
+
+std::string why_not_in_lanes(const Study& study, const Design& design) {
+  if (study.is_search()) return "a search runs its drops one by one";
+  const Case c = study.cases->read(overrides_of(study, point_of(study, design, 0)));
+  const BuiltMachine built(c);
+  return why_not_in_lanes(built.machine(), c.parameters.integration);
 }
 
 StudyEstimate estimate_study(const Study& study, const Design& design, const ProbedResults& results,

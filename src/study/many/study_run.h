@@ -62,6 +62,9 @@ struct ProbedResults {
 /// Also resolves the limits' units. @throws InputError for limits, choices, formulas and kept results that no drop has
 ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate);
 
+/// Why the drops of a study do not run in lanes, by its first point, in words; empty: they do.
+std::string why_not_in_lanes(const Study& study, const Design& design);
+
 /// What a dry run tells.
 struct StudyEstimate {
   std::size_t n_rows = 0, n_points = 0;

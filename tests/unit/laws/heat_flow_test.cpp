@@ -45,7 +45,7 @@ TEST(JaegerShare, GivesTheRotorMostWhileTheRingRests) {
 }
 
 TEST(RubShare, IsTheConstantOrJaegers) {
-  RubShare share{{0.66, {5.9e-3, 2.2e-3, 1.}}, false};
+  RubShare share{0.66, false, {5.9e-3, 2.2e-3, 1.}};
   EXPECT_EQ(share.to_ring(40., 10.), 0.66);
   share.by_jaeger = true;
   EXPECT_NEAR(share.to_ring(40., 10.), 1. / 3., 1e-12) << "sqrt(40/10) = 2: one third into the ring";

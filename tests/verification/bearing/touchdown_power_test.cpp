@@ -105,10 +105,7 @@ std::vector<TouchdownBearingData> lively_bearings() {
   auto g = e;
   g.name = "X pair with everything: shared moments, sticking by tables of friction";
   g.sticking = f.sticking;
-  g.friction = {};
-  g.friction.mu = 0.12;
-  g.friction.regularisation_speed = 0.05;
-  g.friction.has_tables = true;
+  g.friction = {.mu = 0.12, .regularisation_speed = 0.05, .has_tables = true};
   g.friction.over_speed = {{0., 0.16}, {60., 0.04}};
   g.friction.over_temperature = {{300., 1.}, {400., 0.5}};
   return {a, b, touchdown("plain X pair", angular_contact_pair(900.)), c, d, e, f, g};

@@ -127,7 +127,38 @@ INSTANTIATE_TEST_SUITE_P(
                                                "thermal.expansion=formula"},
                       std::vector<std::string>{"contact.static_friction_coefficient=0.3", "contact.stribeck_speed=0.5",
                                                "thermal.shaft_ring_link=in-contact"},
+                      std::vector<std::string>{
+                          "bearings.TB1.waviness=[{surface=\"inner\",order=14,amplitude=\"0.2 um\"},"
+                          "{surface=\"outer\",order=15,amplitude=\"0.1 um\",phase=1}]"},
+                      std::vector<std::string>{"rotor.probes.seal={node=10,clearance=\"0.3 mm\"}"},
                       std::vector<std::string>{"rotor.model=rigid", "bearings.internal_heat=ball-speed"}));
+
+TEST(LanesOfDrops, AskTheLawsOfTheirSupportsOneByOne) {
+  std::vector<Example> list;
+  for (int k = 0; k < 5; ++k)
+    list.push_back(reference_machine({"bearings.TB1.support={type=\"ribbon\",mass=\"" + std::to_string(3 + k) +
+                                          " kg\",ribbon={stiffness=\"4e7 N/m\",slip_force=\"2 kN\",stick_stiffness=\"" +
+                                          std::to_string(3 + k) + "e8 N/m\"}}",
+                                      "contact.friction_coefficient=" + std::to_string(0.1 + 0.02 * k)}));
+  ASSERT_EQ(why_not_in_lanes(*list[0]), "");
+  std::mt19937 random(3);
+  Lanes lanes(pointers(list));
+  for (int turn = 0; turn < 10; ++turn) {
+    std::vector<std::vector<double>> states;
+    for (const auto& e : list) {
+      states.push_back(random_state(*e, random, turn % 2 == 0));
+      const auto& block = e->layout().block("TB1");
+      for (std::size_t i = TouchdownBearing::n_state; i < block.size; ++i)
+        states.back()[block.offset + i] = 1e-6 * (turn - 4.);
+    }
+    const auto found = lanes.evaluate(states);
+    for (std::size_t l = 0; l < list.size(); ++l) {
+      const Columns one = alone(*list[l], states[l]);
+      expect_close(found[l].rates, one.rates, "rate");
+      expect_close(found[l].step, one.step, "observed value");
+    }
+  }
+}
 
 TEST(LanesOfDrops, DoNotSeeTheirNeighbours) {
   const auto list = machines({});

@@ -1,0 +1,117 @@
+// Numbers in lanes: their functions against those of the C library, in units in the last place.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "base/drops.h"
+#include "base/gather.h"
+
+namespace rotordrop {
+namespace {
+
+using Real = EightDrops;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Largest distance of a function from the library's, in units in the last place of the latter.
+double largest_error(const std::function<Real(const Real&)>& lanes, const std::function<double(double)>& one,
+                     const std::function<double(std::mt19937_64&)>& argument) {
+  std::mt19937_64 random(1);
+  double worst = 0.;
+  for (int i = 0; i < 20000; ++i) {
+    double x[n_lanes];
+    for (double& value : x) value = argument(random);
+    const Real found = lanes(Real::load(x));
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const double right = one(x[lane]), size = std::fabs(right);
+      const double ulp = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+      worst = std::max(worst, std::fabs(found[lane] - right) / ulp);
+    }
+  }
+  return worst;
+}
+
+double even(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+TEST(Drops, HaveFunctionsGoodToAFewUnitsInTheLastPlace) {
+  const auto magnitude = [](std::mt19937_64& r) { return std::pow(10., even(r, -12., 12.)); };
+  for (const double y : {10. / 9., 0.33, 0.55, 2., -1.5})
+    EXPECT_LE(largest_error([&](const Real& x) { return pow(x, Real(y)); }, [&](double x) { return std::pow(x, y); },
+                            magnitude),
+              2.)
+        << y;
+  EXPECT_LE(largest_error([](const Real& x) { return cbrt(x); }, [](double x) { return std::cbrt(x); }, magnitude), 3.);
+  EXPECT_LE(largest_error([](const Real& x) { return sqrt(x); }, [](double x) { return std::sqrt(x); }, magnitude), 0.);
+  const auto any_sign = [](std::mt19937_64& r) { return even(r, -30., 30.); };
+  EXPECT_LE(largest_error([](const Real& x) { return exp(x); }, [](double x) { return std::exp(x); }, any_sign), 2.);
+  EXPECT_LE(largest_error([](const Real& x) { return tanh(x); }, [](double x) { return std::tanh(x); },
+                          [](std::mt19937_64& r) { return even(r, -3., 3.); }),
+            3.);
+}
+
+TEST(Drops, HaveSinesToTheirLastPlaceAndBeyondAMillionTheLibrarys) {
+  std::mt19937_64 random(2);
+  for (const double range : {1., 1e3, 9e5, 1e9})
+    for (int i = 0; i < 2000; ++i) {
+      double x[n_lanes];
+      for (double& value : x) value = even(random, -range, range);
+      const auto found = sine_cosine(Real::load(x));
+      for (int lane = 0; lane < n_lanes; ++lane) {
+        EXPECT_NEAR(found.sine[lane], std::sin(x[lane]), 3e-16);
+        EXPECT_NEAR(found.cosine[lane], std::cos(x[lane]), 3e-16);
+      }
+    }
+}
+
+TEST(Drops, LetWhatIsNoNumberGoOnInItsLaneAlone) {
+  double x[n_lanes] = {1., nan, 2., 3., 4., 5., 6., 7.};
+  const Real a = Real::load(x);
+  for (const Real& r : {pow(a, Real(1.1)), exp(a), tanh(a), cbrt(a) + a * 0., larger(a, Real(0.)), smaller(a, Real(9.)),
+                        sqrt(a), sine_cosine(a).sine}) {
+    EXPECT_TRUE(std::isnan(r[1]));
+    for (const int lane : {0, 2, 3, 4, 5, 6, 7}) EXPECT_FALSE(std::isnan(r[lane]));
+  }
+  EXPECT_EQ(pow(Real(0.), Real(1.1))[3], 0.);
+  EXPECT_TRUE(std::isnan(pow(Real(-1.), Real(1.1))[3]));
+}
+
+TEST(Drops, AreChosenLaneByLane) {
+  double x[n_lanes], y[n_lanes];
+  for (int lane = 0; lane < n_lanes; ++lane) x[lane] = lane, y[lane] = 3.5;
+  const Real a = Real::load(x), b = Real::load(y);
+  for (int lane = 0; lane < n_lanes; ++lane) {
+    EXPECT_EQ(select(a < b, a, b)[lane], std::min(x[lane], 3.5));
+    EXPECT_EQ(larger(a, b)[lane], std::max(x[lane], 3.5));
+    EXPECT_EQ((!(a <= b))[lane], lane > 3);
+    EXPECT_EQ(((a < b) & (a > 1.))[lane], lane == 2 || lane == 3);
+    EXPECT_EQ(((a < 1.) | (a > 6.))[lane], lane == 0 || lane == 7);
+    EXPECT_EQ(abs(-a)[lane], x[lane]);
+  }
+  EXPECT_TRUE(any(a > 6.5));
+  EXPECT_FALSE(any(a > 7.));
+}
+
+template <class Scalar>
+struct Pair {
+  Scalar first;
+  struct {
+    Scalar second, third;
+  } inner;
+};
+
+TEST(Drops, AreGatheredNumberByNumber) {
+  const Pair<double> a{1., {2., 3.}}, b{4., {5., 6.}};
+  const Pair<double>* both[] = {&a, &b};
+  const auto side_by_side = gathered<Pair, Real>(std::span<const Pair<double>* const>(both));
+  EXPECT_EQ(side_by_side.first[0], 1.);
+  EXPECT_EQ(side_by_side.first[1], 4.);
+  EXPECT_EQ(side_by_side.inner.third[1], 6.);
+  EXPECT_EQ(side_by_side.inner.second[7], 2.) << "lanes without a drop repeat the first";
+}
+
+}  // namespace
+}  // namespace rotordrop
