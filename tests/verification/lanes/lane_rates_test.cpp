@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
                       std::vector<std::string>{"contact.static_friction_coefficient=0.3", "contact.stribeck_speed=0.5",
                                                "thermal.shaft_ring_link=in-contact"},
                       std::vector<std::string>{
-                          "bearings.TB1.waviness=[{surface=\"inner\",order=14,amplitude=\"0.2 um\"},"
+                          "bearings.TB2.waviness=[{surface=\"inner\",order=14,amplitude=\"0.2 um\"},"
                           "{surface=\"outer\",order=15,amplitude=\"0.1 um\",phase=1}]"},
                       std::vector<std::string>{"rotor.probes.seal={node=10,clearance=\"0.3 mm\"}"},
                       std::vector<std::string>{"rotor.model=rigid", "bearings.internal_heat=ball-speed"}));
