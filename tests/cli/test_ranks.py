@@ -81,10 +81,10 @@ class Ranks(ProgramTest):
         self.assertEqual(error.count("a search runs in one process"), 1)
         self.assertFalse((self.folder / "bad").exists())
 
-    def killed(self, rank):
-        """A study of three ranks of which one is killed after its first points."""
+    def killed(self, rank, options=()):
+        """A study of three ranks of which one is killed after its first points; how many points are finished when all have ended."""
         self.write("s.toml", STUDY.replace("SIZE", "200"))
-        running = self.start(3, "-o", "killed")
+        running = self.start(3, "-o", "killed", options=options)
         journal = self.folder / ("killed/study.journal" if rank == 0 else f"killed/rank-{rank}.journal")
         for _ in range(1200):
             time.sleep(0.05)
@@ -110,6 +110,12 @@ class Ranks(ProgramTest):
                 shutil.rmtree(self.folder / "whole", ignore_errors=True)
                 self.assertGreater(self.killed(rank), 1)
                 self.completes()
+
+    def test_the_rest_finishes_where_the_launcher_lets_it_live(self):
+        """The lost rank is given up after 20 s."""
+        self.assertEqual(self.killed(2, ["--enable-recovery"]), 200)
+        self.succeed("study", "s.toml", "-o", "whole", "--quiet")
+        self.assertEqual(self.bytes_of("killed"), self.bytes_of("whole"))
 
 
 if __name__ == "__main__":

@@ -54,18 +54,31 @@ class MpiRanks final : public Ranks {
   void leave(bool is_anyone_lost) override {
     if (has_left_) return;
     has_left_ = true;
-    if (is_anyone_lost) return;  // MPI_Finalize would wait for the lost one
+    // MPI_Finalize would wait for the lost one, and so would those who do not know of it.
+    if (is_anyone_lost) {
+      for (int k = 1; rank_ == 0 && k < size_; ++k) send(k, Kind::part, -1);
+      return;
+    }
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibarrier(MPI_COMM_WORLD, &request);
-    wait(request);
-    MPI_Finalize();
+    bool parts = false;
+    wait(request, [&] {
+      const auto message = receive();
+      return parts = message && message->kind == Kind::part;
+    });
+    if (!parts) MPI_Finalize();
   }
 
  private:
   /// Sleeps meanwhile; MPI's own waiting would take a core from the workers.
-  static void wait(MPI_Request& request) {
-    for (int is_there = 0; !is_there; std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+  /// @param is_vain  asked meanwhile; true: what is waited for will not come
+  template <class IsVain>
+  static void wait(MPI_Request& request, IsVain&& is_vain) {
+    for (int is_there = 0; !is_there && !is_vain(); std::this_thread::sleep_for(std::chrono::milliseconds(1)))
       if (MPI_Test(&request, &is_there, MPI_STATUS_IGNORE) != MPI_SUCCESS) return;
+  }
+  static void wait(MPI_Request& request) {
+    wait(request, [] { return false; });
   }
   int rank_ = 0, size_ = 1;
   bool has_begun_ = false, has_left_ = false;

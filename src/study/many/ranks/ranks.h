@@ -13,7 +13,8 @@ class Ranks {
     done,    ///< a point is in the rank's journal
     failed,  ///< the same, and it failed
     alive,   ///< nothing else to say for a while
-    bye      ///< the rank's journal is complete and on the disk
+    bye,     ///< the rank's journal is complete and on the disk
+    part     ///< rank 0 to those that leave: somebody is lost, nobody waits for anybody
   };
   struct Message {
     int from = 0;

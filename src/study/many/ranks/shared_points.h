@@ -14,8 +14,8 @@ namespace rotordrop {
 
 /// Rank 0: computes points itself and gives points to the other ranks. Those of a rank that falls silent are computed here.
 /// Silent is a rank that hangs, such as in a file system that does not answer or stopped by someone, or is lost under a launcher that lets
-/// the others live. Open MPI's mpirun does not: it ends all ranks when one dies. The study then is complete, but its launcher may wait for
-/// the silent rank.
+/// the others live. Open MPI's mpirun does so with --enable-recovery; without, it ends all ranks when one dies. The study then is complete, but
+/// its launcher waits for a rank that hangs.
 class SharedPoints final : public PointSource {
  public:
   /// @param stops_on_failure  a failed point anywhere ends the study
