@@ -23,10 +23,10 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
       fault(key, fmt::format("{} = [{}, {}]: the second must be larger than the first", key, mm(pair[0]), mm(pair[1])));
     return pair[0] < pair[1];
   };
-  const bool sane = rising("inner_ring_diameters", b.inner_ring_diameters) &
-                    rising("outer_ring_diameters", b.outer_ring_diameters) &
-                    rising("housing_diameters", b.housing_diameters);
-  if (sane) {
+  const bool inner_rises = rising("inner_ring_diameters", b.inner_ring_diameters);
+  const bool outer_rises = rising("outer_ring_diameters", b.outer_ring_diameters);
+  const bool housing_rises = rising("housing_diameters", b.housing_diameters);
+  if (inner_rises && outer_rises && housing_rises) {
     if (!(b.inner_ring_diameters[1] < b.pitch_diameter))
       fault("inner_ring_diameters",
             fmt::format("the inner ring's outside diameter {} is not smaller than the pitch_diameter {}",
@@ -40,10 +40,12 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
             "The outer ring must lie outside the pitch circle of its balls; check that both dimensions come from the "
             "same drawing.");
     if (b.housing_diameters[1] <= b.outer_ring_diameters[1])
-      fault("housing_diameters", fmt::format("the housing's outside diameter {} is not larger than the outer ring's {}",
-                                             mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])),
-            fmt::format("Give the housing of this bearing: housing_diameters = [\"{}\", \"...\"], its bore and outside.",
-                        mm(b.outer_ring_diameters[1])));
+      fault(
+          "housing_diameters",
+          fmt::format("the housing's outside diameter {} is not larger than the outer ring's {}",
+                      mm(b.housing_diameters[1]), mm(b.outer_ring_diameters[1])),
+          fmt::format("Give the housing of this bearing: housing_diameters = [\"{}\", \"...\"], its bore and outside.",
+                      mm(b.outer_ring_diameters[1])));
     else if (std::abs(b.housing_diameters[0] - b.outer_ring_diameters[1]) > 0.01 * b.outer_ring_diameters[1])
       fault("housing_diameters",
             fmt::format("the housing's bore {} does not fit the outer ring's outside diameter {}",

@@ -135,7 +135,7 @@ class Writer {
     } else if constexpr (IsFunction<T>::value)
       is_plain_ = is_plain_ && !x;
     else
-      std::apply([this](const auto&... member) { (add(member), ...); }, members(x));
+      std::apply([this](const auto&... member) { (this->add(member), ...); }, members(x));
   }
   /// Whether no function was among what was added.
   [[nodiscard]] bool is_plain() const { return is_plain_; }
@@ -173,7 +173,7 @@ class Reader {
       get(has_value);
       if (has_value) get(x.emplace());
     } else {
-      std::apply([this](auto&... member) { (get(member), ...); }, members(x));
+      std::apply([this](auto&... member) { (this->get(member), ...); }, members(x));
     }
   }
   [[nodiscard]] bool is_at_end() const { return rest_.empty(); }
