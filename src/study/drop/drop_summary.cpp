@@ -77,8 +77,8 @@ BearingSummary followed(const Machine& machine, const DropScalars& scalars, std:
 }  // namespace
 
 const double* BearingSummary::Rises::find(const std::string& node) const {
-  for (const auto& [name, rise] : values)
-    if (name == node) return &rise;
+  for (const auto& [known, rise] : values)
+    if (known == node) return &rise;
   return nullptr;
 }
 
