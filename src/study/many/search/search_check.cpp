@@ -84,6 +84,7 @@ void read_fit(Study& study, const Node& tree, Faults& faults) {
 
 void read_measured_series(Fit& fit, const Node& tree, const std::filesystem::path& folder, bool is_of_study) {
   const Node* tables = tree.find("fit") ? tree.find("fit")->find("measured") : nullptr;
+  if (!tables) return;
   for (std::size_t k = 0; k < fit.keys.measured.size(); ++k) {
     if (!is_of_study)
       fit.measured.push_back(read_measured(fit.keys.measured[k], folder, tables->items()[k].where()));
