@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/errors.h"
 #include "machine/build_machine.h"
@@ -43,8 +44,8 @@ RecordedDrop::RecordedDrop(const fs::path& directory, const Case& drop_case)
   open();
 }
 
-RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, const fs::path& directory)
-    : directory_(directory), parameters_(drop_case.parameters), case_name_(drop_case.name) {
+RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, fs::path directory)
+    : directory_(std::move(directory)), parameters_(drop_case.parameters), case_name_(drop_case.name) {
   for (auto& group : series.take()) {
     if (group.kept.empty()) continue;
     datasets_.push_back(group.path);

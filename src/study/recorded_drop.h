@@ -20,7 +20,7 @@ class RecordedDrop {
   /// With the case at hand. @throws InputError
   RecordedDrop(const std::filesystem::path& directory, const Case& drop_case);
   /// Without a look at files. @param directory  what the drop is called in reports; may be empty
-  RecordedDrop(const Case& drop_case, MemorySeries series, const std::filesystem::path& directory = {});
+  RecordedDrop(const Case& drop_case, MemorySeries series, std::filesystem::path directory = {});
 
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
   [[nodiscard]] const CaseParameters& parameters() const { return parameters_; }
