@@ -75,7 +75,7 @@ Elimination eliminate(const Data& data, const Names& index) {
 
 }  // namespace
 
-ThermalNetwork::ThermalNetwork(const ThermalNetworkData& data) : data_(data) {
+ThermalNetwork::ThermalNetwork(ThermalNetworkData data) : data_(std::move(data)) {
   const Names index(data_);
   const std::size_t n = data_.nodes.size();
   const auto elimination = eliminate(data_, index);

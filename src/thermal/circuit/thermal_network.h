@@ -63,7 +63,7 @@ class ThermalNetwork final : public ThermalModel {
  public:
   /// @throws std::invalid_argument for unknown node names, a massless node on a resistor that is not constant, or one without resistors,
   ///   contacts of rolling balls of two places that are joined by massless nodes alone
-  explicit ThermalNetwork(const ThermalNetworkData& data);
+  explicit ThermalNetwork(ThermalNetworkData data);
 
   [[nodiscard]] std::vector<StateEntry> state_entries() const override;
   void initial_state(std::span<double> temperature) const override;
