@@ -193,17 +193,17 @@ struct Drops {
   }
 
  private:
-  // Of one register: plain arithmetic and the numbers' bits, so that every instruction set does the same.
+  // Of one register: plain arithmetic and the numbers' bits (unsigned, which may wrap around), so that every instruction set does the same.
 
   /// The nearest integer of |x| < 2^51, and its bits: adding 1.5 * 2^52 rounds.
   [[gnu::always_inline]] static inline Numbers nearest(Numbers x, Bits& k) {
     const Numbers shifted = x + 6755399441055744.;
-    k = (Bits)shifted - 0x4338000000000000LL;
+    k = (Bits)((Unsigned)shifted - 0x4338000000000000ULL);
     return shifted - 6755399441055744.;
   }
   /// p 2^k, both of them normal numbers.
   [[gnu::always_inline]] static inline Numbers times_power_of_two(Numbers p, Bits k) {
-    return (Numbers)((Bits)p + (k << 52));
+    return (Numbers)((Unsigned)p + ((Unsigned)k << 52));
   }
   [[gnu::always_inline]] static inline Numbers limited(Numbers x, double low, double high) {
     x = x < low ? low - Numbers{} : x;
@@ -234,10 +234,10 @@ struct Drops {
   }
   /// x = 2^e m with m from sqrt(1/2) to sqrt(2): e, and ln m by FDLIBM's polynomial (Sun Microsystems, 1993).
   [[gnu::always_inline]] static inline Numbers split_logarithm(Numbers x, Numbers& e) {
-    constexpr long long root_half = 0x3fe6a09e667f3bcdLL, one = 0x3ff0000000000000LL;
-    const Bits k = (Bits)((Unsigned)((Bits)x + (one - root_half)) >> 52);  // biased by 1023
-    e = (Numbers)(k | 0x4330000000000000LL) - 4503599627371519.;
-    const Numbers f = (Numbers)((Bits)x - ((k - 1023) << 52)) - 1.;
+    constexpr unsigned long long root_half = 0x3fe6a09e667f3bcdULL, one = 0x3ff0000000000000ULL;
+    const Unsigned k = ((Unsigned)x + (one - root_half)) >> 52;  // biased by 1023
+    e = (Numbers)(k | 0x4330000000000000ULL) - 4503599627371519.;
+    const Numbers f = (Numbers)((Unsigned)x - ((k - 1023ULL) << 52)) - 1.;
     const Numbers s = f / (2. + f), z = s * s, w = z * z;
     const Numbers odd = w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
     const Numbers even =
@@ -288,8 +288,8 @@ struct Drops {
     const Numbers r = quarter_turns::rest(x, quarters);
     const Numbers s = quarter_turns::sine(r), c = quarter_turns::cosine(r);
     const Bits is_odd = (k & 1) != 0;
-    sine = (Numbers)((Bits)(is_odd ? c : s) ^ ((k & 2) << 62));
-    cosine = (Numbers)((Bits)(is_odd ? s : c) ^ (((k + 1) & 2) << 62));
+    sine = (Numbers)((Unsigned)(is_odd ? c : s) ^ ((Unsigned)(k & 2) << 62));
+    cosine = (Numbers)((Unsigned)(is_odd ? s : c) ^ ((Unsigned)((k + 1) & 2) << 62));
   }
 };
 #undef ROTORDROP_LANE_WORD
