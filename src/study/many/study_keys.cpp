@@ -91,11 +91,10 @@ Section<StudyFile> study_section() {
       .boolean(
           "lanes", &P::lanes,
           {.fallback = false,
-           .help = "true: drops that differ in numbers alone run eight side by side in the lanes of vectors, two to "
-                   "three times as "
-                   "many per second. Each of them is, within what rounding does to it, what `rotordrop run` makes of "
-                   "the point; "
-                   "false: the same bits. Drops that do not run in lanes (docs/how-to/studies.md) run one by one."})
+           .help = "true: drops that differ in numbers alone run eight side by side in the lanes of vectors, up to "
+                   "three times as many per second. Each of them is, within what rounding does to it, what `rotordrop "
+                   "run` makes of the point; false: the same bits. Drops that do not run in lanes "
+                   "(docs/how-to/studies.md) run one by one."})
       .custom(
           "vary",
           {.accepts = "keys of the case, each with values or a distribution",
