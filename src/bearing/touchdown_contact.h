@@ -109,6 +109,16 @@ TouchdownBearing::ContactOf<Real> TouchdownBearing::contact(const TouchdownNumbe
 }
 
 template <class Real>
+TouchdownBearing::ContactOf<Real> TouchdownBearing::contact_in_slice(
+    const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
+    std::span<const Real> y, const BodiesOf<Real>& at, [[maybe_unused]] double share,
+    [[maybe_unused]] std::span<Real> shape_forces) const {
+  if constexpr (has_all<Real>)
+    if (arc_table_) return contact_over_arc(in, growth, y, at, share, shape_forces);
+  return contact(q, in, growth, y, at);
+}
+
+template <class Real>
 TouchdownBearing::TouchOf<Real> TouchdownBearing::touch(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in,
                                                         const ExpansionOf<Real>& growth, std::span<const Real> y,
                                                         [[maybe_unused]] std::span<Real> bristle_rates,
@@ -121,13 +131,10 @@ TouchdownBearing::TouchOf<Real> TouchdownBearing::touch(const TouchdownNumbers<R
     const BoreSlice& slice = bore.slices[k];
     const double x = slice.place * bore.width;
     const BodiesOf<Real> at = bodies(in.journal, y, x);
-    ContactOf<Real> c;
+    ContactOf<Real> c = contact_in_slice(q, in, growth, y, at, slice.share, shape_forces);
     if constexpr (has_all<Real>) {
-      c = arc_table_ ? contact_over_arc(in, growth, y, at, slice.share, shape_forces) : contact(q, in, growth, y, at);
       if (data_.bending && !arc_table_) press_at_point(c, slice.share, shape_forces);
       if (data_.sticking) stick(in, y, k, c, bristle_rates);
-    } else {
-      c = contact(q, in, growth, y, at);
     }
     if (slice.place == 0.) t.middle = c;
     // A penetration that is not a number goes on.
