@@ -42,13 +42,12 @@ SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const Growt
   ahead_.is_whole = false;
 }
 
-double SeriesRows::due_ahead() const {
-  const bool is_read = is_needed(RowNeeds::all) || is_needed(RowNeeds::step);
-  return is_read ? due() : std::numeric_limits<double>::infinity();
-}
+bool SeriesRows::are_read() const { return is_needed(RowNeeds::all) || is_needed(RowNeeds::step); }
+
+double SeriesRows::due_ahead() const { return are_read() ? due() : std::numeric_limits<double>::infinity(); }
 
 void SeriesRows::write(double t, std::span<const double> y) {
-  if (is_thinned_ && due_ahead() > t && t < watched_ + watch_interval) return give(t, row_, false);  // nobody reads it
+  if (is_thinned_ && !are_read() && t < watched_ + watch_interval) return give(t, row_, false);
   if (t == ahead_time_) return write(t, y, ahead_);
   machine_.evaluate(t, y, found_);
   write(t, y, found_);

@@ -70,6 +70,8 @@ class SeriesRows final : public ScheduledRows {
   }
 
  private:
+  /// Whether anybody reads every row.
+  [[nodiscard]] bool are_read() const;
   void write(double t, std::span<const double> y) override;
   void write_end(const Step& step) override {
     if (step.is_last) watched_ = -1.;

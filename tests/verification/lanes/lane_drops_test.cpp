@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "../machine/test_machines.h"
 #include "analysis/drop_lanes.h"
+#include "analysis/memory_series.h"
 
 namespace rotordrop {
 namespace {
@@ -110,6 +113,36 @@ TEST(DropsInLanes, EndEachAtItsOwnTime) {
   const auto short_one = runs(std::vector<std::size_t>{1}, "9 ms");
   run_together(short_one);
   EXPECT_EQ(short_one[0]->drop.result().state, list[0]->drop.result().state);
+}
+
+// Rows are sparse while little changes, and then one lies before the change: all of them must hold the values of their own time. A drop alone with rows every 10 us
+// shows these by straight lines, to 100 m/s2 (10 us)^2 / 8 = 1e-9 m.
+TEST(DropsInLanes, HaveRowsOfTheirOwnTimes) {
+  const std::vector<std::string> paths = {"/bearings/TB1/orbit", "/rotor/spin_angle", "/ledger/TB1/contact_impulse"};
+  const auto is_kept = [&](const std::string& path) {
+    return std::find(paths.begin(), paths.end(), path) != paths.end();
+  };
+  auto sparse = settings(2, "12 ms"), dense = sparse;
+  sparse.insert(sparse.end(), {"output.interval=0.1 ms", "output.longest_interval=3 ms", "output.change=0.05"});
+  dense.push_back("output.interval=10 us");
+  OneDrop lane(sparse), neighbour(settings(5, "12 ms")), alone(dense);
+  MemorySeries rows(*lane.example, lane.drop, is_kept), all(*alone.example, alone.drop, is_kept);
+  const std::array<Drop*, 2> both = {&lane.drop, &neighbour.drop};
+  for (const auto& failure : run_in_lanes(both)) EXPECT_FALSE(failure);
+  alone.drop.run();
+  for (const auto& [path, tolerance] : {std::pair{paths[0], 1e-7}, {paths[1], 1e-5}, {paths[2], 1e-2}}) {
+    const SeriesInMemory found = rows.series(path), fine = all.series(path);
+    ASSERT_GT(found.times.size(), 20U);
+    EXPECT_LT(found.times.size(), 110U) << "no row was left out";
+    for (std::size_t k = 0; k < found.times.size(); ++k) {
+      const auto after =
+          std::upper_bound(fine.times.begin(), fine.times.end() - 1, found.times[k]) - fine.times.begin();
+      const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1));
+      const double part = (found.times[k] - fine.times[i - 1]) / (fine.times[i] - fine.times[i - 1]);
+      EXPECT_NEAR(found.values[k], fine.values[i - 1] + part * (fine.values[i] - fine.values[i - 1]), tolerance)
+          << path << " at " << found.times[k];
+    }
+  }
 }
 
 }  // namespace
