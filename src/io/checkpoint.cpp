@@ -279,6 +279,8 @@ void require_same_case(const fs::path& path, const Checkpoint& checkpoint, const
   faults.throw_if_any();
 }
 
+bool holds_checkpoint(const fs::path& directory) { return !checkpoints_in(directory).empty(); }
+
 FoundCheckpoint newest_valid_checkpoint(const fs::path& directory, const fs::path& older_than) {
   FoundCheckpoint found;
   const auto limit = number_of(older_than);

@@ -46,6 +46,9 @@ struct FoundCheckpoint {
   std::vector<std::string> skipped;      ///< for each newer one that could not be read: path and reason
 };
 
+/// Whether a directory holds a checkpoint, readable or not.
+[[nodiscard]] bool holds_checkpoint(const std::filesystem::path& directory);
+
 /// The newest checkpoint in a directory that can be read; unreadable ones are skipped and named. No directory: nothing found.
 /// @param older_than  a checkpoint of the directory: only those that were written before it
 [[nodiscard]] FoundCheckpoint newest_valid_checkpoint(const std::filesystem::path& directory,

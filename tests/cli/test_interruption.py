@@ -200,6 +200,15 @@ class Interruption(ProgramTest):
         self.assertIn("the run in out is finished, at t = 0.001 s: there is nothing to resume", done.stdout)
         self.assertEqual(content_of(self.folder / "out"), before)
 
+    def test_a_run_killed_while_it_removed_its_checkpoints_is_finished(self):
+        short = settings(run__end_time="1 ms")
+        self.succeed("run", "reference.toml", "-o", "out", *short)
+        (self.folder / "out/checkpoints").mkdir()
+        for _ in range(2):
+            done = self.succeed("run", "reference.toml", "-o", "out", *short, "--resume")
+            self.assertIn("there is nothing to resume", done.stdout)
+            (self.folder / "out/checkpoints/checkpoint-000002.h5.new").write_bytes(b"begun")
+
     def test_two_runs_do_not_write_into_one_directory(self):
         process = self.begin(until=self.is_under_way)
         done = self.call("run", "reference.toml", "-o", "out", *LONG, "--force")

@@ -18,6 +18,7 @@
 #include "base/version.h"
 #include "base/wide_vectors.h"
 #include "case/case_text.h"
+#include "io/checkpoint.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/sha256.h"
 #include "study/recorded_drop.h"
@@ -99,8 +100,8 @@ RecordedInput read_recorded_input(const fs::path& path) {
 
 nlohmann::ordered_json finished_summary(const fs::path& directory, const Case& c) {
   std::error_code ignored;
-  if (fs::exists(directory / "checkpoints", ignored) || !fs::exists(directory / "summary.json", ignored))
-    return nullptr;
+  // A run that was killed amid its last act has an empty folder for checkpoints, or leftovers in it.
+  if (holds_checkpoint(directory / "checkpoints") || !fs::exists(directory / "summary.json", ignored)) return nullptr;
   std::ifstream parameters(directory / "parameters.toml"), file(directory / "summary.json");
   const std::string text{std::istreambuf_iterator<char>(parameters), {}};
   if (sha256_of_toml(text) != sha256_of_toml(c.resolved.text)) return nullptr;
