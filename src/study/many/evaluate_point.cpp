@@ -61,6 +61,11 @@ PointResult failed(const std::exception& error) {
   return result;
 }
 
+PointResult run_alone(const PointRequest& request, BuiltMachine& built) {
+  return result_of(request, built.machine(),
+                   run_drop_in_memory(request.drop_case, built.machine(), options_of(request, built)));
+}
+
 /// A drop that runs in lanes.
 struct LaneDrop {
   std::size_t request;
@@ -96,8 +101,7 @@ void run_alike(std::span<LaneDrop> group, std::span<const PointRequest> requests
 PointResult evaluate_point(const PointRequest& request) {
   try {
     BuiltMachine built(request.drop_case);
-    return result_of(request, built.machine(),
-                     run_drop_in_memory(request.drop_case, built.machine(), options_of(request, built)));
+    return run_alone(request, built);
   } catch (const std::exception& error) {
     return failed(error);
   }
@@ -112,7 +116,7 @@ std::vector<PointResult> evaluate_together(std::span<const PointRequest> request
       LaneDrop one{i, std::make_unique<BuiltMachine>(c), nullptr};
       const Machine& machine = one.built->machine();
       if (!why_not_in_lanes(machine, integration).empty()) {
-        results[i] = evaluate_point(requests[i]);
+        results[i] = run_alone(requests[i], *one.built);
         continue;
       }
       one.run = std::make_unique<MemoryDrop>(c, machine, options_of(requests[i], *one.built));
