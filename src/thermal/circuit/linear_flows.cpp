@@ -10,7 +10,7 @@ ROTORDROP_KERNEL double flows(const double* columns, std::size_t stride, const d
   double lost = 0.;
   for (std::size_t row = 0; row < stride; row += vector_length) {
     const double* column = columns + row;
-    Lanes sum;
+    Octet sum;
     for (std::size_t j = 0; j < n_nodes; ++j, column += stride) add_product(sum, T[j] - ambient, column);
     for (std::size_t p = 0; p < n_places; ++p)
       for (const double watts : heat_by_port(heat[p])) {
@@ -26,7 +26,7 @@ ROTORDROP_KERNEL double flows(const double* columns, std::size_t stride, const d
 }
 
 ROTORDROP_KERNEL void growths(const double* columns, const double* T, double above, std::size_t n_nodes, double* out) {
-  Lanes sum;
+  Octet sum;
   for (std::size_t j = 0; j < n_nodes; ++j, columns += vector_length) add_product(sum, T[j] - above, columns);
   std::copy(sum.value.begin(), sum.value.end(), out);
 }

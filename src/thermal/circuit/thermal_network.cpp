@@ -116,7 +116,7 @@ ThermalNetwork::ThermalNetwork(ThermalNetworkData data) : data_(std::move(data))
     if (state_of[a] == none || state_of[b] == none)
       throw std::invalid_argument("a resistor that is not constant joins the massless thermal node \"" +
                                   (state_of[a] == none ? r.between : r.and_node) + "\"");
-    law_links_.push_back({state_of[a], state_of[b], r});
+    law_links_.push_back({state_of[a], state_of[b], r.law, r.place, r.resistance, r.R_apart, r.area});
   }
 
   // A watt into a massless node leaves it towards its neighbours as the temperatures' weights say.
@@ -157,7 +157,7 @@ ThermalNetwork::ThermalNetwork(ThermalNetworkData data) : data_(std::move(data))
     const std::size_t balls = index(place.balls);
     if (state_of[balls] == none || balls == n)
       throw std::invalid_argument("the balls' node \"" + place.balls + "\" needs a heat capacity");
-    Rolling r{p, state_of[balls], 1. / place.ball_factor, 0., 0., {}, {}, 0., 0., 0.};
+    RollingBalls<double> r{p, state_of[balls], 1. / place.ball_factor, 0., 0., {}, {}, 0., 0., 0.};
     const std::array<std::size_t, 2> contact = {index(place.inner_contact), index(place.outer_contact)};
     spread(place.inner_contact, r.inner_of, r.inner_of_ambient);
     spread(place.outer_contact, r.outer_of, r.outer_of_ambient);
@@ -261,40 +261,9 @@ void ThermalNetwork::growth_rates(std::span<const double> rate, std::span<Expans
   for (std::size_t p = 0; p < out.size(); ++p) out[p] = p < growths_.size() ? growths_[p].of(rate, 0.) : Expansion{};
 }
 
-ContactHeat ThermalNetwork::Rolling::heat(std::span<const double> T, double ambient, const HeatInput& input) const {
-  double inner = inner_of_ambient * ambient + inner_inner * input.inner + inner_outer * input.outer;
-  double outer = outer_of_ambient * ambient + inner_outer * input.inner + outer_outer * input.outer;
-  for (const auto& term : inner_of) inner += term.factor * T[term.node];
-  for (const auto& term : outer_of) outer += term.factor * T[term.node];
-  const BallConduction G{factor * input.balls.inner_to_ball, factor * input.balls.outer_to_ball,
-                         factor * input.balls.inner_to_outer};
-  return contact_heat(G, inner, outer, T[balls], inner_inner, inner_outer, outer_outer);
-}
-
 double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInput> heat, std::span<double> dydt) const {
-  const std::size_t n = with_capacity_.size();
-  double lost = flows_.rates(T, data_.ambient, heat, dydt);
-  const auto give = [&](std::size_t node, double watts) { dydt[node] += watts * inverse_capacity_[node]; };
-  for (const auto& link : law_links_) {
-    const double difference = T[link.a] - (link.b == n ? data_.ambient : T[link.b]);
-    const auto& r = link.resistor;
-    const double q = r.law == Data::Law::housing_convection
-                         ? housing_convection(difference) * r.area * difference
-                         : difference / (heat[r.place].is_in_contact ? r.resistance : r.R_apart);
-    give(link.a, -q);
-    if (link.b == n)
-      lost += q;
-    else
-      give(link.b, q);
-  }
-  for (const auto& r : rolling_) {
-    const ContactHeat q = r.heat(T, data_.ambient, heat[r.place]);
-    for (const auto& term : r.inner_of) give(term.node, term.factor * q.inner);
-    for (const auto& term : r.outer_of) give(term.node, term.factor * q.outer);
-    lost += r.inner_of_ambient * q.inner + r.outer_of_ambient * q.outer;
-    give(r.balls, -q.from_balls());
-  }
-  return lost;
+  const double lost = flows_.rates(T, data_.ambient, heat, dydt);
+  return add_flows<double>(law_links_, rolling_, T, data_.ambient, heat, inverse_capacity_, dydt, lost);
 }
 
 std::vector<Observable> ThermalNetwork::observables() const {

@@ -2,10 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "laws/heat/heat_flow.h"
 #include "model/thermal_model.h"
+#include "thermal/circuit/circuit_flows.h"
 #include "thermal/circuit/linear_flows.h"
-#include "thermal/heating/rolling_exchange.h"
 
 namespace rotordrop {
 
@@ -16,12 +15,7 @@ struct ThermalNetworkData {
     double capacity = 0;  ///< [J/K]; 0: massless, eliminated
     std::string long_name;
   };
-  /// How a resistor's flow depends on more than the difference of temperatures.
-  enum class Law {
-    constant,            ///< q = (T_a - T_b) / R
-    housing_convection,  ///< q = h(T_a - T_b) area (T_a - T_b), eq. (16)
-    contact              ///< q = (T_a - T_b) / R while rotor and ring of `place` touch, else / R_apart
-  };
+  using Law = ResistorLaw;
   struct Resistor {
     std::string between;  ///< node names; "ambient" is the surroundings
     std::string and_node;
@@ -82,23 +76,7 @@ class ThermalNetwork final : public ThermalModel {
  private:
   template <class Real>
   friend class ThermalNetworkInLanes;  // thermal/circuit/thermal_network_in_lanes.h
-  struct LawLink {  // between two nodes with capacity, or one and the surroundings (b = number of those)
-    std::size_t a, b;
-    ThermalNetworkData::Resistor resistor;
-  };
-  struct Term {  // of heat into a node, or of a massless node's temperature
-    std::size_t node;
-    double factor;
-  };
-  /// Rolling balls of a place, by what its contacts' temperatures follow from. A watt at a contact spreads by the same numbers.
-  struct Rolling {
-    std::size_t place, balls;
-    double factor;
-    double inner_of_ambient, outer_of_ambient;
-    std::vector<Term> inner_of, outer_of;          // temperatures with capacity [K/K]
-    double inner_inner, inner_outer, outer_outer;  // rises by heat into the contacts [K/W]
-    [[nodiscard]] ContactHeat heat(std::span<const double> T, double ambient, const HeatInput& input) const;
-  };
+  using Term = CircuitTerm<double>;
   struct Shown {  // a massless node: weights of temperatures [K/K] and of the ports' heats [K/W]
     double of_ambient = 0;
     std::vector<Term> of_temperature;
@@ -109,8 +87,8 @@ class ThermalNetwork final : public ThermalModel {
   std::vector<std::size_t> with_capacity_;  // state index -> node index
   std::vector<double> inverse_capacity_;
   LinearFlows flows_;  // through constant resistors, and from ports
-  std::vector<LawLink> law_links_;
-  std::vector<Rolling> rolling_;
+  std::vector<LawLink<double>> law_links_;
+  std::vector<RollingBalls<double>> rolling_;
   std::vector<LinearGrowth> growths_;  // of each place
   std::vector<Shown> shown_;           // one per node
 };

@@ -25,23 +25,8 @@ class ThermalNetworkInLanes {
   }
 
  private:
-  struct Term {
-    std::size_t from;
-    Real factor;
-  };
+  using Term = CircuitTerm<Real>;
   using Terms = std::vector<Term>;
-  struct LawLink {
-    std::size_t a, b;
-    ThermalNetworkData::Law law;
-    std::size_t place;
-    Real resistance, R_apart, area;
-  };
-  struct Rolling {
-    std::size_t place, balls;
-    Real factor, inner_of_ambient, outer_of_ambient;
-    Terms inner_of, outer_of;
-    Real inner_inner, inner_outer, outer_outer;
-  };
   void grow(std::span<const Real> T, const Real& above, std::span<ExpansionOf<Real>> out) const;
   /// A number of every network.
   template <class F>
@@ -55,9 +40,10 @@ class ThermalNetworkInLanes {
   std::size_t n_ = 0, n_places_ = 0;
   Real ambient_;
   std::vector<Real> inverse_capacity_;
+  mutable std::vector<Real> watts_;       // into the ports, while they are asked for
   std::vector<Terms> by_rise_, by_port_;  // of each row: the nodes, then the heat lost
-  std::vector<LawLink> law_links_;
-  std::vector<Rolling> rolling_;
+  std::vector<LawLink<Real>> law_links_;
+  std::vector<RollingBalls<Real>> rolling_;
   struct Surface {
     std::size_t surface;
     Terms terms;
@@ -75,8 +61,7 @@ bool ThermalNetworkInLanes<Real>::is_alike(const ThermalNetwork& a, const Therma
          a.growths_.size() == b.growths_.size() &&
          std::ranges::equal(a.law_links_, b.law_links_,
                             [](const auto& p, const auto& q) {
-                              return p.a == q.a && p.b == q.b && p.resistor.law == q.resistor.law &&
-                                     p.resistor.place == q.resistor.place;
+                              return p.a == q.a && p.b == q.b && p.law == q.law && p.place == q.place;
                             }) &&
          std::ranges::equal(a.rolling_, b.rolling_, [&](const auto& p, const auto& q) {
            return p.place == q.place && p.balls == q.balls && same_terms(p.inner_of, q.inner_of) &&
@@ -92,6 +77,7 @@ ThermalNetworkInLanes<Real>::ThermalNetworkInLanes(std::span<const ThermalNetwor
   const ThermalNetwork& first = *networks_.front();
   n_ = first.with_capacity_.size();
   n_places_ = first.data_.places.size();
+  watts_.resize(4 * n_places_);
   ambient_ = of_all([](const ThermalNetwork& w) { return w.data_.ambient; });
   for (std::size_t i = 0; i < n_; ++i)
     inverse_capacity_.push_back(of_all([&](const ThermalNetwork& w) { return w.inverse_capacity_[i]; }));
@@ -108,12 +94,12 @@ ThermalNetworkInLanes<Real>::ThermalNetworkInLanes(std::span<const ThermalNetwor
   }
   for (std::size_t k = 0; k < first.law_links_.size(); ++k) {
     const auto& link = first.law_links_[k];
-    const auto of_link = [&](auto member) {
-      return of_all([&](const ThermalNetwork& w) { return w.law_links_[k].resistor.*member; });
+    using One = LawLink<double>;
+    const auto number = [&](double One::*member) {
+      return of_all([&](const ThermalNetwork& w) { return w.law_links_[k].*member; });
     };
-    using Resistor = ThermalNetworkData::Resistor;
-    law_links_.push_back({link.a, link.b, link.resistor.law, link.resistor.place, of_link(&Resistor::resistance),
-                          of_link(&Resistor::R_apart), of_link(&Resistor::area)});
+    law_links_.push_back(
+        {link.a, link.b, link.law, link.place, number(&One::resistance), number(&One::R_apart), number(&One::area)});
   }
   for (std::size_t k = 0; k < first.rolling_.size(); ++k) {
     const auto& one = first.rolling_[k];
@@ -127,7 +113,7 @@ ThermalNetworkInLanes<Real>::ThermalNetworkInLanes(std::span<const ThermalNetwor
             {(one.*list)[i].node, of_all([&](const ThermalNetwork& w) { return (w.rolling_[k].*list)[i].factor; })});
       return made;
     };
-    using Own = ThermalNetwork::Rolling;
+    using Own = RollingBalls<double>;
     rolling_.push_back({one.place, one.balls, number(&Own::factor), number(&Own::inner_of_ambient),
                         number(&Own::outer_of_ambient), terms(&Own::inner_of), terms(&Own::outer_of),
                         number(&Own::inner_inner), number(&Own::inner_outer), number(&Own::outer_outer)});
@@ -151,7 +137,7 @@ void ThermalNetworkInLanes<Real>::grow(std::span<const Real> T, const Real& abov
     if (p >= growths_.size()) continue;
     for (const Surface& s : growths_[p]) {
       Real sum = 0.;
-      for (const Term& term : s.terms) sum += term.factor * (T[term.from] - above);
+      for (const Term& term : s.terms) sum += term.factor * (T[term.node] - above);
       out[p].*growth_surfaces_of<Real>[s.surface] = sum;
     }
   }
@@ -160,41 +146,18 @@ void ThermalNetworkInLanes<Real>::grow(std::span<const Real> T, const Real& abov
 template <class Real>
 Real ThermalNetworkInLanes<Real>::rates(std::span<const Real> T, std::span<const HeatInputOf<Real>> heat,
                                         std::span<Real> dydt) const {
+  for (std::size_t place = 0; place < n_places_; ++place) {
+    const auto watts = heat_by_port(heat[place]);
+    std::copy(watts.begin(), watts.end(), watts_.begin() + static_cast<std::ptrdiff_t>(watts.size() * place));
+  }
   Real lost = 0.;
   for (std::size_t row = 0; row <= n_; ++row) {
     Real sum = 0.;
-    for (const Term& term : by_rise_[row]) sum += term.factor * (T[term.from] - ambient_);
-    for (const Term& term : by_port_[row]) sum += term.factor * heat_by_port(heat[term.from / 4])[term.from % 4];
+    for (const Term& term : by_rise_[row]) sum += term.factor * (T[term.node] - ambient_);
+    for (const Term& term : by_port_[row]) sum += term.factor * watts_[term.node];
     (row < n_ ? dydt[row] : lost) = sum;
   }
-  const auto give = [&](std::size_t node, const Real& watts) { dydt[node] += watts * inverse_capacity_[node]; };
-  for (const LawLink& link : law_links_) {
-    const Real difference = T[link.a] - (link.b == n_ ? ambient_ : T[link.b]);
-    const Real q = link.law == ThermalNetworkData::Law::housing_convection
-                       ? housing_convection(difference) * link.area * difference
-                       : difference / select(heat[link.place].is_in_contact, link.resistance, link.R_apart);
-    give(link.a, -q);
-    if (link.b == n_)
-      lost += q;
-    else
-      give(link.b, q);
-  }
-  for (const Rolling& r : rolling_) {
-    const HeatInputOf<Real>& input = heat[r.place];
-    Real inner = r.inner_of_ambient * ambient_ + r.inner_inner * input.inner + r.inner_outer * input.outer;
-    Real outer = r.outer_of_ambient * ambient_ + r.inner_outer * input.inner + r.outer_outer * input.outer;
-    for (const Term& term : r.inner_of) inner += term.factor * T[term.from];
-    for (const Term& term : r.outer_of) outer += term.factor * T[term.from];
-    const BallConductionOf<Real> G{r.factor * input.balls.inner_to_ball, r.factor * input.balls.outer_to_ball,
-                                   r.factor * input.balls.inner_to_outer};
-    const ContactHeatOf<Real> q =
-        contact_heat(G, inner, outer, T[r.balls], r.inner_inner, r.inner_outer, r.outer_outer);
-    for (const Term& term : r.inner_of) give(term.from, term.factor * q.inner);
-    for (const Term& term : r.outer_of) give(term.from, term.factor * q.outer);
-    lost += r.inner_of_ambient * q.inner + r.outer_of_ambient * q.outer;
-    give(r.balls, -q.from_balls());
-  }
-  return lost;
+  return add_flows<Real>(law_links_, rolling_, T, ambient_, heat, inverse_capacity_, dydt, lost);
 }
 
 }  // namespace rotordrop
