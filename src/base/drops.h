@@ -3,6 +3,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "base/exponential_series.h"
 #include "base/real.h"
 #include "base/sine_cosine.h"
 
@@ -209,21 +210,8 @@ struct Drops {
     x = x < low ? low - Numbers{} : x;
     return x > high ? high - Numbers{} : x;
   }
-  /// exp(r) - 1 - r over r^2, by Taylor's series to r^13, |r| < 0.35.
-  [[gnu::always_inline]] static inline Numbers exp_small(Numbers r) {
-    Numbers s = r * (1. / 6227020800.) + 1. / 479001600.;
-    s = s * r + 1. / 39916800.;
-    s = s * r + 1. / 3628800.;
-    s = s * r + 1. / 362880.;
-    s = s * r + 1. / 40320.;
-    s = s * r + 1. / 5040.;
-    s = s * r + 1. / 720.;
-    s = s * r + 1. / 120.;
-    s = s * r + 1. / 24.;
-    s = s * r + 1. / 6.;
-    s = s * r + 0.5;
-    return 1. + (r + r * r * s);
-  }
+  /// exp(r) for |r| < 0.35.
+  [[gnu::always_inline]] static inline Numbers exp_small(Numbers r) { return 1. + (r + r * r * exponential_tail(r)); }
   [[gnu::always_inline]] static inline Numbers exp_of(Numbers x) {
     Bits k;
     const Numbers within = limited(x, -708., 709.);

@@ -2,6 +2,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/exponential_series.h"
+
 namespace rotordrop {
 
 /// x^a for loops over vectors: no branch, no library call. Relative error below 1e-13 for x from 1e-300 to 1 and |a| up to 3; not a number
@@ -31,20 +33,7 @@ namespace rotordrop {
   const double rounded = y * 1.4426950408889634074 + 6755399441055744.;
   const double k = rounded - 6755399441055744.;
   const double f = (y - k * 0.693147180369123816490) - k * 1.90821492927058770002e-10;
-  double sum = 1. / 6227020800.;
-  sum = sum * f + 1. / 479001600.;
-  sum = sum * f + 1. / 39916800.;
-  sum = sum * f + 1. / 3628800.;
-  sum = sum * f + 1. / 362880.;
-  sum = sum * f + 1. / 40320.;
-  sum = sum * f + 1. / 5040.;
-  sum = sum * f + 1. / 720.;
-  sum = sum * f + 1. / 120.;
-  sum = sum * f + 1. / 24.;
-  sum = sum * f + 1. / 6.;
-  sum = sum * f + 0.5;
-  sum = sum * f + 1.;
-  sum = sum * f + 1.;
+  const double sum = (exponential_tail(f) * f + 1.) * f + 1.;
   const std::uint64_t scale = (std::bit_cast<std::uint64_t>(rounded) + 1023U) << 52;
   return sum * std::bit_cast<double>(scale) + (x - x);
 }
