@@ -9,7 +9,7 @@
 
 namespace yardstick {
 
-using rotordrop::Lanes;
+using rotordrop::Octet;
 using rotordrop::vector_length;
 
 constexpr std::size_t most_balls = 32;
@@ -37,7 +37,7 @@ ROTORDROP_KERNEL void sum_rows(const Row* rows, const Motion& m, Sums* sums) {
   for (std::size_t r = 0; r < n_rows; ++r) {
     const Row& row = rows[r];
     const double axial_squared = row.axial * row.axial;
-    Lanes fy, fz, dissipated, radial, cage;
+    Octet fy, fz, dissipated, radial, cage;
     for (std::size_t v = 0; v < row.n_vectors; ++v)
 #pragma omp simd
       for (std::size_t i = 0; i < vector_length; ++i) {

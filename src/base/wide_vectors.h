@@ -36,7 +36,7 @@ inline constexpr std::size_t vector_length = 8;
 
 /// A value for every element of a vector. Sums that a loop over vectors keeps in one are reduced once, after the loop, and in the same order at
 /// every level.
-struct Lanes {
+struct Octet {
   std::array<double, vector_length> value{};
   ROTORDROP_KERNEL double& operator[](std::size_t i) { return value[i]; }
   [[nodiscard]] ROTORDROP_KERNEL double sum() const {
@@ -52,20 +52,20 @@ struct Lanes {
 static_assert(vector_length == 8);
 
 /// The first values of a list in a vector, zeros behind them.
-ROTORDROP_KERNEL Lanes first_of(const double* list, std::size_t count) {
-  Lanes a;
+ROTORDROP_KERNEL Octet first_of(const double* list, std::size_t count) {
+  Octet a;
 #pragma omp simd
   for (std::size_t i = 0; i < vector_length; ++i) a[i] = i < count ? list[i] : 0.;
   return a;
 }
 /// The first values of a vector to a list.
-ROTORDROP_KERNEL void store_first(const Lanes& a, std::size_t count, double* list) {
+ROTORDROP_KERNEL void store_first(const Octet& a, std::size_t count, double* list) {
 #pragma omp simd
   for (std::size_t i = 0; i < vector_length; ++i)
     if (i < count) list[i] = a.value[i];
 }
 /// a + f b
-ROTORDROP_KERNEL void add_product(Lanes& a, double f, const double* b) {
+ROTORDROP_KERNEL void add_product(Octet& a, double f, const double* b) {
 #pragma omp simd
   for (std::size_t i = 0; i < vector_length; ++i) a[i] += f * b[i];
 }

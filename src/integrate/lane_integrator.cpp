@@ -44,7 +44,7 @@ ROTORDROP_KERNEL void combine_lanes(std::size_t size, const double* y, const dou
 ROTORDROP_KERNEL void squared_errors(std::size_t n_controlled, std::size_t n, const double* error, const double* before,
                                      const double* after, const double* rates, const double* scale,
                                      const double* tolerance, double* sums) {
-  Lanes sum;
+  Octet sum;
   for (std::size_t i = 0; i < n_controlled; ++i) {
     const std::size_t at = i * width;
 #pragma omp simd
@@ -67,14 +67,12 @@ ROTORDROP_KERNEL void take(std::size_t size, const double* flags, const double* 
     for (std::size_t l = 0; l < width; ++l) to[at + l] = flags[l] != 0. ? from[at + l] : to[at + l];
 }
 
-const EmbeddedTableau& tableau(IntegrationMethod method) {
-  return method == IntegrationMethod::tsitouras ? tsitouras : bogacki_shampine;
-}
-
 }  // namespace
 
 bool runs_in_lanes(IntegrationMethod method) {
-  return method == IntegrationMethod::tsitouras || method == IntegrationMethod::bogacki_shampine;
+  return std::any_of(integration_methods.begin(), integration_methods.end(), [method](const MethodKind& kind) {
+    return kind.method == method && kind.make == make_embedded_pair;
+  });
 }
 
 void LaneView::advance() { throw std::logic_error("a lane is advanced with its neighbours"); }
@@ -82,7 +80,7 @@ void LaneView::advance() { throw std::logic_error("a lane is advanced with its n
 LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step,
                                std::size_t n_details)
     : system_(std::move(system)),
-      pair_(tableau(lanes.front().parameters.method)),
+      pair_(tableau_of(lanes.front().parameters.method)),
       n_(system_->layout().size()),
       n_controlled_(system_->first_quadrature()),
       n_lanes_(lanes.size()),
@@ -116,13 +114,9 @@ void LaneIntegrator::start() {
   system_->rates(time_, y_, k_.front());
   for (std::size_t l = 0; l < n_lanes_; ++l) {
     ++statistics_[l].rhs_evaluations;
-    double states = 0., rates = 0.;
-    for (std::size_t i = 0; i < n_controlled_; ++i) {
-      const double allowed = scale_[i] + std::fabs(y_[i * width + l]);
-      states += std::pow(y_[i * width + l] / allowed, 2);
-      rates += std::pow(k_.front()[i * width + l] / allowed, 2);
-    }
-    next_step_[l] = control_[l].first(states, rates);
+    next_step_[l] = control_[l].first(
+        std::span(scale_).first(n_controlled_), [&](std::size_t i) { return y_[i * width + l]; },
+        [&](std::size_t i) { return k_.front()[i * width + l]; });
   }
   has_rates_ = true;
 }
@@ -160,15 +154,11 @@ void LaneIntegrator::advance() {
   else
     wide<take>(n_, stepped_.data(), k_.back().data(), k_.front().data());  // first same as last
   for (std::size_t l = 0; l < width; ++l) {
-    ends_[l] = false;
-    tried_[l] = 0.;
-    target_[l] = time_[l];
-    if (!runs_[l]) continue;
-    tried_[l] = std::min(next_step_[l], longest_[l]);
-    ends_[l] = time_[l] + tried_[l] * (1. + 1e-6) >= end_time_[l];
-    if (ends_[l]) tried_[l] = end_time_[l] - time_[l];
-    target_[l] = ends_[l] ? end_time_[l] : time_[l] + tried_[l];
-    statistics_[l].rhs_evaluations += pair_.n_stages - 1;
+    const Trial trial = runs_[l] ? control_[l].trial(next_step_[l], time_[l], end_time_[l]) : Trial{0., time_[l]};
+    tried_[l] = trial.size;
+    target_[l] = trial.target;
+    ends_[l] = trial.ends;
+    if (runs_[l]) statistics_[l].rhs_evaluations += pair_.n_stages - 1;
   }
   // Nothing depends on quadratures: the stages before the last leave them alone.
   const int last = pair_.n_stages - 1;
@@ -233,9 +223,7 @@ void LaneIntegrator::fail(std::size_t l, double size) const {
 void LaneIntegrator::interpolate(std::size_t l, double t, std::span<double> y) const {
   if (has_stepped(l) && t == within_time_[l] && t < time_[l] && t > time_[l] - last_step_[l])
     return column(within_, l, y);  // observe_within() was there
-  const double theta = (t - (time_[l] - last_step_[l])) / last_step_[l];
-  // Like the step's end, a time that rounding puts outside is inside.
-  if (!(theta >= -1e-6 && theta <= 1. + 1e-6)) throw SolverError("a time outside the last step was asked for");
+  const double theta = part_of_step(t, time_[l], last_step_[l]);
   column(before_, l, y);
   for (std::size_t j = 0; j < k_.size(); ++j) {
     const double factor = last_step_[l] * pair_.weight(j, theta);

@@ -80,11 +80,11 @@ struct ModalRotor::Kernels {
                                        std::size_t n_points, Motion* out) {
     const std::size_t n = rotor.n_modes_, stride = filled_up(n);
     for (std::size_t p = 0; p < n_points; ++p, shape += 2 * stride) {
-      Lanes displacement_y, displacement_z, velocity_y, velocity_z, slope_y, slope_z, slope_rate_y, slope_rate_z;
+      Octet displacement_y, displacement_z, velocity_y, velocity_z, slope_y, slope_z, slope_rate_y, slope_rate_z;
       for (std::size_t first = 0; first < n; first += vector_length) {
         const double *deflection = shape + first, *slope = shape + stride + first;
-        const Lanes q_y = first_of(y + first, n - first), q_z = first_of(y + n + first, n - first);
-        const Lanes v_y = first_of(y + 2 * n + first, n - first), v_z = first_of(y + 3 * n + first, n - first);
+        const Octet q_y = first_of(y + first, n - first), q_z = first_of(y + n + first, n - first);
+        const Octet v_y = first_of(y + 2 * n + first, n - first), v_z = first_of(y + 3 * n + first, n - first);
 #pragma omp simd
         for (std::size_t i = 0; i < vector_length; ++i) {
           displacement_y[i] += deflection[i] * q_y.value[i];
@@ -127,12 +127,12 @@ struct ModalRotor::Kernels {
                  along_sin = omega * omega * sine - omega_rate * cosine;
     const double *u_cos = rotor.unbalance_cos_.data(), *u_sin = rotor.unbalance_sin_.data();
     const double *c = rotor.damping_rate_.data(), *k = rotor.omega_squared_.data();
-    Lanes unbalance_work, damping;
+    Octet unbalance_work, damping;
     for (std::size_t first = 0; first < n; first += vector_length) {
       const std::size_t count = n - first;
-      const Lanes displacement_y = first_of(q_y + first, count), displacement_z = first_of(q_z + first, count);
-      const Lanes velocity_y = first_of(v_y + first, count), velocity_z = first_of(v_z + first, count);
-      Lanes a_y, a_z;
+      const Octet displacement_y = first_of(q_y + first, count), displacement_z = first_of(q_z + first, count);
+      const Octet velocity_y = first_of(v_y + first, count), velocity_z = first_of(v_z + first, count);
+      Octet a_y, a_z;
 #pragma omp simd
       for (std::size_t i = 0; i < vector_length; ++i) {
         const std::size_t m = first + i;

@@ -11,12 +11,12 @@ namespace rotordrop {
 
 namespace {
 
-/// Sums over a row's balls, kept by lane.
+/// Sums over a row's balls, kept element by element.
 struct ForceSums {
-  Lanes fx, fy, fz, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, cage, largest, roots;
+  Octet fx, fy, fz, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, cage, largest, roots;
 };
 struct TractionSums {
-  Lanes inner, outer, gyroscopic, largest, truncation;
+  Octet inner, outer, gyroscopic, largest, truncation;
 };
 
 ROTORDROP_KERNEL void add_tractions(const TractionInput& with, const BallTerms<double>& b, std::size_t l,
@@ -91,7 +91,7 @@ ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const
 
 template <bool is_bent>
 ROTORDROP_KERNEL double deflections(const KernelInput& in) {
-  Lanes sum;
+  Octet sum;
   const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e;
   const double e_y = e.y + xr * e.psi_z, e_z = e.z - xr * e.psi_y;

@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 /// Of lists of whole vectors.
 ROTORDROP_KERNEL double sum_of_products(const double* a, const double* b, std::size_t n) {
-  Lanes sum;
+  Octet sum;
   for (std::size_t first = 0; first < n; first += vector_length)
 #pragma omp simd
     for (std::size_t i = 0; i < vector_length; ++i) sum[i] += a[first + i] * b[first + i];
