@@ -96,13 +96,11 @@ class EmbeddedPair final : public Integrator {
     double step = next_step_;
     bool was_rejected = false;
     for (;;) {
-      step = std::min(step, longest_);
-      const bool ends = time_ + step * (1. + 1e-6) >= end_time_;
-      if (ends) step = end_time_ - time_;
-      const double target = ends ? end_time_ : time_ + step;
-      const double size = try_step(step, target);
+      const Trial trial = control_.trial(step, time_, end_time_);
+      step = trial.size;
+      const double size = try_step(step, trial.target);
       if (size <= 1.) {
-        accept(step, target, size, was_rejected, ends);
+        accept(trial, size, was_rejected);
         return;
       }
       was_rejected = true;
@@ -121,9 +119,7 @@ class EmbeddedPair final : public Integrator {
   }
 
   void interpolate(double t, std::span<double> y) const override {
-    const double theta = (t - (time_ - last_step_)) / last_step_;
-    // Like the step's end, a time that rounding puts outside is inside.
-    if (!(theta >= -1e-6 && theta <= 1. + 1e-6)) throw SolverError("a time outside the last step was asked for");
+    const double theta = part_of_step(t, time_, last_step_);
     std::array<double, most_stages> factor{};
     std::array<const double*, most_stages> k{};
     for (int i = 0; i < pair_.n_stages; ++i) {
@@ -180,15 +176,15 @@ class EmbeddedPair final : public Integrator {
     return HUGE_VAL;
   }
 
-  void accept(double step, double target, double size, bool was_rejected, bool ends) {
+  void accept(const Trial& trial, double size, bool was_rejected) {
     std::swap(before_, y_);
     std::swap(y_, stage_);
-    time_ = target;
-    last_step_ = step;
+    time_ = trial.target;
+    last_step_ = trial.size;
     ++statistics_.steps;
     const double factor = control_.after_acceptance(size, was_rejected);
     // A last step cut to the end says nothing of the next one; there is none.
-    if (!ends) next_step_ = std::min(step * factor, longest_);
+    if (!trial.ends) next_step_ = std::min(trial.size * factor, longest_);
   }
 
   [[noreturn]] void fail(double step, double size) {
@@ -201,13 +197,9 @@ class EmbeddedPair final : public Integrator {
   }
 
   [[nodiscard]] double first_step() const {
-    double states = 0., rates = 0.;
-    for (std::size_t i = 0; i < n_controlled_; ++i) {
-      const double allowed = scale_[i] + std::fabs(y_[i]);
-      states += std::pow(y_[i] / allowed, 2);
-      rates += std::pow(k_.front()[i] / allowed, 2);
-    }
-    return control_.first(states, rates);
+    return control_.first(
+        std::span(scale_).first(n_controlled_), [&](std::size_t i) { return y_[i]; },
+        [&](std::size_t i) { return k_.front()[i]; });
   }
 
   const EmbeddedTableau& pair_;
@@ -228,8 +220,7 @@ class EmbeddedPair final : public Integrator {
 
 std::unique_ptr<Integrator> make_embedded_pair(const OdeSystem& system, const IntegrationParameters& parameters,
                                                double start_time, std::span<const double> state, double end_time) {
-  const EmbeddedTableau& pair = parameters.method == IntegrationMethod::tsitouras ? tsitouras : bogacki_shampine;
-  return std::make_unique<EmbeddedPair>(pair, system, parameters, start_time, state, end_time);
+  return std::make_unique<EmbeddedPair>(tableau_of(parameters.method), system, parameters, start_time, state, end_time);
 }
 
 }  // namespace rotordrop

@@ -32,7 +32,6 @@ class LaneIntegrator {
   /// Tries a step of every lane that runs; has_stepped() tells which of them took theirs.
   void advance();
   [[nodiscard]] bool any_runs() const;
-  [[nodiscard]] bool runs(std::size_t lane) const { return runs_[lane]; }
   [[nodiscard]] bool has_stepped(std::size_t lane) const { return stepped_[lane] != 0.; }
   void stop(std::size_t lane) { runs_[lane] = false; }
   /// Why a lane came to a stop by itself; none: it did not.
@@ -91,7 +90,6 @@ class LaneView final : public Integrator {
   void advance() override;
   void offer_rates(std::span<const double>) override {}
   [[nodiscard]] bool uses_offered_rates() const override { return true; }
-  bool evaluate_ends_with(const EndEvaluation&) override { return true; }
   void interpolate(double t, std::span<double> y) const override { lanes_->interpolate(lane_, t, y); }
   [[nodiscard]] IntegrationStatistics statistics() const override { return lanes_->statistics(lane_); }
 

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <span>
 
+#include "base/errors.h"
+#include "integrate/methods.h"
+
 namespace rotordrop {
 
 inline constexpr int most_stages = 7, most_powers = 4;
@@ -59,6 +62,24 @@ inline constexpr EmbeddedTableau bogacki_shampine = {
     {-5. / 72., 1. / 12., 1. / 9., -1. / 8.},
     {{{1., -4. / 3., 5. / 9.}, {0., 1., -2. / 3.}, {0., 4. / 3., -8. / 9.}, {0., -1., 1.}}}};
 
+[[nodiscard]] inline const EmbeddedTableau& tableau_of(IntegrationMethod method) {
+  return method == IntegrationMethod::tsitouras ? tsitouras : bogacki_shampine;
+}
+
+/// Where a time lies in a step, from 0 to 1. @throws SolverError for one outside
+[[nodiscard]] inline double part_of_step(double t, double step_end, double step) {
+  const double theta = (t - (step_end - step)) / step;
+  // Like the step's end, a time that rounding puts outside is inside.
+  if (!(theta >= -1e-6 && theta <= 1. + 1e-6)) throw SolverError("a time outside the last step was asked for");
+  return theta;
+}
+
+/// A step to be tried.
+struct Trial {
+  double size, target;  // [s]
+  bool ends = false;    // at the end of the integration
+};
+
 /// Chooses steps by the errors that they made, of one drop.
 class StepControl {
  public:
@@ -67,10 +88,24 @@ class StepControl {
 
   /// A hundredth of the time in which the states change by their size, at a tolerance of 1e-6; longer and shorter as the method's error allows.
   /// Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.4.
-  /// @param state_norm, rate_norm  sums of squares of states and rates over their sizes
-  [[nodiscard]] double first(double state_norm, double rate_norm) const {
+  /// @param scale        of each state that is controlled
+  /// @param state, rate  functions of the state's number
+  template <class State, class Rate>
+  [[nodiscard]] double first(std::span<const double> scale, State&& state, Rate&& rate) const {
+    double state_norm = 0., rate_norm = 0.;
+    for (std::size_t i = 0; i < scale.size(); ++i) {
+      const double allowed = scale[i] + std::fabs(state(i));
+      state_norm += std::pow(state(i) / allowed, 2);
+      rate_norm += std::pow(rate(i) / allowed, 2);
+    }
     const double step = state_norm > 1e-10 && rate_norm > 1e-10 ? 0.01 * std::sqrt(state_norm / rate_norm) : 1e-6;
     return std::clamp(step * std::pow(tolerance_ / 1e-6, 1. / order_), 1e-3 * longest_, longest_);
+  }
+  /// A step of about a size from a time, to the end if that is nearly reached.
+  [[nodiscard]] Trial trial(double size, double time, double end_time) const {
+    const double step = std::min(size, longest_);
+    if (time + step * (1. + 1e-6) >= end_time) return {end_time - time, end_time, true};
+    return {step, time + step};
   }
   /// What a step is to be multiplied by that was rejected.
   [[nodiscard]] double after_rejection(double size) const {
