@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/real.h"
 #include "base/wide_vectors.h"
 #include "laws/ball_balance.h"
 
@@ -12,7 +13,6 @@ namespace rotordrop {
 namespace {
 
 // By value: references to temporaries keep the compiler from making vectors.
-ROTORDROP_KERNEL double larger(double a, double b) { return a > b ? a : b; }
 ROTORDROP_KERNEL double limited(double value, double low, double high) {
   const double above = value > low ? value : low;
   return above < high ? above : high;
