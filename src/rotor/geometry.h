@@ -8,6 +8,7 @@ struct RotorMaterial {
   double E = 0;    ///< Young's modulus [Pa], > 0
   double nu = 0;   ///< Poisson's ratio, in (-1, 0.5)
   double rho = 0;  ///< density [kg/m^3], > 0
+  bool operator==(const RotorMaterial&) const = default;
 };
 
 /// Straight circular piece of shaft between two neighbouring nodes. Several may lie over the same span
@@ -18,6 +19,7 @@ struct ShaftElement {
   double od = 0;  ///< outer diameter [m], > id
   double id = 0;  ///< bore [m], >= 0; 0 is solid
   RotorMaterial material;
+  bool operator==(const ShaftElement&) const = default;
 };
 
 /// Mass without stiffness at a node: a disk, gear, lamination stack.
@@ -26,6 +28,7 @@ struct RotorMassPoint {
   double mass = 0;  ///< [kg], >= 0
   double Ip = 0;    ///< about x [kg m^2], >= 0
   double Id = 0;    ///< about a diameter [kg m^2], >= 0
+  bool operator==(const RotorMassPoint&) const = default;
 };
 
 /// Shaft, section by section, and what is mounted on it. Plain data: `rotor_parameters.h` reads and checks it.
@@ -37,6 +40,7 @@ struct RotorGeometry {
   [[nodiscard]] int n_nodes() const { return static_cast<int>(node_x.size()); }
   /// @param node numbered from 1
   [[nodiscard]] double position(int node) const { return node_x[static_cast<std::size_t>(node - 1)]; }
+  bool operator==(const RotorGeometry&) const = default;
   [[nodiscard]] double length(const ShaftElement& element) const { return position(element.n2) - position(element.n1); }
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <deque>
+#include <mutex>
 #include <numbers>
 
 #include "rotor/timoshenko.h"
@@ -31,10 +33,8 @@ Residual residual_modes(const Eigen::VectorXd& omega, const Eigen::MatrixXd& at_
   return {solver.eigenvalues().cwiseSqrt(), all * solver.eigenvectors()};
 }
 
-}  // namespace
-
-ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequency,
-                           const std::vector<int>& attachment_nodes) {
+ModalBasis computed_modes(const RotorGeometry& geometry, double cut_off_frequency,
+                          const std::vector<int>& attachment_nodes) {
   const RotorMatrices fe = assemble(geometry);
   const Eigen::Index n_dofs = fe.mass.rows();
   ModalBasis basis;
@@ -92,6 +92,45 @@ ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequen
   basis.gyroscopic.row(0).setZero();
   basis.gyroscopic.col(0).setZero();
   return basis;
+}
+
+/// The bases that were asked for last.
+class KeptBases {
+ public:
+  ModalBasis get(const RotorGeometry& geometry, double cut_off_frequency, const std::vector<int>& attachment_nodes) {
+    const auto is_it = [&](const Kept& kept) {
+      return kept.cut_off_frequency == cut_off_frequency && kept.attachment_nodes == attachment_nodes &&
+             kept.geometry == geometry;
+    };
+    {
+      const std::scoped_lock guard(lock_);
+      if (const auto found = std::find_if(kept_.begin(), kept_.end(), is_it); found != kept_.end()) return found->basis;
+    }
+    ModalBasis basis = computed_modes(geometry, cut_off_frequency, attachment_nodes);
+    const std::scoped_lock guard(lock_);
+    kept_.push_front({geometry, cut_off_frequency, attachment_nodes, basis});
+    if (kept_.size() > most_kept) kept_.pop_back();
+    return basis;
+  }
+
+ private:
+  struct Kept {
+    RotorGeometry geometry;
+    double cut_off_frequency;
+    std::vector<int> attachment_nodes;
+    ModalBasis basis;
+  };
+  static constexpr std::size_t most_kept = 4;
+  std::mutex lock_;
+  std::deque<Kept> kept_;
+};
+
+}  // namespace
+
+ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequency,
+                           const std::vector<int>& attachment_nodes) {
+  static KeptBases bases;
+  return bases.get(geometry, cut_off_frequency, attachment_nodes);
 }
 
 }  // namespace rotordrop

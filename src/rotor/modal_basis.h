@@ -28,6 +28,7 @@ struct ModalBasis {
 ///   give there, R f = sum phi_k phi_k^T f / (m omega_k^2), one shape a node, orthogonal to the kept modes by mass and stiffness, and
 ///   combined among themselves into modes with their true mass (Rubin 1975; Craig & Kurdila, Fundamentals of Structural Dynamics, 17.4). Their frequencies
 ///   lie above the cut-off. They follow the kept modes by frequency and have mass, so displacements depend on the state alone.
+/// The last few bases of the process are kept: rotors that differ in nothing that shapes their modes share them. Threads may call it at once.
 [[nodiscard]] ModalBasis free_free_modes(const RotorGeometry& geometry, double cut_off_frequency,
                                          const std::vector<int>& attachment_nodes = {});
 
