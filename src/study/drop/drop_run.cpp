@@ -27,10 +27,14 @@ namespace {
 /// Tells whether a series is one of which the summary tells: orbits and rubs of the bearings, and all of meshed sections.
 class SummarySeries {
  public:
-  explicit SummarySeries(const Case& c) {
-    for (const auto& bearing : touchdown_names(c.parameters))
-      for (const auto& series : {series_of_rub(bearing), series_of_whirl(bearing)})
-        paths_.insert(paths_.end(), series.begin(), series.end());
+  explicit SummarySeries(const Case& c, const SummaryParts& parts = {}) {
+    const auto add = [&](const std::vector<std::string>& series) {
+      paths_.insert(paths_.end(), series.begin(), series.end());
+    };
+    for (const auto& bearing : touchdown_names(c.parameters)) {
+      if (parts.local_rub) add(series_of_rub(bearing));
+      if (parts.whirl) add(series_of_whirl(bearing));
+    }
     if (const ThermalKind* kind = section_kind(c.parameters.thermal)) groups_ = {kind->group, "/windows/"};
   }
   bool operator()(const std::string& path) const {
@@ -57,10 +61,9 @@ class SummarySeries {
 
 /// Adds the summary of a drop that has come to its end.
 void summarise(const Case& c, const Machine& machine, const Drop& drop, FiniteElements* elements, MemorySeries series,
-               const std::filesystem::path& directory, FinishedDrop& result, bool has_local_rub = true) {
+               const std::filesystem::path& directory, FinishedDrop& result, const SummaryParts& parts = {}) {
   result.recorded = std::make_shared<const RecordedDrop>(c, std::move(series), directory);
-  auto& summary = result.summary =
-      summarise(c, machine, drop.scalars(), result, elements, *result.recorded, has_local_rub);
+  auto& summary = result.summary = summarise(c, machine, drop.scalars(), result, elements, *result.recorded, parts);
   result.warnings = summary.warnings;
   if (const auto& limits = c.parameters.limits; !limits.empty())
     summary.limits = assessed(limits, summary_json(summary), result.completed);
@@ -82,7 +85,7 @@ MemoryDrop::MemoryDrop(const Case& c, const Machine& machine, MemoryRunOptions o
 
 MemorySeries::Choice MemoryDrop::choice() const {
   if (!options_.is_kept) return {};
-  return [is_in_summary = SummarySeries(case_), is_kept = options_.is_kept](const std::string& path) {
+  return [is_in_summary = SummarySeries(case_, options_.parts), is_kept = options_.is_kept](const std::string& path) {
     return is_in_summary(path) || is_kept(path);
   };
 }
@@ -91,7 +94,7 @@ FinishedDrop MemoryDrop::finished(double wall_time, double cpu_time) {
   FinishedDrop result{drop_.result(), {}, nullptr};
   result.wall_time = wall_time;
   result.cpu_time = cpu_time;
-  summarise(case_, machine_, drop_, options_.elements, std::move(series_), {}, result, options_.has_local_rub);
+  summarise(case_, machine_, drop_, options_.elements, std::move(series_), {}, result, options_.parts);
   if (result.completed) stop_at_fatal_warnings(case_.parameters.run, warnings_json(result.summary.warnings));
   return result;
 }

@@ -44,8 +44,7 @@ FinishedDrop run_drop(const Case& drop_case, const Machine& machine, const RunOp
 struct MemoryRunOptions {
   FiniteElements* elements = nullptr;  ///< those that the machine was built with, if any
   std::function<bool()> is_stopped;    ///< asked after every step; what it throws ends the run
-  /// Local temperatures and wear of every rub: about a fifth of a drop's CPU time. Without them warnings of them are left out, too.
-  bool has_local_rub = true;
+  SummaryParts parts;
   MemorySeries::Choice is_kept;                 ///< series besides those that the summary needs; none: all
   std::function<void(const Progress&)> report;  ///< called a few times a second
   FitWatch::Tell tell;                          ///< called with what a user should know

@@ -84,7 +84,7 @@ const double* BearingSummary::Rises::find(const std::string& node) const {
 
 DropSummary summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
                       const DropResult& result, FiniteElements* elements, const RecordedDrop& recorded,
-                      bool has_local_rub) {
+                      const SummaryParts& parts) {
   const auto& p = drop_case.parameters;
   const std::span<const double> y = result.state;
   DropSummary s;
@@ -114,11 +114,11 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
         }
     for (const auto& entry : p.bearings)
       if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == b.name) {
-        if (has_local_rub) b.local = local_summary(recorded, b.name, *touchdown, b.scalars.first_contact_time);
+        if (parts.local_rub) b.local = local_summary(recorded, b.name, *touchdown, b.scalars.first_contact_time);
         b.damage = damage_json(b, result.fatigue[i], *touchdown);
       }
     if (b.is_free) b.shoulder = shoulder_report(p, b.name);
-    b.whirl = whirl_summary(recorded, b.name);
+    if (parts.whirl) b.whirl = whirl_summary(recorded, b.name);
     b.support = support_summary(scalars.supports(), machine, p, b.name, y);
     s.bearings.push_back(std::move(b));
   }

@@ -12,6 +12,7 @@
 #include "model/run_warning.h"
 #include "study/drop/fe_summary.h"
 #include "study/drop/probe_summary.h"
+#include "study/drop/summary_parts.h"
 #include "study/drop/support_summary.h"
 #include "study/drop/whirl.h"
 #include "study/rub/local_report.h"
@@ -42,9 +43,9 @@ struct BearingSummary {
     FeSummary fe;
   };
   std::optional<Section> section;
-  std::optional<LocalSummary> local;
-  std::optional<ShoulderReport> shoulder;  ///< of a free ring with shoulders
-  WhirlSummary whirl;
+  std::optional<LocalSummary> local;             ///< if it is told
+  std::optional<ShoulderReport> shoulder;        ///< of a free ring with shoulders
+  std::optional<WhirlSummary> whirl;             ///< if it is told
   std::optional<nlohmann::ordered_json> damage;  ///< damage_json()
   std::optional<SupportSummary> support;
   /// Rub heat derived from the spin-up alone, and what the integrated rub heat is more [J].
@@ -89,10 +90,10 @@ struct DropSummary {
 
 /// @param elements  of the machine, or null
 /// @param recorded       series of the finite elements, of orbits and rubs
-/// @param has_local_rub  whether local temperatures and wear are told, and warned of
+/// @param parts  that are told, and warned of
 DropSummary summarise(const Case& drop_case, const Machine& machine, const DropScalars& scalars,
                       const DropResult& result, FiniteElements* elements, const RecordedDrop& recorded,
-                      bool has_local_rub = true);
+                      const SummaryParts& parts = {});
 
 /// As in summary.json; docs/reference/results.md has every key.
 nlohmann::ordered_json summary_json(const DropSummary& summary);

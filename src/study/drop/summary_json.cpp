@@ -82,7 +82,7 @@ Json bearing_json(const BearingSummary& b) {
   }
   if (b.damage) j["damage"] = *b.damage;
   if (b.shoulder) j["shoulder"] = shoulder_json(*b.shoulder);
-  j["whirl"] = whirl_json(b.whirl);
+  if (b.whirl) j["whirl"] = whirl_json(*b.whirl);
   j["support"] = support_json(b.support);
   j["spin_up"] =
       b.spin_up ? Json{{"slip_energy", b.spin_up->slip_energy}, {"residual", b.spin_up->residual}} : Json(nullptr);

@@ -68,7 +68,7 @@ std::string bearing_text(const BearingSummary& b, double ambient) {
                         s.axial_force.largest * 1e-3);
   if (b.shoulder) text += shoulder_text(shoulder_json(*b.shoulder), indent);
   if (b.support) text += support_text(b.name, *b.support);
-  return text + whirl_text(b.name, b.whirl);
+  return b.whirl ? text + whirl_text(b.name, *b.whirl) : text;
 }
 
 /// How far the modes of reduced finite elements are off.

@@ -131,7 +131,7 @@ std::vector<RunWarning> warnings_in_summary(const MachineParameters& p, const Dr
       warn("wear", b.name, "bore", rub.wear.bore_depth, p.contact.wear_depth_limit);
       warn("wear", b.name, "rotor", rub.wear.rotor_depth, p.contact.wear_depth_limit);
     }
-    warn("backward-whirl", b.name, "", b.whirl.largest_backward_speed.value_or(0.), 0.);
+    if (b.whirl) warn("backward-whirl", b.name, "", b.whirl->largest_backward_speed.value_or(0.), 0.);
   }
   return list;
 }

@@ -36,9 +36,9 @@ MemoryRunOptions options_of(const PointRequest& request, BuiltMachine& built) {
   MemoryRunOptions options;
   options.elements = &built.elements();
   options.is_stopped = [stop = request.stop] { return stop && *stop; };
-  // What a case judges by itself may be a local temperature.
-  options.has_local_rub =
-      request.has_local_rub || !c.parameters.run.fatal_warnings.empty() || !c.parameters.limits.empty();
+  // What a case judges by itself may be of any part.
+  const bool is_judged = !c.parameters.run.fatal_warnings.empty() || !c.parameters.limits.empty();
+  options.parts = is_judged ? SummaryParts{} : request.parts;
   options.is_kept = [&request](const std::string& path) {
     return std::find(request.series.begin(), request.series.end(), path) != request.series.end();
   };

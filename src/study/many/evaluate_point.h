@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/case.h"
+#include "study/drop/summary_parts.h"
 
 namespace rotordrop {
 
@@ -34,7 +35,7 @@ struct PointRequest {
   const Case& drop_case;
   const volatile std::sig_atomic_t* stop = nullptr;
   std::vector<std::string> series;  ///< datasets to keep
-  bool has_local_rub = true;        ///< whether local temperatures and wear are asked for
+  SummaryParts parts;               ///< that are asked for
 };
 
 /// Runs one drop of a study. Never throws for what is wrong with the drop: that is the result's reason.

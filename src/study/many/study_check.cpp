@@ -29,10 +29,16 @@ std::string named(const Study& study, const StudyPoint& point) {
   return text;
 }
 
-/// Whether a result is of the local temperatures and the wear of a rub (damage counts it), or counts warnings, some of which are of these.
-bool tells_local_rub(const std::string& name) {
-  return name.find(".local.") != std::string::npos || name.find(".wear.") != std::string::npos ||
-         name.find(".damage.") != std::string::npos || name == "run.warnings";
+/// Parts of a summary that results are of. Damage counts wear; some warnings are of these parts.
+SummaryParts parts_of(const std::vector<std::string>& results) {
+  const auto has = [&](std::initializer_list<const char*> groups) {
+    return std::any_of(results.begin(), results.end(), [&](const std::string& name) {
+      return name == "run.warnings" || std::any_of(groups.begin(), groups.end(), [&](const char* group) {
+               return name.find(group) != std::string::npos;
+             });
+    });
+  };
+  return {has({".local.", ".wear.", ".damage."}), has({".whirl."})};
 }
 
 /// Builds what is not meshed: a rotor that starts inside a ring is found here. @throws InputError
@@ -91,7 +97,7 @@ void check_points(const Study& study, const Design& design, unsigned n_workers) 
 ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate) {
   const Case c = study.cases->read(overrides_of(study, point_of(study, design, 0)));
   const volatile std::sig_atomic_t at_once = 1;
-  PointResult result = evaluate({c, &at_once, series_of_study(study)});
+  PointResult result = evaluate({c, &at_once, series_of_study(study), {}});
   if (result.scalars.empty()) {
     constexpr std::string_view mark = "error: ";
     const bool is_marked = result.reason.starts_with(mark);
@@ -120,7 +126,7 @@ ProbedResults probe_results(Study& study, const Design& design, const Evaluator&
   std::vector<std::string> needed = probed.names;
   for (const auto& derived : study.derived)
     needed.insert(needed.end(), derived.formula.names().begin(), derived.formula.names().end());
-  study.has_local_rub = std::any_of(needed.begin(), needed.end(), tells_local_rub);
+  study.parts = parts_of(needed);
   return probed;
 }
 
@@ -146,7 +152,7 @@ StudyEstimate estimate_study(const Study& study, const Design& design, const Pro
     bool has_ended = false;
     const std::jthread drop([&] {
       const double start = thread_cpu_seconds();
-      result = evaluate({c, &stop, series_of_study(study), study.has_local_rub});
+      result = evaluate({c, &stop, series_of_study(study), study.parts});
       cpu = thread_cpu_seconds() - start;
       const std::scoped_lock guard(lock);
       has_ended = true;

@@ -10,6 +10,7 @@
 #include "case/case_keys.h"
 #include "case/dotted_names.h"
 #include "case/limits.h"
+#include "study/drop/summary_parts.h"
 #include "study/many/distribution.h"
 #include "study/many/expression.h"
 #include "study/many/search/fit_keys.h"
@@ -100,10 +101,10 @@ struct Study {
   std::vector<std::size_t> searched;      ///< of a search: which of the drawn parameters it changes
   std::vector<std::string> keep_results;  ///< patterns; empty: all numbers
   std::vector<std::string> keep_series;   ///< datasets of results.h5
-  bool has_local_rub = true;  ///< whether what is kept needs local temperatures and wear; known after probe_results()
+  SummaryParts parts;                     ///< that what is kept needs; known after probe_results()
   FailurePolicy on_failure = FailurePolicy::go_on;
   bool lanes = false;  ///< points that are alike run side by side
-  std::string text;  ///< of the file
+  std::string text;    ///< of the file
 
   /// Whether its points follow from one another, instead of from a design.
   [[nodiscard]] bool is_search() const { return minimise.has_value() || fit.has_value(); }

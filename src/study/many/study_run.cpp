@@ -45,7 +45,7 @@ std::vector<std::string> with_smaller_step(const Case& c, std::vector<std::strin
 PointResult evaluated(const Study& study, const std::vector<std::string>& overrides, const StudyOptions& options) {
   try {
     const Case c = study.cases->read(overrides);
-    return options.evaluate({c, options.stop, series_of_study(study), study.has_local_rub});
+    return options.evaluate({c, options.stop, series_of_study(study), study.parts});
   } catch (const InputError& error) {
     PointResult result;
     result.reason = error.what();
@@ -218,7 +218,7 @@ std::vector<PointResult> run_points(const Study& study, std::span<const StudyPoi
   std::vector<std::size_t> asked;
   for (std::size_t k = 0; k < points.size(); ++k) try {
       cases.push_back(study.cases->read(overrides_of(study, points[k])));
-      requests.push_back({cases.back(), options.stop, series_of_study(study), study.has_local_rub});
+      requests.push_back({cases.back(), options.stop, series_of_study(study), study.parts});
       asked.push_back(k);
     } catch (const InputError& error) {
       results[k].reason = error.what();
