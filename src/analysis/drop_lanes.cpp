@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "integrate/lane_integrator.h"
 #include "machine/lanes/machine_lanes.h"
@@ -20,7 +21,9 @@ bool are_alike(const Machine& a, const IntegrationParameters& a_integration, con
 
 namespace {
 
-/// A drop, its loop's integrator, and where its steps' values go.
+constexpr std::size_t width = LaneSystem::width;
+
+/// A drop and its loop's integrator; none: the lane is free.
 struct Lane {
   Drop* drop = nullptr;
   LaneView* view = nullptr;
@@ -36,7 +39,7 @@ class RowsAhead {
     bool is_any_due = false;
     for (std::size_t l = 0; l < width; ++l) {
       t[l] = integrator.time(l);
-      if (l >= lanes.size() || !integrator.has_stepped(l)) continue;
+      if (!integrator.has_stepped(l)) continue;
       const double due = lanes[l].drop->rows().due_ahead();
       if (!(due < t[l]) || due <= lanes[l].loop().time()) continue;
       t[l] = due;
@@ -44,7 +47,7 @@ class RowsAhead {
     }
     if (!is_any_due) return;
     integrator.observe_within(t, values_);
-    for (std::size_t l = 0; l < lanes.size(); ++l) {
+    for (std::size_t l = 0; l < width; ++l) {
       if (!integrator.has_stepped(l) || t[l] == integrator.time(l)) continue;
       const auto ahead = lanes[l].drop->rows().ahead(t[l]);
       for (std::size_t i = 0; i < ahead.size(); ++i) ahead[i] = values_[i * width + l];
@@ -52,63 +55,160 @@ class RowsAhead {
   }
 
  private:
-  static constexpr std::size_t width = LaneSystem::width;
   std::vector<double> values_;  // [n_step][width]
 };
 
-void follow(const Lane& lane, LaneIntegrator& lanes, std::size_t l) {
-  lane.view->update();
-  Evaluation& found = lane.loop().found();
-  found.time = lanes.time(l);
-  found.is_whole = false;
-  lanes.step_values(l, found.step);
-  if (found.wants_details) lanes.details(l, found.details);
-  if (lane.loop().follow_step()) lanes.stop(l);
-}
+/// Drops from a feed in eight lanes.
+class LaneRun {
+ public:
+  LaneRun(LaneFeed& feed, const std::function<bool()>& is_stopped) : feed_(feed), is_stopped_(is_stopped) {}
+
+  std::size_t run() {
+    if (!begin_first()) return 0;
+    RowsAhead rows(lanes_.front().loop().machine().n_step());
+    while (integrator_->any_runs()) {
+      integrator_->advance();
+      rows.evaluate(lanes_, *integrator_);
+      for (std::size_t l = 0; l < width; ++l)
+        if (integrator_->has_stepped(l)) follow(l);
+      if (is_stopped_ && is_stopped_()) break;
+      go_on();
+    }
+    for (std::size_t l = 0; l < width; ++l)
+      if (lanes_[l].drop) end(l);
+    return n_begun_;
+  }
+
+ private:
+  [[nodiscard]] static LaneIntegrator::Lane start_of(const Drop& drop) {
+    const DropLoop& loop = drop.loop();
+    return {loop.integration(), loop.time(), loop.end_time(), loop.state(),
+            loop.found().wants_details ? loop.machine().n_details() : 0};
+  }
+
+  bool begin_first() {
+    std::vector<Drop*> drops;
+    while (drops.size() < width) {
+      Drop* drop = feed_.next();
+      if (!drop) break;
+      drops.push_back(drop);
+    }
+    if (drops.empty()) return false;
+    std::vector<LaneIntegrator::Lane> starts;
+    for (std::size_t l = 0; l < drops.size(); ++l) {
+      lanes_[l].drop = drops[l];
+      starts.push_back(start_of(*drops[l]));
+    }
+    integrator_ = std::make_shared<LaneIntegrator>(system(), starts, drops.front()->loop().machine().n_step());
+    for (std::size_t l = 0; l < drops.size(); ++l) show(l);
+    return true;
+  }
+
+  /// The machines of all lanes; a lane that is free repeats one that is not.
+  [[nodiscard]] std::unique_ptr<LaneSystem> system() const {
+    const auto any = std::find_if(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.drop; });
+    std::vector<const Machine*> machines;
+    for (const Lane& lane : lanes_) machines.push_back(&(lane.drop ? lane : *any).loop().machine());
+    return make_lanes(machines);
+  }
+
+  /// The drop of a lane takes its first look.
+  void show(std::size_t l) {
+    ++n_begun_;
+    Drop& drop = *lanes_[l].drop;
+    auto view = std::make_unique<LaneView>(integrator_, l, drop.loop().state());
+    lanes_[l].view = view.get();
+    failures_[l] = nullptr;
+    drop.rows().thin_out();
+    unless_it_fails(l, [&] { drop.loop().start(std::move(view)); });
+  }
+
+  void follow(std::size_t l) {
+    const Lane& lane = lanes_[l];
+    unless_it_fails(l, [&] {
+      lane.view->update();
+      Evaluation& found = lane.loop().found();
+      found.time = integrator_->time(l);
+      found.is_whole = false;
+      integrator_->step_values(l, found.step);
+      if (found.wants_details) integrator_->details(l, found.details);
+      if (lane.loop().follow_step()) integrator_->stop(l);
+    });
+  }
+
+  /// A lane that fails stops; the others go on.
+  template <class Act>
+  void unless_it_fails(std::size_t l, Act&& act) {
+    try {
+      act();
+    } catch (...) {
+      failures_[l] = std::current_exception();
+      integrator_->stop(l);
+    }
+  }
+
+  /// Ends drops that no longer run, and begins others in their lanes.
+  void go_on() {
+    bool is_exchanged = false;
+    std::array<bool, width> is_new{};
+    for (std::size_t l = 0; l < width; ++l) {
+      if (!lanes_[l].drop || integrator_->runs(l)) continue;
+      end(l);
+      lanes_[l].drop = feed_.next();
+      is_new[l] = lanes_[l].drop;
+      is_exchanged = true;
+    }
+    if (!is_exchanged || std::none_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.drop; })) return;
+    integrator_->exchange(system());
+    for (std::size_t l = 0; l < width; ++l) {
+      if (!is_new[l]) continue;
+      integrator_->begin(l, start_of(*lanes_[l].drop));
+      show(l);
+    }
+  }
+
+  void end(std::size_t l) {
+    const Lane lane = std::exchange(lanes_[l], {});
+    lane.view->update();
+    const std::exception_ptr failure = integrator_->failure(l) ? integrator_->failure(l) : failures_[l];
+    if (!failure) lane.drop->finish();
+    feed_.over(*lane.drop, failure);
+  }
+
+  LaneFeed& feed_;
+  const std::function<bool()>& is_stopped_;
+  std::shared_ptr<LaneIntegrator> integrator_;
+  std::array<Lane, width> lanes_;
+  std::array<std::exception_ptr, width> failures_;
+  std::size_t n_begun_ = 0;
+};
+
+/// A list of drops.
+class ListFeed final : public LaneFeed {
+ public:
+  explicit ListFeed(std::span<Drop* const> drops) : drops_(drops), failures_(drops.size()) {}
+  Drop* next() override { return next_ < drops_.size() ? drops_[next_++] : nullptr; }
+  void over(Drop& drop, const std::exception_ptr& failure) override {
+    failures_[static_cast<std::size_t>(std::find(drops_.begin(), drops_.end(), &drop) - drops_.begin())] = failure;
+  }
+  [[nodiscard]] std::vector<std::exception_ptr> failures() && { return std::move(failures_); }
+
+ private:
+  std::span<Drop* const> drops_;
+  std::vector<std::exception_ptr> failures_;
+  std::size_t next_ = 0;
+};
 
 }  // namespace
 
-std::vector<std::exception_ptr> run_in_lanes(std::span<Drop* const> drops, const std::function<bool()>& is_stopped) {
-  std::vector<const Machine*> machines;
-  std::vector<LaneIntegrator::Lane> starts;
-  bool wants_details = false;
-  for (const Drop* drop : drops) {
-    const DropLoop& loop = drop->loop();
-    machines.push_back(&loop.machine());
-    starts.push_back({loop.integration(), loop.time(), loop.end_time(), loop.state()});
-    wants_details |= loop.found().wants_details;
-  }
-  const Machine& form = *machines.front();
-  const auto shared = std::make_shared<LaneIntegrator>(make_lanes(machines), starts, form.n_step(),
-                                                       wants_details ? form.n_details() : 0);
-  LaneIntegrator& lanes = *shared;
+std::size_t run_in_lanes(LaneFeed& feed, const std::function<bool()>& is_stopped) {
+  return LaneRun(feed, is_stopped).run();
+}
 
-  std::vector<std::exception_ptr> failures(drops.size());
-  std::vector<Lane> running;
-  for (std::size_t l = 0; l < drops.size(); ++l) {
-    auto view = std::make_unique<LaneView>(shared, l, drops[l]->loop().state());
-    running.push_back({drops[l], view.get()});
-    drops[l]->rows().thin_out();
-    drops[l]->loop().start(std::move(view));
-  }
-  RowsAhead rows(form.n_step());
-  while (lanes.any_runs()) {
-    lanes.advance();
-    rows.evaluate(running, lanes);
-    for (std::size_t l = 0; l < running.size(); ++l) {
-      if (lanes.has_stepped(l)) try {
-          follow(running[l], lanes, l);
-        } catch (...) {
-          failures[l] = std::current_exception();
-          lanes.stop(l);
-        }
-      if (lanes.failure(l)) failures[l] = lanes.failure(l);
-    }
-    if (is_stopped && is_stopped()) break;
-  }
-  for (std::size_t l = 0; l < drops.size(); ++l)
-    if (!failures[l]) drops[l]->finish();
-  return failures;
+std::vector<std::exception_ptr> run_in_lanes(std::span<Drop* const> drops, const std::function<bool()>& is_stopped) {
+  ListFeed feed(drops);
+  run_in_lanes(feed, is_stopped);
+  return std::move(feed).failures();
 }
 
 }  // namespace rotordrop

@@ -17,10 +17,27 @@ namespace rotordrop {
 [[nodiscard]] bool are_alike(const Machine& a, const IntegrationParameters& a_integration, const Machine& b,
                              const IntegrationParameters& b_integration);
 
-/// Runs drops side by side to their ends. What a drop gives depends neither on its lane nor on its neighbours, bit for bit; by itself it gives the same
-/// within what rounding does to it.
-/// @param drops       1 to LaneSystem::width, at their starts, alike
-/// @param is_stopped  asked after every step; then all are left where they are
+/// Where drops that run side by side come from, and where they go.
+class LaneFeed {
+ public:
+  LaneFeed() = default;
+  LaneFeed(const LaneFeed&) = delete;
+  LaneFeed& operator=(const LaneFeed&) = delete;
+  virtual ~LaneFeed() = default;
+  /// A drop at its start for a lane that is free, alike to those that run; null: none now. It lives until it is over.
+  virtual Drop* next() = 0;
+  /// A drop is at its end, or was stopped where it is. @param failure  why it failed; none: it did not
+  virtual void over(Drop& drop, const std::exception_ptr& failure) = 0;
+};
+
+/// Runs drops side by side to their ends; where one is over, the next begins beside the others. What a drop gives depends neither on its lane nor on
+/// its neighbours, bit for bit; by itself it gives the same within what rounding does to it.
+/// @param is_stopped  asked after every step; then all are over where they are
+/// @returns how many drops were begun
+std::size_t run_in_lanes(LaneFeed& feed, const std::function<bool()>& is_stopped = {});
+
+/// The same of a list.
+/// @param drops  at their starts, alike
 /// @returns of every drop why it failed; none: it did not
 std::vector<std::exception_ptr> run_in_lanes(std::span<Drop* const> drops,
                                              const std::function<bool()>& is_stopped = {});

@@ -77,48 +77,63 @@ bool runs_in_lanes(IntegrationMethod method) {
 
 void LaneView::advance() { throw std::logic_error("a lane is advanced with its neighbours"); }
 
-LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step,
-                               std::size_t n_details)
+LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step)
     : system_(std::move(system)),
       pair_(tableau_of(lanes.front().parameters.method)),
       n_(system_->layout().size()),
       n_controlled_(system_->first_quadrature()),
-      n_lanes_(lanes.size()),
       y_(n_ * width),
       error_(n_ * width),
-      step_(n_step * width),
-      details_(n_details * width) {
+      step_(n_step * width) {
   for (const auto& entry : system_->layout().entries()) scale_.push_back(entry.scale);
   for (int i = 0; i < pair_.n_stages; ++i) k_.emplace_back(n_ * width);
+  before_ = stage_ = y_;
+  control_.assign(width, StepControl(pair_, 1., 1.));
   for (std::size_t l = 0; l < width; ++l) {
     // A lane without a drop repeats the first one's start, and stays there.
-    const Lane& lane = lanes[l < n_lanes_ ? l : 0];
-    if (lane.parameters.method != lanes.front().parameters.method)
-      throw std::invalid_argument("drops in lanes are integrated by one method");
-    for (std::size_t i = 0; i < n_; ++i) y_[i * width + l] = lane.state[i];
-    time_[l] = lane.start_time;
-    end_time_[l] = lane.end_time;
-    tolerance_[l] = lane.parameters.tolerance;
-    longest_[l] = step_or_bound(lane.parameters);
-    control_.emplace_back(pair_, tolerance_[l], longest_[l]);
-    runs_[l] = l < n_lanes_;
+    begin(l, lanes[l < lanes.size() ? l : 0]);
+    if (l < lanes.size()) continue;
+    runs_[l] = false;
+    begun_[l] = 0.;
   }
-  before_ = stage_ = y_;
+}
+
+void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
+  if (&tableau_of(drop.parameters.method) != &pair_)
+    throw std::invalid_argument("drops in lanes are integrated by one method");
+  for (std::size_t i = 0; i < n_; ++i)
+    y_[i * width + l] = before_[i * width + l] = stage_[i * width + l] = drop.state[i];
+  if (details_.size() < drop.n_details * width) details_.resize(drop.n_details * width);
+  time_[l] = drop.start_time;
+  end_time_[l] = drop.end_time;
+  tolerance_[l] = drop.parameters.tolerance;
+  longest_[l] = step_or_bound(drop.parameters);
+  control_[l] = StepControl(pair_, tolerance_[l], longest_[l]);
+  last_step_[l] = stepped_[l] = 0.;
+  was_rejected_[l] = false;
+  statistics_[l] = {};
+  failures_[l] = nullptr;
+  begun_[l] = 1.;
+  runs_[l] = true;
 }
 
 bool LaneIntegrator::any_runs() const {
   return std::any_of(runs_.begin(), runs_.end(), [](bool runs) { return runs; });
 }
 
-void LaneIntegrator::start() {
-  system_->rates(time_, y_, k_.front());
-  for (std::size_t l = 0; l < n_lanes_; ++l) {
+/// First rates and steps of drops that were begun; lanes amid theirs keep what they have.
+void LaneIntegrator::start_begun() {
+  if (std::all_of(begun_.begin(), begun_.end(), [](double flag) { return flag == 0.; })) return;
+  system_->rates(time_, y_, k_.back());
+  wide<take>(n_, begun_.data(), k_.back().data(), k_.front().data());
+  for (std::size_t l = 0; l < width; ++l) {
+    if (begun_[l] == 0.) continue;
+    begun_[l] = 0.;
     ++statistics_[l].rhs_evaluations;
     next_step_[l] = control_[l].first(
         std::span(scale_).first(n_controlled_), [&](std::size_t i) { return y_[i * width + l]; },
         [&](std::size_t i) { return k_.front()[i * width + l]; });
   }
-  has_rates_ = true;
 }
 
 void LaneIntegrator::combine(std::size_t n, const std::array<double, most_stages>& coefficients, int count) {
@@ -149,10 +164,8 @@ LaneIntegrator::PerLane LaneIntegrator::error_sizes() {
 }
 
 void LaneIntegrator::advance() {
-  if (!has_rates_)
-    start();
-  else
-    wide<take>(n_, stepped_.data(), k_.back().data(), k_.front().data());  // first same as last
+  wide<take>(n_, stepped_.data(), k_.back().data(), k_.front().data());  // first same as last
+  start_begun();
   for (std::size_t l = 0; l < width; ++l) {
     const Trial trial = runs_[l] ? control_[l].trial(next_step_[l], time_[l], end_time_[l]) : Trial{0., time_[l]};
     tried_[l] = trial.size;

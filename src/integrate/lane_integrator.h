@@ -23,15 +23,22 @@ class LaneIntegrator {
     IntegrationParameters parameters;  ///< methods of all lanes are the same
     double start_time = 0, end_time = 0;
     std::span<const double> state;  ///< [layout().size()]
+    std::size_t n_details = 0;      ///< that are observed at the end of every step
   };
-  /// @param lanes  1 to width
-  /// @param n_step, n_details  of what is observed at the end of every step
-  LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step,
-                 std::size_t n_details);
+  /// @param lanes   1 to width; those behind them are free
+  /// @param n_step  of what is observed at the end of every step
+  LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step);
+
+  /// The same drops but for lanes that do not run: another drop begins there, or none.
+  /// @param system  as before, with the new drops in their lanes
+  void exchange(std::unique_ptr<LaneSystem> system) { system_ = std::move(system); }
+  /// Begins a drop in a lane that does not run, behind exchange().
+  void begin(std::size_t lane, const Lane& drop);
 
   /// Tries a step of every lane that runs; has_stepped() tells which of them took theirs.
   void advance();
   [[nodiscard]] bool any_runs() const;
+  [[nodiscard]] bool runs(std::size_t lane) const { return runs_[lane]; }
   [[nodiscard]] bool has_stepped(std::size_t lane) const { return stepped_[lane] != 0.; }
   void stop(std::size_t lane) { runs_[lane] = false; }
   /// Why a lane came to a stop by itself; none: it did not.
@@ -54,7 +61,7 @@ class LaneIntegrator {
   static void column(const std::vector<double>& from, std::size_t lane, std::span<double> to) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i * width + lane];
   }
-  void start();
+  void start_begun();
   void combine(std::size_t n, const std::array<double, most_stages>& coefficients, int count);
   [[nodiscard]] PerLane error_sizes();
   void finish(std::size_t lane, double size);
@@ -62,12 +69,11 @@ class LaneIntegrator {
 
   std::unique_ptr<LaneSystem> system_;
   const EmbeddedTableau& pair_;
-  std::size_t n_, n_controlled_, n_lanes_;
+  std::size_t n_, n_controlled_;
   std::vector<double> scale_;
   PerLane time_{}, end_time_{}, longest_{}, tolerance_{}, next_step_{}, tried_{}, target_{}, last_step_{};
-  PerLane stepped_{};  // 1 or 0: the last step was taken
+  PerLane stepped_{}, begun_{};  // 1 or 0: the last step was taken; the first one is still to come
   std::array<bool, width> runs_{}, was_rejected_{}, ends_{};
-  bool has_rates_ = false;
   std::vector<StepControl> control_;
   std::vector<double> y_, before_, stage_, error_, step_, details_;  // [n][width]
   PerLane within_time_{};                                            // of within_ [s]
@@ -81,22 +87,29 @@ class LaneIntegrator {
 class LaneView final : public Integrator {
  public:
   LaneView(std::shared_ptr<const LaneIntegrator> lanes, std::size_t lane, std::span<const double> state)
-      : lanes_(std::move(lanes)), lane_(lane), state_(state.begin(), state.end()) {}
-  /// After the lane has stepped.
-  void update() { lanes_->state(lane_, state_); }
-  [[nodiscard]] double time() const override { return lanes_->time(lane_); }
+      : lanes_(std::move(lanes)), lane_(lane), state_(state.begin(), state.end()), time_(lanes_->time(lane)) {}
+  /// After the lane has stepped, and before another drop begins there.
+  void update() {
+    lanes_->state(lane_, state_);
+    time_ = lanes_->time(lane_);
+    statistics_ = lanes_->statistics(lane_);
+  }
+  [[nodiscard]] double time() const override { return time_; }
   [[nodiscard]] std::span<const double> state() const override { return state_; }
   /// @throws std::logic_error always
   void advance() override;
   void offer_rates(std::span<const double>) override {}
   [[nodiscard]] bool uses_offered_rates() const override { return true; }
+  /// Within the lane's last step.
   void interpolate(double t, std::span<double> y) const override { lanes_->interpolate(lane_, t, y); }
-  [[nodiscard]] IntegrationStatistics statistics() const override { return lanes_->statistics(lane_); }
+  [[nodiscard]] IntegrationStatistics statistics() const override { return statistics_; }
 
  private:
   std::shared_ptr<const LaneIntegrator> lanes_;
   std::size_t lane_;
   std::vector<double> state_;
+  double time_;
+  IntegrationStatistics statistics_{};
 };
 
 }  // namespace rotordrop

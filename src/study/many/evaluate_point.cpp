@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <list>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -68,33 +70,113 @@ PointResult run_alone(const PointRequest& request, BuiltMachine& built) {
 
 /// A drop that runs in lanes.
 struct LaneDrop {
-  std::size_t request;
+  const PointRequest* request;
   std::unique_ptr<BuiltMachine> built;
   std::unique_ptr<MemoryDrop> run;
+  double wall_time = 0, cpu_time = 0;  // its share of the lanes' times [s]
 };
 
-/// Runs drops that are alike.
-void run_alike(std::span<LaneDrop> group, std::span<const PointRequest> requests, std::vector<PointResult>& results) {
-  std::vector<Drop*> drops;
-  for (const LaneDrop& one : group) drops.push_back(&one.run->drop());
-  const auto* stop = requests[group.front().request].stop;
-  const auto start = std::chrono::steady_clock::now();
-  const double cpu_start = thread_cpu_seconds();
-  const auto failures = run_in_lanes(drops, [stop] { return stop && *stop; });
-  const auto n = static_cast<double>(group.size());
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / n;
-  const double cpu = (thread_cpu_seconds() - cpu_start) / n;
-  for (std::size_t k = 0; k < group.size(); ++k) {
-    const PointRequest& request = requests[group[k].request];
-    PointResult& result = results[group[k].request];
+/// Whether two drops run side by side.
+bool are_alike(const LaneDrop& a, const LaneDrop& b) {
+  return are_alike(a.built->machine(), a.request->drop_case.parameters.integration, b.built->machine(),
+                   b.request->drop_case.parameters.integration);
+}
+
+/// Points in lanes. Those that are not alike to the ones that run wait until these are over.
+class PointsInLanes final : public LaneFeed {
+ public:
+  explicit PointsInLanes(PointFeed& feed) : feed_(feed) {}
+
+  void run() {
+    const auto is_stopped = [this] {
+      const auto* stop = running_.empty() ? nullptr : running_.front().request->stop;
+      return stop && *stop;
+    };
+    while (run_in_lanes(*this, is_stopped) > 0) start_clocks();
+  }
+
+  Drop* next() override {
+    share_times();
+    Drop* drop = begin_next();
+    start_clocks();
+    return drop;
+  }
+
+  void over(Drop& drop, const std::exception_ptr& failure) override {
+    share_times();
+    const auto found =
+        std::find_if(running_.begin(), running_.end(), [&](const LaneDrop& one) { return &one.run->drop() == &drop; });
+    feed_.done(*found->request, result_of_lane(*found, failure));
+    running_.erase(found);
+    start_clocks();
+  }
+
+ private:
+  Drop* begin_next() {
+    const auto fits = [this](const LaneDrop& one) { return running_.empty() || are_alike(running_.front(), one); };
+    if (const auto found = std::find_if(waiting_.begin(), waiting_.end(), fits); found != waiting_.end()) {
+      running_.splice(running_.end(), waiting_, found);
+      return &running_.back().run->drop();
+    }
+    while (waiting_.size() < most_waiting) {
+      const PointRequest* request = feed_.next(running_.empty());
+      if (!request) return nullptr;
+      take(*request);
+      if (waiting_.empty() || waiting_.back().request != request || !fits(waiting_.back())) continue;
+      running_.splice(running_.end(), waiting_, std::prev(waiting_.end()));
+      return &running_.back().run->drop();
+    }
+    return nullptr;
+  }
+
+  /// Builds a point's drop, which then waits; one that does not run in lanes is run at once.
+  void take(const PointRequest& request) {
+    PointResult result;
     try {
-      if (failures[k]) std::rethrow_exception(failures[k]);
-      result = result_of(request, group[k].built->machine(), group[k].run->finished(wall, cpu));
+      const Case& c = request.drop_case;
+      LaneDrop one{&request, std::make_unique<BuiltMachine>(c), nullptr};
+      const Machine& machine = one.built->machine();
+      if (why_not_in_lanes(machine, c.parameters.integration).empty()) {
+        one.run = std::make_unique<MemoryDrop>(c, machine, options_of(request, *one.built));
+        waiting_.push_back(std::move(one));
+        return;
+      }
+      result = run_alone(request, *one.built);
     } catch (const std::exception& error) {
       result = failed(error);
     }
+    feed_.done(request, std::move(result));
   }
-}
+
+  static PointResult result_of_lane(LaneDrop& one, const std::exception_ptr& failure) {
+    try {
+      if (failure) std::rethrow_exception(failure);
+      return result_of(*one.request, one.built->machine(), one.run->finished(one.wall_time, one.cpu_time));
+    } catch (const std::exception& error) {
+      return failed(error);
+    }
+  }
+
+  void start_clocks() {
+    wall_ = std::chrono::steady_clock::now();
+    cpu_ = thread_cpu_seconds();
+  }
+  /// Gives the time since start_clocks() to those that run.
+  void share_times() {
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+    const double cpu = thread_cpu_seconds() - cpu_;
+    for (LaneDrop& one : running_) {
+      one.wall_time += wall / static_cast<double>(running_.size());
+      one.cpu_time += cpu / static_cast<double>(running_.size());
+    }
+  }
+
+  static constexpr std::size_t most_waiting = 2 * LaneSystem::width;
+  PointFeed& feed_;
+  std::list<LaneDrop> running_, waiting_;
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  double cpu_ = 0;
+};
 
 }  // namespace
 
@@ -107,33 +189,6 @@ PointResult evaluate_point(const PointRequest& request) {
   }
 }
 
-std::vector<PointResult> evaluate_together(std::span<const PointRequest> requests) {
-  std::vector<PointResult> results(requests.size());
-  std::vector<std::vector<LaneDrop>> groups;
-  for (std::size_t i = 0; i < requests.size(); ++i) try {
-      const Case& c = requests[i].drop_case;
-      const auto& integration = c.parameters.integration;
-      LaneDrop one{i, std::make_unique<BuiltMachine>(c), nullptr};
-      const Machine& machine = one.built->machine();
-      if (!why_not_in_lanes(machine, integration).empty()) {
-        results[i] = run_alone(requests[i], *one.built);
-        continue;
-      }
-      one.run = std::make_unique<MemoryDrop>(c, machine, options_of(requests[i], *one.built));
-      const auto is_alike = [&](const std::vector<LaneDrop>& group) {
-        const auto& first = group.front();
-        return group.size() < LaneSystem::width &&
-               are_alike(first.built->machine(), requests[first.request].drop_case.parameters.integration, machine,
-                         integration);
-      };
-      auto group = std::find_if(groups.begin(), groups.end(), is_alike);
-      if (group == groups.end()) group = groups.emplace(groups.end());
-      group->push_back(std::move(one));
-    } catch (const std::exception& error) {
-      results[i] = failed(error);
-    }
-  for (auto& group : groups) run_alike(group, requests, results);
-  return results;
-}
+void evaluate_in_lanes(PointFeed& feed) { PointsInLanes(feed).run(); }
 
 }  // namespace rotordrop

@@ -1,7 +1,6 @@
 #pragma once
 #include <csignal>
 #include <functional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,9 +40,21 @@ struct PointRequest {
 /// Runs one drop of a study. Never throws for what is wrong with the drop: that is the result's reason.
 PointResult evaluate_point(const PointRequest& request);
 
-/// Runs several drops of a study, side by side in lanes where they are alike; those that do not run in lanes one by one. A drop's result does not
-/// depend on those that it is handed over with.
-std::vector<PointResult> evaluate_together(std::span<const PointRequest> requests);
+/// Where points that run in lanes come from, and where their results go.
+class PointFeed {
+ public:
+  PointFeed() = default;
+  PointFeed(const PointFeed&) = delete;
+  PointFeed& operator=(const PointFeed&) = delete;
+  virtual ~PointFeed() = default;
+  /// A point to begin, which stays until it is done(); null: there is none now. @param may_wait  for one that comes later
+  virtual const PointRequest* next(bool may_wait) = 0;
+  virtual void done(const PointRequest& request, PointResult result) = 0;
+};
+
+/// Runs the drops of a feed until it has no more, side by side in lanes where they are alike; those that do not run in lanes one by one. A drop's result
+/// does not depend on those beside it.
+void evaluate_in_lanes(PointFeed& feed);
 
 using Evaluator = std::function<PointResult(const PointRequest&)>;
 

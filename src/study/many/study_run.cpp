@@ -8,8 +8,8 @@
 #include <cmath>
 #include <condition_variable>
 #include <cstdlib>
-#include <deque>
 #include <limits>
+#include <list>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -144,10 +144,14 @@ class StudyRun {
 
   void work() {
     try {
+      if (study_.lanes) {
+        WorkerFeed feed(*this);
+        return evaluate_in_lanes(feed);
+      }
       while (!is_over()) {
-        const auto few = points_.next_few(study_.lanes ? LaneSystem::width : 1);
-        if (few.empty()) break;
-        study_.lanes ? compute_together(few) : compute(few.front());
+        const auto point = points_.next();
+        if (!point) break;
+        compute(*point);
       }
     } catch (...) {
       const std::scoped_lock lock(lock_);
@@ -162,14 +166,67 @@ class StudyRun {
     take(index, result, thread_cpu_seconds() - cpu);
   }
 
-  void compute_together(const std::vector<std::size_t>& indices) {
-    const double cpu = thread_cpu_seconds();
-    std::vector<StudyPoint> points;
-    for (const std::size_t index : indices) points.push_back(point_of(study_, design_, index));
-    const auto results = run_points(study_, points, options_);
-    const double each = (thread_cpu_seconds() - cpu) / static_cast<double>(indices.size());
-    for (std::size_t k = 0; k < indices.size(); ++k) take(indices[k], results[k], each);
-  }
+  /// The points of one worker that computes them in lanes.
+  class WorkerFeed final : public PointFeed {
+   public:
+    explicit WorkerFeed(StudyRun& run) : run_(run), first_share_(run.points_.first_share(LaneSystem::width)) {}
+
+    const PointRequest* next(bool may_wait) override {
+      while (!run_.is_over() && (n_taken_ < first_share_ || is_any_done_)) {
+        const auto index = may_wait ? run_.points_.next() : run_.points_.next_at_hand();
+        if (!index) break;
+        ++n_taken_;
+        if (const PointRequest* request = begin(*index)) return request;
+      }
+      return nullptr;
+    }
+
+    void done(const PointRequest& request, PointResult result) override {
+      const auto found =
+          std::find_if(begun_.begin(), begun_.end(), [&](const Begun& one) { return &one.request == &request; });
+      finish(found->index, completed(run_.study_, found->point, run_.options_, std::move(result)));
+      begun_.erase(found);
+    }
+
+   private:
+    struct Begun {
+      std::size_t index;
+      StudyPoint point;
+      Case drop_case;
+      PointRequest request;
+      Begun(std::size_t i, StudyPoint p, Case c, const StudyRun& run)
+          : index(i),
+            point(std::move(p)),
+            drop_case(std::move(c)),
+            request{drop_case, run.options_.stop, series_of_study(run.study_), run.study_.parts} {}
+    };
+
+    /// A point whose case is wrong is done at once.
+    const PointRequest* begin(std::size_t index) {
+      StudyPoint point = point_of(run_.study_, run_.design_, index);
+      try {
+        Case c = run_.study_.cases->read(overrides_of(run_.study_, point));
+        return &begun_.emplace_back(index, std::move(point), std::move(c), run_).request;
+      } catch (const InputError& error) {
+        PointResult result;
+        result.reason = error.what();
+        finish(index, completed(run_.study_, point, run_.options_, std::move(result)));
+        return nullptr;
+      }
+    }
+
+    void finish(std::size_t index, const PointResult& result) {
+      const double cpu = thread_cpu_seconds();
+      run_.take(index, result, cpu - std::exchange(cpu_, cpu));
+      is_any_done_ = true;
+    }
+
+    StudyRun& run_;
+    std::size_t first_share_, n_taken_ = 0;
+    bool is_any_done_ = false;
+    double cpu_ = thread_cpu_seconds();
+    std::list<Begun> begun_;
+  };
 
   void take(std::size_t index, const PointResult& result, double cpu) {
     if (result.is_interrupted) return;
@@ -208,26 +265,6 @@ std::string name_of_best(const Study& study) {
 
 PointResult run_point(const Study& study, const StudyPoint& point, const StudyOptions& options) {
   return completed(study, point, options, evaluated(study, overrides_of(study, point), options));
-}
-
-std::vector<PointResult> run_points(const Study& study, std::span<const StudyPoint> points,
-                                    const StudyOptions& options) {
-  std::vector<PointResult> results(points.size());
-  std::deque<Case> cases;
-  std::vector<PointRequest> requests;
-  std::vector<std::size_t> asked;
-  for (std::size_t k = 0; k < points.size(); ++k) try {
-      cases.push_back(study.cases->read(overrides_of(study, points[k])));
-      requests.push_back({cases.back(), options.stop, series_of_study(study), study.parts});
-      asked.push_back(k);
-    } catch (const InputError& error) {
-      results[k].reason = error.what();
-    }
-  auto found = options.evaluate_together(requests);
-  for (std::size_t i = 0; i < asked.size(); ++i) results[asked[i]] = std::move(found[i]);
-  for (std::size_t k = 0; k < points.size(); ++k)
-    results[k] = completed(study, points[k], options, std::move(results[k]));
-  return results;
 }
 
 std::vector<std::string> overrides_of(const Study& study, const StudyPoint& point) {

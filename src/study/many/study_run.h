@@ -2,7 +2,6 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -30,8 +29,6 @@ struct StudyOptions {
   Ranks* ranks = nullptr;  ///< processes that share the points; null: this one is alone
   const volatile std::sig_atomic_t* stop = nullptr;
   Evaluator evaluate = evaluate_point;
-  std::function<std::vector<PointResult>(std::span<const PointRequest>)> evaluate_together =
-      rotordrop::evaluate_together;  ///< of a study in lanes
   std::function<void(const StudyProgress&)> report;
   std::function<void(const std::string&)> tell;
 };
@@ -76,10 +73,6 @@ StudyEstimate estimate_study(const Study& study, const Design& design, const Pro
 
 /// Runs one point, once more if it fails and the study says so; its results are complete.
 PointResult run_point(const Study& study, const StudyPoint& point, const StudyOptions& options);
-
-/// Several points at once, in lanes.
-std::vector<PointResult> run_points(const Study& study, std::span<const StudyPoint> points,
-                                    const StudyOptions& options);
 
 /// Adds derived results to those of a drop and leaves out what is not kept.
 void complete_results(const Study& study, PointResult& result);

@@ -145,5 +145,76 @@ TEST(DropsInLanes, HaveRowsOfTheirOwnTimes) {
   }
 }
 
+/// Ends its drop by a failure.
+class Trap final : public Observer {
+ public:
+  explicit Trap(double time) : time_(time) {}
+  void step(const Step& step) override {
+    if (step.time > time_) throw SolverError("the trap");
+  }
+
+ private:
+  double time_;
+};
+
+/// Drops of unequal lengths, each made when a lane is free and gone when it is over.
+class Queue final : public LaneFeed {
+ public:
+  static constexpr std::size_t n = 21, trapped = 4;
+  [[nodiscard]] static std::vector<std::string> settings_of(std::size_t k) {
+    return settings(k % 8, fmt::format("{} ms", 2 + (5 * k) % 11));
+  }
+  Drop* next() override {
+    if (n_begun == n) return nullptr;
+    running_.emplace_back(n_begun, std::make_unique<OneDrop>(settings_of(n_begun)));
+    if (n_begun == trapped) running_.back().second->drop.loop().add(trap_);
+    ++n_begun;
+    most_running = std::max(most_running, running_.size());
+    return &running_.back().second->drop;
+  }
+  void over(Drop& drop, const std::exception_ptr& failure) override {
+    const auto found =
+        std::find_if(running_.begin(), running_.end(), [&](const auto& one) { return &one.second->drop == &drop; });
+    ASSERT_NE(found, running_.end());
+    if (failure) failed.push_back(found->first);
+    states.at(found->first) = drop.result().state;
+    steps.at(found->first) = drop.result().statistics.steps;
+    n_refilled += n_begun < n;
+    running_.erase(found);
+  }
+  std::size_t n_begun = 0, most_running = 0, n_refilled = 0;
+  std::vector<std::size_t> failed;
+  std::array<std::vector<double>, n> states;
+  std::array<long, n> steps{};
+
+ private:
+  Trap trap_{1e-3};
+  std::vector<std::pair<std::size_t, std::unique_ptr<OneDrop>>> running_;
+};
+
+TEST(DropsInLanes, BeginWhereOthersAreOver) {
+  Queue queue;
+  EXPECT_EQ(run_in_lanes(queue), Queue::n);
+  EXPECT_EQ(queue.most_running, 8U);
+  EXPECT_EQ(queue.n_refilled, Queue::n - 8);
+  EXPECT_EQ(queue.failed, std::vector{Queue::trapped});
+  for (std::size_t k = 0; k < Queue::n; ++k) {
+    if (k == Queue::trapped) continue;
+    OneDrop alone(Queue::settings_of(k));
+    const std::array<Drop*, 1> list = {&alone.drop};
+    EXPECT_FALSE(run_in_lanes(list).front());
+    EXPECT_EQ(alone.drop.result().state, queue.states[k]) << k;
+    EXPECT_EQ(alone.drop.result().statistics.steps, queue.steps[k]) << k;
+  }
+}
+
+TEST(DropsInLanes, AreAllOverWhenTheyAreStopped) {
+  Queue queue;
+  int asked = 0;
+  EXPECT_EQ(run_in_lanes(queue, [&] { return ++asked > 5; }), 8U);
+  EXPECT_TRUE(queue.failed.empty());
+  for (std::size_t k = 0; k < 8; ++k) EXPECT_GT(queue.steps[k], 0) << k;
+}
+
 }  // namespace
 }  // namespace rotordrop

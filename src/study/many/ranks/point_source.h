@@ -16,12 +16,10 @@ class PointSource {
   // By the threads that compute.
   /// The next point; none: there is no further one. May wait.
   virtual std::optional<std::size_t> next() = 0;
-  /// The next points of a worker that computes up to so many at once; empty: there is no further one. May wait for the first.
-  virtual std::vector<std::size_t> next_few(std::size_t most) {
-    std::vector<std::size_t> few;
-    for (auto point = next(); point; point = few.size() < most ? next_at_hand() : std::nullopt) few.push_back(*point);
-    return few;
-  }
+  /// A further point without waiting for it.
+  virtual std::optional<std::size_t> next_at_hand() = 0;
+  /// How many points a worker that computes up to so many at once may begin with.
+  [[nodiscard]] virtual std::size_t first_share(std::size_t most) const { return most; }
   /// A point is in the journal.
   virtual void finished(std::size_t /*point*/, bool /*is_done*/) {}
   // By the thread that follows them.
@@ -34,29 +32,24 @@ class PointSource {
     std::size_t done = 0, failed = 0;
   };
   [[nodiscard]] virtual Elsewhere elsewhere() const { return {}; }
-
- protected:
-  /// A further point without waiting for it.
-  virtual std::optional<std::size_t> next_at_hand() { return std::nullopt; }
 };
 
 /// All points by this process.
 class LocalPoints final : public PointSource {
  public:
-  /// @param n_workers  that share them: towards the end none takes more than its part
+  /// @param n_workers  that share them: none begins with more than its part
   explicit LocalPoints(std::vector<std::size_t> points, unsigned n_workers = 1)
       : points_(std::move(points)), n_workers_(n_workers) {}
   std::optional<std::size_t> next() override {
     const std::size_t i = next_.fetch_add(1);
     return i < points_.size() ? std::optional(points_[i]) : std::nullopt;
   }
-  std::vector<std::size_t> next_few(std::size_t most) override {
-    const std::size_t done = next_, left = done < points_.size() ? points_.size() - done : 0;
-    return PointSource::next_few(std::clamp<std::size_t>((left + n_workers_ - 1) / n_workers_, 1, most));
+  std::optional<std::size_t> next_at_hand() override { return next(); }
+  [[nodiscard]] std::size_t first_share(std::size_t most) const override {
+    return std::clamp<std::size_t>((points_.size() + n_workers_ - 1) / n_workers_, 1, most);
   }
 
  private:
-  std::optional<std::size_t> next_at_hand() override { return next(); }
   std::vector<std::size_t> points_;
   std::size_t n_workers_;
   std::atomic<std::size_t> next_{0};

@@ -25,6 +25,7 @@ class SharedPoints final : public PointSource {
                std::function<void(const std::string&)> tell,
                std::chrono::milliseconds silence = std::chrono::seconds(20));
   std::optional<std::size_t> next() override;
+  std::optional<std::size_t> next_at_hand() override;
   void serve(bool is_over) override;
   [[nodiscard]] bool is_complete() const override;
   [[nodiscard]] int serving_interval() const override { return 2; }
@@ -33,7 +34,6 @@ class SharedPoints final : public PointSource {
   [[nodiscard]] bool is_stopped_by_failure() const { return is_stopped_by_failure_; }
 
  private:
-  std::optional<std::size_t> next_at_hand() override;
   using Clock = std::chrono::steady_clock;
   std::optional<std::size_t> taken();
   void hear(const Ranks::Message& message);
@@ -62,6 +62,7 @@ class GivenPoints final : public PointSource {
   /// @param n_ahead  points that are asked for before they are needed
   GivenPoints(Ranks& ranks, unsigned n_ahead);
   std::optional<std::size_t> next() override;
+  std::optional<std::size_t> next_at_hand() override;
   void finished(std::size_t point, bool is_done) override;
   void serve(bool is_over) override;
   [[nodiscard]] int serving_interval() const override { return 2; }
@@ -70,7 +71,6 @@ class GivenPoints final : public PointSource {
   [[nodiscard]] bool is_rank_0_lost() const { return is_rank_0_lost_; }
 
  private:
-  std::optional<std::size_t> next_at_hand() override;
   std::optional<std::size_t> first_of_queue();
   using Clock = std::chrono::steady_clock;
   void report_finished();
