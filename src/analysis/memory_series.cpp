@@ -13,7 +13,7 @@ MemorySeries::MemorySeries(const Machine& machine, Drop& drop, const Choice& is_
   const bool has_state_rows = std::any_of(rows.kept.begin(), rows.kept.end(), [&](const Kept& k) {
     return k.first >= machine.n_step() && !Machine::is_held(k.path);
   });
-  drop.rows().add(groups_.back(), has_state_rows ? RowNeeds::all : RowNeeds::step);
+  if (!rows.kept.empty()) drop.rows().add(groups_.back(), has_state_rows ? RowNeeds::all : RowNeeds::step);
   if (const auto& details = groups_.emplace_back("/detail/time", Lists{&machine.detail_observables()}, is_kept);
       !details.kept.empty())
     drop.detail_rows().add(groups_.back());
