@@ -100,9 +100,11 @@ class Ends(ProgramTest):
         self.assertEqual(summary["run"]["ended_by"], "rings at speed")
         with h5py.File(self.folder / "out/results.h5") as file:
             lags = [abs(file[f"bearings/{name}/spin_lag"][:]) for name in ("TB1", "TB2")]
+            time = file["time"][:]
         late = numpy.maximum(*lags)
         self.assertLess(late[-1], 0.01)
-        self.assertGreaterEqual(late[:-1].min(), 0.01 * (1 - 1e-9), "at no row before")
+        # The end is looked for at the ends of steps; rows within the last one, of 50 us at most, may be past it.
+        self.assertGreaterEqual(late[time < time[-1] - 50e-6].min(), 0.01 * (1 - 1e-9), "at no step before")
         for bearing in summary["bearings"].values():
             self.assertLessEqual(bearing["catch_up_time"], summary["run"]["end_time"])
 
