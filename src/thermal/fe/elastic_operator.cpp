@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/errors.h"
 #include "thermal/fe/ring_quadrature.h"
@@ -190,16 +191,18 @@ std::vector<double> ElasticOperator::transposed_thermal_load(const Vector& w) co
 
 // ----------------------------------------------------------------------------------------------------------------- functionals
 
-ElasticOperator::Vector ElasticOperator::integral_over(const std::vector<Face>& faces) const {
+ElasticOperator::Vector ElasticOperator::integral_over(const std::vector<Face>& faces, Measure measure) const {
   Vector out(n_nodes_);
   dealii::FEFaceValues<2> fe(mapping_, fe_, face_quadrature_, face_flags);
   Indices nodes(fe_.dofs_per_cell);
   for (const auto& face : faces) {
     fe.reinit(face.cell, face.number);
     face.cell->get_dof_indices(nodes);
-    for (unsigned int q = 0; q < fe.n_quadrature_points; ++q)
+    for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
+      const double part = measure == Measure::area ? weight(fe, q) : fe.JxW(q);
       for (unsigned int i = 0; i < nodes.size(); ++i)
-        if (fe_.has_support_on_face(i, face.number)) out(nodes[i]) += weight(fe, q) * fe.shape_value(i, q);
+        if (fe_.has_support_on_face(i, face.number)) out(nodes[i]) += part * fe.shape_value(i, q);
+    }
   }
   return out;
 }
@@ -209,10 +212,10 @@ ElasticOperator::Vector ElasticOperator::mean_weights(const std::vector<HeatBoun
   for (const auto& boundary : boundaries)
     for (const auto& face : mesh_.faces_of(boundary)) faces.push_back(face);
   if (faces.empty()) throw SolverError("a mean displacement is wanted over a side that the mesh does not have.");
+  const auto sum = [](const Vector& weights) { return std::accumulate(weights.begin(), weights.end(), 0.); };
   Vector out = integral_over(faces);
-  double area = 0.;
-  for (const double w : out) area += w;
-  out /= area;
+  if (sum(out) == 0.) out = integral_over(faces, Measure::length);  // the axis of a solid body has no area
+  out /= sum(out);
   return out;
 }
 

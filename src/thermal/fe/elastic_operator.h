@@ -39,10 +39,11 @@ class ElasticOperator {
   /// out_i = d(thermal load . w)/dT_i. @throws SolverError if an expansion coefficient depends on temperature
   [[nodiscard]] std::vector<double> transposed_thermal_load(const Vector& w) const;
 
-  /// Weights [n_nodes] of a mean over the area of sides, and of the integral of a function over one side with the nodes where they do not vanish.
+  /// Weights [n_nodes] of a mean over the area of sides; over the length of the axis, where a solid body has its inner side.
   [[nodiscard]] Vector mean_weights(const std::vector<HeatBoundary>& boundaries) const;
-  /// Integral of the nodes' functions over faces [m2] [n_nodes].
-  [[nodiscard]] Vector integral_over(const std::vector<Face>& faces) const;
+  enum class Measure { area, length };
+  /// Integral of the nodes' functions over faces [n_nodes]: all around [m2], or along their line in the half plane [m].
+  [[nodiscard]] Vector integral_over(const std::vector<Face>& faces, Measure measure = Measure::area) const;
   /// Integral of a node's function over its body [m3] [n_nodes].
   [[nodiscard]] const Vector& volume_weights() const { return volume_; }
   /// Entries (i, j, integral N_i N_j) over faces.

@@ -106,6 +106,21 @@ TEST(SpinningShaft, GrowsInTheMeanAsTheSolidDiscDoes) {
   const double outside = rho * omega * omega * b * b * b * (1. - nu) / (4. * E);
   EXPECT_NEAR(elastic->output(1), outside, 1e-7 * outside);
   EXPECT_EQ(elastic->displacement(0, 5e-3, 0.)[1], 0.);
+  EXPECT_EQ(elastic->output(0), 0.) << "a solid body's inner side is the axis";
+}
+
+// A free body grows by alpha theta everywhere, and so do the distances of any two of its points. The rise depends on nothing: u_x = u_0 + alpha theta x,
+// whose mean along the axis is that over the outside.
+TEST(SolidBody, HasAMeanDisplacementOfItsAxis) {
+  constexpr double theta = 50., L = 20e-3;
+  const auto elastic = make_elastic_solver(free_ring(L, 0., 35e-3, 6));
+  elastic->solve(elastic->interpolate([](std::size_t, double, double) { return T_0 + theta; }), 0.);
+  const AxialRadial axis = elastic->mean_displacement({{0, HeatSide::inner}}),
+                    outside = elastic->mean_displacement({{0, HeatSide::outer}}),
+                    end = elastic->mean_displacement({{0, HeatSide::right}});
+  EXPECT_EQ(axis[1], 0.);
+  EXPECT_NEAR(axis[0], outside[0], 1e-6 * alpha * theta * L);
+  EXPECT_NEAR(end[0] - axis[0], alpha * theta * 0.5 * L, 1e-6 * alpha * theta * L);
 }
 
 TEST(StandingRing, DoesNotGrowWithTheSpeedOfOthers) {
