@@ -123,6 +123,8 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
   options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
   check_points(study, design, command.jobs);
   const ProbedResults results = probe_results(study, design, options.evaluate);
+  if (const auto why = choose_lanes(study, design); !why.empty())
+    options.tell(fmt::format("lanes = true, but these drops run one by one: {}", why));
   if (!command.quiet) fmt::print("{}", header(study, design));
   std::fflush(stdout);
   if (command.dry_run) {
@@ -138,8 +140,8 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
       return 0;
     }
     fmt::print("every point is a valid case; {} results of each are kept\nabout {} of CPU{} and {} of results\n",
-               results.names.size(), duration(estimate.cpu_time), study.lanes ? " (one by one; less in lanes)" : "",
-               size_text(estimate.bytes));
+               results.names.size(), duration(estimate.cpu_time),
+               study.lanes ? " one by one, a third to two thirds of it in lanes," : "", size_text(estimate.bytes));
     return 0;
   }
   options.ranks = ranks;
@@ -187,6 +189,7 @@ int study_command_of_rank(const StudyCommand& command, Ranks& ranks) {
   options.n_workers = command.jobs;
   options.ranks = &ranks;
   probe_results(study, design, options.evaluate);
+  choose_lanes(study, design);
   options.stop = &caught_signal();
   catch_signals();
   const StudyOutcome outcome = run_as_rank(study, design, options);

@@ -230,16 +230,24 @@ class Studies(ProgramTest):
         self.succeed("study", "rerun", "one", "--point", "7")
         again = json.loads((self.folder / "one/point-7/summary.json").read_text())["bearings"]["TB1"]
         self.assertEqual((again["peak_contact_force"], again["friction_heat"]), (forces[7], heats[7]))
-        # Rounding grows by some 1e9 in the first impact.
         self.write("s.toml", text)
+        self.study("unasked")
+        with h5py.File(self.folder / "unasked/study.h5") as h5:
+            numpy.testing.assert_array_equal(h5["/results/bearings.TB1.peak_contact_force"][:], forces)
+        # Rounding grows by some 1e9 in the first impact.
+        self.write("s.toml", "lanes = false\n" + text)
         self.study("alone")
         with h5py.File(self.folder / "alone/study.h5") as h5:
             numpy.testing.assert_allclose(h5["/results/bearings.TB1.peak_contact_force"][:], forces, rtol=1e-3)
+            row = h5["/results/bearings.TB1.peak_contact_force"][7]
             self.assertFalse(numpy.array_equal(h5["/results/bearings.TB1.peak_contact_force"][:], forces))
+        self.succeed("study", "rerun", "alone", "--point", "7")
+        again = json.loads((self.folder / "alone/point-7/summary.json").read_text())
+        self.assertEqual(again["bearings"]["TB1"]["peak_contact_force"], row)
         self.assertIn("another study", self.study("one", "--resume", code=2).stderr)
 
     def test_what_does_not_run_in_lanes_is_told_and_runs_one_by_one(self):
-        self.study("alone")
+        self.assertNotIn("one by one", self.study("alone").stderr)
         self.write("s.toml", "lanes = true\n" + STUDY)
         told = self.study("out").stderr  # of a method of SUNDIALS
         self.assertIn("run one by one", told)

@@ -130,11 +130,17 @@ ProbedResults probe_results(Study& study, const Design& design, const Evaluator&
   return probed;
 }
 
-std::string why_not_in_lanes(const Study& study, const Design& design) {
-  if (study.is_search()) return "a search runs its drops one by one";
-  const Case c = study.cases->read(overrides_of(study, point_of(study, design, 0)));
-  const BuiltMachine built(c);
-  return why_not_in_lanes(built.machine(), c.parameters.integration);
+std::string choose_lanes(Study& study, const Design& design) {
+  const auto reason = [&]() -> std::string {
+    if (study.is_search()) return "a search runs its drops one by one";
+    const Case c = study.cases->read(overrides_of(study, point_of(study, design, 0)));
+    if (c.parameters.thermal.runs_sections()) return "sections are meshed";
+    const BuiltMachine built(c);
+    return why_not_in_lanes(built.machine(), c.parameters.integration);
+  };
+  const std::string why = study.lanes_asked == false ? "" : reason();
+  study.lanes = study.lanes_asked.value_or(why.empty());
+  return study.lanes ? why : "";
 }
 
 StudyEstimate estimate_study(const Study& study, const Design& design, const ProbedResults& results,

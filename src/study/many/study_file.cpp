@@ -197,7 +197,7 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   study.cases = std::make_shared<const CaseFamily>(study.case_file);
   study.design = raw.design;
   study.on_failure = raw.on_failure;
-  study.lanes = raw.lanes;
+  study.lanes_asked = raw.lanes;
   study.n_replicates = raw.replicates.n;
   study.replicate_spread = raw.replicates.spread;
   read_vary(raw.vary, study, faults);

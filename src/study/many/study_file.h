@@ -103,8 +103,9 @@ struct Study {
   std::vector<std::string> keep_series;   ///< datasets of results.h5
   SummaryParts parts;                     ///< that what is kept needs; known after probe_results()
   FailurePolicy on_failure = FailurePolicy::go_on;
-  bool lanes = false;  ///< points that are alike run side by side
-  std::string text;    ///< of the file
+  std::optional<bool> lanes_asked;  ///< none: as the first point can
+  bool lanes = false;               ///< points that are alike run side by side; known after choose_lanes()
+  std::string text;                 ///< of the file
 
   /// Whether its points follow from one another, instead of from a design.
   [[nodiscard]] bool is_search() const { return minimise.has_value() || fit.has_value(); }

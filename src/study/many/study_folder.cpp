@@ -51,7 +51,8 @@ std::string digest_of(const Study& study, const Design& design) {
 std::string journal_header(const Study& study, const std::string& digest, std::size_t shard, std::size_t n_shards) {
   return Json{{"study", digest},         {"name", study.name},
               {"case", study.base.name}, {"program", std::string(version()) + " " + git_revision()},
-              {"shard", shard},          {"shards", n_shards}}
+              {"shard", shard},          {"shards", n_shards},
+              {"lanes", study.lanes}}
       .dump();
 }
 
@@ -140,6 +141,7 @@ Study read_study_of(const fs::path& directory) {
     if (const Json header = Json::parse(Journal::header_of(journal), nullptr, false); header.is_object()) {
       study.name = header.value("name", study.name);
       study.base.name = header.value("case", study.base.name);
+      study.lanes = header.value("lanes", false);
     }
   return study;
 }

@@ -30,7 +30,7 @@ struct KeepEntry {
 struct StudyFile {
   std::string case_file;
   FailurePolicy on_failure = FailurePolicy::go_on;
-  bool lanes = false;
+  std::optional<bool> lanes;
   Node vary, limits, derived;
   DesignParameters design;
   ReplicateParameters replicates;

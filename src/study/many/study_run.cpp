@@ -307,10 +307,6 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
   const fs::path file = options.directory / "study.journal";
   auto earlier = earlier_points(study, options, header);
 
-  if (study.lanes && options.tell)
-    if (const auto why = why_not_in_lanes(study, design); !why.empty())
-      options.tell(fmt::format("lanes = true, but these drops run one by one: {}", why));
-
   StudyOutcome outcome;
   outcome.n_points = n_points(study, design);
   std::vector<std::size_t> waiting;

@@ -59,8 +59,9 @@ struct ProbedResults {
 /// Also resolves the limits' units. @throws InputError for limits, choices, formulas and kept results that no drop has
 ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate);
 
-/// Why the drops of a study do not run in lanes, by its first point, in words; empty: they do.
-std::string why_not_in_lanes(const Study& study, const Design& design);
+/// Whether the points run in lanes: as the study says, or as the first point can.
+/// @return why they cannot, in words, if the study says so
+std::string choose_lanes(Study& study, const Design& design);
 
 /// What a dry run tells.
 struct StudyEstimate {
