@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Studies that are killed at random instants, then resumed with another number of workers or of ranks: every one ends with the bits of an unbroken
-study. Some kills are followed by what a power cut may leave: a journal that has lost its last bytes, or holds wrong ones.
+study. By turns the drops run in lanes and one by one. Some kills are followed by what a power cut may leave: a journal that has lost its last bytes, or holds wrong ones.
 
     tests/faults/study_kills.py build/release/rotordrop [KILLS] [SEED] [POINTS]
 
@@ -30,6 +30,7 @@ size = POINTS
 series = ["/bearings/TB1/contact_force"]
 """
 FILES = ("study.h5", "study.csv")
+METHODS = ("tsitouras", "dormand-prince")  # in lanes, and not
 
 
 def below(process):
@@ -75,8 +76,9 @@ def damage(folder, rng):
     return lost
 
 
-def command(program, output, jobs, ranks):
+def command(program, output, method, jobs, ranks):
     words = [program, "study", "s.toml", "-o", output, "--quiet", "--resume", "--set", 'run.end_time="20 ms"']
+    words += ["--set", f'integration.method="{method}"']
     if ranks == 1:
         return words + ["--jobs", str(jobs)]
     return ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] + words
@@ -90,22 +92,25 @@ def main(program, n_kills=20, seed=1, points=40):
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
         (scratch / "s.toml").write_text(STUDY.replace("CASE", str(CASE)).replace("POINTS", str(points)))
-        start = time.monotonic()
-        subprocess.run(command(program, "whole", 1, 1), cwd=scratch, check=True)
-        length = time.monotonic() - start
-        whole = {name: (scratch / "whole" / name).read_bytes() for name in FILES}
+        length, whole = {}, {}
+        for method in METHODS:
+            start = time.monotonic()
+            subprocess.run(command(program, method, method, 1, 1), cwd=scratch, check=True)
+            length[method] = time.monotonic() - start
+            whole[method] = {name: (scratch / method / name).read_bytes() for name in FILES}
         kills = studies = 0
         while kills < n_kills:
+            method = METHODS[studies % len(METHODS)]
             studies += 1
             folder = scratch / "killed"
             shutil.rmtree(folder, ignore_errors=True)
             left, is_over = min(n_kills - kills, 5), False
             while not is_over:
                 jobs, ranks = rng.randint(1, 3), 3 if has_ranks and rng.random() < 0.3 else 1
-                words = command(program, "killed", jobs, ranks)
+                words = command(program, "killed", method, jobs, ranks)
                 process = subprocess.Popen(words, cwd=scratch, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
                 try:
-                    error = process.communicate(timeout=rng.random() * length if left > 0 else 20 * length + 60)[1]
+                    error = process.communicate(timeout=rng.random() * length[method] if left > 0 else 20 * length[method] + 60)[1]
                     is_over = True
                 except subprocess.TimeoutExpired:
                     kill(process)
@@ -116,11 +121,11 @@ def main(program, n_kills=20, seed=1, points=40):
                     kills += 1
                     lost = damage(folder, rng) if folder.exists() and rng.random() < 0.7 else 0
                     rows = sum(journal.read_bytes().count(b'"point"') for journal in folder.glob("*.journal"))
-                    print(f"kill {kills}: {ranks} ranks, {jobs if ranks == 1 else 1} workers, {rows} of {points} rows, {lost} bytes damaged")
+                    print(f"kill {kills}: {method}, {ranks} ranks, {jobs if ranks == 1 else 1} workers, {rows} of {points} rows, {lost} bytes damaged")
             if process.returncode != 0:
                 print(f"study {studies}: exit {process.returncode}\n{error}")
                 return 1
-            different = [name for name in FILES if (folder / name).read_bytes() != whole[name]]
+            different = [name for name in FILES if (folder / name).read_bytes() != whole[method][name]]
             if different:
                 print(f"study {studies}: {', '.join(different)} differ")
                 return 1
