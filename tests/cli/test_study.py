@@ -330,6 +330,7 @@ kind = "list"
     def test_bad_input_is_told_before_anything_is_written(self):
         for change, message in ((("0.05, 0.3", "0.3, 0.05"), "range is empty"), (("size = 12", "size = 1000000000000"), "size"),
                                 (("contact.friction_coefficient", "contact.friction_coeficient"), "Did you mean"), (("0.05, 0.3", "-0.3, 0.3"), "no valid case"),
+                                (('"contact.friction_coefficient" = { range = [0.05, 0.3] }', "contact.friction_coefficient = { min = 0.05, max = 0.3 }"), "{ range = [from, to] }"),
                                 (('"contact.friction_coefficient" = { range = [0.05, 0.3] }', '"rotor.initial_offset[0]" = { values = [0, "-900 um"] }'), "is no valid case: the rotor starts 900 um from the centre"),
                                 (('values = [2e3, 4e3, 8e3] }\n[design]\nkind = "latin-hypercube"\nsize = 12', 'range = [1, 2] }\n[design]\nkind = "grid"\nlevels = 100000'), "1e+10 drops"),
                                 (("size = 12", 'size = 12\n[keep]\nseries = ["/bearings/TB1/contact_forc"]'), "Did you mean \"/bearings/TB1/contact_force\"?"),

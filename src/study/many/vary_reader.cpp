@@ -204,6 +204,23 @@ class ParameterReader {
   Faults& faults_;
 };
 
+/// A word in the table of a key of the case that means nothing there, such as min: {} if the name is nothing of the kind.
+std::optional<Fault> unknown_word(const std::string& name, const Study& study, const SourcePosition& where) {
+  const auto dot = name.rfind('.');
+  if (dot == std::string::npos) return {};
+  const std::string key = name.substr(0, dot), word = name.substr(dot + 1);
+  try {
+    declared_key(key, study.base.tree, where);
+  } catch (const InputError&) {
+    return {};
+  }
+  return Fault{where, fmt::format("unknown key \"{}\" in vary.{}.", word, key),
+               suggestion(word, words,
+                          fmt::format("Write {} = {{ range = [from, to] }}, [values], or a distribution with its "
+                                      "numbers. Known here: {}.",
+                                      key, fmt::join(words, ", ")))};
+}
+
 void read_keys(const NamedNode& entry, const Study& study, VariedParameter& parameter, Faults& faults) {
   std::vector<std::pair<std::string, SourcePosition>> names;
   const Node* keys = entry.value->find("keys");
@@ -222,7 +239,8 @@ void read_keys(const NamedNode& entry, const Study& study, VariedParameter& para
     try {
       parameter.keys.push_back(declared_key(name, study.base.tree, where));
     } catch (const InputError& error) {
-      faults.add(error.faults());
+      const auto word = unknown_word(name, study, where);
+      word ? faults.add(*word) : faults.add(error.faults());
     }
   }
   for (const auto& key : parameter.keys)
