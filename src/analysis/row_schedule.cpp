@@ -77,7 +77,13 @@ std::vector<double> RowSchedule::packed() const {
 }
 
 void RowSchedule::unpack(std::span<const double> values) {
-  if (values.size() != 6 + 3 * watched_.size() || !(values[0] >= 0.))
+  // Neither the last row nor the last step lies beyond the first multiple that was not passed.
+  const auto is_before_next = [&](double t) {
+    const double next = values[0] * interval_;
+    return t >= 0. && (t <= next || is_same_time(t, next));
+  };
+  if (values.size() != 6 + 3 * watched_.size() || !(values[0] >= 0. && values[0] < 1e15) ||
+      !is_before_next(values[1]) || !is_before_next(values[2]))
     throw std::invalid_argument("a schedule of rows of another kind");
   next_ = static_cast<std::size_t>(values[0]);
   last_row_ = values[1];
