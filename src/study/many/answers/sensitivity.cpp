@@ -1,6 +1,7 @@
 #include "study/many/answers/sensitivity.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -76,7 +77,8 @@ SobolResult sobol_indices(const std::vector<double>& y, std::size_t d, std::uint
   return result;
 }
 
-RankIndices::RankIndices(std::vector<std::vector<double>> x, std::uint64_t seed, std::size_t n_halves) {
+FirstIndices::FirstIndices(FirstBy by, std::vector<std::vector<double>> x, std::uint64_t seed, std::size_t n_halves)
+    : by_(by) {
   const std::size_t n = x.empty() ? 0 : x.front().size();
   for (std::size_t j = 0; j < x.size(); ++j) {
     auto& order = orders_.emplace_back(n);
@@ -120,18 +122,41 @@ double rank_index(const std::vector<std::size_t>& order, const std::vector<doubl
   return (products + last * first) / squares;  // the last point's neighbour is the first one
 }
 
+/// Over the points that count, in an order: variance of the classes' means over the variance.
+double class_index(const std::vector<std::size_t>& order, const std::vector<double>& y, const std::uint8_t* counts) {
+  std::vector<double> values;
+  for (const std::size_t k : order)
+    if (!counts || counts[k]) values.push_back(y[k]);
+  if (values.size() < 8) return std::nan("");
+  const std::size_t n = values.size(), n_classes = std::size_t{1} << (std::bit_width(n) - 1) / 2;
+  const double mean = mean_of(values);
+  double squares = 0., between = 0.;
+  for (std::size_t c = 0, k = 0; c < n_classes; ++c) {
+    const std::size_t first = k, end = (c + 1) * n / n_classes;
+    double sum = 0.;
+    for (; k < end; ++k) {
+      const double value = values[k] - mean;
+      squares += value * value;
+      sum += value;
+    }
+    between += sum * sum / static_cast<double>(end - first);
+  }
+  return between / squares;
+}
+
 }  // namespace
 
-std::vector<Estimate> RankIndices::first(const std::vector<double>& y) const {
+std::vector<Estimate> FirstIndices::first(const std::vector<double>& y) const {
   std::vector<Estimate> result;
+  const auto index = by_ == FirstBy::ranks ? rank_index : class_index;
   for (const auto& all : orders_) {
     std::vector<std::size_t> order;
     for (const std::size_t k : all)
       if (std::isfinite(y[k])) order.push_back(k);
-    Estimate estimate{rank_index(order, y, nullptr), {}, {}};
+    Estimate estimate{index(order, y, nullptr), {}, {}};
     std::vector<double> halves;
     if (order.size() >= 20)
-      for (const auto& half : halves_) halves.push_back(rank_index(order, y, half.data()));
+      for (const auto& half : halves_) halves.push_back(index(order, y, half.data()));
     if (halves.size() > 1) {
       const double width = 1.959963984540054 * deviation_of(halves);
       estimate.low = estimate.value - width;

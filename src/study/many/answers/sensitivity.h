@@ -19,16 +19,28 @@ struct SobolResult {
 SobolResult sobol_indices(const std::vector<double>& y, std::size_t n_parameters, std::uint64_t seed,
                           std::size_t n_resamples = 500);
 
-/// First indices from any sample by ranks (Gamboa, Gremaud, Klein & Lagnoux 2022); points with a NaN drop out. Intervals: value +- 1.96
-/// standard errors by the delete-half jackknife, since repeated points of a bootstrap would be each other's neighbours.
-class RankIndices {
+/// How first indices follow from a sample.
+enum class FirstBy {
+  /// Products of neighbours by a parameter (Gamboa, Gremaud, Klein & Lagnoux 2022). Neighbours by one parameter must know nothing of each other's
+  /// other ones: Latin hypercubes, independent points. Points of a Sobol' sequence are laid out against each other and do not serve.
+  ranks,
+  /// Variance of the means of classes with equally many points by a parameter (Plischke, Borgonovo & Smith 2013). About as many classes as points in
+  /// each, a power of two: in each class of a Sobol' sequence the other parameters fill their ranges evenly. Of other points too large by up to
+  /// classes / points.
+  classes
+};
+
+/// First indices from a sample; points with a NaN drop out. Intervals: value +- 1.96 standard errors by the delete-half jackknife, since repeated
+/// points of a bootstrap would be each other's neighbours.
+class FirstIndices {
  public:
   /// @param x  [parameters][points]
-  RankIndices(std::vector<std::vector<double>> x, std::uint64_t seed, std::size_t n_halves = 200);
+  FirstIndices(FirstBy by, std::vector<std::vector<double>> x, std::uint64_t seed, std::size_t n_halves = 200);
   /// @param y  [points]
   [[nodiscard]] std::vector<Estimate> first(const std::vector<double>& y) const;
 
  private:
+  FirstBy by_;
   std::vector<std::vector<std::size_t>> orders_;   ///< points by each parameter
   std::vector<std::vector<std::uint8_t>> halves_;  ///< points in each half
 };

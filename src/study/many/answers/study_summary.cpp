@@ -211,12 +211,14 @@ void add_indices(Json& j, const Study& study, const Design& design, const StudyT
   const bool is_saltelli = design.kind == DesignKind::saltelli, is_morris = design.kind == DesignKind::morris;
   const bool is_sample = !is_saltelli && !sample_points(study, design).empty();
   if (!is_saltelli && !is_morris && !is_sample) return;
+  const FirstBy by = design.kind == DesignKind::sobol_sequence ? FirstBy::classes : FirstBy::ranks;
   j["indices_method"] =
       is_saltelli ? "Sobol indices: first by Saltelli et al. 2010, total by Jansen 1999; bootstrap of blocks, 95 %"
       : is_morris ? "elementary effects per range (Morris 1991); bootstrap of effects, 95 %"
-                  : "first indices by ranks (Gamboa et al. 2022); delete-half jackknife, 95 %";
-  std::optional<RankIndices> ranks;
-  if (is_sample) ranks.emplace(drawn_columns(study, design), seed);
+      : by == FirstBy::classes ? "first indices by classes (Plischke et al. 2013); delete-half jackknife, 95 %"
+                               : "first indices by ranks (Gamboa et al. 2022); delete-half jackknife, 95 %";
+  std::optional<FirstIndices> sample;
+  if (is_sample) sample.emplace(by, drawn_columns(study, design), seed);
   Json& to = j[is_morris ? "morris" : "indices"];
   to = Json::object();
   for (const auto& column : table.results) {
@@ -237,7 +239,7 @@ void add_indices(Json& j, const Study& study, const Design& design, const StudyT
                               {"deviation", effects[i].deviation},
                               {"n", effects[i].n}};
     } else {
-      const auto first = ranks->first(y);
+      const auto first = sample->first(y);
       for (std::size_t i = 0; i < first.size(); ++i) of_result[name(i)] = {{"first", to_json(first[i])}};
     }
     to[column.name] = std::move(of_result);

@@ -56,7 +56,7 @@ std::string influence_text(const Json& j, const std::string& result) {
   return fmt::format("  {} by {}: {}\n", result,
                      is_morris                     ? "mean magnitude of effects"
                      : std::string(key) == "total" ? "total Sobol index"
-                                                   : "first index by ranks",
+                                                   : "first index",
                      text);
 }
 
