@@ -44,8 +44,8 @@ class Basis {
     VectorXd Cv = times(C_, v);
     const double left = std::sqrt(v.dot(Cv));
     if (!(left > dependent * before)) return;
-    v_.push_back(v / left);
-    Cv_.push_back(Cv / left);
+    v_.emplace_back(v / left);
+    Cv_.emplace_back(Cv / left);
   }
   [[nodiscard]] MatrixXd matrix() const {
     MatrixXd V(v_.front().size(), static_cast<Index>(v_.size()));
