@@ -15,15 +15,15 @@ namespace rotordrop {
 namespace {
 
 // ARK4(3)6L[2]SA, implicit part: Kennedy & Carpenter, Applied Numerical Mathematics 44 (2003) 139-181, appendix.
-constexpr double gamma_ = 0.25;
+constexpr double sdirk_gamma = 0.25;
 constexpr double c[6] = {0., 1. / 2., 83. / 250., 31. / 50., 17. / 20., 1.};
-constexpr double a[6][6] = {
-    {0., 0., 0., 0., 0., 0.},
-    {1. / 4., gamma_, 0., 0., 0., 0.},
-    {8611. / 62500., -1743. / 31250., gamma_, 0., 0., 0.},
-    {5012029. / 34652500., -654441. / 2922500., 174375. / 388108., gamma_, 0., 0.},
-    {15267082809. / 155376265600., -71443401. / 120774400., 730878875. / 902184768., 2285395. / 8070912., gamma_, 0.},
-    {82889. / 524892., 0., 15625. / 83664., 69875. / 102672., -2260. / 8211., gamma_}};
+constexpr double a[6][6] = {{0., 0., 0., 0., 0., 0.},
+                            {1. / 4., sdirk_gamma, 0., 0., 0., 0.},
+                            {8611. / 62500., -1743. / 31250., sdirk_gamma, 0., 0., 0.},
+                            {5012029. / 34652500., -654441. / 2922500., 174375. / 388108., sdirk_gamma, 0., 0.},
+                            {15267082809. / 155376265600., -71443401. / 120774400., 730878875. / 902184768.,
+                             2285395. / 8070912., sdirk_gamma, 0.},
+                            {82889. / 524892., 0., 15625. / 83664., 69875. / 102672., -2260. / 8211., sdirk_gamma}};
 constexpr const double (&b)[6] = a[5];
 constexpr double b_embedded[6] = {4586570599. / 29645900160., 0.,
                                   178811875. / 945068544.,    814220225. / 1159782912.,
@@ -158,7 +158,7 @@ bool HeatSolver::solve_stage(std::size_t i, double step) {
     // residual = known + step gamma F(T) - enthalpy difference
     operator_.heat_flow(T, t, flow_[i]);
     operator_.enthalpy_difference(T, T_, residual_);
-    residual_.sadd(-1., step * gamma_, flow_[i]);
+    residual_.sadd(-1., step * sdirk_gamma, flow_[i]);
     residual_ += known_;
     operator_.clear_held(residual_);
     inverse_->solve(residual_);
@@ -183,7 +183,7 @@ bool HeatSolver::solve_stage(std::size_t i, double step) {
 }
 
 void HeatSolver::factorise(double step, const Vector& T) {
-  operator_.jacobian(T, step * gamma_, matrix_);
+  operator_.jacobian(T, step * sdirk_gamma, matrix_);
   inverse_->set_matrix(matrix_);
   factorised_step_ = step;
   is_stale_ = false;
