@@ -186,7 +186,7 @@ class LaneRun {
 /// A list of drops.
 class ListFeed final : public LaneFeed {
  public:
-  explicit ListFeed(std::span<Drop* const> drops) : drops_(drops), failures_(drops.size()) {}
+  explicit ListFeed(std::span<Drop* const> drops) : drops_(drops) { failures_.resize(drops.size()); }
   Drop* next() override { return next_ < drops_.size() ? drops_[next_++] : nullptr; }
   void over(Drop& drop, const std::exception_ptr& failure) override {
     failures_[static_cast<std::size_t>(std::find(drops_.begin(), drops_.end(), &drop) - drops_.begin())] = failure;

@@ -134,14 +134,13 @@ class PointsInLanes final : public LaneFeed {
     PointResult result;
     try {
       const Case& c = request.drop_case;
-      LaneDrop one{&request, std::make_unique<BuiltMachine>(c), nullptr};
-      const Machine& machine = one.built->machine();
-      if (why_not_in_lanes(machine, c.parameters.integration).empty()) {
-        one.run = std::make_unique<MemoryDrop>(c, machine, options_of(request, *one.built));
-        waiting_.push_back(std::move(one));
+      auto built = std::make_unique<BuiltMachine>(c);
+      if (why_not_in_lanes(built->machine(), c.parameters.integration).empty()) {
+        auto run = std::make_unique<MemoryDrop>(c, built->machine(), options_of(request, *built));
+        waiting_.push_back({&request, std::move(built), std::move(run)});
         return;
       }
-      result = run_alone(request, *one.built);
+      result = run_alone(request, *built);
     } catch (const std::exception& error) {
       result = failed(error);
     }

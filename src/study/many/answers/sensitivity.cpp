@@ -1,7 +1,6 @@
 #include "study/many/answers/sensitivity.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -128,7 +127,9 @@ double class_index(const std::vector<std::size_t>& order, const std::vector<doub
   for (const std::size_t k : order)
     if (!counts || counts[k]) values.push_back(y[k]);
   if (values.size() < 8) return std::nan("");
-  const std::size_t n = values.size(), n_classes = std::size_t{1} << (std::bit_width(n) - 1) / 2;
+  const std::size_t n = values.size();
+  std::size_t n_classes = 1;
+  while (4 * n_classes * n_classes <= n) n_classes *= 2;
   const double mean = mean_of(values);
   double squares = 0., between = 0.;
   for (std::size_t c = 0, k = 0; c < n_classes; ++c) {
