@@ -358,6 +358,10 @@ kind = "list"
         with h5py.File(self.folder / "out/study.h5") as h5:
             worst = int(h5["/results/peak"][:].argmax())
         self.assertEqual(browser.run("return document.querySelector('#worst-points tbody td').textContent"), str(worst))
+        # Evenly spread numbers on an even axis, however small the smallest; those that are even in the logarithm on a logarithmic one.
+        middles = browser.run("""const at = (values, middle) => scaleOf({ values }, 0, 1).at(middle);
+            return [at([0.01, 1, 2, 3, 4, 5, 6.01], 3.01), at([1e3, 1e4, 1e5, 1e6, 1e7], 1e5)]""")
+        numpy.testing.assert_allclose(middles, 0.5, atol=1e-9)
         # A drag over the upper half of the first axis leaves the drops in that half.
         selected = browser.run("""const axis = document.querySelector('.axis-hit'), box = axis.getBoundingClientRect(), x = box.left + box.width / 2;
             axis.setPointerCapture = () => {};

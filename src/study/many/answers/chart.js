@@ -20,7 +20,13 @@ function ticks(low, high, n) {
   return made;
 }
 
-// Positions of a quantity on an axis: numbers as they are, evenly in the logarithm if they span decades; texts one after the other.
+// Where the median lies between the ends, 0 in the middle and 1/2 at either.
+function offCentre(numbers, f) {
+  const sorted = numbers.map(f).sort((a, b) => a - b), low = sorted[0], high = sorted[sorted.length - 1];
+  return Math.abs(sorted[sorted.length >> 1] - (low + high) / 2) / (high - low);
+}
+
+// Positions of a quantity on an axis: numbers as they are, evenly in the logarithm if they span decades and lie more evenly there; texts one after the other.
 function scaleOf(quantity, from, to, extra = []) {
   const numbers = quantity.values.filter(isNumber).concat(extra);
   if (quantity.values.some((v) => typeof v === "string")) {
@@ -30,7 +36,7 @@ function scaleOf(quantity, from, to, extra = []) {
   }
   let low = Math.min(...numbers), high = Math.max(...numbers);
   if (!(low < high)) { low -= Math.abs(low) * 0.1 || 1; high += Math.abs(high) * 0.1 || 1; }
-  const isLog = low > 0 && high / low > 50;
+  const isLog = low > 0 && high / low > 50 && offCentre(numbers, Math.log10) < offCentre(numbers, (v) => v);
   const f = isLog ? Math.log10 : (v) => v;
   const room = 0.04 * (f(high) - f(low)), a = f(low) - room, b = f(high) + room;
   const at = (v) => from + ((f(v) - a) / (b - a)) * (to - from);
