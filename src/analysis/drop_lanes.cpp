@@ -64,15 +64,16 @@ class LaneRun {
   LaneRun(LaneFeed& feed, const std::function<bool()>& is_stopped) : feed_(feed), is_stopped_(is_stopped) {}
 
   std::size_t run() {
-    if (!begin_first()) return 0;
-    RowsAhead rows(lanes_.front().loop().machine().n_step());
-    while (integrator_->any_runs()) {
+    fill();
+    if (!integrator_) return 0;
+    RowsAhead rows(busy()->loop().machine().n_step());
+    while (busy() != lanes_.end()) {
       integrator_->advance();
       rows.evaluate(lanes_, *integrator_);
       for (std::size_t l = 0; l < width; ++l)
         if (integrator_->has_stepped(l)) follow(l);
       if (is_stopped_ && is_stopped_()) break;
-      go_on();
+      if (end_those_over()) fill();
     }
     for (std::size_t l = 0; l < width; ++l)
       if (lanes_[l].drop) end(l);
@@ -80,36 +81,41 @@ class LaneRun {
   }
 
  private:
+  using Lanes = std::array<Lane, width>;
   [[nodiscard]] static LaneIntegrator::Lane start_of(const Drop& drop) {
     const DropLoop& loop = drop.loop();
     return {loop.integration(), loop.time(), loop.end_time(), loop.state(),
             loop.found().wants_details ? loop.machine().n_details() : 0};
   }
 
-  bool begin_first() {
-    std::vector<Drop*> drops;
-    while (drops.size() < width) {
-      Drop* drop = feed_.next();
-      if (!drop) break;
-      drops.push_back(drop);
-    }
-    if (drops.empty()) return false;
-    std::vector<LaneIntegrator::Lane> starts;
-    for (std::size_t l = 0; l < drops.size(); ++l) {
-      lanes_[l].drop = drops[l];
-      starts.push_back(start_of(*drops[l]));
-    }
-    integrator_ = std::make_shared<LaneIntegrator>(system(), starts, drops.front()->loop().machine().n_step());
-    for (std::size_t l = 0; l < drops.size(); ++l) show(l);
-    return true;
+  /// A lane that is not free; the end of lanes_ if all are.
+  [[nodiscard]] Lanes::const_iterator busy() const {
+    return std::find_if(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.drop; });
   }
 
-  /// The machines of all lanes; a lane that is free repeats one that is not.
-  [[nodiscard]] std::unique_ptr<LaneSystem> system() const {
-    const auto any = std::find_if(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.drop; });
+  /// Begins drops in the lanes that are free. Those that stay so repeat the machine of another lane.
+  void fill() {
+    std::vector<std::size_t> begun;
+    for (std::size_t l = 0; l < width; ++l) {
+      if (lanes_[l].drop) continue;
+      lanes_[l].drop = feed_.next();
+      if (!lanes_[l].drop) break;
+      begun.push_back(l);
+    }
+    const auto any = busy();
+    if (any == lanes_.end()) return;
     std::vector<const Machine*> machines;
     for (const Lane& lane : lanes_) machines.push_back(&(lane.drop ? lane : *any).loop().machine());
-    return make_lanes(machines);
+    auto system = make_lanes(machines);
+    if (integrator_)
+      integrator_->exchange(std::move(system));
+    else
+      integrator_ =
+          std::make_shared<LaneIntegrator>(std::move(system), start_of(*any->drop), any->loop().machine().n_step());
+    for (const std::size_t l : begun) {
+      integrator_->begin(l, start_of(*lanes_[l].drop));
+      show(l);
+    }
   }
 
   /// The drop of a lane takes its first look.
@@ -147,24 +153,15 @@ class LaneRun {
     }
   }
 
-  /// Ends drops that no longer run, and begins others in their lanes.
-  void go_on() {
-    bool is_exchanged = false;
-    std::array<bool, width> is_new{};
+  /// Whether there were any.
+  bool end_those_over() {
+    bool is_any_over = false;
     for (std::size_t l = 0; l < width; ++l) {
       if (!lanes_[l].drop || integrator_->runs(l)) continue;
       end(l);
-      lanes_[l].drop = feed_.next();
-      is_new[l] = lanes_[l].drop;
-      is_exchanged = true;
+      is_any_over = true;
     }
-    if (!is_exchanged || std::none_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.drop; })) return;
-    integrator_->exchange(system());
-    for (std::size_t l = 0; l < width; ++l) {
-      if (!is_new[l]) continue;
-      integrator_->begin(l, start_of(*lanes_[l].drop));
-      show(l);
-    }
+    return is_any_over;
   }
 
   void end(std::size_t l) {
@@ -178,7 +175,7 @@ class LaneRun {
   LaneFeed& feed_;
   const std::function<bool()>& is_stopped_;
   std::shared_ptr<LaneIntegrator> integrator_;
-  std::array<Lane, width> lanes_;
+  Lanes lanes_;
   std::array<std::exception_ptr, width> failures_;
   std::size_t n_begun_ = 0;
 };

@@ -123,8 +123,7 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
   options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
   check_points(study, design, command.jobs);
   const ProbedResults results = probe_results(study, design, options.evaluate);
-  if (const auto why = choose_lanes(study, design); !why.empty())
-    options.tell(fmt::format("lanes = true, but these drops run one by one: {}", why));
+  if (const auto note = choose_lanes(study, design); !note.empty()) options.tell(note);
   if (!command.quiet) fmt::print("{}", header(study, design));
   std::fflush(stdout);
   if (command.dry_run) {

@@ -77,9 +77,9 @@ bool runs_in_lanes(IntegrationMethod method) {
 
 void LaneView::advance() { throw std::logic_error("a lane is advanced with its neighbours"); }
 
-LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step)
+LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, const Lane& like, std::size_t n_step)
     : system_(std::move(system)),
-      pair_(tableau_of(lanes.front().parameters.method)),
+      pair_(tableau_of(like.parameters.method)),
       n_(system_->layout().size()),
       n_controlled_(system_->first_quadrature()),
       y_(n_ * width),
@@ -89,13 +89,9 @@ LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<con
   for (int i = 0; i < pair_.n_stages; ++i) k_.emplace_back(n_ * width);
   before_ = stage_ = y_;
   control_.assign(width, StepControl(pair_, 1., 1.));
-  for (std::size_t l = 0; l < width; ++l) {
-    // A lane without a drop repeats the first one's start, and stays there.
-    begin(l, lanes[l < lanes.size() ? l : 0]);
-    if (l < lanes.size()) continue;
-    runs_[l] = false;
-    begun_[l] = 0.;
-  }
+  for (std::size_t l = 0; l < width; ++l) begin(l, like);
+  runs_.fill(false);
+  begun_.fill(0.);
 }
 
 void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
@@ -115,10 +111,6 @@ void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
   failures_[l] = nullptr;
   begun_[l] = 1.;
   runs_[l] = true;
-}
-
-bool LaneIntegrator::any_runs() const {
-  return std::any_of(runs_.begin(), runs_.end(), [](bool runs) { return runs; });
 }
 
 /// First rates and steps of drops that were begun; lanes amid theirs keep what they have.

@@ -25,19 +25,18 @@ class LaneIntegrator {
     std::span<const double> state;  ///< [layout().size()]
     std::size_t n_details = 0;      ///< that are observed at the end of every step
   };
-  /// @param lanes   1 to width; those behind them are free
+  /// All lanes are free, and stand where a drop starts.
   /// @param n_step  of what is observed at the end of every step
-  LaneIntegrator(std::unique_ptr<LaneSystem> system, std::span<const Lane> lanes, std::size_t n_step);
+  LaneIntegrator(std::unique_ptr<LaneSystem> system, const Lane& like, std::size_t n_step);
 
   /// The same drops but for lanes that do not run: another drop begins there, or none.
   /// @param system  as before, with the new drops in their lanes
   void exchange(std::unique_ptr<LaneSystem> system) { system_ = std::move(system); }
-  /// Begins a drop in a lane that does not run, behind exchange().
+  /// Begins a drop of the system in a lane that does not run.
   void begin(std::size_t lane, const Lane& drop);
 
   /// Tries a step of every lane that runs; has_stepped() tells which of them took theirs.
   void advance();
-  [[nodiscard]] bool any_runs() const;
   [[nodiscard]] bool runs(std::size_t lane) const { return runs_[lane]; }
   [[nodiscard]] bool has_stepped(std::size_t lane) const { return stepped_[lane] != 0.; }
   void stop(std::size_t lane) { runs_[lane] = false; }

@@ -42,8 +42,7 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
     const Design design = study.is_search() ? SearchSpace(study).corners() : make_design(study);
     check_points(study, design, call.n_workers);
     probe_results(study, design, options.evaluate);
-    if (const auto why = choose_lanes(study, design); !why.empty())
-      options.tell("lanes = true, but these drops run one by one: " + why);
+    if (const auto note = choose_lanes(study, design); !note.empty()) options.tell(note);
     outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
   }
   stoppable.raise();

@@ -140,7 +140,7 @@ std::string choose_lanes(Study& study, const Design& design) {
   };
   const std::string why = study.lanes_asked == false ? "" : reason();
   study.lanes = study.lanes_asked.value_or(why.empty());
-  return study.lanes ? why : "";
+  return study.lanes && !why.empty() ? "lanes = true, but these drops run one by one: " + why : "";
 }
 
 StudyEstimate estimate_study(const Study& study, const Design& design, const ProbedResults& results,

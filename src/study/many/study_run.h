@@ -60,7 +60,7 @@ struct ProbedResults {
 ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate);
 
 /// Whether the points run in lanes: as the study says, or as the first point can.
-/// @return why they cannot, in words, if the study says so
+/// @return what a user should know: why they cannot, if the study says so; else empty
 std::string choose_lanes(Study& study, const Design& design);
 
 /// What a dry run tells.

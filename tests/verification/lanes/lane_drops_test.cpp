@@ -166,6 +166,7 @@ class Queue final : public LaneFeed {
   }
   Drop* next() override {
     if (n_begun == n) return nullptr;
+    if (hesitates && n_begun == 1 && !running_.empty()) return nullptr;
     running_.emplace_back(n_begun, std::make_unique<OneDrop>(settings_of(n_begun)));
     if (n_begun == trapped) running_.back().second->drop.loop().add(trap_);
     ++n_begun;
@@ -182,6 +183,7 @@ class Queue final : public LaneFeed {
     n_refilled += n_begun < n;
     running_.erase(found);
   }
+  bool hesitates = false;  ///< nothing beside the first drop
   std::size_t n_begun = 0, most_running = 0, n_refilled = 0;
   std::vector<std::size_t> failed;
   std::array<std::vector<double>, n> states;
@@ -206,6 +208,14 @@ TEST(DropsInLanes, BeginWhereOthersAreOver) {
     EXPECT_EQ(alone.drop.result().state, queue.states[k]) << k;
     EXPECT_EQ(alone.drop.result().statistics.steps, queue.steps[k]) << k;
   }
+}
+
+TEST(DropsInLanes, TakeUpDropsThatComeLater) {
+  Queue queue;
+  queue.hesitates = true;
+  EXPECT_EQ(run_in_lanes(queue), Queue::n);
+  EXPECT_EQ(queue.most_running, 8U);
+  EXPECT_EQ(queue.failed, std::vector{Queue::trapped});
 }
 
 TEST(DropsInLanes, AreAllOverWhenTheyAreStopped) {
