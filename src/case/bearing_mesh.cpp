@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "case/modules/fe_module.h"
+#include "case/modules/mesh_file.h"
 #include "io/checkpoint.h"
 #include "machine/heat/bearing_mesh_data.h"
 #include "model/section_quality.h"
@@ -28,13 +29,7 @@ SectionMesh read_own_mesh(const Case& c, const std::string& bearing) {
         fe ? position_of_value(*fe, "mesh") : SourcePosition{},
         fmt::format("thermal.fe.mesh: there is no file {} for bearing {}.", file, bearing),
         "NAME in thermal.fe.mesh stands for the bearing's name. `rotordrop mesh` writes one to start from.");
-  MeshFileContent content;
-  try {
-    content = section_mesher().read(file);
-  } catch (const SolverError& error) {
-    throw InputError({file, 0, 0}, error.what(), "Give a mesh in gmsh's format 2.2 or 4.1.");
-  }
-  return own_section_of_bearing(content, c.parameters, bearing, file);
+  return own_section_of_bearing(read_mesh_file(file), c.parameters, bearing, file);
 }
 
 /// Faults of all bearings at once, and before the mesh room is needed.

@@ -39,7 +39,7 @@ class SectionMesher {
   [[nodiscard]] virtual SectionMesh mesh(const SectionPlan& plan) = 0;
   /// Physical groups BODY (surfaces) and BODY.SIDE (curves). @throws SolverError
   virtual void write(const SectionMesh& mesh, const std::string& file, MeshFileFormat format) = 0;
-  /// A mesh, or a recipe (.geo) that is meshed as it says. @throws SolverError with the generator's words if it cannot read the file
+  /// A mesh, or a recipe (.geo) that is meshed as it says. @throws SolverError with the generator's words if it cannot read the file, std::bad_alloc
   [[nodiscard]] virtual MeshFileContent read(const std::string& file) = 0;
 };
 

@@ -176,6 +176,20 @@ class WithTheRoom(ProgramTest):
         self.succeed("mesh", "reference.toml", "-o", "pair.msh", "--bearing", "TB2")
         self.assertIn("strip_2", refusal((self.folder / "pair.msh").read_text()))
 
+    def test_an_own_mesh_on_which_gmsh_itself_fails_is_refused(self):
+        for name, why in (("found-crash-2.2", "gmsh crashes on this file"), ("found-crash-4.1", "gmsh crashes on this file"),
+                          ("found-memory-4.1", "gmsh wants far more memory")):
+            case = self.case(f'[thermal.fe]\nmesh = "{SOURCE}/tests/fuzz/seeds/mesh/{name}.msh"\n')
+            done = self.call("mesh", case, "-o", "m.msh", "--bearing", "TB1")
+            self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+            self.assertIn(f"{name}.msh: {why}", " ".join(done.stderr.split()))
+            self.assertFalse((self.folder / "m.msh").exists())
+
+    def test_an_own_mesh_may_be_binary(self):
+        case = self.case(f'[thermal.fe]\nmesh = "{SOURCE}/tests/fuzz/seeds/mesh/binary-4.1.msh"\n')
+        self.succeed("mesh", case, "-o", "m.msh", "--bearing", "TB1")
+        self.assertEqual((self.folder / "m.msh").read_bytes(), (SOURCE / "tests/fuzz/seeds/mesh/text-4.1.msh").read_bytes())
+
     def test_the_shaft_is_meshed_on_request(self):
         self.succeed("mesh", "reference.toml", "-o", "m.msh", "--bearing", "TB1", "--set", "thermal.fe.shaft=bearing")
         self.assertIn("shaft.outer", self.names("m.msh"))

@@ -1,19 +1,14 @@
 #include "io/hdf5/trial_reading.h"
 
-#include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <mutex>
 #include <set>
 #include <utility>
 
 #include "base/errors.h"
+#include "base/trial.h"
 #include "io/hdf5/series_reader.h"
 
 namespace rotordrop::hdf5 {
@@ -60,32 +55,16 @@ void read_everything(const std::filesystem::path& path) {
   }
 }
 
-/// The process that reads: its end is all that it tells.
-[[noreturn]] void read_and_leave(const std::filesystem::path& path, unsigned seconds) {
-  const rlimit no_core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &no_core);
-  if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::dup2(nowhere, STDERR_FILENO);
-  }
-  for (const int signal : {SIGALRM, SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) ::signal(signal, SIG_DFL);
-  ::alarm(seconds);
-  read_everything(path);
-  ::_exit(0);
-}
-
-struct Trial {
+struct TrialOfFile {
   const std::filesystem::path& path;
-  unsigned seconds;
-  pid_t child = -1;
+  Trial trial;
 };
 
 /// Called by HDF5, which has one lock for all threads: it is this thread's now, and the child's. A child that is forked amid the call of
 /// another thread would wait for it for ever.
 herr_t fork_and_read(hid_t, const char*, void* data) {
-  auto& trial = *static_cast<Trial*>(data);
-  trial.child = ::fork();
-  if (trial.child == 0) read_and_leave(trial.path, trial.seconds);
+  auto& [path, trial] = *static_cast<TrialOfFile*>(data);
+  trial.start([&path] { read_everything(path); });
   return 1;  // one call is enough
 }
 
@@ -118,16 +97,18 @@ void try_to_read(const std::filesystem::path& path, unsigned patience) {
   const auto seconds =
       patience + static_cast<unsigned>(ignored ? 0 : std::min(size / bytes_per_second, std::uintmax_t{100000}));
   be_quiet();
-  Trial trial{path, seconds};
-  H5Piterate(H5P_FILE_ACCESS, nullptr, fork_and_read, &trial);
-  if (trial.child < 0) return;  // without a process more the file is read as it is
-  int status = 0;
-  while (::waitpid(trial.child, &status, 0) < 0)
-    if (errno != EINTR) return;
-  if (WIFSIGNALED(status) || WEXITSTATUS(status) != 0)
-    throw_damaged(path, WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM
-                            ? "this file is damaged (HDF5 does not come to an end with it)."
-                            : "this file is damaged (HDF5 cannot read it and crashes).");
+  TrialOfFile file{path, Trial({.seconds = seconds})};
+  H5Piterate(H5P_FILE_ACCESS, nullptr, fork_and_read, &file);
+  switch (file.trial.wait()) {
+    case Trial::End::out_of_time:
+      throw_damaged(path, "this file is damaged (HDF5 does not come to an end with it).");
+    case Trial::End::crashed:
+      throw_damaged(path, "this file is damaged (HDF5 cannot read it and crashes).");
+    case Trial::End::done:
+    case Trial::End::out_of_memory:
+    case Trial::End::not_tried:
+      return;  // without a process more the file is read as it is
+  }
 }
 
 void require_readable(const std::filesystem::path& path) {

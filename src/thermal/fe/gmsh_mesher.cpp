@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <new>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -21,7 +22,7 @@ namespace {
 // Element types of gmsh.
 constexpr int line_2 = 1, quadrilateral_4 = 3;
 
-/// Runs `work` on a fresh model; whatever gmsh throws becomes a SolverError with its last words.
+/// Runs `work` on a fresh model; whatever gmsh throws, but for want of memory, becomes a SolverError with its last words.
 template <class Work>
 auto in_fresh_model(const std::string& task, Work work) {
   struct Model {
@@ -34,6 +35,8 @@ auto in_fresh_model(const std::string& task, Work work) {
     const Model model;
     return work();
   } catch (const SolverError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (...) {  // depending on the place an int, a string or an exception
     std::string words;

@@ -1,0 +1,70 @@
+#include "base/trial.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <new>
+
+namespace rotordrop {
+namespace {
+
+constexpr int status_of_memory = 2;
+
+/// Address space of this process [bytes]; 0: not known.
+std::uint64_t own_memory() {
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void limit_memory(std::uint64_t more) {
+  rlimit limit{};
+  const std::uint64_t own = own_memory();
+  if (more == 0 || own == 0 || ::getrlimit(RLIMIT_AS, &limit) != 0) return;
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, own + more);
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
+[[noreturn]] void work_and_leave(const std::function<void()>& work, const Trial::Limits& limits) {
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+  }
+  for (const int signal : {SIGALRM, SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) ::signal(signal, SIG_DFL);
+  ::alarm(limits.seconds);
+  limit_memory(limits.memory);
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    ::_exit(status_of_memory);
+  } catch (...) {
+  }
+  ::_exit(0);
+}
+
+}  // namespace
+
+void Trial::start(const std::function<void()>& work) {
+  child_ = ::fork();
+  if (child_ == 0) work_and_leave(work, limits_);
+}
+
+Trial::End Trial::wait() const {
+  if (child_ < 0) return End::not_tried;
+  int status = 0;
+  while (::waitpid(child_, &status, 0) < 0)
+    if (errno != EINTR) return End::not_tried;
+  if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGALRM ? End::out_of_time : End::crashed;
+  if (WEXITSTATUS(status) == status_of_memory) return End::out_of_memory;
+  return WEXITSTATUS(status) == 0 ? End::done : End::crashed;
+}
+
+}  // namespace rotordrop
