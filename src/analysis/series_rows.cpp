@@ -14,7 +14,7 @@ ScheduledRows::ScheduledRows(const char* name, const Machine& machine, RowSchedu
 void ScheduledRows::step(const Step& step) {
   while (schedule_.due() < step.time && !is_same_time(schedule_.due(), step.time)) {
     const double t = schedule_.due();
-    step.interpolate(t, state_);
+    if (needs_state(t)) step.interpolate(t, state_);
     write(t, state_);
   }
   if (!step.is_observed) return;
@@ -47,7 +47,7 @@ bool SeriesRows::are_read() const { return is_needed(RowNeeds::all) || is_needed
 double SeriesRows::due_ahead() const { return are_read() ? due() : std::numeric_limits<double>::infinity(); }
 
 void SeriesRows::write(double t, std::span<const double> y) {
-  if (is_thinned_ && !are_read() && t < watched_ + watch_interval) return give(t, row_, false);
+  if (!needs_state(t)) return give(t, row_, false);
   if (t == ahead_time_) return write(t, y, ahead_);
   machine_.evaluate(t, y, found_);
   write(t, y, found_);

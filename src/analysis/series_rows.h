@@ -28,7 +28,9 @@ class ScheduledRows : public Observer {
   /// @param name             in checkpoints
   /// @param growth_in_force  of a machine that takes it from outside
   ScheduledRows(const char* name, const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force);
-  /// The row of a state, which was not evaluated yet.
+  /// Whether the row at this time needs its state.
+  [[nodiscard]] virtual bool needs_state(double t) const = 0;
+  /// The row of a state, which was not evaluated yet. @param y  anything if the row does not need it
   virtual void write(double t, std::span<const double> y) = 0;
   /// That of the step's end, which may have been.
   virtual void write_end(const Step& step) { write(step.time, step.after); }
@@ -72,6 +74,9 @@ class SeriesRows final : public ScheduledRows {
  private:
   /// Whether anybody reads every row.
   [[nodiscard]] bool are_read() const;
+  [[nodiscard]] bool needs_state(double t) const override {
+    return !is_thinned_ || are_read() || t >= watched_ + watch_interval;
+  }
   void write(double t, std::span<const double> y) override;
   void write_end(const Step& step) override {
     if (step.is_last) watched_ = -1.;
@@ -93,6 +98,7 @@ class DetailRows final : public ScheduledRows {
   DetailRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force);
 
  private:
+  [[nodiscard]] bool needs_state(double) const override { return has_sinks(); }
   void write(double t, std::span<const double> y) override;
   void write_end(const Step& step) override;
 };

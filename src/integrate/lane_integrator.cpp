@@ -20,14 +20,17 @@ static_assert(width == vector_length);
 template <int n>
 ROTORDROP_KERNEL void combine_all(std::size_t size, const double* y, const double* factors, const double* const* list,
                                   double* out) {
+  // Copies stay in registers: what is written below cannot change them.
   const double* k[n];
   std::copy_n(list, n, k);
+  double factor[n * width];
+  std::copy_n(factors, n * width, factor);
   for (std::size_t at = 0; at < size * width; at += width) {
 #pragma omp simd
     for (std::size_t l = 0; l < width; ++l) {
       double sum = y[at + l];
 #pragma GCC unroll 8
-      for (int j = 0; j < n; ++j) sum += factors[static_cast<std::size_t>(j) * width + l] * k[j][at + l];
+      for (int j = 0; j < n; ++j) sum += factor[static_cast<std::size_t>(j) * width + l] * k[j][at + l];
       out[at + l] = sum;
     }
   }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/aligned_numbers.h"
 #include "integrate/integrator.h"
 #include "integrate/pairs.h"
 #include "model/lane_system.h"
@@ -57,7 +58,7 @@ class LaneIntegrator {
 
  private:
   using PerLane = std::array<double, width>;
-  static void column(const std::vector<double>& from, std::size_t lane, std::span<double> to) {
+  static void column(const AlignedNumbers& from, std::size_t lane, std::span<double> to) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i * width + lane];
   }
   void start_begun();
@@ -74,10 +75,10 @@ class LaneIntegrator {
   PerLane stepped_{}, begun_{};  // 1 or 0: the last step was taken; the first one is still to come
   std::array<bool, width> runs_{}, was_rejected_{}, ends_{};
   std::vector<StepControl> control_;
-  std::vector<double> y_, before_, stage_, error_, step_, details_;  // [n][width]
-  PerLane within_time_{};                                            // of within_ [s]
-  std::vector<double> within_, within_rates_;                        // [n][width], made when they are asked for
-  std::vector<std::vector<double>> k_;
+  AlignedNumbers y_, before_, stage_, error_, step_, details_;  // [n][width]
+  PerLane within_time_{};                                       // of within_ [s]
+  AlignedNumbers within_, within_rates_;                        // [n][width], made when they are asked for
+  std::vector<AlignedNumbers> k_;
   std::array<IntegrationStatistics, width> statistics_{};
   std::array<std::exception_ptr, width> failures_{};
 };
