@@ -14,7 +14,7 @@ struct LineAllocator {
   template <class Other>
   LineAllocator(const LineAllocator<Other>&) noexcept {}
   [[nodiscard]] T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
-  void deallocate(T* list, std::size_t n) noexcept { ::operator delete(list, n * sizeof(T), line); }
+  void deallocate(T* list, std::size_t) noexcept { ::operator delete(list, line); }
   bool operator==(const LineAllocator&) const = default;
 };
 
