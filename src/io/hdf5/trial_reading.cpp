@@ -63,8 +63,8 @@ struct TrialOfFile {
 /// Called by HDF5, which has one lock for all threads: it is this thread's now, and the child's. A child that is forked amid the call of
 /// another thread would wait for it for ever.
 herr_t fork_and_read(hid_t, const char*, void* data) {
-  auto& [path, trial] = *static_cast<TrialOfFile*>(data);
-  trial.start([&path] { read_everything(path); });
+  auto& file = *static_cast<TrialOfFile*>(data);
+  file.trial.start([&file] { read_everything(file.path); });
   return 1;  // one call is enough
 }
 
