@@ -28,7 +28,7 @@ class ScheduledRows : public Observer {
   /// @param name             in checkpoints
   /// @param growth_in_force  of a machine that takes it from outside
   ScheduledRows(const char* name, const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force);
-  /// Whether the row at this time needs its state.
+  /// Whether the row at this time needs its state. Of drops one by one it always does: what interpolates for it counts among the evaluations.
   [[nodiscard]] virtual bool needs_state(double t) const = 0;
   /// The row of a state, which was not evaluated yet. @param y  anything if the row does not need it
   virtual void write(double t, std::span<const double> y) = 0;
@@ -98,7 +98,7 @@ class DetailRows final : public ScheduledRows {
   DetailRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force);
 
  private:
-  [[nodiscard]] bool needs_state(double) const override { return has_sinks(); }
+  [[nodiscard]] bool needs_state(double) const override { return true; }
   void write(double t, std::span<const double> y) override;
   void write_end(const Step& step) override;
 };
