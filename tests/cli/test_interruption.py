@@ -1,6 +1,7 @@
 """A run that is interrupted, terminated or killed leaves whole results, and --resume ends it as if nothing had been."""
 
 import json
+import pathlib
 import shlex
 import signal
 import sys
@@ -11,7 +12,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest, content_of, settings, start  # noqa: E402
+from program import PROGRAM, ProgramTest, content_of, settings, start  # noqa: E402
 
 # Some 80000 steps: a second or two, in which a signal finds the program at work.
 LONG = settings(run__end_time="40 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__detail_interval="0.1 ms")
@@ -182,6 +183,22 @@ class Interruption(ProgramTest):
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertRegex(done.stderr, "parameters")
         self.assertEqual(content_of(self.folder / "out"), before)
+
+    @unittest.skipUnless((pathlib.Path(PROGRAM).parent / "rotordrop_mesh.so").is_file(), "built without the mesh room")
+    def test_refuses_to_resume_with_another_mesh(self):
+        self.succeed("mesh", "reference.toml", "-o", "mine.msh", "--set", "thermal.fe.largest_cell=4 mm")
+        own = ["--set", 'thermal.models=["lumped", "fe"]', "--set", "thermal.fe.mesh=mine-NAME.msh"]
+        self.stop(self.begin(*own, until=self.is_under_way), signal.SIGINT)
+        mine = self.folder / "mine-TB2.msh"
+        good = mine.read_bytes()
+        mine.write_bytes(good + b"$Comments\nby another hand\n$EndComments\n")
+        before = content_of(self.folder / "out")
+        done = self.call("run", "reference.toml", "-o", "out", *LONG, *own, "--resume")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("A mesh or a recording that the case names", " ".join(done.stderr.split()))
+        self.assertEqual(content_of(self.folder / "out"), before)
+        mine.write_bytes(good)
+        self.succeed("run", "reference.toml", "-o", "out", *LONG, *own, "--resume")
 
     def test_refuses_to_start_over_an_interrupted_run(self):
         self.stop(self.begin(until=self.is_under_way), signal.SIGINT)
