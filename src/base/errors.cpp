@@ -61,7 +61,10 @@ std::string to_string(const SourcePosition& where) {
 }
 
 void Faults::add(Fault fault) {
-  if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) faults_.push_back(std::move(fault));
+  // Of thousands, which take long to compare, the first hundred are shown: one that is there twice is no matter.
+  constexpr std::size_t n_compared = 1000;
+  if (faults_.size() > n_compared || std::find(faults_.begin(), faults_.end(), fault) == faults_.end())
+    faults_.push_back(std::move(fault));
 }
 
 void Faults::add(SourcePosition where, std::string message, std::string advice) {

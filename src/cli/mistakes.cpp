@@ -153,19 +153,30 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error, const s
 
 InputError with_right_forms(const InputError& error, const std::vector<std::string>& overrides,
                             const std::vector<ErasedSection>& sections) {
+  // Each one once: a long list may have a fault in every entry.
+  struct Form {
+    std::string key, assignment, form;
+    bool is_right;
+  };
+  std::vector<Form> forms;
+  for (const auto& assignment : overrides) {
+    auto equals = assignment.find('=');
+    if (equals == std::string::npos) equals = assignment.find(':');  // KEY: VALUE
+    if (equals == std::string::npos) continue;
+    if (assignment.find_first_not_of(" \t", equals + 1) == std::string::npos) continue;
+    const std::string key = assignment.substr(0, equals);
+    const bool is_at_fault = std::any_of(error.faults().begin(), error.faults().end(), [&](const Fault& fault) {
+      return fault.where.file == "--set " + key || fault.where.file == "--set " + assignment;
+    });
+    if (!is_at_fault) continue;
+    const std::string form = right_form(sections, key, std::string_view(assignment).substr(equals + 1));
+    forms.push_back({"--set " + key, "--set " + assignment, form, form == "--set " + shell_quoted(assignment)});
+  }
   Faults faults;
   for (Fault fault : error.faults()) {
-    for (const auto& assignment : overrides) {
-      auto equals = assignment.find('=');
-      if (equals == std::string::npos) equals = assignment.find(':');  // KEY: VALUE
-      if (equals == std::string::npos) continue;
-      const std::string key = assignment.substr(0, equals);
-      if (fault.where.file != "--set " + key && fault.where.file != "--set " + assignment) continue;
-      if (assignment.find_first_not_of(" \t", equals + 1) == std::string::npos) continue;
-      const std::string form = right_form(sections, key, std::string_view(assignment).substr(equals + 1));
-      if (form != "--set " + shell_quoted(assignment))
+    for (const auto& [key, assignment, form, is_right] : forms)
+      if (!is_right && (fault.where.file == key || fault.where.file == assignment))
         fault.advice += (fault.advice.empty() ? "" : "\n") + fmt::format("Write it as: {}", form);
-    }
     faults.add(std::move(fault));
   }
   return InputError(faults);

@@ -302,6 +302,9 @@ class HostileInputs(ProgramTest):
         self.write("drop.toml", 'base = "reference.toml"\n' + "".join(f"k{i} = 1\n" for i in range(9000)))
         self.refuse("check", "drop.toml", says="and 8900 more faults", timeout=20)
 
+    def test_long_lists_of_wrong_entries_take_no_time(self):
+        self.refuse("check", "reference.toml", "--set", f"rotor.unbalance=[{','.join(['1'] * 50_000)}]", says="and 49900 more faults", timeout=20)
+
     def test_more_rows_than_a_disk_holds_are_refused(self):
         self.refuse("run", "reference.toml", *settings(run__end_time="1e6", output__interval="1e-7"), says="rows of results")
 
