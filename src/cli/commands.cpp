@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -151,12 +154,24 @@ int compare_command(const CompareCommand& command) {
   return 0;
 }
 
+void require_page_or_nothing(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file) || file.extension() == ".html" || file.extension() == ".htm") return;
+  std::string begin(15, '\0');
+  if (std::filesystem::is_regular_file(file)) std::ifstream(file, std::ios::binary).read(begin.data(), 15);
+  std::transform(begin.begin(), begin.end(), begin.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (begin != "<!doctype html>")
+    throw InputError({file.string(), 0, 0}, "the file already exists, and it is no HTML page.",
+                     "Choose another with -o FILE.");
+}
+
 int report_command(const ReportCommand& command) {
   const RecordedDrop drop(command.directory);
   const auto file = command.output.empty() ? command.directory / "report.html" : command.output;
   if (!command.force && std::filesystem::exists(file))
     throw InputError({file.string(), 0, 0}, "the file already exists",
                      "Choose another with -o FILE, or replace it with --force.");
+  require_page_or_nothing(file);
   const std::string page = report_page(report_data(drop));
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_text_atomically(file, page);

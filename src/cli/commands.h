@@ -63,6 +63,8 @@ struct ReportCommand {
   bool force = false, quiet = false;
 };
 int report_command(const ReportCommand& command);
+/// What `--force` may replace by a report. @throws InputError if the file is there and is something else
+void require_page_or_nothing(const std::filesystem::path& file);
 
 struct MeshCommand {
   std::filesystem::path file, output;

@@ -164,6 +164,7 @@ InputError with_right_forms(const InputError& error, const std::vector<std::stri
     if (equals == std::string::npos) equals = assignment.find(':');  // KEY: VALUE
     if (equals == std::string::npos) continue;
     if (assignment.find_first_not_of(" \t", equals + 1) == std::string::npos) continue;
+    if (assignment.size() > 2000) continue;  // nobody reads it twice
     const std::string key = assignment.substr(0, equals);
     const bool is_at_fault = std::any_of(error.faults().begin(), error.faults().end(), [&](const Fault& fault) {
       return fault.where.file == "--set " + key || fault.where.file == "--set " + assignment;

@@ -260,6 +260,7 @@ int study_report_command(const StudyReportCommand& command) {
   if (!command.output.empty() && !command.force && std::filesystem::exists(file))
     throw InputError({file.string(), 0, 0}, "the file exists",
                      "Choose another with -o FILE, or replace it with --force.");
+  require_page_or_nothing(file);
   write_text_atomically(file, study_report_page(study_report_data(command.directory)));
   if (!command.quiet) fmt::print("{}\n", file.string());
   return 0;

@@ -63,6 +63,16 @@ class OtherPeoplesFiles(ProgramTest):
         self.assertEqual([name for name in mine if name not in there], [])
         self.assertEqual((self.folder / "elsewhere/checkpoint-000001.h5").read_text(), "mine")
 
+    def test_a_report_replaces_pages_and_nothing_else(self):
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"), "--quiet")
+        before = content_of(self.folder)
+        for name in ("out/results.h5", "out/parameters.toml", "reference.toml"):
+            done = self.call("report", "out", "-o", name, "--force")
+            self.assertEqual(done.returncode, 2, name)
+            self.assertIn("it is no HTML page", done.stderr)
+        self.assertEqual(content_of(self.folder), before)
+        self.succeed("report", "out", "-o", "out/report.html", "--force")
+
     def test_an_empty_name_is_refused(self):
         before = content_of(self.folder)
         for command in (("run", "reference.toml", "-o", ""), ("mesh", "reference.toml", "-o", ""), ("modes", "reference.toml", "--shapes", ""),
@@ -272,6 +282,7 @@ class HostileInputs(ProgramTest):
         self.assertRegex(done.stderr, says)
         self.assertNotIn("fault of the program", done.stderr)
         self.assertLess(len(done.stderr), 100_000)
+        return done
 
     def test_deep_nesting_is_refused(self):
         self.write("drop.toml", ".".join(["a"] * 20000) + " = 1\n")
@@ -304,6 +315,18 @@ class HostileInputs(ProgramTest):
 
     def test_long_lists_of_wrong_entries_take_no_time(self):
         self.refuse("check", "reference.toml", "--set", f"rotor.unbalance=[{','.join(['1'] * 50_000)}]", says="and 49900 more faults", timeout=20)
+
+    def test_long_lines_with_a_mistake_are_refused(self):
+        for text in ("title = " + "x" * 30_000, "[rotor]\nunbalance = [" + "{node = 1}," * 3000 + "{node = 1} {node = 1}]",
+                     "title = " + " " * 100_000 + "x y", "[run]\nend_time = [" + "1 ms, " * 10_000 + "]"):
+            self.write("drop.toml", 'base = "reference.toml"\n' + text)
+            self.assertLess(len(self.refuse("check", "drop.toml", says="this is not valid TOML", timeout=20).stderr), 2000)
+        self.refuse("check", "reference.toml", "--set", "rotor.unbalance=" + "[" * 30_000 + "1", says="must be an array", timeout=20)
+
+    def test_pipes_instead_of_results_are_refused(self):
+        os.mkfifo(self.folder / "pipe.h5")
+        self.refuse("rerun", "pipe.h5", says="a device or a pipe", timeout=10)
+        self.refuse("modes", "reference.toml", "--shapes", "pipe.h5", says="does not hold mode shapes", timeout=10)
 
     def test_more_rows_than_a_disk_holds_are_refused(self):
         self.refuse("run", "reference.toml", *settings(run__end_time="1e6", output__interval="1e-7"), says="rows of results")

@@ -23,6 +23,9 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
+/// Longer lines are not searched: the library's patterns call themselves for every letter.
+constexpr std::size_t longest_line = 2000;
+
 /// What a mistake is, and the line as it is meant; empty if that is not clear.
 struct Guess {
   std::string what, meant;
@@ -54,7 +57,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 /// First line before `line` that fits, from 1; 0 if none does.
 int earlier_line(const std::vector<std::string>& lines, int line, const std::regex& pattern) {
   for (int i = 0; i + 1 < line && i < static_cast<int>(lines.size()); ++i)
-    if (std::regex_search(lines[static_cast<std::size_t>(i)], pattern)) return i + 1;
+    if (const auto& one = lines[static_cast<std::size_t>(i)];
+        one.size() <= longest_line && std::regex_search(one, pattern))
+      return i + 1;
   return 0;
 }
 
@@ -103,6 +108,7 @@ std::optional<Guess> about_value(const std::string& key, const std::string& valu
 
 std::optional<Guess> about_line(const std::vector<std::string>& lines, int number, std::string_view description) {
   const std::string& line = lines[static_cast<std::size_t>(number - 1)];
+  if (line.size() > longest_line) return {};
   const std::string bare(trimmed(split_comment(line).first));
   std::smatch m;
   for (const char* quote : {"\u201c", "\u201d", "\u201e", "\u201f", "\u00ab", "\u00bb"})
@@ -166,7 +172,12 @@ TomlMistake toml_mistake(std::string_view text, int line, std::string_view descr
     if (guess = about_line(lines, before, description); guess) line = before;
   std::string own(description);
   if (own.starts_with("Error")) own.front() = 'e';
-  const std::string shown(trimmed(lines[static_cast<std::size_t>(line - 1)]));
+  std::string shown(trimmed(lines[static_cast<std::size_t>(line - 1)]));
+  if (shown.size() > longest_line) {
+    std::size_t end = 200;
+    while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xc0u) == 0x80u) --end;  // not within a letter
+    shown = fmt::format("{} ... ({} characters)", shown.substr(0, end), shown.size());
+  }
   if (!guess) return {fmt::format("this is not valid TOML: {}.", own), shown.empty() ? "" : "The line is: " + shown};
   return {fmt::format("this is not valid TOML: {}.", guess->what),
           guess->meant.empty() ? "The line is: " + shown : "Write it as: " + guess->meant};
