@@ -422,6 +422,7 @@ class Slips(ProgramTest):
                            ("[contact]\nair_gap = \"5 mm\"\n", "contact.air_gap = 5 mm is unusual"),
                            ("[bearings.TB1]\nwidth = \"200 mm\"\n", "mm wide, more than its diameter"),
                            ("[bearings.TB2]\nwidth = \"10 mm\"\n", "its 2 rows of balls"),
+                           ("[bearings.TB1]\nwidth = \"2 mm\"\n", "its row of balls of 11.91 mm needs 11.91 mm"),
                            ("[bearings.TB1]\nhousing_length = \"25 m\"\n", "more than 20 times")):
             with self.subTest(says):
                 self.assertRegex(self.warnings(text), says)
