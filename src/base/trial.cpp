@@ -67,4 +67,11 @@ Trial::End Trial::wait() const {
   return WEXITSTATUS(status) == 0 ? End::done : End::crashed;
 }
 
+Trial::Limits limits_of_reading(const std::filesystem::path& file, unsigned patience, const ReadingRates& rates) {
+  std::error_code error;
+  const std::uint64_t found = std::filesystem::file_size(file, error), size = error ? 0 : found;
+  return {.seconds = patience + static_cast<unsigned>(std::min(size / rates.bytes_per_second, std::uint64_t{100'000})),
+          .memory = rates.memory_besides + rates.memory_per_byte * size};
+}
+
 }  // namespace rotordrop

@@ -2,6 +2,7 @@
 #include <sys/types.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 
 namespace rotordrop {
@@ -32,5 +33,13 @@ class Trial {
   Limits limits_;
   pid_t child_ = -1;
 };
+
+/// What reading takes by the size of a file.
+struct ReadingRates {
+  std::uint64_t bytes_per_second;
+  std::uint64_t memory_per_byte = 0, memory_besides = 0;  ///< [bytes]; both 0: not limited
+};
+/// @param patience  what reading may take besides the time of its size [s]
+Trial::Limits limits_of_reading(const std::filesystem::path& file, unsigned patience, const ReadingRates& rates);
 
 }  // namespace rotordrop

@@ -1,5 +1,4 @@
 // Meshes of a bearing as gmsh writes them: read, and taken as the section of the reference case's first bearing.
-#include "case/bearing_mesh.h"
 #include "case/case.h"
 #include "case/modules/mesh_file.h"
 #include "input.h"

@@ -58,30 +58,20 @@ void require(herr_t status, std::string_view what) {
   if (status < 0) throw SolverError(std::string(what) + ": " + last_error());
 }
 
-namespace {
-
-void require_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status)) throw InputError({path.string()}, "there is no such file.");
-  if (std::filesystem::is_directory(status))
-    throw InputError({path.string()}, "this is a directory, not an HDF5 file.");
-  // Reading a pipe would wait for its writer.
-  if (!std::filesystem::is_regular_file(status))
-    throw InputError({path.string()}, "this is a device or a pipe, not an HDF5 file.");
-}
-
-}  // namespace
-
 Handle open_for_reading(const std::filesystem::path& path) {
-  require_file(path);
   require_readable(path);
   return open_without_trial(path);
 }
 
 Handle open_without_trial(const std::filesystem::path& path) {
   be_quiet();
-  require_file(path);
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) throw InputError({path.string()}, "there is no such file.");
+  if (std::filesystem::is_directory(status))
+    throw InputError({path.string()}, "this is a directory, not an HDF5 file.");
+  if (!std::filesystem::is_regular_file(status))
+    throw InputError({path.string()}, "this is a device or a pipe, not an HDF5 file.");
   // Of a file that is being written, a part may have to be read again: within 2^20 ns = 1 ms, for the pauses double. Without a limit
   // HDF5 tries 100 times, which on a damaged file takes for ever.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");

@@ -15,7 +15,7 @@ namespace rotordrop::hdf5 {
 namespace {
 
 /// Far slower than any disk.
-constexpr std::uintmax_t bytes_per_second = 2u << 20u;
+constexpr ReadingRates rates{.bytes_per_second = 2u << 20u};
 
 /// Attributes of an object, as the readers of this room take them.
 void read_attributes(hid_t object) {
@@ -92,20 +92,16 @@ KnownFiles& known_files() {
 }  // namespace
 
 void try_to_read(const std::filesystem::path& path, unsigned patience) {
-  std::error_code ignored;
-  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
-  const auto seconds =
-      patience + static_cast<unsigned>(ignored ? 0 : std::min(size / bytes_per_second, std::uintmax_t{100000}));
   be_quiet();
-  TrialOfFile file{path, Trial({.seconds = seconds})};
+  TrialOfFile file{path, Trial(limits_of_reading(path, patience, rates))};
   H5Piterate(H5P_FILE_ACCESS, nullptr, fork_and_read, &file);
   switch (file.trial.wait()) {
     case Trial::End::out_of_time:
       throw_damaged(path, "this file is damaged (HDF5 does not come to an end with it).");
     case Trial::End::crashed:
+    case Trial::End::out_of_memory:
       throw_damaged(path, "this file is damaged (HDF5 cannot read it and crashes).");
     case Trial::End::done:
-    case Trial::End::out_of_memory:
     case Trial::End::not_tried:
       return;  // without a process more the file is read as it is
   }
@@ -113,7 +109,8 @@ void try_to_read(const std::filesystem::path& path, unsigned patience) {
 
 void require_readable(const std::filesystem::path& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 || known_files().has(status)) return;  // if it is not there, opening says so
+  // What is not there, or is no file, opening tells; a pipe would wait for its writer.
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || known_files().has(status)) return;
   try_to_read(path);
   known_files().add(status);
 }

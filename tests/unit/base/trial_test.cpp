@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <functional>
 #include <stdexcept>
-#include <vector>
 
 namespace {
 
