@@ -153,10 +153,10 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error, const s
 
 InputError with_right_forms(const InputError& error, const std::vector<std::string>& overrides,
                             const std::vector<ErasedSection>& sections) {
-  // Each one once: a long list may have a fault in every entry.
+  // Each one once: a long list may have a fault in every entry. One that is very long nobody reads twice.
+  constexpr std::size_t longest_form = 2000;
   struct Form {
-    std::string key, assignment, form;
-    bool is_right;
+    std::string by_key, by_assignment, form;
   };
   std::vector<Form> forms;
   for (const auto& assignment : overrides) {
@@ -164,19 +164,15 @@ InputError with_right_forms(const InputError& error, const std::vector<std::stri
     if (equals == std::string::npos) equals = assignment.find(':');  // KEY: VALUE
     if (equals == std::string::npos) continue;
     if (assignment.find_first_not_of(" \t", equals + 1) == std::string::npos) continue;
-    if (assignment.size() > 2000) continue;  // nobody reads it twice
+    if (assignment.size() > longest_form) continue;
     const std::string key = assignment.substr(0, equals);
-    const bool is_at_fault = std::any_of(error.faults().begin(), error.faults().end(), [&](const Fault& fault) {
-      return fault.where.file == "--set " + key || fault.where.file == "--set " + assignment;
-    });
-    if (!is_at_fault) continue;
     const std::string form = right_form(sections, key, std::string_view(assignment).substr(equals + 1));
-    forms.push_back({"--set " + key, "--set " + assignment, form, form == "--set " + shell_quoted(assignment)});
+    if (form != "--set " + shell_quoted(assignment)) forms.push_back({"--set " + key, "--set " + assignment, form});
   }
   Faults faults;
   for (Fault fault : error.faults()) {
-    for (const auto& [key, assignment, form, is_right] : forms)
-      if (!is_right && (fault.where.file == key || fault.where.file == assignment))
+    for (const auto& [by_key, by_assignment, form] : forms)
+      if (fault.where.file == by_key || fault.where.file == by_assignment)
         fault.advice += (fault.advice.empty() ? "" : "\n") + fmt::format("Write it as: {}", form);
     faults.add(std::move(fault));
   }
