@@ -128,14 +128,16 @@ void look_at_bearing(const std::string& name, const TouchdownParameters& b, cons
          fmt::format("bearings.{} has outer_ring_diameters up to {:.4g} mm, but its outside_diameter is {:.4g} mm.",
                      name, mm(b.outer_ring_diameters[1]), mm(*b.outside_diameter)),
          "One of them may belong to another size.");
-  if (b.width < b.rows * b.ball_diameter)
+  if (b.width < b.rows * b.ball_diameter) {
+    const bool is_one = b.rows == 1;
     warn(warnings, position_of_value(table, "width"),
          fmt::format("bearings.{} is {:.4g} mm wide, but its {} of balls of {:.4g} mm {} {:.4g} mm.", name, mm(b.width),
-                     b.rows > 1 ? fmt::format("{} rows", b.rows) : "row", mm(b.ball_diameter),
-                     b.rows > 1 ? "need" : "needs", mm(b.rows * b.ball_diameter)),
-         b.rows > 1 ? "A catalogue entry describes one bearing: of a pair, width, ring_mass, ring_spin_inertia and C0 "
-                      "are those of both together."
-                    : "The balls' diameter may belong to another size.");
+                     is_one ? "row" : fmt::format("{} rows", b.rows), mm(b.ball_diameter), is_one ? "needs" : "need",
+                     mm(b.rows * b.ball_diameter)),
+         is_one ? "The balls' diameter may belong to another size."
+                : "A catalogue entry describes one bearing: of a pair, width, ring_mass, ring_spin_inertia and C0 "
+                  "are those of both together.");
+  }
   if (b.row_spacing && b.rows > 1 && *b.row_spacing < b.ball_diameter)
     warn(warnings, position_of_value(table, "row_spacing"),
          fmt::format("the rows of bearings.{} are {:.4g} mm apart, but its balls are {:.4g} mm thick: rows overlap.",

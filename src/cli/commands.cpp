@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -156,11 +154,9 @@ int compare_command(const CompareCommand& command) {
 
 void require_page_or_nothing(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file) || file.extension() == ".html" || file.extension() == ".htm") return;
-  std::string begin(15, '\0');
-  if (std::filesystem::is_regular_file(file)) std::ifstream(file, std::ios::binary).read(begin.data(), 15);
-  std::transform(begin.begin(), begin.end(), begin.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (begin != "<!doctype html>")
+  std::string first_line;
+  if (std::filesystem::is_regular_file(file)) std::getline(std::ifstream(file), first_line);
+  if (first_line != "<!DOCTYPE html>")
     throw InputError({file.string(), 0, 0}, "the file already exists, and it is no HTML page.",
                      "Choose another with -o FILE.");
 }
