@@ -12,6 +12,7 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PARAMS = SOURCE / "params"
 PROGRAM = str(pathlib.Path(os.environ.get("ROTORDROP_PROGRAM", SOURCE / "build/release/rotordrop")).resolve())
+HAS_MESH_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_mesh.so").is_file()
 
 
 # A disc that is heated at its outside: a case of `rotordrop heat`; times come before it.

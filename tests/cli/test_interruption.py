@@ -1,7 +1,6 @@
 """A run that is interrupted, terminated or killed leaves whole results, and --resume ends it as if nothing had been."""
 
 import json
-import pathlib
 import shlex
 import signal
 import sys
@@ -12,7 +11,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, ProgramTest, content_of, settings, start  # noqa: E402
+from program import HAS_MESH_ROOM, ProgramTest, content_of, settings, start  # noqa: E402
 
 # Some 80000 steps: a second or two, in which a signal finds the program at work.
 LONG = settings(run__end_time="40 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__detail_interval="0.1 ms")
@@ -184,7 +183,7 @@ class Interruption(ProgramTest):
         self.assertRegex(done.stderr, "parameters")
         self.assertEqual(content_of(self.folder / "out"), before)
 
-    @unittest.skipUnless((pathlib.Path(PROGRAM).parent / "rotordrop_mesh.so").is_file(), "built without the mesh room")
+    @unittest.skipUnless(HAS_MESH_ROOM, "built without the mesh room")
     def test_refuses_to_resume_with_another_mesh(self):
         self.succeed("mesh", "reference.toml", "-o", "mine.msh", "--set", "thermal.fe.largest_cell=4 mm")
         own = ["--set", 'thermal.models=["lumped", "fe"]', "--set", "thermal.fe.mesh=mine-NAME.msh"]

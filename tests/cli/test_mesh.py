@@ -4,7 +4,6 @@ ROTORDROP_PROGRAM is the program under test. What needs the room is skipped wher
 """
 
 import os
-import pathlib
 import re
 import shutil
 import stat
@@ -13,11 +12,9 @@ import unittest
 import unittest.mock
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PARAMS, PROGRAM, SOURCE, ProgramTest, content_of  # noqa: E402
+from program import HAS_MESH_ROOM, PARAMS, SOURCE, ProgramTest, content_of  # noqa: E402
 
 sys.path.insert(0, str(SOURCE / "docs"))
-
-HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_mesh.so").is_file()
 
 
 class FaultyCases(ProgramTest):
@@ -74,7 +71,7 @@ class FaultyCases(ProgramTest):
         self.assertIn("nothing to mesh", self.fault(self.write("linear.toml", text), "-o", "m.msh"))
 
 
-@unittest.skipIf(HAS_ROOM, "built with the mesh room")
+@unittest.skipIf(HAS_MESH_ROOM, "built with the mesh room")
 class WithoutTheRoom(ProgramTest):
     def test_the_message_says_how_to_get_it(self):
         done = self.call("mesh", "reference.toml", "-o", "m.msh")
@@ -84,7 +81,7 @@ class WithoutTheRoom(ProgramTest):
         self.assertEqual(list(self.folder.glob("*.msh")), [])
 
 
-@unittest.skipUnless(HAS_ROOM, "built without the mesh module")
+@unittest.skipUnless(HAS_MESH_ROOM, "built without the mesh module")
 class WithTheRoom(ProgramTest):
     def names(self, file):
         return set(re.findall(r'^[12] \d+ "(.*)"$', (self.folder / file).read_text(), re.MULTILINE))
