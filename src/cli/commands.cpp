@@ -118,13 +118,15 @@ namespace {
 
 int compare_measured_command(const CompareCommand& command) {
   const auto file = command.output.empty() ? command.directory / "measured.json" : command.output;
-  if (!command.output.empty() && !command.force && std::filesystem::exists(file))
-    throw InputError({file.string(), 0, 0}, "the file already exists",
-                     "Choose another with -o FILE, or replace it with --force.");
+  const auto page = std::filesystem::path(file).replace_extension(".html");
+  if (!command.output.empty() && !command.force)
+    for (const auto& path : {file, page})
+      if (std::filesystem::exists(path))
+        throw InputError({path.string(), 0, 0}, "the file already exists",
+                         "Choose another with -o FILE, or replace it with --force.");
   const auto measured = read_measured_file(command.measured);
   const RecordedDrop drop(command.directory);
   const MeasuredComparison comparison = compare_with_measured(drop, measured);
-  const auto page = std::filesystem::path(file).replace_extension(".html");
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_text_atomically(file, comparison.report.dump(2) + "\n");
   write_text_atomically(page, comparison.page);

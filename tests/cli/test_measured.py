@@ -58,6 +58,16 @@ class Measured(ProgramTest):
         plain = json.loads((self.folder / "plain.json").read_text())["measured"]
         self.assertGreater(plain[0]["rms"], 2 * report[0]["rms"])
 
+    def test_neither_numbers_nor_page_replace_files_unasked(self):
+        for name in ("mine.json", "mine.html"):
+            self.write(name, "mine")
+            done = self.call("compare", "truth", "--measured", "measured.csv", "-o", "mine.json")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(f"{name}: the file already exists", done.stderr)
+            self.assertEqual((self.folder / name).read_text(), "mine")
+            (self.folder / name).unlink()
+        self.assertFalse((self.folder / "mine.json").exists())
+
     def test_what_cannot_be_compared_is_told(self):
         self.write("bad.csv", "time,/bearings/TB1/orbitt[0] [um]\n0,1\n1e-3,2\n2e-3,3\n")
         self.assertIn('Did you mean "/bearings/TB1/orbit"', self.call("compare", "truth", "--measured", "bad.csv").stderr)
