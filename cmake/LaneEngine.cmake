@@ -32,7 +32,7 @@ function(rotordrop_lane_engine room source prefix)
         DEPENDS $<TARGET_OBJECTS:${engine}>
         COMMAND ${ROTORDROP_LD} -r --force-group-allocation $<TARGET_OBJECTS:${engine}> -o ${closed}
         COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=_ZN9rotordrop${length}${prefix}_${level}* ${closed}
-        COMMAND_EXPAND_LISTS
+        COMMAND_EXPAND_LISTS VERBATIM
         COMMENT "Closing the lane engine of ${level}")
       set_source_files_properties(${closed} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
       target_sources(rotordrop_${room} PRIVATE ${closed})

@@ -326,5 +326,20 @@ class OwnParts(Installed):
         self.assertIn("snubber", call(self.program, "check", self.case, code=2), "the program itself has no such kind")
 
 
+@unittest.skipUnless(CACHE, "the program lies in no build folder")
+@unittest.skipUnless(shutil.which("ninja"), "without ninja")
+class SourceFolder(unittest.TestCase):
+    def test_it_may_have_any_name(self):
+        folder = tempfile.TemporaryDirectory(prefix="rotor's drop ")
+        self.addCleanup(folder.cleanup)
+        source = pathlib.Path(folder.name) / "it's here"
+        shutil.copytree(SOURCE, source, ignore=lambda path, _: {"build", "out", ".git"} if pathlib.Path(path) == SOURCE else set())
+        call("cmake", "-S", source, "-B", source / "build", "-G", "Ninja", "-DROTORDROP_FE=OFF", "-DROTORDROP_BENCHMARKS=OFF")
+        commands = call("ninja", "-C", source / "build", "-t", "commands", "all").splitlines()
+        self.assertGreater(len(commands), 300)
+        broken = [command for command in commands if subprocess.run(["sh", "-n"], input=command, text=True, capture_output=True).returncode != 0]
+        self.assertEqual(broken, [])
+
+
 if __name__ == "__main__":
     unittest.main()
