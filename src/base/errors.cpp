@@ -33,6 +33,17 @@ std::string indented(const std::string& text, const std::string& indent) {
   return result;
 }
 
+/// A text of which nobody reads the middle; whole letters of UTF-8.
+std::string shortened(std::string text) {
+  constexpr std::size_t longest = 10'000, n_begin = 1000, n_end = 500;
+  if (text.size() <= longest) return text;
+  const auto is_within_letter = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xc0u) == 0x80u; };
+  std::size_t begin = n_begin, end = text.size() - n_end;
+  while (is_within_letter(begin)) --begin;
+  while (is_within_letter(end)) --end;
+  return fmt::format("{} ... ({} characters) ... {}", text.substr(0, begin), end - begin, text.substr(end));
+}
+
 /// Files in the order in which they were first named, each by line and column.
 std::vector<Fault> sorted(std::vector<Fault> faults) {
   std::map<std::string, std::size_t> files;
@@ -63,6 +74,8 @@ std::string to_string(const SourcePosition& where) {
 void Faults::add(Fault fault) {
   // Of thousands, which take long to compare, the first hundred are shown: one that is there twice is no matter.
   constexpr std::size_t n_compared = 1000;
+  fault.message = shortened(std::move(fault.message));
+  fault.advice = shortened(std::move(fault.advice));
   if (faults_.size() > n_compared || std::find(faults_.begin(), faults_.end(), fault) == faults_.end())
     faults_.push_back(std::move(fault));
 }
@@ -89,7 +102,8 @@ InputError InputError::with(std::vector<Fault> sorted_faults) { return InputErro
 InputError::InputError(const Faults& faults) : InputError(sorted({faults.begin(), faults.end()})) {}
 
 InputError::InputError(SourcePosition where, std::string message, std::string advice)
-    : InputError(std::vector<Fault>{{std::move(where), std::move(message), std::move(advice), {}}}) {}
+    : InputError(
+          std::vector<Fault>{{std::move(where), shortened(std::move(message)), shortened(std::move(advice)), {}}}) {}
 
 std::string rendered(const Fault& fault) {
   const std::string where = fault.where.is_known() ? to_string(fault.where) + ": " : "";

@@ -114,8 +114,10 @@ Node merged(const Node& defaults, const Node& over) {
   Node result = defaults;
   result.set_where(over.where());
   for (const Node::Entry& entry : over.entries()) {
-    const Node* base = defaults.find(entry.key);
-    result.set(Node::Entry{entry.key, entry.where, base ? merged(*base, entry.value) : entry.value, entry.comment});
+    if (const Node* base = defaults.find(entry.key))
+      result.set(Node::Entry{entry.key, entry.where, merged(*base, entry.value), entry.comment});
+    else
+      result.entries().push_back(entry);  // keys of a table differ: no search, which takes long among thousands
   }
   return result;
 }

@@ -8,20 +8,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <fstream>
 #include <new>
+
+#include "base/memory.h"
 
 namespace rotordrop {
 namespace {
 
 constexpr int status_of_memory = 2;
-
-/// Address space of this process [bytes]; 0: not known.
-std::uint64_t own_memory() {
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-}
 
 void limit_memory(std::uint64_t more) {
   rlimit limit{};

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/trimmed.h"
+#include "base/unit_meant.h"
 
 #include <fmt/format.h>
 #include <udunits2.h>
@@ -147,8 +148,7 @@ const Unit& declared(std::string_view si_unit) {
   return known.emplace(si_unit, *unit).first->second;
 }
 
-// ------------------------------------------------------------------------------------------------------ names of
-// dimensions
+// names of dimensions
 
 struct NamedDimension {
   const char* unit;
@@ -220,7 +220,6 @@ std::string in_base_units(const Dimension& dimension) {
   return result;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
 // conversion
 
 /// value times factor; 250 um is 250 / 1e6, which is nearer to 2.5e-4 than 250 * 1e-6.
@@ -271,6 +270,10 @@ Conversion convert_unit(double value, std::string_view unit_text, std::string_vi
                   may_be_thousands ? "Write thousands without a comma (11000), and a decimal point as a point (11.0)."
                                    : "Write a decimal point, not a comma.");
   }
+  if (unit_text.front() == '/')
+    if (const auto divisor = bare_number(unit_text.substr(1)); divisor && *divisor != 0.)
+      return failed(fmt::format("\"{}\" is a fraction; {}", text, needs()),
+                    fmt::format("Write it as a decimal number: {}.", shortest(value / *divisor)));
   switch (check_unit_text(unit_text)) {
     case UnitText::has_other_exponent:
       return failed(fmt::format("the unit of \"{}\" has an exponent that is not an integer; {}", text, needs()),
@@ -283,9 +286,13 @@ Conversion convert_unit(double value, std::string_view unit_text, std::string_vi
   }
   const Unit& needed = declared(si_unit);
   const auto given = parsed(unit_text);
+  const auto meant = [&] {
+    const std::string unit = unit_meant(unit_text, si_unit, kind);
+    return unit.empty() ? "" : fmt::format("Did you mean \"{} {}\"?  ", shortest(value), unit);
+  };
   if (!given)
     return failed(fmt::format("unknown unit \"{}\" in \"{}\"; {}", unit_text, text, needs()),
-                  "Units are written as in \"N m\", \"W/(m K)\" or \"kg/m3\".");
+                  meant() + "Units are written as in \"N m\", \"W/(m K)\" or \"kg/m3\".");
 
   const Dimension per_second{{"s", -1}};
   if (kind == QuantityKind::angular_speed && given->dimension == per_second)
@@ -295,7 +302,8 @@ Conversion convert_unit(double value, std::string_view unit_text, std::string_vi
     const NamedDimension* dimension = named(given->dimension);
     const std::string what =
         dimension ? with_article(dimension->name) : "a value in " + in_base_units(given->dimension);
-    return failed(fmt::format("{} is {}; {}", text, what, needs()), advice_on_dimension(*given, needed, kind));
+    return failed(fmt::format("{} is {}; {}", text, what, needs()),
+                  meant() + advice_on_dimension(*given, needed, kind));
   }
 
   const std::lock_guard guard(udunits_lock());

@@ -35,12 +35,14 @@ Section<ContactParameters> contact_section() {
   s.quantity("lambda", &P::lambda,
              {.unit = "s/m",
               .range = between(0, 5),
+              .usual = at_most(1),
               .fallback = "0.08 s/m",
               .source = std::string(paper) + "; Hunt & Crossley 1975 give 0.08..0.32",
               .help = "Contact damping; for small impact speeds v the restitution is 1 - lambda v."});
   s.quantity("regularisation_speed", &P::regularisation_speed,
              {.unit = "m/s",
               .range = positive(),
+              .usual = between(1e-4, 1),
               .fallback = "0.05 m/s",
               .source = "estimate",
               .help = "Friction is smoothed through zero slip as v / sqrt(v^2 + this^2). Smaller values are sharper "
@@ -55,6 +57,7 @@ Section<ContactParameters> contact_section() {
   s.quantity("stribeck_speed", &P::stribeck_speed,
              {.unit = "m/s",
               .range = positive(),
+              .usual = at_most(20),
               .fallback = "0.5 m/s",
               .source = "estimate",
               .help = "Slip speed over which friction falls from the static to the dynamic value."});
@@ -88,6 +91,7 @@ Section<ContactParameters> contact_section() {
   s.quantity("wear_depth_limit", &P::wear_depth_limit,
              {.unit = "m",
               .range = positive(),
+              .usual = at_most(1e-3),
               .fallback = "50 um",
               .source = "estimate: a fifth of the reference case's air gap",
               .help = "Permitted wear depth of bore or rotor; the number of drops until then is reported."});
@@ -111,6 +115,7 @@ Section<ContactParameters> contact_section() {
   s.quantity("contact_length", &P::contact_length,
              {.unit = "m",
               .range = positive(),
+              .usual = at_most(0.1),
               .fallback = "2 mm",
               .source = "estimate: Hertz' line contact of rotor and bore under some hundred newtons",
               .help = "Length of the contact along the surface; with friction_law = \"sticking\" the bristles are "

@@ -1,6 +1,7 @@
 #include "bearing/touchdown_parameters.h"
 
 #include "bearing/cage_parameters.h"
+#include "bearing/friction_parameters.h"
 #include "bearing/ring_bending_parameters.h"
 #include "bearing/touchdown_checks.h"
 
@@ -27,6 +28,7 @@ Section<WavinessParameters> waviness_section() {
   s.quantity("amplitude", &WavinessParameters::amplitude,
              {.unit = "m",
               .range = between(-1e-3, 1e-3),
+              .usual = between(-2e-4, 2e-4),
               .help = "Half the height from valley to peak; positive means more penetration."});
   s.quantity("phase", &WavinessParameters::phase,
              {.unit = "rad", .fallback = "0", .help = "Phase of the wave at +y when the ring has not turned."});
@@ -58,11 +60,13 @@ Section<ShoulderParameters> shoulder_section() {
   s.quantity("gap_minus_x", &P::gap_minus_x,
              {.unit = "m",
               .range = at_least(0),
+              .usual = at_most(0.01),
               .help = "Axial gap to the shoulder at the ring's -x face, with ring and rotor in their unloaded "
                       "positions. This shoulder stops a rotor moving towards +x. If not given, there is no shoulder."});
   s.quantity("gap_plus_x", &P::gap_plus_x,
              {.unit = "m",
               .range = at_least(0),
+              .usual = at_most(0.01),
               .help = "Axial gap to the shoulder at the +x face, which stops motion towards -x."});
   s.quantity("radius", &P::radius,
              {.unit = "m",
@@ -104,6 +108,7 @@ void add_row_keys(Section<TouchdownParameters>& s) {
   s.quantities(
       "conformity", &P::conformity,
       {.range = between(0.501, 0.6),
+       .usual = between(0.505, 0.56),
        .fallback = {"0.52", "0.52"},
        .source = "usual value",
        .help = "Groove radius divided by ball diameter, inner and outer raceway. Smaller values stiffen the contact."});
@@ -122,6 +127,7 @@ void add_row_keys(Section<TouchdownParameters>& s) {
   s.quantity("preload", &P::preload,
              {.unit = "N",
               .range = at_least(0),
+              .usual = at_most(1e5),
               .fallback = "0 N",
               .help = "Axial preload of a set of angular-contact rows, mounted, cold and at standstill: the axial load "
                       "of each row, which is the preload that catalogues give for a pair. More preload stiffens the "
@@ -179,6 +185,7 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
   s.quantity("ring_spin_inertia", &P::ring_spin_inertia,
              {.unit = "kg m2",
               .range = positive(),
+              .usual = between(1e-9, 100),
               .help = "Spin inertia of the inner ring with its balls and cage. Sets spin-up time and rub heat."});
   s.choice("ring_motion", &P::ring_motion, {{"translations", RingMotion::translations}, {"free", RingMotion::free}},
            {.fallback = "translations",
@@ -192,11 +199,20 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
   s.table("shoulders", &P::shoulders, shoulder_section(),
           {.help = "Shoulders of an axially free rotor next to a free inner ring."});
   s.quantity("width", &P::width,
-             {.unit = "m", .range = positive(), .help = "Width of the bearing, all rows together."});
+             {.unit = "m",
+              .range = positive(),
+              .usual = between(1e-3, 1),
+              .help = "Width of the bearing, all rows together."});
   s.quantities("inner_ring_diameters", &P::inner_ring_diameters,
-               {.unit = "m", .range = positive(), .help = "Bore and outside (shoulder) diameter of the inner ring."});
+               {.unit = "m",
+                .range = positive(),
+                .usual = between(1e-3, 2),
+                .help = "Bore and outside (shoulder) diameter of the inner ring."});
   s.quantities("outer_ring_diameters", &P::outer_ring_diameters,
-               {.unit = "m", .range = positive(), .help = "Inside (shoulder) and outside diameter of the outer ring."});
+               {.unit = "m",
+                .range = positive(),
+                .usual = between(1e-3, 2),
+                .help = "Inside (shoulder) and outside diameter of the outer ring."});
   s.quantity("inner_shoulder_diameter", &P::inner_shoulder_diameter,
              {.unit = "m",
               .range = positive(),
@@ -207,11 +223,14 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
               .range = positive(),
               .help = "Shoulder beside the outer ring's groove, where the raceway ends; the first of "
                       "outer_ring_diameters if not given."});
-  s.quantities("housing_diameters", &P::housing_diameters,
-               {.unit = "m", .range = positive(), .help = "Housing: bore and outside diameter."});
-  s.quantity(
-      "housing_length", &P::housing_length,
-      {.unit = "m", .range = positive(), .help = "Axial length of the housing that takes up heat, all rows together."});
+  s.quantities(
+      "housing_diameters", &P::housing_diameters,
+      {.unit = "m", .range = positive(), .usual = between(1e-3, 5), .help = "Housing: bore and outside diameter."});
+  s.quantity("housing_length", &P::housing_length,
+             {.unit = "m",
+              .range = positive(),
+              .usual = between(1e-3, 3),
+              .help = "Axial length of the housing that takes up heat, all rows together."});
   s.quantity("housing_fit", &P::housing_fit,
              {.unit = "m",
               .range = between(-1e-3, 1e-3),
@@ -228,77 +247,13 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
   s.quantity("shaft_lump_length", &P::shaft_lump_length,
              {.unit = "m",
               .range = positive(),
+              .usual = between(1e-3, 3),
               .help = "Length of shaft that takes up rub heat; the bearing's width if not given."});
   s.table(
       "circuit", &P::circuit, circuit_section(),
       {.help = "Calibration factors of the bearing's lumped circuit; they multiply the values derived from geometry."});
   s.table("support", &P::support, support_section());
   s.list("waviness", &P::waviness, waviness_section());
-}
-
-void add_friction_keys(Section<TouchdownParameters>& s) {
-  using P = TouchdownParameters;
-  s.quantity("f1_z", &P::f1_z,
-             {.range = at_least(0),
-              .help = "z in f1 = z (P0/C0)^y of the load-dependent friction torque f1 P1 d_m; load_law defines the "
-                      "loads P0 and P1."});
-  s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .help = "y in f1 = z (P0/C0)^y."});
-  s.quantity("C0", &P::C0,
-             {.unit = "N",
-              .range = positive(),
-              .usual = between(100, 1e8),
-              .help = "Static load rating of all rows together; for a pair twice the catalogue value of a single "
-                      "bearing. Each of n rows has C0 / n."});
-  s.quantity(
-      "C", &P::C,
-      {.unit = "N",
-       .range = positive(),
-       .usual = between(100, 1e8),
-       .help = "Dynamic load rating of all rows together; for a pair 2^0.7 times the catalogue value of a single "
-               "bearing. For contact fatigue by a drop (ISO 281); without it fatigue is not assessed."});
-  s.quantity("required_static_safety", &P::required_static_safety,
-             {.range = positive(),
-              .fallback = "1",
-              .source = "ISO 76: at 1 the most loaded ball dents the raceway by a ten-thousandth of its diameter",
-              .help = "Smallest static safety of a ball with which the drop may be repeated; below it the number of "
-                      "allowed drops is 0."});
-  s.quantity("f2", &P::f2,
-             {.range = at_least(0),
-              .fallback = "0.25",
-              .source = "calibration: 0.25 per bearing gives the paper's 110 W; catalogues' 1-2 would give 0.4-0.7 kW",
-              .help = "Factor of the speed-dependent friction torque, for the whole bearing or set."});
-  s.quantity("drag_viscosity", &P::drag_viscosity,
-             {.unit = "m2/s",
-              .range = positive(),
-              .fallback = "15e-6 m2/s",
-              .source = std::string(paper) + ", air",
-              .help = "Kinematic viscosity in the speed-dependent friction torque."});
-  s.quantity("drag_regularisation", &P::drag_regularisation,
-             {.unit = "rad/s",
-              .range = positive(),
-              .fallback = "2 rad/s",
-              .source = "estimate",
-              .help = "The friction torque passes through standstill as tanh(speed / this)."});
-  s.choice(
-      "load_law", &P::load_law, {{"radial", FrictionLoadLaw::radial}, {"equivalent", FrictionLoadLaw::equivalent}},
-      {.fallback = "equivalent",
-       .help = "Loads in the friction torque. equivalent: for each row, including its axial load F_a and thus preload, "
-               "P0 = max(F_r, X0 F_r + Y0 F_a) by ISO 76 in (P0/C0)^y and P1 = max(F_r, 0.9 F_a cot phi - 0.1 F_r) "
-               "times f1, for a row without contact angle 3 F_a in place of 0.9 F_a cot phi. radial: P0 and P1 are the "
-               "radial resultant of all rows, without preload; thrust then causes no friction."});
-  s.choice("internal_heat", &P::internal_heat,
-           {{"energy-consistent", InternalHeat::energy_consistent},
-            {"with-spin", InternalHeat::with_spin},
-            {"ball-speed", InternalHeat::ball_speed}},
-           {.fallback = "energy-consistent",
-            .help = "Bearing friction heat. energy-consistent: from the friction torque. with-spin: the balls' spin "
-                    "moments are an additional torque. ball-speed: friction torque times ball speed as in eq. 24 of "
-                    "the reference paper, more heat than the work done; for comparison only."});
-  s.quantity("race_friction_coefficient", &P::race_friction_coefficient,
-             {.range = at_least(0),
-              .help = "Friction coefficient between balls and raceways, for the spin moment and for the traction that "
-                      "keeps the balls rolling (skid_demand); "
-                      "contact.friction_coefficient if not given."});
 }
 
 }  // namespace

@@ -9,36 +9,21 @@
 #include <utility>
 
 #include "base/parameters/declaration.h"
+#include "base/parameters/other_units.h"
 #include "base/trimmed.h"
 #include "base/units.h"
 
 namespace rotordrop {
 namespace {
 
-/// Units in which people think of a quantity whose SI unit is the first; a bare number is often meant in one of them.
-const std::pair<const char*, std::vector<const char*>> units_in_mind[] = {
-    {"rad/s", {"rpm"}},        {"m", {"mm", "um"}},   {"s", {"ms", "us"}}, {"K", {"degC"}},
-    {"Pa", {"MPa", "GPa"}},    {"kg m", {"g mm"}},    {"N", {"kN"}},       {"kg", {"g", "t"}},
-    {"N/m", {"N/mm", "N/um"}}, {"kg m2", {"kg mm2"}}, {"m2/s", {"mm2/s"}}, {"J/(kg K)", {"kJ/(kg K)"}},
-};
-
 /// What a bare number that is unusual may be: the same number in another unit, if that is usual.
 std::string slip(const Declaration& d, double value) {
   std::string text = fmt::format("A bare number is in {}", d.unit);
-  const auto known = std::find_if(std::begin(units_in_mind), std::end(units_in_mind),
-                                  [&](const auto& u) { return d.unit == u.first; });
-  if (known == std::end(units_in_mind)) return text + ".";
-  std::string meant;
-  for (const char* unit : known->second) {
-    const auto one = convert_to_si(fmt::format("1 {}", unit), d.unit, d.quantity_kind, d.key);
-    const auto same = convert_to_si(fmt::format("{} {}", shortest(value), unit), d.unit, d.quantity_kind, d.key);
-    if (!one || !same) continue;
-    if (unit == known->second.front() && d.unit != "K")
-      text += fmt::format(": {:.6g} {} is {:.5g} {}", value, d.unit, value / one.value, unit);
-    if (d.usual.contains(same.value) && meant.empty())
-      meant = fmt::format(" If {} is meant, write \"{:.6g} {}\".", unit, value, unit);
-  }
-  return text + "." + meant;
+  if (const auto units = units_in_mind(d.unit); !units.empty() && d.unit != "K")
+    if (const auto one = convert_to_si("1 " + units.front(), d.unit, d.quantity_kind, d.key))
+      text += fmt::format(": {:.6g} {} is {:.5g} {}", value, d.unit, value / one.value, units.front());
+  const std::string meant = other_unit_meant(d, value, d.usual);
+  return text + "." + (meant.empty() ? "" : " ") + std::string(trimmed(meant));
 }
 
 /// The usual range in the unit in which a value was written, and that unit; in SI where that is not a factor away.
@@ -73,6 +58,9 @@ class Look {
       case Kind::quantities:
       case Kind::matrix:
         at_list(d, given, name);
+        break;
+      case Kind::function:
+        at_function(d, given, name);
         break;
       case Kind::table:
         at(*d.nested, given, name);
@@ -111,6 +99,13 @@ class Look {
         at_list(d, item, name);
       else
         at_number(d, item, name);
+  }
+
+  /// Of pairs [argument, value] the values; one value alone is a constant.
+  void at_function(const Declaration& d, const Node& given, const std::string& name) {
+    if (!given.is_array()) return at_number(d, given, name);
+    for (const Node& pair : given.items())
+      if (pair.is_array() && pair.items().size() == 2) at_number(d, pair.items()[1], name);
   }
 
   void at_number(const Declaration& d, const Node& given, const std::string& name) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "base/memory.h"
 #include "base/parameters/declaration.h"
 #include "base/wide_vectors.h"
 #include "case/case.h"
@@ -47,9 +49,17 @@ void add_strict(CLI::App& command, bool& strict) {
 
 void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("--quiet", quiet, "Print only warnings and errors"); }
 
-/// An empty name is most often a shell's variable that was never set.
-CLI::Validator not_empty() {
-  return CLI::Validator([](std::string& word) { return word.empty() ? "the name is empty" : ""; }, "");
+/// An empty name is most often a shell's variable that was never set, a line break in one a slip of quotes.
+CLI::Validator is_name() {
+  return CLI::Validator(
+      [](std::string& word) {
+        const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+        if (word.empty()) return "the name is empty";
+        return std::any_of(word.begin(), word.end(), is_control)
+                   ? "the name holds a control character, such as a line break"
+                   : "";
+      },
+      "");
 }
 
 /// Options and arguments that name files or folders, by what help and completion call them.
@@ -248,7 +258,7 @@ int run_program(int argc, char** argv) {
   for (auto* command : app.get_subcommands([](CLI::App*) { return true; }))
     for (auto* option : command->get_options())
       for (const auto& [name, type] : types_of_paths(command->get_name()))
-        if (option->get_single_name() == name) option->type_name(type)->check(not_empty());
+        if (option->get_single_name() == name) option->type_name(type)->check(is_name());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -343,6 +353,13 @@ int run_guarded(int argc, char** argv) {
   }
 }
 
+/// Where memory is short, libraries would fail at the end of the process: they make threads to end their own.
+int leave(int code) {
+  constexpr std::uint64_t short_of_memory = 64'000'000;
+  if (code == run_failed && rotordrop::memory_left() < short_of_memory) std::_Exit(code);
+  return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -353,7 +370,7 @@ int main(int argc, char** argv) {
   if (std::ferror(stdout) != 0 || std::fclose(stdout) != 0) {
     fmt::print(stderr, "error: standard output cannot be written: {}.\n",
                errno != 0 ? std::generic_category().message(errno) : "an earlier write failed");
-    return code == done ? run_failed : code;
+    return leave(code == done ? run_failed : code);
   }
-  return code;
+  return leave(code);
 }

@@ -40,8 +40,9 @@ void read_balance_grade(const Node& node, RotorParameters& target, Faults& fault
   }
   faults.add(node.where(),
              fmt::format("rotor.balance_grade = {} is not a balance grade.",
-                         node.is_text() ? fmt::format("\"{}\"", text) : kind_name(node)),
-             "Write G and e_per omega in mm/s, such as \"G2.5\" (ISO 21940-11).");
+                         node.is_text() ? fmt::format("\"{}\"", text) : to_text(node)),
+             (node.is_number() ? fmt::format("Did you mean \"G{}\"?  ", to_text(node)) : "") +
+                 "Write G and e_per omega in mm/s, such as \"G2.5\" (ISO 21940-11).");
 }
 
 void read_balance_planes(const Node& node, RotorParameters& target, Faults& faults) {
@@ -115,6 +116,7 @@ Section<RotorParameters> rotor_section() {
       .quantity("cut_off_frequency", &RotorParameters::cut_off_frequency,
                 {.unit = "Hz",
                  .range = at_least(0),
+                 .usual = between(100, 1e5),
                  .fallback = "4500 Hz",
                  .help = "Highest mode frequency kept with model = \"modal\". More modes soften the first impact and "
                          "shorten the time step."})
@@ -128,12 +130,14 @@ Section<RotorParameters> rotor_section() {
                "of 0.5 to 0.9 %."})
       .quantity("modal_damping", &RotorParameters::modal_damping,
                 {.range = between(0, 0.2),
+                 .usual = at_most(0.1),
                  .fallback = "0.005",
                  .source = "estimate for a steel rotor with shrunk-on laminations",
                  .help = "Damping ratio of every flexible free-free mode."})
       .quantity("mass_proportional_alpha", &RotorParameters::mass_proportional_alpha,
                 {.unit = "1/s",
                  .range = at_least(0),
+                 .usual = at_most(300),
                  .fallback = "0 1/s",
                  .help = "Mass-proportional damping. It also damps rigid-body motion, as if the rotor fell through "
                          "oil: bounces decay sooner and the fall takes longer."})

@@ -178,18 +178,21 @@ Section<ThermalParameters> thermal_section() {
   s.quantity("h_shaft", &P::h_shaft,
              {.unit = "W/(m2 K)",
               .range = positive(),
+              .usual = at_most(2e4),
               .fallback = "50 W/(m2 K)",
               .source = "estimate",
               .help = "Convection from the shaft."});
   s.quantity("h_ball", &P::h_ball,
              {.unit = "W/(m2 K)",
               .range = positive(),
+              .usual = at_most(2e4),
               .fallback = "50 W/(m2 K)",
               .source = "estimate",
               .help = "Convection from the balls."});
   s.quantity("fit_resistance", &P::fit_resistance,
              {.unit = "K/W",
               .range = at_least(0),
+              .usual = at_most(10),
               .fallback = "0.005 K/W",
               .source = "estimate",
               .help = "Resistance of the fit between outer ring and housing."});

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/parameters/table_reader.h"
+#include "base/parameters/usual_magnitudes.h"
 #include "base/parameters/value_reader.h"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ void set_quantity(Declaration& d, const Options& options) {
   d.unit = options.unit;
   d.quantity_kind = options.kind.value_or(kind_of(options.unit));
   d.range = options.range;
-  d.usual = options.usual;
+  d.usual = options.usual.is_any() ? usual_magnitudes(d.unit, d.quantity_kind, d.range) : options.usual;
 }
 
 /// What a user could have written: a bare number as a number, everything else as text.

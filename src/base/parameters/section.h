@@ -313,7 +313,7 @@ class Section {
       if (is_variant_default(d, entry) || !entry.value.is_table()) continue;
       const VariantDeclaration* chosen = variant_of(d, entry.value);
       if (!chosen) {
-        detail::report_unknown_variant(entry, d, map, faults);
+        detail::report_unknown_variant(entry, node, d, map, faults);
         continue;
       }
       const Node defaults = variant_defaults(node, *chosen);

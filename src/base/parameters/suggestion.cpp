@@ -38,6 +38,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string closest_name(std::string_view word, const std::vector<std::string>& names) {
+  constexpr std::size_t longest = 100;  // of what somebody may have typed as a name
+  if (word.size() > longest) return "";
   const std::string given = lower_case(word);
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(given.size() < 4 ? 1 : 2, given.size() / 3) + 1;

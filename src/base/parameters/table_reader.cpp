@@ -51,6 +51,21 @@ std::string advice_on_unknown(const std::string& word, std::vector<std::string> 
   return advice + fmt::format("Known here: {}.", fmt::join(known, ", "));
 }
 
+/// Of a table that has keys of named ones: "[TB1]" is meant as [bearings.TB1].
+std::string advice_on_misplaced(const Node::Entry& entry, const ReadContext& here) {
+  if (!here.root || !entry.value.is_table() || entry.value.entries().empty()) return "";
+  for (const Declaration& d : here.root->declarations)
+    for (const VariantDeclaration& variant : d.variants) {
+      const auto& keys = entry.value.entries();
+      const auto n_known = std::count_if(keys.begin(), keys.end(), [&](const Node::Entry& key) {
+        return key.key == d.tag_key || variant.section->find(key.key);
+      });
+      if (2 * n_known > static_cast<std::ptrdiff_t>(keys.size()))
+        return fmt::format("Its keys are those of [{0}.NAME]: write [{0}.{1}].  ", d.key, entry.key);
+    }
+  return "";
+}
+
 }  // namespace
 
 std::string ReadContext::name_of(std::string_view key) const {
@@ -99,13 +114,24 @@ bool is_readable_table(const Node& node, const std::string& path, Faults& faults
 
 void report_unknown_keys(const Node& table, const SectionDeclaration& section, const ReadContext& here,
                          Faults& faults) {
+  constexpr std::size_t most = 20;  // of a table that is another program's, or none
+  std::size_t n_unknown = 0;
+  SourcePosition last;
   for (const Node::Entry& entry : table.entries()) {
     if (section.find(entry.key) || (here.also_known_key && *here.also_known_key == entry.key)) continue;
+    if (++n_unknown > most) {
+      last = entry.where;
+      continue;
+    }
     std::vector<std::string> known = keys_of(section);
     if (here.also_known_key) known.push_back(*here.also_known_key);
     faults.add(entry.where, fmt::format("unknown key \"{}\" {}.", entry.key, name_of_table(here.path)),
-               advice_on_unknown(entry.key, std::move(known), here));
+               (here.path.empty() ? advice_on_misplaced(entry, here) : "") +
+                   advice_on_unknown(entry.key, std::move(known), here));
   }
+  if (n_unknown > most)
+    faults.add(last, fmt::format("{} more keys {} are unknown.", n_unknown - most, name_of_table(here.path)),
+               "Check whether this is the file that was meant.");
 }
 
 namespace {
@@ -161,15 +187,20 @@ void report_unknown_defaults(const Node& table, const Declaration& d, const Read
                                             : advice_on_unknown(entry.key, keys_of(known), here));
 }
 
-void report_unknown_variant(const Node::Entry& entry, const Declaration& d, const ReadContext& here, Faults& faults) {
+void report_unknown_variant(const Node::Entry& entry, const Node& among, const Declaration& d, const ReadContext& here,
+                            Faults& faults) {
   std::vector<std::string> tags;
   for (const VariantDeclaration& variant : d.variants) tags.push_back(variant.tag);
   const std::string path = here.name_of(entry.key);
   const std::string allowed = "It must be one of " + quoted(tags, ", ") + ".";
   const Node* tag = entry.value.find(d.tag_key);
   if (!tag) {
+    // A name that is nearly that of a sound table: a slip rather than one more.
+    std::vector<std::string> others;
+    for (const Node::Entry& other : among.entries())
+      if (other.key != entry.key && other.value.is_table() && variant_of(d, other.value)) others.push_back(other.key);
     faults.add(entry.where, fmt::format("missing key \"{}\" {}.", d.tag_key, name_of_table(path)),
-               allowed + "  " + d.help);
+               suggestion(entry.key, others, allowed + "  " + d.help, here.path + "."));
     return;
   }
   faults.add(tag->where(), fmt::format("{}.{} = {} is not known.", path, d.tag_key, to_text(*tag)),

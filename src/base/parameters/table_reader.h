@@ -30,7 +30,7 @@ void report_unknown_keys(const Node& table, const SectionDeclaration&, const Rea
 void report_missing_keys(const Node& table, const std::vector<const Declaration*>& missing,
                          const std::string& if_incomplete, const ReadContext&, Faults&);
 void report_unknown_defaults(const Node& table, const Declaration&, const ReadContext&, Faults&);
-void report_unknown_variant(const Node::Entry&, const Declaration&, const ReadContext&, Faults&);
+void report_unknown_variant(const Node::Entry&, const Node& among, const Declaration&, const ReadContext&, Faults&);
 // Faults about a value that [bearings] gives to every bearing are named after [bearings], once.
 void add_without_repeating_defaults(const Faults& from_one_table, const Node& defaults,
                                     const std::string& path_of_table, const std::string& path_of_defaults, Faults&);

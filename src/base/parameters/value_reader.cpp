@@ -1,11 +1,13 @@
 #include "base/parameters/value_reader.h"
 
+#include "base/parameters/other_units.h"
 #include "base/parameters/suggestion.h"
 #include "base/parameters/wording.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <limits>
 
@@ -53,9 +55,10 @@ std::optional<double> read_quantity(const Node& node, const Declaration& d, cons
     return {};
   }
   if (!d.range.contains(conversion.value)) {
-    faults.add(node.where(),
-               fmt::format("{} = {} is out of range: it must be {}.", name, to_text(node), to_string(d.range, d.unit)),
-               d.help);
+    faults.add(
+        node.where(),
+        fmt::format("{} = {} is out of range: it must be {}.", name, to_text(node), to_string(d.range, d.unit)),
+        (node.is_number() ? other_unit_meant(d, conversion.value, d.usual.is_any() ? d.range : d.usual) : "") + d.help);
     return {};
   }
   return conversion.value;
@@ -80,7 +83,13 @@ std::optional<int> read_integer(const Node& node, const Declaration& d, const st
 
 std::optional<bool> read_boolean(const Node& node, const std::string& name, Faults& faults) {
   if (node.is(Node::Kind::boolean)) return node.boolean();
-  add_type_fault(node, name, "true or false, without quotes", faults);
+  std::string word = node.is_text() ? node.text() : node.is_number() ? to_text(node) : "";
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool is_yes = word == "yes" || word == "on" || word == "true" || word == "1";
+  const bool is_no = word == "no" || word == "off" || word == "false" || word == "0";
+  faults.add(node.where(), fmt::format("{} is {}; it must be true or false, without quotes.", name, kind_name(node)),
+             is_yes || is_no ? fmt::format("Write {}.", is_yes) : "");
   return {};
 }
 

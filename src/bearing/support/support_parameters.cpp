@@ -30,16 +30,22 @@ Section<RibbonGeometryParameters> ribbon_geometry_section() {
   using P = RibbonGeometryParameters;
   Section<P> s("geometry", "A ring of corrugations, pressed between outer ring and housing.");
   s.integer("waves", &P::waves, {.range = between(6, 1000), .help = "Number of waves around the circumference."});
-  s.quantity("pitch", &P::pitch,
-             {.unit = "m", .range = positive(), .help = "Length of a wave around the circumference."});
-  s.quantity("height", &P::height, {.unit = "m", .range = positive(), .help = "Of a wave's crest above its feet."});
+  s.quantity(
+      "pitch", &P::pitch,
+      {.unit = "m", .range = positive(), .usual = at_most(0.05), .help = "Length of a wave around the circumference."});
+  s.quantity("height", &P::height,
+             {.unit = "m", .range = positive(), .usual = at_most(0.01), .help = "Of a wave's crest above its feet."});
   s.quantity("thickness", &P::thickness,
-             {.unit = "m", .range = positive(), .help = "Of the strip; the stiffness grows with its cube."});
+             {.unit = "m",
+              .range = positive(),
+              .usual = at_most(2e-3),
+              .help = "Of the strip; the stiffness grows with its cube."});
   s.quantity("strip_width", &P::strip_width,
-             {.unit = "m", .range = positive(), .help = "Of the strip along the axis."});
+             {.unit = "m", .range = positive(), .usual = at_most(0.5), .help = "Of the strip along the axis."});
   s.quantity("interference", &P::interference,
              {.unit = "m",
               .range = positive(),
+              .usual = at_most(1e-3),
               .help = "By which mounting presses every wave, radially. Beyond this travel waves lift off."});
   s.quantity("modulus", &P::modulus,
              {.unit = "Pa",
@@ -66,13 +72,18 @@ Section<RibbonGeometryParameters> ribbon_geometry_section() {
 Section<RibbonParameters> ribbon_section() {
   using P = RibbonParameters;
   Section<P> s("ribbon", "Corrugated ribbon: springs and friction, by numbers, by a measured loop or by geometry.");
-  s.quantity(
-      "stiffness", &P::stiffness,
-      {.unit = "N/m", .range = positive(), .help = "While its friction slips; of a bilinear ribbon given by numbers."});
+  s.quantity("stiffness", &P::stiffness,
+             {.unit = "N/m",
+              .range = positive(),
+              .usual = between(1e4, 1e12),
+              .help = "While its friction slips; of a bilinear ribbon given by numbers."});
   s.quantity("slip_force", &P::slip_force,
-             {.unit = "N", .range = positive(), .help = "Friction force at which it slips."});
+             {.unit = "N", .range = positive(), .usual = at_most(1e6), .help = "Friction force at which it slips."});
   s.quantity("stick_stiffness", &P::stick_stiffness,
-             {.unit = "N/m", .range = positive(), .help = "By which it is stiffer before it slips."});
+             {.unit = "N/m",
+              .range = positive(),
+              .usual = between(1e4, 1e13),
+              .help = "By which it is stiffer before it slips."});
   s.quantity("damping", &P::damping,
              {.unit = "N s/m", .range = at_least(0), .fallback = "0 N s/m", .help = "Besides friction."});
   s.table("loop", &P::loop, loop_section(),
@@ -170,10 +181,11 @@ Section<SqueezeFilmParameters> squeeze_film_section() {
   using P = SqueezeFilmParameters;
   Section<P> s("squeeze_film", "Oil film around an outer ring that does not turn; short bearing with open ends.");
   s.quantity("viscosity", &P::viscosity,
-             {.unit = "Pa s", .range = positive(), .help = "Dynamic viscosity of the oil."});
+             {.unit = "Pa s", .range = positive(), .usual = between(1e-4, 1), .help = "Dynamic viscosity of the oil."});
   s.quantity("clearance", &P::clearance,
              {.unit = "m",
               .range = positive(),
+              .usual = between(1e-5, 1e-3),
               .help = "Radial thickness of the film when centred. Damping falls with its cube."});
   s.quantity(
       "radius", &P::radius,
@@ -194,9 +206,13 @@ Section<StopParameters> stop_section() {
   s.quantity("gap", &P::gap,
              {.unit = "m",
               .range = positive(),
+              .usual = at_most(0.01),
               .help = "Travel of the outer ring, in any direction, until it meets the stop."});
   s.quantity("stiffness", &P::stiffness,
-             {.unit = "N/m", .range = positive(), .help = "Of the stop, beside the support's own."});
+             {.unit = "N/m",
+              .range = positive(),
+              .usual = between(1e4, 1e12),
+              .help = "Of the stop, beside the support's own."});
   s.quantity("lambda", &P::lambda,
              {.unit = "s/m",
               .range = at_least(0),
@@ -223,11 +239,19 @@ void add_law_keys(Section<P>& s) {
                     "squeeze-film: oil film beside springs. bump-stop: springs and a stop behind a gap, which every "
                     "other type may have too."});
   s.quantity("K_y", of<P>(&L::K_y),
-             {.unit = "N/m", .range = positive(), .help = "Vertical stiffness; of types with springs."});
-  s.quantity("K_z", of<P>(&L::K_z), {.unit = "N/m", .range = positive(), .help = "Horizontal stiffness."});
+             {.unit = "N/m",
+              .range = positive(),
+              .usual = between(1e4, 1e12),
+              .help = "Vertical stiffness; of types with springs."});
+  s.quantity("K_z", of<P>(&L::K_z),
+             {.unit = "N/m", .range = positive(), .usual = between(1e4, 1e12), .help = "Horizontal stiffness."});
   s.quantity("C_y", of<P>(&L::C_y),
-             {.unit = "N s/m", .range = at_least(0), .help = "Vertical damping; of types with springs."});
-  s.quantity("C_z", of<P>(&L::C_z), {.unit = "N s/m", .range = at_least(0), .help = "Horizontal damping."});
+             {.unit = "N s/m",
+              .range = at_least(0),
+              .usual = at_most(1e7),
+              .help = "Vertical damping; of types with springs."});
+  s.quantity("C_z", of<P>(&L::C_z),
+             {.unit = "N s/m", .range = at_least(0), .usual = at_most(1e7), .help = "Horizontal damping."});
   s.table("ribbon", of<P>(&L::ribbon), ribbon_section(), {.help = "Of type = \"ribbon\"."});
   s.table("elastomer", of<P>(&L::elastomer), elastomer_section(), {.help = "Of type = \"elastomer\"."});
   s.table("squeeze_film", of<P>(&L::squeeze_film), squeeze_film_section(), {.help = "Of type = \"squeeze-film\"."});
@@ -245,6 +269,7 @@ Section<SupportParameters> support_section() {
   s.quantity("mass", &P::mass,
              {.unit = "kg",
               .range = positive(),
+              .usual = between(0.01, 2e4),
               .help = "Effective mass that moves with the outer ring: of the housing on springs, of the ring in a "
                       "ribbon. Gravity does not act on it."});
   add_law_keys(s);
@@ -252,6 +277,7 @@ Section<SupportParameters> support_section() {
   s.quantity("travel_limit", &P::travel_limit,
              {.unit = "m",
               .range = positive(),
+              .usual = at_most(0.01),
               .help = "Travel of the outer ring above which results warn; none if not given."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     const auto* kind = law_kind(p.type);

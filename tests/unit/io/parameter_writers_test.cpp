@@ -256,9 +256,11 @@ TEST(Defaults, AreValidTomlAndHoldTheDefaultValues) {
 
 TEST(Defaults, AreAnnotated) {
   const std::string text = write_defaults(sections());
-  EXPECT_THAT(text, HasSubstr("# Spin when the rotor is let go.  [angular speed in rad/s]\n# source: Neisi "
-                              "2019\ninitial_speed = \"15200 rpm\"\n"));
-  EXPECT_THAT(text, HasSubstr("# The run ends here.  [time in s, > 0]\n#end_time = \"2 ms\"  # required\n"));
+  EXPECT_THAT(text, HasSubstr("# Spin when the rotor is let go.  [angular speed in rad/s; usually between -20000 and "
+                              "20000]\n# source: Neisi 2019\ninitial_speed = \"15200 rpm\"\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("# The run ends here.  [time in s, > 0; usually <= 2592000]\n#end_time = \"2 ms\"  # required\n"));
   EXPECT_THAT(text, HasSubstr("# [integer, between 1 and 50]\n#n_modes = 1  # optional\n"));
   EXPECT_THAT(text, HasSubstr("# [\"radial\" | \"equivalent\"]\nlaw = \"radial\"\n"));
   EXPECT_THAT(text, HasSubstr("# [a number, or [x, y, z], in m/s2]\ngravity = 9.81\n"));
@@ -293,7 +295,7 @@ TEST(Schema, DescribesEveryKindOfParameter) {
   const auto& keys = run["properties"];
   EXPECT_EQ(keys["end_time"]["type"], nlohmann::json({"number", "string"}));
   EXPECT_EQ(keys["end_time"]["exclusiveMinimum"], 0.0);
-  EXPECT_EQ(keys["end_time"]["description"], "The run ends here.  [time in s, > 0]  Required.");
+  EXPECT_EQ(keys["end_time"]["description"], "The run ends here.  [time in s, > 0; usually <= 2592000]  Required.");
   EXPECT_EQ(keys["initial_speed"]["default"], "15200 rpm");
   EXPECT_EQ(keys["law"]["enum"], nlohmann::json({"radial", "equivalent"}));
   EXPECT_EQ(keys["n_modes"]["maximum"], 50.0);

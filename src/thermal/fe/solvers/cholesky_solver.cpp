@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "base/memory.h"
 #include "thermal/fe/solvers/sorted_rows.h"
 
 namespace rotordrop {
@@ -31,6 +32,22 @@ struct CholeskySolver::Factors {
   cholmod_dense *solution = nullptr, *work = nullptr, *more_work = nullptr;
 };
 
+namespace {
+
+/// METIS, which finds the order of elimination, ends the process where memory is short.
+void require_memory_to_analyse(const cholmod_sparse& m) {
+  // An estimate: a graph with both halves, coarser ones of it, and weights.
+  const double needed = 1.6e7 + 64. * static_cast<double>(m.nzmax) + 512. * static_cast<double>(m.nrow);
+  const auto left = static_cast<double>(memory_left());
+  if (left < needed)
+    throw SolverError(
+        fmt::format("there is not enough memory for the matrix of the finite elements: {} unknowns need at least {}, "
+                    "{} are left (ulimit -v).\n       Make the mesh coarser, or choose the solver \"multigrid\".",
+                    m.nrow, bytes_in_words(needed), bytes_in_words(left)));
+}
+
+}  // namespace
+
 CholeskySolver::CholeskySolver() : factors_(std::make_unique<Factors>()) {}
 CholeskySolver::~CholeskySolver() = default;
 
@@ -49,6 +66,7 @@ void CholeskySolver::set_matrix(const Matrix& matrix) {
     m.xtype = CHOLMOD_REAL;
     m.dtype = CHOLMOD_DOUBLE;
     m.sorted = m.packed = 1;
+    require_memory_to_analyse(m);
     f.factor = cholmod_l_analyze(&m, &f.common);
     if (!f.factor)
       throw SolverError(
@@ -58,10 +76,10 @@ void CholeskySolver::set_matrix(const Matrix& matrix) {
   const bool is_done = cholmod_l_factorize(&f.matrix, f.factor, &f.common);
   if (f.common.status == CHOLMOD_OUT_OF_MEMORY)
     throw SolverError(
-        fmt::format("there is not enough memory to factorise the matrix of the finite elements: {} unknowns, {:.3g} GB "
-                    "of factors.\n"
+        fmt::format("there is not enough memory to factorise the matrix of the finite elements: {} unknowns, {} of "
+                    "factors.\n"
                     "       Make the mesh coarser, or choose the solver \"multigrid\".",
-                    f.matrix.nrow, f.common.lnz * 8e-9));
+                    f.matrix.nrow, bytes_in_words(f.common.lnz * 8.)));
   if (!is_done || f.common.status != CHOLMOD_OK)
     throw SolverError(
         fmt::format("the matrix of the finite elements could not be factorised (CHOLMOD status {})", f.common.status));

@@ -1,0 +1,15 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace rotordrop {
+
+/// Address space of this process [bytes]; 0: not known.
+[[nodiscard]] std::uint64_t own_memory();
+/// How much more of it the process may take (`ulimit -v`) [bytes]; the largest number if nothing limits it.
+[[nodiscard]] std::uint64_t memory_left();
+
+/// "463 kB", "2.1 GB".
+[[nodiscard]] std::string bytes_in_words(double bytes);
+
+}  // namespace rotordrop

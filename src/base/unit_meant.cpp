@@ -1,0 +1,44 @@
+#include "base/unit_meant.h"
+
+#include <fmt/format.h>
+
+#include "base/trimmed.h"
+
+namespace rotordrop {
+namespace {
+
+/// Spellings of units that are mistyped: "MM", "RPM", "Nm".
+constexpr const char* usual_spellings[] = {
+    "m",     "mm",    "um",    "in",   "s",      "ms",   "us",   "min",   "h",   "Hz",      "kHz",      "rpm",
+    "deg",   "rad",   "N",     "kN",   "Pa",     "MPa",  "GPa",  "bar",   "kg",  "g",       "t",        "K",
+    "W",     "kW",    "J",     "kJ",   "N m",    "kN m", "g mm", "kg m2", "N/m", "N/mm",    "N/um",     "kN/mm",
+    "m/s",   "m2/s",  "mm2/s", "mm/s", "N s/m",  "Pa s", "degC", "degF",  "J/K", "W/(m K)", "W/(m2 K)", "J/(kg K)",
+    "kg/m3", "g/cm3", "rad/s", "m/s2", "kg mm2", "GN/m", "MN/m", "kN s/m"};
+
+/// What mistyped units have in common: letters in lower case, without spaces.
+std::string letters_of(std::string_view unit) {
+  std::string letters;
+  for (const char c : unit)
+    if (c != ' ' && c != '.' && c != '*') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return letters;
+}
+
+}  // namespace
+
+std::string unit_meant(std::string_view given, std::string_view si_unit, QuantityKind kind) {
+  const auto fits = [&](std::string_view unit) {
+    return given != unit && static_cast<bool>(convert_to_si(fmt::format("1 {}", unit), si_unit, kind));
+  };
+  const std::string letters = letters_of(given);
+  for (const char* spelling : usual_spellings)
+    if (letters_of(spelling) == letters && fits(spelling)) return spelling;
+  const bool is_temperature = kind == QuantityKind::temperature || kind == QuantityKind::temperature_difference;
+  if (is_temperature && (given == "C" || given == "F")) return given == "C" ? "degC" : "degF";
+  // "W/m2 K": all that stands behind the stroke is meant to be below it.
+  const auto stroke = given.find('/');
+  if (stroke == std::string_view::npos || given.find('(') != std::string_view::npos) return "";
+  const std::string below = fmt::format("{}/({})", given.substr(0, stroke), trimmed(given.substr(stroke + 1)));
+  return fits(below) ? below : "";
+}
+
+}  // namespace rotordrop
