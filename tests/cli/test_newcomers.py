@@ -44,6 +44,25 @@ MISTAKES = [
     ("no quotes in a table", '[bearings.TB1]\nsupport = { type = linear, mass = "85 kg", K_y = 2e9, K_z = 2e9, C_y = 3e3, C_z = 3e3 }\n', "a text is in quotes, in lists and tables, too",
      'support = { type = "linear", mass = "85 kg", K_y = 2e9, K_z = 2e9, C_y = 3e3, C_z = 3e3 }'),
     ("millimetres without their unit", "[contact]\nair_gap = 0.25\n", "the air gap of 250 mm is more than a fifth of the bore radius|air_gap = 250 mm is not smaller than bore_radius", None),
+    ("thousands with a comma", "[run]\ninitial_speed = 15,200 rpm\n", r"a number has no comma.*If a decimal point is meant: initial_speed = \"15\.200 rpm\"", 'initial_speed = "15200 rpm"'),
+    ("a fraction", "[contact]\nexponent = 10/9\n", "a number is no fraction", "exponent = 1.1111111111111112"),
+    ("a fraction in quotes", '[contact]\nexponent = "10/9"\n', r'"10/9" is a fraction.*Write it as a decimal number: 1\.1111111111111112', None),
+    ("a semicolon behind a value", '[contact]\nair_gap = "250 um";\n', "nothing stands behind a value but a comment", 'air_gap = "250 um"'),
+    ("another language's comment behind a value", "[contact]\nfriction_coefficient = 0.1 // dry\n", "nothing stands behind a value but a comment", "friction_coefficient = 0.1"),
+    ("no comma in a list", '[bearings.TB1]\nhousing_diameters = ["110 mm" "130 mm"]\n', "entries of a list are separated by commas", 'housing_diameters = ["110 mm", "130 mm"]'),
+    ("a unit behind the quotes", '[contact]\nair_gap = "250" um\n', "number and unit are together in quotes", 'air_gap = "250 um"'),
+    ("words alone", "[contact]\nsoft contact\n", "a line is KEY = VALUE, the name of a section in brackets, or a comment", None),
+    ("a word alone", "[contact]\nsoft\n", "a line is KEY = VALUE", None),
+    ("capital units", '[contact]\nair_gap = "0.25 MM"\n', 'Did you mean "0.25 mm"', None),
+    ("capital rpm", '[run]\ninitial_speed = "15200 RPM"\n', 'Did you mean "15200 rpm"', None),
+    ("degrees Celsius as C", '[run]\nambient = "20 C"\n', '20 C is an electric charge.*Did you mean "20 degC"', None),
+    ("a denominator without parentheses", '[thermal]\nh_shaft = "50 W/m2 K"\n', r'Did you mean "50 W/\(m2 K\)"', None),
+    ("a temperature in degrees Celsius", "[run]\nambient = 20\n", 'out of range.*If degC is meant, write "20 degC"', None),
+    ("an angle in degrees", "[bearings.TB2]\ncontact_angle = 25\n", 'out of range.*If deg is meant, write "25 deg"', None),
+    ("a bearing's name in small letters", '[bearings.tb1]\nwidth = "21 mm"\n', 'Did you mean "bearings.TB1"', None),
+    ("a bearing's table without its place", '[TB1]\nwidth = "21 mm"\n', r"write \[bearings\.TB1\]", None),
+    ("yes in quotes", '[run]\nsecond_opinion = "yes"\n', "must be true or false, without quotes.*Write true", None),
+    ("a balance grade without G", "[rotor]\nbalance_grade = 40\n", r'rotor\.balance_grade = 40 is not a balance grade.*Did you mean "G40"', None),
     ("a name of a file with line breaks", '[rotor]\ngeometry = "C:\\rotor\\new.json"\n', r"it holds a line break.*write / ", None),
 ]
 
@@ -70,6 +89,21 @@ class Newcomers(ProgramTest):
                         self.write("mended.toml", "\n".join(mended) + "\n")
                         fixed.append(self.call("check", "mended.toml").returncode)
                     self.assertIn(0, fixed, "the offered line works")
+
+    def test_another_kind_of_file_is_told_what_it_is(self):
+        for name, content, says in (("rotor.json", b'{"nodes": []}', r"in JSON; a parameter file is in TOML.*\[rotor\] geometry = "), ("results.h5", b"\x89HDF\r\n\x1a\n", "a file of results"),
+                                    ("shaft.csv", b"x;od\n0;90\n", "a table .*new FOLDER --from"), ("utf16.toml", "[run]\n".encode("utf-16"), "UTF-16.*Save it as UTF-8"),
+                                    ("latin.toml", "[run]\n# Wälzlager\n".encode("latin-1"), "latin.toml:2:1: this line has a letter that is no UTF-8")):
+            (self.folder / name).write_bytes(content)
+            done = self.call("check", name)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(re.sub(r"\s+", " ", done.stderr), says)
+
+    def test_a_case_that_is_not_there_is_answered_with_the_near_one(self):
+        self.write("drop.toml", 'base = "reference.toml"\n')
+        for name in ("drop", "dorp.toml", "./drp.toml"):
+            self.assertRegex(self.call("check", name).stderr, r'Did you mean "(\./)?drop\.toml"')
+        self.assertNotIn("Did you mean", self.call("check", "xylophone.toml").stderr)
 
     def test_usual_slips_warn(self):
         for text, says in (("[run]\ninitial_speed = 9000\n", 'If rpm is meant, write "9000 rpm"'), ("[contact]\nair_gap = 0.25\n", "air_gap"), ('[contact]\nair_gap = "5 mm"\n', "is unusual")):

@@ -311,7 +311,7 @@ class HostileInputs(ProgramTest):
         self.write("drop.toml", "".join(f"k{i} = 1\n" for i in range(200_000)))
         self.refuse("check", "drop.toml", says="200000 keys; at most", timeout=20)
         self.write("drop.toml", 'base = "reference.toml"\n' + "".join(f"k{i} = 1\n" for i in range(9000)))
-        self.refuse("check", "drop.toml", says="and 8900 more faults", timeout=20)
+        self.refuse("check", "drop.toml", says="8980 more keys at the top level are unknown", timeout=20)
 
     def test_long_lists_of_wrong_entries_take_no_time(self):
         self.refuse("check", "reference.toml", "--set", f"rotor.unbalance=[{','.join(['1'] * 50_000)}]", says="and 49900 more faults", timeout=20)

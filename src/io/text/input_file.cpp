@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "base/parameters/suggestion.h"
 
 namespace rotordrop {
 
@@ -21,6 +25,24 @@ struct Descriptor {
   }
 };
 
+/// 'Did you mean "drop.toml"?  ' of a file that is not there; empty if nothing there has nearly its name.
+std::string near_name(const std::filesystem::path& path) {
+  const auto named = [](const std::filesystem::path& meant) {
+    return fmt::format("Did you mean \"{}\"?  ", meant.string());
+  };
+  std::error_code ignored;
+  const std::filesystem::path with_ending = path.string() + ".toml";
+  if (std::filesystem::exists(with_ending, ignored)) return named(with_ending);
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  std::vector<std::string> names;
+  constexpr std::size_t most = 1000;
+  for (std::filesystem::directory_iterator file(folder, ignored), end; file != end && names.size() < most;
+       file.increment(ignored))
+    if (file->path().extension() == path.extension()) names.push_back(file->path().filename().string());
+  const std::string close = closest_name(path.filename().string(), names);
+  return close.empty() ? "" : named(path.parent_path() / close);
+}
+
 }  // namespace
 
 std::string read_input_file(const std::filesystem::path& path, const SourcePosition& named_at, std::size_t largest) {
@@ -29,8 +51,11 @@ std::string read_input_file(const std::filesystem::path& path, const SourcePosit
     throw InputError(where, fmt::format("file \"{}\" cannot be read{}.", path.string(), why), advice);
   };
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0)
-    refuse(": " + std::generic_category().message(errno), "Check its name and permissions.");
+  if (::stat(path.c_str(), &status) != 0) {
+    const int error = errno;
+    refuse(": " + std::generic_category().message(error),
+           (error == ENOENT ? near_name(path) : "") + "Check its name and permissions.");
+  }
   if (!S_ISREG(status.st_mode))
     refuse(S_ISDIR(status.st_mode) ? ": it is a directory" : ": it is a device or a pipe", "Give a regular file.");
   if (static_cast<std::size_t>(status.st_size) > largest)

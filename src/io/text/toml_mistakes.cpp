@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <regex>
 #include <vector>
@@ -29,6 +30,7 @@ constexpr std::size_t longest_line = 2000;
 /// What a mistake is, and the line as it is meant; empty if that is not clear.
 struct Guess {
   std::string what, meant;
+  std::string otherwise = {};  ///< another way in which it may be meant
 };
 
 const std::string key_pattern = R"(^\s*([A-Za-z0-9_."'-]+)\s*)";
@@ -76,6 +78,29 @@ std::optional<Guess> about_value(const std::string& key, const std::string& valu
     const bool is_true = first == 't' || first == 'y' || (first == 'o' && value.size() == 2);
     return Guess{"yes and no are written true and false, in small letters", key + (is_true ? " = true" : " = false")};
   }
+  if (std::regex_match(value, m, std::regex(R"(([+-]?[1-9]\d{0,2}),(\d{3})\s*([A-Za-z/].*)?)"))) {
+    const auto written = [&](const char* between) {
+      return m[3].length() > 0 ? fmt::format("{} = \"{}{}{} {}\"", key, m.str(1), between, m.str(2), m.str(3))
+                               : fmt::format("{} = {}{}{}", key, m.str(1), between, m.str(2));
+    };
+    return Guess{"a number has no comma", written(""), "If a decimal point is meant: " + written(".")};
+  }
+  if (std::regex_match(value, m, std::regex(R"(([+-]?[\d.]+)\s*/\s*(\d[\d.]*))")))
+    if (const double divisor = std::strtod(m.str(2).c_str(), nullptr); divisor != 0.)
+      return Guess{"a number is no fraction",
+                   fmt::format("{} = {}", key, std::strtod(m.str(1).c_str(), nullptr) / divisor)};
+  if (std::regex_match(value, m,
+                       std::regex(R"(("[^"]*"|'[^']*'|[+-]?\d[\d.eE+-]*|true|false)\s*(?:;|,|//.*|--.*|%.*))")))
+    return Guess{"nothing stands behind a value but a comment, which begins with #",
+                 fmt::format("{} = {}", key, m.str(1))};
+  if (std::regex_match(value, m, std::regex(R"(["']([+-]?[\d.]+(?:[eE][+-]?\d+)?)["']\s*([A-Za-z%/][^"]*))")))
+    return Guess{"number and unit are together in quotes", fmt::format("{} = \"{} {}\"", key, m.str(1), m.str(2))};
+  if (value[0] == '[' && std::regex_search(value, m, std::regex(R"((?:"[^"]*"|[+-]?\d[\d.]*)(\s+)(?=["\d+-]))")) &&
+      m.length(1) > 0)
+    return Guess{
+        "entries of a list are separated by commas",
+        fmt::format("{} = {}", key,
+                    std::regex_replace(value, std::regex(R"(("[^"]*"|[+-]?\d[\d.]*)\s+(?=["\d+-]))"), "$1, "))};
   if (std::regex_match(value, m, std::regex(R"(([+-]?\d+),(\d+)\s*([A-Za-z/].*)?)")))
     return Guess{"a number has a decimal point, not a comma",
                  m[3].length() > 0 ? fmt::format("{} = \"{}.{} {}\"", key, m.str(1), m.str(2), m.str(3))
@@ -158,6 +183,8 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
     return about_value(m.str(1), std::string(trimmed(m.str(2))));
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(([+-]?[\d"'].*)$)")))
     return Guess{"there is no equals sign between key and value", fmt::format("{} = {}", m.str(1), m.str(2))};
+  if (std::regex_match(bare, std::regex(R"([A-Za-z][A-Za-z0-9_. -]*)")))
+    return Guess{"a line is KEY = VALUE, the name of a section in brackets, or a comment", ""};
   return {};
 }
 
@@ -180,7 +207,8 @@ TomlMistake toml_mistake(std::string_view text, int line, std::string_view descr
   }
   if (!guess) return {fmt::format("this is not valid TOML: {}.", own), shown.empty() ? "" : "The line is: " + shown};
   return {fmt::format("this is not valid TOML: {}.", guess->what),
-          guess->meant.empty() ? "The line is: " + shown : "Write it as: " + guess->meant};
+          (guess->meant.empty() ? "The line is: " + shown : "Write it as: " + guess->meant) +
+              (guess->otherwise.empty() ? "" : "\n" + guess->otherwise)};
 }
 
 }  // namespace rotordrop
