@@ -69,7 +69,55 @@ void make_set(const std::string& name, Node& bearing, Faults& faults) {
   multiply(bearing, entry, "C", "N", std::pow(count, 0.7));
 }
 
+/// A whole number of a table; 1 if it has none.
+int count_of(const Node& table, const char* key) {
+  const Node* value = table.find(key);
+  return value && value->is(Node::Kind::integer) ? static_cast<int>(value->integer()) : 1;
+}
+
+bool has_contact_angle(const Node& bearing) {
+  const Node* angle = bearing.find("contact_angle");
+  if (!angle) return false;
+  if (angle->is_number()) return angle->number() > 0.;
+  const auto read = convert_to_si(angle->is_text() ? angle->text() : "", "rad", QuantityKind::angle);
+  return read && read.value > 0.;
+}
+
+/// Whether `count` is keep_set()'s.
+bool is_count_of_base(const Node& bearing) {
+  const Node *count = bearing.find("count"), *catalogue = bearing.find("catalogue");
+  return count && catalogue && count->is_number() && count->where() == catalogue->where();
+}
+
+void look_at_kept_set(const std::string& name, const Node& bearing, std::vector<Fault>& warnings) {
+  const Node& catalogue = *bearing.find("catalogue");
+  const int count = count_of(bearing, "count");
+  if (count == 1)
+    warnings.push_back(
+        {catalogue.where(),
+         fmt::format("bearings.{}.catalogue = \"{}\" is one bearing, and replaces a set of several rows.", name,
+                     catalogue.text()),
+         "Write count = 1 beside it if that is meant, or count = 2 for a pair."});
+  else
+    warnings.push_back(
+        {catalogue.where(),
+         fmt::format("bearings.{}.catalogue = \"{}\" is laid over a set of {} rows: taken as a set of {}.", name,
+                     catalogue.text(), count_of(bearing, "rows"), count),
+         fmt::format("Write count = {} beside it, or count = 1 for one bearing.", count)});
+}
+
 }  // namespace
+
+void keep_set(Node& bearing, const Node& under) {
+  const Node* catalogue = bearing.find("catalogue");
+  if (!catalogue || !catalogue->is_text() || bearing.has("count") || under.has("count")) return;
+  if (const Node* rows = bearing.find("rows"); rows && !is_from(*rows, catalogue->text())) return;
+  const int rows = count_of(bearing, "rows"), rows_under = count_of(under, "rows");
+  if (rows < 1 || rows_under <= rows) return;
+  const bool stays = has_contact_angle(bearing) && rows_under % rows == 0;
+  const SourcePosition where = catalogue->where();
+  bearing.set("count", Node(stays ? rows_under / rows : 1, where), where);
+}
 
 void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
   const Node* bearings = tree.find("bearings");
@@ -78,6 +126,7 @@ void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
     const Node& bearing = named.value;
     const Node* catalogue = bearing.is_table() ? bearing.find("catalogue") : nullptr;
     const Node* rows = bearing.is_table() ? bearing.find("rows") : nullptr;
+    if (bearing.is_table() && is_count_of_base(bearing)) look_at_kept_set(named.key, bearing, warnings);
     if (!catalogue || !catalogue->is_text() || !rows || !rows->is_number() || bearing.has("count")) continue;
     const std::string& entry = catalogue->text();
     if (is_from(*rows, entry)) continue;

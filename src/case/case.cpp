@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <unordered_map>
 
 #include "base/parameters/suggestion.h"
 #include "base/units.h"
@@ -15,6 +16,7 @@
 #include "case/case_family.h"
 #include "case/case_keys.h"
 #include "case/case_text.h"
+#include "case/catalogue.h"
 #include "case/modules/parts_modules.h"
 #include "case/plausibility.h"
 #include "case/program_files.h"
@@ -192,53 +194,6 @@ void complete_paths(Node& tree) {
     for (Node& source : sources->items()) complete_path(&source, "recorded");
 }
 
-/// " (70 x 110 x 20 mm)" of a bearing of the catalogue; nothing of one that cannot be read.
-std::string size_in_words(const fs::path& file) {
-  Node bearing;
-  try {
-    bearing = read_toml(file);
-  } catch (const InputError&) {
-    return "";
-  }
-  std::vector<std::string> sizes;
-  for (const char* key : {"bore_diameter", "outside_diameter", "width"})
-    if (const Node* size = bearing.find(key); size && size->is_text())
-      if (const auto read = convert_to_si(size->text(), "m", QuantityKind::plain))
-        sizes.push_back(fmt::format("{:.4g}", read.value * 1e3));
-  return sizes.empty() ? "" : fmt::format(" ({} mm)", fmt::join(sizes, " x "));
-}
-
-void load_catalogue(Node& bearing, const std::string& name, const fs::path& case_file) {
-  const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
-  if (!entry || !entry->is_text()) return;
-  std::vector<std::string> known, with_sizes;
-  for (const auto& folder : catalogue_folders(case_file)) {
-    const fs::path file = folder / (entry->text() + ".toml");
-    std::error_code unreadable;
-    if (fs::is_regular_file(file, unreadable)) {
-      bearing = merged(read_toml(file), bearing);
-      return;
-    }
-    std::error_code ignored;
-    for (const auto& other : fs::directory_iterator(folder, ignored))
-      if (other.path().extension() == ".toml") {
-        known.push_back(other.path().stem().string());
-        with_sizes.push_back(known.back() + size_in_words(other.path()));
-      }
-  }
-  std::sort(with_sizes.begin(), with_sizes.end());
-  throw InputError(
-      entry->where(),
-      fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
-      suggestion(entry->text(), known, fmt::format("Known: {}.", fmt::join(with_sizes, ", "))));
-}
-
-/// Puts the catalogue's data under each bearing of one file that names them, so that they go before what a base says of that bearing.
-void load_catalogue_bearings(Node& tree, const fs::path& file) {
-  if (Node* bearings = tree.find("bearings"); bearings && bearings->is_table())
-    for (auto& entry : bearings->entries()) load_catalogue(entry.value, entry.key, file);
-}
-
 /// Whether a setting is of one entry of a list: "rotor.unbalance[0].me".
 bool names_entry(const Setting& setting) { return setting.key.find('[') != std::string::npos; }
 void set_entry(Node& tree, const Setting& setting) {
@@ -247,24 +202,36 @@ void set_entry(Node& tree, const Setting& setting) {
   set_key(tree, key, setting.value, {setting.value.where().file, 0, 0});
 }
 
+/// Parameters by the places of their keys and values, as path_at() finds them one by one.
+using ParametersByPlace = std::unordered_map<std::string, std::string>;
+void collect_places(const Node& node, const std::string& path, ParametersByPlace& found) {
+  const auto collect = [&](const Node& value, const SourcePosition& key, const std::string& own) {
+    for (const auto& where : {key, value.where()})
+      if (where.is_known()) found.emplace(to_string(where), own);
+    collect_places(value, own, found);
+  };
+  if (node.is_table())
+    for (const Node::Entry& entry : node.entries())
+      collect(entry.value, entry.where, path.empty() ? entry.key : path + "." + entry.key);
+  if (node.is_array())
+    for (std::size_t i = 0; i < node.items().size(); ++i)
+      collect(node.items()[i], node.items()[i].where(), fmt::format("{}[{}]", path, i));
+}
+
 /// Adds the parameters that faults are about, where a place tells them.
 void add_keys(std::vector<Fault>& faults, const Node& tree) {
   constexpr std::string_view set = "--set ";
+  ParametersByPlace places;
+  if (!faults.empty()) collect_places(tree, "", places);
   for (Fault& fault : faults)
     // Tables that a setting has made stand at its place, too.
     if (fault.key.empty())
-      fault.key = fault.where.file.starts_with(set) ? fault.where.file.substr(set.size()) : path_at(tree, fault.where);
+      fault.key = fault.where.file.starts_with(set)         ? fault.where.file.substr(set.size())
+                  : places.contains(to_string(fault.where)) ? places.at(to_string(fault.where))
+                                                            : "";
 }
 
 }  // namespace
-
-std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
-  std::vector<fs::path> folders;
-  if (const char* chosen = std::getenv("ROTORDROP_PARAMS")) folders.push_back(fs::path(chosen) / "bearings");
-  folders.push_back(case_file.parent_path() / "bearings");
-  folders.push_back(params_folder() / "bearings");
-  return folders;
-}
 
 std::vector<ErasedSection> case_sections() { return {case_section()->erased}; }
 
@@ -279,7 +246,7 @@ void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>&
     apply_setting(tree, setting);  // finds out whether it can be set
     apply_setting(over, setting);
   }
-  load_catalogue_bearings(over, file);
+  load_catalogue_bearings(over, file, tree, faults);
   tree = merged(tree, over);
   load_parts_of_case(tree);  // before the keys are declared, which are theirs, too
   for (const Setting& setting : settings)
@@ -304,7 +271,7 @@ void add_words(const ErasedSection& declaration, Case& result) {
 }
 
 /// @param read  the tree of `file` with its bases
-Case case_of(const fs::path& file, const std::vector<Setting>& settings, const std::function<Node()>& read,
+Case case_of(const fs::path& file, const std::vector<Setting>& settings, const std::function<Node(Faults&)>& read,
              const ReadFile& geometry = read_geometry, bool has_words = true) {
   Case result;
   result.file = file;
@@ -313,14 +280,15 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     throw InputError({file.string(), 0, 0}, "the name of this file holds a control character, such as a line break.",
                      "The case is called as the file: use letters, digits, - and _.");
   try {
-    result.tree = read();
     Faults faults;
+    result.tree = read(faults);
     complete_tree(result.tree, file, settings, geometry, faults);
     const auto section = case_section();
     result.parameters = section->section.read(result.tree, faults);
     // What follows looks at several sections together, and so needs each of them sound.
     faults.throw_if_any();
     check_machine(result.parameters, result.tree, faults);
+    check_length(result.parameters, result.tree, faults);
     check_output(result.parameters, result.tree, faults);
     faults.throw_if_any();
     if (result.parameters.rotor.balance_grade)
@@ -340,39 +308,54 @@ std::vector<Setting> settings_of(const std::vector<std::string>& overrides) {
   return settings;
 }
 
+CompleteLayer with_catalogue(Faults& faults) {
+  return [&faults](Node& tree, const fs::path& file, const Node& base) {
+    load_catalogue_bearings(tree, file, base, faults);
+  };
+}
+
 /// A tree of no file, laid over its base.
-Node with_base(Node tree, const fs::path& file) {
-  load_catalogue_bearings(tree, file);
+Node with_base(Node tree, const fs::path& file, Faults& faults) {
+  const CompleteLayer complete = with_catalogue(faults);
   const Node* base = tree.find("base");
-  if (!base) return tree;
+  if (!base) {
+    complete(tree, file, Node::table());
+    return tree;
+  }
   if (!base->is_text())
     throw InputError(base->where(), fmt::format("base is {}; it must be the name of a file.", kind_name(*base)));
-  Node under = read_toml(resolve_path(*base), load_catalogue_bearings);
+  const Node under = read_toml(resolve_path(*base), complete);
   tree.erase("base");
+  complete(tree, file, under);
   return merged(under, tree);
 }
 
 }  // namespace
 
 Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
-  return case_of(file, settings_of(overrides), [&] { return read_toml(file, load_catalogue_bearings); });
+  return case_of(file, settings_of(overrides), [&](Faults& faults) { return read_toml(file, with_catalogue(faults)); });
 }
 
 Case read_case_text(std::string_view text, const fs::path& folder, const std::string& name,
                     const std::vector<std::string>& overrides) {
   const fs::path file = folder / (name + ".toml");
-  return case_of(file, settings_of(overrides), [&] { return read_toml_text(text, file, load_catalogue_bearings); });
+  return case_of(file, settings_of(overrides),
+                 [&](Faults& faults) { return read_toml_text(text, file, with_catalogue(faults)); });
 }
 
 Case read_given_case(const GivenCase& given, const std::vector<Setting>& settings) {
-  return case_of(given.file, settings, [&] {
-    if (given.tree) return with_base(*given.tree, given.file);
-    return given.text ? read_toml_text(*given.text, given.file, load_catalogue_bearings)
-                      : read_toml(given.file, load_catalogue_bearings);
+  return case_of(given.file, settings, [&](Faults& faults) {
+    if (given.tree) return with_base(*given.tree, given.file, faults);
+    return given.text ? read_toml_text(*given.text, given.file, with_catalogue(faults))
+                      : read_toml(given.file, with_catalogue(faults));
   });
 }
 
-CaseFamily::CaseFamily(const fs::path& file) : file_(file), tree_(read_toml(file, load_catalogue_bearings)) {}
+CaseFamily::CaseFamily(const fs::path& file) : file_(file) {
+  Faults faults;
+  tree_ = read_toml(file, with_catalogue(faults));
+  faults.throw_if_any();
+}
 
 Case CaseFamily::read(const std::vector<std::string>& overrides) const {
   const auto geometry = [this](const fs::path& file) {
@@ -381,7 +364,7 @@ Case CaseFamily::read(const std::vector<std::string>& overrides) const {
     return found != geometries_.end() ? found->second : geometries_.emplace(file, read_geometry(file)).first->second;
   };
   return case_of(
-      file_, settings_of(overrides), [this] { return tree_; }, geometry, false);
+      file_, settings_of(overrides), [this](Faults&) { return tree_; }, geometry, false);
 }
 
 std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {

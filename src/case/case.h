@@ -44,8 +44,4 @@ std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bea
 /// The declarations of a case file, for defaults, schema and resolved parameters.
 std::vector<ErasedSection> case_sections();
 
-/// Folders with bearings usable by name, in the order of search: ROTORDROP_PARAMS/bearings if that is set, `bearings` beside the case,
-/// the program's own params/bearings.
-std::vector<std::filesystem::path> catalogue_folders(const std::filesystem::path& case_file);
-
 }  // namespace rotordrop

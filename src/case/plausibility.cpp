@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "case/usual_values.h"
 #include "machine/probes.h"
@@ -15,7 +16,14 @@ namespace {
 /// Above it rings of steel burst: rho v^2 is 1.25 GPa at 400 m/s.
 constexpr double fastest_surface = 400.;                      // [m/s]
 constexpr double slowest_spin = 10. * std::numbers::pi;       // 300 rpm [rad/s]
+constexpr double strongest_gravity = 30.;                     // drops on ships and in vehicles, with a margin [m/s2]
+constexpr double shortest_run = 0.01;                         // shorter ones are trials [s]
 constexpr double lightest_rotor = 0.1, heaviest_rotor = 1e5;  // [kg]
+
+/// Steps of a drop take some 10 us of computing each.
+constexpr double many_steps = 1e9, most_steps = 1e11;
+
+double fewest_steps(const CaseParameters& p) { return p.run.latest_end() / step_or_bound(p.integration); }
 
 void warn(std::vector<Fault>& warnings, const SourcePosition& where, std::string message, std::string advice) {
   Fault warning{where, std::move(message), std::move(advice)};
@@ -29,6 +37,12 @@ const Node& table_at(const Node& tree, std::string_view a, std::string_view b = 
   if (!first || !first->is_table()) return tree;
   const Node* second = b.empty() ? nullptr : first->find(b);
   return second && second->is_table() ? *second : *first;
+}
+
+/// The step if that is given, else the end.
+SourcePosition position_of_step(const CaseParameters& p, const Node& tree) {
+  return p.integration.step ? position_of_value(table_at(tree, "integration"), "step")
+                            : position_of_value(table_at(tree, "run"), "end_time");
 }
 
 /// Diameters and materials of a shaft; a geometry has no declarations of its own here.
@@ -155,6 +169,70 @@ void look_at_bearing(const std::string& name, const TouchdownParameters& b, cons
          "A bare number is in metres.");
 }
 
+/// Of the ring against its dimensions, and of a row alone what belongs to sets.
+void look_at_ring(const std::string& name, const TouchdownParameters& b, const MaterialParameters* ring,
+                  const Node& tree, std::vector<Fault>& warnings) {
+  const Node& table = table_at(tree, "bearings", name);
+  const auto [inside, outside] = std::pair(b.inner_ring_diameters[0], b.inner_ring_diameters[1]);
+  if (ring) {
+    const double solid = ring->rho * 0.25 * std::numbers::pi * (outside * outside - inside * inside) * b.width;
+    if (b.ring_mass > 5. * solid || b.ring_mass < 0.2 * solid)
+      warn(warnings, position_of_value(table, "ring_mass"),
+           fmt::format("bearings.{}.ring_mass is {:.4g} kg, but a ring of its diameters, width and material has {:.3g} "
+                       "kg.",
+                       name, b.ring_mass, solid),
+           "It is of the inner ring, of all rows together, without balls and cage. Check the unit.");
+  }
+  for (const auto& [key, is_given] :
+       {std::pair{"arrangement", b.arrangement != RowArrangement::face_to_face}, {"preload", b.preload > 0.}})
+    if (b.rows == 1 && is_given)
+      warn(warnings, position_of_value(table, key),
+           fmt::format("bearings.{}.{} is of a set, but the bearing has rows = 1.", name, key),
+           "Write count = 2 for a pair of catalogue bearings, or rows = 2 with the data of both; or leave it out.");
+}
+
+/// Springs and dampers against the mass that they carry.
+void look_at_support(const std::string& name, const SupportParameters& support, const Node& tree,
+                     std::vector<Fault>& warnings) {
+  const Node& table = table_at(tree, "bearings", name);
+  const Node* own = table.find("support");
+  if (!own) own = &table;
+  for (const auto& [key, K, C] : {std::tuple{"C_y", support.K_y, support.C_y}, {"C_z", support.K_z, support.C_z}}) {
+    if (!K || !C || *C == 0.) continue;
+    const double ratio = *C / (2. * std::sqrt(*K * support.mass));
+    if (ratio < 1e-4 || ratio > 10.)
+      warn(warnings, position_of_value(*own, key),
+           fmt::format("bearings.{}.support.{} = {:.6g} N s/m is {:.3g} of critical damping of its mass and stiffness; "
+                       "most often it is between 0.0001 and 10.",
+                       name, key, *C, ratio),
+           "Critical is 2 sqrt(K m). A bare number is in N s/m. Check mass and stiffness, too.");
+  }
+}
+
+/// What goes for the run as a whole.
+void look_at_run(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node& run = table_at(tree, "run");
+  const auto& g = p.run.gravity;
+  if (const double magnitude = std::hypot(g[0], g[1], g[2]); magnitude > strongest_gravity)
+    warn(warnings, position_of_value(run, "gravity"),
+         fmt::format("run.gravity = {:.6g} m/s2 is {:.3g} times that of the earth.", magnitude, magnitude / 9.80665),
+         "A bare number is in m/s2: 981 cm/s2 are 9.81.");
+  if (const double steps = fewest_steps(p); steps > many_steps)
+    warn(warnings, position_of_step(p, tree),
+         fmt::format("run.end_time = {:.6g} s takes {:.2g} steps of at most {:.3g} s: hours or days.",
+                     p.run.latest_end(), steps, step_or_bound(p.integration)),
+         "A bare number is in seconds. Check run.end_time and integration.step; run.until ends a run by a condition.");
+  const Node& output = table_at(tree, "output");
+  for (const auto& [key, interval] :
+       {std::pair{"interval", p.output.interval}, {"detail_interval", p.output.detail_interval}})
+    if (interval > std::max(p.run.latest_end(), shortest_run))
+      warn(warnings, position_of_value(output, key),
+           fmt::format("output.{} = {:.6g} s is longer than the run, {:.6g} s: its series have the first and the last "
+                       "row alone.",
+                       key, interval, p.run.latest_end()),
+           "A bare number is in seconds: \"50 us\" is usual.");
+}
+
 /// A stationary part that the rotor reaches before, or while, its touchdown bearings hold it.
 void look_at_probes(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   const Node* tables = table_at(tree, "rotor").find("probes");
@@ -192,12 +270,24 @@ std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseP
   look_at_elements(p, tree, warnings);
   look_at_rotor(p, tree, warnings);
   look_at_probes(p, tree, warnings);
+  look_at_run(p, tree, warnings);
   for (const auto& entry : p.bearings)
     if (const auto* touchdown = entry.touchdown()) {
       look_at_bearing(entry.name, *touchdown, p, tree, warnings);
       look_at_laws(entry.name, *touchdown, p, tree, warnings);
+      look_at_ring(entry.name, *touchdown, find_material(p, touchdown->ring), tree, warnings);
+      look_at_support(entry.name, touchdown->support, tree, warnings);
     }
   return warnings;
+}
+
+void check_length(const CaseParameters& p, const Node& tree, Faults& faults) {
+  if (const double steps = fewest_steps(p); steps > most_steps)
+    faults.add(position_of_step(p, tree),
+               fmt::format("run.end_time = {:.6g} s in steps of at most {:.3g} s are {:.2g} steps; at most {:.0e} are "
+                           "taken, which is more than ten days.",
+                           p.run.latest_end(), step_or_bound(p.integration), steps, most_steps),
+               "Make the step longer or the run shorter.");
 }
 
 void check_output(const CaseParameters& p, const Node& tree, Faults& faults) {

@@ -9,6 +9,9 @@ namespace rotordrop {
 [[nodiscard]] std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseParameters& parameters,
                                                 const Node& tree);
 
+/// Faults of a run that would not end in days.
+void check_length(const CaseParameters& parameters, const Node& tree, Faults& faults);
+
 /// Faults of what the case asks to be written.
 void check_output(const CaseParameters& parameters, const Node& tree, Faults& faults);
 

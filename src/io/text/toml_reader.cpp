@@ -50,7 +50,7 @@ Node converted_table(const toml::table& from, const PositionsOf& position) {
   for (const Item& item : items) {
     const SourcePosition where = position(item.key->source());
     require_printable_key(item.key->str(), where);
-    table.set(std::string(item.key->str()), converted(*item.value, position), where);
+    table.entries().push_back({std::string(item.key->str()), where, converted(*item.value, position)});
   }
   return table;
 }
@@ -100,6 +100,42 @@ std::vector<std::string_view> comments_of_lines(std::string_view text) {
   return comments;
 }
 
+/// Line of the first letter that is no UTF-8, from 1; 0 if all is.
+int first_line_not_utf8(std::string_view text) {
+  int line = 1;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    line += c == '\n' ? 1 : 0;
+    const int more = c < 0x80u ? 0 : c >= 0xf0u ? 3 : c >= 0xe0u ? 2 : c >= 0xc2u ? 1 : -1;
+    if (more < 0) return line;
+    for (int k = 0; k < more; ++k)
+      if (++i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xc0u) != 0x80u) return line;
+  }
+  return 0;
+}
+
+/// Refuses what is another kind of file.
+void require_toml(std::string_view text, const std::string& file) {
+  const auto refuse = [&](int line, const std::string& what, const std::string& advice) {
+    throw InputError({file, line, line > 0 ? 1 : 0}, what, advice);
+  };
+  if (text.starts_with("\x89HDF"))
+    refuse(0, "this is a file of results (HDF5), not a parameter file.",
+           "parameters.toml beside it is the case from which they are; `rotordrop rerun` takes results.");
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
+      (text.size() > 3 && text[1] == '\0' && text[3] == '\0'))
+    refuse(0, "this file is in UTF-16.", "Save it as UTF-8.");
+  if (const auto first = text.find_first_not_of(" \t\r\n"); first != std::string_view::npos && text[first] == '{')
+    refuse(0, "this file is in JSON; a parameter file is in TOML.",
+           "The geometry of a rotor is named in the case: [rotor] geometry = \"FILE.json\".");
+  if (file.ends_with(".csv"))
+    refuse(0, "this file is a table (CSV), not a parameter file.",
+           "A shaft as a table becomes a case by `rotordrop new FOLDER --from FILE.csv`.");
+  if (const int line = first_line_not_utf8(text); line > 0)
+    refuse(line, "this line has a letter that is no UTF-8.",
+           "Save the file as UTF-8; it may be in Latin-1 or in the code page of a Windows editor.");
+}
+
 Node parsed_toml(std::string_view text, const PositionsOf& position) {
   require_shallow_toml(text, position.file);
   Node tree = converted_table(toml::parse(text, position.file), position);
@@ -110,12 +146,13 @@ Node parsed_toml(std::string_view text, const PositionsOf& position) {
 /// @param text       of the file at `path`
 /// @param including  the files from the first one to the one that names this
 Node read_with_bases(std::string_view text, const std::filesystem::path& path,
-                     std::vector<std::filesystem::path> including,
-                     const std::function<void(Node&, const std::filesystem::path&)>& complete) {
+                     std::vector<std::filesystem::path> including, const CompleteLayer& complete) {
   Node tree = parse_toml(text, path.string());
-  if (complete) complete(tree, path);
   const Node* base = tree.find("base");
-  if (!base) return tree;
+  if (!base) {
+    if (complete) complete(tree, path, Node::table());
+    return tree;
+  }
   if (!base->is_text())
     throw InputError(base->where(),
                      fmt::format("base is {}; it must be the name of a file in quotes.", kind_name(*base)));
@@ -132,8 +169,9 @@ Node read_with_bases(std::string_view text, const std::filesystem::path& path,
                      fmt::format("The chain of bases is {}{}.", chain, again->filename().string()));
   }
   tree.erase("base");
-  return merged(read_with_bases(read_input_file(base_path, where_base), base_path, std::move(including), complete),
-                tree);
+  const Node under = read_with_bases(read_input_file(base_path, where_base), base_path, std::move(including), complete);
+  if (complete) complete(tree, path, under);
+  return merged(under, tree);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -180,6 +218,7 @@ Node override_value(const std::string& text, const std::string& name) {
 }  // namespace
 
 Node parse_toml(std::string_view text, const std::string& file) {
+  require_toml(text, file);
   try {
     return parsed_toml(text, {file});
   } catch (const toml::parse_error& error) {
@@ -188,13 +227,11 @@ Node parse_toml(std::string_view text, const std::string& file) {
   }
 }
 
-Node read_toml(const std::filesystem::path& path,
-               const std::function<void(Node&, const std::filesystem::path& file)>& complete) {
+Node read_toml(const std::filesystem::path& path, const CompleteLayer& complete) {
   return read_with_bases(read_input_file(path), path, {}, complete);
 }
 
-Node read_toml_text(std::string_view text, const std::filesystem::path& path,
-                    const std::function<void(Node&, const std::filesystem::path& file)>& complete) {
+Node read_toml_text(std::string_view text, const std::filesystem::path& path, const CompleteLayer& complete) {
   return read_with_bases(text, path, {}, complete);
 }
 

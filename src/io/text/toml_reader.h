@@ -9,6 +9,9 @@
 
 namespace rotordrop {
 
+/// What completes a file's own tree before it is laid over its base, which is an empty table if it has none.
+using CompleteLayer = std::function<void(Node& tree, const std::filesystem::path& file, const Node& base)>;
+
 /// Reads a TOML file with the place of every key and value.
 ///
 /// The key `base = "other.toml"` at the top names a file, relative to this one, whose values hold where this file gives
@@ -16,13 +19,11 @@ namespace rotordrop {
 /// the result. Throws an InputError for a file that cannot be read, a syntax error, or a chain of bases that returns to
 /// a file.
 ///
-/// @param complete  called with each file's own tree before it is laid over its base: for what a file's values stand for
-Node read_toml(const std::filesystem::path& path,
-               const std::function<void(Node&, const std::filesystem::path& file)>& complete = {});
+/// @param complete  called for each file: puts in what its values stand for
+Node read_toml(const std::filesystem::path& path, const CompleteLayer& complete = {});
 
 /// The same of a text, as if it stood in a file of that path, which need not exist.
-Node read_toml_text(std::string_view text, const std::filesystem::path& path,
-                    const std::function<void(Node&, const std::filesystem::path& file)>& complete = {});
+Node read_toml_text(std::string_view text, const std::filesystem::path& path, const CompleteLayer& complete = {});
 
 /// Reads TOML text without looking at `base`; `file` is how positions call it.
 Node parse_toml(std::string_view text, const std::string& file);

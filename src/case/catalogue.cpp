@@ -1,0 +1,106 @@
+#include "case/catalogue.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "base/parameters/suggestion.h"
+#include "base/units.h"
+#include "case/bearing_sets.h"
+#include "case/program_files.h"
+#include "io/text/toml_reader.h"
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// " (70 x 110 x 20 mm)" of a bearing of the catalogue; nothing of one that cannot be read.
+std::string size_in_words(const fs::path& file) {
+  Node bearing;
+  try {
+    bearing = read_toml(file);
+  } catch (const InputError&) {
+    return "";
+  }
+  std::vector<std::string> sizes;
+  for (const char* key : {"bore_diameter", "outside_diameter", "width"})
+    if (const Node* size = bearing.find(key); size && size->is_text())
+      if (const auto read = convert_to_si(size->text(), "m", QuantityKind::plain))
+        sizes.push_back(fmt::format("{:.4g}", read.value * 1e3));
+  return sizes.empty() ? "" : fmt::format(" ({} mm)", fmt::join(sizes, " x "));
+}
+
+std::vector<fs::path> entries_of_catalogue(const fs::path& case_file) {
+  std::vector<fs::path> files;
+  for (const auto& folder : catalogue_folders(case_file)) {
+    std::error_code ignored;
+    for (const auto& other : fs::directory_iterator(folder, ignored))
+      if (other.path().extension() == ".toml") files.push_back(other.path());
+  }
+  return files;
+}
+
+/// A sound bearing with the place, the supports and the laws of one whose catalogue data are not known.
+Node stand_in(Node bearing, const fs::path& entry) {
+  const Node data = read_toml(entry);
+  for (const char* key : {"arrangement", "preload", "count", "bore_radius", "row_spacing"}) bearing.erase(key);
+  bearing = merged(bearing, data);
+  if (const Node* rings = data.find("outer_ring_diameters");
+      rings && rings->is_array() && rings->items().size() == 2 && bearing.has("housing_diameters"))
+    bearing.set("housing_diameters", Node::array({rings->items()[1], Node(100.)}));
+  return bearing;
+}
+
+void load_entry(Node& bearing, const std::string& name, const fs::path& case_file, Faults& faults) {
+  const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
+  if (!entry || !entry->is_text()) return;
+  for (const auto& folder : catalogue_folders(case_file)) {
+    const fs::path file = folder / (entry->text() + ".toml");
+    std::error_code unreadable;
+    if (fs::is_regular_file(file, unreadable)) {
+      bearing = merged(read_toml(file), bearing);
+      return;
+    }
+  }
+  const std::vector<fs::path> files = entries_of_catalogue(case_file);
+  std::vector<std::string> known, with_sizes;
+  for (const fs::path& file : files) {
+    known.push_back(file.stem().string());
+    with_sizes.push_back(known.back() + size_in_words(file));
+  }
+  std::sort(with_sizes.begin(), with_sizes.end());
+  faults.add(entry->where(),
+             fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
+             suggestion(entry->text(), known, fmt::format("Known: {}.", fmt::join(with_sizes, ", "))));
+  const std::string closest = closest_name(entry->text(), known);
+  const auto like = std::find(known.begin(), known.end(), closest.empty() ? "6014" : closest);
+  if (like == known.end()) faults.throw_if_any();
+  bearing = stand_in(bearing, files[static_cast<std::size_t>(like - known.begin())]);
+}
+
+}  // namespace
+
+std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
+  std::vector<fs::path> folders;
+  if (const char* chosen = std::getenv("ROTORDROP_PARAMS")) folders.push_back(fs::path(chosen) / "bearings");
+  folders.push_back(case_file.parent_path() / "bearings");
+  folders.push_back(params_folder() / "bearings");
+  return folders;
+}
+
+void load_catalogue_bearings(Node& tree, const fs::path& file, const Node& base, Faults& faults) {
+  Node* bearings = tree.find("bearings");
+  if (!bearings || !bearings->is_table()) return;
+  const Node* under = base.find("bearings");
+  for (auto& entry : bearings->entries()) {
+    load_entry(entry.value, entry.key, file, faults);
+    if (const Node* same = under ? under->find(entry.key) : nullptr; same && same->is_table() && entry.value.is_table())
+      keep_set(entry.value, *same);
+  }
+}
+
+}  // namespace rotordrop

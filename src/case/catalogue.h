@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/node.h"
+
+namespace rotordrop {
+
+/// Folders with bearings usable by name, in the order of search: ROTORDROP_PARAMS/bearings if that is set, `bearings` beside the case,
+/// the program's own params/bearings.
+std::vector<std::filesystem::path> catalogue_folders(const std::filesystem::path& case_file);
+
+/// Puts the catalogue's data under each bearing of one layer that names them, so that they go before what a base says of that bearing.
+/// A bearing that the catalogue does not have is a fault; data of another one then stand for it, so that other faults are found, too.
+/// @param base  what the layer will be laid over
+void load_catalogue_bearings(Node& tree, const std::filesystem::path& file, const Node& base, Faults& faults);
+
+}  // namespace rotordrop
