@@ -61,13 +61,9 @@ std::string description(const std::string& bearing, const SectionMesh& mesh, con
 }
 
 void write_mesh(const SectionMesh& mesh, const fs::path& file, MeshFileFormat format) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!fs::is_directory(folder))
-    throw InputError({folder.string(), 0, 0}, "the directory cannot be made", "Choose another place with -o.");
+  require_writable(file);
   // Gmsh tells the format by the ending. Complete or not at all: beside it first, then renamed.
-  const fs::path beside = folder / ("." + file.stem().string() + ".part.msh");
+  const fs::path beside = file.parent_path() / ("." + file.stem().string().substr(0, 200) + ".part.msh");
   section_mesher().write(mesh, beside.string(), format);
   // Gmsh does not say whether all of it was written.
   std::ifstream written(beside, std::ios::binary | std::ios::ate);
@@ -75,7 +71,8 @@ void write_mesh(const SectionMesh& mesh, const fs::path& file, MeshFileFormat fo
   std::string last(end.size(), '\0');
   written.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
   if (!written.read(last.data(), static_cast<std::streamsize>(last.size())) || last != end || !is_on_disk(beside)) {
-    fs::remove(beside, error);
+    std::error_code ignored;
+    fs::remove(beside, ignored);
     throw SolverError("cannot write " + file.string() + ": Check free disk space and write permission.");
   }
   fs::rename(beside, file);

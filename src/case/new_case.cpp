@@ -1,9 +1,15 @@
 #include "case/new_case.h"
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "base/errors.h"
+#include "case/case.h"
 #include "case/program_files.h"
 #include "case/rotor_file.h"
 #include "io/checkpoint.h"
+#include "io/half_made_file.h"
 #include "io/text/input_file.h"
 #include "io/text/parameter_writers.h"
 
@@ -33,30 +39,54 @@ air_gap = "250 um"
 # catalogue = "6014"
 )";
 
-/// @returns the case to be written
-fs::path fresh_case_in(const fs::path& directory) {
-  const fs::path file = directory / "drop.toml";
-  if (fs::exists(file)) throw InputError({file.string(), 0, 0}, "the file already exists", "Choose another folder.");
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw InputError({directory.string(), 0, 0}, "the folder cannot be made: " + error.message());
-  return file;
-}
+/// Files that are written into a folder; without keep() they go again, and the folder too if it was made for them.
+class NewFolder {
+ public:
+  explicit NewFolder(fs::path directory) : directory_(std::move(directory)) {
+    require_free("drop.toml");
+    std::error_code error;
+    is_made_ = fs::create_directories(directory_, error);
+    if (error) throw InputError({directory_.string(), 0, 0}, "the folder cannot be made: " + error.message());
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  ~NewFolder() {
+    files_.clear();
+    std::error_code ignored;
+    if (is_made_) fs::remove(directory_, ignored);  // only if it is empty
+  }
 
-void copy_to(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::copy_file(from, to, error);
-  if (error) throw InputError({to.string(), 0, 0}, "cannot be written: " + error.message());
-}
+  fs::path write(const fs::path& name, const std::string& text) {
+    require_free(name);
+    write_text_atomically(directory_ / name, text);
+    files_.push_back(std::make_unique<HalfMadeFile>(directory_ / name));
+    return directory_ / name;
+  }
+  void keep() {
+    for (auto& file : files_) file->keep();
+    is_made_ = false;
+  }
+
+ private:
+  void require_free(const fs::path& name) const {
+    if (fs::exists(directory_ / name))
+      throw InputError({(directory_ / name).string(), 0, 0}, "the file already exists", "Choose another folder.");
+  }
+
+  fs::path directory_;
+  bool is_made_ = false;
+  std::vector<std::unique_ptr<HalfMadeFile>> files_;
+};
 
 }  // namespace
 
 fs::path new_case(const fs::path& directory) {
-  const fs::path file = fresh_case_in(directory);
-  for (const auto& [from, to] :
-       {std::pair{"neisi2019.toml", "reference.toml"}, std::pair{"neisi2019-rotor.json", "neisi2019-rotor.json"}})
-    copy_to(params_folder() / from, directory / to);
-  write_text_atomically(file, drop_toml);
+  NewFolder folder(directory);
+  folder.write("reference.toml", read_input_file(params_folder() / "neisi2019.toml"));
+  folder.write("neisi2019-rotor.json", read_input_file(params_folder() / "neisi2019-rotor.json"));
+  folder.write("schema.json", write_json_schema(case_sections()));
+  const fs::path file = folder.write("drop.toml", drop_toml);
+  folder.keep();
   return file;
 }
 
@@ -71,9 +101,11 @@ fs::path new_own_case(const fs::path& directory, const fs::path& shaft) {
     const std::string named = toml_value(Node(example));
     text.replace(text.find(named), named.size(), toml_value(Node(shaft.filename().string())));
   }
-  const fs::path file = fresh_case_in(directory);
-  copy_to(geometry, directory / geometry.filename());
-  write_text_atomically(file, text);
+  NewFolder folder(directory);
+  folder.write(geometry.filename(), read_input_file(geometry));
+  folder.write("schema.json", write_json_schema(case_sections()));
+  const fs::path file = folder.write("drop.toml", text);
+  folder.keep();
   return file;
 }
 

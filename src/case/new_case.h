@@ -3,7 +3,8 @@
 
 namespace rotordrop {
 
-/// Starts a case in a new folder: drop.toml built on the reference case, ready to run. @throws InputError if it is there already
+/// Starts a case in a new folder: drop.toml built on the reference case, ready to run, and the schema of its keys for editors. Nothing is left of it
+/// if a file cannot be written. @throws InputError if one of them is there already
 std::filesystem::path new_case(const std::filesystem::path& directory);
 
 /// A folder with a case of a machine of one's own instead: a shaft as a table, bearings of the catalogue on ribbons, limits.

@@ -41,6 +41,7 @@ void warn_of_growth(const CaseParameters& p) {
 
 int calibrate_command(const CalibrateCommand& command) {
   const Case c = read_case(command.file, command.overrides);
+  tell_warnings(c.warnings);
   CalibrationSettings settings;
   if (!command.until.empty()) settings.until = parse_time("--until", command.until);
   if (settings.until <= 2. * settings.from)
@@ -50,6 +51,7 @@ int calibrate_command(const CalibrateCommand& command) {
   if (!command.force && std::filesystem::exists(file))
     throw InputError({file.string(), 0, 0}, "the file already exists.",
                      "Choose another with -o FILE, or replace it with --force.");
+  require_other_file(file, command.file);
   const auto bearings = calibrate(c, settings);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_text_atomically(file, calibration_file(c, file, bearings, settings));
@@ -61,6 +63,7 @@ int calibrate_command(const CalibrateCommand& command) {
 
 int modes_command(const ModesCommand& command) {
   const Case c = read_case(command.file, command.overrides);
+  tell_warnings(c.warnings);
   const auto speeds =
       command.speeds.empty() ? std::vector<double>{0., c.parameters.run.initial_speed} : parse_speeds(command.speeds);
   const auto report = find_modes(c, speeds);
@@ -69,7 +72,6 @@ int modes_command(const ModesCommand& command) {
   else
     fmt::print("{}", to_table(report, command.n_modes));
   const auto shapes = command.shapes.empty() ? std::filesystem::path("out") / c.name / "modes.h5" : command.shapes;
-  if (shapes.has_parent_path()) std::filesystem::create_directories(shapes.parent_path());
   write_mode_shapes(report, command.n_modes, shapes);
   // Not on standard output, where the JSON may go into another program.
   fmt::print(stderr, "mode shapes in {}\n", shapes.string());
@@ -78,6 +80,7 @@ int modes_command(const ModesCommand& command) {
 
 int critical_speeds_command(const CriticalSpeedsCommand& command) {
   const Case c = read_case(command.file, command.overrides);
+  tell_warnings(c.warnings);
   auto options = critical_speed_options(c, {command.up_to, command.stiffness, command.map});
   options.n_speeds = 61;
   if (!command.diagram.empty()) {
@@ -104,6 +107,7 @@ int statics_command(const StaticsCommand& command) {
   auto overrides = command.overrides;
   if (!command.bearing.empty()) overrides.emplace_back("statics.subject=bearings");
   const Case c = read_case(command.file, overrides);
+  tell_warnings(c.warnings);
   warn_of_growth(c.parameters);
   const auto report = find_rest(c, command.bearing);
   if (command.json)
@@ -115,6 +119,7 @@ int statics_command(const StaticsCommand& command) {
 
 int preload_command(const PreloadCommand& command) {
   const Case c = read_case(command.file, command.overrides);
+  tell_warnings(c.warnings);
   PreloadOptions options;
   options.directory =
       command.directory.empty() ? std::filesystem::path("out") / (c.name + "-preload") : command.directory;

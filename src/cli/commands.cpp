@@ -78,7 +78,6 @@ int schema_command(InputKind kind) {
 int new_command(const NewCommand& command) {
   const auto file = command.is_own || !command.shaft.empty() ? new_own_case(command.directory, command.shaft)
                                                              : new_case(command.directory);
-  write_text_atomically(command.directory / "schema.json", write_json_schema(case_sections()));
   fmt::print("New case: {}\nRun it with: rotordrop run {}\n", file.string(), file.string());
   return 0;
 }
@@ -96,10 +95,12 @@ int heat_command(const HeatCommand& command) {
   const bool is_of_a_bearing = is_bearing_heat_case(command.file);
   if (is_of_a_bearing) {
     const auto heat_case = read_bearing_heat_case(command.file, command.overrides);
+    tell_warnings(heat_case->drop.warnings);
     catch_signals();
     summary = run_bearing_heat(*heat_case, options);
   } else {
     const HeatCase heat_case = read_heat_case(command.file, command.overrides);
+    tell_warnings(heat_case.warnings);
     catch_signals();
     summary = run_heat(heat_case, options);
   }
@@ -124,6 +125,8 @@ int compare_measured_command(const CompareCommand& command) {
       if (std::filesystem::exists(path))
         throw InputError({path.string(), 0, 0}, "the file already exists",
                          "Choose another with -o FILE, or replace it with --force.");
+  require_other_file(file, command.measured);
+  require_other_file(file, command.directory / "summary.json");
   const auto measured = read_measured_file(command.measured);
   const RecordedDrop drop(command.directory);
   const MeasuredComparison comparison = compare_with_measured(drop, measured);
@@ -141,6 +144,8 @@ int compare_measured_command(const CompareCommand& command) {
 int compare_command(const CompareCommand& command) {
   if (!command.measured.empty()) return compare_measured_command(command);
   const ComparisonOptions options = comparison_options(command);
+  for (const auto& directory : {command.directory, command.against})
+    if (!directory.empty()) require_other_file(command.output, directory / "summary.json");
   const RecordedDrop drop(command.directory);
   std::optional<RecordedDrop> against;
   if (!command.against.empty()) against.emplace(command.against);
@@ -152,6 +157,13 @@ int compare_command(const CompareCommand& command) {
     fmt::print("rotordrop {} ({})   comparison, case {}\n{}report in {}\n", version(), git_revision(), drop.case_name(),
                comparison_text(comparison.report), file.string());
   return 0;
+}
+
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(output, input, ignored))
+    throw InputError({output.string(), 0, 0}, "this file is what the command reads; it is not replaced.",
+                     "Choose another with -o FILE.");
 }
 
 void require_page_or_nothing(const std::filesystem::path& file) {
@@ -179,6 +191,7 @@ int report_command(const ReportCommand& command) {
 
 int mesh_command(const MeshCommand& command) {
   const Case drop_case = read_case(command.file, command.overrides);
+  tell_warnings(drop_case.warnings);
   MeshOptions options;
   options.file = command.output.empty() ? std::filesystem::path("out") / drop_case.name / "mesh.msh" : command.output;
   options.bearing = command.bearing;

@@ -4,7 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "base/errors.h"
+
 namespace rotordrop {
+
+/// Not even --force writes over what a command reads. @throws InputError if both are one file
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
+
+/// Tells what is unusual in a case. @throws InputError if `strict` and there is any
+void tell_warnings(const std::vector<Fault>& warnings, bool strict = false);
 
 struct RunCommand {
   std::filesystem::path file, directory;

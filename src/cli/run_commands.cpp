@@ -52,23 +52,17 @@ std::string header(const Case& c) {
       p.run.initial_speed * 30. / std::numbers::pi, bearings, driver_in_words(p.thermal));
 }
 
-/// What is unusual in a case; faults if `strict`.
-void tell_warnings(const Case& c, bool strict) {
-  if (strict) {
-    Faults faults;
-    for (Fault warning : c.warnings) {
-      warning.advice += "\nWithout --strict this is a warning.";
-      faults.add(std::move(warning));
-    }
-    faults.throw_if_any();
+int check_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict) {
+  std::string text;
+  if (is_bearing_heat_case(file)) {
+    const auto heat_case = read_bearing_heat_case(file, overrides);
+    tell_warnings(heat_case->drop.warnings, strict);
+    text = bearing_heat_case_text(*heat_case);
+  } else {
+    const HeatCase heat_case = read_heat_case(file, overrides);
+    tell_warnings(heat_case.warnings, strict);
+    text = heat_case_text(heat_case);
   }
-  for (const auto& warning : c.warnings)
-    fmt::print(stderr, "warning{}\n", rendered(warning).substr(std::string_view("error").size()));
-}
-
-int check_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const std::string text = is_bearing_heat_case(file) ? bearing_heat_case_text(*read_bearing_heat_case(file, overrides))
-                                                      : heat_case_text(read_heat_case(file, overrides));
   fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(), file.stem().string(), text);
   fmt::print("{}: no errors found. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough{}.\n",
              file.string(), is_bearing_heat_case(file) ? ", and what only a drop needs" : "");
@@ -104,9 +98,22 @@ int exit_code_of(const RunCommand& command, const nlohmann::ordered_json& summar
 
 }  // namespace
 
+void tell_warnings(const std::vector<Fault>& warnings, bool strict) {
+  if (strict) {
+    Faults faults;
+    for (Fault warning : warnings) {
+      warning.advice += "\nWithout --strict this is a warning.";
+      faults.add(std::move(warning));
+    }
+    faults.throw_if_any();
+  }
+  for (const auto& warning : warnings)
+    fmt::print(stderr, "warning{}\n", rendered(warning).substr(std::string_view("error").size()));
+}
+
 int run_command(const RunCommand& command) {
   const Case drop_case = read_case(command.file, command.overrides);
-  tell_warnings(drop_case, command.strict);
+  tell_warnings(drop_case.warnings, command.strict);
   if (command.accept && drop_case.parameters.limits.empty())
     throw InputError({"--accept", 0, 0}, "the case has no [limits] that a run could meet.",
                      "For example: --set 'limits.bearings.TB1.peak_contact_force.max=\"6 kN\"'");
@@ -164,9 +171,9 @@ int run_command(const RunCommand& command) {
 }
 
 int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict) {
-  if (is_heat_case(file)) return check_heat_case(file, overrides);
+  if (is_heat_case(file)) return check_heat_case(file, overrides, strict);
   const Case c = read_case(file, overrides);
-  tell_warnings(c, strict);
+  tell_warnings(c.warnings, strict);
   BuiltMachine built(c);
   require_known_limits(c, built.machine(), &built.elements());
   fmt::print("{}", header(c));

@@ -110,6 +110,7 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
   StudyOptions options;
   std::tie(options.shard, options.n_shards) = parse_shard(command.shard);
   Study study = read_study(command.file, command.overrides);
+  tell_warnings(study.base.warnings);
   if (ranks) refuse_search_of_ranks(study);
   if (study.is_search() && !command.shard.empty())
     throw InputError({"--shard", 0, 0},

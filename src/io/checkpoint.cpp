@@ -13,6 +13,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/errors.h"
@@ -75,9 +76,29 @@ void sync_directory(const fs::path& directory) {
 
 }  // namespace
 
+namespace {
+
+/// A fixed name: what a killed writer left is overwritten by the next. Short enough for any name that the file itself may have.
+fs::path name_while_writing(const fs::path& path) {
+  return path.parent_path() / (path.filename().string().substr(0, 200) + ".writing");
+}
+
+}  // namespace
+
+void require_writable(const fs::path& path) {
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  if (error) throw_not_written(path, error.value());
+  struct ::stat unused {};
+  if (::lstat(path.c_str(), &unused) != 0 && errno != ENOENT) throw_not_written(path, errno);
+  const fs::path beside = name_while_writing(path);
+  const FileDescriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  if (file.get() < 0) throw_not_written(path, errno);
+  ::unlink(beside.c_str());
+}
+
 void write_text_atomically(const fs::path& path, std::string_view text) {
-  // A fixed name: what a killed writer left is overwritten by the next. Short enough for any name that the file itself may have.
-  const fs::path beside = path.parent_path() / (path.filename().string().substr(0, 200) + ".writing");
+  const fs::path beside = name_while_writing(path);
   try {
     write_all(beside, path, text);
     if (std::rename(beside.c_str(), path.c_str()) != 0) throw_not_written(path, errno);

@@ -57,6 +57,9 @@ struct FoundCheckpoint {
 /// Replaces a file's content (text or any bytes) in one step: whoever opens `path` sees the old or the new content, never a part,
 /// even if the program is killed or the disk is full. @throws InputError if its name or place forbids it, SolverError else
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
+/// Before others write a file: makes its folder, and finds out whether a file can be made there.
+/// @throws InputError if names or permissions forbid it, SolverError for other reasons
+void require_writable(const std::filesystem::path& path);
 
 /// Has the system bring a closed file to the disk; false if it could not, such as when the disk is full.
 [[nodiscard]] bool is_on_disk(const std::filesystem::path& path);

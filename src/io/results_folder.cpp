@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <string>
 #include <system_error>
@@ -54,12 +56,22 @@ const std::regex& checkpoint_names() {
   return names;
 }
 
+/// Whether a page is the program's: someone else's may have that name, too.
+bool is_own_page(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return false;
+  std::ifstream page(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  return text.find(R"(<main id="page"></main>)") != std::string::npos;
+}
+
 void remove_results(const fs::path& directory) {
   std::error_code error;
-  for (const char* name :
-       {"summary.json", "comparison.json", "comparison.h5", "measured.json", "measured.html", "report.html",
-        "study.journal", "study.h5", "study.csv", "study.json", "shard.h5", "measured.csv"})
+  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "measured.json", "study.journal",
+                           "study.h5", "study.csv", "study.json", "shard.h5", "measured.csv"})
     if (!fs::is_directory(fs::symlink_status(directory / name, error))) fs::remove(directory / name, error);
+  for (const char* name : {"measured.html", "report.html"})
+    if (is_own_page(directory / name)) fs::remove(directory / name, error);
   static const std::regex journals(R"(rank-[0-9]+\.journal)");
   for (const auto& file : fs::directory_iterator(directory, error))
     if (std::regex_match(file.path().filename().string(), journals) && file.is_regular_file(error))

@@ -225,6 +225,14 @@ class Interruption(ProgramTest):
             self.assertIn("there is nothing to resume", done.stdout)
             (self.folder / "out/checkpoints/checkpoint-000002.h5.new").write_bytes(b"begun")
 
+    def test_what_a_killed_writer_left_goes_when_the_run_goes_on(self):
+        self.stop(self.begin(until=self.is_under_way), signal.SIGINT)
+        left = ["results.h5.123.new", "results.h5.resuming.123.new", "summary.json.writing"]
+        for name in left:
+            self.write(f"out/{name}", "begun")
+        self.resume()
+        self.assertEqual([name for name in left if (self.folder / "out" / name).exists()], [])
+
     def test_two_runs_do_not_write_into_one_directory(self):
         process = self.begin(until=self.is_under_way)
         done = self.call("run", "reference.toml", "-o", "out", *LONG, "--force")

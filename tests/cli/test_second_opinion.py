@@ -8,7 +8,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest, content_of, settings  # noqa: E402
+from program import ProgramTest, content_of, page_data, settings  # noqa: E402
 
 KEY = "bearings.TB1.peak_contact_force"
 
@@ -36,6 +36,10 @@ class SecondOpinion(ProgramTest):
         difference = abs(self.peak("same") - self.peak("finer")) / max(self.peak("same"), self.peak("finer"))
         self.assertAlmostEqual(results[KEY]["by_finer_steps"], difference, delta=1e-9)
         self.assertGreater(difference, 0, "such a tolerance leaves something")
+        self.succeed("report", "out")
+        lines = page_data((self.folder / "out/report.html").read_text())["second_opinion"]
+        self.assertRegex(lines[0], "Second opinion .*2 drops that start 1 nm beside")
+        self.assertTrue(any(KEY in line for line in lines), lines)
         # Neighbours: the rotor 1 nm up and down; first_offset is 0 in the reference case.
         for name, offset in (("up", "1e-9"), ("down", "-1e-9")):
             self.succeed("run", case, "-o", name, *long, *settings(rotor__initial_offset=f"[{offset}, 0]"))

@@ -93,12 +93,16 @@ fs::path DropCheckpoints::save_failed() {
 
 void DropCheckpoints::resume() {
   // After a power cut the rows of the newest checkpoint may not be on file, but those of an earlier one.
+  std::string damage;
   for (fs::path newer; newer = read_newest(newer), true;) {
     try {
       if (time_ > 0.)
         record_.resume(time_, recorded_, series_);
       else
         record_.open(true);
+      if (tell_ && !damage.empty())
+        tell_(fmt::format("the results are damaged: {} The run resumes from an earlier checkpoint, {}", damage,
+                          newer.string()));
       return;
     } catch (const DamagedFile& error) {
       const auto& fault = error.faults().front();
@@ -107,9 +111,7 @@ void DropCheckpoints::resume() {
         throw InputError(fault.where, "the results are damaged: " + fault.message,
                          "No checkpoint can be resumed with them. What can be read of them stays as it is; choose "
                          "another directory with -o DIR, or start anew with --force.");
-      if (tell_)
-        tell_(fmt::format("the results are damaged: {} The run resumes from an earlier checkpoint, {}", fault.message,
-                          earlier));
+      damage = fault.message;
     }
   }
 }

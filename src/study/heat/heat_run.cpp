@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "base/version.h"
 #include "case/modules/fe_module.h"
+#include "case/usual_values.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/field_series.h"
 #include "io/hdf5/hdf5_version.h"
@@ -105,6 +106,7 @@ HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& ov
   faults.throw_if_any();
   result.study = make_heat_study(parameters, tree, read_recorded_heat, faults);
   faults.throw_if_any();
+  look_for_unusual_values(*section.erased(), tree, result.warnings);
   result.resolved = write_resolved({section.erased()}, tree);
   return result;
 }

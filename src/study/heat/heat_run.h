@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/errors.h"
 #include "thermal/heating/heat_parameters.h"
 
 namespace rotordrop {
@@ -14,7 +15,8 @@ struct HeatCase {
   std::filesystem::path file;
   std::string name;  ///< the file's name without its ending
   HeatStudy study;
-  std::string resolved;  ///< complete TOML that reads back to the same values
+  std::string resolved;         ///< complete TOML that reads back to the same values
+  std::vector<Fault> warnings;  ///< what is allowed but unusual, most often a slip
 };
 /// @throws InputError with all faults; also about recorded heat that is not there
 HeatCase read_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});

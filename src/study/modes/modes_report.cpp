@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "io/checkpoint.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/hdf5/recorder.h"
 
@@ -112,6 +113,7 @@ void write_mode_shapes(const ModesReport& report, std::size_t n_modes, const std
   if (!is_ours)
     throw InputError({file.string(), 0, 0}, "the file already exists, and it does not hold mode shapes.",
                      "Choose another with --shapes FILE.");
+  require_writable(file);
   RecorderOptions options;
   options.overwrite = true;
   options.rows_per_chunk = 16;  // a few modes, not thousands of instants

@@ -5,10 +5,14 @@
 #include <fstream>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "base/errors.h"
+#include "base/trimmed.h"
+#include "study/opinion/second_opinion.h"
 #include "study/report/report_template.h"
 
 namespace rotordrop {
@@ -69,6 +73,18 @@ Json read_json_of(const RecordedDrop& drop, const std::string& name) {
   }
 }
 
+namespace {
+
+/// The lines of the screen.
+Json report_second_opinion(const Json& summary) {
+  Json lines = Json::array();
+  std::istringstream text(second_opinion_text(summary["second_opinion"]));
+  for (std::string line; std::getline(text, line);) lines.push_back(trimmed(line));
+  return lines;
+}
+
+}  // namespace
+
 Json report_data(const RecordedDrop& drop) {
   const Json summary = read_json_of(drop, "summary.json"), comparison = read_json_of(drop, "comparison.json");
   Json data;
@@ -79,6 +95,7 @@ Json report_data(const RecordedDrop& drop) {
   data["words"] = report_words(drop);
   if (!summary.is_null() && summary.contains("limits")) data["acceptance"] = report_acceptance(summary);
   if (!summary.is_null()) data["damage"] = report_damage(summary);
+  if (!summary.is_null() && summary.contains("second_opinion")) data["second_opinion"] = report_second_opinion(summary);
   data["numbers"] = report_numbers(drop, summary);
   data["checks"] = report_checks(drop, summary);
   data["machine"] = report_machine(drop);

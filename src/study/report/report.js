@@ -162,6 +162,7 @@ unpackLines(data.charts);
 showHead();
 if (data.acceptance) showAcceptance(data.acceptance);
 if (data.damage && data.damage.length) showDamage(data.damage);
+if (data.second_opinion) section("Second opinion", element("p", {}, data.second_opinion[0]), list(data.second_opinion.slice(1)));
 section("The case", ...(data.note ? [element("p", { class: "user-note" }, data.note)] : []), ...data.words.map((text) => element("p", {}, text)));
 showNumbers();
 section("Checks", table(["", "", ""], data.checks.map((c) => [element("span", { class: "state " + c.state }, { ok: "✓ good", warning: "! warning", unknown: "? not assessed", uncertain: "? uncertain" }[c.state]), c.name, c.text])));

@@ -1,0 +1,185 @@
+"""Values that are allowed, and most often a slip: a warning with its reason from every command that reads a case, a fault with --strict."""
+
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import HAS_MESH_ROOM, HEATED_DISC, PROGRAM, ProgramTest, settings  # noqa: E402
+
+# What is set, and what the warning says.
+UNUSUAL = [
+    (["bearings.TB1.support.K_y=1e300"], r"support\.K_y = 1e\+?300 N/m is unusual"),
+    (["bearings.TB1.support.K_z=2.7"], r"support\.K_z = 2\.7 N/m is unusual"),
+    (["bearings.TB1.support.C_y=1e300"], r"support\.C_y = 1e\+?300 N s/m is unusual"),
+    (["bearings.TB1.support.C_y=2.7"], r"support\.C_y = 2\.7 N s/m is 2\.82e-06 of critical damping"),
+    (["bearings.TB1.support.mass=85 t"], r"support\.mass = 85 t is unusual: it is most often between 1e-05 and 20 t"),
+    (["run.gravity=981"], r"run\.gravity = 981 m/s2 is 100 times that of the earth"),
+    (["bearings.TB1.drag_viscosity=15"], r'drag_viscosity = 15 m2/s is unusual.*write "15 mm2/s"'),
+    (["bearings.TB1.f2=25"], r"f2 = 25 is unusual"),
+    (["bearings.TB1.shaft_lump_length=20"], r'shaft_lump_length = 20 m is unusual.*write "20 mm"'),
+    (["bearings.TB1.conformity=[0.6, 0.6]"], r"conformity = 0\.6 is unusual"),
+    (["bearings.TB1.ring_mass=2.1"], r"ring_mass is 2\.1 kg, but a ring of its diameters, width and material has 0\.145 kg"),
+    (["rotor.initial_angle=25"], r'initial_angle = 25 rad is unusual.*write "25 deg"'),
+    (["thermal.h_shaft=50000"], r"h_shaft = 50000 W/\(m2 K\) is unusual"),
+    (["thermal.fit_resistance=500"], r"fit_resistance = 500 K/W is unusual"),
+    (["contact.regularisation_speed=50"], r"regularisation_speed = 50 m/s is unusual"),
+    (["rotor.mass_proportional_alpha=3000"], r"mass_proportional_alpha = 3000 1/s is unusual"),
+    (["rotor.cut_off_frequency=45"], r'cut_off_frequency = 45 Hz is unusual.*write "45 kHz"'),
+    (["rotor.cut_off_frequency=4500000"], r"cut_off_frequency = 4500000 Hz is unusual"),
+    (["rotor.torque=[[0, 1e9]]"], r"rotor\.torque = 1000000000 N m is unusual"),
+    (["output.interval=1"], r"output\.interval = 1 s is longer than the run, 0\.3 s"),
+    (["run.end_time=0.3 h", "integration.method=runge-kutta-4", "integration.step=1e-7"], r"1080 s takes 1\.1e\+10 steps of at most 1e-07 s: hours or days"),
+]
+
+
+class Slips(ProgramTest):
+    def said(self, *arguments, code=0):
+        done = self.call(*arguments)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return re.sub(r"\s+", " ", done.stderr)
+
+    def test_unusual_values_warn(self):
+        for assignments, says in UNUSUAL:
+            words = [word for assignment in assignments for word in ("--set", assignment)]
+            with self.subTest(says):
+                self.assertRegex(self.said("check", "reference.toml", *words), "warning: .*" + says)
+                self.assertRegex(self.said("check", "reference.toml", "--strict", *words, code=2), "error: .*" + says)
+
+    def test_a_run_that_would_not_end_is_refused(self):
+        said = self.said("check", "reference.toml", *settings(run__end_time="1e6 s", output__interval="1 s", integration__method="runge-kutta-4", integration__step="1e-7 s"), code=2)
+        self.assertRegex(said, r"1e\+06 s in steps of at most 1e-07 s are 1e\+13 steps; at most 1e\+11 are taken")
+
+    def test_every_command_warns(self):
+        slip = settings(bearings__TB1__f2="25")
+        commands = [["check", "reference.toml"], ["modes", "reference.toml"], ["statics", "reference.toml"], ["critical-speeds", "reference.toml"],
+                    ["run", "reference.toml", "-o", "out", *settings(run__end_time="1 us")]]
+        if HAS_MESH_ROOM:
+            commands.append(["mesh", "reference.toml", "-o", "m.msh"])
+        self.write("study.toml", 'case = "reference.toml"\n[design]\nkind = "grid"\n[vary]\ncontact.friction_coefficient = [0.05, 0.1]\n')
+        commands.append(["study", "study.toml", "--dry-run", *settings(run__end_time="1 ms")])
+        for command in commands:
+            with self.subTest(command[0]):
+                self.assertIn("bearings.TB1.f2 = 25 is unusual", self.said(*command, *slip))
+
+    @unittest.skipUnless(HAS_MESH_ROOM, "finite elements are not built")
+    def test_heat_warns_of_its_sections(self):
+        self.write("disc.toml", "output_times = [1]\n" + HEATED_DISC.replace('"20 mm"', "60"))
+        self.assertRegex(self.said("check", "disc.toml"), r'rectangle#1\.r = 60 m is unusual.*If mm is meant, write "60 mm"')
+        self.assertRegex(self.said("check", "disc.toml", "--strict", code=2), r"r = 60 m is unusual")
+        self.write("disc.toml", "output_times = [1]\n" + HEATED_DISC)
+        self.assertEqual(self.said("heat", "disc.toml", "-o", "disc"), "")
+
+
+class LayersOfSets(ProgramTest):
+    """A layer that names a bearing of the catalogue does not drop that there was a set."""
+
+    def resolved(self, case, *words):
+        import tomllib
+        done = self.succeed("run", case, "-o", "out", "--force", *settings(run__end_time="1 us"), *words)
+        return tomllib.loads((self.folder / "out/parameters.toml").read_text())["bearings"]["TB2"], done.stderr
+
+    def test_a_pair_stays_a_pair_and_it_is_said(self):
+        self.write("drop.toml", 'base = "reference.toml"\n[bearings.TB2]\ncatalogue = "71914-25"\n')
+        self.write("middle.toml", 'base = "reference.toml"\n[bearings.TB2]\ncatalogue = "71914-25-pair-X"\n')
+        self.write("over.toml", 'base = "middle.toml"\n[bearings.TB2]\ncatalogue = "71914-25"\n')
+        for case, words in (("drop.toml", []), ("over.toml", []), ("reference.toml", ["--set", 'bearings.TB2.catalogue="71914-25"'])):
+            with self.subTest(case):
+                pair, said = self.resolved(case, *words)
+                self.assertEqual((pair["rows"], pair["arrangement"], pair["preload"]), (2, "X", "290 N"))
+                self.assertEqual((pair["width"], pair["C0"]), (0.032, 62000))
+                self.assertRegex(said, r'warning: .*bearings\.TB2\.catalogue = "71914-25" is laid over a set of 2 rows: taken as a set of 2\.')
+                self.assertIn("Write count = 2 beside it, or count = 1", said)
+
+    def test_what_the_layer_says_itself_holds(self):
+        for count, rows in ((2, 2), (1, 1)):
+            self.write("drop.toml", f'base = "reference.toml"\n[bearings.TB2]\ncatalogue = "71914-25"\ncount = {count}\n')
+            bearing, said = self.resolved("drop.toml")
+            self.assertEqual(bearing["rows"], rows)
+            self.assertNotIn("laid over", said)
+        # One bearing alone: what is left of the set is told.
+        self.assertRegex(said, r"bearings\.TB2\.preload is of a set, but the bearing has rows = 1")
+
+    def test_a_deep_groove_bearing_in_place_of_a_pair_is_one_and_it_is_said(self):
+        self.write("drop.toml", 'base = "reference.toml"\n[bearings.TB2]\ncatalogue = "61914"\npreload = 0\n')
+        bearing, said = self.resolved("drop.toml")
+        self.assertEqual(bearing["rows"], 1)
+        self.assertRegex(said, r'catalogue = "61914" is one bearing, and replaces a set of several rows')
+
+    def test_a_row_alone_has_no_arrangement(self):
+        for words in (["bearings.TB2.rows=1", "bearings.TB2.arrangement=O"], ["bearings.TB1.arrangement=O"]):
+            done = self.succeed("check", "reference.toml", *[word for assignment in words for word in ("--set", assignment)])
+            self.assertRegex(done.stderr, r"warning: .*arrangement is of a set, but the bearing has rows = 1")
+
+
+class OneFaultBesideAnother(ProgramTest):
+    def test_an_unknown_bearing_hides_no_other_fault(self):
+        self.write("drop.toml", 'base = "reference.toml"\n[bearings.TB1]\ncatalogue = "6o14"\nball_diamter = "12 mm"\n[contact]\nair_gpa = 1\n[run]\nend_time = "3 kg"\n')
+        done = self.call("check", "drop.toml")
+        self.assertEqual(done.returncode, 2)
+        for says in ("the catalogue has no such bearing", 'unknown key "ball_diamter"', 'unknown key "air_gpa"', "3 kg is a mass"):
+            self.assertIn(says, done.stderr)
+        self.assertEqual(done.stderr.count("error: "), 4, done.stderr)
+
+
+class NamesOfFiles(ProgramTest):
+    def test_where_nobody_may_write_is_input(self):
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"))
+        self.write("study.toml", 'case = "reference.toml"\n[design]\nkind = "grid"\n[vary]\ncontact.friction_coefficient = [0.05, 0.1]\n')
+        (self.folder / "locked").mkdir()
+        for path in (self.folder, *self.folder.rglob("*")):
+            path.chmod(0o555 if path.is_dir() else 0o444)
+        self.addCleanup(self.folder.chmod, 0o755)
+        brief = settings(run__end_time="1 ms")
+        commands = [["run", "reference.toml", "-o", "locked/out", *brief], ["modes", "reference.toml", "--shapes", "locked/m.h5"], ["critical-speeds", "reference.toml", "--diagram", "locked/c.svg"],
+                    ["report", "out", "-o", "locked/r.html"], ["preload", "reference.toml", "-o", "locked/p"], ["study", "study.toml", "-o", "locked/s", *brief], ["new", "locked/case"], ["rerun", "out/results.h5", "-o", "locked/again"]]
+        if HAS_MESH_ROOM:
+            commands += [["mesh", "reference.toml", "-o", "locked/m.msh"], ["mesh", "reference.toml", "-o", "locked/deep/m.msh"]]
+        user = {"user": 65534, "group": 65534} if os.geteuid() == 0 else {}
+        for command in commands:
+            with self.subTest(command[0]):
+                try:
+                    done = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, text=True, timeout=120, stdin=subprocess.DEVNULL, **user)
+                except PermissionError:
+                    self.skipTest("the program is where only its owner may run it")
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertRegex(done.stderr, "Permission denied|cannot be (made|written)")
+        self.assertEqual(list((self.folder / "locked").iterdir()), [])
+
+    def test_a_name_with_a_line_break_is_refused(self):
+        done = self.call("run", "reference.toml", "-o", "new\nline")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("control character, such as a line break", done.stderr)
+
+    def test_names_that_are_too_long_are_input(self):
+        long = "m" * 300
+        commands = [["modes", "reference.toml", "--shapes", long + ".h5"]]
+        if HAS_MESH_ROOM:
+            commands.append(["mesh", "reference.toml", "-o", long + ".msh"])
+        for command in commands:
+            done = self.call(*command)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, "cannot be written|File name too long")
+
+    def test_what_a_command_reads_is_not_written_over(self):
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"))
+        summary = (self.folder / "out/summary.json").read_text()
+        case = (self.folder / "reference.toml").read_text()
+        for command in (["compare", "out", "-o", "out/summary.json", "--force"], ["calibrate", "reference.toml", "-o", "./reference.toml", "--force"]):
+            done = self.call(*command)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("is what the command reads; it is not replaced", done.stderr)
+        self.assertEqual((self.folder / "out/summary.json").read_text(), summary)
+        self.assertEqual((self.folder / "reference.toml").read_text(), case)
+
+    @unittest.skipUnless(HAS_MESH_ROOM, "finite elements are not built")
+    def test_a_mesh_may_have_the_longest_name(self):
+        name = "m" * 251 + ".msh"
+        self.succeed("mesh", "reference.toml", "--bearing", "TB1", "-o", name)
+        self.assertTrue((self.folder / name).is_file())
+
+
+if __name__ == "__main__":
+    unittest.main()
