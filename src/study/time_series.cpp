@@ -12,6 +12,7 @@ struct Part {
   double from, to;
 };
 std::vector<Part> parts_beyond(double a, double b, double p, double q) {
+  if (std::fabs(a) <= p && std::fabs(b) <= q) return {};  // so is the line between
   std::vector<double> cuts = {0.};
   for (const double sign : {-1., 1.}) {
     const double before = a - sign * p, after = b - sign * q;
@@ -32,16 +33,40 @@ std::size_t samples_within(const TimeSeries& s, double from, double to) {
                                   std::lower_bound(s.times.begin(), s.times.end(), from));
 }
 
+/// A value at or between samples. @param after  first sample later than the time
+double value_between(const TimeSeries& s, std::size_t after, double time) {
+  if (after == 0) return s.values.front();
+  if (after == s.times.size()) return s.values.back();
+  const double part = (time - s.times[after - 1]) / (s.times[after] - s.times[after - 1]);
+  // At a sample its very value.
+  return part == 0. ? s.values[after - 1] : s.values[after - 1] + part * (s.values[after] - s.values[after - 1]);
+}
+
+/// TimeSeries::at() for times that rise, without a search for each.
+class Following {
+ public:
+  explicit Following(const TimeSeries& series) : series_(series) {}
+  double at(double time) {
+    while (after_ < series_.times.size() && series_.times[after_] <= time) ++after_;
+    return value_between(series_, after_, time);
+  }
+
+ private:
+  const TimeSeries& series_;
+  std::size_t after_ = 0;
+};
+
 TimeSeries subtract(const TimeSeries& first, const TimeSeries& second) {
   if (first.empty() || second.empty()) throw std::invalid_argument("a series without samples");
   const double from = std::max(first.times.front(), second.times.front()),
                to = std::min(first.times.back(), second.times.back());
   const bool take_second = samples_within(second, from, to) < samples_within(first, from, to);
   TimeSeries result;
+  Following of_first(first), of_second(second);
   for (const double t : take_second ? second.times : first.times) {
     if (t < from || t > to) continue;
     result.times.push_back(t);
-    result.values.push_back(second.at(t) - first.at(t));
+    result.values.push_back(of_second.at(t) - of_first.at(t));
   }
   if (result.empty()) throw std::invalid_argument("two series without a time in common");
   return result;
@@ -52,12 +77,7 @@ TimeSeries subtract(const TimeSeries& first, const TimeSeries& second) {
 double TimeSeries::at(double time) const {
   if (empty()) throw std::invalid_argument("a series without samples");
   const auto after = std::upper_bound(times.begin(), times.end(), time);
-  if (after == times.begin()) return values.front();
-  if (after == times.end()) return values.back();
-  const auto i = static_cast<std::size_t>(after - times.begin());
-  const double part = (time - times[i - 1]) / (times[i] - times[i - 1]);
-  // At a sample its very value.
-  return part == 0. ? values[i - 1] : values[i - 1] + part * (values[i] - values[i - 1]);
+  return value_between(*this, static_cast<std::size_t>(after - times.begin()), time);
 }
 
 double Tolerance::at(double first, double second) const {
@@ -68,7 +88,8 @@ Difference difference_of(const TimeSeries& first, const TimeSeries& second, cons
   Difference d;
   d.series = subtract(first, second);
   const auto& [t, v] = d.series;
-  for (const double time : t) d.allowed.push_back(tolerance.at(first.at(time), second.at(time)));
+  Following of_first(first), of_second(second);
+  for (const double time : t) d.allowed.push_back(tolerance.at(of_first.at(time), of_second.at(time)));
   for (std::size_t i = 0; i < v.size(); ++i)
     if (i == 0 || std::fabs(v[i]) > std::fabs(d.largest)) {
       d.largest = v[i];
