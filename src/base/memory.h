@@ -9,6 +9,9 @@ namespace rotordrop {
 /// How much more of it the process may take (`ulimit -v`) [bytes]; the largest number if nothing limits it.
 [[nodiscard]] std::uint64_t memory_left();
 
+/// What the process can have at most: the machine's memory, or less if `ulimit -v` says so [bytes].
+[[nodiscard]] std::uint64_t most_memory();
+
 /// "463 kB", "2.1 GB".
 [[nodiscard]] std::string bytes_in_words(double bytes);
 

@@ -130,8 +130,9 @@ struct HeatLink {
   double resistance = 0;               ///< [K/W], > 0
 };
 
-/// How linear equations are solved: by factorisation, or by conjugate gradients with algebraic multigrid, for large meshes.
-enum class HeatLinearSolver { direct, multigrid };
+/// How linear equations are solved: by factorisation, or by conjugate gradients with algebraic multigrid, for meshes whose factors are too large
+/// for the memory; automatic: by factorisation as long as they are not.
+enum class HeatLinearSolver { automatic, direct, multigrid };
 
 /// Mesh and accuracy in time.
 struct HeatNumerics {
@@ -185,6 +186,7 @@ struct SurfaceRange {
 struct HeatStatistics {
   std::size_t unknowns = 0, cells = 0;
   long steps = 0, rejected_steps = 0, factorisations = 0, solves = 0;
+  HeatLinearSolver solver = HeatLinearSolver::direct;  ///< that was chosen
 };
 
 class HeatConductionSolver {

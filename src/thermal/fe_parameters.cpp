@@ -78,7 +78,7 @@ Section<FeParameters> fe_section() {
        .help =
            "Largest relative error of the reduced coupling's response to heat, for every port and every mean "
            "temperature of a body, from 0.1 ms to 1000 s or the end of the run. It sets the number of modes kept."});
-  s.choice("solver", &P::solver, linear_solvers(), {.fallback = "direct", .help = linear_solver_help});
+  s.choice("solver", &P::solver, linear_solvers(), {.fallback = "automatic", .help = linear_solver_help});
   s.quantity("window_tolerance", &P::window_tolerance,
              {.unit = "m",
               .range = between(1e-13, 1e-6),

@@ -41,11 +41,14 @@ Section<FeParameters> fe_section();
 
 /// The key `solver`, here and in cases of heat alone.
 inline std::vector<std::pair<std::string, HeatLinearSolver>> linear_solvers() {
-  return {{"direct", HeatLinearSolver::direct}, {"multigrid", HeatLinearSolver::multigrid}};
+  return {{"automatic", HeatLinearSolver::automatic},
+          {"direct", HeatLinearSolver::direct},
+          {"multigrid", HeatLinearSolver::multigrid}};
 }
 inline constexpr const char* linear_solver_help =
     "Solver of the linear equations. direct: factorisation. multigrid: conjugate gradients preconditioned "
-    "with algebraic multigrid (PETSc, hypre), for meshes of some hundred thousand unknowns.";
+    "with algebraic multigrid (PETSc, hypre), for meshes whose factors do not fit into memory. automatic: direct, as "
+    "long as the factors are estimated to take less than half of the machine's memory.";
 
 /// The file that `mesh` means for one bearing: NAME in it is replaced by the bearing's name.
 std::string own_mesh_file(const std::string& pattern, const std::string& bearing);

@@ -172,7 +172,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   const HeatEnergy e = solver->energy();
   j["energy"] = {{"input", e.input}, {"stored", e.stored}, {"lost", e.lost}, {"residual", e.residual()}};
   const HeatStatistics s = solver->statistics();
-  j["solver"] = study.problem.numerics.solver == HeatLinearSolver::multigrid ? "multigrid" : "direct";
+  j["solver"] = s.solver == HeatLinearSolver::multigrid ? "multigrid" : "direct";
   j["ranks"] = n_ranks();
   j["unknowns"] = s.unknowns;
   j["cells"] = s.cells;

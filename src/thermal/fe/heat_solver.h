@@ -73,7 +73,7 @@ class HeatSolver final : public HeatConductionSolver {
   void book_held_boundaries(const Vector& before, const Vector& after, const Vector& flow_joules);
   void factorise(double step, const Vector& T);
   [[nodiscard]] std::unique_ptr<LinearSolver> new_linear_solver() const {
-    return make_linear_solver(numerics_.solver, operator_.is_symmetric());
+    return make_linear_solver(statistics_.solver, operator_.is_symmetric());
   }
   void advance_parts_of_window(double step, int most_parts);
   [[nodiscard]] bool step_window(double step);

@@ -264,7 +264,7 @@ Section<HeatNumericsParameters> numerics_section() {
              {.range = between(1e-12, 1e-1),
               .fallback = "1e-6",
               .help = "Error of one time step, relative to the largest temperature change."});
-  s.choice("solver", &P::solver, linear_solvers(), {.fallback = "direct", .help = linear_solver_help});
+  s.choice("solver", &P::solver, linear_solvers(), {.fallback = "automatic", .help = linear_solver_help});
   return s;
 }
 

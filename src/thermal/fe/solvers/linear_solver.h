@@ -24,8 +24,12 @@ class LinearSolver {
   virtual void solve(Vector& v) = 0;
 };
 
+/// What `automatic` is for a mesh in the plane: direct if its factors take less than half of the memory [bytes].
+[[nodiscard]] HeatLinearSolver chosen_solver(HeatLinearSolver asked, std::size_t n_unknowns, double memory);
+
 /// Direct in one process: Cholesky's factors, or LU of what is not symmetric. Multigrid, and everything under mpirun, by PETSc.
+/// @param asked  not automatic
 /// @param is_symmetric  whether all matrices will be, and positive definite
-std::unique_ptr<LinearSolver> make_linear_solver(HeatLinearSolver kind, bool is_symmetric);
+std::unique_ptr<LinearSolver> make_linear_solver(HeatLinearSolver asked, bool is_symmetric);
 
 }  // namespace rotordrop
