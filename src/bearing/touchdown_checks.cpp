@@ -127,10 +127,11 @@ void check_touchdown(const std::string& name, const TouchdownParameters& b, cons
                            "follow the cage of rolling balls.",
                            name),
                "Leave cage or ball_model out.");
-  if (b.preload > b.C0)
+  if (b.preload > b.C0 / b.rows)
     faults.add(position_of_value(table, "preload"),
-               fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating C0 = {:.6g} N.",
-                           name, b.preload, b.C0),
+               fmt::format("bearings.{}: the preload of {:.6g} N is more than the static load rating of a row, {:.6g} "
+                           "N (C0 = {:.6g} N).",
+                           name, b.preload, b.C0 / b.rows, b.C0),
                "Preloads are typically a few percent of C0; check the unit.");
 }
 

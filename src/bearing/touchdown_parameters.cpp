@@ -200,7 +200,7 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
           {.help = "Shoulders of an axially free rotor next to a free inner ring."});
   s.quantity("width", &P::width,
              {.unit = "m",
-              .range = positive(),
+              .range = between(1e-5, 10),
               .usual = between(1e-3, 1),
               .help = "Width of the bearing, all rows together."});
   s.quantities("inner_ring_diameters", &P::inner_ring_diameters,

@@ -240,13 +240,14 @@ namespace {
 /// Puts settings, files that the tree names, and built-in materials into a tree.
 void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>& settings, const ReadFile& geometry,
                    Faults& faults) {
+  const Node base = tree;
   Node over = Node::table(tree.where());
   for (const Setting& setting : settings) {
     if (names_entry(setting)) continue;
     apply_setting(tree, setting);  // finds out whether it can be set
     apply_setting(over, setting);
   }
-  load_catalogue_bearings(over, file, tree, faults);
+  load_catalogue_bearings(over, file, base, faults);
   tree = merged(tree, over);
   load_parts_of_case(tree);  // before the keys are declared, which are theirs, too
   for (const Setting& setting : settings)

@@ -97,9 +97,16 @@ void load_catalogue_bearings(Node& tree, const fs::path& file, const Node& base,
   if (!bearings || !bearings->is_table()) return;
   const Node* under = base.find("bearings");
   for (auto& entry : bearings->entries()) {
+    const Node* same = under ? under->find(entry.key) : nullptr;
+    if (!same || !same->is_table() || !entry.value.is_table()) {
+      load_entry(entry.value, entry.key, file, faults);
+      continue;
+    }
+    // The name that is there already brings nothing new: what the layers below say besides stays.
+    const Node *name = entry.value.find("catalogue"), *name_under = same->find("catalogue");
+    if (name && name_under && to_text(*name) == to_text(*name_under)) continue;
     load_entry(entry.value, entry.key, file, faults);
-    if (const Node* same = under ? under->find(entry.key) : nullptr; same && same->is_table() && entry.value.is_table())
-      keep_set(entry.value, *same);
+    keep_set(entry.value, *same);
   }
 }
 

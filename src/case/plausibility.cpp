@@ -81,8 +81,24 @@ void look_at_rotor(const CaseParameters& p, const Node& tree, std::vector<Fault>
          fmt::format("the rotor's Ip = {:.4g} kg m2 is more than 2 Id = {:.4g} kg m2, which no rigid body has.",
                      body.Ip, 2. * body.Id),
          "Check Ip and Id of its mass points; they may be exchanged.");
+  double thickest = 0.;
+  for (const auto& element : p.rotor.geometry.elements) thickest = std::max(thickest, element.od);
+  const auto& x = p.rotor.geometry.node_x;
+  const double length = x.empty() ? 0. : x.back() - x.front();
+  if (thickest > 0. && length > 50. * thickest)
+    warn(warnings, position_of(rotor, "geometry"),
+         fmt::format("the rotor is {:.4g} m long and at most {:.4g} m thick, more than 50 times as long as thick.",
+                     length, thickest),
+         "Check the units of its lengths; bare numbers are in metres.");
   for (std::size_t i = 0; i < p.rotor.geometry.mass_points.size(); ++i) {
     const auto& point = p.rotor.geometry.mass_points[i];
+    const double gyration = point.mass > 0. && point.Ip > 0. ? std::sqrt(point.Ip / point.mass) : thickest;
+    if (thickest > 0. && (gyration > 5. * thickest || gyration < 0.05 * thickest))
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("mass point {} at node {} has {:.4g} kg and Ip = {:.4g} kg m2: a radius of gyration of {:.3g} "
+                       "mm, where the shaft is up to {:.4g} mm thick.",
+                       i + 1, point.node, point.mass, point.Ip, mm(gyration), mm(thickest)),
+           "Check the units of mass and Ip: kg and kg m2, not kg mm2.");
     if (point.Ip > 2. * point.Id * (1. + 1e-9) && point.Ip > 0. && point.Id > 0.)
       warn(warnings, position_of(rotor, "geometry"),
            fmt::format("mass point {} at node {} has Ip = {:.4g} kg m2, more than 2 Id = {:.4g} kg m2, which no "
@@ -197,6 +213,27 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
   const Node& table = table_at(tree, "bearings", name);
   const Node* own = table.find("support");
   if (!own) own = &table;
+  const bool has_springs = support.type != "ribbon" && support.type != "elastomer";
+  // Of a layer below that of the type it is what the type replaces.
+  const Node* type = own->find("type");
+  const auto is_meant = [&](const char* key) {
+    const std::string& file = position_of_value(*own, key).file;
+    return !type || file == type->where().file || file == tree.where().file || file.starts_with("--set");
+  };
+  const auto without_effect = [&](const char* key) {
+    if (!is_meant(key)) return;
+    warn(warnings, position_of_value(*own, key),
+         fmt::format("bearings.{}.support.{} has no effect with type = \"{}\".", name, key, support.type),
+         "Set the type that is meant, or take the key out.");
+  };
+  for (const auto& [key, is_given] : {std::pair{"K_y", support.K_y.has_value()},
+                                      {"K_z", support.K_z.has_value()},
+                                      {"C_y", support.C_y.has_value()},
+                                      {"C_z", support.C_z.has_value()}})
+    if (is_given && !has_springs) without_effect(key);
+  if (support.ribbon && support.type != "ribbon") without_effect("ribbon");
+  if (support.elastomer && support.type != "elastomer") without_effect("elastomer");
+  if (support.squeeze_film && support.type != "squeeze-film") without_effect("squeeze_film");
   for (const auto& [key, K, C] : {std::tuple{"C_y", support.K_y, support.C_y}, {"C_z", support.K_z, support.C_z}}) {
     if (!K || !C || *C == 0.) continue;
     const double ratio = *C / (2. * std::sqrt(*K * support.mass));
@@ -207,6 +244,26 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
                        name, key, *C, ratio),
            "Critical is 2 sqrt(K m). A bare number is in N s/m. Check mass and stiffness, too.");
   }
+}
+
+/// Keys of [bearings] itself that every touchdown bearing sets again.
+void look_at_common_keys(const Node& tree, std::vector<Fault>& warnings) {
+  const Node* bearings = tree.find("bearings");
+  if (!bearings || !bearings->is_table()) return;
+  std::vector<const Node*> touchdowns;
+  for (const auto& entry : bearings->entries())
+    if (const Node* type = entry.value.is_table() ? entry.value.find("type") : nullptr;
+        type && type->is_text() && type->text() == "touchdown")
+      touchdowns.push_back(&entry.value);
+  if (touchdowns.empty()) return;
+  const auto is_everywhere = [&](const std::string& key) {
+    return std::all_of(touchdowns.begin(), touchdowns.end(), [&](const Node* b) { return b->has(key); });
+  };
+  for (const auto& entry : bearings->entries())
+    if (!entry.value.is_table() && is_everywhere(entry.key))
+      warn(warnings, entry.value.where(),
+           fmt::format("bearings.{} has no effect: every touchdown bearing has a value of its own.", entry.key),
+           "Values of a bearing, and of its catalogue entry, go before those of [bearings].");
 }
 
 /// What goes for the run as a whole.
@@ -271,6 +328,7 @@ std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseP
   look_at_rotor(p, tree, warnings);
   look_at_probes(p, tree, warnings);
   look_at_run(p, tree, warnings);
+  look_at_common_keys(tree, warnings);
   for (const auto& entry : p.bearings)
     if (const auto* touchdown = entry.touchdown()) {
       look_at_bearing(entry.name, *touchdown, p, tree, warnings);

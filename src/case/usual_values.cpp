@@ -120,6 +120,8 @@ class Look {
     else
       return;
     if (d.usual.contains(value)) return;
+    // "90000 rpm" is meant so; the rotor's surface tells whether it can be.
+    if (!is_bare && d.quantity_kind == QuantityKind::angular_speed) return;
     const std::string unit = is_bare && d.unit != "1" ? " " + d.unit : "";
     const auto [usual, usual_unit] = is_bare ? std::pair(d.usual, d.unit) : in_unit_of(given.text(), d, value);
     Fault warning{given.where(),

@@ -7,6 +7,9 @@
 #include <numbers>
 #include <optional>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "base/errors.h"
 #include "base/version.h"
 #include "base/wide_vectors.h"
@@ -84,8 +87,10 @@ int new_command(const NewCommand& command) {
 
 int heat_command(const HeatCommand& command) {
   // Of the processes that mpirun starts one talks; all meet the same faults.
-  if (!is_first_rank() && (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr)))
-    return 1;
+  if (!is_first_rank()) {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere < 0 || ::dup2(nowhere, STDOUT_FILENO) < 0 || ::dup2(nowhere, STDERR_FILENO) < 0) return 1;
+  }
   HeatRunOptions options;
   options.directory =
       command.directory.empty() ? std::filesystem::path("out") / command.file.stem() : command.directory;
@@ -150,8 +155,8 @@ int compare_command(const CompareCommand& command) {
   std::optional<RecordedDrop> against;
   if (!command.against.empty()) against.emplace(command.against);
   const auto file = comparison_file(command);
+  require_writable(file);
   const Comparison comparison = compare_models(drop, against ? &*against : nullptr, options);
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_comparison(comparison, file);
   if (!command.quiet)
     fmt::print("rotordrop {} ({})   comparison, case {}\n{}report in {}\n", version(), git_revision(), drop.case_name(),

@@ -12,6 +12,9 @@
 #include <system_error>
 #include <vector>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "base/errors.h"
 #include "base/memory.h"
 #include "base/parameters/declaration.h"
@@ -353,6 +356,24 @@ int run_guarded(int argc, char** argv) {
   }
 }
 
+/// What is said on standard error may get lost, for it is full or closed; the command goes on all the same.
+void let_standard_error_fail() {
+  if (::fcntl(STDERR_FILENO, F_GETFD) < 0 && ::open("/dev/null", O_WRONLY) < 0) return;
+  cookie_io_functions_t functions{};
+  functions.write = [](void*, const char* text, std::size_t size) {
+    for (std::size_t at = 0; at < size;) {
+      const ssize_t written = ::write(STDERR_FILENO, text + at, size - at);
+      if (written <= 0 && errno != EINTR) break;
+      if (written > 0) at += static_cast<std::size_t>(written);
+    }
+    return static_cast<ssize_t>(size);
+  };
+  std::FILE* const forgiving = ::fopencookie(nullptr, "w", functions);
+  if (!forgiving) return;
+  std::setvbuf(forgiving, nullptr, _IONBF, 0);
+  stderr = forgiving;
+}
+
 /// Where memory is short, libraries would fail at the end of the process: they make threads to end their own.
 int leave(int code) {
   constexpr std::uint64_t short_of_memory = 64'000'000;
@@ -363,6 +384,7 @@ int leave(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  let_standard_error_fail();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a failed write, which is reported
   const int code = run_guarded(argc, argv);
   // Only closing tells whether all of it was written.

@@ -8,6 +8,7 @@
 #include <regex>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -39,6 +40,27 @@ bool is_left_over(const std::string& name) {
       R"((results|comparison|preload)\.h5(\.resuming|(\.resuming)?\.[0-9]+\.new)|)"
       R"(((summary|comparison|preload)\.json|parameters\.toml|report\.html|study\.(h5|csv|json|toml)|shard\.h5|case\.toml|measured\.csv)\.writing)");
   return std::regex_match(name, pattern);
+}
+
+/// Whether parameters.toml is what a run writes first of all, and not a case by that name: every value of it has its origin behind it.
+bool is_written_parameters(const fs::path& file) {
+  std::ifstream text(file);
+  int n_values = 0, n_origins = 0;
+  for (std::string line; std::getline(text, line);) {
+    if (line.find(" = ") == std::string::npos || line.starts_with('#')) continue;
+    ++n_values;
+    n_origins += line.find("  # from ") != std::string::npos || line.find("  # default") != std::string::npos ? 1 : 0;
+  }
+  return n_values > 0 && n_origins == n_values;
+}
+
+/// What results would be written over, or into, in a directory that holds none.
+std::vector<const char*> names_without_results(const fs::path& directory) {
+  std::vector<const char*> names(folders.begin(), folders.end());
+  for (const char* name : {"case.toml", "study.toml", "study.csv", "comparison.json", "comparison.h5"})
+    names.push_back(name);
+  if (!is_written_parameters(directory / "parameters.toml")) names.push_back("parameters.toml");
+  return names;
 }
 
 /// Files of a folder whose names match; the folder too if that leaves it empty. A link to a folder is not followed.
@@ -117,7 +139,7 @@ ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_
   }
   try {
     if (!has_results)
-      for (const char* name : folders)
+      for (const char* name : names_without_results(directory_))
         if (is_there(directory_ / name) && existing != Existing::resume)
           throw InputError(where, std::string("the directory holds \"") + name + "\", but no results of this program",
                            "It is left as it is. Choose another directory with -o DIR.");

@@ -171,6 +171,7 @@ Section<MaterialParameters> material_section() {
   s.quantity("temperature_limit", &MaterialParameters::temperature_limit,
              {.unit = "K",
               .range = positive(),
+              .usual = between(320, 2000),
               .help = "Temperature up to which parts of a bearing keep their hardness and dimensions. A run in which "
                       "rings or balls exceed it warns; without it nothing is assessed. Built in: steel 150 degC (rings "
                       "stabilised as S0, bearing catalogues), Si3N4 800 degC (estimate: strength falls above)."});

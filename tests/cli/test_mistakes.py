@@ -66,6 +66,9 @@ class Mistakes(ProgramTest):
     def test_a_decimal_comma(self):
         self.assertEqual(self.form_for("--set", "contact.friction_coefficient=0,05"), "--set contact.friction_coefficient=0.05")
 
+    def test_a_comma_between_thousands(self):
+        self.assertEqual(self.form_for("--set", "run.initial_speed=12,000 rpm"), "--set 'run.initial_speed=12000 rpm'")
+
     def test_several_parameters_in_one(self):
         both = "--set contact.friction_coefficient=0.05 --set run.end_time=1"
         for words in (["contact.friction_coefficient=0.05,run.end_time=1"], ["contact.friction_coefficient=0.05 run.end_time=1"],

@@ -2,12 +2,13 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import HAS_MESH_ROOM, HEATED_DISC, PROGRAM, ProgramTest, settings  # noqa: E402
+from program import HAS_MESH_ROOM, HEATED_DISC, PARAMS, PROGRAM, ProgramTest, settings  # noqa: E402
 
 # What is set, and what the warning says.
 UNUSUAL = [
@@ -112,6 +113,83 @@ class LayersOfSets(ProgramTest):
         for words in (["bearings.TB2.rows=1", "bearings.TB2.arrangement=O"], ["bearings.TB1.arrangement=O"]):
             done = self.succeed("check", "reference.toml", *[word for assignment in words for word in ("--set", assignment)])
             self.assertRegex(done.stderr, r"warning: .*arrangement is of a set, but the bearing has rows = 1")
+
+
+class WithoutEffect(ProgramTest):
+    """What a user wrote and nothing reads is told."""
+
+    def said(self, case, *assignments):
+        return self.succeed("check", case, *[word for assignment in assignments for word in ("--set", assignment)]).stderr
+
+    def test_keys_of_a_support_of_another_type(self):
+        ribbon = 'bearings.TB1.support.ribbon={ stiffness = "4e7 N/m", slip_force = "2 kN", stick_stiffness = "3e8 N/m" }'
+        self.assertRegex(self.said("reference.toml", ribbon), r'support\.ribbon has no effect with type = "linear"')
+        shutil.copytree(PARAMS / "own-machine", self.folder / "own")
+        said = self.said("own/drop.toml", "bearings.TB1.support.K_y=1e9")
+        self.assertRegex(said, r'bearings\.TB1\.support\.K_y has no effect with type = "ribbon"')
+
+    def test_keys_of_all_bearings_that_each_sets_itself(self):
+        self.assertRegex(self.said("reference.toml", "bearings.f2=5"), r"bearings\.f2 has no effect: every touchdown bearing has a value of its own")
+        self.assertEqual(self.said("reference.toml", "bearings.conformity=[0.53, 0.53]").count("has no effect"), 1)
+        self.assertNotIn("has no effect", self.said("reference.toml"))
+
+    def test_a_catalogue_name_that_is_there_already_changes_nothing(self):
+        self.write("middle.toml", 'base = "reference.toml"\n[bearings.TB1]\ncatalogue = "6014"\nring_mass = "0.25 kg"\n')
+        self.write("drop.toml", 'base = "middle.toml"\n[bearings.TB1]\ncatalogue = "6014"\n')
+        self.succeed("run", "drop.toml", "-o", "out", *settings(run__end_time="1 us"))
+        self.assertIn('ring_mass = "0.25 kg"', (self.folder / "out/parameters.toml").read_text())
+
+
+class ShaftsAsTables(ProgramTest):
+    def test_columns_in_a_wrong_unit(self):
+        shutil.copytree(PARAMS / "own-machine", self.folder / "own")
+        shaft = (PARAMS / "own-machine/shaft.csv").read_text()
+        self.assertEqual(self.succeed("check", "own/drop.toml").stderr, "")
+        for right, wrong, says in (("mass [kg]", "mass [t]", "radius of gyration"), ("mass [kg]", "mass [g]", "radius of gyration"), ("length [mm]", "length [cm]", "50 times as long as thick"),
+                                   ("Ip [kg m2], Id [kg m2]", "Ip [kg mm2], Id [kg mm2]", "radius of gyration")):
+            with self.subTest(wrong):
+                self.assertIn(right, shaft)
+                self.write("own/shaft.csv", shaft.replace(right, wrong))
+                self.assertIn(says, re.sub(r"\s+", " ", self.succeed("check", "own/drop.toml").stderr))
+
+
+class FilesOfTheUser(ProgramTest):
+    def test_a_case_in_the_directory_of_results_is_not_written_over(self):
+        self.write("parameters.toml", 'base = "reference.toml"\n')
+        for command in (["run", "parameters.toml", "-o", "."], ["run", "parameters.toml", "-o", ".", "--force"], ["run", "reference.toml", "-o", "."]):
+            done = self.call(*command, *settings(run__end_time="1 ms"))
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn('holds "parameters.toml", but no results of this program', done.stderr)
+        self.assertEqual((self.folder / "parameters.toml").read_text(), 'base = "reference.toml"\n')
+        (self.folder / "parameters.toml").unlink()
+        self.write("case.toml", 'base = "reference.toml"\n')
+        self.write("study.toml", 'case = "case.toml"\n[design]\nkind = "grid"\n[vary]\ncontact.friction_coefficient = [0.05, 0.1]\n')
+        self.assertEqual(self.call("study", "study.toml", "-o", ".", *settings(run__end_time="1 ms")).returncode, 2)
+        self.assertEqual((self.folder / "case.toml").read_text(), 'base = "reference.toml"\n')
+
+    def test_what_a_killed_run_left_before_its_results_may_be_replaced(self):
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"))
+        for name in ("results.h5", "summary.json"):
+            (self.folder / "out" / name).unlink()
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"))
+
+    def test_a_summary_of_someone_else_is_refused(self):
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"))
+        for content in ("{}", "[]", '{"run": {}, "energy": {}}', '{"run": {}, "bearings": {}, "energy": {}}', '{"bearings": 5}'):
+            self.write("out/summary.json", content)
+            done = self.call("report", "out", "--force")
+            self.assertEqual(done.returncode, 2, (content, done.stderr))
+            self.assertIn("summary.json", done.stderr)
+
+    def test_messages_may_get_lost(self):
+        with open("/dev/full", "w") as full:
+            for words, code in ((["check", "reference.toml", *settings(run__gravity="-1")], 2), (["modes", "reference.toml"], 0), (["bogus"], 2),
+                                (["run", "reference.toml", "-o", "out", "--quiet", *settings(run__end_time="1 ms", run__gravity="60")], 0)):
+                done = subprocess.run([PROGRAM, *words], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=full, timeout=60)
+                self.assertEqual(done.returncode, code, words)
+                closed = subprocess.run(["sh", "-c", 'exec "$@" 2>&-', "-", PROGRAM, *[word.replace("out", "closed") for word in words]], cwd=self.folder, stdout=subprocess.DEVNULL, timeout=60)
+                self.assertEqual(closed.returncode, code, words)
+        self.assertTrue((self.folder / "out/results.h5").is_file() and (self.folder / "closed/results.h5").is_file())
 
 
 class OneFaultBesideAnother(ProgramTest):

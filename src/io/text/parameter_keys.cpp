@@ -65,8 +65,9 @@ std::string with_decimal_point(std::string text) {
       !std::isdigit(static_cast<unsigned char>(text[comma + 1])))
     return text;
   const auto end = text.find_first_not_of("0123456789", comma + 1);
-  if (end == std::string::npos || text[end] == ' ') text[comma] = '.';
-  return text;
+  if (end != std::string::npos && text[end] != ' ') return text;
+  const bool is_thousands = std::min(end, text.size()) == comma + 4 && comma <= 4 && text[comma - 1] != '0';
+  return is_thousands ? text.erase(comma, 1) : text.replace(comma, 1, ".");
 }
 
 /// The pieces between commas that stand in no bracket.

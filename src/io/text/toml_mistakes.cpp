@@ -73,6 +73,27 @@ std::string escaped_for_pattern(const std::string& text) {
 std::optional<Guess> about_value(const std::string& key, const std::string& value) {
   std::smatch m;
   if (value.empty()) return Guess{key + " has no value", ""};
+  if (value[0] == '(' && value.back() == ')') {
+    const std::string inside = value.substr(1, value.size() - 2);
+    const bool is_table = inside.find('=') != std::string::npos;
+    return Guess{"a list is in square brackets, a table in braces",
+                 fmt::format("{} = {}{}{}", key, is_table ? '{' : '[', inside, is_table ? '}' : ']')};
+  }
+  if (std::regex_match(value, m, std::regex(R"(([+-]?\d[\d.eE+-]*)\s*[;,]\s*([A-Za-z][A-Za-z0-9/ ]*))")))
+    return Guess{"number and unit are together in quotes", fmt::format("{} = \"{} {}\"", key, m.str(1), m.str(2))};
+  if (value[0] == '{' && value.back() == '}') {
+    static const std::regex without_comma(R"(("[^"]*"|[+-]?\d[\d.eE+-]*|true|false|\}|\])\s+(?=[A-Za-z_]+\s*=))");
+    if (std::regex_search(value, without_comma))
+      return Guess{"entries of a table in braces are separated by commas",
+                   fmt::format("{} = {}", key, std::regex_replace(value, without_comma, "$1, "))};
+  }
+  if (value[0] == '=') {
+    const auto rest = std::min(value.find_first_not_of('='), value.size());
+    return Guess{"there is one equals sign",
+                 fmt::format("{} = {}", key, trimmed(std::string_view(value).substr(rest)))};
+  }
+  if (std::regex_match(value, m, std::regex(R"(([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*["']([^"']*)["'])")))
+    return Guess{"number and unit are together in quotes", fmt::format("{} = \"{} {}\"", key, m.str(1), m.str(2))};
   if (std::regex_match(value, std::regex("(true|false|yes|no|on|off)", std::regex::icase))) {
     const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(value[0])));
     const bool is_true = first == 't' || first == 'y' || (first == 'o' && value.size() == 2);
@@ -161,7 +182,9 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
   if (std::regex_search(line, std::regex(R"(^\s*(//|;|%|--))")))
     return Guess{"a comment begins with #",
                  fmt::format("# {}", trimmed(std::regex_replace(line, std::regex(R"(^\s*(//|;|%|--)+\s*)"), "")))};
-  if (description.find("escape") != std::string_view::npos && line.find('\\') != std::string::npos)
+  const bool is_of_escapes =
+      description.find("escape") != std::string_view::npos || description.find("unicode") != std::string_view::npos;
+  if (is_of_escapes && line.find('\\') != std::string::npos)
     return Guess{"a backslash has a meaning of its own in double quotes; in the name of a file write /",
                  replaced(std::string(trimmed(line)), "\\", "/")};
   if (std::regex_match(bare, m, std::regex(R"(\[+\s*([A-Za-z0-9_.-]+)\s*\]?)")) && !bare.ends_with("]"))
@@ -181,6 +204,10 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
     return Guess{"a value follows an equals sign", fmt::format("{} = {}", m.str(1), m.str(2))};
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(=\s*(.*)$)")))
     return about_value(m.str(1), std::string(trimmed(m.str(2))));
+  if (std::regex_match(bare, m, std::regex(R"(([A-Za-z_]+(?:\s+[A-Za-z_]+)+)\s*=\s*(.+))"))) {
+    const std::string key = std::regex_replace(m.str(1), std::regex(R"(\s+)"), "_");
+    return Guess{"the name of a key has no spaces", fmt::format("{} = {}", key, m.str(2))};
+  }
   if (std::regex_match(bare, m, std::regex(key_pattern + R"(([+-]?[\d"'].*)$)")))
     return Guess{"there is no equals sign between key and value", fmt::format("{} = {}", m.str(1), m.str(2))};
   if (std::regex_match(bare, std::regex(R"([A-Za-z][A-Za-z0-9_. -]*)")))

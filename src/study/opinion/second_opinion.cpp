@@ -187,32 +187,32 @@ Json second_opinion(const Case& c, const FinishedDrop& first, const volatile std
 
 std::string second_opinion_text(const Json& o) {
   if (!o.is_object()) return "Second opinion: interrupted\n";
-  const auto n = o["neighbours"].get<int>();
+  const auto n = o.at("neighbours").get<int>();
   std::string text = fmt::format("Second opinion ({} up to {:.4g} ms; {} drops that start {:.0f} nm beside):\n",
-                                 o["finer_by"].get<std::string>(), o["first_impacts_until"].get<double>() * 1e3, n,
-                                 o["neighbour_distance"].get<double>() * 1e9);
-  for (const auto& r : o["results"]) {
-    const std::string key = r["key"].get<std::string>();
-    if (!r["differs_by"].is_number()) {
+                                 o.at("finer_by").get<std::string>(), o.at("first_impacts_until").get<double>() * 1e3,
+                                 n, o.at("neighbour_distance").get<double>() * 1e9);
+  for (const auto& r : o.at("results")) {
+    const std::string key = r.at("key").get<std::string>();
+    if (!r.at("differs_by").is_number()) {
       text += fmt::format("  in some only          {}: it happens in some of these drops, in others not\n", key);
       continue;
     }
-    const std::string by_steps = r["by_finer_steps"].is_number()
-                                     ? fmt::format("{:.1g} %", 100. * r["by_finer_steps"].get<double>())
+    const std::string by_steps = r.at("by_finer_steps").is_number()
+                                     ? fmt::format("{:.1g} %", 100. * r.at("by_finer_steps").get<double>())
                                      : "not compared";
     text += fmt::format("  differs by {:>8.2g} %  {} (finer steps {}, neighbours {:.1g} %)\n",
-                        100. * r["differs_by"].get<double>(), key, by_steps, 100. * r["spread"].get<double>());
+                        100. * r.at("differs_by").get<double>(), key, by_steps, 100. * r.at("spread").get<double>());
   }
   text += fmt::format(
       "  Ranges of {} drops: about half of further drops lie within. Parameters and model are not in them.\n", n + 1);
-  if (!o["largest_distance_time"].is_number()) return text;
+  if (!o.at("largest_distance_time").is_number()) return text;
   text += fmt::format("  Orbits of neighbours differ by at most {:.3g} um ({:.2g} % of the air gap), at {:.4g} ms",
-                      o["largest_distance"].get<double>() * 1e6, 100. * o["largest_distance_share"].get<double>(),
-                      o["largest_distance_time"].get<double>() * 1e3);
-  if (o["apart_from"].is_number())
+                      o.at("largest_distance").get<double>() * 1e6, 100. * o.at("largest_distance_share").get<double>(),
+                      o.at("largest_distance_time").get<double>() * 1e3);
+  if (o.at("apart_from").is_number())
     text +=
         fmt::format("; by more than {:g} % of it from {:.4g} ms on: after that an orbit or an instant is one of many",
-                    100. * parted_share, o["apart_from"].get<double>() * 1e3);
+                    100. * parted_share, o.at("apart_from").get<double>() * 1e3);
   return text + ".\n";
 }
 

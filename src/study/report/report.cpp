@@ -85,8 +85,9 @@ Json report_second_opinion(const Json& summary) {
 
 }  // namespace
 
-Json report_data(const RecordedDrop& drop) {
-  const Json summary = read_json_of(drop, "summary.json"), comparison = read_json_of(drop, "comparison.json");
+namespace {
+
+Json data_of(const RecordedDrop& drop, const Json& summary, const Json& comparison) {
   Json data;
   const auto& p = drop.parameters();
   data["title"] = (p.title ? "Case " : "Drop ") + drop.case_name();
@@ -118,6 +119,19 @@ Json report_data(const RecordedDrop& drop) {
   data["assumptions"] = report_assumptions(drop);
   data["provenance"] = report_provenance(drop);
   return data;
+}
+
+}  // namespace
+
+Json report_data(const RecordedDrop& drop) {
+  const Json summary = read_json_of(drop, "summary.json"), comparison = read_json_of(drop, "comparison.json");
+  try {
+    return data_of(drop, summary, comparison);
+  } catch (const Json::exception& error) {
+    throw InputError({(drop.directory() / "summary.json").string(), 0, 0},
+                     fmt::format("this file or comparison.json is not what the program wrote: {}.", error.what()),
+                     "Remove the file, or run the case again.");
+  }
 }
 
 std::string html_page(const Json& data, std::string_view css, std::string_view js) {

@@ -143,11 +143,11 @@ void check_balls(Checks& checks, const Json& summary, const std::string& name) {
   for (const auto& row : summary.at(path)) {
     ++number;
     if (!row.contains("truncation")) return;
-    if (row["truncation"].get<double>() > truncation) {
-      truncation = row["truncation"].get<double>();
+    if (row.at("truncation").get<double>() > truncation) {
+      truncation = row.at("truncation").get<double>();
       worst = number;
     }
-    centrifugal = std::max(centrifugal, row["centrifugal_over_load"].get<double>());
+    centrifugal = std::max(centrifugal, row.at("centrifugal_over_load").get<double>());
   }
   checks.add(name + ": contact ellipses on the raceway", worst == 0,
              worst == 0 ? "none extends beyond the raceway's edge"
@@ -289,9 +289,9 @@ void add_warnings(Checks& checks, const Json& summary) {
                                          "backward-whirl",    "support-travel",    "local-temperature", "wear",
                                          "probe-touched"};
   if (!summary.contains("warnings")) return;
-  for (const auto& w : summary["warnings"]) {
-    const std::string code = w["code"].get<std::string>();
-    if (std::find(checked.begin(), checked.end(), code) == checked.end()) checks.add(code, false, w["text"]);
+  for (const auto& w : summary.at("warnings")) {
+    const std::string code = w.at("code").get<std::string>();
+    if (std::find(checked.begin(), checked.end(), code) == checked.end()) checks.add(code, false, w.at("text"));
   }
 }
 
@@ -305,14 +305,14 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
                "there is no summary.json: the run is still going, was killed, or failed; the table below omits values "
                "that only the summary contains");
   } else {
-    const bool completed = summary.contains("run") && summary["run"].value("completed", false);
+    const bool completed = summary.contains("run") && summary.at("run").value("completed", false);
     checks.add("complete", completed,
                completed
                    ? "the run reached its end"
                    : fmt::format("INTERRUPTED at {:.6g} ms of {:.6g} ms: peak and end values cover this part only",
                                  1e3 * number_at(summary, "/run/end_time"), 1e3 * end));
     for (const auto& w : summary.value("input_warnings", Json::array()))
-      checks.add("case, " + w["where"].get<std::string>(), false, w["message"].get<std::string>());
+      checks.add("case, " + w.at("where").get<std::string>(), false, w.at("message").get<std::string>());
   }
   for (const auto& [name, b] : drop.bearings()) {
     check_clearance(checks, drop, name);

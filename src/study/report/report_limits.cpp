@@ -63,14 +63,15 @@ constexpr Place of_probes[] = {{"smallest_clearance", "probe-clearance", 1e6},
 template <std::size_t n>
 void add_own(Figures& figures, const Json& limit, const std::string& name, const std::string& prefix,
              const Place (&places)[n], std::size_t colour) {
-  const std::string key = limit["key"].get<std::string>();
-  if (!limit["limit"].is_number()) return;
+  const std::string key = limit.at("key").get<std::string>();
+  if (!limit.at("limit").is_number()) return;
   for (const Place& place : places) {
     if (key != prefix + name + "." + place.result) continue;
     std::string figure = place.figure;
     if (const auto at = figure.find('+'); at != std::string::npos) figure.replace(at, 1, name);
-    figures.add(figure, fmt::format("{}: {} {}", name, place.result, limit["kind"] == "max" ? "at most" : "at least"),
-                limit["limit"].get<double>() * place.scale, colour);
+    figures.add(figure,
+                fmt::format("{}: {} {}", name, place.result, limit.at("kind") == "max" ? "at most" : "at least"),
+                limit.at("limit").get<double>() * place.scale, colour);
   }
 }
 
@@ -129,8 +130,8 @@ void add_limits(const RecordedDrop& drop, const Json& summary, Json& charts) {
     for (const Json& limit : limits) add_own(figures, limit, name, "probes.", of_probes, i);
   }
   for (const Json& limit : limits)
-    if (limit["key"] == "energy.dissipated" && limit["limit"].is_number())
-      figures.add("energy", "energy.dissipated", limit["limit"].get<double>());
+    if (limit.at("key") == "energy.dissipated" && limit.at("limit").is_number())
+      figures.add("energy", "energy.dissipated", limit.at("limit").get<double>());
   add_celsius(charts, drop.parameters().run.ambient);
 }
 

@@ -50,8 +50,8 @@ void add_summary(Rows& rows, std::size_t column, const Json& b, double ambient) 
     rows.set(column, r.name, r.unit, text);
   }
   if (b.contains("whirl")) {
-    rows.set(column, "direction of longest whirl", "", b["whirl"]["direction"].get<std::string>());
-    rows.set(column, "full backward rub", "", b["whirl"]["full_rub"].get<std::string>());
+    rows.set(column, "direction of longest whirl", "", b.at("whirl").at("direction").get<std::string>());
+    rows.set(column, "full backward rub", "", b.at("whirl").at("full_rub").get<std::string>());
   }
 }
 
@@ -63,25 +63,26 @@ void add_range(Rows& rows, std::size_t column, const TimeSeries& s, const std::s
 }  // namespace
 
 Json report_acceptance(const Json& summary) {
-  const Json& all = summary["accepted"];
+  const Json& all = summary.at("accepted");
   Json rows = Json::array();
-  for (const auto& l : summary["limits"]) {
-    const std::string unit = l["unit"].get<std::string>();
-    const ResultMeaning meaning = meaning_of(l["key"].get<std::string>());
+  for (const auto& l : summary.at("limits")) {
+    const std::string unit = l.at("unit").get<std::string>();
+    const ResultMeaning meaning = meaning_of(l.at("key").get<std::string>());
     const auto number = [&](const Json& value) {
       return value.is_number() ? in_words(value.get<double>(), unit) : std::string("—");
     };
     rows.push_back(
-        {{"key", l["key"]},
+        {{"key", l.at("key")},
          {"meaning", meaning.long_name},
-         {"value", number(l["value"]) + (l.contains("low") ? fmt::format(" ({:.4g} to {:.4g})", l["low"].get<double>(),
-                                                                         l["high"].get<double>())
-                                                           : "")},
-         {"limit", fmt::format("{} {}", l["kind"] == "max" ? "≤" : "≥", number(l["limit"]))},
-         {"usage", l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : "—"},
-         {"state", l["accepted"] == true    ? "ok"
-                   : l["accepted"] == false ? "warning"
-                                            : "unknown"}});
+         {"value", number(l.at("value")) +
+                       (l.contains("low")
+                            ? fmt::format(" ({:.4g} to {:.4g})", l.at("low").get<double>(), l.at("high").get<double>())
+                            : "")},
+         {"limit", fmt::format("{} {}", l.at("kind") == "max" ? "≤" : "≥", number(l.at("limit")))},
+         {"usage", l.at("usage").is_number() ? fmt::format("{:.3g} %", 100. * l.at("usage").get<double>()) : "—"},
+         {"state", l.at("accepted") == true    ? "ok"
+                   : l.at("accepted") == false ? "warning"
+                                               : "unknown"}});
   }
   const std::size_t n_warnings = summary.value("warnings", Json::array()).size();
   const std::string besides =
@@ -97,9 +98,9 @@ Json report_acceptance(const Json& summary) {
 
 Json report_damage(const Json& summary) {
   Json rows = Json::array();
-  for (const auto& [name, b] : summary["bearings"].items()) {
+  for (const auto& [name, b] : summary.at("bearings").items()) {
     if (!b.contains("damage")) continue;
-    const Json& d = b["damage"];
+    const Json& d = b.at("damage");
     const auto add = [&, bearing = name](const std::string& meaning, const char* value, const std::string& limit,
                                          double usage, const Json& basis) {
       const double number = number_at(d, value);
@@ -114,7 +115,7 @@ Json report_damage(const Json& summary) {
                                 : usage <= 1. ? "ok"
                                               : "warning"}});
     };
-    const auto basis = [&](std::size_t k) { return d["basis"][k].get<std::string>(); };
+    const auto basis = [&](std::size_t k) { return d.at("basis")[k].get<std::string>(); };
     const double required = number_at(d, "/required_static_safety"), safety = number_at(d, "/static_safety"),
                  drops = number_at(d, "/allowed_drops");
     add("static safety of the worst ball", "/static_safety", fmt::format("≥ {:.4g}", required),
@@ -122,13 +123,14 @@ Json report_damage(const Json& summary) {
     add("contact fatigue per drop, share of the life L10", "/fatigue/share", "≤ 1", number_at(d, "/fatigue/share"),
         basis(1));
     add("wear per drop, share of the permitted depth", "/wear_share", "≤ 1", number_at(d, "/wear_share"), basis(2));
-    const std::string governed = d["governed_by"] == "nothing" ? "" : ", by " + d["governed_by"].get<std::string>();
+    const std::string governed =
+        d.at("governed_by") == "nothing" ? "" : ", by " + d.at("governed_by").get<std::string>();
     add("allowed number of such drops" + governed, "/allowed_drops", "≥ 1",
         std::isnan(drops) ? 0.
         : drops > 0.      ? 1. / drops
                           : std::nan(""),
         nullptr);
-    const bool is_whole = !d["fatigue"].is_null() && !d["wear_share"].is_null();
+    const bool is_whole = !d.at("fatigue").is_null() && !d.at("wear_share").is_null();
     if (drops == 0.)
       rows.back()["state"] = "warning";
     else if (!is_whole)
@@ -144,8 +146,8 @@ Json report_numbers(const RecordedDrop& drop, const Json& summary) {
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const std::string& name = bearings[i].first;
     names.push_back(name);
-    if (!summary.is_null() && summary.contains("bearings") && summary["bearings"].contains(name))
-      add_summary(rows, i, summary["bearings"][name], drop.parameters().run.ambient);
+    if (!summary.is_null() && summary.contains("bearings") && summary.at("bearings").contains(name))
+      add_summary(rows, i, summary.at("bearings")[name], drop.parameters().run.ambient);
     add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 0), "vertical displacement");
     add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 1), "horizontal displacement");
   }
@@ -154,13 +156,13 @@ Json report_numbers(const RecordedDrop& drop, const Json& summary) {
     const auto fact = [&](const char* name, const Json& value, const char* unit, double scale) {
       if (value.is_number()) whole.push_back({name, fmt::format("{:.5g} {}", value.get<double>() * scale, unit)});
     };
-    fact("rotor speed at the end", summary["rotor_speed_end"], "rpm", rpm);
-    const Json& e = summary["energy"];
-    fact("mechanical energy dissipated", e["dissipated"], "J", 1.);
-    fact("heat input to each thermal model", e["heat_deposited"], "J", 1.);
-    fact("mechanical energy residual", e["residual"], "J", 1.);
-    fact("simulated time", summary["run"]["end_time"], "ms", 1e3);
-    fact("computing time", summary["run"]["wall_time"], "s", 1.);
+    fact("rotor speed at the end", summary.at("rotor_speed_end"), "rpm", rpm);
+    const Json& e = summary.at("energy");
+    fact("mechanical energy dissipated", e.at("dissipated"), "J", 1.);
+    fact("heat input to each thermal model", e.at("heat_deposited"), "J", 1.);
+    fact("mechanical energy residual", e.at("residual"), "J", 1.);
+    fact("simulated time", summary.at("run").at("end_time"), "ms", 1e3);
+    fact("computing time", summary.at("run").at("wall_time"), "s", 1.);
   }
   return {{"bearings", names}, {"rows", rows.take()}, {"whole", whole}};
 }

@@ -16,12 +16,17 @@ namespace {
 Section<HeatRunParameters> run_section() {
   using P = HeatRunParameters;
   Section<P> s("run", "Surroundings, start and end.");
-  s.quantity(
-      "ambient", &P::ambient,
-      {.unit = "K", .range = between(1, 2000), .fallback = "293.15 K", .help = "Temperature of the surroundings."});
-  s.quantity(
-      "initial_temperature", &P::initial_temperature,
-      {.unit = "K", .range = between(1, 2000), .help = "Temperature of all bodies at the start; ambient if omitted."});
+  s.quantity("ambient", &P::ambient,
+             {.unit = "K",
+              .range = between(1, 2000),
+              .usual = between(200, 1500),
+              .fallback = "293.15 K",
+              .help = "Temperature of the surroundings."});
+  s.quantity("initial_temperature", &P::initial_temperature,
+             {.unit = "K",
+              .range = between(1, 2000),
+              .usual = between(200, 1500),
+              .help = "Temperature of all bodies at the start; ambient if omitted."});
   s.quantity("end_time", &P::end_time,
              {.unit = "s", .range = positive(), .help = "End time; the last of output_times if omitted."});
   return s;
@@ -204,6 +209,7 @@ Section<HeatConvectionParameters> convection_section() {
   s.quantity("ambient", &P::ambient,
              {.unit = "K",
               .range = between(1, 2000),
+              .usual = between(200, 1500),
               .help = "Temperature of the surroundings there; run.ambient if omitted."});
   return s;
 }
