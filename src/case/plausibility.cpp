@@ -17,6 +17,7 @@ namespace {
 constexpr double fastest_surface = 400.;                      // [m/s]
 constexpr double slowest_spin = 10. * std::numbers::pi;       // 300 rpm [rad/s]
 constexpr double strongest_gravity = 30.;                     // drops on ships and in vehicles, with a margin [m/s2]
+constexpr double coarsest_balance = 0.1;                      // G100 of ISO 21940-11 [m/s]
 constexpr double shortest_run = 0.01;                         // shorter ones are trials [s]
 constexpr double lightest_rotor = 0.1, heaviest_rotor = 1e5;  // [kg]
 
@@ -199,6 +200,20 @@ void look_at_ring(const std::string& name, const TouchdownParameters& b, const M
                        name, b.ring_mass, solid),
            "It is of the inner ring, of all rows together, without balls and cage. Check the unit.");
   }
+  // Where raceways end: beside the groove, between the ring's other face and the balls' centres.
+  for (const auto& [key, shoulder, from, to] :
+       {std::tuple{"inner_shoulder_diameter", b.inner_shoulder_diameter, b.inner_ring_diameters[0], b.pitch_diameter},
+        {"outer_shoulder_diameter", b.outer_shoulder_diameter, b.pitch_diameter, b.outer_ring_diameters[1]}})
+    if (shoulder && (*shoulder <= from || *shoulder >= to))
+      warn(warnings, position_of_value(table, key),
+           fmt::format("bearings.{}.{} is {:.4g} mm, but a shoulder of this ring lies between {:.4g} and {:.4g} mm.",
+                       name, key, mm(*shoulder), mm(from), mm(to)),
+           "It is a diameter, between the ring's face and the pitch circle.");
+  if (const double wall = 0.5 * (b.housing_diameters[1] - b.housing_diameters[0]); wall < 0.02 * b.housing_diameters[0])
+    warn(warnings, position_of_value(table, "housing_diameters"),
+         fmt::format("the housing of bearings.{} has a wall of {:.4g} mm around a bore of {:.4g} mm.", name, mm(wall),
+                     mm(b.housing_diameters[0])),
+         "housing_diameters are bore and outside.");
   for (const auto& [key, is_given] :
        {std::pair{"arrangement", b.arrangement != RowArrangement::face_to_face}, {"preload", b.preload > 0.}})
     if (b.rows == 1 && is_given)
@@ -274,6 +289,24 @@ void look_at_run(const CaseParameters& p, const Node& tree, std::vector<Fault>& 
     warn(warnings, position_of_value(run, "gravity"),
          fmt::format("run.gravity = {:.6g} m/s2 is {:.3g} times that of the earth.", magnitude, magnitude / 9.80665),
          "A bare number is in m/s2: 981 cm/s2 are 9.81.");
+  bool has_magnets = false, is_released = false;
+  for (const auto& entry : p.bearings)
+    if (const auto* magnet = entry.magnet()) {
+      has_magnets = true;
+      is_released = is_released || std::min(magnet->release_time[0], magnet->release_time[1]) < p.run.latest_end();
+    }
+  if (has_magnets && !is_released)
+    warn(warnings, position_of_value(run, "end_time"),
+         fmt::format("no magnet lets go before the end of the run, {:.6g} s: nothing falls.", p.run.latest_end()),
+         "Check release_time of the magnets and run.end_time; bare numbers are in seconds.");
+  double unbalance = 0., mass = rigid_body(p.rotor.geometry).mass;
+  for (const auto& one : p.rotor.unbalance) unbalance += one.me;
+  if (const double e_omega = unbalance / mass * std::fabs(p.run.initial_speed); e_omega > coarsest_balance)
+    warn(warnings, position_of_value(table_at(tree, "rotor"), "unbalance"),
+         fmt::format("the rotor's unbalance of {:.4g} kg m in {:.4g} kg is e omega = {:.4g} mm/s at its initial speed; "
+                     "machines like this are balanced to G0.4 to G6.3.",
+                     unbalance, mass, e_omega * 1e3),
+         "A bare number is in kg m: one gram millimetre is 1e-6. A lost blade may be meant.");
   if (const double steps = fewest_steps(p); steps > many_steps)
     warn(warnings, position_of_step(p, tree),
          fmt::format("run.end_time = {:.6g} s takes {:.2g} steps of at most {:.3g} s: hours or days.",
