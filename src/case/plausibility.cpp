@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 #include <tuple>
 
 #include "case/usual_values.h"
@@ -222,6 +223,16 @@ void look_at_ring(const std::string& name, const TouchdownParameters& b, const M
            "Write count = 2 for a pair of catalogue bearings, or rows = 2 with the data of both; or leave it out.");
 }
 
+/// The file that a key is from; in parameters.toml of a run the one that stands behind it.
+std::string origin_of(const Node& table, const char* key) {
+  constexpr std::string_view from = "from ";
+  const Node::Entry* entry = table.entry(key);
+  if (!entry) return "";
+  const auto at = entry->comment.find(from);
+  if (at == std::string::npos) return entry->value.where().file;
+  return entry->comment.substr(at + from.size(), entry->comment.find(':', at) - at - from.size());
+}
+
 /// Springs and dampers against the mass that they carry.
 void look_at_support(const std::string& name, const SupportParameters& support, const Node& tree,
                      std::vector<Fault>& warnings) {
@@ -232,8 +243,8 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
   // Of a layer below that of the type it is what the type replaces.
   const Node* type = own->find("type");
   const auto is_meant = [&](const char* key) {
-    const std::string& file = position_of_value(*own, key).file;
-    return !type || file == type->where().file || file == tree.where().file || file.starts_with("--set");
+    const std::string file = origin_of(*own, key);
+    return !type || file == origin_of(*own, "type") || file == tree.where().file || file.starts_with("--set");
   };
   const auto without_effect = [&](const char* key) {
     if (!is_meant(key)) return;
@@ -259,26 +270,6 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
                        name, key, *C, ratio),
            "Critical is 2 sqrt(K m). A bare number is in N s/m. Check mass and stiffness, too.");
   }
-}
-
-/// Keys of [bearings] itself that every touchdown bearing sets again.
-void look_at_common_keys(const Node& tree, std::vector<Fault>& warnings) {
-  const Node* bearings = tree.find("bearings");
-  if (!bearings || !bearings->is_table()) return;
-  std::vector<const Node*> touchdowns;
-  for (const auto& entry : bearings->entries())
-    if (const Node* type = entry.value.is_table() ? entry.value.find("type") : nullptr;
-        type && type->is_text() && type->text() == "touchdown")
-      touchdowns.push_back(&entry.value);
-  if (touchdowns.empty()) return;
-  const auto is_everywhere = [&](const std::string& key) {
-    return std::all_of(touchdowns.begin(), touchdowns.end(), [&](const Node* b) { return b->has(key); });
-  };
-  for (const auto& entry : bearings->entries())
-    if (!entry.value.is_table() && is_everywhere(entry.key))
-      warn(warnings, entry.value.where(),
-           fmt::format("bearings.{} has no effect: every touchdown bearing has a value of its own.", entry.key),
-           "Values of a bearing, and of its catalogue entry, go before those of [bearings].");
 }
 
 /// What goes for the run as a whole.
@@ -361,7 +352,7 @@ std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseP
   look_at_rotor(p, tree, warnings);
   look_at_probes(p, tree, warnings);
   look_at_run(p, tree, warnings);
-  look_at_common_keys(tree, warnings);
+  look_for_common_keys_without_effect(tree, warnings);
   for (const auto& entry : p.bearings)
     if (const auto* touchdown = entry.touchdown()) {
       look_at_bearing(entry.name, *touchdown, p, tree, warnings);

@@ -141,4 +141,24 @@ void look_for_unusual_values(const SectionDeclaration& section, const Node& tree
   Look(warnings).at(section, tree, section.name);
 }
 
+void look_for_common_keys_without_effect(const Node& tree, std::vector<Fault>& warnings) {
+  const Node* bearings = tree.find("bearings");
+  if (!bearings || !bearings->is_table()) return;
+  std::vector<const Node*> touchdowns;
+  for (const auto& entry : bearings->entries())
+    if (const Node* type = entry.value.is_table() ? entry.value.find("type") : nullptr;
+        type && type->is_text() && type->text() == "touchdown")
+      touchdowns.push_back(&entry.value);
+  if (touchdowns.empty()) return;
+  const auto is_everywhere = [&](const std::string& key) {
+    return std::all_of(touchdowns.begin(), touchdowns.end(), [&](const Node* b) { return b->has(key); });
+  };
+  for (const auto& entry : bearings->entries())
+    if (!entry.value.is_table() && is_everywhere(entry.key))
+      warnings.push_back(
+          {entry.value.where(),
+           fmt::format("bearings.{} has no effect: every touchdown bearing has a value of its own.", entry.key),
+           "Values of a bearing, and of its catalogue entry, go before those of [bearings]."});
+}
+
 }  // namespace rotordrop

@@ -173,10 +173,15 @@ Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std:
     const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto& n) { return n.first == name; });
     return found == numbers.end() ? std::nan("") : found->second;
   };
+  // A drop that ends before the rotor touches anything has met nothing.
+  const auto is_force = [](const auto& n) { return n.first.ends_with(".peak_contact_force"); };
+  const bool is_fall =
+      std::any_of(numbers.begin(), numbers.end(), is_force) &&
+      std::all_of(numbers.begin(), numbers.end(), [&](const auto& n) { return !is_force(n) || n.second == 0.; });
   for (const auto& limit : limits) {
     const double value = number(limit.pattern), low = number(limit.pattern + "_low"),
                  high = number(limit.pattern + "_high");
-    const bool is_known = is_complete && std::isfinite(value);
+    const bool is_known = is_complete && !is_fall && std::isfinite(value);
     for (const bool is_max : {true, false}) {
       const auto& bound = is_max ? limit.max : limit.min;
       if (!bound) continue;

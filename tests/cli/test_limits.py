@@ -19,6 +19,14 @@ class Limits(ProgramTest):
         self.assertEqual(len(found), 1, key)
         return found[0]
 
+    def test_a_drop_that_touches_nothing_is_not_assessed(self):
+        case = self.limited(f'{PEAK}.max = "9 kN"\n')
+        done = self.call("run", case, "-o", "out", "--accept", *settings(run__end_time="3 ms"))
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        self.assertIsNone(self.entry(PEAK)["accepted"])
+        self.assertIsNone(self.summary()["accepted"])
+        self.assertEqual(self.call("run", case, "-o", "fell", "--accept", *settings(run__end_time="20 ms")).returncode, 0)
+
     def test_usage_is_the_ratio_of_value_and_limit(self):
         # Dotted and quoted names, an upper and a lower limit, units of the user's own.
         case = self.limited(f'{PEAK}.max = "9 kN"\n"{HEAT}" = {{ max = "1 J", min = "0.001 J" }}\nrotor.mass.min = "100 kg"\n')

@@ -133,6 +133,13 @@ class WithoutEffect(ProgramTest):
         said = self.said("own/drop.toml", "bearings.TB1.support.K_y=1e9")
         self.assertRegex(said, r'bearings\.TB1\.support\.K_y has no effect with type = "ribbon"')
 
+    def test_what_a_layer_replaces_is_not_told_and_the_file_of_a_run_says_the_same(self):
+        for name in ("neisi2019-ribbon.toml", "neisi2019-settling.toml", "neisi2019.toml", "neisi2019-rotor.json"):
+            shutil.copy(PARAMS / name, self.folder)
+        self.succeed("run", "neisi2019-ribbon.toml", "-o", "out", *settings(run__end_time="30 ms"))
+        self.assertEqual(self.summary()["input_warnings"], [])
+        self.assertEqual(self.said("out/parameters.toml"), "")
+
     def test_keys_of_all_bearings_that_each_sets_itself(self):
         self.assertRegex(self.said("reference.toml", "bearings.f2=5"), r"bearings\.f2 has no effect: every touchdown bearing has a value of its own")
         self.assertEqual(self.said("reference.toml", "bearings.conformity=[0.53, 0.53]").count("has no effect"), 1)
