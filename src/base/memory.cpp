@@ -9,6 +9,17 @@
 #include <limits>
 
 namespace rotordrop {
+namespace {
+
+constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+
+/// As `ulimit -v` says it.
+std::uint64_t address_limit() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? limit.rlim_cur : no_limit;
+}
+
+}  // namespace
 
 std::uint64_t own_memory() {
   std::uint64_t pages = 0;
@@ -17,19 +28,15 @@ std::uint64_t own_memory() {
 }
 
 std::uint64_t memory_left() {
-  rlimit limit{};
-  const std::uint64_t own = own_memory();
-  if (own == 0 || ::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
-    return std::numeric_limits<std::uint64_t>::max();
-  return limit.rlim_cur > own ? limit.rlim_cur - own : 0;
+  const std::uint64_t own = own_memory(), limit = address_limit();
+  if (own == 0 || limit == no_limit) return no_limit;
+  return limit > own ? limit - own : 0;
 }
 
 std::uint64_t most_memory() {
   const auto machine =
       static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return machine;
-  return std::min<std::uint64_t>(machine, limit.rlim_cur);
+  return std::min(machine, address_limit());
 }
 
 std::string bytes_in_words(double bytes) {

@@ -4,6 +4,9 @@
 
 namespace rotordrop {
 
+/// With less left, libraries of others end the process instead of telling it [bytes]. Measured of METIS, TBB and gmsh: below 60 MB.
+inline constexpr std::uint64_t memory_of_libraries = 64'000'000;
+
 /// Address space of this process [bytes]; 0: not known.
 [[nodiscard]] std::uint64_t own_memory();
 /// How much more of it the process may take (`ulimit -v`) [bytes]; the largest number if nothing limits it.

@@ -4,14 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
 
 #include "base/parameters/suggestion.h"
-#include "base/units.h"
 #include "case/bearing_sets.h"
 #include "case/case_family.h"
 #include "case/case_keys.h"
@@ -19,7 +17,6 @@
 #include "case/catalogue.h"
 #include "case/modules/parts_modules.h"
 #include "case/plausibility.h"
-#include "case/program_files.h"
 #include "case/rotor_file.h"
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_reader.h"
@@ -240,14 +237,14 @@ namespace {
 /// Puts settings, files that the tree names, and built-in materials into a tree.
 void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>& settings, const ReadFile& geometry,
                    Faults& faults) {
-  const Node base = tree;
   Node over = Node::table(tree.where());
-  for (const Setting& setting : settings) {
-    if (names_entry(setting)) continue;
-    apply_setting(tree, setting);  // finds out whether it can be set
-    apply_setting(over, setting);
-  }
-  load_catalogue_bearings(over, file, base, faults);
+  const auto apply_to = [&](Node& to) {
+    for (const Setting& setting : settings)
+      if (!names_entry(setting)) apply_setting(to, setting);
+  };
+  apply_to(over);
+  load_catalogue_bearings(over, file, tree, faults);
+  apply_to(tree);  // finds out whether each can be set
   tree = merged(tree, over);
   load_parts_of_case(tree);  // before the keys are declared, which are theirs, too
   for (const Setting& setting : settings)

@@ -40,8 +40,7 @@ void warn_of_growth(const CaseParameters& p) {
 }  // namespace
 
 int calibrate_command(const CalibrateCommand& command) {
-  const Case c = read_case(command.file, command.overrides);
-  tell_warnings(c.warnings);
+  const Case c = read_case_and_tell(command.file, command.overrides);
   CalibrationSettings settings;
   if (!command.until.empty()) settings.until = parse_time("--until", command.until);
   if (settings.until <= 2. * settings.from)
@@ -62,8 +61,7 @@ int calibrate_command(const CalibrateCommand& command) {
 }
 
 int modes_command(const ModesCommand& command) {
-  const Case c = read_case(command.file, command.overrides);
-  tell_warnings(c.warnings);
+  const Case c = read_case_and_tell(command.file, command.overrides);
   const auto speeds =
       command.speeds.empty() ? std::vector<double>{0., c.parameters.run.initial_speed} : parse_speeds(command.speeds);
   const auto report = find_modes(c, speeds);
@@ -79,8 +77,7 @@ int modes_command(const ModesCommand& command) {
 }
 
 int critical_speeds_command(const CriticalSpeedsCommand& command) {
-  const Case c = read_case(command.file, command.overrides);
-  tell_warnings(c.warnings);
+  const Case c = read_case_and_tell(command.file, command.overrides);
   auto options = critical_speed_options(c, {command.up_to, command.stiffness, command.map});
   options.n_speeds = 61;
   if (!command.diagram.empty()) {
@@ -106,8 +103,7 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
 int statics_command(const StaticsCommand& command) {
   auto overrides = command.overrides;
   if (!command.bearing.empty()) overrides.emplace_back("statics.subject=bearings");
-  const Case c = read_case(command.file, overrides);
-  tell_warnings(c.warnings);
+  const Case c = read_case_and_tell(command.file, overrides);
   warn_of_growth(c.parameters);
   const auto report = find_rest(c, command.bearing);
   if (command.json)
@@ -118,8 +114,7 @@ int statics_command(const StaticsCommand& command) {
 }
 
 int preload_command(const PreloadCommand& command) {
-  const Case c = read_case(command.file, command.overrides);
-  tell_warnings(c.warnings);
+  const Case c = read_case_and_tell(command.file, command.overrides);
   PreloadOptions options;
   options.directory =
       command.directory.empty() ? std::filesystem::path("out") / (c.name + "-preload") : command.directory;

@@ -195,8 +195,7 @@ int report_command(const ReportCommand& command) {
 }
 
 int mesh_command(const MeshCommand& command) {
-  const Case drop_case = read_case(command.file, command.overrides);
-  tell_warnings(drop_case.warnings);
+  const Case drop_case = read_case_and_tell(command.file, command.overrides);
   MeshOptions options;
   options.file = command.output.empty() ? std::filesystem::path("out") / drop_case.name / "mesh.msh" : command.output;
   options.bearing = command.bearing;

@@ -8,11 +8,16 @@
 
 namespace rotordrop {
 
+struct Case;
+
 /// Not even --force writes over what a command reads. @throws InputError if both are one file
 void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
 
 /// Tells what is unusual in a case. @throws InputError if `strict` and there is any
 void tell_warnings(const std::vector<Fault>& warnings, bool strict = false);
+/// As read_case(), and tells its warnings.
+Case read_case_and_tell(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                        bool strict = false);
 
 struct RunCommand {
   std::filesystem::path file, directory;

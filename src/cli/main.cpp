@@ -376,8 +376,7 @@ void let_standard_error_fail() {
 
 /// Where memory is short, libraries would fail at the end of the process: they make threads to end their own.
 int leave(int code) {
-  constexpr std::uint64_t short_of_memory = 64'000'000;
-  if (code == run_failed && rotordrop::memory_left() < short_of_memory) std::_Exit(code);
+  if (code == run_failed && rotordrop::memory_left() < rotordrop::memory_of_libraries) std::_Exit(code);
   return code;
 }
 

@@ -111,9 +111,14 @@ void tell_warnings(const std::vector<Fault>& warnings, bool strict) {
     fmt::print(stderr, "warning{}\n", rendered(warning).substr(std::string_view("error").size()));
 }
 
+Case read_case_and_tell(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict) {
+  Case c = read_case(file, overrides);
+  tell_warnings(c.warnings, strict);
+  return c;
+}
+
 int run_command(const RunCommand& command) {
-  const Case drop_case = read_case(command.file, command.overrides);
-  tell_warnings(drop_case.warnings, command.strict);
+  const Case drop_case = read_case_and_tell(command.file, command.overrides, command.strict);
   if (command.accept && drop_case.parameters.limits.empty())
     throw InputError({"--accept", 0, 0}, "the case has no [limits] that a run could meet.",
                      "For example: --set 'limits.bearings.TB1.peak_contact_force.max=\"6 kN\"'");
@@ -172,8 +177,7 @@ int run_command(const RunCommand& command) {
 
 int check_command(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict) {
   if (is_heat_case(file)) return check_heat_case(file, overrides, strict);
-  const Case c = read_case(file, overrides);
-  tell_warnings(c.warnings, strict);
+  const Case c = read_case_and_tell(file, overrides, strict);
   BuiltMachine built(c);
   require_known_limits(c, built.machine(), &built.elements());
   fmt::print("{}", header(c));

@@ -3,8 +3,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <cstdint>
-
 #include "base/memory.h"
 #include "case/program_files.h"
 
@@ -33,11 +31,10 @@ void* address_in_module(const Module& module, Symbols symbols, const char* funct
   void* const handle = load_module(file, symbols, why);
   if (!handle) throw SolverError(fmt::format("{} cannot be loaded: {}", module.name, why));
   // Libraries behind a module end the process where memory is short.
-  constexpr std::uint64_t least = 64'000'000;
-  if (const auto left = memory_left(); left < least)
+  if (const auto left = memory_left(); left < memory_of_libraries)
     throw SolverError(fmt::format("there is not enough memory for {}: {} are left (ulimit -v), it needs {} at least.",
                                   module.name, bytes_in_words(static_cast<double>(left)),
-                                  bytes_in_words(static_cast<double>(least))));
+                                  bytes_in_words(static_cast<double>(memory_of_libraries))));
   void* const found = address_in(handle, function);
   if (!found)
     throw SolverError(fmt::format("{} {} belongs to another version of the program", module.name, file.string()));

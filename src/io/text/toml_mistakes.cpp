@@ -79,8 +79,12 @@ std::optional<Guess> about_value(const std::string& key, const std::string& valu
     return Guess{"a list is in square brackets, a table in braces",
                  fmt::format("{} = {}{}{}", key, is_table ? '{' : '[', inside, is_table ? '}' : ']')};
   }
-  if (std::regex_match(value, m, std::regex(R"(([+-]?\d[\d.eE+-]*)\s*[;,]\s*([A-Za-z][A-Za-z0-9/ ]*))")))
-    return Guess{"number and unit are together in quotes", fmt::format("{} = \"{} {}\"", key, m.str(1), m.str(2))};
+  // 12000; rpm   0.25 "mm"   "250" um
+  for (const char* apart : {R"(([+-]?\d[\d.eE+-]*)\s*[;,]\s*([A-Za-z][A-Za-z0-9/ ]*))",
+                            R"(([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*["']([^"']*)["'])",
+                            R"(["']([+-]?[\d.]+(?:[eE][+-]?\d+)?)["']\s*(?!//|%)([A-Za-z%/][^"]*))"})
+    if (std::regex_match(value, m, std::regex(apart)))
+      return Guess{"number and unit are together in quotes", fmt::format("{} = \"{} {}\"", key, m.str(1), m.str(2))};
   if (value[0] == '{' && value.back() == '}') {
     static const std::regex without_comma(R"(("[^"]*"|[+-]?\d[\d.eE+-]*|true|false|\}|\])\s+(?=[A-Za-z_]+\s*=))");
     if (std::regex_search(value, without_comma))
@@ -92,8 +96,6 @@ std::optional<Guess> about_value(const std::string& key, const std::string& valu
     return Guess{"there is one equals sign",
                  fmt::format("{} = {}", key, trimmed(std::string_view(value).substr(rest)))};
   }
-  if (std::regex_match(value, m, std::regex(R"(([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*["']([^"']*)["'])")))
-    return Guess{"number and unit are together in quotes", fmt::format("{} = \"{} {}\"", key, m.str(1), m.str(2))};
   if (std::regex_match(value, std::regex("(true|false|yes|no|on|off)", std::regex::icase))) {
     const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(value[0])));
     const bool is_true = first == 't' || first == 'y' || (first == 'o' && value.size() == 2);
@@ -114,8 +116,6 @@ std::optional<Guess> about_value(const std::string& key, const std::string& valu
                        std::regex(R"(("[^"]*"|'[^']*'|[+-]?\d[\d.eE+-]*|true|false)\s*(?:;|,|//.*|--.*|%.*))")))
     return Guess{"nothing stands behind a value but a comment, which begins with #",
                  fmt::format("{} = {}", key, m.str(1))};
-  if (std::regex_match(value, m, std::regex(R"(["']([+-]?[\d.]+(?:[eE][+-]?\d+)?)["']\s*([A-Za-z%/][^"]*))")))
-    return Guess{"number and unit are together in quotes", fmt::format("{} = \"{} {}\"", key, m.str(1), m.str(2))};
   if (value[0] == '[' && std::regex_search(value, m, std::regex(R"((?:"[^"]*"|[+-]?\d[\d.]*)(\s+)(?=["\d+-]))")) &&
       m.length(1) > 0)
     return Guess{

@@ -83,10 +83,6 @@ Json report_second_opinion(const Json& summary) {
   return lines;
 }
 
-}  // namespace
-
-namespace {
-
 Json data_of(const RecordedDrop& drop, const Json& summary, const Json& comparison) {
   Json data;
   const auto& p = drop.parameters();

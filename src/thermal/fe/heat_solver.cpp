@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "base/errors.h"
-#include "base/memory.h"
 #include "thermal/fe/vtu_output.h"
 
 namespace rotordrop {
@@ -55,7 +54,7 @@ HeatSolver::HeatSolver(const HeatConductionProblem& problem) : operator_(problem
   residual_.reinit(operator_.size());
   jump_to_held_temperatures();
   matrix_.reinit(operator_.pattern());
-  statistics_.solver = chosen_solver(numerics_.solver, operator_.size(), static_cast<double>(most_memory()));
+  statistics_.solver = chosen_solver(numerics_.solver, operator_.size());
   inverse_ = new_linear_solver();
   statistics_.unknowns = operator_.size();
   statistics_.cells = operator_.n_cells();

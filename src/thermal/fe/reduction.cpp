@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "base/memory.h"
 #include "thermal/fe/modal_responses.h"
 #include "thermal/fe/solvers/linear_solver.h"
 
@@ -129,9 +128,7 @@ class Answers {
   explicit Answers(const HeatOperator& problem)
       : problem_(problem),
         shifted_(problem.pattern()),
-        solver_(make_linear_solver(
-            chosen_solver(problem.problem().numerics.solver, problem.size(), static_cast<double>(most_memory())),
-            true)) {}
+        solver_(make_linear_solver(chosen_solver(problem.problem().numerics.solver, problem.size()), true)) {}
   void set_shift(double s) {
     shifted_.copy_from(problem_.conductance());
     shifted_.add(s, problem_.capacity());

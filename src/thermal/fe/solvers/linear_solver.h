@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/memory.h"
 #include "model/heat_conduction.h"
 
 namespace rotordrop {
@@ -25,7 +26,8 @@ class LinearSolver {
 };
 
 /// What `automatic` is for a mesh in the plane: direct if its factors take less than half of the memory [bytes].
-[[nodiscard]] HeatLinearSolver chosen_solver(HeatLinearSolver asked, std::size_t n_unknowns, double memory);
+[[nodiscard]] HeatLinearSolver chosen_solver(HeatLinearSolver asked, std::size_t n_unknowns,
+                                             double memory = static_cast<double>(most_memory()));
 
 /// Direct in one process: Cholesky's factors, or LU of what is not symmetric. Multigrid, and everything under mpirun, by PETSc.
 /// @param asked  not automatic
