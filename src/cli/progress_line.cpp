@@ -5,14 +5,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
+
+#include "base/rotation.h"
 
 namespace rotordrop {
 
 std::string progress_text(const Progress& p) {
   std::string text =
       fmt::format("t = {:.4f} s of {:.4g} s  {:3.0f} %  |  {:.0f} rpm  |  peak force {:.2f} kN", p.time, p.end_time,
-                  100. * p.time / p.end_time, p.rotor_speed * 30. / std::numbers::pi, p.largest_contact_force * 1e-3);
+                  100. * p.time / p.end_time, p.rotor_speed * to_rpm, p.largest_contact_force * 1e-3);
   if (std::isfinite(p.inner_ring_temperature)) text += fmt::format("  |  T inner {:.2f} K", p.inner_ring_temperature);
   const double left = std::ceil(p.wall_time_left);
   if (p.time < p.end_time)

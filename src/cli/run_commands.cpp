@@ -1,17 +1,19 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "analysis/facts/bearing_report.h"
+#include "analysis/facts/first_touch.h"
 #include "analysis/facts/rotor_report.h"
 #include "base/errors.h"
+#include "base/rotation.h"
 #include "base/version.h"
 #include "case/built_machine.h"
 #include "case/case.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/signals.h"
+#include "io/text/parameter_keys.h"
 #include "machine/balance.h"
 #include "machine/build_machine.h"
 #include "study/compare/comparison.h"
@@ -25,14 +27,6 @@
 
 namespace rotordrop {
 namespace {
-
-/// As a shell takes it.
-std::string quoted(const std::string& word) {
-  if (word.find_first_of(" \t'\"\\$&|;<>()*?[]{}!#~`") == std::string::npos) return word;
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
 
 std::string driver_in_words(const ThermalParameters& t) {
   if (!t.growth) return "none (thermal.growth = false)";
@@ -49,7 +43,7 @@ std::string header(const Case& c) {
   return fmt::format(
       "rotordrop {} ({})   case {}{}\nrotor {:.4g} kg at {:.6g} rpm; supports {}; thermal growth fed back: {}\n",
       version(), git_revision(), c.name, p.title ? ": " + *p.title : "", rotor_report(p.rotor).body.mass,
-      p.run.initial_speed * 30. / std::numbers::pi, bearings, driver_in_words(p.thermal));
+      p.run.initial_speed * to_rpm, bearings, driver_in_words(p.thermal));
 }
 
 int check_heat_case(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool strict) {
@@ -167,9 +161,9 @@ int run_command(const RunCommand& command) {
     compare_after_run(command, options.directory, *result.recorded);
     return exit_code_of(command, summary_json(result.summary));
   }
-  std::string again =
-      fmt::format("rotordrop run {} -o {} --resume", quoted(command.file.string()), quoted(options.directory.string()));
-  for (const auto& assignment : command.overrides) again += " --set " + quoted(assignment);
+  std::string again = fmt::format("rotordrop run {} -o {} --resume", shell_quoted(command.file.string()),
+                                  shell_quoted(options.directory.string()));
+  for (const auto& assignment : command.overrides) again += " --set " + shell_quoted(assignment);
   fmt::print(stderr, "interrupted at t = {:.6g} s; results so far are in {}. Continue with: {}\n", result.end_time,
              options.directory.string(), again);
   return 128 + static_cast<int>(caught_signal());
@@ -191,6 +185,7 @@ int check_command(const std::filesystem::path& file, const std::vector<std::stri
       fmt::print("{}", shoulder_text(shoulder_json(c.parameters, entry.name), entry.name.size() + 2));
     }
   fmt::print("{}", bearing_report(c.parameters));
+  fmt::print("{}", first_touch_text(c.parameters));
   fmt::print(
       "{}: no errors found{}. Not checked: whether the time step is short enough for the stiffest contact.\n",
       file.string(),

@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/signals.h"
 #include "io/checkpoint.h"
+#include "io/text/parameter_keys.h"
 #include "study/many/answers/study_report.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/ranks/ranks.h"
@@ -63,16 +64,10 @@ std::pair<std::size_t, std::size_t> parse_shard(const std::string& text) {
   return {shard, n};
 }
 
-std::string quoted(const std::string& word) {
-  if (word.find_first_of(" \t'\"\\$&|;<>()*?[]{}!#~`") == std::string::npos) return word;
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 std::string again(const StudyCommand& command, const std::filesystem::path& directory) {
-  std::string text = fmt::format("rotordrop study {} -o {}", quoted(command.file.string()), quoted(directory.string()));
-  for (const auto& assignment : command.overrides) text += " --set " + quoted(assignment);
+  std::string text =
+      fmt::format("rotordrop study {} -o {}", shell_quoted(command.file.string()), shell_quoted(directory.string()));
+  for (const auto& assignment : command.overrides) text += " --set " + shell_quoted(assignment);
   if (!command.shard.empty()) text += " --shard " + command.shard;
   return text + " --resume";
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "base/rotation.h"
 #include "rotor/linear_system.h"
 #include "rotor/modal_basis.h"
 
@@ -20,7 +20,6 @@ namespace {
 constexpr double barely_oscillating = 0.1;
 
 using Complex = std::complex<double>;
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Deflections of all nodes in both planes: [2 n_nodes], y first.
 Eigen::VectorXcd node_deflections(const ModalBasis& basis, const Eigen::VectorXcd& q) {

@@ -6,8 +6,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "base/sine_cosine.h"
 #include "base/wide_vectors.h"
 #include "rotor/modal_basis.h"
@@ -15,8 +15,6 @@
 namespace rotordrop {
 
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 double highest_frequency(const RotorSettings& settings) {
   switch (settings.representation) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/rotation.h"
+
 namespace rotordrop {
 namespace {
 
@@ -121,7 +123,7 @@ constexpr std::array ranges{
     Rule{"growth.*", "m", "growth"},
 };
 
-constexpr double rpm = 30. / std::numbers::pi, hertz = 0.5 / std::numbers::pi;
+constexpr double hertz = 0.5 / std::numbers::pi;
 
 constexpr std::array shown{
     ShownResult{"/first_contact_time", "first contact", "ms", 1e3},
@@ -135,7 +137,7 @@ constexpr std::array shown{
     ShownResult{"/inner_heat", "bearing friction heat, inner raceway", "J", 1.},
     ShownResult{"/outer_heat", "bearing friction heat, outer raceway", "J", 1.},
     ShownResult{"/catch_up_time", "end of spin-up (ring within 1 % of rotor surface speed)", "ms", 1e3},
-    ShownResult{"/ring_speed_end", "ring speed at end", "rpm", rpm},
+    ShownResult{"/ring_speed_end", "ring speed at end", "rpm", to_rpm},
     ShownResult{"/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, lumped", "K", 1.},
     ShownResult{"/fe/temperature_rise_end/inner_ring", "inner-ring temperature rise at end, FE mean", "K", 1.},
     ShownResult{"/fe/surface_rise/bore/highest", "largest bore temperature rise, FE (circumferential mean)", "K", 1.},

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "laws/contact.h"
 
 namespace rotordrop {
 namespace {
-
-constexpr double two_pi = 2. * std::numbers::pi;
 
 /// x >= 0 with the least |A x - b|; starts from nothing.
 Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {

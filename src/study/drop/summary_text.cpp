@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "study/drop/damage_summary.h"
 #include "study/drop/drop_summary.h"
 #include "study/drop/warning_summary.h"
@@ -15,8 +15,6 @@
 
 namespace rotordrop {
 namespace {
-
-constexpr double rpm = 30. / std::numbers::pi;
 
 std::string ms(double time) { return std::isfinite(time) ? fmt::format("{:.4g} ms", time * 1e3) : "never"; }
 
@@ -60,7 +58,7 @@ std::string bearing_text(const BearingSummary& b, double ambient) {
       "{}: first contact {}, peak contact force {:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", b.name,
       ms(s.first_contact_time), s.contact_force.value * 1e-3, b.friction_heat, s.friction_heat_rate.value * 1e-3);
   text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; mean temperature rise {}\n", "",
-                      indent, s.ring_speed_end * rpm, ms(s.catch_up_time), all_rises_text(b, ambient));
+                      indent, s.ring_speed_end * to_rpm, ms(s.catch_up_time), all_rises_text(b, ambient));
   if (b.local) text += local_text(b.name, *b.local);
   if (b.damage) text += damage_text(*b.damage, indent);
   if (b.is_free)
@@ -113,7 +111,7 @@ std::string summary_text(const DropSummary& s) {
   text += probe_text(s.probes) + reduction_text(s);
   if (!s.until.empty())
     text += s.ended_by == s.until ? fmt::format("Ended by run.until = \"{}\" at t = {:.6g} s, at {:.4g} rpm\n", s.until,
-                                                s.end_time, s.rotor_speed_end * rpm)
+                                                s.end_time, s.rotor_speed_end * to_rpm)
                                   : fmt::format("run.until = \"{}\" was not met by t = {:.6g} s; raise run.end_time\n",
                                                 s.until, s.end_time);
   text += energy_text(s) + warnings_text(warnings_json(s.warnings));

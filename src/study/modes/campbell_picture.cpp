@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "study/modes/critical_speeds_report.h"
 
 namespace rotordrop {
 namespace {
 
-constexpr double to_rpm = 30. / std::numbers::pi, two_pi = 2. * std::numbers::pi;
 constexpr double width = 560, height = 420, left = 70, top = 40, bottom = 60, right = 20;
 
 /// A step of 1, 2 or 5 times a power of ten with about five steps in a range.

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "base/units.h"
 
 namespace rotordrop {
 namespace {
-
-constexpr double to_rpm = 30. / std::numbers::pi;
 
 double positive_quantity(const std::string& text, const char* option, const std::string& unit, QuantityKind kind,
                          const std::string& what) {
@@ -75,7 +73,7 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
   j["critical_speeds"] = nlohmann::ordered_json::array();
   for (const auto& one : report.speeds) {
     nlohmann::ordered_json entry = {{"speed", one.speed},
-                                    {"frequency", one.speed / (2. * std::numbers::pi)},
+                                    {"frequency", one.speed / two_pi},
                                     {"whirl", std::string(to_string(one.whirl))},
                                     {"damping_ratio", one.damping_ratio}};
     if (operating > 0.) entry["separation"] = one.speed / operating - 1.;

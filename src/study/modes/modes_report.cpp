@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/hdf5/recorder.h"
@@ -69,7 +69,7 @@ std::string to_table(const ModesReport& report, std::size_t n_modes) {
   std::string text = report.is_free_free ? "Natural modes, free-free (the case has no linear supports)\n"
                                          : "Natural modes on the case's linear supports\n";
   for (std::size_t i = 0; i < report.speeds.size(); ++i) {
-    text += fmt::format("\n{:.6g} rpm", report.speeds[i] * 30. / std::numbers::pi);
+    text += fmt::format("\n{:.6g} rpm", report.speeds[i] * to_rpm);
     if (report.modes[i].n_rigid_body_modes > 0)
       text += fmt::format("   ({} rigid-body motions at 0 Hz left out)", report.modes[i].n_rigid_body_modes);
     text += fmt::format("\n  {:>4}  {:>12}  {:>10}  {}\n", "mode", "frequency", "damping", "whirl");

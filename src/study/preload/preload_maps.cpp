@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "analysis/preload/build_preload.h"
+#include "base/rotation.h"
 
 namespace rotordrop {
 namespace {
@@ -96,7 +96,7 @@ Json make_preload_maps(const Case& c, const std::string& bearing, std::vector<Pr
   const double full = preload_speed(p);
   const auto running = build_running_bearing(p, bearing, 0., rest_finder(bearing));
   const Force load = preload_load(p.preload);
-  Axis speed{"speed", "rad/s", "of the inner ring", axes.speed, 30. / std::numbers::pi, "rpm"};
+  Axis speed{"speed", "rad/s", "of the inner ring", axes.speed, to_rpm, "rpm"};
   if (speed.values.empty()) speed.values = full > 0. ? std::vector<double>{0., 0.5 * full, full} : std::vector{0.};
   const auto cold = [&](double at_speed) { return BearingState{cold_growth(p, b, at_speed), at_speed, load}; };
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "study/preload/preload_run.h"
 
 namespace rotordrop {
@@ -13,7 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 double number(const Json& j, const char* key) { return j[key].get<double>(); }
-double rpm(double speed) { return speed * 30. / std::numbers::pi; }
 double celsius(double kelvin) { return kelvin - 273.15; }
 
 std::string duration(double seconds) {
@@ -49,7 +48,7 @@ std::string critical_text(const Json& critical) {
     text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", words(number(c, "value"), number(c, "factor")),
                         c["by"] == "limit" ? "set by a limit" : "set by the loop gain");
   };
-  add("speed", [](double value, double) { return fmt::format("up to {:.5g} rpm", rpm(value)); });
+  add("speed", [](double value, double) { return fmt::format("up to {:.5g} rpm", value * to_rpm); });
   add("preload", [](double value, double) { return fmt::format("up to {:.4g} N mounted preload", value); });
   add("cooling", [](double, double factor) { return fmt::format("down to {:.3g} times this cooling", factor); });
   return text.empty() ? "" : "  a stable operating point exists " + text + "\n";
@@ -70,7 +69,7 @@ std::string running_text(const std::string& name, const Json& r) {
   const auto verdict = r["verdict"].get<std::string>();
   const auto& end = r["end"];
   const std::string after = duration(number(end, "time"));
-  std::string text = fmt::format("{} at {:.6g} rpm: ", name, rpm(number(r, "speed")));
+  std::string text = fmt::format("{} at {:.6g} rpm: ", name, number(r, "speed") * to_rpm);
   if (verdict == "stable")
     text += fmt::format("stable. It settles in {} at\n  {}\n", after, state_text(end["state"]));
   else if (verdict == "undecided")

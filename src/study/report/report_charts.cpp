@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "base/rotation.h"
 #include "io/hdf5/recorded_series.h"
 #include "study/drop/whirl.h"
 #include "study/report/decimation.h"
@@ -18,7 +19,6 @@ namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double rpm = 30. / std::numbers::pi;
 
 /// How a line is drawn: the page has a palette and dash patterns, each taken from the beginning again at its end.
 struct Style {
@@ -224,8 +224,8 @@ void add_forces(Charts& c, const RecordedDrop& drop) {
 
 void add_speeds(Charts& c) {
   c.figure("speeds", "Speeds and torques", "Spin speeds", "spin speed", "rpm");
-  c.recorded("/rotor/spin_speed", "rotor", rpm, {7, 1});
-  c.of_supports("ring_speed", "ring", rpm);
+  c.recorded("/rotor/spin_speed", "rotor", to_rpm, {7, 1});
+  c.of_supports("ring_speed", "ring", to_rpm);
   c.figure("slip", "Speeds and torques", "Slip between rotor surface and bore", "slip speed", "m/s");
   c.of_supports("slip_speed", "", 1.);
   c.figure("torques", "Speeds and torques", "Friction torque inside the bearings", "torque", "N m",

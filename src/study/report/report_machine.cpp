@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analysis/facts/rotor_report.h"
+#include "base/rotation.h"
 #include "io/hdf5/recorded_series.h"
 #include "study/report/packed.h"
 #include "study/report/report.h"
@@ -16,7 +17,6 @@ namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double to_rpm = 30. / std::numbers::pi, two_pi = 2. * std::numbers::pi;
 
 /// To a nanometre: round numbers of a drawing stay round.
 double mm(double metres) { return std::round(metres * 1e9) * 1e-6; }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "study/json_number.h"
 #include "study/report/report.h"
 #include "study/result_names.h"
@@ -13,7 +13,6 @@ namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double rpm = 30. / std::numbers::pi;
 
 /// One row: what, unit, and a text for each bearing.
 class Rows {
@@ -156,7 +155,7 @@ Json report_numbers(const RecordedDrop& drop, const Json& summary) {
     const auto fact = [&](const char* name, const Json& value, const char* unit, double scale) {
       if (value.is_number()) whole.push_back({name, fmt::format("{:.5g} {}", value.get<double>() * scale, unit)});
     };
-    fact("rotor speed at the end", summary.at("rotor_speed_end"), "rpm", rpm);
+    fact("rotor speed at the end", summary.at("rotor_speed_end"), "rpm", to_rpm);
     const Json& e = summary.at("energy");
     fact("mechanical energy dissipated", e.at("dissipated"), "J", 1.);
     fact("heat input to each thermal model", e.at("heat_deposited"), "J", 1.);

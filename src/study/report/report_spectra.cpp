@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 
+#include "base/rotation.h"
 #include "study/report/packed.h"
 #include "study/report/report.h"
 #include "study/report/rounded.h"
@@ -16,7 +16,6 @@ namespace rotordrop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double two_pi = 2. * std::numbers::pi;
 constexpr double decades = 3.;  ///< below the largest amplitude, in colours and on axes
 
 /// Of a frequency whose sign is that of the whirl. @param spin  speed of the rotor at the start

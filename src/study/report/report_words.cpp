@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "analysis/facts/rotor_report.h"
+#include "base/rotation.h"
 #include "base/version.h"
 #include "case/given_values.h"
 #include "io/hdf5/recorded_series.h"
@@ -49,7 +50,7 @@ Json report_words(const RecordedDrop& drop) {
   words.push_back(
       fmt::format("A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) spins at {:.6g} rpm {} "
                   "The simulation covers {:.6g} ms at an ambient temperature of {:.2f} K ({}).",
-                  rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * 30. / std::numbers::pi,
+                  rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * to_rpm,
                   touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.",
                   p.run.latest_end() * 1e3, p.run.ambient, in_celsius(p.run.ambient)));
   if (p.run.until != EndCondition::time)
