@@ -17,8 +17,8 @@ namespace rotordrop {
 namespace {
 
 constexpr std::array<BearingPort, 4> ports = {bore_port, shaft_port, inner_raceway_port, outer_raceway_port};
-constexpr std::array<const char*, 5> nodes = {"shaft", "inner_ring", "ball", "outer_ring", "housing"};
-constexpr auto n_ports = ports.size(), n_nodes = nodes.size();
+constexpr std::array<const char*, 5> node_names = {"shaft", "inner_ring", "ball", "outer_ring", "housing"};
+constexpr auto n_ports = ports.size(), n_nodes = node_names.size();
 
 /// Rises per watt [K/W]: [port][node] over the times.
 using Responses = std::array<std::array<Eigen::ArrayXd, n_nodes>, n_ports>;
@@ -50,8 +50,8 @@ Responses responses_of(const ReducedHeat& heat, const Eigen::ArrayXd& t) {
     const ReducedHeat::Output* output = nullptr;
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& candidate : *list)
-        if (candidate.name == nodes[k]) output = &candidate;
-    if (output == nullptr) throw std::logic_error(std::string("circuit fit: no body or node ") + nodes[k]);
+        if (candidate.name == node_names[k]) output = &candidate;
+    if (output == nullptr) throw std::logic_error(std::string("circuit fit: no body or node ") + node_names[k]);
     for (std::size_t p = 0; p < n_ports; ++p) {
       r[p][k] = Eigen::ArrayXd::Zero(t.size());
       for (std::size_t i = 0; i < heat.n_modes(); ++i)
@@ -74,7 +74,7 @@ Responses responses_of(const BearingCircuitData& circuit, double ambient, const 
   for (const auto& node : data.nodes) {
     if (node.capacity == 0.) continue;
     for (std::size_t k = 0; k < n_nodes; ++k)
-      if (node.name == circuit.name + "/" + nodes[k]) place[k] = static_cast<Eigen::Index>(capacities.size());
+      if (node.name == circuit.name + "/" + node_names[k]) place[k] = static_cast<Eigen::Index>(capacities.size());
     capacities.push_back(node.capacity);
   }
   const std::size_t n_states = capacities.size();
@@ -299,7 +299,7 @@ CalibratedBearing fit_circuit(const BearingCircuitData& circuit, const ReducedHe
   result.before = measure(before, 0, n_nodes);
   result.after = measure(after, 0, n_nodes);
   for (std::size_t k = 0; k < n_nodes; ++k)
-    result.nodes.push_back({nodes[k], {measure(before, k, k + 1), measure(after, k, k + 1)}});
+    result.nodes.push_back({node_names[k], {measure(before, k, k + 1), measure(after, k, k + 1)}});
   for (std::size_t i = 0; i < uncertain.size(); ++i) {
     CircuitFactors without = result.factors;
     without.*uncertain[i].member = 1.;

@@ -26,7 +26,7 @@ struct Cell {
 };
 using Row = std::vector<Cell>;
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view blanks_of_lines = " \t\r";
 
 void require_utf8(std::string_view line, const SourcePosition& where) {
   bool is_text = line.find('\0') == std::string_view::npos;
@@ -42,7 +42,7 @@ Row cells_of(std::string_view line, char separator, const SourcePosition& where)
   Row row;
   for (std::size_t from = 0; from <= line.size();) {
     const std::size_t to = std::min(line.find(separator, from), line.size());
-    const std::string_view bare = trimmed(line.substr(from, to - from), blanks);
+    const std::string_view bare = trimmed(line.substr(from, to - from), blanks_of_lines);
     const std::size_t start = bare.empty() ? from : static_cast<std::size_t>(bare.data() - line.data());
     row.push_back({std::string(bare), {where.file, where.line, static_cast<int>(start) + 1}});
     from = to + 1;
@@ -65,7 +65,7 @@ std::vector<Row> rows_of(const std::filesystem::path& file) {
     start = end + 1;
     const SourcePosition where{file.string(), ++number, 1};
     require_utf8(line, where);
-    if (trimmed(line, blanks).starts_with('#')) continue;
+    if (trimmed(line, blanks_of_lines).starts_with('#')) continue;
     if (separator == 0)
       separator = line.find(';') != std::string_view::npos    ? ';'
                   : line.find('\t') != std::string_view::npos ? '\t'

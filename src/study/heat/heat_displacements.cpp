@@ -31,8 +31,7 @@ void HeatDisplacements::observe(const HeatConductionSolver& conduction, std::vec
 }
 
 void HeatDisplacements::report(const std::vector<double>& times, nlohmann::ordered_json& to) const {
-  using Json = nlohmann::ordered_json;
-  to["displacements"] = Json::object();
+  to["displacements"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < displacements_.size(); ++i) {
     std::vector<double> axial, radial;
     for (const auto& u : displacements_[i]) {
@@ -41,7 +40,7 @@ void HeatDisplacements::report(const std::vector<double>& times, nlohmann::order
     }
     to["displacements"][study_.displacements[i].name] = {{"time", times}, {"axial", axial}, {"radial", radial}};
   }
-  if (!fits_.empty()) to["fits"] = Json::object();
+  if (!fits_.empty()) to["fits"] = nlohmann::ordered_json::object();
   for (std::size_t k = 0; k < fits_.size(); ++k) {
     std::vector<double> pressure, open;
     for (const auto& fit : fits_[k]) {

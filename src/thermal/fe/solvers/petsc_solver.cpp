@@ -13,7 +13,7 @@ namespace rotordrop {
 namespace {
 
 constexpr double relative_residual = 1e-12;  // energy closes to 1e-10 of the input
-constexpr int most_iterations = 1000;
+constexpr int most_krylov_iterations = 1000;
 
 void check(PetscErrorCode code, const char* what) {
   if (code == 0) return;
@@ -152,7 +152,7 @@ class PetscSolver final : public LinearSolver {
       check(KSPSetType(solver_, is_symmetric_ ? KSPCG : KSPGMRES), "make a solver");
       if (!is_symmetric_) check(KSPSetPCSide(solver_, PC_RIGHT), "make a solver");
       check(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED), "make a solver");
-      check(KSPSetTolerances(solver_, relative_residual, 0., 1e10, most_iterations), "make a solver");
+      check(KSPSetTolerances(solver_, relative_residual, 0., 1e10, most_krylov_iterations), "make a solver");
       check(PCSetType(preconditioner, PCHYPRE), "find hypre");
       check(PCHYPRESetType(preconditioner, "boomeramg"), "find hypre's multigrid");
     }
