@@ -77,6 +77,7 @@ Section<ShoulderParameters> shoulder_section() {
       "stiffness", &P::stiffness,
       {.unit = "N/m",
        .range = positive(),
+       .usual = between(1e5, 1e13),
        .help =
            "Contact stiffness of the whole face; from the bodies if not given: the rotor's shoulder as a half space "
            "under the faces that touch, in series with the ring's wall between its face and the row that carries "

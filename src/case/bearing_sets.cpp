@@ -11,19 +11,19 @@
 #include "io/text/toml_reader.h"
 
 namespace rotordrop {
-namespace {
 
-/// Whether a value is from the catalogue's file, wherever its folder is.
-bool is_from(const Node& value, const std::string& entry) {
+bool is_from_catalogue(const Node& value, const std::string& entry) {
   const auto file = std::filesystem::path(value.where().file).lexically_normal();
   const auto end = (std::filesystem::path("/bearings") / (entry + ".toml")).lexically_normal();
   return ("/" + file.generic_string()).ends_with(end.generic_string());  // also of a path that begins in the folder
 }
 
+namespace {
+
 /// A catalogue's value times a factor, in SI.
 void multiply(Node& bearing, const std::string& entry, const char* key, const char* unit, double factor) {
   const Node* value = bearing.find(key);
-  if (!value || !is_from(*value, entry)) return;
+  if (!value || !is_from_catalogue(*value, entry)) return;
   double si = 0.;
   if (value->is_number()) {
     si = value->number();
@@ -52,7 +52,7 @@ void make_set(const std::string& name, Node& bearing, Faults& faults) {
   }
   const std::string entry = catalogue->text();
   if (const Node* rows = bearing.find("rows"); rows && rows->is_number()) {
-    if (is_from(*rows, entry)) {
+    if (is_from_catalogue(*rows, entry)) {
       const SourcePosition where = position_of(bearing, "rows");
       const auto of_set = static_cast<std::int64_t>(std::lround(rows->number() * count));
       bearing.set("rows", Node(of_set, rows->where()), where);
@@ -111,7 +111,7 @@ void look_at_kept_set(const std::string& name, const Node& bearing, std::vector<
 void keep_set(Node& bearing, const Node& under) {
   const Node* catalogue = bearing.find("catalogue");
   if (!catalogue || !catalogue->is_text() || bearing.has("count") || under.has("count")) return;
-  if (const Node* rows = bearing.find("rows"); rows && !is_from(*rows, catalogue->text())) return;
+  if (const Node* rows = bearing.find("rows"); rows && !is_from_catalogue(*rows, catalogue->text())) return;
   const int rows = count_of(bearing, "rows"), rows_under = count_of(under, "rows");
   if (rows < 1 || rows_under <= rows) return;
   const bool stays = has_contact_angle(bearing) && rows_under % rows == 0;
@@ -129,11 +129,11 @@ void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
     if (bearing.is_table() && is_count_of_base(bearing)) look_at_kept_set(named.key, bearing, warnings);
     if (!catalogue || !catalogue->is_text() || !rows || !rows->is_number() || bearing.has("count")) continue;
     const std::string& entry = catalogue->text();
-    if (is_from(*rows, entry)) continue;
+    if (is_from_catalogue(*rows, entry)) continue;
     std::string of_one;
     std::filesystem::path file;
     for (const char* key : {"width", "ring_mass", "ring_spin_inertia", "C0"})
-      if (const Node* value = bearing.find(key); value && is_from(*value, entry)) {
+      if (const Node* value = bearing.find(key); value && is_from_catalogue(*value, entry)) {
         of_one += (of_one.empty() ? "" : ", ") + std::string(key);
         file = value->where().file;
       }

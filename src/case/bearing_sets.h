@@ -1,10 +1,14 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "base/errors.h"
 #include "base/node.h"
 
 namespace rotordrop {
+
+/// Whether a value is from the catalogue's file of an entry, wherever its folder is.
+[[nodiscard]] bool is_from_catalogue(const Node& value, const std::string& entry);
 
 /// Makes sets of catalogue bearings: where a bearing has a `count`, what its catalogue entry says of one bearing becomes that of all: rows, width, mass
 /// and inertia of the rings and C0 that many times, C by count^0.7 (ISO 281, rows of ball bearings). What the user gave himself stays as it is.

@@ -236,21 +236,21 @@ namespace {
 
 /// Puts settings, files that the tree names, and built-in materials into a tree.
 void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>& settings, const ReadFile& geometry,
-                   Faults& faults) {
+                   LayerNotes& notes) {
   Node over = Node::table(tree.where());
   const auto apply_to = [&](Node& to) {
     for (const Setting& setting : settings)
       if (!names_entry(setting)) apply_setting(to, setting);
   };
   apply_to(over);
-  load_catalogue_bearings(over, file, tree, faults);
+  load_catalogue_bearings(over, file, tree, notes);
   apply_to(tree);  // finds out whether each can be set
   tree = merged(tree, over);
   load_parts_of_case(tree);  // before the keys are declared, which are theirs, too
   for (const Setting& setting : settings)
     if (names_entry(setting)) set_entry(tree, setting);
-  make_sets(tree, faults);
-  load_rotor_geometry(tree, geometry, faults);
+  make_sets(tree, notes.faults);
+  load_rotor_geometry(tree, geometry, notes.faults);
   complete_paths(tree);
   // Built-in materials lie under those that the case gives.
   const Node* materials = tree.find("materials");
@@ -262,14 +262,15 @@ void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>&
 
 /// What is said about a sound case: unusual values, and the complete text.
 void add_words(const ErasedSection& declaration, Case& result) {
-  result.warnings = look_for_slips(*declaration, result.parameters, result.tree);
+  for (auto& warning : look_for_slips(*declaration, result.parameters, result.tree))
+    result.warnings.push_back(std::move(warning));
   look_for_single_entries(result.tree, result.warnings);
   add_keys(result.warnings, result.tree);
   result.resolved = resolve({declaration}, result.tree);
 }
 
 /// @param read  the tree of `file` with its bases
-Case case_of(const fs::path& file, const std::vector<Setting>& settings, const std::function<Node(Faults&)>& read,
+Case case_of(const fs::path& file, const std::vector<Setting>& settings, const std::function<Node(LayerNotes&)>& read,
              const ReadFile& geometry = read_geometry, bool has_words = true) {
   Case result;
   result.file = file;
@@ -278,9 +279,10 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     throw InputError({file.string(), 0, 0}, "the name of this file holds a control character, such as a line break.",
                      "The case is called as the file: use letters, digits, - and _.");
   try {
-    Faults faults;
-    result.tree = read(faults);
-    complete_tree(result.tree, file, settings, geometry, faults);
+    LayerNotes notes;
+    Faults& faults = notes.faults;
+    result.tree = read(notes);
+    complete_tree(result.tree, file, settings, geometry, notes);
     const auto section = case_section();
     result.parameters = section->section.read(result.tree, faults);
     // What follows looks at several sections together, and so needs each of them sound.
@@ -291,6 +293,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     faults.throw_if_any();
     if (result.parameters.rotor.balance_grade)
       result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters);
+    result.warnings = std::move(notes.warnings);
     if (has_words) add_words(section->erased, result);
     return result;
   } catch (const InputError& error) {
@@ -306,15 +309,15 @@ std::vector<Setting> settings_of(const std::vector<std::string>& overrides) {
   return settings;
 }
 
-CompleteLayer with_catalogue(Faults& faults) {
-  return [&faults](Node& tree, const fs::path& file, const Node& base) {
-    load_catalogue_bearings(tree, file, base, faults);
+CompleteLayer with_catalogue(LayerNotes& notes) {
+  return [&notes](Node& tree, const fs::path& file, const Node& base) {
+    load_catalogue_bearings(tree, file, base, notes);
   };
 }
 
 /// A tree of no file, laid over its base.
-Node with_base(Node tree, const fs::path& file, Faults& faults) {
-  const CompleteLayer complete = with_catalogue(faults);
+Node with_base(Node tree, const fs::path& file, LayerNotes& notes) {
+  const CompleteLayer complete = with_catalogue(notes);
   const Node* base = tree.find("base");
   if (!base) {
     complete(tree, file, Node::table());
@@ -331,28 +334,29 @@ Node with_base(Node tree, const fs::path& file, Faults& faults) {
 }  // namespace
 
 Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
-  return case_of(file, settings_of(overrides), [&](Faults& faults) { return read_toml(file, with_catalogue(faults)); });
+  return case_of(file, settings_of(overrides),
+                 [&](LayerNotes& notes) { return read_toml(file, with_catalogue(notes)); });
 }
 
 Case read_case_text(std::string_view text, const fs::path& folder, const std::string& name,
                     const std::vector<std::string>& overrides) {
   const fs::path file = folder / (name + ".toml");
   return case_of(file, settings_of(overrides),
-                 [&](Faults& faults) { return read_toml_text(text, file, with_catalogue(faults)); });
+                 [&](LayerNotes& notes) { return read_toml_text(text, file, with_catalogue(notes)); });
 }
 
 Case read_given_case(const GivenCase& given, const std::vector<Setting>& settings) {
-  return case_of(given.file, settings, [&](Faults& faults) {
-    if (given.tree) return with_base(*given.tree, given.file, faults);
-    return given.text ? read_toml_text(*given.text, given.file, with_catalogue(faults))
-                      : read_toml(given.file, with_catalogue(faults));
+  return case_of(given.file, settings, [&](LayerNotes& notes) {
+    if (given.tree) return with_base(*given.tree, given.file, notes);
+    return given.text ? read_toml_text(*given.text, given.file, with_catalogue(notes))
+                      : read_toml(given.file, with_catalogue(notes));
   });
 }
 
 CaseFamily::CaseFamily(const fs::path& file) : file_(file) {
-  Faults faults;
-  tree_ = read_toml(file, with_catalogue(faults));
-  faults.throw_if_any();
+  LayerNotes notes;
+  tree_ = read_toml(file, with_catalogue(notes));
+  notes.faults.throw_if_any();
 }
 
 Case CaseFamily::read(const std::vector<std::string>& overrides) const {
@@ -362,7 +366,7 @@ Case CaseFamily::read(const std::vector<std::string>& overrides) const {
     return found != geometries_.end() ? found->second : geometries_.emplace(file, read_geometry(file)).first->second;
   };
   return case_of(
-      file_, settings_of(overrides), [this](Faults&) { return tree_; }, geometry, false);
+      file_, settings_of(overrides), [this](LayerNotes&) { return tree_; }, geometry, false);
 }
 
 std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {

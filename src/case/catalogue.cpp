@@ -82,6 +82,24 @@ void load_entry(Node& bearing, const std::string& name, const fs::path& case_fil
   bearing = stand_in(bearing, files[static_cast<std::size_t>(like - known.begin())]);
 }
 
+/// Values with which the layers below changed their entry of the catalogue, and which the data of another one replace.
+void tell_what_goes(const std::string& name, const Node& bearing, const Node& under, const std::string& entry_under,
+                    std::vector<Fault>& warnings) {
+  const Node& catalogue = *bearing.find("catalogue");
+  std::vector<std::string> gone;
+  for (const auto& old : under.entries()) {
+    const Node* now = bearing.find(old.key);
+    if (now && is_from_catalogue(*now, catalogue.text()) && !is_from_catalogue(old.value, entry_under) &&
+        to_text(*now) != to_text(old.value))
+      gone.push_back(fmt::format("{} = {}", old.key, to_text(old.value)));
+  }
+  if (gone.empty()) return;
+  warnings.push_back({catalogue.where(),
+                      fmt::format("bearings.{}.catalogue = \"{}\" replaces what the layers below say of \"{}\": {}.",
+                                  name, catalogue.text(), entry_under, fmt::join(gone, ", ")),
+                      "Write again beside it what is meant for this bearing, too."});
+}
+
 }  // namespace
 
 std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
@@ -92,20 +110,22 @@ std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
   return folders;
 }
 
-void load_catalogue_bearings(Node& tree, const fs::path& file, const Node& base, Faults& faults) {
+void load_catalogue_bearings(Node& tree, const fs::path& file, const Node& base, LayerNotes& notes) {
   Node* bearings = tree.find("bearings");
   if (!bearings || !bearings->is_table()) return;
   const Node* under = base.find("bearings");
   for (auto& entry : bearings->entries()) {
     const Node* same = under ? under->find(entry.key) : nullptr;
     if (!same || !same->is_table() || !entry.value.is_table()) {
-      load_entry(entry.value, entry.key, file, faults);
+      load_entry(entry.value, entry.key, file, notes.faults);
       continue;
     }
     // The name that is there already brings nothing new: what the layers below say besides stays.
     const Node *name = entry.value.find("catalogue"), *name_under = same->find("catalogue");
     if (name && name_under && to_text(*name) == to_text(*name_under)) continue;
-    load_entry(entry.value, entry.key, file, faults);
+    load_entry(entry.value, entry.key, file, notes.faults);
+    if (name && name->is_text() && name_under && name_under->is_text())
+      tell_what_goes(entry.key, entry.value, *same, name_under->text(), notes.warnings);
     keep_set(entry.value, *same);
   }
 }

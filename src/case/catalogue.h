@@ -11,9 +11,16 @@ namespace rotordrop {
 /// the program's own params/bearings.
 std::vector<std::filesystem::path> catalogue_folders(const std::filesystem::path& case_file);
 
+/// What the layers of a case are told while they are read.
+struct LayerNotes {
+  Faults faults;
+  std::vector<Fault> warnings;
+};
+
 /// Puts the catalogue's data under each bearing of one layer that names them, so that they go before what a base says of that bearing.
 /// A bearing that the catalogue does not have is a fault; data of another one then stand for it, so that other faults are found, too.
+/// What the layers below changed of another entry of the catalogue goes with it: a warning lists it.
 /// @param base  what the layer will be laid over
-void load_catalogue_bearings(Node& tree, const std::filesystem::path& file, const Node& base, Faults& faults);
+void load_catalogue_bearings(Node& tree, const std::filesystem::path& file, const Node& base, LayerNotes& notes);
 
 }  // namespace rotordrop

@@ -9,6 +9,10 @@ namespace rotordrop {
 [[nodiscard]] std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseParameters& parameters,
                                                 const Node& tree);
 
+/// A speed that an option gives: a warning if the rotor's surface would be faster than surfaces are. @param speed  [rad/s]
+[[nodiscard]] std::vector<Fault> look_at_speed(const CaseParameters& parameters, const std::string& option,
+                                               double speed);
+
 /// Faults of a run that would not end in days.
 void check_length(const CaseParameters& parameters, const Node& tree, Faults& faults);
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
 #include "base/version.h"
 #include "case/case.h"
+#include "case/plausibility.h"
 #include "io/checkpoint.h"
 #include "io/picture_file.h"
 #include "study/compare/calibration.h"
@@ -64,6 +66,8 @@ int modes_command(const ModesCommand& command) {
   const Case c = read_case_and_tell(command.file, command.overrides);
   const auto speeds =
       command.speeds.empty() ? std::vector<double>{0., c.parameters.run.initial_speed} : parse_speeds(command.speeds);
+  const auto fastest = std::max_element(speeds.begin(), speeds.end());
+  if (!command.speeds.empty()) tell_warnings(look_at_speed(c.parameters, "--speeds", *fastest));
   const auto report = find_modes(c, speeds);
   if (command.json)
     fmt::print("{}\n", to_json(report, command.n_modes).dump(2));
@@ -80,6 +84,7 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
   const Case c = read_case_and_tell(command.file, command.overrides);
   auto options = critical_speed_options(c, {command.up_to, command.stiffness, command.map});
   options.n_speeds = 61;
+  if (!command.up_to.empty()) tell_warnings(look_at_speed(c.parameters, "--up-to", options.up_to));
   if (!command.diagram.empty()) {
     require_picture_name(command.diagram);
     if (!command.force && std::filesystem::exists(command.diagram))

@@ -14,7 +14,7 @@ void add_material_keys(Section<P>& s, double lowest_density) {
   s.quantity("nu", &P::nu, {.range = between(0, 0.499), .help = "Poisson's ratio."});
   s.quantity(
       "rho", &P::rho,
-      {.unit = "kg/m3", .range = between(lowest_density, 3e4), .usual = between(500, 2.3e4), .help = "Density."});
+      {.unit = "kg/m3", .range = between(lowest_density, 3e4), .usual = between(1000, 2.3e4), .help = "Density."});
   s.quantity("k", &P::k,
              {.unit = "W/(m K)", .range = positive(), .usual = between(0.1, 2500), .help = "Thermal conductivity."});
   s.quantity("c", &P::c,

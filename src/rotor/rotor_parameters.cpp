@@ -85,6 +85,7 @@ Section<RotorParameters> rotor_section() {
       .quantity("radius", &InitialOrbit::radius,
                 {.unit = "m",
                  .range = at_least(0),
+                 .usual = at_most(0.01),
                  .fallback = "0 m",
                  .help = "Orbit radius, added to the initial position."})
       .quantity("angle", &InitialOrbit::angle,
@@ -188,14 +189,24 @@ Section<RotorParameters> rotor_section() {
                          "linear between, constant before and after."})
       .quantities("initial_offset", &RotorParameters::initial_offset,
                   {.unit = "m",
+                   .usual = between(-0.01, 0.01),
                    .fallback = {"0 m", "0 m"},
                    .help = "Offset (y, z) of the centre of gravity from the straight line through both ring centres."})
       .quantities("initial_tilt", &RotorParameters::initial_tilt,
-                  {.unit = "rad", .fallback = {"0 rad", "0 rad"}, .help = "Tilt about y and z relative to that line."})
+                  {.unit = "rad",
+                   .usual = between(-0.1, 0.1),
+                   .fallback = {"0 rad", "0 rad"},
+                   .help = "Tilt about y and z relative to that line."})
       .quantities("initial_velocity", &RotorParameters::initial_velocity,
-                  {.unit = "m/s", .fallback = {"0 m/s", "0 m/s"}, .help = "Velocity (y, z) of the centre of gravity."})
+                  {.unit = "m/s",
+                   .usual = between(-5, 5),
+                   .fallback = {"0 m/s", "0 m/s"},
+                   .help = "Velocity (y, z) of the centre of gravity."})
       .quantities("initial_tilt_rate", &RotorParameters::initial_tilt_rate,
-                  {.unit = "rad/s", .fallback = {"0 rad/s", "0 rad/s"}, .help = "Tilt rate about y and z."})
+                  {.unit = "rad/s",
+                   .usual = between(-50, 50),
+                   .fallback = {"0 rad/s", "0 rad/s"},
+                   .help = "Tilt rate about y and z."})
       .table("initial_orbit", &RotorParameters::initial_orbit, orbit,
              {.help = "Circular orbit at the start, added to the initial offset and velocity."})
       .quantity("initial_angle", &RotorParameters::initial_angle,

@@ -153,6 +153,7 @@ Section<ThermalParameters> thermal_section() {
   s.quantity("rub_band_length", &P::rub_band_length,
              {.unit = "m",
               .range = positive(),
+              .usual = between(1e-5, 0.1),
               .fallback = "5.9 mm",
               .source = "estimate: Hertz width of a 35 mm bore on a 34.75 mm rotor at 5 kN",
               .help = "Length of the rub contact along the surface, for the Jaeger partition, and for local "
@@ -160,6 +161,7 @@ Section<ThermalParameters> thermal_section() {
   s.quantity("rub_contact_time", &P::rub_contact_time,
              {.unit = "s",
               .range = positive(),
+              .usual = at_most(10),
               .fallback = "2.2 ms",
               .source = "estimate: duration of the first contact",
               .help = "Heating time of a stationary surface, for the Jaeger partition."});
@@ -200,6 +202,7 @@ Section<ThermalParameters> thermal_section() {
       "contact_half_width", &P::contact_half_width,
       {.unit = "m",
        .range = positive(),
+       .usual = between(1e-5, 5e-3),
        .fallback = "0.4 mm",
        .source = "estimate",
        .help =
@@ -249,6 +252,7 @@ Section<ThermalParameters> thermal_section() {
   s.quantity("gas_conductivity", &P::gas_conductivity,
              {.unit = "W/(m K)",
               .range = positive(),
+              .usual = between(0.005, 0.5),
               .fallback = "0.026 W/(m K)",
               .source = "air at 20 degC",
               .help = "Conductivity of the gas in the air gap."});

@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
@@ -36,6 +37,30 @@ UNUSUAL = [
     (["rotor.cut_off_frequency=45"], r'cut_off_frequency = 45 Hz is unusual.*write "45 kHz"'),
     (["rotor.cut_off_frequency=4500000"], r"cut_off_frequency = 4500000 Hz is unusual"),
     (["rotor.torque=[[0, 1e9]]"], r"rotor\.torque = 1000000000 N m is unusual"),
+    (["rotor.torque=50000"], r"rotor\.torque of 5e\+04 N m changes the speed by 3\.673e\+05 rpm in 0\.3 s"),
+    (['rotor.windage={ torque = 0.5, speed = 15.2 }'], r"rotor\.windage brakes with 5483 N m"),
+    (["bearings.TB1.C0=310 kN"], r"C0 is 310 kN, but a row of balls like these has about 29\.8 kN"),
+    (["bearings.TB1.C=4e6"], r"TB1\.C is 4000 kN, but a row of balls like these has about 35\.9 kN"),
+    (["bearings.TB2.preload=29 kN"], r"preload = 2\.9e\+04 N is 94 % of the static rating of a row, 31 kN"),
+    (["rotor.initial_velocity=[30, 0]"], r"initial_velocity = 30 m/s is unusual"),
+    (["rotor.initial_tilt_rate=[9000, 0]"], r"initial_tilt_rate = 9000 rad/s is unusual"),
+    (["rotor.initial_orbit.speed=15200", "rotor.initial_orbit.radius=100 um"], r"initial_orbit\.speed is 1\.451e\+05 rpm, 9\.55 times the rotor's"),
+    (["thermal.contact_half_width=0.4"], r'contact_half_width = 0\.4 m is unusual'),
+    (["thermal.rub_band_length=5.9"], r'rub_band_length = 5\.9 m is unusual.*write "5\.9 mm"'),
+    (["thermal.gas_conductivity=26"], r"gas_conductivity = 26 W/\(m K\) is unusual"),
+    (['bearings.TB1.support={ type = "ribbon", mass = "1 kg", ribbon = { stiffness = 4e4, slip_force = 200, stick_stiffness = 4e5 } }'], r"ribbon\.stiffness = 4e\+04 N/m gives way by 13\.39 mm"),
+    (['bearings.TB1.support={ type = "ribbon", mass = "1 kg", ribbon = { stiffness = 4e7, slip_force = 6e5, stick_stiffness = 4e8 } }'], r"slip_force = 6e\+05 N is 1\.12e\+03 times this bearing's share of the rotor's weight: it never slips"),
+    (["bearings.TB1.support.K_y=2.7e4"], r"support\.K_y = 2\.7e\+04 N/m gives way by 19\.84 mm under this bearing's share"),
+    (["bearings.TB1.support.K_y=2.7e6"], r"has K_y = 2\.7e\+06 and K_z = 1\.5e\+09 N/m: one is 556 times the other"),
+    (["bearings.TB1.contact_stiffness=1.144e12"], r"contact_stiffness = 1\.144e\+12 N/m\^n, but journal and bore of these dimensions have about 6\.98e\+09"),
+    (['bearings.AMB={ type = "magnet", node = 5, stiffness = [[1e7, 0], [0, 1e7]], damping = [[-1e4, 0], [0, 1e4]], release_time = ["10 ms", "10 ms"] }'], r"damping = -1e\+04 N s/m on its diagonal drives the rotor"),
+    (['bearings.AMB={ type = "magnet", node = 16, stiffness = [[1e9, 0], [0, 1e9]], holding_force = [-1076, 0], release_time = ["10 ms", "10 ms"] }'], r"the magnets hold the rotor with -1076 N along y where its weight is -1076 N"),
+    (["rotor.unbalance=[]", "rotor.balance_grade=G2500"], r"e omega = 2500 mm/s at its initial speed.*Check balance_grade"),
+    (["rotor.unbalance=[]", "rotor.balance_grade=G2.5", "rotor.balance_speed=12 rpm"], r"rotor\.balance_speed is 12 rpm"),
+    (["run.gravity=[9.81, 0, 0]"], r"gravity of 9\.81 m/s2 along the axis has no effect: the rotor is locked there"),
+    (["materials.steel.c=51000"], r"steel has rho c = 7800 kg/m3 times 5\.1e\+04 J/\(kg K\) = 398 MJ/\(m3 K\)"),
+    (["materials.steel.k=0.45"], r"steel has 7800 kg/m3, so it is a metal, but k = 0\.45 W/\(m K\)"),
+    (["materials.steel.E=2e10"], r"steel has 7800 kg/m3, so it is a metal, but E = 20 GPa"),
     (["output.interval=1"], r"output\.interval = 1 s is longer than the run, 0\.3 s"),
     (["run.end_time=0.3 h", "integration.method=runge-kutta-4", "integration.step=1e-7"], r"1080 s takes 1\.1e\+10 steps of at most 1e-07 s: hours or days"),
 ]
@@ -57,6 +82,29 @@ class Slips(ProgramTest):
     def test_a_run_that_would_not_end_is_refused(self):
         said = self.said("check", "reference.toml", *settings(run__end_time="1e6 s", output__interval="1 s", integration__method="runge-kutta-4", integration__step="1e-7 s"), code=2)
         self.assertRegex(said, r"1e\+06 s in steps of at most 1e-07 s are 1e\+13 steps; at most 1e\+11 are taken")
+
+    def test_a_speed_of_an_option_is_looked_at(self):
+        for words in (["modes", "reference.toml", "--shapes", "m.h5", "--speeds"], ["critical-speeds", "reference.toml", "--diagram", "c.svg", "--force", "--up-to"]):
+            self.assertRegex(self.said(*words, "15200"), words[-1] + r": at 145149 rpm the rotor's surface runs at \d+ m/s")
+            (self.folder / "m.h5").unlink(missing_ok=True)
+            self.assertNotIn("warning", self.said(*words, "15200 rpm"))
+
+    def test_every_bearing_of_the_catalogue_has_usual_ratings(self):
+        # Of makers' catalogues: the estimates of ratings and stiffness must not doubt them.
+        for file in sorted((PARAMS / "bearings").glob("*.toml")):
+            size = tomllib.loads(file.read_text())
+            bore, outside = (float(size[key].split()[0]) for key in ("bore_diameter", "outside_diameter"))
+            self.write("drop.toml", f'base = "reference.toml"\n[bearings.TB1]\ncatalogue = "{file.stem}"\nbore_radius = "{bore / 2} mm"\nhousing_diameters = ["{outside} mm", "{1.3 * outside} mm"]\n')
+            said = self.said("check", "drop.toml")
+            self.assertEqual("the shaft at node 2" in said, bore != 70)  # it was looked at
+            for key in ("C0 is", ".C is", "ring_mass is", "contact_stiffness ="):
+                self.assertNotIn(key, said, file.stem)
+
+    def test_check_says_when_the_rotor_first_touches(self):
+        # sqrt(2 250 um / 9.81 m/s2)
+        done = self.succeed("check", "reference.toml", *settings(run__end_time="3 ms"))
+        self.assertIn("first touch: after about 7.14 ms, by free fall. The run ends before, at 3 ms: nothing is touched.", done.stdout)
+        self.assertIn("first touch: after about 7.14 ms, by free fall\n", self.succeed("check", "reference.toml").stdout)
 
     def test_every_command_warns(self):
         slip = settings(bearings__TB1__f2="25")
@@ -83,7 +131,6 @@ class LayersOfSets(ProgramTest):
     """A layer that names a bearing of the catalogue does not drop that there was a set."""
 
     def resolved(self, case, *words):
-        import tomllib
         done = self.succeed("run", case, "-o", "out", "--force", *settings(run__end_time="1 us"), *words)
         return tomllib.loads((self.folder / "out/parameters.toml").read_text())["bearings"]["TB2"], done.stderr
 
@@ -113,6 +160,16 @@ class LayersOfSets(ProgramTest):
         bearing, said = self.resolved("drop.toml")
         self.assertEqual(bearing["rows"], 1)
         self.assertRegex(said, r'catalogue = "61914" is one bearing, and replaces a set of several rows')
+
+    def test_what_another_name_replaces_is_listed(self):
+        self.write("middle.toml", 'base = "reference.toml"\n[bearings.TB1]\ncatalogue = "61914"\nring_mass = "0.25 kg"\nball_diameter = "8 mm"\nhousing_diameters = ["100 mm", "120 mm"]\nf2 = 0.3\n')
+        self.write("drop.toml", 'base = "middle.toml"\n[bearings.TB1]\ncatalogue = "71914-25"\n')
+        for words in (["drop.toml"], ["middle.toml", "--set", 'bearings.TB1.catalogue="71914-25"']):
+            said = " ".join(self.succeed("check", *words).stderr.split())
+            self.assertRegex(said, r'warning: .*bearings\.TB1\.catalogue = "71914-25" replaces what the layers below say of "61914": ball_diameter = 8 mm, ring_mass = 0\.25 kg\.')
+        # Values from the case's own numbers are another bearing's, and are to go.
+        self.write("drop.toml", 'base = "reference.toml"\n[bearings.TB1]\ncatalogue = "6014"\n')
+        self.assertNotIn("replaces", self.succeed("check", "drop.toml").stderr)
 
     def test_a_row_alone_has_no_arrangement(self):
         for words in (["bearings.TB2.rows=1", "bearings.TB2.arrangement=O"], ["bearings.TB1.arrangement=O"]):

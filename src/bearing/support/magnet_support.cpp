@@ -11,6 +11,7 @@ Section<MagnetParameters> magnet_section() {
   s.integer("node", &P::node, {.range = at_least(1), .help = "Rotor node at which it acts, numbered from 1."});
   s.matrix("stiffness", &P::stiffness,
            {.unit = "N/m",
+            .usual = between(-1e10, 1e10),
             .help = "[[K_yy, K_yz], [K_zy, K_zz]] of magnet and control until the release: force on the rotor = F_0 - "
                     "K x - C v, "
                     "with x from where the rotor starts."});

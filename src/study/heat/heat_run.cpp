@@ -19,6 +19,7 @@
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_reader.h"
 #include "machine/machine_parameters.h"
+#include "model/material_slips.h"
 #include "study/heat/heat_displacements.h"
 #include "study/heat/recorded_heat.h"
 
@@ -107,6 +108,12 @@ HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& ov
   result.study = make_heat_study(parameters, tree, read_recorded_heat, faults);
   faults.throw_if_any();
   look_for_unusual_values(*section.erased(), tree, result.warnings);
+  for (const auto& [name, m] : parameters.materials)
+    for (const auto& slip : material_slips("the material " + name, {m.rho, m.E, m.k, m.c})) {
+      const Node* table = tree.find("materials") ? tree.find("materials")->find(name) : nullptr;
+      result.warnings.push_back(
+          {table ? position_of_value(*table, slip.key) : tree.where(), slip.message, slip.advice});
+    }
   result.resolved = write_resolved({section.erased()}, tree);
   return result;
 }

@@ -1,0 +1,68 @@
+#include "analysis/facts/first_touch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rotordrop {
+namespace {
+
+/// Where a rotor that falls freely is beside one bearing.
+struct Fall {
+  double y = 0, z = 0, velocity_y = 0, velocity_z = 0;  // at the start
+  double g_y = 0, g_z = 0, gap = 0;
+
+  [[nodiscard]] bool touches(double t) const {
+    return std::hypot(y + (velocity_y + 0.5 * g_y * t) * t, z + (velocity_z + 0.5 * g_z * t) * t) >= gap;
+  }
+};
+
+std::vector<Fall> falls(const MachineParameters& p) {
+  std::vector<Fall> all;
+  const Motion start = initial_disturbance(p.rotor);
+  const double x_cg = rigid_body(p.rotor.geometry).centre_of_gravity;
+  for (const auto& entry : p.bearings)
+    if (const auto* b = entry.touchdown()) {
+      const double x = p.rotor.geometry.position(b->node) - x_cg;
+      all.push_back({start.y + start.theta_z * x, start.z - start.theta_y * x, start.velocity_y + start.tilt_rate_z * x,
+                     start.velocity_z - start.tilt_rate_y * x, p.run.gravity[1], p.run.gravity[2],
+                     air_gap(*b, p.contact)});
+    }
+  return all;
+}
+
+}  // namespace
+
+std::optional<double> first_touch(const MachineParameters& p, double within) {
+  for (const auto& entry : p.bearings)
+    if (!entry.touchdown()) return std::nullopt;
+  const auto all = falls(p);
+  const auto touches = [&](double t) {
+    return std::any_of(all.begin(), all.end(), [&](const Fall& fall) { return fall.touches(t); });
+  };
+  constexpr double look = 1e-4;  // a gap is not crossed and left again within it [s]
+  double before = 0.;
+  while (!touches(before + look)) {
+    before += look;
+    if (before > within) return std::nullopt;
+  }
+  double after = before + look;
+  while (after - before > 1e-9) (touches(0.5 * (before + after)) ? after : before) = 0.5 * (before + after);
+  return after;
+}
+
+std::string first_touch_text(const MachineParameters& p) {
+  const auto t = first_touch(p);
+  if (!t) return "";
+  const double end = p.run.latest_end();
+  return fmt::format("first touch: after about {:.3g} ms, by free fall{}\n", *t * 1e3,
+                     *t < end
+                         ? ""
+                         : fmt::format(". The run ends before, at {:.6g} ms: nothing is touched. Check run.end_time;"
+                                       " a bare number is in seconds",
+                                       end * 1e3));
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,106 @@
+#include "case/slips/slips.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "machine/probes.h"
+#include "model/material_slips.h"
+
+namespace rotordrop {
+namespace {
+
+constexpr double lightest_rotor = 0.1, heaviest_rotor = 1e5;  // [kg]
+
+/// Diameters and materials of a shaft; a geometry has no declarations of its own here.
+void look_at_elements(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node& rotor = table_at(tree, "rotor");
+  for (std::size_t i = 0; i < p.rotor.geometry.elements.size(); ++i) {
+    const auto& [n1, n2, od, id, material] = p.rotor.geometry.elements[i];
+    if (material.rho < 1000. || material.rho > 23e3)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("a material of the rotor has rho = {:.6g} kg/m3; it is most often between 1000 and 23000 kg/m3.",
+                       material.rho),
+           "A bare number is in kg/m3: steel has 7850, or \"7.85 g/cm3\".");
+    if (material.E < 1e9 || material.E > 1e12)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("a material of the rotor has E = {:.6g} Pa; it is most often between 1 and 1000 GPa.",
+                       material.E),
+           "A bare number is in Pa: steel has 2.1e11, or \"210 GPa\".");
+    for (const auto& slip : material_slips("a material of the rotor", {material.rho, material.E, {}, {}}))
+      warn(warnings, position_of(rotor, "geometry"), slip.message, slip.advice);
+    if (od > 3. || od < 2e-3)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("element {} of the rotor has od = {:.6g} m; it is most often between 0.002 and 3 m.", i + 1, od),
+           "A bare number is in metres: 90 millimetres are 0.09 or \"90 mm\".");
+  }
+}
+
+/// A rotor is not thinner than a disc: Ip <= 2 Id of every body, equal for a plane one.
+void look_at_body(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node& rotor = table_at(tree, "rotor");
+  const RigidBody body = rigid_body(p.rotor.geometry);
+  if (body.mass < lightest_rotor || body.mass > heaviest_rotor)
+    warn(warnings, position_of(rotor, "geometry"),
+         fmt::format("the rotor's mass is {:.4g} kg; most often it is {} to {} kg.", body.mass, lightest_rotor,
+                     heaviest_rotor),
+         "Check the units of its dimensions (bare numbers are in metres) and of its density (kg/m3).");
+  if (body.Ip > 2. * body.Id * (1. + 1e-9))
+    warn(warnings, position_of(rotor, "geometry"),
+         fmt::format("the rotor's Ip = {:.4g} kg m2 is more than 2 Id = {:.4g} kg m2, which no rigid body has.",
+                     body.Ip, 2. * body.Id),
+         "Check Ip and Id of its mass points; they may be exchanged.");
+  double thickest = 0.;
+  for (const auto& element : p.rotor.geometry.elements) thickest = std::max(thickest, element.od);
+  const auto& x = p.rotor.geometry.node_x;
+  const double length = x.empty() ? 0. : x.back() - x.front();
+  if (thickest > 0. && length > 50. * thickest)
+    warn(warnings, position_of(rotor, "geometry"),
+         fmt::format("the rotor is {:.4g} m long and at most {:.4g} m thick, more than 50 times as long as thick.",
+                     length, thickest),
+         "Check the units of its lengths; bare numbers are in metres.");
+  for (std::size_t i = 0; i < p.rotor.geometry.mass_points.size(); ++i) {
+    const auto& point = p.rotor.geometry.mass_points[i];
+    const double gyration = point.mass > 0. && point.Ip > 0. ? std::sqrt(point.Ip / point.mass) : thickest;
+    if (thickest > 0. && (gyration > 5. * thickest || gyration < 0.05 * thickest))
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("mass point {} at node {} has {:.4g} kg and Ip = {:.4g} kg m2: a radius of gyration of {:.3g} "
+                       "mm, where the shaft is up to {:.4g} mm thick.",
+                       i + 1, point.node, point.mass, point.Ip, mm(gyration), mm(thickest)),
+           "Check the units of mass and Ip: kg and kg m2, not kg mm2.");
+    if (point.Ip > 2. * point.Id * (1. + 1e-9) && point.Ip > 0. && point.Id > 0.)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("mass point {} at node {} has Ip = {:.4g} kg m2, more than 2 Id = {:.4g} kg m2, which no "
+                       "rigid body has.",
+                       i + 1, point.node, point.Ip, 2. * point.Id),
+           "Ip is about the rotor's axis, Id about a diameter; they may be exchanged.");
+  }
+}
+
+/// A stationary part that the rotor reaches before, or while, its touchdown bearings hold it.
+void look_at_probes(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const Node* tables = table_at(tree, "rotor").find("probes");
+  for (const auto& [name, probe] : p.rotor.probes) {
+    const double reach = reachable_displacement(p, probe.node);
+    const double left = probe.clearance - std::hypot(probe.centre[0], probe.centre[1]);
+    if (!std::isfinite(reach) || left > reach) continue;
+    const Node* own = tables ? tables->find(name) : nullptr;
+    warn(warnings, position_of_value(own ? *own : table_at(tree, "rotor"), "clearance"),
+         fmt::format("rotor.probes.{}.clearance leaves {:.4g} um at node {}, not more than the {:.4g} um by which the "
+                     "gaps of the touchdown bearings let a straight rotor move there: it touches.",
+                     name, left * 1e6, probe.node, reach * 1e6),
+         "Touchdown bearings are there to be touched first: check the clearance, its centre, the node and "
+         "contact.air_gap.");
+  }
+}
+
+}  // namespace
+
+void look_at_rotor(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  look_at_elements(p, tree, warnings);
+  look_at_body(p, tree, warnings);
+  look_at_probes(p, tree, warnings);
+}
+
+}  // namespace rotordrop

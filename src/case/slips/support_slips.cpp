@@ -1,0 +1,159 @@
+#include "case/slips/slips.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace rotordrop {
+namespace {
+
+/// The file that a key is from; in parameters.toml of a run the one that stands behind it.
+std::string origin_of(const Node& table, const char* key) {
+  constexpr std::string_view from = "from ";
+  const Node::Entry* entry = table.entry(key);
+  if (!entry) return "";
+  const auto at = entry->comment.find(from);
+  if (at == std::string::npos) return entry->value.where().file;
+  return entry->comment.substr(at + from.size(), entry->comment.find(':', at) - at - from.size());
+}
+
+/// Springs and dampers against the mass that they carry.
+void look_at_support(const std::string& name, const SupportParameters& support, const Node& tree,
+                     std::vector<Fault>& warnings) {
+  const Node& table = table_at(tree, "bearings", name);
+  const Node* own = table.find("support");
+  if (!own) own = &table;
+  const bool has_springs = support.type != "ribbon" && support.type != "elastomer";
+  // Of a layer below that of the type it is what the type replaces.
+  const Node* type = own->find("type");
+  const auto is_meant = [&](const char* key) {
+    const std::string file = origin_of(*own, key);
+    return !type || file == origin_of(*own, "type") || file == tree.where().file || file.starts_with("--set");
+  };
+  const auto without_effect = [&](const char* key) {
+    if (!is_meant(key)) return;
+    warn(warnings, position_of_value(*own, key),
+         fmt::format("bearings.{}.support.{} has no effect with type = \"{}\".", name, key, support.type),
+         "Set the type that is meant, or take the key out.");
+  };
+  for (const auto& [key, is_given] : {std::pair{"K_y", support.K_y.has_value()},
+                                      {"K_z", support.K_z.has_value()},
+                                      {"C_y", support.C_y.has_value()},
+                                      {"C_z", support.C_z.has_value()}})
+    if (is_given && !has_springs) without_effect(key);
+  if (support.ribbon && support.type != "ribbon") without_effect("ribbon");
+  if (support.elastomer && support.type != "elastomer") without_effect("elastomer");
+  if (support.squeeze_film && support.type != "squeeze-film") without_effect("squeeze_film");
+  for (const auto& [key, K, C] : {std::tuple{"C_y", support.K_y, support.C_y}, {"C_z", support.K_z, support.C_z}}) {
+    if (!K || !C || *C == 0.) continue;
+    const double ratio = *C / (2. * std::sqrt(*K * support.mass));
+    if (ratio < 1e-4 || ratio > 10.)
+      warn(warnings, position_of_value(*own, key),
+           fmt::format("bearings.{}.support.{} = {:.6g} N s/m is {:.3g} of critical damping of its mass and stiffness; "
+                       "most often it is between 0.0001 and 10.",
+                       name, key, *C, ratio),
+           "Critical is 2 sqrt(K m). A bare number is in N s/m. Check mass and stiffness, too.");
+  }
+}
+
+/// How far the rotor's weight moves the outer rings, where springs or a ribbon of numbers carry them.
+void look_at_sag(const std::string& name, const TouchdownParameters& b, double share, const CaseParameters& p,
+                 const Node& tree, std::vector<Fault>& warnings) {
+  const SupportParameters& support = b.support;
+  const Node& table = table_at(tree, "bearings", name);
+  const Node* own = table.find("support");
+  if (!own) own = &table;
+  const double gap = air_gap(b, p.contact);
+  const bool is_ribbon = support.type == "ribbon" && support.ribbon && support.ribbon->stiffness;
+  const auto compare = [&](const char* key, double K, double gravity) {
+    const double sag = share * std::fabs(gravity) / K;
+    if (sag > gap)
+      warn(warnings, position_of_value(*own, is_ribbon ? "ribbon" : key),
+           fmt::format("bearings.{}.support.{} = {:.4g} N/m gives way by {:.4g} mm under this bearing's share of the "
+                       "rotor's weight, more than the air gap, {:.4g} mm.",
+                       name, is_ribbon ? "ribbon.stiffness" : key, K, mm(sag), mm(gap)),
+           "A bare number is in N/m: outer rings sit on 1e6 to 1e10 N/m.");
+  };
+  const auto& g = p.run.gravity;
+  if (is_ribbon) {
+    // Until it slips it has its stick stiffness.
+    const double weight = share * std::hypot(g[1], g[2]);
+    if (!support.ribbon->slip_force || weight > *support.ribbon->slip_force)
+      compare("stiffness", *support.ribbon->stiffness, std::hypot(g[1], g[2]));
+    if (support.ribbon->slip_force && weight > 0. &&
+        (*support.ribbon->slip_force > 1e3 * weight || *support.ribbon->slip_force < 1e-3 * weight))
+      warn(warnings, position_of_value(*own, "ribbon"),
+           fmt::format("bearings.{}.support.ribbon.slip_force = {:.4g} N is {:.3g} times this bearing's share of the "
+                       "rotor's weight: it {} slips.",
+                       name, *support.ribbon->slip_force, *support.ribbon->slip_force / weight,
+                       *support.ribbon->slip_force > weight ? "never" : "always"),
+           "A bare number is in N.");
+    return;
+  }
+  if (support.K_y) compare("K_y", *support.K_y, g[1]);
+  if (support.K_z) compare("K_z", *support.K_z, g[2]);
+  if (support.K_y && support.K_z && (*support.K_y > 100. * *support.K_z || *support.K_z > 100. * *support.K_y))
+    warn(warnings, position_of_value(*own, "K_y"),
+         fmt::format("bearings.{}.support has K_y = {:.4g} and K_z = {:.4g} N/m: one is {:.3g} times the other.", name,
+                     *support.K_y, *support.K_z,
+                     std::max(*support.K_y, *support.K_z) / std::min(*support.K_y, *support.K_z)),
+         "Check the units of both.");
+}
+
+/// Magnets that push the rotor away before they let go.
+void look_at_magnets(const CaseParameters& p, double mass, const Node& tree, std::vector<Fault>& warnings) {
+  bool all_given = true;
+  std::array<double, 2> held{};
+  const SupportEntry* last = nullptr;
+  for (const auto& entry : p.bearings) {
+    const auto* magnet = entry.magnet();
+    if (!magnet) continue;
+    last = &entry;
+    all_given = all_given && magnet->holding_force.has_value();
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (magnet->holding_force) held[i] += (*magnet->holding_force)[i];
+      if (magnet->damping[i][i] < 0.)
+        warn(warnings, position_of_value(table_at(tree, "bearings", entry.name), "damping"),
+             fmt::format("bearings.{}.damping = {:.4g} N s/m on its diagonal drives the rotor while the magnet holds "
+                         "it.",
+                         entry.name, magnet->damping[i][i]),
+             "Damping is positive: force on the rotor = -C v.");
+    }
+  }
+  if (!last || !all_given) return;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double weight = mass * p.run.gravity[i + 1];
+    if (std::fabs(held[i] + weight) > std::max(std::fabs(weight), 0.1 * mass * standard_gravity))
+      warn(warnings, position_of_value(table_at(tree, "bearings", last->name), "holding_force"),
+           fmt::format("the magnets hold the rotor with {:.4g} N along {} where its weight is {:.4g} N: it leaves its "
+                       "place before they let go.",
+                       held[i], i == 0 ? "y" : "z", weight),
+           "holding_force is what a magnet carries with the rotor at rest where it starts; leave it out to share the "
+           "weight.");
+  }
+}
+
+}  // namespace
+
+void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const RigidBody body = rigid_body(p.rotor.geometry);
+  std::vector<const SupportEntry*> touchdowns;
+  std::vector<double> positions;
+  for (const auto& entry : p.bearings)
+    if (entry.touchdown()) {
+      touchdowns.push_back(&entry);
+      positions.push_back(p.rotor.geometry.position(entry.node()));
+    }
+  const auto shares = weight_shares(positions, body.centre_of_gravity);
+  for (std::size_t i = 0; i < touchdowns.size(); ++i) {
+    const auto& b = *touchdowns[i]->touchdown();
+    look_at_support(touchdowns[i]->name, b.support, tree, warnings);
+    look_at_sag(touchdowns[i]->name, b, body.mass * std::fabs(shares[i]), p, tree, warnings);
+  }
+  look_at_magnets(p, body.mass, tree, warnings);
+}
+
+}  // namespace rotordrop
