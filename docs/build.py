@@ -65,7 +65,7 @@ def commands(program):
 
 def commands_page(program):
     """Every command as the program explains it."""
-    made = ["# Commands\n", "The output of `rotordrop COMMAND --help`. Exit codes: 0 success, 1 run failed, 2 bad input (nothing was overwritten), 3 a limit is not met (`run --accept`) or bits differ (`rerun`), 130 interrupted with Ctrl-C and 143 by SIGTERM, both with a checkpoint.\n"]
+    made = ["# Commands\n", "The output of `rotordrop COMMAND --help`. Exit codes: 0 success, 1 run failed, 2 bad input (nothing was overwritten), 3 a limit is not met (`run --accept`) or bits differ (`rerun`), 130 interrupted with Ctrl-C 143 by SIGTERM and 129 when its terminal is closed, all with a checkpoint.\n"]
     for name, sentence in commands(program):
         made.append(f"## {name}\n\n{sentence}\n\n```text\n{call(program, name, '--help').strip()}\n```\n")
     return "\n".join(made)

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <string>
 
@@ -55,6 +56,18 @@ Node stand_in(Node bearing, const fs::path& entry) {
   return bearing;
 }
 
+/// "6014" of "SKF 6014" and "6014-2RS": the longest known name within a text, with letters of makers and suffixes around it; the text if there is none.
+std::string name_within(const std::string& text, const std::vector<std::string>& known) {
+  std::string found;
+  for (const auto& name : known)
+    if (const auto at = text.find(name);
+        at != std::string::npos && name.size() > found.size() &&
+        (at == 0 || !std::isdigit(static_cast<unsigned char>(text[at - 1]))) &&
+        (at + name.size() == text.size() || !std::isdigit(static_cast<unsigned char>(text[at + name.size()]))))
+      found = name;
+  return found.empty() ? text : found;
+}
+
 void load_entry(Node& bearing, const std::string& name, const fs::path& case_file, Faults& faults) {
   const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
   if (!entry || !entry->is_text()) return;
@@ -73,10 +86,11 @@ void load_entry(Node& bearing, const std::string& name, const fs::path& case_fil
     with_sizes.push_back(known.back() + size_in_words(file));
   }
   std::sort(with_sizes.begin(), with_sizes.end());
-  faults.add(entry->where(),
-             fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
-             suggestion(entry->text(), known, fmt::format("Known: {}.", fmt::join(with_sizes, ", "))));
-  const std::string closest = closest_name(entry->text(), known);
+  faults.add(
+      entry->where(),
+      fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
+      suggestion(name_within(entry->text(), known), known, fmt::format("Known: {}.", fmt::join(with_sizes, ", "))));
+  const std::string closest = closest_name(name_within(entry->text(), known), known);
   const auto like = std::find(known.begin(), known.end(), closest.empty() ? "6014" : closest);
   if (like == known.end()) faults.throw_if_any();
   bearing = stand_in(bearing, files[static_cast<std::size_t>(like - known.begin())]);

@@ -72,7 +72,7 @@ the run failed
 bad input: the command line or the case
 .TP
 .B 130
-interrupted with Ctrl\-C (143: by SIGTERM)
+interrupted with Ctrl\-C (143: by SIGTERM, 129: its terminal was closed)
 )";
 
 std::string page_of_command(const CLI::App& command) {

@@ -80,7 +80,8 @@ std::string about_overrides(const std::vector<std::string>& arguments, const std
       if (end == std::string::npos) end = part.find_first_of(" :");
       if (end == std::string::npos) continue;
       const std::string key = part.substr(0, part.find_last_not_of(" :", end - 1) + 1);
-      forms += (forms.empty() ? "" : " ") + right_form(sections, key, std::string_view(part).substr(end + 1));
+      const std::string form = right_form(sections, key, std::string_view(part).substr(end + 1));
+      forms += (forms.empty() ? "" : " ") + (form.empty() ? "--set " + shell_quoted(part) : form);
     }
     if (forms.empty()) continue;
     std::vector<std::string> given(arguments.begin() + static_cast<std::ptrdiff_t>(first),
@@ -151,6 +152,19 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error, const s
                      command.get_name());
 }
 
+namespace {
+
+/// KEY="VALUE" as KEY=VALUE, which is read alike: no advice.
+std::string without_quotes(const std::string& assignment) {
+  const auto quote = assignment.find('"');
+  const bool is_quoted = quote != std::string::npos && quote > 0 && assignment[quote - 1] == '=' &&
+                         quote + 1 < assignment.size() && assignment.find('"', quote + 1) + 1 == assignment.size();
+  return is_quoted ? assignment.substr(0, quote) + assignment.substr(quote + 1, assignment.size() - quote - 2)
+                   : assignment;
+}
+
+}  // namespace
+
 InputError with_right_forms(const InputError& error, const std::vector<std::string>& overrides,
                             const std::vector<ErasedSection>& sections) {
   // Each one once: a long list may have a fault in every entry. One that is very long nobody reads twice.
@@ -167,6 +181,7 @@ InputError with_right_forms(const InputError& error, const std::vector<std::stri
     if (assignment.size() > longest_form) continue;
     const std::string key = assignment.substr(0, equals);
     const std::string form = right_form(sections, key, std::string_view(assignment).substr(equals + 1));
+    if (form.empty() || form == "--set " + shell_quoted(without_quotes(assignment))) continue;
     if (form != "--set " + shell_quoted(assignment)) forms.push_back({"--set " + key, "--set " + assignment, form});
   }
   Faults faults;

@@ -2,6 +2,7 @@
 
 import json
 import shlex
+import shutil
 import signal
 import sys
 import time
@@ -114,6 +115,20 @@ class Interruption(ProgramTest):
         self.assert_partial_results()
         self.resume()
         self.assert_equals_an_uninterrupted_run()
+
+    def test_a_closed_terminal_ends_a_run_in_good_order_unless_that_is_ignored(self):
+        code, _, err = self.stop(self.begin(until=self.is_under_way), signal.SIGHUP)
+        self.assertEqual(code, 129, err)
+        self.assertIn("--resume", err)
+        self.assert_partial_results()
+        shutil.rmtree(self.folder / "out")
+        before = signal.signal(signal.SIGHUP, signal.SIG_IGN)  # as nohup does; a child inherits it
+        try:
+            process = self.begin(until=self.is_under_way)
+            process.send_signal(signal.SIGHUP)
+            self.assertEqual(self.stop(process, signal.SIGINT)[0], 130)
+        finally:
+            signal.signal(signal.SIGHUP, before)
 
     def test_a_killed_run_resumes_bit_for_bit_from_its_last_checkpoint(self):
         often = settings(output__checkpoint_interval="0.05 s")

@@ -36,6 +36,10 @@ MISTAKES = [
     ("a key outside its section", 'air_gap = "250 um"\n', r"known in \[contact\]", None),
     ("a mistyped key", '[contact]\nair_gpa = "250 um"\n', 'Did you mean "air_gap"', None),
     ("a mistyped word", '[contact]\nfriction_law = "regularized"\n', 'Did you mean "regularised"', None),
+    ("a point of a section's name left out", '[bearings TB1]\nf2 = 0.25\n', "parts of a section's name are joined by a point", "[bearings.TB1]"),
+    ("a section as YAML has it", "contact:\n  friction_coefficient = 0.1\n", "the name of a section is in brackets", "[contact]"),
+    ("a bearing with its maker", '[bearings.TB1]\ncatalogue = "SKF 6014"\n', 'Did you mean "6014"', None),
+    ("a bearing with its seals", '[bearings.TB1]\ncatalogue = "6014-2RS"\n', 'Did you mean "6014"', None),
     ("an unknown bearing", '[bearings.TB1]\ncatalogue = "6o14"\n', 'Did you mean "6014"', None),
     ("a bearing too big for its housing", '[bearings.TB1]\ncatalogue = "6020"\n', r"housing_diameters = \[\"150 mm\", ", None),
     ("a file that is not there", '[rotor]\ngeometry = "rotr.json"\n', r'rotor\.geometry = "rotr\.json": there is no such file', None),
@@ -97,6 +101,16 @@ class Newcomers(ProgramTest):
                         self.write("mended.toml", "\n".join(mended) + "\n")
                         fixed.append(self.call("check", "mended.toml").returncode)
                     self.assertIn(0, fixed, "the offered line works")
+
+    def test_what_set_offers_works_or_is_not_offered(self):
+        done = self.call("check", "reference.toml", "--set", "bearings.TB1.catalogue=6014")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("""Write it as: --set 'bearings.TB1.catalogue="6014"'""", done.stderr)
+        self.succeed("check", "reference.toml", "--set", 'bearings.TB1.catalogue="6014"')
+        for refused in ('run.gravity="1 g"', 'run.initial_speed="15200 1/min"', 'bearings.TB1.housing_diameters="140 mm"', "bearings.TB1.housing_diameters=140 mm"):
+            done = self.call("check", "reference.toml", "--set", refused)
+            self.assertEqual(done.returncode, 2)
+            self.assertNotIn("Write it as", done.stderr, refused)
 
     def test_another_kind_of_file_is_told_what_it_is(self):
         for name, content, says in (("rotor.json", b'{"nodes": []}', r"in JSON; a parameter file is in TOML.*\[rotor\] geometry = "), ("results.h5", b"\x89HDF\r\n\x1a\n", "a file of results"),

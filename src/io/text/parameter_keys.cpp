@@ -148,10 +148,15 @@ std::string right_form(const std::vector<ErasedSection>& sections, const std::st
   while (text.starts_with("=")) text = std::string(trimmed(std::string_view(text).substr(1), blanks));
   if (text.starts_with("[") && !is_toml(text))
     text = mended_list(text);
-  else if (!text.starts_with("[") && !text.starts_with("{") && d && takes_list(*d))
+  else if (!text.starts_with("[") && !text.starts_with("{") && d && takes_list(*d)) {
+    if (d->kind == Kind::quantities && d->min_count > 1 && text.find(',') == std::string::npos)
+      return "";  // one value is not several
     text = mended_list("[" + text + "]");
-  else if (!text.starts_with("[") && !text.starts_with("{"))
-    text = with_decimal_point(without_outer_quotes(text));
+  } else if (!text.starts_with("[") && !text.starts_with("{")) {
+    text = without_outer_quotes(text);
+    const bool is_number = !text.empty() && text.find_first_not_of("0123456789.+-eE") == std::string::npos;
+    text = d && d->kind == Kind::text && is_number ? "\"" + text + "\"" : with_decimal_point(text);
+  }
   return "--set " + shell_quoted(key + "=" + text);
 }
 

@@ -25,7 +25,7 @@ struct ParameterKey {
 /// --set 'rotor.initial_offset=["1 um", "2 um"]'.
 ///
 /// Typographic and unpaired quotes are taken away, and texts within lists are quoted. A value in a key that takes a list
-/// gets brackets.
+/// gets brackets, a number in a key that takes a text gets quotes. Empty if nothing is clear.
 /// @param sections  declarations that know the key; may be empty
 /// @param value     as given, without the key
 [[nodiscard]] std::string right_form(const std::vector<ErasedSection>& sections, const std::string& key,

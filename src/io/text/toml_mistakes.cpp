@@ -189,6 +189,11 @@ std::optional<Guess> about_line(const std::vector<std::string>& lines, int numbe
                  replaced(std::string(trimmed(line)), "\\", "/")};
   if (std::regex_match(bare, m, std::regex(R"(\[+\s*([A-Za-z0-9_.-]+)\s*\]?)")) && !bare.ends_with("]"))
     return Guess{"the name of a section has no closing bracket", fmt::format("[{}]", m.str(1))};
+  if (std::regex_match(bare, m, std::regex(R"(\[\s*([A-Za-z0-9_.-]+)\s+([A-Za-z0-9_.-]+)\s*\])")))
+    return Guess{"parts of a section's name are joined by a point", fmt::format("[{}.{}]", m.str(1), m.str(2))};
+  if (std::regex_match(bare, m, std::regex(R"(([A-Za-z][A-Za-z0-9_.-]*)\s*:)")))
+    return Guess{"the name of a section is in brackets, and its keys follow line by line, each with an equals sign",
+                 fmt::format("[{}]", m.str(1))};
   if (const auto open = open_quote(line)) {
     const std::string_view text = trimmed(std::string_view(line).substr(*open + 1));
     const bool is_simple = text.find_first_of("\"',[]{}#=") == std::string::npos;

@@ -123,8 +123,11 @@ fs::path DropCheckpoints::read_newest(const fs::path& newer) {
   if (!found.checkpoint) {
     const std::string where = directory_.string();
     if (!found.skipped.empty())
-      throw InputError({where, 0, 0}, "none of the checkpoints can be read",
-                       fmt::format("{}", fmt::join(found.skipped, "\n")));
+      throw InputError(
+          {where, 0, 0}, "none of the checkpoints can be read",
+          fmt::format("{}\nWhat can be read of the results stays as it is; choose another directory with -o "
+                      "DIR, or start anew with --force.",
+                      fmt::join(found.skipped, "\n")));
     if (fs::exists(directory_ / "summary.json"))
       throw InputError({where, 0, 0}, "there is no checkpoint to go on from",
                        "The run was finished, or its checkpoints were removed.");
