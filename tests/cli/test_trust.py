@@ -127,6 +127,14 @@ class FullDisks(ProgramTest):
         with h5py.File(self.folder / "out/results.h5", "r") as file:
             self.assertGreater(len(file["time"]), 10)
 
+    def test_a_disk_that_fills_up_is_told_once_and_the_state_is_saved(self):
+        command = ["bash", "-c", 'ulimit -f 8000; exec "$@"', "-", PROGRAM, "run", "reference.toml", "-o", "out", "--quiet", *settings(output__interval="2 us", output__checkpoint_interval="0.01 s")]
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=300)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("is saved in out/failed/checkpoint-", done.stderr)
+        self.assertNotIn("could not be saved", done.stderr)
+        self.assertEqual(done.stderr.count("could not be written"), 1, done.stderr)
+
     def test_a_mesh_that_cannot_be_written_is_a_failure_that_leaves_no_file(self):
         command = ["bash", "-c", 'ulimit -f 20; exec "$@"', "-", PROGRAM, "mesh", "reference.toml", "--bearing", "TB1", "-o", "m.msh"]
         done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=120)

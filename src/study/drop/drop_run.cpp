@@ -52,9 +52,14 @@ class SummarySeries {
     const auto file = checkpoints.save_failed();
     text += fmt::format("\n       The last good state, at t = {:.6g} ms, is saved in {}.", drop.loop().time() * 1e3,
                         file.string());
-    record.close();
   } catch (const std::exception& other) {
     text += fmt::format("\n       The state could not be saved: {}", other.what());
+  }
+  try {
+    record.close();
+  } catch (const std::exception& other) {
+    // A full disk was told already.
+    if (text.find(other.what()) == std::string::npos) text += fmt::format("\n       {}", other.what());
   }
   throw SolverError(text);
 }
