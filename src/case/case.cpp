@@ -18,6 +18,7 @@
 #include "case/modules/parts_modules.h"
 #include "case/plausibility.h"
 #include "case/rotor_file.h"
+#include "case/slips/kinds_of_files.h"
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_reader.h"
 #include "machine/balance.h"
@@ -282,6 +283,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     LayerNotes notes;
     Faults& faults = notes.faults;
     result.tree = read(notes);
+    require_kind(result.tree, file, FileKind::drop);
     complete_tree(result.tree, file, settings, geometry, notes);
     const auto section = case_section();
     result.parameters = section->section.read(result.tree, faults);

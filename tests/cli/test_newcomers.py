@@ -8,7 +8,7 @@ import sys
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest  # noqa: E402
+from program import HEATED_DISC, ProgramTest  # noqa: E402
 
 CONTACT = '[contact]\nair_gap = "250 um"\n'
 # What was done, the text after the base, what the message says, and the line that it offers (None: none).
@@ -120,6 +120,18 @@ class Newcomers(ProgramTest):
             done = self.call("check", name)
             self.assertEqual(done.returncode, 2)
             self.assertRegex(re.sub(r"\s+", " ", done.stderr), says)
+
+    def test_a_file_given_to_another_command_is_told_where_it_belongs(self):
+        self.write("study.toml", 'case = "reference.toml"\n[vary]\ncontact.friction_coefficient = [0.05, 0.1]\n')
+        self.write("disc.toml", "output_times = [1]\n" + HEATED_DISC)
+        for words, says in ((["run", "study.toml"], "this is a study, not the case of a drop. Its command: rotordrop study study.toml"), (["check", "study.toml"], "this is a study"),
+                            (["run", "disc.toml"], "this is a case of heat conduction alone, not the case of a drop. Its command: rotordrop heat disc.toml"),
+                            (["study", "reference.toml"], 'this is the case of a drop, not a study. Its command: rotordrop run reference.toml, or name it in a study by case = "reference.toml"'),
+                            (["study", "disc.toml"], "this is a case of heat conduction alone, not a study")):
+            done = self.call(*words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(says, " ".join(done.stderr.split()))
+            self.assertEqual(done.stderr.count("error: "), 1, done.stderr)
 
     def test_a_case_that_is_not_there_is_answered_with_the_near_one(self):
         self.write("drop.toml", 'base = "reference.toml"\n')

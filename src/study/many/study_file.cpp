@@ -10,6 +10,7 @@
 
 #include "base/parameters/suggestion.h"
 #include "case/program_files.h"
+#include "case/slips/kinds_of_files.h"
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"
 #include "study/many/search/search_check.h"
@@ -189,6 +190,7 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   study.set = overrides;
   study.text = read_input_file(file);
   const Node tree = read_toml(file);
+  require_kind(tree, file, FileKind::study);
   Faults faults;
   const StudyFile raw = study_section().read(tree, faults);
   faults.throw_if_any();
