@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -96,7 +97,8 @@ class Ranks(ProgramTest):
         except subprocess.TimeoutExpired:
             running.kill()
             self.fail("mpirun does not end after a rank was killed")
-        return sum(file.read_text().count('"point"') for file in (self.folder / "killed").glob("*.journal"))
+        # A point that the killed rank has written, but not yet told, is computed once more: the same bits.
+        return len({point for file in (self.folder / "killed").glob("*.journal") for point in re.findall(r'"point":\s*(\d+)', file.read_text())})
 
     def completes(self):
         self.succeed("study", "s.toml", "-o", "killed", "--resume", "--quiet")
