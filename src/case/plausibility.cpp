@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "analysis/facts/material_slips.h"
 #include "base/rotation.h"
 #include "case/slips/slips.h"
 #include "case/usual_values.h"
-#include "model/material_slips.h"
 
 namespace rotordrop {
 namespace {
@@ -26,6 +26,12 @@ double fewest_steps(const CaseParameters& p) { return p.run.latest_end() / step_
 SourcePosition position_of_step(const CaseParameters& p, const Node& tree) {
   return p.integration.step ? position_of_value(table_at(tree, "integration"), "step")
                             : position_of_value(table_at(tree, "run"), "end_time");
+}
+
+void look_at_materials(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  for (const auto& [name, m] : p.materials)
+    for (const auto& slip : material_slips("the material " + name, {m.rho, m.E, m.k, m.c}))
+      warn(warnings, position_of_value(table_at(tree, "materials", name), slip.key), slip.message, slip.advice);
 }
 
 /// What goes for the run as a whole.
@@ -77,12 +83,6 @@ const Node& table_at(const Node& tree, std::string_view a, std::string_view b) {
   return second && second->is_table() ? *second : *first;
 }
 
-void look_at_materials(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
-  for (const auto& [name, m] : p.materials)
-    for (const auto& slip : material_slips("the material " + name, {m.rho, m.E, m.k, m.c}))
-      warn(warnings, position_of_value(table_at(tree, "materials", name), slip.key), slip.message, slip.advice);
-}
-
 std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseParameters& p, const Node& tree) {
   std::vector<Fault> warnings;
   look_for_unusual_values(section, tree, warnings);
@@ -97,9 +97,7 @@ std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseP
 }
 
 std::vector<Fault> look_at_speed(const CaseParameters& p, const std::string& option, double speed) {
-  double thickest = 0.;
-  for (const auto& element : p.rotor.geometry.elements) thickest = std::max(thickest, element.od);
-  const double surface = 0.5 * thickest * std::fabs(speed);
+  const double thickest = largest_diameter(p.rotor.geometry), surface = 0.5 * thickest * std::fabs(speed);
   std::vector<Fault> warnings;
   if (surface > fastest_surface)
     warn(

@@ -181,8 +181,9 @@ InputError with_right_forms(const InputError& error, const std::vector<std::stri
     if (assignment.size() > longest_form) continue;
     const std::string key = assignment.substr(0, equals);
     const std::string form = right_form(sections, key, std::string_view(assignment).substr(equals + 1));
-    if (form.empty() || form == "--set " + shell_quoted(without_quotes(assignment))) continue;
-    if (form != "--set " + shell_quoted(assignment)) forms.push_back({"--set " + key, "--set " + assignment, form});
+    const bool is_as_given =
+        form == "--set " + shell_quoted(assignment) || form == "--set " + shell_quoted(without_quotes(assignment));
+    if (!form.empty() && !is_as_given) forms.push_back({"--set " + key, "--set " + assignment, form});
   }
   Faults faults;
   for (Fault fault : error.faults()) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "base/rotation.h"
 #include "rotor/balance_grade.h"
 
 namespace rotordrop {
@@ -103,11 +104,11 @@ std::vector<Unbalance> unbalance_by_grade(const MachineParameters& p) {
 
 std::string balance_text(const MachineParameters& p) {
   if (!p.rotor.balance_grade) return {};
-  constexpr double g_mm = 1e6, rpm = 30. / std::numbers::pi, degrees = 180. / std::numbers::pi;
+  constexpr double g_mm = 1e6, degrees = 180. / std::numbers::pi;
   const double speed = speed_of_grade(p), G = *p.rotor.balance_grade, mass = rigid_body(p.rotor.geometry).mass;
   std::string text =
       fmt::format("unbalance: {:.4g} g mm by balance grade G{:.6g} at {:.6g} rpm (ISO 21940-11: e_per {:.4g} um)",
-                  permissible_unbalance(mass, G, speed) * g_mm, G * 1e3, speed * rpm, G / speed * 1e6);
+                  permissible_unbalance(mass, G, speed) * g_mm, G * 1e3, speed * to_rpm, G / speed * 1e6);
   const char* between = ": ";
   for (const auto& u : p.rotor.unbalance) {
     text += fmt::format("{}{:.4g} g mm at node {}, {:.4g} deg", between, u.me * g_mm, u.node, u.angle * degrees);

@@ -59,8 +59,8 @@ UNUSUAL = [
     (["rotor.unbalance=[]", "rotor.balance_grade=G2.5", "rotor.balance_speed=12 rpm"], r"rotor\.balance_speed is 12 rpm"),
     (["run.gravity=[9.81, 0, 0]"], r"gravity of 9\.81 m/s2 along the axis has no effect: the rotor is locked there"),
     (["materials.steel.c=51000"], r"steel has rho c = 7800 kg/m3 times 5\.1e\+04 J/\(kg K\) = 398 MJ/\(m3 K\)"),
-    (["materials.steel.k=0.45"], r"steel has 7800 kg/m3, so it is a metal, but k = 0\.45 W/\(m K\)"),
-    (["materials.steel.E=2e10"], r"steel has 7800 kg/m3, so it is a metal, but E = 20 GPa"),
+    (["materials.steel.k=0.45"], r"steel has 7800 kg/m3, as metals have, but k = 0\.45 W/\(m K\)"),
+    (["materials.steel.E=2e10"], r"steel has 7800 kg/m3, as metals have, but E = 20 GPa"),
     (["output.interval=1"], r"output\.interval = 1 s is longer than the run, 0\.3 s"),
     (["run.end_time=0.3 h", "integration.method=runge-kutta-4", "integration.step=1e-7"], r"1080 s takes 1\.1e\+10 steps of at most 1e-07 s: hours or days"),
 ]

@@ -12,7 +12,7 @@
 namespace rotordrop {
 namespace {
 
-// Of a row's static rating: preloads of catalogues are 0.3 to 4 % of it.
+// Of a row's static rating: estimate; the paper's pair has 0.9 %.
 constexpr double heaviest_preload = 0.2;
 
 void look_at_bearing(const std::string& name, const TouchdownParameters& b, const CaseParameters& p, const Node& tree,
@@ -151,8 +151,8 @@ void look_at_ratings(const std::string& name, const TouchdownParameters& b, cons
   if (b.C) compare("C", *b.C, estimates.dynamic_load);
   if (b.preload > heaviest_preload * b.C0 / b.rows)
     warn(warnings, position_of_value(table, "preload"),
-         fmt::format("bearings.{}.preload = {:.4g} N is {:.0f} % of the static rating of a row, {:.4g} kN; catalogues "
-                     "preload with 0.3 to 4 % of it.",
+         fmt::format("bearings.{}.preload = {:.4g} N is {:.0f} % of the static rating of a row, {:.4g} kN; most "
+                     "often it is a few percent.",
                      name, b.preload, 100. * b.preload * b.rows / b.C0, 1e-3 * b.C0 / b.rows),
          "It is the axial load of each row. A bare number is in N.");
   const double bodies = estimates.contact_stiffness;

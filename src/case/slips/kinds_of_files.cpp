@@ -2,41 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "base/errors.h"
 
 namespace rotordrop {
 namespace {
 
-std::string in_words(FileKind kind) {
+struct KindWords {
+  const char *name, *command;
+};
+KindWords words_of(FileKind kind) {
   switch (kind) {
     case FileKind::study:
-      return "a study";
+      return {"a study", "study"};
     case FileKind::heat:
-      return "a case of heat conduction alone";
-    default:
-      return "the case of a drop";
+      return {"a case of heat conduction alone", "heat"};
+    case FileKind::drop:
+      break;
   }
-}
-
-std::string command_for(FileKind kind) {
-  switch (kind) {
-    case FileKind::study:
-      return "study";
-    case FileKind::heat:
-      return "heat";
-    default:
-      return "run";
-  }
+  return {"the case of a drop", "run"};
 }
 
 }  // namespace
 
 std::optional<FileKind> kind_of_file(const Node& tree) {
-  for (const char* key : {"rotor", "bearings", "base"})
-    if (tree.has(key)) return FileKind::drop;
-  for (const char* key : {"vary", "case", "minimise", "fit"})
-    if (tree.has(key)) return FileKind::study;
-  if (tree.has("section") || tree.has("output_times")) return FileKind::heat;
+  const auto has_any = [&](std::initializer_list<const char*> keys) {
+    return std::any_of(keys.begin(), keys.end(), [&](const char* key) { return tree.has(key); });
+  };
+  if (has_any({"rotor"})) return FileKind::drop;
+  if (has_any({"section", "output_times"})) return FileKind::heat;
+  if (has_any({"bearings"})) return FileKind::drop;
+  if (has_any({"vary", "case", "minimise", "fit"})) return FileKind::study;
   return std::nullopt;
 }
 
@@ -46,8 +44,9 @@ void require_kind(const Node& tree, const std::filesystem::path& file, FileKind 
   const std::string meant = kind == FileKind::study && found == FileKind::drop
                                 ? ", or name it in a study by case = \"" + file.filename().string() + "\""
                                 : "";
-  throw InputError({file.string(), 0, 0}, fmt::format("this is {}, not {}.", in_words(*found), in_words(kind)),
-                   fmt::format("Its command: rotordrop {} {}{}", command_for(*found), file.string(), meant));
+  throw InputError({file.string(), 0, 0},
+                   fmt::format("this is {}, not {}.", words_of(*found).name, words_of(kind).name),
+                   fmt::format("Its command: rotordrop {} {}{}", words_of(*found).command, file.string(), meant));
 }
 
 }  // namespace rotordrop

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/facts/material_slips.h"
 #include "machine/probes.h"
-#include "model/material_slips.h"
 
 namespace rotordrop {
 namespace {
@@ -51,8 +51,7 @@ void look_at_body(const CaseParameters& p, const Node& tree, std::vector<Fault>&
          fmt::format("the rotor's Ip = {:.4g} kg m2 is more than 2 Id = {:.4g} kg m2, which no rigid body has.",
                      body.Ip, 2. * body.Id),
          "Check Ip and Id of its mass points; they may be exchanged.");
-  double thickest = 0.;
-  for (const auto& element : p.rotor.geometry.elements) thickest = std::max(thickest, element.od);
+  const double thickest = largest_diameter(p.rotor.geometry);
   const auto& x = p.rotor.geometry.node_x;
   const double length = x.empty() ? 0. : x.back() - x.front();
   if (thickest > 0. && length > 50. * thickest)
@@ -96,6 +95,12 @@ void look_at_probes(const CaseParameters& p, const Node& tree, std::vector<Fault
 }
 
 }  // namespace
+
+double largest_diameter(const RotorGeometry& geometry) {
+  double thickest = 0.;
+  for (const auto& element : geometry.elements) thickest = std::max(thickest, element.od);
+  return thickest;
+}
 
 void look_at_rotor(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   look_at_elements(p, tree, warnings);

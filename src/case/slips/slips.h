@@ -13,11 +13,13 @@ void look_at_rotor(const CaseParameters& p, const Node& tree, std::vector<Fault>
 void look_at_motion(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 void look_at_bearings(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
-void look_at_materials(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 
 /// Above it rings of steel burst: rho v^2 is 1.25 GPa at 400 m/s.
 inline constexpr double fastest_surface = 400.;      // [m/s]
 inline constexpr double standard_gravity = 9.80665;  // [m/s2]
+
+/// Largest outside diameter of the shaft's elements [m]; 0 if it has none.
+double largest_diameter(const RotorGeometry& geometry);
 
 /// Adds it unless it is there.
 void warn(std::vector<Fault>& warnings, const SourcePosition& where, std::string message, std::string advice);

@@ -20,22 +20,27 @@ std::string origin_of(const Node& table, const char* key) {
   return entry->comment.substr(at + from.size(), entry->comment.find(':', at) - at - from.size());
 }
 
+/// bearings.NAME.support; the bearing's table if it has none.
+const Node& support_table(const Node& tree, const std::string& name) {
+  const Node& bearing = table_at(tree, "bearings", name);
+  const Node* own = bearing.find("support");
+  return own ? *own : bearing;
+}
+
 /// Springs and dampers against the mass that they carry.
 void look_at_support(const std::string& name, const SupportParameters& support, const Node& tree,
                      std::vector<Fault>& warnings) {
-  const Node& table = table_at(tree, "bearings", name);
-  const Node* own = table.find("support");
-  if (!own) own = &table;
+  const Node& own = support_table(tree, name);
   const bool has_springs = support.type != "ribbon" && support.type != "elastomer";
   // Of a layer below that of the type it is what the type replaces.
-  const Node* type = own->find("type");
+  const Node* type = own.find("type");
   const auto is_meant = [&](const char* key) {
-    const std::string file = origin_of(*own, key);
-    return !type || file == origin_of(*own, "type") || file == tree.where().file || file.starts_with("--set");
+    const std::string file = origin_of(own, key);
+    return !type || file == origin_of(own, "type") || file == tree.where().file || file.starts_with("--set");
   };
   const auto without_effect = [&](const char* key) {
     if (!is_meant(key)) return;
-    warn(warnings, position_of_value(*own, key),
+    warn(warnings, position_of_value(own, key),
          fmt::format("bearings.{}.support.{} has no effect with type = \"{}\".", name, key, support.type),
          "Set the type that is meant, or take the key out.");
   };
@@ -51,7 +56,7 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
     if (!K || !C || *C == 0.) continue;
     const double ratio = *C / (2. * std::sqrt(*K * support.mass));
     if (ratio < 1e-4 || ratio > 10.)
-      warn(warnings, position_of_value(*own, key),
+      warn(warnings, position_of_value(own, key),
            fmt::format("bearings.{}.support.{} = {:.6g} N s/m is {:.3g} of critical damping of its mass and stiffness; "
                        "most often it is between 0.0001 and 10.",
                        name, key, *C, ratio),
@@ -63,15 +68,13 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
 void look_at_sag(const std::string& name, const TouchdownParameters& b, double share, const CaseParameters& p,
                  const Node& tree, std::vector<Fault>& warnings) {
   const SupportParameters& support = b.support;
-  const Node& table = table_at(tree, "bearings", name);
-  const Node* own = table.find("support");
-  if (!own) own = &table;
+  const Node& own = support_table(tree, name);
   const double gap = air_gap(b, p.contact);
   const bool is_ribbon = support.type == "ribbon" && support.ribbon && support.ribbon->stiffness;
   const auto compare = [&](const char* key, double K, double gravity) {
     const double sag = share * std::fabs(gravity) / K;
     if (sag > gap)
-      warn(warnings, position_of_value(*own, is_ribbon ? "ribbon" : key),
+      warn(warnings, position_of_value(own, is_ribbon ? "ribbon" : key),
            fmt::format("bearings.{}.support.{} = {:.4g} N/m gives way by {:.4g} mm under this bearing's share of the "
                        "rotor's weight, more than the air gap, {:.4g} mm.",
                        name, is_ribbon ? "ribbon.stiffness" : key, K, mm(sag), mm(gap)),
@@ -85,7 +88,7 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
       compare("stiffness", *support.ribbon->stiffness, std::hypot(g[1], g[2]));
     if (support.ribbon->slip_force && weight > 0. &&
         (*support.ribbon->slip_force > 1e3 * weight || *support.ribbon->slip_force < 1e-3 * weight))
-      warn(warnings, position_of_value(*own, "ribbon"),
+      warn(warnings, position_of_value(own, "ribbon"),
            fmt::format("bearings.{}.support.ribbon.slip_force = {:.4g} N is {:.3g} times this bearing's share of the "
                        "rotor's weight: it {} slips.",
                        name, *support.ribbon->slip_force, *support.ribbon->slip_force / weight,
@@ -96,7 +99,7 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
   if (support.K_y) compare("K_y", *support.K_y, g[1]);
   if (support.K_z) compare("K_z", *support.K_z, g[2]);
   if (support.K_y && support.K_z && (*support.K_y > 100. * *support.K_z || *support.K_z > 100. * *support.K_y))
-    warn(warnings, position_of_value(*own, "K_y"),
+    warn(warnings, position_of_value(own, "K_y"),
          fmt::format("bearings.{}.support has K_y = {:.4g} and K_z = {:.4g} N/m: one is {:.3g} times the other.", name,
                      *support.K_y, *support.K_z,
                      std::max(*support.K_y, *support.K_z) / std::min(*support.K_y, *support.K_z)),
@@ -128,9 +131,10 @@ void look_at_magnets(const CaseParameters& p, double mass, const Node& tree, std
     const double weight = mass * p.run.gravity[i + 1];
     if (std::fabs(held[i] + weight) > std::max(std::fabs(weight), 0.1 * mass * standard_gravity))
       warn(warnings, position_of_value(table_at(tree, "bearings", last->name), "holding_force"),
-           fmt::format("the magnets hold the rotor with {:.4g} N along {} where its weight is {:.4g} N: it leaves its "
-                       "place before they let go.",
-                       held[i], i == 0 ? "y" : "z", weight),
+           fmt::format(
+               "the magnets hold the rotor with {:.4g} N along {} where its weight is {:.4g} N: it is not at rest "
+               "where it starts.",
+               held[i], i == 0 ? "y" : "z", weight),
            "holding_force is what a magnet carries with the rotor at rest where it starts; leave it out to share the "
            "weight.");
   }

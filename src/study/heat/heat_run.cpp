@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "analysis/facts/material_slips.h"
 #include "base/cpu_time.h"
 #include "base/errors.h"
 #include "base/version.h"
 #include "case/modules/fe_module.h"
+#include "case/slips/kinds_of_files.h"
 #include "case/usual_values.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/field_series.h"
@@ -19,7 +21,6 @@
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_reader.h"
 #include "machine/machine_parameters.h"
-#include "model/material_slips.h"
 #include "study/heat/heat_displacements.h"
 #include "study/heat/recorded_heat.h"
 
@@ -86,7 +87,7 @@ std::vector<ErasedSection> heat_sections() { return {heat_section(default_materi
 
 bool is_heat_case(const fs::path& file) {
   const Node tree = read_toml(file);
-  return tree.has("heat") || (!tree.has("rotor") && (tree.has("section") || tree.has("output_times")));
+  return tree.has("heat") || kind_of_file(tree) == FileKind::heat;
 }
 
 HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& overrides) {

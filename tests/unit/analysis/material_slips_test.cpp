@@ -1,4 +1,4 @@
-#include "model/material_slips.h"
+#include "analysis/facts/material_slips.h"
 
 #include <gtest/gtest.h>
 
