@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <optional>
+#include <span>
 #include <system_error>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "io/hdf5/guarded_write.h"
 
 namespace rotordrop::hdf5 {
 
@@ -25,39 +28,6 @@ using Superblock = std::array<unsigned char, superblock_size>;
 
 /// Length of a file whose first `end` bytes are in use: half as much again, so that it seldom changes under a reader.
 haddr_t length_ahead(haddr_t end) { return std::max(haddr_t{4} << 20, end + end / 2); }
-
-std::uint32_t rotated(std::uint32_t x, int k) { return (x << k) | (x >> (32 - k)); }
-
-/// The check sum of HDF5's metadata: lookup3 by Bob Jenkins (public domain), of `n` > 0 bytes.
-std::uint32_t lookup3(const unsigned char* bytes, std::size_t n) {
-  std::uint32_t a = 0xdeadbeefU + static_cast<std::uint32_t>(n), b = a, c = a;
-  const auto add = [&](std::size_t at, std::size_t count) {
-    std::array<std::uint32_t, 3> words{};
-    for (std::size_t i = 0; i < count; ++i) words[i / 4] += static_cast<std::uint32_t>(bytes[at + i]) << (8 * (i % 4));
-    a += words[0];
-    b += words[1];
-    c += words[2];
-  };
-  std::size_t at = 0;
-  for (; n - at > 12; at += 12) {
-    add(at, 12);
-    a -= c, a ^= rotated(c, 4), c += b;
-    b -= a, b ^= rotated(a, 6), a += c;
-    c -= b, c ^= rotated(b, 8), b += a;
-    a -= c, a ^= rotated(c, 16), c += b;
-    b -= a, b ^= rotated(a, 19), a += c;
-    c -= b, c ^= rotated(b, 4), b += a;
-  }
-  add(at, n - at);
-  c ^= b, c -= rotated(b, 14);
-  a ^= c, a -= rotated(c, 11);
-  b ^= a, b -= rotated(a, 25);
-  c ^= b, c -= rotated(b, 16);
-  a ^= c, a -= rotated(c, 4);
-  b ^= a, b -= rotated(a, 14);
-  c ^= b, c -= rotated(b, 24);
-  return c;
-}
 
 void put(Superblock& block, std::size_t at, std::uint64_t value, std::size_t n_bytes) {
   for (std::size_t i = 0; i < n_bytes; ++i) block[at + i] = static_cast<unsigned char>(value >> (8 * i));
@@ -78,6 +48,8 @@ struct File {
   /// written, so that a reader finds the order that HDF5 gave.
   std::vector<unsigned char> pending;
   haddr_t pending_at = 0;
+  bool pending_is_metadata = false;
+  std::optional<TornBlock> torn;  ///< only of a file that is read
 };
 constexpr std::size_t most_pending = 256 << 10;
 
@@ -91,35 +63,30 @@ herr_t failed(const char* call) {
   return -1;
 }
 
-bool write_bytes(int descriptor, haddr_t address, std::size_t size, const void* bytes) {
-  const char* from = static_cast<const char*>(bytes);
-  while (size > 0) {
-    const ssize_t n = ::pwrite(descriptor, from, size, static_cast<off_t>(address));
-    if (n < 0 && errno == EINTR) continue;
-    if (n == 0) errno = ENOSPC;
-    if (n <= 0) return false;
-    from += n;
-    size -= static_cast<std::size_t>(n);
-    address += static_cast<haddr_t>(n);
-  }
-  return true;
+/// Metadata has to be whole whenever the process is killed; rows are read only once metadata tells of them.
+bool write_now(const File& file, haddr_t address, std::span<const unsigned char> bytes, bool is_metadata) {
+  const haddr_t end_of_use = std::max(file.eoa, address + bytes.size());
+  return is_metadata ? write_whole(file.descriptor, address, bytes, end_of_use, file.eof)
+                     : write_bytes(file.descriptor, address, bytes);
 }
 
 bool write_pending(File& file) {
-  const bool is_written = write_bytes(file.descriptor, file.pending_at, file.pending.size(), file.pending.data());
+  const bool is_written = write_now(file, file.pending_at, file.pending, file.pending_is_metadata);
   file.pending.clear();
   return is_written;
 }
 
-bool write_later(File& file, haddr_t address, std::size_t size, const unsigned char* bytes) {
+bool write_later(File& file, haddr_t address, std::span<const unsigned char> bytes, bool is_metadata) {
   const bool follows = address == file.pending_at + file.pending.size();
-  if (!(follows && file.pending.size() + size <= most_pending) && !write_pending(file)) return false;
-  if (size > most_pending) return write_bytes(file.descriptor, address, size, bytes);
+  if (!(follows && file.pending.size() + bytes.size() <= most_pending) && !write_pending(file)) return false;
+  if (bytes.size() > most_pending) return write_now(file, address, bytes, is_metadata);
   if (file.pending.empty()) {
     file.pending.reserve(most_pending);
     file.pending_at = address;
+    file.pending_is_metadata = false;
   }
-  file.pending.insert(file.pending.end(), bytes, bytes + size);
+  file.pending.insert(file.pending.end(), bytes.begin(), bytes.end());
+  file.pending_is_metadata = file.pending_is_metadata || is_metadata;
   return true;
 }
 
@@ -129,8 +96,8 @@ bool write_superblock(File& file) {
   Superblock block = file.superblock;
   block[flags_at] = 0;
   if (!file.is_closing) put(block, end_of_file_at, file.announced, 8);
-  put(block, check_sum_at, lookup3(block.data(), check_sum_at), 4);
-  return write_bytes(file.descriptor, 0, superblock_size, block.data());
+  put(block, check_sum_at, lookup3(std::span(block).first(check_sum_at)), 4);
+  return write_bytes(file.descriptor, 0, block);
 }
 
 /// Makes the file, and what its superblock says of its length, long enough for `end`.
@@ -147,10 +114,11 @@ bool reach(File& file, haddr_t end) {
 }
 
 H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
-  const int descriptor = ::open(name,
-                                O_RDWR | O_CLOEXEC | (flags & H5F_ACC_CREAT ? O_CREAT : 0) |
-                                    (flags & H5F_ACC_TRUNC ? O_TRUNC : 0) | (flags & H5F_ACC_EXCL ? O_EXCL : 0),
-                                0666);
+  const int descriptor =
+      ::open(name,
+             (flags & H5F_ACC_RDWR ? O_RDWR : O_RDONLY) | O_CLOEXEC | (flags & H5F_ACC_CREAT ? O_CREAT : 0) |
+                 (flags & H5F_ACC_TRUNC ? O_TRUNC : 0) | (flags & H5F_ACC_EXCL ? O_EXCL : 0),
+             0666);
   struct stat status {};
   if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
     failed("open");
@@ -162,6 +130,7 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
   file->eof = file->announced = static_cast<haddr_t>(status.st_size);
   file->device = status.st_dev;
   file->inode = status.st_ino;
+  if (!(flags & H5F_ACC_RDWR)) file->torn = TornBlock::find(descriptor);
   return &file->pub;
 }
 
@@ -200,23 +169,27 @@ herr_t handle_of(H5FD_t* file, hid_t, void** handle) {
 
 herr_t read_bytes(H5FD_t* opened, H5FD_mem_t, hid_t, haddr_t address, size_t size, void* buffer) {
   char* to = static_cast<char*>(buffer);
-  if (!write_pending(as_file(opened))) return failed("write");
+  File& file = as_file(opened);
+  if (!write_pending(file)) return failed("write");
+  const std::span wanted(static_cast<unsigned char*>(buffer), size);
+  const haddr_t from = address;
   while (size > 0) {
-    const ssize_t n = ::pread(as_file(opened).descriptor, to, size, static_cast<off_t>(address));
+    const ssize_t n = ::pread(file.descriptor, to, size, static_cast<off_t>(address));
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return failed("read");
     if (n == 0) {  // behind the end of the file are zeros
       std::memset(to, 0, size);
-      return 0;
+      break;
     }
     to += n;
     size -= static_cast<std::size_t>(n);
     address += static_cast<haddr_t>(n);
   }
+  if (file.torn) file.torn->mend(file.descriptor, from, wanted);
   return 0;
 }
 
-herr_t write_to_file(H5FD_t* opened, H5FD_mem_t, hid_t, haddr_t address, size_t size, const void* buffer) {
+herr_t write_to_file(H5FD_t* opened, H5FD_mem_t kind, hid_t, haddr_t address, size_t size, const void* buffer) {
   File& file = as_file(opened);
   if (!reach(file, std::max(file.eoa, address + size))) return failed("write");
   const auto* bytes = static_cast<const unsigned char*>(buffer);
@@ -228,7 +201,7 @@ herr_t write_to_file(H5FD_t* opened, H5FD_mem_t, hid_t, haddr_t address, size_t 
     bytes += superblock_size;
     size -= superblock_size;
   }
-  if (!write_later(file, address, size, bytes)) return failed("write");
+  if (!write_later(file, address, {bytes, size}, kind != H5FD_MEM_DRAW)) return failed("write");
   file.eof = std::max(file.eof, address + size);
   return 0;
 }
@@ -286,6 +259,14 @@ Handle access_for_writing() {
   require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "set file format");
   require(H5Pset_driver(access.id(), driver(), nullptr), "set file driver");
   return access;
+}
+
+void mend_while_reading(hid_t access, const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  const bool is_torn = TornBlock::find(descriptor).has_value();
+  ::close(descriptor);
+  if (is_torn) require(H5Pset_driver(access, driver(), nullptr), "set file driver");
 }
 
 void sync(hid_t file, std::string_view what) {

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/errors.h"
+#include "io/hdf5/hdf5_driver.h"
 #include "io/hdf5/trial_reading.h"
 
 namespace rotordrop::hdf5 {
@@ -76,6 +77,7 @@ Handle open_without_trial(const std::filesystem::path& path) {
   // HDF5 tries 100 times, which on a damaged file takes for ever.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");
   require(H5Pset_metadata_read_attempts(access.id(), 20), "limit attempts to read");
+  mend_while_reading(access.id(), path);
   hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.id());
   // Files in HDF5's older format (from other programs) cannot be opened that way.
   if (id < 0) id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
