@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/wide_vectors.h"
 #include "laws/arc_cells.h"
 #include "laws/root_kernel.h"
 
@@ -146,7 +147,6 @@ SweptArcHistory::SweptArcHistory(const BoreSurface& surface, const Options& opti
   weight_ = std::move(kernel.weight);
   decay_.resize(rate_.size());
   gain_.resize(rate_.size());
-  memory_.resize(rate_.size());
 }
 
 void SweptArcHistory::set_interval(double step) {
@@ -164,8 +164,9 @@ std::size_t SweptArcHistory::slot_for(std::size_t cell) {
   if (slot == untouched) {
     slot = cell_of_slot_.size();
     cell_of_slot_.push_back(cell);
-    for (auto* column : {&flux_, &rise_, &total_}) column->push_back(0.);
-    for (auto& column : memory_) column.push_back(0.);
+    const std::size_t n = filled_up(cell_of_slot_.size());
+    for (auto* column : {&flux_, &rise_, &total_}) column->resize(n, 0.);
+    memory_.resize(n * rate_.size(), 0.);
   }
   return slot;
 }
@@ -179,22 +180,47 @@ void SweptArcHistory::deposit(double from, double to, const RubbingSpot& spot, d
   });
 }
 
-void SweptArcHistory::decay_and_heat(double step) {
-  const std::size_t n = cell_of_slot_.size();
-  const double direct = 2. * std::sqrt(step / (pi * surface_.conductivity * surface_.capacity));
-  double* const rise = rise_.data();
-  const double* const flux = flux_.data();
-  for (std::size_t i = 0; i < n; ++i) rise[i] = direct * flux[i];
-  for (std::size_t l = 0; l < rate_.size(); ++l) {
-    double* const y = memory_[l].data();
-    const double d = decay_[l], g = gain_[l];
-    for (std::size_t i = 0; i < n; ++i) {
-      const double old = d * y[i];
-      rise[i] += old;
-      // What has died away must not become denormal, which is slow to compute with.
-      y[i] = old + g * flux[i] + 1e-250;
+namespace {
+
+struct RisesFound {
+  double largest, sum;
+};
+
+/// Each vector of cells through all terms. What has died away must not become denormal, which is slow to compute with.
+ROTORDROP_KERNEL RisesFound decay_cells(double direct, const double* decay, const double* gain, std::size_t n_terms,
+                                        const double* flux, double* memory, double* rise, std::size_t n_cells) {
+  Octet largest, sum;
+  for (std::size_t at = 0; at < n_cells; at += vector_length) {
+    const Octet into = first_of(flux + at, vector_length);
+    Octet total;
+    add_product(total, direct, into.value.data());
+    for (std::size_t l = 0; l < n_terms; ++l, memory += vector_length) {
+      const double d = decay[l], g = gain[l];
+#pragma omp simd
+      for (std::size_t i = 0; i < vector_length; ++i) {
+        const double old = d * memory[i];
+        total[i] += old;
+        memory[i] = old + g * into.value[i] + 1e-250;
+      }
+    }
+    store_first(total, vector_length, rise + at);
+#pragma omp simd
+    for (std::size_t i = 0; i < vector_length; ++i) {
+      largest[i] = largest.value[i] > total.value[i] ? largest.value[i] : total.value[i];
+      sum[i] += total.value[i];
     }
   }
+  return {largest.largest(), sum.sum()};
+}
+
+}  // namespace
+
+void SweptArcHistory::decay_and_heat(double step) {
+  const double direct = 2. * std::sqrt(step / (pi * surface_.conductivity * surface_.capacity));
+  const RisesFound found = wide<decay_cells>(direct, decay_.data(), gain_.data(), rate_.size(), flux_.data(),
+                                             memory_.data(), rise_.data(), rise_.size());
+  state_.largest_rise = found.largest;
+  state_.mean_rise = found.sum / static_cast<double>(n_cells());
 }
 
 void SweptArcHistory::advance(double time, const RubbingSpot& spot) {
@@ -227,15 +253,9 @@ void SweptArcHistory::advance(double time, const RubbingSpot& spot) {
     const std::size_t slot = slot_of_cell_[cell];
     if (slot != untouched) s.rise_at_contact = rise_[slot];
   }
-  s.largest_rise = s.mean_rise = 0.;
-  if (!rise_.empty()) {
-    const auto hottest = std::max_element(rise_.begin(), rise_.end());
-    s.largest_rise = *hottest;
-    const auto cell = cell_of_slot_[static_cast<std::size_t>(hottest - rise_.begin())];
-    s.largest_rise_angle = (static_cast<double>(cell) + 0.5) * cell_angle;
-    for (const double rise : rise_) s.mean_rise += rise;
-    s.mean_rise /= static_cast<double>(n_cells());
-  }
+  const auto hottest = static_cast<std::size_t>(std::find(rise_.begin(), rise_.end(), s.largest_rise) - rise_.begin());
+  if (hottest < cell_of_slot_.size())
+    s.largest_rise_angle = (static_cast<double>(cell_of_slot_[hottest]) + 0.5) * cell_angle;
   was_in_contact_ = is_in_contact;
   last_angle_ = angle;
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/aligned_numbers.h"
+
 namespace rotordrop {
 
 /// A band of even heat, long across its motion, on the surface of a half space that moves past it at constant speed.
@@ -125,12 +127,13 @@ class SweptArcHistory {
 
   static constexpr std::size_t untouched = static_cast<std::size_t>(-1);
   BoreSurface surface_;
-  std::vector<std::size_t> slot_of_cell_;    ///< [n_cells]
-  std::vector<std::size_t> cell_of_slot_;    ///< [touched]
-  std::vector<double> rate_, weight_;        ///< of the terms [1/s], [s^-1/2]; [n_terms]
-  std::vector<double> decay_, gain_;         ///< of the terms over the present interval [n_terms]
-  std::vector<std::vector<double>> memory_;  ///< weight times integral of flux times exponential [n_terms][touched]
-  std::vector<double> flux_, rise_, total_;  ///< [W/m2], [K], [J]; [touched]
+  std::vector<std::size_t> slot_of_cell_;  ///< [n_cells]
+  std::vector<std::size_t> cell_of_slot_;  ///< [touched]
+  std::vector<double> rate_, weight_;      ///< of the terms [1/s], [s^-1/2]; [n_terms]
+  std::vector<double> decay_, gain_;       ///< of the terms over the present interval [n_terms]
+  /// Of cells in vectors of eight, filled up with cold ones.
+  AlignedNumbers memory_;               ///< weight times integral of flux times exponential [vectors][n_terms][8]
+  AlignedNumbers flux_, rise_, total_;  ///< [W/m2], [K], [J]; [touched, filled up]
   double interval_ = 0, last_angle_ = 0, start_ring_angle_ = 0;
   bool was_in_contact_ = false, has_begun_ = false;
   State state_;

@@ -1,106 +1,111 @@
 #include "thermal/section/modal_sums.h"
 
 #include <algorithm>
-#include <limits>
-
-#include "base/wide_vectors.h"
 
 namespace rotordrop {
 namespace {
 
-ROTORDROP_KERNEL TwoSums two_sums_kernel(const double* y, double zero, const double* a, const double* b,
-                                         std::size_t n) {
-  double sum_a = 0., sum_b = 0.;
-#pragma omp simd reduction(+ : sum_a, sum_b)
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    sum_a += a[i] * z;
-    sum_b += b[i] * z;
+/// Even and odd modes by themselves: each waits for the sum before it.
+ROTORDROP_KERNEL void add_modes(Octet& even, Octet& odd, const double* y, double zero, const double* column,
+                                std::size_t n_modes) {
+  std::size_t i = 0;
+  for (; i + 1 < n_modes; i += 2, column += 2 * vector_length) {
+    add_product(even, y[i] - zero, column);
+    add_product(odd, y[i + 1] - zero, column + vector_length);
   }
-  return {sum_a, sum_b};
+  if (i < n_modes) add_product(even, y[i] - zero, column);
 }
 
-ROTORDROP_KERNEL FiveSums five_sums_kernel(const double* y, double zero, const double* a, const double* b,
-                                           const double* c, const double* d, const double* e, std::size_t n) {
-  double sum_a = 0., sum_b = 0., sum_c = 0., sum_d = 0., sum_e = 0.;
-#pragma omp simd reduction(+ : sum_a, sum_b, sum_c, sum_d, sum_e)
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    sum_a += a[i] * z;
-    sum_b += b[i] * z;
-    sum_c += c[i] * z;
-    sum_d += d[i] * z;
-    sum_e += e[i] * z;
+ROTORDROP_KERNEL void sums_kernel(const double* y, double zero, const double* column, std::size_t n_modes,
+                                  std::size_t n_vectors, double* out) {
+  for (std::size_t v = 0; v < n_vectors; ++v, column += n_modes * vector_length, out += vector_length) {
+    Octet even, odd;
+    add_modes(even, odd, y, zero, column, n_modes);
+    add_product(even, 1., odd.value.data());
+    store_first(even, vector_length, out);
   }
-  return {sum_a, sum_b, sum_c, sum_d, sum_e};
 }
 
-ROTORDROP_KERNEL ThreeSums three_sums_kernel(const double* y, double zero, const double* a, const double* b,
-                                             const double* c, std::size_t n) {
-  double sum_a = 0., sum_b = 0., sum_c = 0.;
-#pragma omp simd reduction(+ : sum_a, sum_b, sum_c)
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    sum_a += a[i] * z;
-    sum_b += b[i] * z;
-    sum_c += c[i] * z;
-  }
-  return {sum_a, sum_b, sum_c};
-}
-
-ROTORDROP_KERNEL void add_times_kernel(double factor, const double* row, double* to, std::size_t n) {
+ROTORDROP_KERNEL void rates_kernel(const double* y, double zero, const double* decay, const double* inputs,
+                                   const double* watts, std::size_t n_inputs, std::size_t n_modes, double* dydt) {
+  const std::size_t stride = filled_up(n_modes);
+  for (std::size_t at = 0; at < n_modes; at += vector_length) {
+    const std::size_t n = std::min(vector_length, n_modes - at);
+    const Octet state = first_of(y + at, n);
+    Octet rate;
 #pragma omp simd
-  for (std::size_t i = 0; i < n; ++i) to[i] += factor * row[i];
+    for (std::size_t l = 0; l < vector_length; ++l) rate[l] = decay[at + l] * (state.value[l] - zero);
+    const double* input = inputs + at;
+    for (std::size_t p = 0; p < n_inputs; ++p, input += stride) add_product(rate, watts[p], input);
+    store_first(rate, n, dydt + at);
+  }
 }
 
-ROTORDROP_KERNEL void modal_rates_kernel(const double* y, double zero, const double* rate, const ModalHeats& h,
-                                         double* dydt, std::size_t n) {
+ROTORDROP_KERNEL RiseRange extremes_kernel(const double* y, double zero, const double* column, std::size_t n_modes,
+                                           const double* at_once, double watts, std::size_t n_vectors) {
+  Octet lowest, highest;
+  for (std::size_t v = 0; v < n_vectors; ++v, column += n_modes * vector_length, at_once += vector_length) {
+    Octet even, odd;
+    add_product(odd, watts, at_once);
+    add_modes(even, odd, y, zero, column, n_modes);
+    add_product(even, 1., odd.value.data());
+    if (v == 0) lowest = highest = even;
 #pragma omp simd
-  for (std::size_t i = 0; i < n; ++i)
-    dydt[i] = -rate[i] * (y[i] - zero) + h.q_bore * h.bore[i] + h.q_shaft * h.shaft[i] + h.q_inner * h.inner[i] +
-              h.q_outer * h.outer[i] + h.q_film * h.film[i];
-}
-
-ROTORDROP_KERNEL RiseRange extremes_kernel(const double* y, double zero, std::size_t n, const double* by_mode,
-                                           const double* at_once, double watts, double* rises, std::size_t n_points) {
-#pragma omp simd
-  for (std::size_t k = 0; k < n_points; ++k) rises[k] = at_once[k] * watts;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = y[i] - zero;
-    const double* shape = by_mode + i * n_points;
-#pragma omp simd
-    for (std::size_t k = 0; k < n_points; ++k) rises[k] += shape[k] * z;
+    for (std::size_t l = 0; l < vector_length; ++l) {
+      lowest[l] = even.value[l] < lowest.value[l] ? even.value[l] : lowest.value[l];
+      highest[l] = even.value[l] > highest.value[l] ? even.value[l] : highest.value[l];
+    }
   }
-  double lowest = rises[0], highest = rises[0];
-#pragma omp simd reduction(min : lowest) reduction(max : highest)
-  for (std::size_t k = 0; k < n_points; ++k) {
-    lowest = rises[k] < lowest ? rises[k] : lowest;
-    highest = rises[k] > highest ? rises[k] : highest;
-  }
-  return {lowest, highest};
+  return {*std::min_element(lowest.value.begin(), lowest.value.end()), highest.largest()};
 }
 
 }  // namespace
 
-TwoSums two_sums(const double* y, double zero, const double* a, const double* b, std::size_t n) {
-  return wide<two_sums_kernel>(y, zero, a, b, n);
+std::size_t ModalShapes::add(std::span<const double> shape) {
+  if (n_ % vector_length == 0) values_.resize(values_.size() + n_modes_ * vector_length, 0.);
+  double* column = values_.data() + n_ / vector_length * n_modes_ * vector_length + n_ % vector_length;
+  for (std::size_t i = 0; i < shape.size(); ++i) column[i * vector_length] = shape[i];
+  return n_++;
 }
-ThreeSums three_sums(const double* y, double zero, const double* a, const double* b, const double* c, std::size_t n) {
-  return wide<three_sums_kernel>(y, zero, a, b, c, n);
+
+void ModalShapes::sums(const double* y, double zero, double* out) const {
+  wide<sums_kernel>(y, zero, values_.data(), n_modes_, filled_up(n_) / vector_length, out);
 }
-FiveSums five_sums(const double* y, double zero, const double* a, const double* b, const double* c, const double* d,
-                   const double* e, std::size_t n) {
-  return wide<five_sums_kernel>(y, zero, a, b, c, d, e, n);
+
+void ModalShapes::sums(const double* y, double zero, std::vector<double>& out) const {
+  out.resize(filled_up(n_));
+  sums(y, zero, out.data());
 }
-void add_times(double factor, const double* row, double* to, std::size_t n) {
-  wide<add_times_kernel>(factor, row, to, n);
+
+ModalRates::ModalRates(std::span<const double> rate) : n_modes_(rate.size()), decay_(filled_up(rate.size()), 0.) {
+  std::transform(rate.begin(), rate.end(), decay_.begin(), [](double r) { return -r; });
 }
-void modal_rates(const double* y, double zero, const double* rate, const ModalHeats& h, double* dydt, std::size_t n) {
-  wide<modal_rates_kernel>(y, zero, rate, h, dydt, n);
+
+std::size_t ModalRates::add(std::span<const double> input) {
+  inputs_.insert(inputs_.end(), input.begin(), input.end());
+  inputs_.resize(++n_inputs_ * filled_up(n_modes_), 0.);
+  return n_inputs_ - 1;
 }
-RiseRange extremes(const double* y, double zero, std::size_t n, const double* by_mode, const double* at_once,
-                   double watts, double* rises, std::size_t n_points) {
-  return wide<extremes_kernel>(y, zero, n, by_mode, at_once, watts, rises, n_points);
+
+void ModalRates::rates(const double* y, double zero, const double* watts, double* dydt) const {
+  wide<rates_kernel>(y, zero, decay_.data(), inputs_.data(), watts, n_inputs_, n_modes_, dydt);
+}
+
+SurfacePoints::SurfacePoints(std::span<const double> by_point, std::span<const double> at_once)
+    : n_modes_(by_point.size() / at_once.size()),
+      values_(filled_up(at_once.size()) * n_modes_),
+      at_once_(filled_up(at_once.size())) {
+  for (std::size_t k = 0; k < at_once_.size(); ++k) {
+    const std::size_t point = k < at_once.size() ? k : 0;
+    at_once_[k] = at_once[point];
+    double* column = values_.data() + k / vector_length * n_modes_ * vector_length + k % vector_length;
+    for (std::size_t i = 0; i < n_modes_; ++i) column[i * vector_length] = by_point[point * n_modes_ + i];
+  }
+}
+
+RiseRange SurfacePoints::extremes(const double* y, double zero, double watts) const {
+  return wide<extremes_kernel>(y, zero, values_.data(), n_modes_, at_once_.data(), watts,
+                               at_once_.size() / vector_length);
 }
 
 }  // namespace rotordrop

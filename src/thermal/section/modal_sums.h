@@ -1,43 +1,63 @@
 #pragma once
 
-// Sums over the modes of reduced finite elements, compiled for several kinds of machine. States are absolute temperatures: their rises count
-// from `zero`.
+// Sums over the modes of reduced finite elements, many at once in vectors. States are absolute temperatures [n_modes]: their rises count from
+// `zero`.
 #include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/aligned_numbers.h"
+#include "base/wide_vectors.h"
 
 namespace rotordrop {
 
-struct TwoSums {
-  double a, b;
-};
-/// Weighted sums of y - zero, several at once.
-TwoSums two_sums(const double* y, double zero, const double* a, const double* b, std::size_t n);
+/// Shapes in vectors of eight, each vector mode after mode.
+class ModalShapes {
+ public:
+  ModalShapes() = default;
+  explicit ModalShapes(std::size_t n_modes) : n_modes_(n_modes) {}
+  /// @param shape  [n_modes], or empty for zeros @returns its place among the shapes
+  std::size_t add(std::span<const double> shape);
+  [[nodiscard]] std::size_t size() const { return n_; }
+  /// Sums shape . (y - zero) of all shapes, and zeros up to a whole vector. @param out  [filled_up(size())]
+  void sums(const double* y, double zero, double* out) const;
+  void sums(const double* y, double zero, std::vector<double>& out) const;
 
-struct ThreeSums {
-  double a, b, c;
+ private:
+  std::size_t n_ = 0, n_modes_ = 0;
+  AlignedNumbers values_;
 };
-ThreeSums three_sums(const double* y, double zero, const double* a, const double* b, const double* c, std::size_t n);
 
-struct FiveSums {
-  double a, b, c, d, e;
+/// Rates of the modes: each decays, and heats go into it.
+class ModalRates {
+ public:
+  ModalRates() = default;
+  explicit ModalRates(std::span<const double> rate);
+  /// @param input  [K/(s W)] @returns its place among the inputs
+  std::size_t add(std::span<const double> input);
+  /// @param watts  of all inputs
+  void rates(const double* y, double zero, const double* watts, double* dydt) const;
+
+ private:
+  std::size_t n_modes_ = 0, n_inputs_ = 0;
+  AlignedNumbers decay_, inputs_;
 };
-FiveSums five_sums(const double* y, double zero, const double* a, const double* b, const double* c, const double* d,
-                   const double* e, std::size_t n);
-
-/// Adds a row times a factor.
-void add_times(double factor, const double* row, double* to, std::size_t n);
-
-struct ModalHeats {
-  const double *bore, *shaft, *inner, *outer, *film;  // rows
-  double q_bore, q_shaft, q_inner, q_outer, q_film;   // [W]
-};
-/// Rates of the modes under heats.
-void modal_rates(const double* y, double zero, const double* rate, const ModalHeats& h, double* dydt, std::size_t n);
 
 struct RiseRange {
   double lowest, highest;
 };
-/// Extremes over a surface's points. @param rises  scratch [n_points]
-RiseRange extremes(const double* y, double zero, std::size_t n, const double* by_mode, const double* at_once,
-                   double watts, double* rises, std::size_t n_points);
+
+/// Rises of a surface's points.
+class SurfacePoints {
+ public:
+  /// @param by_point  mode after mode of a point, point after point [n_points * n_modes]
+  /// @param at_once   rises per watt besides [n_points]
+  SurfacePoints(std::span<const double> by_point, std::span<const double> at_once);
+  [[nodiscard]] RiseRange extremes(const double* y, double zero, double watts) const;
+
+ private:
+  std::size_t n_modes_;
+  AlignedNumbers values_, at_once_;  // of whole vectors: the first point again behind the last
+};
 
 }  // namespace rotordrop

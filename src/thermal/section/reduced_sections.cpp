@@ -12,12 +12,6 @@ namespace rotordrop {
 
 namespace {
 
-double sum(const std::vector<double>& shape, const double* y, double zero) {
-  double s = 0.;
-  for (std::size_t i = 0; i < shape.size(); ++i) s += shape[i] * (y[i] - zero);
-  return s;
-}
-
 const ReducedHeat::Output& find(const std::vector<ReducedHeat::Output>& list, const std::string& name) {
   for (const auto& output : list)
     if (output.name == name) return output;
@@ -51,13 +45,47 @@ std::array<std::vector<double>, growth_surfaces.size()> growth_of_means(const Re
 
 // What observe() writes for a surface.
 const std::vector<std::string> surface_columns = {"mean", "lowest", "highest"};
-constexpr std::array<std::size_t, 4> surface_ports = {bore_port, inner_raceway_port, outer_raceway_port, housing_port};
+constexpr std::array<std::size_t, 4> bearing_surfaces = {bore_port, inner_raceway_port, outer_raceway_port,
+                                                         housing_port};
 
 /// Those, and of rows that are heated apart each row's strips.
 std::vector<std::size_t> observed_ports(const ReducedSection& section) {
-  std::vector<std::size_t> ports(surface_ports.begin(), surface_ports.end());
+  std::vector<std::size_t> ports(bearing_surfaces.begin(), bearing_surfaces.end());
   for (const auto& row : section.rows) ports.insert(ports.end(), {row.inner, row.outer});
   return ports;
+}
+
+/// The ports that heat enters: of a bearing, and of rows that are heated apart their strips.
+std::vector<std::size_t> heated_ports(const ReducedSection& section) {
+  std::vector<std::size_t> ports(n_bearing_ports);
+  std::iota(ports.begin(), ports.end(), std::size_t{0});
+  for (const auto& row : section.rows) ports.insert(ports.end(), {row.inner, row.outer});
+  return ports;
+}
+
+/// The part of an input's heat that no mode stores.
+double not_stored(const std::vector<double>& input, const std::vector<double>& stored) {
+  constexpr double roundoff = 1e-12;
+  const double part = 1. - std::inner_product(input.begin(), input.end(), stored.begin(), 0.);
+  return std::fabs(part) < roundoff ? 0. : part;
+}
+
+/// All sums over the modes that are observed, in order.
+ModalShapes observed_shapes(const ReducedSection& section, const std::vector<std::size_t>& surface_ports) {
+  ModalShapes shapes(section.heat.n_modes());
+  for (const auto* outputs : {&section.heat.bodies, &section.heat.nodes})
+    for (const auto& output : *outputs) shapes.add(output.shape);
+  for (const std::size_t port : surface_ports) shapes.add(section.heat.ports[port].shape);
+  if (!section.elastic) return shapes;
+  const auto& elastic = *section.elastic;
+  if (elastic.drives) {
+    shapes.add(elastic.mean_pressure.shape);
+    for (const auto& node : elastic.node_pressure) shapes.add(node.shape);
+  } else {
+    for (const auto& shape : elastic.growth) shapes.add(shape);
+  }
+  for (const auto& shape : elastic.rows) shapes.add(shape);
+  return shapes;
 }
 
 }  // namespace
@@ -70,64 +98,39 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     Place p;
     p.first = first;
     p.n = heat.n_modes();
+    p.modes = ModalRates(heat.rate);
+    p.means = p.growth = p.stored = ModalShapes(p.n);
     first += p.n;
-    p.rate = heat.rate;
-    const auto input = [&](std::size_t port) { return times(1. / heat.capacity, heat.ports.at(port).shape); };
-    p.bore_input = input(bore_port);
-    p.shaft_input = input(shaft_port);
-    p.inner_input = input(inner_raceway_port);
-    p.outer_input = input(outer_raceway_port);
-    const auto& film = heat.ports.at(housing_port);
-    p.film = film.shape;
-    p.film_input = times(1. / heat.capacity, film.shape);
-    p.film_area = film.area;
-    p.loss = heat.loss;
-    p.bore = heat.ports[bore_port].shape;
-    p.shaft_surface = heat.ports[shaft_port].shape;
-    for (const auto& row : section.rows) {
-      const auto &inner = heat.ports.at(row.inner), &outer = heat.ports.at(row.outer);
-      p.rows.push_back({input(row.inner), input(row.outer), inner.shape, outer.shape, inner.at_once, outer.at_once,
-                        inner.area / heat.ports[inner_raceway_port].area,
-                        outer.area / heat.ports[outer_raceway_port].area});
-    }
-    if (section.balls_roll) {
-      p.inner_strip = heat.ports[inner_raceway_port].shape;
-      p.outer_strip = heat.ports[outer_raceway_port].shape;
-      p.inner_at_once = heat.ports[inner_raceway_port].at_once;
-      p.outer_at_once = heat.ports[outer_raceway_port].at_once;
-      p.balls = heat.ports.at(ball_port).shape;
-      p.ball_input = input(ball_port);
-    }
-    const bool is_elastic = section.elastic && section.elastic->drives;
-    p.growth = is_elastic ? section.elastic->growth : growth_of_means(heat, section.growth);
-    p.has_widths = is_elastic || section.growth.inner_width != 0. || section.growth.outer_width != 0.;
-    p.stored.assign(p.n, 0.);
+    std::vector<double> stored(p.n, 0.);
     for (const auto* list : {&heat.bodies, &heat.nodes})
       for (const auto& output : *list)
-        for (std::size_t i = 0; i < p.n; ++i) p.stored[i] += output.capacity * output.shape[i];
-    const auto not_stored = [&](const std::vector<double>& port) {
-      constexpr double roundoff = 1e-12;
-      if (port.empty()) return 0.;
-      const double part = 1. - std::inner_product(port.begin(), port.end(), p.stored.begin(), 0.);
-      return std::fabs(part) < roundoff ? 0. : part;
-    };
-    p.lost = {not_stored(p.bore_input),  not_stored(p.shaft_input), not_stored(p.inner_input),
-              not_stored(p.outer_input), not_stored(p.film_input),  not_stored(p.ball_input)};
-    for (auto& row : p.rows) {
-      row.inner_lost = not_stored(row.inner_input);
-      row.outer_lost = not_stored(row.outer_input);
+        for (std::size_t i = 0; i < p.n; ++i) stored[i] += output.capacity * output.shape[i];
+    p.stored.add(stored);
+    const std::vector<std::size_t> heated = heated_ports(section);
+    if (filled_up(heated.size() + 1) > std::tuple_size_v<HeatedPorts>)
+      throw std::invalid_argument("a reduced section has too many rows of balls");
+    for (const std::size_t port : heated) {
+      const auto& output = heat.ports.at(port);
+      const std::vector<double> input = times(1. / heat.capacity, output.shape);
+      p.modes.add(input);
+      p.means.add(output.shape);
+      p.at_once.push_back(output.at_once);
+      p.lost_at_once.push_back(not_stored(input, stored));
     }
+    p.loss = p.means.add(heat.loss);
+    p.film_area = heat.ports[housing_port].area;
+    for (const auto& row : section.rows)
+      p.rows.push_back({heat.ports[row.inner].area / heat.ports[inner_raceway_port].area,
+                        heat.ports[row.outer].area / heat.ports[outer_raceway_port].area});
+    const bool is_elastic = section.elastic && section.elastic->drives;
+    const auto by_formula = growth_of_means(heat, section.growth);
+    for (std::size_t i = 0; i < by_formula.size(); ++i)
+      p.growth.add(is_elastic ? section.elastic->growth[i] : by_formula[i]);
+    p.has_widths = is_elastic || section.growth.inner_width != 0. || section.growth.outer_width != 0.;
     p.surface_ports = observed_ports(section);
-    for (const std::size_t port : p.surface_ports) {
-      const auto& output = heat.ports[port];
-      const std::size_t n_points = output.points.size() / p.n;
-      Place::Surface surface{std::vector<double>(output.points.size()), output.points_at_once};
-      surface.at_once.resize(n_points);
-      for (std::size_t k = 0; k < n_points; ++k)
-        for (std::size_t i = 0; i < p.n; ++i) surface.by_mode[i * n_points + k] = output.points[k * p.n + i];
-      p.surfaces.push_back(std::move(surface));
-      most_points_ = std::max(most_points_, n_points);
-    }
+    for (const std::size_t port : p.surface_ports)
+      p.surfaces.emplace_back(heat.ports[port].points, heat.ports[port].points_at_once);
+    p.observed = observed_shapes(section, p.surface_ports);
     places_.push_back(std::move(p));
   }
 }
@@ -145,14 +148,12 @@ void ReducedSections::initial_state(std::span<double> state) const { std::fill(s
 
 void ReducedSections::add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const {
   const Place& p = places_[k];
-  const double* y = values.data() + p.first;
-  const auto& g = p.growth;
-  const auto u = five_sums(y, zero, g[0].data(), g[1].data(), g[2].data(), g[3].data(), g[4].data(), p.n);
-  out = {.shaft = u.a, .bore = u.b, .inner_race = u.c, .outer_race = u.d, .ball = u.e};
+  std::array<double, filled_up(growth_surfaces.size())> u;
+  p.growth.sums(values.data() + p.first, zero, u.data());
+  out = {.shaft = u[0], .bore = u[1], .inner_race = u[2], .outer_race = u[3], .ball = u[4]};
   if (!p.has_widths) return;
-  const auto widths = two_sums(y, zero, g[5].data(), g[6].data(), p.n);
-  out.inner_width = widths.a;
-  out.outer_width = widths.b;
+  out.inner_width = u[5];
+  out.outer_width = u[6];
 }
 
 void ReducedSections::growth(std::span<const double> state, std::span<Expansion> out) const {
@@ -163,37 +164,25 @@ void ReducedSections::growth_rates(std::span<const double> rate, std::span<Expan
   for (std::size_t k = 0; k < places_.size(); ++k) add_growth(k, rate, 0., out[k]);
 }
 
-ContactHeat ReducedSections::rolling_heat(const Place& p, const double* y, const HeatInput& heat) const {
-  const auto rise = three_sums(y, ambient_, p.inner_strip.data(), p.outer_strip.data(), p.balls.data(), p.n);
-  return contact_heat(heat.balls, rise.a + p.inner_at_once * heat.inner, rise.b + p.outer_at_once * heat.outer, rise.c,
-                      p.inner_at_once, 0., p.outer_at_once);
-}
-
-ContactHeat ReducedSections::rolling_heat(const Place& p, const Place::Row& row, const double* y,
-                                          const RowHeat& heat) const {
-  const auto rise = three_sums(y, ambient_, row.inner_strip.data(), row.outer_strip.data(), p.balls.data(), p.n);
-  return contact_heat(heat.balls, rise.a + row.inner_at_once * heat.inner, rise.b + row.outer_at_once * heat.outer,
-                      rise.c, row.inner_at_once, 0., row.outer_at_once);
-}
-
-double ReducedSections::heat_rows(std::size_t k, const double* y, const HeatInput& heat, double* dydt) const {
+void ReducedSections::heat_raceways(std::size_t k, const double* rises, const HeatInput& heat,
+                                    HeatedPorts& watts) const {
   const Place& p = places_[k];
-  double from_balls = 0., lost = 0.;
-  for (std::size_t i = 0; i < p.rows.size(); ++i) {
-    const auto& row = p.rows[i];
-    double q_inner = heat.rows[i].inner, q_outer = heat.rows[i].outer;
-    if (sections_[k].balls_roll) {
-      const ContactHeat q = rolling_heat(p, row, y, heat.rows[i]);
-      q_inner += q.inner;
-      q_outer += q.outer;
-      from_balls += q.from_balls();
-    }
-    add_times(q_inner, row.inner_input.data(), dydt, p.n);
-    add_times(q_outer, row.outer_input.data(), dydt, p.n);
-    lost += row.inner_lost * q_inner + row.outer_lost * q_outer;
-  }
-  if (sections_[k].balls_roll) add_times(-from_balls, p.ball_input.data(), dydt, p.n);
-  return lost - p.lost.balls * from_balls;
+  const bool rolls = sections_[k].balls_roll;
+  double from_balls = 0.;
+  const auto heat_pair = [&](std::size_t inner, std::size_t outer, const auto& given) {
+    ContactHeat q;
+    if (rolls)
+      q = contact_heat(given.balls, rises[inner] + p.at_once[inner] * given.inner,
+                       rises[outer] + p.at_once[outer] * given.outer, rises[ball_port], p.at_once[inner], 0.,
+                       p.at_once[outer]);
+    watts[inner] = given.inner + q.inner;
+    watts[outer] = given.outer + q.outer;
+    from_balls += q.from_balls();
+  };
+  if (p.rows.empty()) heat_pair(inner_raceway_port, outer_raceway_port, heat);
+  for (std::size_t i = 0; i < p.rows.size(); ++i)
+    heat_pair(n_bearing_ports + 2 * i, n_bearing_ports + 2 * i + 1, heat.rows[i]);
+  watts[ball_port] = -from_balls;
 }
 
 double ReducedSections::rates(std::span<const double> state, std::span<const HeatInput> heat,
@@ -202,35 +191,24 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const Place& p = places_[k];
     const double* y = state.data() + p.first;
-    const auto [housing_rise, linear_loss] = two_sums(y, ambient_, p.film.data(), p.loss.data(), p.n);
+    HeatedPorts rises, watts;
+    p.means.sums(y, ambient_, rises.data());
+    const std::size_t n_ports = p.at_once.size();
+    std::fill_n(watts.begin(), n_ports, 0.);
     // Eq. (16) with the mean rise of the housing's surface.
-    const double film_loss = housing_convection(housing_rise) * p.film_area * housing_rise;
-    double q_bore = heat[k].rub_into_ring, q_shaft = heat[k].rub - q_bore;
+    const double film_loss = housing_convection(rises[housing_port]) * p.film_area * rises[housing_port];
+    watts[housing_port] = -film_loss;
+    watts[bore_port] = heat[k].rub_into_ring;
+    watts[shaft_port] = heat[k].rub - heat[k].rub_into_ring;
     if (const auto& link = sections_[k].contact_link) {
-      const auto [bore, shaft] = two_sums(y, ambient_, p.bore.data(), p.shaft_surface.data(), p.n);
-      const double q = (bore - shaft) / (heat[k].is_in_contact ? link->touching : link->apart);
-      q_bore -= q;
-      q_shaft += q;
+      const double q = (rises[bore_port] - rises[shaft_port]) / (heat[k].is_in_contact ? link->touching : link->apart);
+      watts[bore_port] -= q;
+      watts[shaft_port] += q;
     }
-    const bool is_apart = !p.rows.empty();
-    double q_inner = is_apart ? 0. : heat[k].inner, q_outer = is_apart ? 0. : heat[k].outer, from_balls = 0.;
-    if (sections_[k].balls_roll && !is_apart) {
-      const ContactHeat q = rolling_heat(p, y, heat[k]);
-      q_inner += q.inner;
-      q_outer += q.outer;
-      from_balls = q.from_balls();
-    }
-    modal_rates(y, ambient_, p.rate.data(),
-                {p.bore_input.data(), p.shaft_input.data(), p.inner_input.data(), p.outer_input.data(),
-                 p.film_input.data(), q_bore, q_shaft, q_inner, q_outer, -film_loss},
-                dydt.data() + p.first, p.n);
-    if (is_apart)
-      lost += heat_rows(k, y, heat[k], dydt.data() + p.first);
-    else if (sections_[k].balls_roll)
-      add_times(-from_balls, p.ball_input.data(), dydt.data() + p.first, p.n);
-    lost += linear_loss + film_loss;
-    lost += p.lost.bore * q_bore + p.lost.shaft * q_shaft + p.lost.inner * q_inner + p.lost.outer * q_outer -
-            p.lost.film * film_loss - p.lost.balls * from_balls;
+    heat_raceways(k, rises.data(), heat[k], watts);
+    p.modes.rates(y, ambient_, watts.data(), dydt.data() + p.first);
+    lost += rises[p.loss] + film_loss;
+    for (std::size_t port = 0; port < n_ports; ++port) lost += p.lost_at_once[port] * watts[port];
   }
   return lost;
 }
@@ -263,77 +241,77 @@ std::vector<Observable> ReducedSections::observables() const {
   return list;
 }
 
-double* ReducedSections::observe_surfaces(std::size_t k, const double* y, const HeatInput& heat, double* out,
-                                          std::vector<double>& rises) const {
+void ReducedSections::observe_surfaces(std::size_t k, const double* y, const HeatInput& heat, double* out) const {
   const Place& p = places_[k];
-  const ReducedHeat& of = sections_[k].heat;
-  const bool rolls = sections_[k].balls_roll, is_apart = !p.rows.empty();
-  std::vector<double> watts = {heat.rub_into_ring, 0., 0., 0.};
-  if (!is_apart) {
-    const ContactHeat q = rolls ? rolling_heat(p, y, heat) : ContactHeat{};
-    watts[1] = heat.inner + q.inner;
-    watts[2] = heat.outer + q.outer;
-  }
-  for (std::size_t i = 0; i < p.rows.size(); ++i) {
-    const ContactHeat q = rolls ? rolling_heat(p, p.rows[i], y, heat.rows[i]) : ContactHeat{};
-    watts.insert(watts.end(), {heat.rows[i].inner + q.inner, heat.rows[i].outer + q.outer});
-  }
+  HeatedPorts rises, watts;
+  p.means.sums(y, ambient_, rises.data());
+  std::fill_n(watts.begin(), p.at_once.size(), 0.);
+  watts[bore_port] = heat.rub_into_ring;
+  heat_raceways(k, rises.data(), heat, watts);
+  const std::array<double, bearing_surfaces.size()> of_bearing = {watts[bore_port], watts[inner_raceway_port],
+                                                                  watts[outer_raceway_port], 0.};
   for (std::size_t i = 0; i < p.surface_ports.size(); ++i) {
-    const auto& port = of.ports[p.surface_ports[i]];
-    const auto& surface = p.surfaces[i];
-    const RiseRange range = extremes(y, ambient_, p.n, surface.by_mode.data(), surface.at_once.data(), watts[i],
-                                     rises.data(), surface.at_once.size());
-    out[3 * i] = ambient_ + sum(port.shape, y, ambient_) + port.at_once * watts[i];
+    const std::size_t row = i - of_bearing.size();
+    const double into = i < of_bearing.size() ? of_bearing[i] : watts[n_bearing_ports + row];
+    const RiseRange range = p.surfaces[i].extremes(y, ambient_, into);
+    out[3 * i] += sections_[k].heat.ports[p.surface_ports[i]].at_once * into;
     out[3 * i + 1] = ambient_ + range.lowest;
     out[3 * i + 2] = ambient_ + range.highest;
   }
   // A raceway is its rows' strips together.
-  for (std::size_t race = 0; race < 2 && is_apart; ++race) {
+  for (std::size_t race = 0; race < 2 && !p.rows.empty(); ++race) {
     double* whole = out + 3 * (1 + race);
     std::fill(whole, whole + 3, 0.);
     for (std::size_t i = 0; i < p.rows.size(); ++i) {
-      const double* row = out + 3 * (surface_ports.size() + 2 * i + race);
+      const double* row = out + 3 * (of_bearing.size() + 2 * i + race);
       whole[0] += (race == 0 ? p.rows[i].inner_share : p.rows[i].outer_share) * row[0];
       whole[1] = i == 0 ? row[1] : std::min(whole[1], row[1]);
       whole[2] = i == 0 ? row[2] : std::max(whole[2], row[2]);
     }
   }
-  return out + 3 * p.surface_ports.size();
 }
 
 void ReducedSections::observe(std::span<const double> state, std::span<const HeatInput> heats,
                               std::span<double> out) const {
-  std::vector<double> rises(most_points_);
-  std::size_t at = 0;
+  std::vector<double> sums;
+  double* to = out.data();
   for (std::size_t k = 0; k < places_.size(); ++k) {
-    const ReducedHeat& heat = sections_[k].heat;
-    const double* y = state.data() + places_[k].first;
-    for (const auto* outputs : {&heat.bodies, &heat.nodes})
-      for (const auto& output : *outputs) out[at++] = ambient_ + sum(output.shape, y, ambient_);
-    at = static_cast<std::size_t>(observe_surfaces(k, y, heats[k], out.data() + at, rises) - out.data());
+    const Place& p = places_[k];
+    const double* y = state.data() + p.first;
+    p.observed.sums(y, ambient_, sums);
+    const double* sum = sums.data();
+    for (const auto* outputs : {&sections_[k].heat.bodies, &sections_[k].heat.nodes})
+      for (std::size_t i = 0; i < outputs->size(); ++i) *to++ = ambient_ + *sum++;
+    for (std::size_t i = 0; i < p.surfaces.size(); ++i) to[3 * i] = ambient_ + *sum++;
+    observe_surfaces(k, y, heats[k], to);
+    to += 3 * p.surfaces.size();
     const auto& elastic = sections_[k].elastic;
-    if (elastic && !elastic->drives)
-      for (const auto& shape : elastic->growth) out[at++] = sum(shape, y, ambient_);
-    if (elastic && elastic->drives) {
-      const auto value = [&](const ReducedSection::Functional& f) { return f.at_rest + sum(f.shape, y, ambient_); };
+    if (!elastic) continue;
+    if (elastic->drives) {
+      *to++ = elastic->mean_pressure.at_rest + *sum++;
       double lowest = std::numeric_limits<double>::infinity(), pulling = 0.;
       for (std::size_t i = 0; i < elastic->node_pressure.size(); ++i) {
-        const double p = value(elastic->node_pressure[i]);
-        lowest = std::min(lowest, p);
-        if (p < -no_pressure) pulling += elastic->node_share[i];
+        const double pressure = elastic->node_pressure[i].at_rest + *sum++;
+        lowest = std::min(lowest, pressure);
+        if (pressure < -no_pressure) pulling += elastic->node_share[i];
       }
-      out[at++] = value(elastic->mean_pressure);
-      out[at++] = lowest;
-      out[at++] = pulling;
+      *to++ = lowest;
+      *to++ = pulling;
+    } else {
+      to = std::copy_n(sum, elastic->growth.size(), to);
+      sum += elastic->growth.size();
     }
-    if (elastic)
-      for (const auto& shape : elastic->rows) out[at++] = sum(shape, y, ambient_);
+    to = std::copy_n(sum, elastic->rows.size(), to);
   }
 }
 
 double ReducedSections::stored_energy(std::span<const double> state) const {
   double stored = 0.;
-  for (const auto& p : places_) stored += sum(p.stored, state.data() + p.first, ambient_);
+  for (const auto& p : places_) {
+    Octet sum;
+    p.stored.sums(state.data() + p.first, ambient_, sum.value.data());
+    stored += sum[0];
+  }
   return stored;
 }
 

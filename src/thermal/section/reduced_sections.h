@@ -6,6 +6,7 @@
 #include "thermal/heating/bearing_heat.h"
 #include "thermal/heating/rolling_exchange.h"
 #include "thermal/section/bearing_elastic.h"
+#include "thermal/section/modal_sums.h"
 
 namespace rotordrop {
 
@@ -52,50 +53,39 @@ class ReducedSections final : public ThermalModel {
   [[nodiscard]] double stored_energy(std::span<const double> state) const override;
 
  private:
+  /// A value for each heated port: those of bearing_heat, then each row's inner and outer strip.
+  using HeatedPorts = std::array<double, 64>;
   struct Place {
     std::size_t first = 0, n = 0;  ///< of its states
-    /// Rows of n numbers: rate, the ports' inputs [K/(s W)], mean shapes.
-    std::vector<double> rate, bore_input, shaft_input, inner_input, outer_input, film_input;
-    std::vector<double> bore, shaft_surface, film, loss;
-    std::vector<double> stored;
-    /// Of balls that roll: mean shapes of strips and balls, input of the balls; rises of strips at once [K/W].
-    std::vector<double> inner_strip, outer_strip, balls, ball_input;
-    double inner_at_once = 0, outer_at_once = 0;
-    /// Of rows heated apart: inputs and mean shapes of their strips.
+    ModalRates modes;              ///< inputs: the heated ports'
+    ModalShapes means;             ///< the heated ports' rises, and the linear loss
+    std::size_t loss = 0;          ///< its place among them
+    /// Parts of the ports' heat that the modes left out lose to the surroundings at once: a meshed shaft's surface, a few 1e-6.
+    std::vector<double> lost_at_once;
+    std::vector<double> at_once;  ///< rises of the heated ports at once [K/W]
+    /// Of rows heated apart: parts of the raceways' area.
     struct Row {
-      std::vector<double> inner_input, outer_input, inner_strip, outer_strip;
-      double inner_at_once = 0, outer_at_once = 0;
-      double inner_share = 0, outer_share = 0;  ///< of the raceways' area
-      double inner_lost = 0, outer_lost = 0;    ///< parts of their heat that the modes left out lose at once
+      double inner_share = 0, outer_share = 0;
     };
     std::vector<Row> rows;
-    std::array<std::vector<double>, growth_surfaces.size()> growth;  ///< of growth_surfaces [m/K]
-    bool has_widths = false;                                         ///< the axial growths are not zero
     double film_area = 0;
-    /// Parts of the ports' heat that the modes left out lose to the surroundings at once: a meshed shaft's surface, a few 1e-6.
-    struct AtOnce {
-      double bore = 0, shaft = 0, inner = 0, outer = 0, film = 0, balls = 0;
-    } lost;
-    struct Surface {
-      std::vector<double> by_mode;  ///< rises of its points, mode after mode [n * n_points]
-      std::vector<double> at_once;  ///< [n_points]
-    };
-    std::vector<Surface> surfaces;           ///< of the ports that are observed
+    ModalShapes growth;                      ///< of growth_surfaces [m/K]
+    bool has_widths = false;                 ///< the axial growths are not zero
+    ModalShapes stored;                      ///< one: heat of all bodies and nodes
+    ModalShapes observed;                    ///< in the order of observe()
+    std::vector<SurfacePoints> surfaces;     ///< of the ports that are observed
     std::vector<std::size_t> surface_ports;  ///< which they are
   };
-  [[nodiscard]] ContactHeat rolling_heat(const Place& place, const double* states, const HeatInput& heat) const;
-  [[nodiscard]] ContactHeat rolling_heat(const Place& place, const Place::Row& row, const double* states,
-                                         const RowHeat& heat) const;
-  /// Heat of rows by themselves into the modes; what is lost at once [W].
-  double heat_rows(std::size_t k, const double* states, const HeatInput& heat, double* dydt) const;
-  double* observe_surfaces(std::size_t k, const double* states, const HeatInput& heat, double* out,
-                           std::vector<double>& rises) const;
+  /// Heat of friction and of rolling balls into the raceways, or their rows, and out of the balls.
+  /// @param rises  of the heated ports by conduction
+  void heat_raceways(std::size_t k, const double* rises, const HeatInput& heat, HeatedPorts& watts) const;
+  /// @param out  [3] of each observed port; its mean by conduction is there already
+  void observe_surfaces(std::size_t k, const double* states, const HeatInput& heat, double* out) const;
   void add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const;
 
   std::vector<ReducedSection> sections_;
   std::vector<Place> places_;
   double ambient_;
-  std::size_t most_points_ = 0;  ///< of a surface
 };
 
 }  // namespace rotordrop
