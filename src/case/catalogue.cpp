@@ -137,8 +137,9 @@ void load_catalogue_bearings(Node& tree, const fs::path& file, const Node& base,
     // The name that is there already brings nothing new: what the layers below say besides stays.
     const Node *name = entry.value.find("catalogue"), *name_under = same->find("catalogue");
     if (name && name_under && to_text(*name) == to_text(*name_under)) continue;
-    load_entry(entry.value, entry.key, file, notes.faults);
-    if (name && name->is_text() && name_under && name_under->is_text())
+    const bool is_named = name && name->is_text();
+    load_entry(entry.value, entry.key, file, notes.faults);  // the entry is another table now
+    if (is_named && name_under && name_under->is_text())
       tell_what_goes(entry.key, entry.value, *same, name_under->text(), notes.warnings);
     keep_set(entry.value, *same);
   }
