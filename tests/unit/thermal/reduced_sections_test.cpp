@@ -89,6 +89,44 @@ TEST(ReducedSections, ShowsSurfacesWithWhatTheModesLeaveOut) {
   EXPECT_NEAR(out[7] - ambient, 2., 1e-10);
 }
 
+TEST(ReducedSections, HeatsTheStripsOfEachRow) {
+  auto section = two_lumps();
+  const auto strip = [&](std::size_t port) { return section.heat.ports[port]; };
+  for (const std::size_t port : {inner_raceway_port, outer_raceway_port, inner_raceway_port, outer_raceway_port})
+    section.heat.ports.push_back(strip(port));
+  for (const std::size_t port : {6U, 7U, 8U, 9U}) section.heat.ports[port].area = 0.005;
+  section.rows = {{6, 7}, {8, 9}};
+  const ReducedSections model(one(section), ambient);
+  std::vector<double> y(2), rate(2);
+  model.initial_state(y);
+  HeatInput heat;
+  heat.rows.resize(2);
+  heat.rows[0].inner = 3.;
+  heat.rows[1].inner = 4.;
+  heat.rows[0].outer = 5.;
+  heat.rows[1].outer = 6.;
+  heat.inner = 7.;
+  heat.outer = 11.;
+  EXPECT_NEAR(model.rates(y, {&heat, 1}, rate), 0., 1e-12);
+  std::vector<Expansion> growth(1);
+  model.growth_rates(rate, growth);
+  EXPECT_NEAR(growth[0].inner_race, 2e-6 * 7. / 30., 1e-17) << "m/s: 7 W, once";
+  EXPECT_NEAR(growth[0].outer_race, 3e-6 * 11. / 70., 1e-17);
+}
+
+TEST(ReducedSections, TellsWhatTheModesLeftOutLoseAtOnce) {
+  auto section = two_lumps();
+  section.heat.ports[bore_port].shape[0] = 0.9;  // of the uniform mode, which alone stores heat
+  const ReducedSections model(one(section), ambient);
+  std::vector<double> y(2), rate(2);
+  model.initial_state(y);
+  HeatInput heat;
+  heat.rub = heat.rub_into_ring = 8.;
+  EXPECT_NEAR(model.rates(y, {&heat, 1}, rate), 0.8, 1e-12) << "W: a tenth of 8";
+  std::vector<double> stored_rate = {ambient + rate[0], ambient + rate[1]};
+  EXPECT_NEAR(model.stored_energy(stored_rate), 7.2, 1e-10) << "W: the rest is stored";
+}
+
 TEST(ReducedSections, ALinkThatNeedsContactConductsOnlyThen) {
   auto section = two_lumps();
   section.contact_link = {.touching = 0.5, .apart = 5.};

@@ -1,0 +1,91 @@
+// Sums in vectors against plain loops: numbers of shapes, modes and points that fill no vector.
+#include "thermal/section/modal_sums.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rotordrop {
+namespace {
+
+constexpr double zero = 300.;
+
+/// Numbers without a pattern between -1 and 1.
+std::vector<double> numbers(std::size_t n, double seed) {
+  std::vector<double> list(n);
+  for (std::size_t i = 0; i < n; ++i) list[i] = std::sin(seed + 12.9898 * static_cast<double>(i * i + 1));
+  return list;
+}
+
+std::vector<double> states(std::size_t n) {
+  std::vector<double> y = numbers(n, 0.3);
+  for (double& x : y) x += zero;
+  return y;
+}
+
+double sum(const std::vector<double>& shape, const std::vector<double>& y) {
+  double s = 0.;
+  for (std::size_t i = 0; i < shape.size(); ++i) s += shape[i] * (y[i] - zero);
+  return s;
+}
+
+// Roundoff of rises at 300 K, some 1e-13 each.
+constexpr double roundoff = 1e-12;
+
+TEST(ModalShapes, SumsEachShape) {
+  for (const std::size_t n_modes : {1U, 2U, 5U, 28U}) {
+    ModalShapes shapes(n_modes);
+    std::vector<std::vector<double>> list;
+    for (std::size_t k = 0; k < 11; ++k) {
+      list.push_back(numbers(n_modes, static_cast<double>(k)));
+      EXPECT_EQ(shapes.add(list.back()), k);
+    }
+    EXPECT_EQ(shapes.add({}), 11U);
+    const auto y = states(n_modes);
+    std::vector<double> out;
+    shapes.sums(y.data(), zero, out);
+    for (std::size_t k = 0; k < 11; ++k) EXPECT_NEAR(out[k], sum(list[k], y), roundoff) << n_modes << " modes, " << k;
+    EXPECT_EQ(out[11], 0.) << "an empty shape";
+  }
+}
+
+TEST(ModalRates, DecayAndTakeHeatAndTouchNothingBehind) {
+  for (const std::size_t n : {1U, 8U, 13U}) {
+    std::vector<double> rate(n);
+    for (std::size_t i = 0; i < n; ++i) rate[i] = 0.5 * static_cast<double>(i);
+    ModalRates modes(rate);
+    const auto a = numbers(n, 1.), b = numbers(n, 2.), y = states(n);
+    EXPECT_EQ(modes.add(a), 0U);
+    EXPECT_EQ(modes.add(b), 1U);
+    const std::vector<double> watts = {3., -7.};
+    std::vector<double> dydt(n + 8, 99.);
+    modes.rates(y.data(), zero, watts.data(), dydt.data());
+    for (std::size_t i = 0; i < n; ++i)
+      EXPECT_NEAR(dydt[i], -rate[i] * (y[i] - zero) + 3. * a[i] - 7. * b[i], roundoff) << i << " of " << n;
+    for (std::size_t i = n; i < dydt.size(); ++i) EXPECT_EQ(dydt[i], 99.);
+  }
+}
+
+TEST(SurfacePoints, FindTheColdestAndTheHottest) {
+  constexpr std::size_t n_modes = 5;
+  const auto y = states(n_modes);
+  for (const std::size_t n_points : {1U, 7U, 8U, 21U}) {
+    const auto by_point = numbers(n_points * n_modes, 4.), at_once = numbers(n_points, 5.);
+    for (const double watts : {0., 2., -30.}) {
+      std::vector<double> rises(n_points);
+      for (std::size_t k = 0; k < n_points; ++k) {
+        const auto first = by_point.begin() + static_cast<std::ptrdiff_t>(k * n_modes);
+        rises[k] = sum({first, first + n_modes}, y) + watts * at_once[k];
+      }
+      const auto [lowest, highest] = std::minmax_element(rises.begin(), rises.end());
+      const RiseRange found = SurfacePoints(by_point, at_once).extremes(y.data(), zero, watts);
+      EXPECT_NEAR(found.lowest, *lowest, roundoff) << n_points << " points, " << watts << " W";
+      EXPECT_NEAR(found.highest, *highest, roundoff) << n_points << " points, " << watts << " W";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotordrop
