@@ -53,7 +53,8 @@ void check_geometry(const GeometryEntries& entries, const Node& table, Faults& f
 Section<MaterialEntry> material_section() {
   Section<MaterialEntry> section("material", "Isotropic, linear elastic.");
   section.text("name", &MaterialEntry::name, {.help = "For the reader only."})
-      .quantity("E", &MaterialEntry::E, {.unit = "Pa", .range = between(1e6, 1e13), .help = "Young's modulus."})
+      .quantity("E", &MaterialEntry::E,
+                {.unit = "Pa", .range = between(1e6, 1e13), .usual = between(1e9, 1.3e12), .help = "Young's modulus."})
       .quantity("nu", &MaterialEntry::nu, {.range = between(0, 0.5), .help = "Poisson's ratio."})
       .quantity("rho", &MaterialEntry::rho, {.unit = "kg/m3", .range = positive(), .help = "Density."})
       .text("shear_coefficient", &MaterialEntry::shear_coefficient,

@@ -3,12 +3,13 @@
 Where a message offers a line, that line is put into the case and must be accepted: advice that does not work is worse than none.
 """
 
+import json
 import re
 import sys
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import HEATED_DISC, ProgramTest  # noqa: E402
+from program import HEATED_DISC, PARAMS, ProgramTest  # noqa: E402
 
 CONTACT = '[contact]\nair_gap = "250 um"\n'
 # What was done, the text after the base, what the message says, and the line that it offers (None: none).
@@ -120,6 +121,15 @@ class Newcomers(ProgramTest):
             done = self.call("check", name)
             self.assertEqual(done.returncode, 2)
             self.assertRegex(re.sub(r"\s+", " ", done.stderr), says)
+
+    def test_a_modulus_without_its_unit_is_given_the_usual_one(self):
+        rotor = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
+        for modulus, meant in ((200, "200 GPa"), (200000, "200000 MPa")):
+            rotor["material"]["E"] = modulus
+            (self.folder / "rotor.json").write_text(json.dumps(rotor))
+            done = self.call("check", "reference.toml", "--set", 'rotor.geometry="rotor.json"')
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f'write "{meant}"', done.stderr)
 
     def test_a_file_given_to_another_command_is_told_where_it_belongs(self):
         self.write("study.toml", 'case = "reference.toml"\n[vary]\ncontact.friction_coefficient = [0.05, 0.1]\n')

@@ -123,6 +123,9 @@ class Slips(ProgramTest):
         self.write("disc.toml", "output_times = [1]\n" + HEATED_DISC.replace('"20 mm"', "60"))
         self.assertRegex(self.said("check", "disc.toml"), r'rectangle#1\.r = 60 m is unusual.*If mm is meant, write "60 mm"')
         self.assertRegex(self.said("check", "disc.toml", "--strict", code=2), r"r = 60 m is unusual")
+        film = '[[convection]]\nboundary = "disc.outer"\ncoefficient = 23000\n'
+        self.write("disc.toml", "output_times = [1]\n" + HEATED_DISC + film)
+        self.assertRegex(self.said("check", "disc.toml"), r"convection#1\.coefficient = 23000 W/\(m2 K\^n\) is unusual")
         self.write("disc.toml", "output_times = [1]\n" + HEATED_DISC)
         self.assertEqual(self.said("heat", "disc.toml", "-o", "disc"), "")
 

@@ -27,11 +27,13 @@ std::vector<std::string> units_in_mind(const std::string& si_unit) {
 }
 
 std::string other_unit_meant(const Declaration& d, double value, const Range& range) {
-  for (const std::string& unit : units_in_mind(d.unit)) {
-    const auto same = convert_to_si(fmt::format("{} {}", shortest(value), unit), d.unit, d.quantity_kind, d.key);
-    if (same && range.contains(same.value) && d.range.contains(same.value))
-      return fmt::format("If {} is meant, write \"{:.6g} {}\".  ", unit, value, unit);
-  }
+  // What is usual, too, goes before what is only allowed.
+  for (const Range& usual : {d.usual, any()})
+    for (const std::string& unit : units_in_mind(d.unit)) {
+      const auto same = convert_to_si(fmt::format("{} {}", shortest(value), unit), d.unit, d.quantity_kind, d.key);
+      if (same && usual.contains(same.value) && range.contains(same.value) && d.range.contains(same.value))
+        return fmt::format("If {} is meant, write \"{:.6g} {}\".  ", unit, value, unit);
+    }
   return "";
 }
 

@@ -200,7 +200,10 @@ Section<HeatConvectionParameters> convection_section() {
                "over `ambient`.");
   s.text("boundary", &P::boundary, {.help = "Boundary: BODY.inner, .outer, .left or .right."});
   s.quantity("coefficient", &P::coefficient,
-             {.unit = "W/(m2 K^n)", .range = at_least(0), .help = "Heat flux in W/m2 at a temperature rise of 1 K."});
+             {.unit = "W/(m2 K^n)",
+              .range = at_least(0),
+              .usual = at_most(2e4),
+              .help = "Heat flux in W/m2 at a temperature rise of 1 K."});
   s.quantity("exponent", &P::exponent,
              {.range = between(0, 3),
               .fallback = "0",
