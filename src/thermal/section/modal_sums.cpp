@@ -91,15 +91,16 @@ void ModalRates::rates(const double* y, double zero, const double* watts, double
   wide<rates_kernel>(y, zero, decay_.data(), inputs_.data(), watts, n_inputs_, n_modes_, dydt);
 }
 
-SurfacePoints::SurfacePoints(std::span<const double> by_point, std::span<const double> at_once)
-    : n_modes_(by_point.size() / at_once.size()),
-      values_(filled_up(at_once.size()) * n_modes_),
-      at_once_(filled_up(at_once.size())) {
+SurfacePoints::SurfacePoints(std::size_t n_modes, std::span<const double> by_point, std::span<const double> at_once)
+    : n_modes_(n_modes) {
+  const std::size_t n_points = by_point.size() / n_modes;
+  at_once_.resize(filled_up(n_points), 0.);
+  values_.resize(at_once_.size() * n_modes);
   for (std::size_t k = 0; k < at_once_.size(); ++k) {
-    const std::size_t point = k < at_once.size() ? k : 0;
-    at_once_[k] = at_once[point];
-    double* column = values_.data() + k / vector_length * n_modes_ * vector_length + k % vector_length;
-    for (std::size_t i = 0; i < n_modes_; ++i) column[i * vector_length] = by_point[point * n_modes_ + i];
+    const std::size_t point = k < n_points ? k : 0;
+    if (point < at_once.size()) at_once_[k] = at_once[point];
+    double* column = values_.data() + k / vector_length * n_modes * vector_length + k % vector_length;
+    for (std::size_t i = 0; i < n_modes; ++i) column[i * vector_length] = by_point[point * n_modes + i];
   }
 }
 

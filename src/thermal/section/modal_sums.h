@@ -51,8 +51,9 @@ struct RiseRange {
 class SurfacePoints {
  public:
   /// @param by_point  mode after mode of a point, point after point [n_points * n_modes]
-  /// @param at_once   rises per watt besides [n_points]
-  SurfacePoints(std::span<const double> by_point, std::span<const double> at_once);
+  /// @param at_once   rises per watt besides [n_points], or empty for zeros
+  SurfacePoints(std::size_t n_modes, std::span<const double> by_point, std::span<const double> at_once);
+  /// Of at least one point.
   [[nodiscard]] RiseRange extremes(const double* y, double zero, double watts) const;
 
  private:

@@ -129,7 +129,7 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     p.has_widths = is_elastic || section.growth.inner_width != 0. || section.growth.outer_width != 0.;
     p.surface_ports = observed_ports(section);
     for (const std::size_t port : p.surface_ports)
-      p.surfaces.emplace_back(heat.ports[port].points, heat.ports[port].points_at_once);
+      p.surfaces.emplace_back(p.n, heat.ports[port].points, heat.ports[port].points_at_once);
     p.observed = observed_shapes(section, p.surface_ports);
     places_.push_back(std::move(p));
   }

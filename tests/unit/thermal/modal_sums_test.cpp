@@ -80,11 +80,16 @@ TEST(SurfacePoints, FindTheColdestAndTheHottest) {
         rises[k] = sum({first, first + n_modes}, y) + watts * at_once[k];
       }
       const auto [lowest, highest] = std::minmax_element(rises.begin(), rises.end());
-      const RiseRange found = SurfacePoints(by_point, at_once).extremes(y.data(), zero, watts);
+      const RiseRange found = SurfacePoints(n_modes, by_point, at_once).extremes(y.data(), zero, watts);
       EXPECT_NEAR(found.lowest, *lowest, roundoff) << n_points << " points, " << watts << " W";
       EXPECT_NEAR(found.highest, *highest, roundoff) << n_points << " points, " << watts << " W";
     }
   }
+  const auto by_point = numbers(3 * n_modes, 4.);
+  const RiseRange found = SurfacePoints(n_modes, by_point, {}).extremes(y.data(), zero, 2.);
+  const RiseRange expected = SurfacePoints(n_modes, by_point, std::vector<double>(3)).extremes(y.data(), zero, 2.);
+  EXPECT_EQ(found.lowest, expected.lowest) << "nothing at once";
+  EXPECT_EQ(found.highest, expected.highest);
 }
 
 }  // namespace
