@@ -77,6 +77,7 @@ Section<ContactParameters> contact_section() {
   s.quantity("wear_coefficient_bore", &P::wear_coefficient_bore,
              {.unit = "m2/N",
               .range = at_least(0),
+              .usual = at_most(1e-12),
               .fallback = "1e-14 m2/N",
               .source = "estimate: K/H with K = 7e-5 for unlubricated hardened steel (Archard 1953; Rabinowicz 1995: "
                         "1e-5 to 1e-3) and H = 7 GPa (60 HRC)",
@@ -85,6 +86,7 @@ Section<ContactParameters> contact_section() {
   s.quantity("wear_coefficient_rotor", &P::wear_coefficient_rotor,
              {.unit = "m2/N",
               .range = at_least(0),
+              .usual = at_most(1e-12),
               .fallback = "2.3e-14 m2/N",
               .source = "estimate: K/H with the same K and H = 3 GPa (quenched and tempered steel of a landing sleeve)",
               .help = "Wear volume of the rotor surface divided by normal force and sliding distance (Archard)."});
@@ -108,6 +110,7 @@ Section<ContactParameters> contact_section() {
   s.quantity("tangential_stiffness", &P::tangential_stiffness,
              {.unit = "N/m",
               .range = positive(),
+              .usual = between(1e6, 1e10),
               .fallback = "1e8 N/m",
               .source = "estimate: about a third of the normal stiffness under a resting rotor (Mindlin: 0.8 of it)",
               .help = "Tangential contact stiffness between rotor and the whole bore before slip, for friction_law = "
@@ -115,7 +118,7 @@ Section<ContactParameters> contact_section() {
   s.quantity("contact_length", &P::contact_length,
              {.unit = "m",
               .range = positive(),
-              .usual = at_most(0.1),
+              .usual = between(1e-4, 0.1),
               .fallback = "2 mm",
               .source = "estimate: Hertz' line contact of rotor and bore under some hundred newtons",
               .help = "Length of the contact along the surface; with friction_law = \"sticking\" the bristles are "

@@ -9,7 +9,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
               .usual = at_most(0.02),
               .help = "z in f1 = z (P0/C0)^y of the load-dependent friction torque f1 P1 d_m; load_law defines the "
                       "loads P0 and P1."});
-  s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .usual = at_most(1), .help = "y in f1 = z (P0/C0)^y."});
+  s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .usual = between(0.1, 1), .help = "y in f1 = z (P0/C0)^y."});
   s.quantity("C0", &P::C0,
              {.unit = "N",
               .range = positive(),
@@ -25,6 +25,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
                "bearing. For contact fatigue by a drop (ISO 281); without it fatigue is not assessed."});
   s.quantity("required_static_safety", &P::required_static_safety,
              {.range = positive(),
+              .usual = between(0.3, 5),
               .fallback = "1",
               .source = "ISO 76: at 1 the most loaded ball dents the raceway by a ten-thousandth of its diameter",
               .help = "Smallest static safety of a ball with which the drop may be repeated; below it the number of "
@@ -45,6 +46,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
   s.quantity("drag_regularisation", &P::drag_regularisation,
              {.unit = "rad/s",
               .range = positive(),
+              .usual = between(0.01, 100),
               .fallback = "2 rad/s",
               .source = "estimate",
               .help = "The friction torque passes through standstill as tanh(speed / this)."});

@@ -42,6 +42,7 @@ void add_ring_bending_keys(Section<TouchdownParameters>& s) {
                      "needs more of them than contact over an arc."});
   s.quantity("ring_bending_damping", &P::ring_bending_damping,
              {.range = between(0, 1),
+              .usual = at_most(0.3),
               .fallback = "0.01",
               .source = "estimate: a steel ring loosely held by its balls; 0 to 0.05 changes little",
               .help = "Damping ratio of every harmonic of a bent ring."});
@@ -49,6 +50,7 @@ void add_ring_bending_keys(Section<TouchdownParameters>& s) {
       "ring_frequency_limit", &P::ring_frequency_limit,
       {.unit = "Hz",
        .range = positive(),
+       .usual = between(500, 2e5),
        .fallback = "10 kHz",
        .source = "docs/theory/ring-bending.md: the first impact is within 0.3 % of that with every mass as it is",
        .help = "Harmonics of a bent ring above this frequency get more mass in a drop, so that they oscillate "

@@ -41,7 +41,11 @@ Section<CircuitFactors> circuit_section() {
                "Calibration factors of the bearing's lumped circuit; they multiply the values derived from geometry.");
   const auto factor = [&](const char* key, double P::*member, const char* help) {
     s.quantity(key, member,
-               {.range = between(1e-2, 1e2), .fallback = "1", .source = "1: the circuit as published", .help = help});
+               {.range = between(1e-2, 1e2),
+                .usual = between(0.05, 20),
+                .fallback = "1",
+                .source = "1: the circuit as published",
+                .help = help});
   };
   factor("shaft_ring", &P::shaft_ring, "Factor on R2 + R3, shaft to inner ring.");
   factor("inner_race", &P::inner_race, "Factor on R4, inner ring to its contact with the balls.");
@@ -248,7 +252,7 @@ void add_ring_keys(Section<TouchdownParameters>& s) {
   s.quantity("shaft_lump_length", &P::shaft_lump_length,
              {.unit = "m",
               .range = positive(),
-              .usual = between(1e-3, 3),
+              .usual = between(1e-3, 0.5),
               .help = "Length of shaft that takes up rub heat; the bearing's width if not given."});
   s.table(
       "circuit", &P::circuit, circuit_section(),

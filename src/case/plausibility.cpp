@@ -15,6 +15,7 @@ namespace rotordrop {
 namespace {
 
 constexpr double strongest_gravity = 30.;  // drops on ships and in vehicles, with a margin [m/s2]
+constexpr double weakest_gravity = 1.;     // the moon has 1.62 [m/s2]
 constexpr double shortest_run = 0.01;      // shorter ones are trials [s]
 
 /// Steps of a drop take some 10 us of computing each.
@@ -30,7 +31,7 @@ SourcePosition position_of_step(const CaseParameters& p, const Node& tree) {
 
 void look_at_materials(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   for (const auto& [name, m] : p.materials)
-    for (const auto& slip : material_slips("the material " + name, {m.rho, m.E, m.k, m.c}))
+    for (const auto& slip : material_slips("the material " + name, {m.rho, m.E, m.k, m.c, m.nu, m.alpha}))
       warn(warnings, position_of_value(table_at(tree, "materials", name), slip.key), slip.message, slip.advice);
 }
 
@@ -38,11 +39,12 @@ void look_at_materials(const CaseParameters& p, const Node& tree, std::vector<Fa
 void look_at_run(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   const Node& run = table_at(tree, "run");
   const auto& g = p.run.gravity;
-  if (const double magnitude = std::hypot(g[0], g[1], g[2]); magnitude > strongest_gravity)
+  if (const double magnitude = std::hypot(g[0], g[1], g[2]);
+      magnitude > strongest_gravity || (magnitude > 0. && magnitude < weakest_gravity))
     warn(warnings, position_of_value(run, "gravity"),
          fmt::format("run.gravity = {:.6g} m/s2 is {:.3g} times that of the earth.", magnitude,
                      magnitude / standard_gravity),
-         "A bare number is in m/s2: 981 cm/s2 are 9.81.");
+         "A bare number is in m/s2: 981 cm/s2 are 9.81. Without gravity all three are 0.");
   bool has_magnets = false, is_released = false;
   for (const auto& entry : p.bearings)
     if (const auto* magnet = entry.magnet()) {

@@ -22,6 +22,7 @@ Section<IntegrationParameters> integration_section() {
                       "so that no impact is skipped."});
   s.quantity("tolerance", &P::tolerance,
              {.range = between(1e-13, 1e-2),
+              .usual = at_most(1e-5),
               .fallback = "3e-7",
               .source = "docs/theory/convergence.md",
               .help = "Relative local error of the error-controlled methods; absolute: this times each state's typical "

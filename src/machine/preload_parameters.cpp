@@ -127,23 +127,27 @@ Section<PreloadParameters> preload_section() {
   s.quantity("settled_rate", &P::settled_rate,
              {.unit = "K/s",
               .range = positive(),
+              .usual = between(1e-8, 1e-4),
               .fallback = "1e-6 K/s",
               .source = "estimate: 4 mK in an hour",
               .help = "The bearing counts as settled when no temperature changes faster than this."});
   s.quantity("temperature_limit", &P::temperature_limit,
              {.unit = "K",
               .range = positive(),
+              .usual = between(300, 800),
               .fallback = "150 degC",
               .source = "estimate: rings are commonly stabilised up to 150 degC (class S0)",
               .help = "Any node hotter than this counts as seized."});
   s.quantity("pressure_limit", &P::pressure_limit,
              {.unit = "Pa",
               .range = positive(),
+              .usual = between(5e8, 1e10),
               .fallback = "4.2 GPa",
               .source = "ISO 76, ball bearings",
               .help = "A contact pressure between balls and raceways above this counts as seized."});
   s.quantity("tolerance", &P::tolerance,
              {.range = between(1e-12, 1e-2),
+              .usual = at_most(1e-5),
               .fallback = "1e-7",
               .help = "Relative local error of the integration in time; absolute: this times 1 K."});
   s.table("map", &P::map, map_section());

@@ -73,6 +73,7 @@ Section<FeParameters> fe_section() {
   s.quantity(
       "response_tolerance", &P::response_tolerance,
       {.range = between(1e-4, 10),
+       .usual = at_most(0.05),
        .fallback = "0.005",
        .source = "a tenth of what rotordrop compare calls a difference",
        .help =
@@ -82,6 +83,7 @@ Section<FeParameters> fe_section() {
   s.quantity("window_tolerance", &P::window_tolerance,
              {.unit = "m",
               .range = between(1e-13, 1e-6),
+              .usual = between(1e-12, 1e-7),
               .fallback = "0.5 nm",
               .help = "Allowed error of a surface's growth per window. It sets the window length."});
   s.quantity(

@@ -161,7 +161,7 @@ Section<ThermalParameters> thermal_section() {
   s.quantity("rub_contact_time", &P::rub_contact_time,
              {.unit = "s",
               .range = positive(),
-              .usual = at_most(10),
+              .usual = between(1e-5, 0.1),
               .fallback = "2.2 ms",
               .source = "estimate: duration of the first contact",
               .help = "Heating time of a stationary surface, for the Jaeger partition."});
@@ -180,21 +180,21 @@ Section<ThermalParameters> thermal_section() {
   s.quantity("h_shaft", &P::h_shaft,
              {.unit = "W/(m2 K)",
               .range = positive(),
-              .usual = at_most(2e4),
+              .usual = between(0.5, 2e4),
               .fallback = "50 W/(m2 K)",
               .source = "estimate",
               .help = "Convection from the shaft."});
   s.quantity("h_ball", &P::h_ball,
              {.unit = "W/(m2 K)",
               .range = positive(),
-              .usual = at_most(2e4),
+              .usual = between(0.5, 2e4),
               .fallback = "50 W/(m2 K)",
               .source = "estimate",
               .help = "Convection from the balls."});
   s.quantity("fit_resistance", &P::fit_resistance,
              {.unit = "K/W",
               .range = at_least(0),
-              .usual = at_most(10),
+              .usual = at_most(3),
               .fallback = "0.005 K/W",
               .source = "estimate",
               .help = "Resistance of the fit between outer ring and housing."});
@@ -225,6 +225,7 @@ Section<ThermalParameters> thermal_section() {
   s.quantity("oil_conductivity", &P::oil_conductivity,
              {.unit = "W/(m K)",
               .range = positive(),
+              .usual = between(0.02, 2),
               .fallback = "0.14 W/(m K)",
               .source = "mineral oil at ambient pressure",
               .help = "Thermal conductivity of the oil film."});

@@ -1,6 +1,7 @@
 """Values that are allowed, and most often a slip: a warning with its reason from every command that reads a case, a fault with --strict."""
 
 import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -9,7 +10,9 @@ import tomllib
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "faults"))
 from program import HAS_MESH_ROOM, HEATED_DISC, PARAMS, PROGRAM, ProgramTest, settings  # noqa: E402
+from scaled_values import passing  # noqa: E402
 
 # What is set, and what the warning says.
 UNUSUAL = [
@@ -21,6 +24,24 @@ UNUSUAL = [
     (["run.gravity=981"], r"run\.gravity = 981 m/s2 is 100 times that of the earth"),
     (["bearings.TB1.drag_viscosity=15"], r'drag_viscosity = 15 m2/s is unusual.*write "15 mm2/s"'),
     (["bearings.TB1.f2=25"], r"f2 = 25 is unusual"),
+    (["run.gravity=[0, -0.0981, 0]"], r"run\.gravity = 0\.0981 m/s2 is 0\.01 times that of the earth"),
+    (["bearings.TB2.preload=0.29"], r"preload = 0\.29 N is 0\.00\d+ % of the static rating of a row"),
+    (["bearings.TB2.contact_angle=0.436 deg"], r"contact_angle = 0\.436 deg: angular contact bearings have 12 to 40 deg"),
+    (["bearings.TB1.support.mass=50 g"], r"support\.mass = 0\.05 kg is 0\.\d+ times the inner ring's"),
+    (["bearings.TB1.support.mass=8.5 t"], r"support\.mass = 8500 kg is 77\.5 times the rotor's"),
+    (["bearings.TB1.support.C_y=3.68e6"], r"support\.C_y = 3\.68e\+06 N s/m is 3\.84 of critical damping.*between 0\.0001 and 3"),
+    (["materials.Si3N4.E=3.15 GPa"], r"Si3N4 has 3200 kg/m3, as ceramics and metals have, but E = 3\.15 GPa"),
+    (["materials.Si3N4.k=0.35"], r"Si3N4 has 3200 kg/m3, as ceramics and metals have, but k = 0\.35 W/\(m K\)"),
+    (["materials.steel.nu=0.003"], r"steel has nu = 0\.003; metals have 0\.25 to 0\.35"),
+    (["materials.steel.alpha=1.18e-8"], r"steel has alpha = 1\.18e-08 1/K; even Invar has 1\.2e-6"),
+    (["contact.tangential_stiffness=1e5"], r"tangential_stiffness = 100000 N/m is unusual"),
+    (["contact.wear_coefficient_bore=1e-11"], r"wear_coefficient_bore = 1e-11 m2/N is unusual"),
+    (["thermal.h_shaft=0.05"], r"h_shaft = 0\.05 W/\(m2 K\) is unusual"),
+    (["thermal.fit_resistance=5"], r"fit_resistance = 5 K/W is unusual"),
+    (["integration.tolerance=3e-4"], r"integration\.tolerance = 0\.0003 is unusual"),
+    (["preload.temperature_limit=0.15 degC"], r"preload\.temperature_limit = .* is unusual"),
+    (["preload.pressure_limit=42 MPa"], r"preload\.pressure_limit = .* is unusual"),
+    (["output.checkpoint_interval=10000"], r"checkpoint_interval = .* is unusual"),
     (["bearings.TB1.shaft_lump_length=20"], r'shaft_lump_length = 20 m is unusual.*write "20 mm"'),
     (["bearings.TB1.conformity=[0.6, 0.6]"], r"conformity = 0\.6 is unusual"),
     (["bearings.TB1.inner_shoulder_diameter=99 mm"], r"inner_shoulder_diameter is 99 mm, but a shoulder of this ring lies between 70 and 90 mm"),
@@ -99,6 +120,13 @@ class Slips(ProgramTest):
             self.assertEqual("the shaft at node 2" in said, bore != 70)  # it was looked at
             for key in ("C0 is", ".C is", "ring_mass is", "contact_stiffness ="):
                 self.assertNotIn(key, said, file.stem)
+
+    def test_no_value_passes_a_thousand_times_too_large(self):
+        # Rows this coarse may be meant, and so is a speed with its unit.
+        meant = {"output.interval", "bearings.TB1.drag_regularisation", "bearings.TB2.drag_regularisation"}
+        silent, strange = passing(str(PROGRAM), str(self.folder / "reference.toml"), [1000])
+        self.assertEqual({key for key, value in silent} - meant, set())
+        self.assertEqual(strange, [])
 
     def test_check_says_when_the_rotor_first_touches(self):
         # sqrt(2 250 um / 9.81 m/s2)

@@ -7,9 +7,10 @@ namespace rotordrop {
 
 /// What is known of a material, in SI.
 struct MaterialFacts {
-  double rho = 0;              ///< density [kg/m3]
-  std::optional<double> E;     ///< Young's modulus [Pa]
-  std::optional<double> k, c;  ///< conductivity [W/(m K)], specific heat capacity [J/(kg K)]
+  double rho = 0;                             ///< density [kg/m3]
+  std::optional<double> E;                    ///< Young's modulus [Pa]
+  std::optional<double> k, c;                 ///< conductivity [W/(m K)], specific heat capacity [J/(kg K)]
+  std::optional<double> nu = {}, alpha = {};  ///< Poisson's ratio [1], thermal expansion [1/K]
 };
 
 /// A value that does not go with the others of its material.

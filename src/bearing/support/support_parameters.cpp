@@ -75,14 +75,14 @@ Section<RibbonParameters> ribbon_section() {
   s.quantity("stiffness", &P::stiffness,
              {.unit = "N/m",
               .range = positive(),
-              .usual = between(1e4, 1e12),
+              .usual = between(1e5, 1e10),
               .help = "While its friction slips; of a bilinear ribbon given by numbers."});
   s.quantity("slip_force", &P::slip_force,
              {.unit = "N", .range = positive(), .usual = at_most(1e6), .help = "Friction force at which it slips."});
   s.quantity("stick_stiffness", &P::stick_stiffness,
              {.unit = "N/m",
               .range = positive(),
-              .usual = between(1e4, 1e13),
+              .usual = between(1e5, 1e11),
               .help = "By which it is stiffer before it slips."});
   s.quantity("damping", &P::damping,
              {.unit = "N s/m", .range = at_least(0), .fallback = "0 N s/m", .help = "Besides friction."});
@@ -277,7 +277,7 @@ Section<SupportParameters> support_section() {
   s.quantity("travel_limit", &P::travel_limit,
              {.unit = "m",
               .range = positive(),
-              .usual = at_most(0.01),
+              .usual = between(2e-6, 0.01),
               .help = "Travel of the outer ring above which results warn; none if not given."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     const auto* kind = law_kind(p.type);

@@ -13,7 +13,8 @@ namespace rotordrop {
 namespace {
 
 // Of a row's static rating: estimate; the paper's pair has 0.9 %.
-constexpr double heaviest_preload = 0.2;
+constexpr double heaviest_preload = 0.2, lightest_preload = 2e-4;
+constexpr double smallest_contact_angle = 0.09;  // 5 deg [rad]
 
 void look_at_bearing(const std::string& name, const TouchdownParameters& b, const CaseParameters& p, const Node& tree,
                      std::vector<Fault>& warnings) {
@@ -155,6 +156,18 @@ void look_at_ratings(const std::string& name, const TouchdownParameters& b, cons
                      "often it is a few percent.",
                      name, b.preload, 100. * b.preload * b.rows / b.C0, 1e-3 * b.C0 / b.rows),
          "It is the axial load of each row. A bare number is in N.");
+  if (b.preload > 0. && b.preload < lightest_preload * b.C0 / b.rows)
+    warn(warnings, position_of_value(table, "preload"),
+         fmt::format("bearings.{}.preload = {:.4g} N is {:.2g} % of the static rating of a row, {:.4g} kN; most often "
+                     "it is a few percent.",
+                     name, b.preload, 100. * b.preload * b.rows / b.C0, 1e-3 * b.C0 / b.rows),
+         "A bare number is in N: 0.29 kN are 290 N.");
+  if (b.contact_angle > 0. && b.contact_angle < smallest_contact_angle)
+    warn(warnings, position_of_value(table, "contact_angle"),
+         fmt::format("bearings.{}.contact_angle = {:.4g} deg: angular contact bearings have 12 to 40 deg, and deep "
+                     "groove bearings 0 here.",
+                     name, b.contact_angle * 180. / std::numbers::pi),
+         "A bare number is in rad: 0.436 rad are 25 deg.");
   const double bodies = estimates.contact_stiffness;
   if (const auto& given = b.contact_stiffness; given && bodies > 0. && (*given > 30. * bodies || *given < bodies / 30.))
     warn(

@@ -28,7 +28,8 @@ void look_at_elements(const CaseParameters& p, const Node& tree, std::vector<Fau
            fmt::format("a material of the rotor has E = {:.6g} Pa; it is most often between 1 and 1000 GPa.",
                        material.E),
            "A bare number is in Pa: steel has 2.1e11, or \"210 GPa\".");
-    for (const auto& slip : material_slips("a material of the rotor", {material.rho, material.E, {}, {}}))
+    for (const auto& slip :
+         material_slips("a material of the rotor", {material.rho, material.E, {}, {}, material.nu, {}}))
       warn(warnings, position_of(rotor, "geometry"), slip.message, slip.advice);
     if (od > 3. || od < 2e-3)
       warn(warnings, position_of(rotor, "geometry"),

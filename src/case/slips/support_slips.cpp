@@ -27,9 +27,25 @@ const Node& support_table(const Node& tree, const std::string& name) {
   return own ? *own : bearing;
 }
 
+/// An outer ring with its housing, against the inner ring and the rotor.
+void look_at_mass(const std::string& name, const TouchdownParameters& b, double rotor_mass, const Node& tree,
+                  std::vector<Fault>& warnings) {
+  // Estimates: an outer ring weighs about as much as the inner one, and a machine frame is no part of one support.
+  constexpr double lightest = 0.3, heaviest = 5.;
+  const double mass = b.support.mass;
+  const bool is_light = mass < lightest * b.ring_mass;
+  if (is_light || mass > heaviest * rotor_mass)
+    warn(warnings, position_of_value(support_table(tree, name), "mass"),
+         fmt::format("bearings.{}.support.mass = {:.4g} kg is {:.3g} times {}.", name, mass,
+                     mass / (is_light ? b.ring_mass : rotor_mass), is_light ? "the inner ring's" : "the rotor's"),
+         "It is the mass that moves with the outer ring: the ring, and the housing if that moves. A bare number is in "
+         "kg.");
+}
+
 /// Springs and dampers against the mass that they carry.
 void look_at_support(const std::string& name, const SupportParameters& support, const Node& tree,
                      std::vector<Fault>& warnings) {
+  constexpr double least_damping = 1e-4, most_damping = 3.;  // of critical; estimates, with a margin
   const Node& own = support_table(tree, name);
   const bool has_springs = support.type != "ribbon" && support.type != "elastomer";
   // Of a layer below that of the type it is what the type replaces.
@@ -55,11 +71,11 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
   for (const auto& [key, K, C] : {std::tuple{"C_y", support.K_y, support.C_y}, {"C_z", support.K_z, support.C_z}}) {
     if (!K || !C || *C == 0.) continue;
     const double ratio = *C / (2. * std::sqrt(*K * support.mass));
-    if (ratio < 1e-4 || ratio > 10.)
+    if (ratio < least_damping || ratio > most_damping)
       warn(warnings, position_of_value(own, key),
            fmt::format("bearings.{}.support.{} = {:.6g} N s/m is {:.3g} of critical damping of its mass and stiffness; "
-                       "most often it is between 0.0001 and 10.",
-                       name, key, *C, ratio),
+                       "most often it is between {:.4g} and {:.4g}.",
+                       name, key, *C, ratio, least_damping, most_damping),
            "Critical is 2 sqrt(K m). A bare number is in N s/m. Check mass and stiffness, too.");
   }
 }
@@ -154,6 +170,7 @@ void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fau
   const auto shares = weight_shares(positions, body.centre_of_gravity);
   for (std::size_t i = 0; i < touchdowns.size(); ++i) {
     const auto& b = *touchdowns[i]->touchdown();
+    look_at_mass(touchdowns[i]->name, b, body.mass, tree, warnings);
     look_at_support(touchdowns[i]->name, b.support, tree, warnings);
     look_at_sag(touchdowns[i]->name, b, body.mass * std::fabs(shares[i]), p, tree, warnings);
   }

@@ -110,7 +110,7 @@ HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& ov
   faults.throw_if_any();
   look_for_unusual_values(*section.erased(), tree, result.warnings);
   for (const auto& [name, m] : parameters.materials)
-    for (const auto& slip : material_slips("the material " + name, {m.rho, m.E, m.k, m.c})) {
+    for (const auto& slip : material_slips("the material " + name, {m.rho, m.E, m.k, m.c, m.nu, m.alpha})) {
       const Node* table = tree.find("materials") ? tree.find("materials")->find(name) : nullptr;
       result.warnings.push_back(
           {table ? position_of_value(*table, slip.key) : tree.where(), slip.message, slip.advice});

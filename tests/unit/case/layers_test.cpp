@@ -51,7 +51,8 @@ TEST_F(Layers, AnotherNameBringsItsOwnBearingAndTellsWhatItReplaces) {
 TEST_F(Layers, TheSameNameLeavesWhatTheLayersBelowSay) {
   write("middle.toml", reference, "[bearings.TB1]\ncatalogue = \"61914\"\nring_mass = \"0.25 kg\"\n" + fits);
   write("drop.toml", "middle.toml", "[bearings.TB1]\ncatalogue = \"61914\"\n");
-  const Node* mass = read("drop.toml").tree.find("bearings")->find("TB1")->find("ring_mass");
+  const Case drop = read("drop.toml");
+  const Node* mass = drop.tree.find("bearings")->find("TB1")->find("ring_mass");
   ASSERT_NE(mass, nullptr);
   EXPECT_EQ(mass->text(), "0.25 kg");
 }
