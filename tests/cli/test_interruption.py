@@ -231,6 +231,24 @@ class Interruption(ProgramTest):
         self.assertIn("the run in out is finished, at t = 0.001 s: there is nothing to resume", done.stdout)
         self.assertEqual(content_of(self.folder / "out"), before)
 
+    def test_a_finished_run_whose_results_were_damaged_is_not_called_finished(self):
+        short = settings(run__end_time="20 ms")
+        self.succeed("run", "reference.toml", "-o", "out", *short)
+        file = self.folder / "out/results.h5"
+        whole = file.read_bytes()
+        n = len(whole)
+        n_refused = 0
+        for part in range(1, 10):  # zeros over each tenth, as after a power cut
+            file.write_bytes(whole[:n * part // 10] + bytes(n // 10) + whole[n * part // 10 + n // 10:])
+            done = self.call("run", "reference.toml", "-o", "out", *short, "--resume")
+            self.assertIn(done.returncode, (0, 2), part)  # zeros for numbers alone are not noticed (docs/reference/reliability.md)
+            if done.returncode == 2:
+                n_refused += 1
+                self.assertIn("its checkpoints are gone: run it again with --force, without --resume", " ".join(done.stderr.split()))
+        self.assertGreater(n_refused, 3)
+        file.write_bytes(whole)
+        self.assertIn("there is nothing to resume", self.succeed("run", "reference.toml", "-o", "out", *short, "--resume").stdout)
+
     def test_a_run_killed_while_it_removed_its_checkpoints_is_finished(self):
         short = settings(run__end_time="1 ms")
         self.succeed("run", "reference.toml", "-o", "out", *short)

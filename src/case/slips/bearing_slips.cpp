@@ -150,18 +150,13 @@ void look_at_ratings(const std::string& name, const TouchdownParameters& b, cons
   };
   compare("C0", b.C0, estimates.static_load);
   if (b.C) compare("C", *b.C, estimates.dynamic_load);
-  if (b.preload > heaviest_preload * b.C0 / b.rows)
+  const double part = b.preload * b.rows / b.C0;
+  if (b.preload > 0. && (part > heaviest_preload || part < lightest_preload))
     warn(warnings, position_of_value(table, "preload"),
-         fmt::format("bearings.{}.preload = {:.4g} N is {:.0f} % of the static rating of a row, {:.4g} kN; most "
+         fmt::format("bearings.{}.preload = {:.4g} N is {:.3g} % of the static rating of a row, {:.4g} kN; most "
                      "often it is a few percent.",
-                     name, b.preload, 100. * b.preload * b.rows / b.C0, 1e-3 * b.C0 / b.rows),
-         "It is the axial load of each row. A bare number is in N.");
-  if (b.preload > 0. && b.preload < lightest_preload * b.C0 / b.rows)
-    warn(warnings, position_of_value(table, "preload"),
-         fmt::format("bearings.{}.preload = {:.4g} N is {:.2g} % of the static rating of a row, {:.4g} kN; most often "
-                     "it is a few percent.",
-                     name, b.preload, 100. * b.preload * b.rows / b.C0, 1e-3 * b.C0 / b.rows),
-         "A bare number is in N: 0.29 kN are 290 N.");
+                     name, b.preload, 100. * part, 1e-3 * b.C0 / b.rows),
+         "It is the axial load of each row. A bare number is in N: 0.29 kN are 290 N.");
   if (b.contact_angle > 0. && b.contact_angle < smallest_contact_angle)
     warn(warnings, position_of_value(table, "contact_angle"),
          fmt::format("bearings.{}.contact_angle = {:.4g} deg: angular contact bearings have 12 to 40 deg, and deep "

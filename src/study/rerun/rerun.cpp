@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -27,6 +28,8 @@ namespace rotordrop {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool is_time_axis(const std::string& dataset) { return dataset == "/time" || dataset.ends_with("/time"); }
 
 std::string attribute_or_unknown(const fs::path& file, const std::string& name) {
   try {
@@ -66,6 +69,33 @@ struct TimeAxes {
 };
 
 bool same_bits(const double* a, const double* b, std::size_t n) { return std::memcmp(a, b, n * sizeof(double)) == 0; }
+
+/// All rows of a finished drop can be read, and the last one is that of its end. @throws DamagedFile
+void require_whole(const fs::path& file, const std::vector<std::string>& datasets, double end) {
+  try {
+    std::map<std::string, std::size_t> n_rows;
+    for (const auto& name : datasets) {
+      if (!is_time_axis(name)) continue;
+      const auto times = read_series(file, name).values;
+      if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
+        throw DamagedFile({file.string()}, name + " does not rise.");
+      constexpr double roundoff = 1e-12;
+      if (name == "/time" && (times.empty() || std::fabs(times.back() - end) > roundoff * end))
+        throw DamagedFile({file.string()}, fmt::format("its rows do not reach the end of the run, {:.6g} s.", end));
+      n_rows[name] = times.size();
+    }
+    for (const auto& name : datasets) {
+      const std::string axis = is_time_axis(name) ? "" : read_meaning(file, name).time_path;
+      if (!axis.empty() && read_series(file, name).shape.at(0) < n_rows[axis])
+        throw DamagedFile({file.string()}, name + " has fewer rows than " + axis + ".");
+    }
+  } catch (const DamagedFile& damage) {
+    const Fault& fault = damage.faults().front();
+    throw DamagedFile(fault.where, fault.message,
+                      "The run was finished, and its checkpoints are gone: run it again with --force, without "
+                      "--resume.");
+  }
+}
 
 }  // namespace
 
@@ -107,7 +137,10 @@ nlohmann::ordered_json finished_summary(const fs::path& directory, const Case& c
   if (sha256_of_toml(text) != sha256_of_toml(c.resolved.text)) return nullptr;
   auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
   if (!summary.is_object() || !summary.contains("run") || !summary["run"].value("completed", false)) return nullptr;
-  require_same_files(directory / "results.h5", list_datasets(directory / "results.h5"));
+  const fs::path results = directory / "results.h5";
+  const auto datasets = list_datasets(results);
+  require_same_files(results, datasets);
+  require_whole(results, datasets, summary["run"].value("end_time", 0.));
   return summary;
 }
 
@@ -122,7 +155,7 @@ BitComparison compare_bits(const fs::path& first, const fs::path& second) {
       result.differences.push_back({name, "missing"});
       continue;
     }
-    const bool is_axis = name == "/time" || name.ends_with("/time");
+    const bool is_axis = is_time_axis(name);
     const std::string axis = is_axis ? name : read_attribute(first, name, "time");
     if (!axes.contains(axis)) axes[axis] = {read_series(first, axis).values, read_series(second, axis).values};
     const TimeAxes& times = axes.at(axis);
