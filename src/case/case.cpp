@@ -61,7 +61,7 @@ Section<OutputParameters> output_section() {
   s.quantity("checkpoint_interval", &P::checkpoint_interval,
              {.unit = "s",
               .range = positive(),
-              .usual = between(0.1, 3600),
+              .usual = between(0.01, 3600),
               .fallback = "10 s",
               .help = "Wall time between checkpoints; `rotordrop run --resume` continues from the last one."});
   return s;
