@@ -20,6 +20,7 @@
 #include "integrate/sundials_version.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/hdf5_version.h"
+#include "io/read_files.h"
 #include "io/text/parameter_writers.h"
 #include "study/compare/comparison.h"
 #include "study/compare/measured_report.h"
@@ -166,7 +167,7 @@ int compare_command(const CompareCommand& command) {
 
 void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input) {
   std::error_code ignored;
-  if (std::filesystem::equivalent(output, input, ignored))
+  if (std::filesystem::equivalent(output, input, ignored) || was_read(output))
     throw InputError({output.string(), 0, 0}, "this file is what the command reads; it is not replaced.",
                      "Choose another with -o FILE.");
 }

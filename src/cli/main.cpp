@@ -23,6 +23,7 @@
 #include "cli/commands.h"
 #include "cli/completion.h"
 #include "cli/mistakes.h"
+#include "cli/no_memory.h"
 #include "cli/study_commands.h"
 #include "study/heat/heat_run.h"
 
@@ -339,10 +340,7 @@ int run_guarded(int argc, char** argv) {
                error.code().message());
     return exit_code_of(error.code());
   } catch (const std::bad_alloc&) {
-    fmt::print(
-        stderr,
-        "error: there is not enough memory for this.\n       Choose a coarser mesh or fewer rows of results, or a "
-        "machine with more memory.\n");
+    fmt::print(stderr, "{}", rotordrop::no_memory);
     return run_failed;
   } catch (const std::system_error& error) {
     fmt::print(stderr, "error: {}.\n", error.what());
@@ -385,6 +383,7 @@ int leave(int code) {
 int main(int argc, char** argv) {
   let_standard_error_fail();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a failed write, which is reported
+  std::set_terminate(rotordrop::end_without_handler);
   const int code = run_guarded(argc, argv);
   // Only closing tells whether all of it was written.
   errno = 0;

@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/signals.h"
 #include "io/checkpoint.h"
+#include "io/results_folder.h"
 #include "io/text/parameter_keys.h"
 #include "study/many/answers/study_report.h"
 #include "study/many/answers/study_summary.h"
@@ -253,7 +254,8 @@ int study_rerun_command(const StudyRerunCommand& command) {
 
 int study_report_command(const StudyReportCommand& command) {
   const auto file = command.output.empty() ? command.directory / "report.html" : command.output;
-  if (!command.output.empty() && !command.force && std::filesystem::exists(file))
+  // By its usual name a page of ours is written again: the study may have gone on.
+  if (!command.force && std::filesystem::exists(file) && !(command.output.empty() && is_own_page(file)))
     throw InputError({file.string(), 0, 0}, "the file exists",
                      "Choose another with -o FILE, or replace it with --force.");
   require_page_or_nothing(file);

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "io/read_files.h"
 
 namespace rotordrop {
 namespace {
@@ -24,6 +25,11 @@ namespace fs = std::filesystem;
 
 constexpr std::array results{"results.h5",    "summary.json", "preload.h5", "preload.json",
                              "study.journal", "study.h5",     "study.json", "shard.h5"};
+/// What a command may write into its directory, or remove from it.
+constexpr std::array own_files{"results.h5",    "summary.json",    "preload.h5",    "preload.json", "study.journal",
+                               "study.h5",      "study.json",      "shard.h5",      "study.csv",    "study.toml",
+                               "case.toml",     "parameters.toml", "comparison.h5", "report.html",  "comparison.json",
+                               "measured.json", "measured.html",   "measured.csv"};
 constexpr std::array folders{"checkpoints", "failed", "fields"};
 
 std::string reason(int error) { return std::generic_category().message(error); }
@@ -78,13 +84,16 @@ const std::regex& checkpoint_names() {
   return names;
 }
 
-/// Whether a page is the program's: someone else's may have that name, too.
-bool is_own_page(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return false;
-  std::ifstream page(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(page), {}};
-  return text.find(R"(<main id="page"></main>)") != std::string::npos;
+/// @throws InputError if results would replace what the command has read; parameters.toml that a run wrote is the same again
+void require_no_inputs(const fs::path& directory) {
+  std::error_code error;
+  for (const auto& file : fs::directory_iterator(directory, error)) {
+    const std::string name = file.path().filename().string();
+    const bool is_own = std::find(own_files.begin(), own_files.end(), name) != own_files.end();
+    if (is_own && was_read(file.path()) && !(name == "parameters.toml" && is_written_parameters(file.path())))
+      throw InputError({file.path().string()}, "this file is what the command reads, and results would replace it.",
+                       "Choose another directory with -o DIR.");
+  }
 }
 
 void remove_results(const fs::path& directory) {
@@ -110,6 +119,14 @@ void remove_left_over(const fs::path& directory) {
 }
 
 }  // namespace
+
+bool is_own_page(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return false;
+  std::ifstream page(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  return text.find(R"(<main id="page"></main>)") != std::string::npos;
+}
 
 bool holds_results(const fs::path& directory) {
   return std::any_of(results.begin(), results.end(), [&](const char* file) { return is_there(directory / file); });
@@ -138,6 +155,7 @@ ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_
                      "Choose another with -o DIR, or wait for its end.");
   }
   try {
+    if (existing != Existing::resume) require_no_inputs(directory_);
     if (!has_results)
       for (const char* name : names_without_results(directory_))
         if (is_there(directory_ / name) && existing != Existing::resume)

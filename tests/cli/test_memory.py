@@ -35,6 +35,18 @@ class Short(ProgramTest):
             said += self.limited(f"-v {megabytes * 1000}", "run", "drop.toml", "-o", "out", "--force", "--quiet", *settings(run__end_time="20 us")).stderr
         self.assertRegex(said, r"matrix of the finite elements: \d+ unknowns need at least \d+ MB, [\d.]+ MB are left")
 
+    def test_a_long_list_that_does_not_fit_is_told(self):
+        # The library that reads TOML ends the process where it finds no memory.
+        self.case("[rotor.drive]\ntorque = [" + ",".join(f"[{i}e-6, 1]" for i in range(400000)) + "]\n")
+        codes = set()
+        for megabytes in (60, 100, 150, 200, 3000):
+            done = self.limited(f"-v {megabytes * 1000}", "check", "drop.toml", "--set", "rotor.geometry=nix.json")
+            codes.add(done.returncode)
+            self.assertIn(done.returncode, (1, 2, 127), done.stderr)
+            if done.returncode == 1:
+                self.assertRegex(done.stderr, "error: .*not enough memory")
+        self.assertGreaterEqual(codes, {1, 2})
+
     def test_a_new_case_that_cannot_be_written_leaves_nothing(self):
         before = content_of(self.folder)
         for words in ([], ["--own"]):

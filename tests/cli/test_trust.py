@@ -16,7 +16,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, ProgramTest, content_of, settings, start  # noqa: E402
+from program import HAS_MESH_ROOM, PARAMS, PROGRAM, ProgramTest, content_of, settings, start  # noqa: E402
 
 SHORT = settings(run__end_time="1 ms")
 # Long enough to be killed, with steps that are the same after a resume.
@@ -37,6 +37,48 @@ class OtherPeoplesFiles(ProgramTest):
                     self.assertEqual(done.returncode, 2, done.stderr)
                     self.assertRegex(done.stderr, f'the directory holds "{name}", but no results')
                     self.assertEqual(content_of(folder), before)
+
+    def test_no_command_replaces_what_it_reads(self):
+        """Neither the case nor a file that it names, whatever --force says."""
+        self.succeed("run", "reference.toml", "-o", "out", *SHORT)
+        rotor = (PARAMS / "neisi2019-rotor.json").read_text()
+        for name, text, arguments in (
+                ("parameters.toml", 'base = "../reference.toml"\n# mine\n', ["out/parameters.toml"]),
+                ("parameters.toml", 'base = "../reference.toml"\n# mine\n', ["over.toml"]),
+                ("summary.json", rotor, ["reference.toml", "--set", 'rotor.geometry="out/summary.json"']),
+                ("results.h5", None, ["reference.toml", "--set", 'thermal.driver="recorded"', "--set", 'thermal.recorded="out/results.h5"'])):
+            with self.subTest(arguments):
+                self.write("over.toml", 'base = "out/parameters.toml"\n')
+                kept = (self.folder / "out" / name).read_bytes()
+                if text is not None:
+                    (self.folder / "out" / name).write_text(text)
+                before = content_of(self.folder / "out")
+                done = self.call("run", *arguments, "-o", "out", "--force", *SHORT)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(f"out/{name}: this file is what the command reads, and results would replace it", done.stderr)
+                self.assertEqual(content_of(self.folder / "out"), before)
+                (self.folder / "out" / name).write_bytes(kept)
+        self.succeed("run", "out/parameters.toml", "-o", "out", "--force")  # its own: the same again
+
+    @unittest.skipUnless(HAS_MESH_ROOM, "finite elements are not built")
+    def test_a_calibration_does_not_replace_what_the_case_names(self):
+        for name in ("neisi2019.toml", "neisi2019-rotor.json", "neisi2019-settling.toml"):
+            shutil.copy(PARAMS / name, self.folder)
+        for output in ("neisi2019-rotor.json", "neisi2019.toml"):
+            before = (self.folder / output).read_bytes()
+            done = self.call("calibrate", "neisi2019-settling.toml", "--until", "10ms", "-o", output, "--force")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(f"{output}: this file is what the command reads; it is not replaced", done.stderr)
+            self.assertEqual((self.folder / output).read_bytes(), before)
+
+    def test_a_study_report_replaces_only_its_own(self):
+        self.write("study.toml", 'case = "reference.toml"\n[design]\nkind = "grid"\n[vary]\ncontact.friction_coefficient = [0.05, 0.1]\n')
+        self.succeed("study", "study.toml", "-o", "out", *SHORT)
+        (self.folder / "out/report.html").write_text("mine")
+        self.assertEqual(self.call("study", "report", "out").returncode, 2)
+        self.assertEqual((self.folder / "out/report.html").read_text(), "mine")
+        self.succeed("study", "report", "out", "--force")
+        self.succeed("study", "report", "out")
 
     def test_a_report_of_someone_else_stays_in_a_directory_without_results(self):
         (self.folder / "out").mkdir()

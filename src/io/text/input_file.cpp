@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/parameters/suggestion.h"
+#include "io/read_files.h"
 
 namespace rotordrop {
 
@@ -73,6 +74,7 @@ std::string read_input_file(const std::filesystem::path& path, const SourcePosit
     size += static_cast<std::size_t>(n);
   }
   content.resize(size);
+  remember_read(path);
   return content;
 }
 
