@@ -155,13 +155,15 @@ ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_
                      "Choose another with -o DIR, or wait for its end.");
   }
   try {
-    if (existing != Existing::resume) require_no_inputs(directory_);
     if (!has_results)
       for (const char* name : names_without_results(directory_))
         if (is_there(directory_ / name) && existing != Existing::resume)
           throw InputError(where, std::string("the directory holds \"") + name + "\", but no results of this program",
                            "It is left as it is. Choose another directory with -o DIR.");
-    if (has_results && existing == Existing::replace) remove_results(directory_);
+    if (has_results && existing == Existing::replace) {
+      require_no_inputs(directory_);
+      remove_results(directory_);
+    }
     remove_left_over(directory_);
   } catch (...) {
     ::close(lock_);
