@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "case/modules/fe_module.h"
 #include "io/hdf5/recorded_series.h"
+#include "io/read_files.h"
 #include "machine/build_machine.h"
 #include "machine/heat/growth_history.h"
 
@@ -68,6 +69,7 @@ std::shared_ptr<const GrowthHistory> recorded_growth(const Case& c) {
   const auto& thermal = c.parameters.thermal;
   if (driver_of(thermal) != recorded_driver) return nullptr;
   try {
+    remember_read(*thermal.recorded);
     return read_growth(*thermal.recorded, touchdown_names(c.parameters));
   } catch (const InputError& error) {
     const Fault& fault = error.faults().front();

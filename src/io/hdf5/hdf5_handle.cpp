@@ -8,7 +8,6 @@
 #include "base/errors.h"
 #include "io/hdf5/hdf5_driver.h"
 #include "io/hdf5/trial_reading.h"
-#include "io/read_files.h"
 
 namespace rotordrop::hdf5 {
 
@@ -62,9 +61,7 @@ void require(herr_t status, std::string_view what) {
 
 Handle open_for_reading(const std::filesystem::path& path) {
   require_readable(path);
-  Handle file = open_without_trial(path);
-  remember_read(path);
-  return file;
+  return open_without_trial(path);
 }
 
 Handle open_without_trial(const std::filesystem::path& path) {

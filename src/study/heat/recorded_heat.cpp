@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "base/parameters/suggestion.h"
 #include "io/hdf5/recorded_series.h"
+#include "io/read_files.h"
 
 namespace rotordrop {
 
@@ -34,6 +35,7 @@ std::optional<RecordedHeat> read_recorded_heat(const RecordedHeatName& wanted, c
                    suggestion(wanted.bearing, bearings));
       return {};
     }
+    remember_read(file);
     // Of a file that is being written, a series may have rows whose times are not there yet.
     RecordedHeat heat{read_series(file, read_attribute(file, dataset, "time")).values,
                       read_series(file, dataset).values};
