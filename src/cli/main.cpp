@@ -25,6 +25,7 @@
 #include "cli/mistakes.h"
 #include "cli/no_memory.h"
 #include "cli/study_commands.h"
+#include "io/read_files.h"
 #include "study/heat/heat_run.h"
 
 namespace {
@@ -384,6 +385,7 @@ int main(int argc, char** argv) {
   let_standard_error_fail();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a failed write, which is reported
   std::set_terminate(rotordrop::end_without_handler);
+  rotordrop::protect_inputs();
   const int code = run_guarded(argc, argv);
   // Only closing tells whether all of it was written.
   errno = 0;

@@ -20,6 +20,7 @@ std::optional<Identity> identity_of(const std::filesystem::path& file) {
 
 struct Files {
   std::mutex lock;
+  bool is_noting = false;
   std::set<Identity> read;
 };
 Files& files() {
@@ -29,11 +30,16 @@ Files& files() {
 
 }  // namespace
 
+void protect_inputs() {
+  const std::lock_guard guard(files().lock);
+  files().is_noting = true;
+}
+
 void remember_read(const std::filesystem::path& file) {
   const auto identity = identity_of(file);
   if (!identity) return;
   const std::lock_guard guard(files().lock);
-  files().read.insert(*identity);
+  if (files().is_noting) files().read.insert(*identity);
 }
 
 bool was_read(const std::filesystem::path& file) {
