@@ -9,12 +9,6 @@
 
 namespace rotordrop::hdf5 {
 
-/// The check sum of HDF5's metadata: lookup3 by Bob Jenkins (public domain), of at least one byte.
-[[nodiscard]] std::uint32_t lookup3(std::span<const unsigned char> bytes);
-
-/// Writes all bytes. @returns false with errno set if the system does not
-[[nodiscard]] bool write_bytes(int descriptor, std::uint64_t address, std::span<const unsigned char> bytes);
-
 /// Writes a block whole even if the process is killed within the write. The system copies a write page by page (4 KiB) and ends it between
 /// two pages when a SIGKILL waits. A block that goes over a page's end is therefore written first as a copy to the end of the file, of
 /// which `end_of_use` says how much is in use; the copy is struck out afterwards. Without room for it the block is written as it is.

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "io/hdf5/file_bytes.h"
 #include "io/hdf5/guarded_write.h"
 
 namespace rotordrop::hdf5 {
@@ -28,10 +29,6 @@ using Superblock = std::array<unsigned char, superblock_size>;
 
 /// Length of a file whose first `end` bytes are in use: half as much again, so that it seldom changes under a reader.
 haddr_t length_ahead(haddr_t end) { return std::max(haddr_t{4} << 20, end + end / 2); }
-
-void put(Superblock& block, std::size_t at, std::uint64_t value, std::size_t n_bytes) {
-  for (std::size_t i = 0; i < n_bytes; ++i) block[at + i] = static_cast<unsigned char>(value >> (8 * i));
-}
 
 struct File {
   H5FD_t pub{};  // first: HDF5 sees this part
@@ -95,8 +92,8 @@ bool write_superblock(File& file) {
   if (!write_pending(file)) return false;
   Superblock block = file.superblock;
   block[flags_at] = 0;
-  if (!file.is_closing) put(block, end_of_file_at, file.announced, 8);
-  put(block, check_sum_at, lookup3(std::span(block).first(check_sum_at)), 4);
+  if (!file.is_closing) put_number(block, end_of_file_at, file.announced, 8);
+  put_number(block, check_sum_at, lookup3(std::span(block).first(check_sum_at)), 4);
   return write_bytes(file.descriptor, 0, block);
 }
 
@@ -167,25 +164,14 @@ herr_t handle_of(H5FD_t* file, hid_t, void** handle) {
   return 0;
 }
 
-herr_t read_bytes(H5FD_t* opened, H5FD_mem_t, hid_t, haddr_t address, size_t size, void* buffer) {
-  char* to = static_cast<char*>(buffer);
+herr_t read_from_file(H5FD_t* opened, H5FD_mem_t, hid_t, haddr_t address, size_t size, void* buffer) {
   File& file = as_file(opened);
   if (!write_pending(file)) return failed("write");
   const std::span wanted(static_cast<unsigned char*>(buffer), size);
-  const haddr_t from = address;
-  while (size > 0) {
-    const ssize_t n = ::pread(file.descriptor, to, size, static_cast<off_t>(address));
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return failed("read");
-    if (n == 0) {  // behind the end of the file are zeros
-      std::memset(to, 0, size);
-      break;
-    }
-    to += n;
-    size -= static_cast<std::size_t>(n);
-    address += static_cast<haddr_t>(n);
-  }
-  if (file.torn) file.torn->mend(file.descriptor, from, wanted);
+  const auto n_read = read_up_to(file.descriptor, address, wanted);
+  if (!n_read) return failed("read");
+  std::fill(wanted.begin() + static_cast<std::ptrdiff_t>(*n_read), wanted.end(), 0);  // behind the end of the file
+  if (file.torn) file.torn->mend(file.descriptor, address, wanted);
   return 0;
 }
 
@@ -214,7 +200,7 @@ herr_t truncate_at_the_end(H5FD_t* opened, hid_t, hbool_t closing) {
   if (!closing || file.eof == file.eoa) return 0;
   // The superblock first: a file that is shorter than it says cannot be opened.
   file.is_closing = true;
-  put(file.superblock, end_of_file_at, file.eoa, 8);
+  put_number(file.superblock, end_of_file_at, file.eoa, 8);
   if (file.has_superblock && !write_superblock(file)) return failed("write");
   if (::ftruncate(file.descriptor, static_cast<off_t>(file.eoa)) != 0) return failed("truncate");
   file.eof = file.announced = file.eoa;
@@ -238,7 +224,7 @@ hid_t driver() {
     c.set_eoa = give_out;
     c.get_eof = end_of_file;
     c.get_handle = handle_of;
-    c.read = read_bytes;
+    c.read = read_from_file;
     c.write = write_to_file;
     c.flush = flush;
     c.truncate = truncate_at_the_end;

@@ -3,12 +3,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <mutex>
-#include <set>
-#include <utility>
 
 #include "base/errors.h"
 #include "base/trial.h"
+#include "io/file_set.h"
 #include "io/hdf5/series_reader.h"
 
 namespace rotordrop::hdf5 {
@@ -68,24 +66,9 @@ herr_t fork_and_read(hid_t, const char*, void* data) {
   return 1;  // one call is enough
 }
 
-/// Files that need no trial, by device and number.
-class KnownFiles {
- public:
-  [[nodiscard]] bool has(const struct stat& file) {
-    const std::lock_guard guard(lock_);
-    return files_.contains({file.st_dev, file.st_ino});
-  }
-  void add(const struct stat& file) {
-    const std::lock_guard guard(lock_);
-    files_.insert({file.st_dev, file.st_ino});
-  }
-
- private:
-  std::mutex lock_;
-  std::set<std::pair<dev_t, ino_t>> files_;
-};
-KnownFiles& known_files() {
-  static KnownFiles known;
+/// Files that need no trial.
+FileSet& known_files() {
+  static FileSet known;
   return known;
 }
 
@@ -110,14 +93,11 @@ void try_to_read(const std::filesystem::path& path, unsigned patience) {
 void require_readable(const std::filesystem::path& path) {
   struct stat status {};
   // What is not there, or is no file, opening tells; a pipe would wait for its writer.
-  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || known_files().has(status)) return;
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || known_files().has(path)) return;
   try_to_read(path);
-  known_files().add(status);
+  known_files().add(path);
 }
 
-void know_readable(const std::filesystem::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0) known_files().add(status);
-}
+void know_readable(const std::filesystem::path& path) { known_files().add(path); }
 
 }  // namespace rotordrop::hdf5

@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/hdf5/file_bytes.h"
 #include "io/hdf5/guarded_write.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/hdf5/recorder.h"
