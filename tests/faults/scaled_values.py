@@ -20,6 +20,8 @@ import tomllib
 def numbers_of(table, path=()):
     """(key, number, unit) of all numbers of a table that are not zero."""
     for key, value in table.items():
+        if key in ("title", "note"):
+            continue
         if isinstance(value, dict):
             yield from numbers_of(value, (*path, key))
         elif isinstance(value, (int, float)) and not isinstance(value, bool) and value != 0:

@@ -30,37 +30,35 @@ std::vector<MaterialSlip> material_slips(const std::string& name, const Material
                        name, m.rho, *m.c, capacity * 1e-6),
            "Check density and heat capacity: steel has 7850 kg/m3 and 460 to 510 J/(kg K)."});
   }
+  const auto add_of_density = [&](const char* key, const char* others, const std::string& value,
+                                  const std::string& theirs, const char* hint) {
+    found.push_back(
+        {key, fmt::format("{} has {:.5g} kg/m3, as {} have, but {}; {}.", name, m.rho, others, value, theirs), hint});
+  };
   if (m.rho > lightest_metal_of_machines) {
     if (m.k && *m.k < least_conductivity)
-      found.push_back({"k",
-                       fmt::format("{} has {:.5g} kg/m3, as metals have, but k = {:.4g} W/(m K); metals conduct more "
-                                   "than {:.4g}.",
-                                   name, m.rho, *m.k, least_conductivity),
-                       "A bare number is in W/(m K): steel has 15 to 70."});
+      add_of_density("k", "metals", fmt::format("k = {:.4g} W/(m K)", *m.k),
+                     fmt::format("metals conduct more than {:.4g}", least_conductivity),
+                     "A bare number is in W/(m K): steel has 15 to 70.");
     if (m.E && std::sqrt(*m.E / m.rho) < slowest_sound)
-      found.push_back({"E",
-                       fmt::format("{} has {:.5g} kg/m3, as metals have, but E = {:.4g} GPa; metals of machines "
-                                   "have more than {:.3g} GPa at that density.",
-                                   name, m.rho, *m.E * 1e-9, slowest_sound * slowest_sound * m.rho * 1e-9),
-                       "A bare number is in Pa: steel has 2.1e11, or \"210 GPa\"."});
+      add_of_density("E", "metals", fmt::format("E = {:.4g} GPa", *m.E * 1e-9),
+                     fmt::format("metals of machines have more than {:.3g} GPa at that density",
+                                 slowest_sound * slowest_sound * m.rho * 1e-9),
+                     "A bare number is in Pa: steel has 2.1e11, or \"210 GPa\".");
   }
   if (m.rho > lightest_mineral && m.rho <= lightest_metal_of_machines) {
     if (m.k && *m.k < least_of_minerals)
-      found.push_back({"k",
-                       fmt::format("{} has {:.5g} kg/m3, as ceramics and metals have, but k = {:.4g} W/(m K); they "
-                                   "conduct more than {:.4g}.",
-                                   name, m.rho, *m.k, least_of_minerals),
-                       "A bare number is in W/(m K): silicon nitride has 20 to 35."});
+      add_of_density("k", "ceramics and metals", fmt::format("k = {:.4g} W/(m K)", *m.k),
+                     fmt::format("they conduct more than {:.4g}", least_of_minerals),
+                     "A bare number is in W/(m K): silicon nitride has 20 to 35.");
     if (m.E && *m.E < softest_of_minerals)
-      found.push_back({"E",
-                       fmt::format("{} has {:.5g} kg/m3, as ceramics and metals have, but E = {:.4g} GPa; they have "
-                                   "more than {:.4g} GPa.",
-                                   name, m.rho, *m.E * 1e-9, softest_of_minerals * 1e-9),
-                       "A bare number is in Pa: silicon nitride has 3.1e11, or \"310 GPa\"."});
+      add_of_density("E", "ceramics and metals", fmt::format("E = {:.4g} GPa", *m.E * 1e-9),
+                     fmt::format("they have more than {:.4g} GPa", softest_of_minerals * 1e-9),
+                     "A bare number is in Pa: silicon nitride has 3.1e11, or \"310 GPa\".");
   }
   // Zero is meant: a limit case.
   if (m.nu && *m.nu > 0. && *m.nu < least_ratio)
-    found.push_back({"nu", fmt::format("{} has nu = {:.4g}; metals have 0.25 to 0.35.", name, *m.nu),
+    found.push_back({"nu", fmt::format("{} has nu = {:.4g}; most metals have 0.25 to 0.35.", name, *m.nu),
                      "Poisson's ratio has no unit and is no percentage."});
   if (m.alpha && *m.alpha != 0. && std::fabs(*m.alpha) < least_expansion)
     found.push_back({"alpha",

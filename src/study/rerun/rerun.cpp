@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -29,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_time_axis(const std::string& dataset) { return dataset == "/time" || dataset.ends_with("/time"); }
+bool is_time_axis(const std::string& dataset) { return dataset.ends_with("/time"); }
 
 std::string attribute_or_unknown(const fs::path& file, const std::string& name) {
   try {
@@ -77,10 +76,10 @@ void require_whole(const fs::path& file, const std::vector<std::string>& dataset
     for (const auto& name : datasets) {
       if (!is_time_axis(name)) continue;
       const auto times = read_series(file, name).values;
-      if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
+      if (std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return !(b > a); }) != times.end())
         throw DamagedFile({file.string()}, name + " does not rise.");
       constexpr double roundoff = 1e-12;
-      if (name == "/time" && (times.empty() || std::fabs(times.back() - end) > roundoff * end))
+      if (name == "/time" && (times.empty() || !(std::fabs(times.back() - end) <= roundoff * end)))
         throw DamagedFile({file.string()}, fmt::format("its rows do not reach the end of the run, {:.6g} s.", end));
       n_rows[name] = times.size();
     }
@@ -208,7 +207,7 @@ std::string rerun_text(const RecordedInput& input, const BitComparison& c) {
   for (std::size_t i = 0; i < c.differences.size() && i < n_shown; ++i)
     text += fmt::format("  {}: {}\n", c.differences[i].dataset, c.differences[i].what);
   if (c.differences.size() > n_shown) text += fmt::format("  and {} more\n", c.differences.size() - n_shown);
-  const std::string program = std::string("rotordrop ") + version();
+  const std::string program = program_name();
   if (input.program != program || input.revision != git_revision())
     text += fmt::format("The program was {} ({}) and is {} ({}).\n", input.program, input.revision, program,
                         git_revision());

@@ -248,11 +248,8 @@ void ReducedSections::observe_surfaces(std::size_t k, const double* y, const Hea
   std::fill_n(watts.begin(), p.at_once.size(), 0.);
   watts[bore_port] = heat.rub_into_ring;
   heat_raceways(k, rises.data(), heat, watts);
-  const std::array<double, bearing_surfaces.size()> of_bearing = {watts[bore_port], watts[inner_raceway_port],
-                                                                  watts[outer_raceway_port], 0.};
   for (std::size_t i = 0; i < p.surface_ports.size(); ++i) {
-    const std::size_t row = i - of_bearing.size();
-    const double into = i < of_bearing.size() ? of_bearing[i] : watts[n_bearing_ports + row];
+    const double into = watts[p.surface_ports[i]];
     const RiseRange range = p.surfaces[i].extremes(y, ambient_, into);
     out[3 * i] += sections_[k].heat.ports[p.surface_ports[i]].at_once * into;
     out[3 * i + 1] = ambient_ + range.lowest;
@@ -263,7 +260,7 @@ void ReducedSections::observe_surfaces(std::size_t k, const double* y, const Hea
     double* whole = out + 3 * (1 + race);
     std::fill(whole, whole + 3, 0.);
     for (std::size_t i = 0; i < p.rows.size(); ++i) {
-      const double* row = out + 3 * (of_bearing.size() + 2 * i + race);
+      const double* row = out + 3 * (bearing_surfaces.size() + 2 * i + race);
       whole[0] += (race == 0 ? p.rows[i].inner_share : p.rows[i].outer_share) * row[0];
       whole[1] = i == 0 ? row[1] : std::min(whole[1], row[1]);
       whole[2] = i == 0 ? row[2] : std::max(whole[2], row[2]);
