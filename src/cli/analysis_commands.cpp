@@ -1,4 +1,5 @@
 #include "cli/commands.h"
+#include "cli/output_files.h"
 
 #include <fmt/format.h>
 
@@ -49,12 +50,10 @@ int calibrate_command(const CalibrateCommand& command) {
     throw InputError({"--until", 0, 0}, "responses are compared from 1 ms on; --until must be 2 ms at least.");
   const auto file =
       command.output.empty() ? command.file.parent_path() / (c.name + "-calibrated.toml") : command.output;
-  if (!command.force && std::filesystem::exists(file))
-    throw InputError({file.string(), 0, 0}, "the file already exists.",
-                     "Choose another with -o FILE, or replace it with --force.");
+  require_new(file, command.force);
   require_other_file(file, command.file);
+  require_writable(file);
   const auto bearings = calibrate(c, settings);
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_text_atomically(file, calibration_file(c, file, bearings, settings));
   if (!command.quiet)
     fmt::print("rotordrop {} ({})   circuits fitted to finite elements, case {}\n{}written to {}\n", version(),
@@ -87,9 +86,8 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
   if (!command.up_to.empty()) tell_warnings(look_at_speed(c.parameters, "--up-to", options.up_to));
   if (!command.diagram.empty()) {
     require_picture_name(command.diagram);
-    if (!command.force && std::filesystem::exists(command.diagram))
-      throw InputError({command.diagram.string(), 0, 0}, "the file exists already.",
-                       "Choose another with --diagram FILE, or replace it with --force.");
+    require_new(command.diagram, command.force, "--diagram FILE");
+    require_writable(command.diagram);
   }
   const auto report = critical_speeds(c.parameters, options);
   const auto json = critical_speeds_json(c, report, options);

@@ -16,11 +16,11 @@
 #include "case/bearing_mesh.h"
 #include "case/case.h"
 #include "case/new_case.h"
+#include "cli/output_files.h"
 #include "cli/signals.h"
 #include "integrate/sundials_version.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/hdf5_version.h"
-#include "io/read_files.h"
 #include "io/text/parameter_writers.h"
 #include "study/compare/comparison.h"
 #include "study/compare/measured_report.h"
@@ -42,18 +42,19 @@ ComparisonOptions comparison_options(const CompareCommand& command) {
   return options;
 }
 
-/// Its own comparison a directory of results may lose; other files only with --force.
+/// By its usual name a comparison is written again; other files only with --force.
 std::filesystem::path comparison_file(const CompareCommand& command) {
-  if (command.output.empty()) return command.directory / "comparison.json";
+  if (command.output.empty()) {
+    const auto own = command.directory / "comparison.json";
+    for (const auto& path : {own, comparison_series_file(own)}) require_own_or_new(path);
+    return own;
+  }
   const auto& file = command.output;
   if (file.extension() == ".h5")
     throw InputError({"--output", 0, 0},
                      "the report is JSON; its time series go to a file of the same name ending in .h5",
                      "Give a name such as comparison.json.");
-  for (const auto& path : {file, comparison_series_file(file)})
-    if (!command.force && std::filesystem::exists(path))
-      throw InputError({path.string(), 0, 0}, "the file exists",
-                       "Choose another with -o FILE, or replace it with --force.");
+  for (const auto& path : {file, comparison_series_file(file)}) require_new(path, command.force);
   return file;
 }
 
@@ -126,17 +127,17 @@ namespace {
 int compare_measured_command(const CompareCommand& command) {
   const auto file = command.output.empty() ? command.directory / "measured.json" : command.output;
   const auto page = std::filesystem::path(file).replace_extension(".html");
-  if (!command.output.empty() && !command.force)
-    for (const auto& path : {file, page})
-      if (std::filesystem::exists(path))
-        throw InputError({path.string(), 0, 0}, "the file already exists",
-                         "Choose another with -o FILE, or replace it with --force.");
+  for (const auto& path : {file, page})
+    if (command.output.empty())
+      require_own_or_new(path);
+    else
+      require_new(path, command.force);
   require_other_file(file, command.measured);
   require_other_file(file, command.directory / "summary.json");
   const auto measured = read_measured_file(command.measured);
   const RecordedDrop drop(command.directory);
   const MeasuredComparison comparison = compare_with_measured(drop, measured);
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  require_writable(file);
   write_text_atomically(file, comparison.report.dump(2) + "\n");
   write_text_atomically(page, comparison.page);
   if (!command.quiet)
@@ -165,31 +166,13 @@ int compare_command(const CompareCommand& command) {
   return 0;
 }
 
-void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(output, input, ignored) || was_read(output))
-    throw InputError({output.string(), 0, 0}, "this file is what the command reads; it is not replaced.",
-                     "Choose another with -o FILE.");
-}
-
-void require_page_or_nothing(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file) || file.extension() == ".html" || file.extension() == ".htm") return;
-  std::string first_line;
-  if (std::filesystem::is_regular_file(file)) std::getline(std::ifstream(file), first_line);
-  if (first_line != "<!DOCTYPE html>")
-    throw InputError({file.string(), 0, 0}, "the file already exists, and it is no HTML page.",
-                     "Choose another with -o FILE.");
-}
-
 int report_command(const ReportCommand& command) {
   const RecordedDrop drop(command.directory);
   const auto file = command.output.empty() ? command.directory / "report.html" : command.output;
-  if (!command.force && std::filesystem::exists(file))
-    throw InputError({file.string(), 0, 0}, "the file already exists",
-                     "Choose another with -o FILE, or replace it with --force.");
+  require_new(file, command.force);
   require_page_or_nothing(file);
+  require_writable(file);
   const std::string page = report_page(report_data(drop));
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_text_atomically(file, page);
   if (!command.quiet) fmt::print("report of {} in {}\n", drop.case_name(), file.string());
   return 0;

@@ -10,9 +10,6 @@ namespace rotordrop {
 
 struct Case;
 
-/// Not even --force writes over what a command reads. @throws InputError if both are one file
-void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
-
 /// Tells what is unusual in a case. @throws InputError if `strict` and there is any
 void tell_warnings(const std::vector<Fault>& warnings, bool strict = false);
 /// As read_case(), and tells its warnings.
@@ -76,8 +73,6 @@ struct ReportCommand {
   bool force = false, quiet = false;
 };
 int report_command(const ReportCommand& command);
-/// What `--force` may replace by a report. @throws InputError if the file is there and is something else
-void require_page_or_nothing(const std::filesystem::path& file);
 
 struct MeshCommand {
   std::filesystem::path file, output;

@@ -12,9 +12,10 @@
 #include "base/errors.h"
 #include "base/version.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "cli/signals.h"
 #include "io/checkpoint.h"
-#include "io/results_folder.h"
+#include "io/own_files.h"
 #include "io/text/parameter_keys.h"
 #include "study/many/answers/study_report.h"
 #include "study/many/answers/study_summary.h"
@@ -255,10 +256,9 @@ int study_rerun_command(const StudyRerunCommand& command) {
 int study_report_command(const StudyReportCommand& command) {
   const auto file = command.output.empty() ? command.directory / "report.html" : command.output;
   // By its usual name a page of ours is written again: the study may have gone on.
-  if (!command.force && std::filesystem::exists(file) && !(command.output.empty() && is_own_page(file)))
-    throw InputError({file.string(), 0, 0}, "the file exists",
-                     "Choose another with -o FILE, or replace it with --force.");
+  if (!(command.output.empty() && is_own_page(file))) require_new(file, command.force);
   require_page_or_nothing(file);
+  require_writable(file);
   write_text_atomically(file, study_report_page(study_report_data(command.directory)));
   if (!command.quiet) fmt::print("{}\n", file.string());
   return 0;

@@ -45,12 +45,15 @@ class FileDescriptor {
   int descriptor_;
 };
 
+[[noreturn]] void throw_not_allowed(const fs::path& path, int error) {
+  throw InputError({path.string()}, "the file cannot be written: " + std::generic_category().message(error) + ".",
+                   "Choose another place with -o, or change the permissions.");
+}
+
 [[noreturn]] void throw_not_written(const fs::path& path, int error) {
   // What the name or the place forbids is for the user to change; everything else is the machine's.
   constexpr std::array by_name{ENAMETOOLONG, ELOOP, EACCES, EPERM, EROFS, ENOTDIR, EISDIR, EINVAL};
-  if (std::find(by_name.begin(), by_name.end(), error) != by_name.end())
-    throw InputError({path.string()}, "the file cannot be written: " + std::generic_category().message(error) + ".",
-                     "Choose another place with -o, or change the permissions.");
+  if (std::find(by_name.begin(), by_name.end(), error) != by_name.end()) throw_not_allowed(path, error);
   throw SolverError("cannot write " + path.string() + ": " + std::generic_category().message(error) + ".");
 }
 
@@ -85,15 +88,25 @@ fs::path name_while_writing(const fs::path& path) {
 
 }  // namespace
 
+namespace {
+
+/// Where nothing was before, a missing place is the user's, as in /proc.
+[[noreturn]] void throw_not_made(const fs::path& path, int error) {
+  if (error == ENOENT) throw_not_allowed(path, error);
+  throw_not_written(path, error);
+}
+
+}  // namespace
+
 void require_writable(const fs::path& path) {
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
-  if (error) throw_not_written(path, error.value());
+  if (error) throw_not_made(path, error.value());
   struct ::stat unused {};
   if (::lstat(path.c_str(), &unused) != 0 && errno != ENOENT) throw_not_written(path, errno);
   const fs::path beside = name_while_writing(path);
   const FileDescriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
-  if (file.get() < 0) throw_not_written(path, errno);
+  if (file.get() < 0) throw_not_made(path, errno);
   ::unlink(beside.c_str());
 }
 

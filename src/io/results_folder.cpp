@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "io/own_files.h"
 #include "io/read_files.h"
 
 namespace rotordrop {
@@ -23,13 +23,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A directory with one of these, if the program wrote it, is one of results.
 constexpr std::array results{"results.h5",    "summary.json", "preload.h5", "preload.json",
                              "study.journal", "study.h5",     "study.json", "shard.h5"};
-/// What a command may write into its directory, or remove from it.
-constexpr std::array own_files{"results.h5",    "summary.json",    "preload.h5",    "preload.json", "study.journal",
-                               "study.h5",      "study.json",      "shard.h5",      "study.csv",    "study.toml",
-                               "case.toml",     "parameters.toml", "comparison.h5", "report.html",  "comparison.json",
-                               "measured.json", "measured.html",   "measured.csv"};
+/// What goes before new results are written: the old summary of a new run would be wrong.
+constexpr std::array outdated{"summary.json", "comparison.json", "comparison.h5", "measured.json", "study.journal",
+                              "study.h5",     "study.csv",       "study.json",    "shard.h5",      "measured.csv"};
+constexpr std::array pages{"measured.html", "report.html"};
+/// What else is written over.
+constexpr std::array replaced{"results.h5", "preload.h5", "preload.json", "study.toml", "case.toml"};
 constexpr std::array folders{"checkpoints", "failed", "fields"};
 
 std::string reason(int error) { return std::generic_category().message(error); }
@@ -48,16 +50,18 @@ bool is_left_over(const std::string& name) {
   return std::regex_match(name, pattern);
 }
 
-/// Whether parameters.toml is what a run writes first of all, and not a case by that name: every value of it has its origin behind it.
-bool is_written_parameters(const fs::path& file) {
-  std::ifstream text(file);
-  int n_values = 0, n_origins = 0;
-  for (std::string line; std::getline(text, line);) {
-    if (line.find(" = ") == std::string::npos || line.starts_with('#')) continue;
-    ++n_values;
-    n_origins += line.find("  # from ") != std::string::npos || line.find("  # default") != std::string::npos ? 1 : 0;
-  }
-  return n_values > 0 && n_origins == n_values;
+/// Names of results that someone else's files have. What a power cut left empty is the program's where its other files are.
+void require_no_others(const fs::path& directory) {
+  const bool is_ours = holds_results(directory) || is_written_parameters(directory / "parameters.toml");
+  const auto require = [&](const char* name) {
+    const fs::path file = directory / name;
+    if (!std::string_view(name).ends_with(".csv") && is_there(file) && !is_own_results(file) &&
+        !(is_ours && is_hollow(file)))
+      throw InputError({file.string()}, "results would replace this file, but the program did not write it.",
+                       "It is left as it is. Choose another directory with -o DIR, or give the file another name.");
+  };
+  for (const char* name : outdated) require(name);
+  for (const char* name : {"results.h5", "preload.h5", "preload.json"}) require(name);
 }
 
 /// What results would be written over, or into, in a directory that holds none.
@@ -84,24 +88,25 @@ const std::regex& checkpoint_names() {
   return names;
 }
 
+void require_not_read(const fs::path& file) {
+  if (was_read(file))
+    throw InputError({file.string()}, "this file is what the command reads, and results would replace it.",
+                     "Choose another directory with -o DIR.");
+}
+
 /// @throws InputError if results would replace what the command has read; parameters.toml that a run wrote is the same again
 void require_no_inputs(const fs::path& directory) {
-  std::error_code error;
-  for (const auto& file : fs::directory_iterator(directory, error)) {
-    const std::string name = file.path().filename().string();
-    const bool is_own = std::find(own_files.begin(), own_files.end(), name) != own_files.end();
-    if (is_own && was_read(file.path()) && !(name == "parameters.toml" && is_written_parameters(file.path())))
-      throw InputError({file.path().string()}, "this file is what the command reads, and results would replace it.",
-                       "Choose another directory with -o DIR.");
-  }
+  for (const char* name : outdated) require_not_read(directory / name);
+  for (const char* name : pages) require_not_read(directory / name);
+  for (const char* name : replaced) require_not_read(directory / name);
+  if (!is_written_parameters(directory / "parameters.toml")) require_not_read(directory / "parameters.toml");
 }
 
 void remove_results(const fs::path& directory) {
   std::error_code error;
-  for (const char* name : {"summary.json", "comparison.json", "comparison.h5", "measured.json", "study.journal",
-                           "study.h5", "study.csv", "study.json", "shard.h5", "measured.csv"})
+  for (const char* name : outdated)
     if (!fs::is_directory(fs::symlink_status(directory / name, error))) fs::remove(directory / name, error);
-  for (const char* name : {"measured.html", "report.html"})
+  for (const char* name : pages)
     if (is_own_page(directory / name)) fs::remove(directory / name, error);
   static const std::regex journals(R"(rank-[0-9]+\.journal)");
   for (const auto& file : fs::directory_iterator(directory, error))
@@ -120,16 +125,9 @@ void remove_left_over(const fs::path& directory) {
 
 }  // namespace
 
-bool is_own_page(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return false;
-  std::ifstream page(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(page), {}};
-  return text.find(R"(<main id="page"></main>)") != std::string::npos;
-}
-
 bool holds_results(const fs::path& directory) {
-  return std::any_of(results.begin(), results.end(), [&](const char* file) { return is_there(directory / file); });
+  return std::any_of(results.begin(), results.end(),
+                     [&](const char* file) { return is_own_results(directory / file); });
 }
 
 ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_(std::move(directory)) {
@@ -155,15 +153,14 @@ ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_
                      "Choose another with -o DIR, or wait for its end.");
   }
   try {
+    if (has_results && existing == Existing::replace) require_no_inputs(directory_);
+    if (existing != Existing::resume) require_no_others(directory_);
     if (!has_results)
       for (const char* name : names_without_results(directory_))
         if (is_there(directory_ / name) && existing != Existing::resume)
           throw InputError(where, std::string("the directory holds \"") + name + "\", but no results of this program",
                            "It is left as it is. Choose another directory with -o DIR.");
-    if (has_results && existing == Existing::replace) {
-      require_no_inputs(directory_);
-      remove_results(directory_);
-    }
+    if (has_results && existing == Existing::replace) remove_results(directory_);
     remove_left_over(directory_);
   } catch (...) {
     ::close(lock_);

@@ -3,11 +3,8 @@
 
 namespace rotordrop {
 
-/// Whether a directory holds results of any command that writes a directory of them.
+/// Whether a directory holds results of any command that writes a directory of them. Files of others by such names are none.
 bool holds_results(const std::filesystem::path& directory);
-
-/// Whether a page is the program's: someone else's may have that name, too.
-bool is_own_page(const std::filesystem::path& file);
 
 /// The directory into which a command writes its results, and the only place that knows which files in it are the program's own. While it
 /// lives no other process can write results there.

@@ -105,6 +105,66 @@ class OtherPeoplesFiles(ProgramTest):
         self.assertEqual([name for name in mine if name not in there], [])
         self.assertEqual((self.folder / "elsewhere/checkpoint-000001.h5").read_text(), "mine")
 
+    def test_files_of_someone_else_by_names_of_results_stay(self):
+        self.succeed("run", "reference.toml", "-o", "whole", *SHORT)
+        with h5py.File(self.folder / "mine.h5", "w") as file:
+            file["measured"] = [1.0, 2.0]
+        text, hdf5 = b"my notes", (self.folder / "mine.h5").read_bytes()
+        others = [("results.h5", text), ("results.h5", hdf5), ("preload.h5", hdf5), ("study.h5", hdf5), ("shard.h5", text), ("summary.json", b'{"mine": 1}'),
+                  ("study.json", text), ("preload.json", text), ("study.journal", text), ("comparison.json", b'{"a": 2}'), ("comparison.h5", hdf5), ("measured.json", text)]
+        for name, content in others:
+            for start_of in ("nothing", "results"):
+                with self.subTest(name, start_of=start_of):
+                    shutil.rmtree(self.folder / "out", ignore_errors=True)
+                    if start_of == "results":
+                        shutil.copytree(self.folder / "whole", self.folder / "out")
+                    (self.folder / "out").mkdir(exist_ok=True)
+                    (self.folder / "out" / name).write_bytes(content)
+                    before = content_of(self.folder / "out")
+                    for force in ((), ("--force",)):
+                        done = self.call("run", "reference.toml", "-o", "out", *SHORT, *force)
+                        self.assertEqual(done.returncode, 2, done.stderr)
+                        self.assertEqual(content_of(self.folder / "out"), before)
+                    self.assertIn("the program did not write it", done.stderr)
+        for name in ("comparison.json", "comparison.h5"):
+            shutil.rmtree(self.folder / "out")
+            shutil.copytree(self.folder / "whole", self.folder / "out")
+            (self.folder / "out" / name).write_text("mine")
+            done = self.call("compare", "out", "--against", "whole")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("did not write it", done.stderr)
+            self.assertEqual((self.folder / "out" / name).read_text(), "mine")
+
+    def test_a_link_or_a_folder_by_the_name_of_results_stays(self):
+        self.succeed("run", "reference.toml", "-o", "whole", *SHORT)
+        shutil.copytree(self.folder / "whole", self.folder / "out")
+        (self.folder / "out/results.h5").unlink()
+        for make in (lambda path: path.symlink_to("../whole/results.h5"), lambda path: path.mkdir()):
+            make(self.folder / "out/results.h5")
+            done = self.call("run", "reference.toml", "-o", "out", *SHORT, "--force")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertTrue((self.folder / "out/results.h5").is_symlink() or (self.folder / "out/results.h5").is_dir())
+            if (self.folder / "out/results.h5").is_symlink():
+                (self.folder / "out/results.h5").unlink()
+
+    def test_damaged_results_of_ours_may_be_replaced(self):
+        self.succeed("run", "reference.toml", "-o", "whole", *SHORT)
+        whole = (self.folder / "whole/results.h5").read_bytes()
+        for damaged in (whole[:len(whole) // 2], whole[:len(whole) // 2].ljust(len(whole), b"\0"), b"", bytes(len(whole))):
+            shutil.rmtree(self.folder / "out", ignore_errors=True)
+            shutil.copytree(self.folder / "whole", self.folder / "out")
+            (self.folder / "out/results.h5").write_bytes(damaged)
+            (self.folder / "out/summary.json").unlink()
+            self.succeed("run", "reference.toml", "-o", "out", *SHORT, "--force")
+
+    def test_a_place_where_no_file_can_be_is_a_mistake_of_the_user(self):
+        self.succeed("run", "reference.toml", "-o", "out", *SHORT)
+        for command in (["report", "out", "-o", "/proc/x"], ["modes", "reference.toml", "--shapes", "/proc/x"], ["compare", "out", "--against", "out", "-o", "/proc/x"],
+                        ["calibrate", "reference.toml", "-o", "/proc/x"], ["run", "reference.toml", "-o", "/proc/x"]):
+            if command[0] != "calibrate" or HAS_MESH_ROOM:
+                done = self.call(*command)
+                self.assertEqual(done.returncode, 2, (command, done.stderr))
+
     def test_a_report_replaces_pages_and_nothing_else(self):
         self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"), "--quiet")
         before = content_of(self.folder)

@@ -7,6 +7,7 @@
 
 #include "analysis/facts/thermal_report.h"
 #include "base/errors.h"
+#include "base/version.h"
 #include "study/compare/model_pair.h"
 #include "study/json_number.h"
 
@@ -160,6 +161,7 @@ Comparison compare_models(const RecordedDrop& drop, const RecordedDrop* against,
   const auto models = models_of(drop, against);
   Comparison c;
   Json& j = c.report;
+  j["program"] = program_name();
   j["run"] = run_json(drop);
   if (against) j["against"] = run_json(*against);
   for (const ThermalKind* kind : thermal_kinds()) {

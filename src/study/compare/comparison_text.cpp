@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "analysis/facts/thermal_report.h"
+#include "base/version.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/recorder.h"
 #include "study/compare/comparison.h"
@@ -376,7 +377,8 @@ void write_comparison(const Comparison& comparison, const std::filesystem::path&
     groups.push_back({"/bore/" + b.bearing + "/time", bore_channels("/bore/" + b.bearing + "/")});
   RecorderOptions options;
   options.overwrite = true;
-  Recorder recorder(comparison_series_file(file), {{{"content", "temperatures of the bores"}}, {}}, groups, options);
+  Recorder recorder(comparison_series_file(file),
+                    {{{"program", program_name()}, {"content", "temperatures of the bores"}}, {}}, groups, options);
   for (std::size_t k = 0; k < comparison.bores.size(); ++k) {
     const auto& b = comparison.bores[k];
     for (std::size_t i = 0; i < b.history.times.size(); ++i) {

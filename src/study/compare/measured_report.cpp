@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/parameters/suggestion.h"
+#include "base/version.h"
 #include "study/json_number.h"
 #include "study/report/decimation.h"
 #include "study/report/report.h"
@@ -67,7 +68,7 @@ std::string measured_text(const Json& differences) {
 MeasuredComparison compare_with_measured(const RecordedDrop& drop, const std::vector<Measured>& measured) {
   MeasuredComparison made;
   Json figures = Json::array();
-  made.report = {{"case", drop.case_name()}, {"measured", Json::array()}};
+  made.report = {{"program", program_name()}, {"case", drop.case_name()}, {"measured", Json::array()}};
   for (const auto& m : measured) {
     if (!drop.has(m.keys.series))
       throw InputError({m.keys.file, 0, 0}, fmt::format("the drop has no series {}.", m.keys.series),

@@ -15,7 +15,7 @@ namespace {
 
 RecordHeader record_header(const Case& drop_case) {
   RecordHeader header{
-      {{"program", std::string("rotordrop ") + version()},
+      {{"program", program_name()},
        {"git_revision", git_revision()},
        {"sundials_version", sundials_version()},
        {"hdf5_version", hdf5_version()},

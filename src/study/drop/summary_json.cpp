@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "base/version.h"
 #include "study/drop/drop_summary.h"
 #include "study/drop/warning_summary.h"
 #include "study/json_number.h"
@@ -113,6 +114,7 @@ Json energy_json(const DropSummary& s) {
 
 Json summary_json(const DropSummary& s) {
   Json j;
+  j["program"] = program_name();
   j["case"] = s.case_name;
   if (!s.title.empty()) j["title"] = s.title;
   if (!s.note.empty()) j["note"] = s.note;

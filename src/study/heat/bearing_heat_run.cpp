@@ -37,7 +37,7 @@ Recorder make_recorder(const BearingHeatCase& c, const HeatRunOptions& options) 
                                "thermal growth by model " + model.name,
                                growth_surfaces.size(),
                                {growth_surface_names.begin(), growth_surface_names.end()}});
-  const RecordHeader header{{{"program", std::string("rotordrop ") + version()},
+  const RecordHeader header{{{"program", program_name()},
                              {"git_revision", git_revision()},
                              {"hdf5_version", hdf5_version()},
                              {"case", c.drop.name}},
@@ -139,6 +139,7 @@ class BearingHeatRun {
 
   [[nodiscard]] Json summary() {
     Json j;
+    j["program"] = program_name();
     j["case"] = case_.drop.name;
     j["bearing"] = case_.bearing;
     j["probes"] = Json::object();

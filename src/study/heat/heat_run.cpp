@@ -45,7 +45,7 @@ Recorder make_recorder(const HeatCase& heat_case, const HeatRunOptions& options)
                                1,
                                {}});
   if (heat_case.study.elastic) append_displacement_channels(*heat_case.study.elastic, series.channels);
-  const RecordHeader header{{{"program", std::string("rotordrop ") + version()},
+  const RecordHeader header{{{"program", program_name()},
                              {"git_revision", git_revision()},
                              {"hdf5_version", hdf5_version()},
                              {"case", heat_case.name}},
@@ -141,6 +141,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   };
 
   Json j;
+  j["program"] = program_name();
   j["case"] = heat_case.name;
   std::vector<double> times;
   std::vector<std::vector<double>> series(study.probes.size());

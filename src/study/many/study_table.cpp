@@ -66,12 +66,8 @@ void add_series(const StudyTable& table, std::vector<TableColumn>& columns) {
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 Attributes attributes_of(const Study& study, const Design& design, const std::string& digest) {
-  return {{"program", std::string("rotordrop ") + version()},
-          {"git_revision", git_revision()},
-          {"study", study.name},
-          {"case", study.base.name},
-          {"design", name_of(design.kind)},
-          {"seed", std::to_string(study.design.seed)},
+  return {{"program", program_name()}, {"git_revision", git_revision()}, {"study", study.name},
+          {"case", study.base.name},   {"design", name_of(design.kind)}, {"seed", std::to_string(study.design.seed)},
           {"digest", digest}};
 }
 

@@ -44,7 +44,7 @@ Json find_preload(const Case& c, const std::string& bearing, const RecordedDrop*
                   std::vector<PreloadTable>& tables) {
   const auto bearings = chosen_touchdowns(c, bearing);
   if (bearings.empty()) refuse_without_touchdowns(c);
-  Json report = {{"program", std::string("rotordrop ") + version()},
+  Json report = {{"program", program_name()},
                  {"git_revision", git_revision()},
                  {"case", c.name},
                  {"ambient", c.parameters.run.ambient},

@@ -41,11 +41,9 @@ void write_tables(const std::filesystem::path& file, const Case& c, const std::v
   RecorderOptions options;
   options.overwrite = overwrite;
   options.rows_per_chunk = std::min<std::size_t>(longest, 1024);
-  const RecordHeader header{{{"program", std::string("rotordrop ") + version()},
-                             {"git_revision", git_revision()},
-                             {"content", "thermal preload"},
-                             {"case", c.name}},
-                            {{"/parameters", c.resolved.text}}};
+  const RecordHeader header{
+      {{"program", program_name()}, {"git_revision", git_revision()}, {"content", "thermal preload"}, {"case", c.name}},
+      {{"/parameters", c.resolved.text}}};
   Recorder recorder(file, header, groups, options);
   for (std::size_t g = 0; g < tables.size(); ++g)
     for (std::size_t i = 0; i < tables[g].axis.size(); ++i) recorder.append(g, tables[g].axis[i], tables[g].rows[i]);

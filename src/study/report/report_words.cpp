@@ -151,7 +151,7 @@ Json report_provenance(const RecordedDrop& drop) {
        read_attribute(results, "/", "program") + ", revision " + read_attribute(results, "/", "git_revision"));
   fact("with", "SUNDIALS " + read_attribute(results, "/", "sundials_version") + ", HDF5 " +
                    read_attribute(results, "/", "hdf5_version"));
-  fact("report by", std::string("rotordrop ") + version() + ", revision " + git_revision());
+  fact("report by", std::string(program_name()) + ", revision " + git_revision());
   fact("frame", read_attribute(results, "/", "frame"));
   fact("SHA-256 of results.h5", sha256_of_file(results));
   fact("SHA-256 of parameters.toml", sha256_of_file(parameters));

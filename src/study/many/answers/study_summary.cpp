@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/version.h"
 #include "io/checkpoint.h"
 #include "study/json_number.h"
 #include "study/many/answers/fit_summary.h"
@@ -303,7 +304,8 @@ std::vector<std::size_t> sample_points(const Study& study, const Design& design)
 }
 
 Json study_summary(const Study& study, const Design& design, const StudyTable& table) {
-  Json j{{"study", study.name},
+  Json j{{"program", program_name()},
+         {"study", study.name},
          {"case", study.base.name},
          {"points", table.n_points},
          {"done", table.count(PointStatus::done)},

@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+
+namespace rotordrop {
+
+/// A file that the user names is replaced with --force only. @throws InputError if it is there
+/// @param option  that names another, for the message
+void require_new(const std::filesystem::path& file, bool force, const char* option = "-o FILE");
+
+/// By its usual name the program's own file is written again; someone else's is not. @throws InputError if it is there and someone else's
+void require_own_or_new(const std::filesystem::path& file);
+
+/// Not even --force writes over what a command reads. @throws InputError if both are one file
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
+
+/// What `--force` may replace by a report. @throws InputError if the file is there and is something else
+void require_page_or_nothing(const std::filesystem::path& file);
+
+}  // namespace rotordrop

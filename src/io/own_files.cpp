@@ -1,0 +1,79 @@
+#include "io/own_files.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace rotordrop {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(fs::symlink_status(path, ignored));
+}
+
+std::string beginning(const fs::path& file, std::size_t n) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(n, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(n));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+/// HDF5 writes the attributes of a file behind its superblock, so that a file whose rest is damaged is known as well.
+bool is_own_hdf5(const std::string& text) {
+  // A comparison of version 0.1 has no name of the program.
+  return text.starts_with("\x89HDF\r\n\x1a\n") &&
+         (text.find("rotordrop ") != std::string::npos || text.find("temperatures of the bores") != std::string::npos);
+}
+
+bool is_own_json(const std::string& text) {
+  // Version 0.1 did not write its name.
+  constexpr std::array<std::string_view, 3> first_version{"{\n  \"case\": \"", "{\n  \"study\": \"",
+                                                          "{\n  \"run\": {\n    \"directory\": \""};
+  return text.find("\"program\": \"rotordrop ") != std::string::npos ||
+         std::any_of(first_version.begin(), first_version.end(), [&](auto words) { return text.starts_with(words); });
+}
+
+bool is_own_journal(const std::string& text) { return text.find(R"( {"header":"{\"study\":\")") == 16; }
+
+}  // namespace
+
+bool is_own_results(const fs::path& file) {
+  if (!is_file(file)) return false;
+  const std::string text = beginning(file, 16384);
+  if (file.extension() == ".h5") return is_own_hdf5(text);
+  return file.extension() == ".journal" ? is_own_journal(text) : is_own_json(text);
+}
+
+bool is_hollow(const fs::path& file) {
+  if (!is_file(file)) return false;
+  const std::string text = beginning(file, 4096);
+  return std::all_of(text.begin(), text.end(), [](char c) { return c == '\0'; });
+}
+
+bool is_own_page(const fs::path& file) {
+  if (!is_file(file)) return false;
+  std::ifstream page(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  return text.find(R"(<main id="page"></main>)") != std::string::npos;
+}
+
+bool is_written_parameters(const fs::path& file) {
+  std::ifstream text(file);
+  int n_values = 0, n_origins = 0;
+  for (std::string line; std::getline(text, line);) {
+    if (line.find(" = ") == std::string::npos || line.starts_with('#')) continue;
+    ++n_values;
+    n_origins += line.find("  # from ") != std::string::npos || line.find("  # default") != std::string::npos ? 1 : 0;
+  }
+  return n_values > 0 && n_origins == n_values;
+}
+
+}  // namespace rotordrop

@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+
+namespace rotordrop {
+
+/// Whether a result file (.h5, .json, .journal) is the program's by what stands in it: someone else's may have that name, too. A link is not.
+bool is_own_results(const std::filesystem::path& file);
+
+/// Whether a file holds nothing: no byte, or zeros at its beginning, as after a power cut.
+bool is_hollow(const std::filesystem::path& file);
+
+/// Whether a page is the program's.
+bool is_own_page(const std::filesystem::path& file);
+
+/// Whether parameters.toml is what a run writes first of all, and not a case by that name: every value of it has its origin behind it.
+bool is_written_parameters(const std::filesystem::path& file);
+
+}  // namespace rotordrop
