@@ -62,7 +62,7 @@ void add_cage_keys(Section<TouchdownParameters>& s) {
                       "values shorten the integration's steps."});
   s.quantity("pocket_friction", &P::pocket_friction,
              {.range = at_least(0),
-              .usual = between(0, 0.5),
+              .usual = or_zero(between(5e-3, 0.5)),
               .fallback = "0.1",
               .source = "estimate",
               .help = "Friction coefficient of balls in the pockets of a free cage."});

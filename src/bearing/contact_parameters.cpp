@@ -15,7 +15,7 @@ Section<ContactParameters> contact_section() {
   Section<P> s("contact", "Contact between rotor surface and inner-ring bore, for all touchdown bearings.");
   s.quantity("friction_coefficient", &P::friction_coefficient,
              {.range = between(0, 2),
-              .usual = between(0, 0.8),
+              .usual = or_zero(between(5e-3, 0.8)),
               .fallback = "0.1",
               .source = std::string(paper) + ", table 2",
               .help = "Dynamic friction coefficient between rotor and bore. Larger values spin the ring up faster and "
@@ -29,13 +29,14 @@ Section<ContactParameters> contact_section() {
               .help = "Radial gap between rotor and inner ring at rest and ambient temperature."});
   s.quantity("exponent", &P::exponent,
              {.range = between(1, 3),
+              .usual = between(1, 1.6),
               .fallback = "1.1111111111111112",
               .source = std::string(paper) + ", n = 10/9",
               .help = "Exponent n of the normal force K delta^n."});
   s.quantity("lambda", &P::lambda,
              {.unit = "s/m",
               .range = between(0, 5),
-              .usual = at_most(1),
+              .usual = or_zero(between(1e-3, 1)),
               .fallback = "0.08 s/m",
               .source = std::string(paper) + "; Hunt & Crossley 1975 give 0.08..0.32",
               .help = "Contact damping; for small impact speeds v the restitution is 1 - lambda v."});
@@ -50,20 +51,23 @@ Section<ContactParameters> contact_section() {
   s.quantity("bore_radius", &P::bore_radius,
              {.unit = "m",
               .range = positive(),
+              .usual = between(1e-3, 1),
               .help = "Bore radius of the inner rings; half of the inner ring's bore diameter if not given."});
-  s.quantity(
-      "static_friction_coefficient", &P::static_friction_coefficient,
-      {.range = between(0, 2), .help = "Static friction coefficient (Stribeck law); the dynamic value if not given."});
+  s.quantity("static_friction_coefficient", &P::static_friction_coefficient,
+             {.range = between(0, 2),
+              .usual = or_zero(between(5e-3, 1)),
+              .help = "Static friction coefficient (Stribeck law); the dynamic value if not given."});
   s.quantity("stribeck_speed", &P::stribeck_speed,
              {.unit = "m/s",
               .range = positive(),
-              .usual = at_most(20),
+              .usual = between(1e-3, 20),
               .fallback = "0.5 m/s",
               .source = "estimate",
               .help = "Slip speed over which friction falls from the static to the dynamic value."});
   s.function("friction_over_speed", &P::friction_over_speed,
              {.argument_unit = "m/s",
               .range = between(0, 2),
+              .usual = or_zero(between(1e-3, 1)),
               .help = "Dynamic friction coefficient between rotor and bore over slip speed; replaces "
                       "friction_coefficient in the contact. Linear between the pairs, constant outside; "
                       "regularisation_speed still applies. Values derived from a single coefficient "
@@ -71,13 +75,14 @@ Section<ContactParameters> contact_section() {
   s.function("friction_over_temperature", &P::friction_over_temperature,
              {.argument_unit = "K",
               .range = between(0, 10),
+              .usual = between(0.01, 10),
               .help = "Factor on the friction between rotor and bore over the mean temperature of the inner ring in "
                       "the lumped circuit: linear between the pairs, constant outside. The local temperature of the "
                       "rub contact has no influence."});
   s.quantity("wear_coefficient_bore", &P::wear_coefficient_bore,
              {.unit = "m2/N",
               .range = at_least(0),
-              .usual = at_most(1e-12),
+              .usual = or_zero(between(1e-18, 1e-12)),
               .fallback = "1e-14 m2/N",
               .source = "estimate: K/H with K = 7e-5 for unlubricated hardened steel (Archard 1953; Rabinowicz 1995: "
                         "1e-5 to 1e-3) and H = 7 GPa (60 HRC)",
@@ -86,14 +91,14 @@ Section<ContactParameters> contact_section() {
   s.quantity("wear_coefficient_rotor", &P::wear_coefficient_rotor,
              {.unit = "m2/N",
               .range = at_least(0),
-              .usual = at_most(1e-12),
+              .usual = or_zero(between(1e-18, 1e-12)),
               .fallback = "2.3e-14 m2/N",
               .source = "estimate: K/H with the same K and H = 3 GPa (quenched and tempered steel of a landing sleeve)",
               .help = "Wear volume of the rotor surface divided by normal force and sliding distance (Archard)."});
   s.quantity("wear_depth_limit", &P::wear_depth_limit,
              {.unit = "m",
               .range = positive(),
-              .usual = at_most(1e-3),
+              .usual = between(1e-6, 1e-3),
               .fallback = "50 um",
               .source = "estimate: a fifth of the reference case's air gap",
               .help = "Permitted wear depth of bore or rotor; the number of drops until then is reported."});

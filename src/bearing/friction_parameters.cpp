@@ -6,10 +6,11 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
   using P = TouchdownParameters;
   s.quantity("f1_z", &P::f1_z,
              {.range = at_least(0),
-              .usual = at_most(0.02),
+              .usual = or_zero(between(1e-5, 0.02)),
               .help = "z in f1 = z (P0/C0)^y of the load-dependent friction torque f1 P1 d_m; load_law defines the "
                       "loads P0 and P1."});
-  s.quantity("f1_y", &P::f1_y, {.range = at_least(0), .usual = between(0.1, 1), .help = "y in f1 = z (P0/C0)^y."});
+  s.quantity("f1_y", &P::f1_y,
+             {.range = at_least(0), .usual = or_zero(between(0.1, 1)), .help = "y in f1 = z (P0/C0)^y."});
   s.quantity("C0", &P::C0,
              {.unit = "N",
               .range = positive(),
@@ -32,7 +33,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
                       "allowed drops is 0."});
   s.quantity("f2", &P::f2,
              {.range = at_least(0),
-              .usual = at_most(20),
+              .usual = or_zero(between(0.01, 20)),
               .fallback = "0.25",
               .source = "calibration: 0.25 per bearing gives the paper's 110 W; catalogues' 1-2 would give 0.4-0.7 kW",
               .help = "Factor of the speed-dependent friction torque, for the whole bearing or set."});
@@ -67,7 +68,7 @@ void add_friction_keys(Section<TouchdownParameters>& s) {
                     "the reference paper, more heat than the work done; for comparison only."});
   s.quantity("race_friction_coefficient", &P::race_friction_coefficient,
              {.range = at_least(0),
-              .usual = at_most(0.5),
+              .usual = or_zero(between(5e-3, 0.5)),
               .help = "Friction coefficient between balls and raceways, for the spin moment and for the traction that "
                       "keeps the balls rolling (skid_demand); "
                       "contact.friction_coefficient if not given."});

@@ -42,7 +42,7 @@ void add_ring_bending_keys(Section<TouchdownParameters>& s) {
                      "needs more of them than contact over an arc."});
   s.quantity("ring_bending_damping", &P::ring_bending_damping,
              {.range = between(0, 1),
-              .usual = at_most(0.3),
+              .usual = or_zero(between(1e-4, 0.3)),
               .fallback = "0.01",
               .source = "estimate: a steel ring loosely held by its balls; 0 to 0.05 changes little",
               .help = "Damping ratio of every harmonic of a bent ring."});
@@ -58,6 +58,7 @@ void add_ring_bending_keys(Section<TouchdownParameters>& s) {
   s.quantity("outer_ring_bedding", &P::outer_ring_bedding,
              {.unit = "N/m3",
               .range = positive(),
+              .usual = between(1e9, 1e15),
               .help = "Radial stiffness of the housing's bore per area, on which the outer ring bends if ring_bending "
                       "is not none; a rigid outer ring if not given."});
 }

@@ -28,7 +28,7 @@ Section<WavinessParameters> waviness_section() {
   s.quantity("amplitude", &WavinessParameters::amplitude,
              {.unit = "m",
               .range = between(-1e-3, 1e-3),
-              .usual = between(-2e-4, 2e-4),
+              .usual = or_zero(between(-2e-4, 2e-4)),
               .help = "Half the height from valley to peak; positive means more penetration."});
   s.quantity("phase", &WavinessParameters::phase,
              {.unit = "rad", .fallback = "0", .help = "Phase of the wave at +y when the ring has not turned."});
@@ -64,13 +64,13 @@ Section<ShoulderParameters> shoulder_section() {
   s.quantity("gap_minus_x", &P::gap_minus_x,
              {.unit = "m",
               .range = at_least(0),
-              .usual = at_most(0.01),
+              .usual = or_zero(between(1e-5, 0.01)),
               .help = "Axial gap to the shoulder at the ring's -x face, with ring and rotor in their unloaded "
                       "positions. This shoulder stops a rotor moving towards +x. If not given, there is no shoulder."});
   s.quantity("gap_plus_x", &P::gap_plus_x,
              {.unit = "m",
               .range = at_least(0),
-              .usual = at_most(0.01),
+              .usual = or_zero(between(1e-5, 0.01)),
               .help = "Axial gap to the shoulder at the +x face, which stops motion towards -x."});
   s.quantity("radius", &P::radius,
              {.unit = "m",
@@ -175,6 +175,7 @@ void add_row_keys(Section<TouchdownParameters>& s) {
   s.quantity("ball_damping_beta", &P::ball_damping_beta,
              {.unit = "s",
               .range = between(0, 1e-3),
+              .usual = or_zero(between(5e-7, 2e-4)),
               .fallback = "2.5e-5 s",
               .source = std::string(paper) + ", upper end of the range 0.25..2.5e-5",
               .help = "Damping of a ball's contacts divided by their tangent stiffness."});
@@ -289,12 +290,14 @@ Section<TouchdownParameters> touchdown_section() {
   s.quantity("contact_width", &P::contact_width,
              {.unit = "m",
               .range = positive(),
+              .usual = between(1e-4, 1),
               .help = "Length along the axis over which rotor and bore touch, for a contact stiffness from the bodies; "
                       "`width` if not given."});
   s.quantity(
       "crown_radius", &P::crown_radius,
       {.unit = "m",
        .range = positive(),
+       .usual = between(1e-3, 1e3),
        .help = "Radius of the journal's profile along the axis, for a contact stiffness from the bodies: a point "
                "contact by Hertz where that yields more than the line. A cylinder if not given."});
   s.quantity(

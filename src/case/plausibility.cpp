@@ -46,11 +46,19 @@ void look_at_run(const CaseParameters& p, const Node& tree, std::vector<Fault>& 
                      magnitude / standard_gravity),
          "A bare number is in m/s2: 981 cm/s2 are 9.81. Without gravity all three are 0.");
   bool has_magnets = false, is_released = false;
+  const SupportEntry* holding = nullptr;
   for (const auto& entry : p.bearings)
     if (const auto* magnet = entry.magnet()) {
       has_magnets = true;
-      is_released = is_released || std::min(magnet->release_time[0], magnet->release_time[1]) < p.run.latest_end();
+      const auto [first, last] = std::minmax(magnet->release_time[0], magnet->release_time[1]);
+      is_released = is_released || first < p.run.latest_end();
+      if (last >= p.run.latest_end()) holding = &entry;
     }
+  if (is_released && holding)
+    warn(warnings, position_of_value(table_at(tree, "bearings", holding->name), "release_time"),
+         fmt::format("bearings.{} holds the rotor until the end of the run, {:.6g} s, where other magnets let go.",
+                     holding->name, p.run.latest_end()),
+         "Check its release_time and run.end_time; bare numbers are in seconds. The loss of one magnet may be meant.");
   if (has_magnets && !is_released)
     warn(warnings, position_of_value(run, "end_time"),
          fmt::format("no magnet lets go before the end of the run, {:.6g} s: nothing falls.", p.run.latest_end()),
@@ -93,6 +101,7 @@ std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseP
   look_at_run(p, tree, warnings);
   look_for_common_keys_without_effect(tree, warnings);
   look_at_bearings(p, tree, warnings);
+  look_at_fits(p, tree, warnings);
   look_at_supports(p, tree, warnings);
   look_at_materials(p, tree, warnings);
   return warnings;

@@ -101,11 +101,19 @@ class Look {
         at_number(d, item, name);
   }
 
-  /// Of pairs [argument, value] the values; one value alone is a constant.
+  /// Pairs [argument, value]; one value alone is a constant.
   void at_function(const Declaration& d, const Node& given, const std::string& name) {
     if (!given.is_array()) return at_number(d, given, name);
+    Declaration argument = d;
+    argument.unit = d.argument_unit;
+    argument.quantity_kind = kind_of(d.argument_unit);
+    argument.range = any();
+    argument.usual = d.usual_argument.is_any() ? d.usual_argument : or_zero(d.usual_argument);
     for (const Node& pair : given.items())
-      if (pair.is_array() && pair.items().size() == 2) at_number(d, pair.items()[1], name);
+      if (pair.is_array() && pair.items().size() == 2) {
+        at_number(argument, pair.items()[0], name + ", argument");
+        at_number(d, pair.items()[1], name);
+      }
   }
 
   void at_number(const Declaration& d, const Node& given, const std::string& name) {
@@ -121,7 +129,8 @@ class Look {
       return;
     if (d.usual.contains(value)) return;
     // "90000 rpm" is meant so; the rotor's surface tells whether it can be.
-    if (!is_bare && d.quantity_kind == QuantityKind::angular_speed) return;
+    constexpr double speed_of_rotors = 1000.;  // [rad/s]
+    if (!is_bare && d.quantity_kind == QuantityKind::angular_speed && d.usual.upper >= speed_of_rotors) return;
     const std::string unit = is_bare && d.unit != "1" ? " " + d.unit : "";
     const auto [usual, usual_unit] = is_bare ? std::pair(d.usual, d.unit) : in_unit_of(given.text(), d, value);
     Fault warning{given.where(),

@@ -17,6 +17,7 @@ Section<IntegrationParameters> integration_section() {
   s.quantity("step", &P::step,
              {.unit = "s",
               .range = between(1e-9, 1e-3),
+              .usual = between(1e-8, 2e-4),
               .source = "docs/theory/convergence.md",
               .help = "Fixed step of runge-kutta-4 (5 us if not given), or longest step of the other methods (50 us), "
                       "so that no impact is skipped."});

@@ -17,27 +17,32 @@ Section<ProbeContactParameters> contact_section() {
   s.quantity("stiffness", &P::stiffness,
              {.unit = "N/m",
               .range = positive(),
+              .usual = between(5e5, 5e10),
               .help = "K of the normal force K delta (1 + 1.5 lambda delta') at the penetration delta."})
       .quantity("lambda", &P::lambda,
                 {.unit = "s/m",
                  .range = at_least(0),
+                 .usual = or_zero(between(1e-3, 1)),
                  .fallback = "0.08 s/m",
                  .source = "Neisi, Heikkinen & Sopanen 2019, of a rotor in its touchdown bearing",
                  .help = "Damping: a slow impact at the speed v rebounds with 1 - lambda v of it."})
       .quantity("friction_coefficient", &P::friction_coefficient,
                 {.range = between(0, 2),
+                 .usual = or_zero(between(5e-3, 0.8)),
                  .fallback = "0.1",
                  .source = "Neisi, Heikkinen & Sopanen 2019, of a rotor in its touchdown bearing",
                  .help = "Of the turning rotor on the stationary part. Its heat warms no bearing."})
       .quantity("regularisation_speed", &P::regularisation_speed,
                 {.unit = "m/s",
                  .range = positive(),
+                 .usual = between(1e-4, 1),
                  .fallback = "0.05 m/s",
                  .source = "estimate",
                  .help = "Friction goes through zero within this slip speed."})
       .quantity("radius", &P::radius,
                 {.unit = "m",
                  .range = positive(),
+                 .usual = between(1e-3, 2),
                  .help = "Of the rotor's surface there; half the largest diameter of the shaft at the node if not "
                          "given."});
   return s;
@@ -52,6 +57,7 @@ Section<ProbeParameters> probe_section() {
       .quantity("clearance", &P::clearance,
                 {.unit = "m",
                  .range = positive(),
+                 .usual = between(5e-5, 0.02),
                  .help = "Radial clearance of the rotor in the stationary part there. Without `contact` the rotor "
                          "passes through it, and the results say so."})
       .quantities("centre", &P::centre,

@@ -131,14 +131,14 @@ Section<RotorParameters> rotor_section() {
                "of 0.5 to 0.9 %."})
       .quantity("modal_damping", &RotorParameters::modal_damping,
                 {.range = between(0, 0.2),
-                 .usual = at_most(0.1),
+                 .usual = or_zero(between(1e-4, 0.1)),
                  .fallback = "0.005",
                  .source = "estimate for a steel rotor with shrunk-on laminations",
                  .help = "Damping ratio of every flexible free-free mode."})
       .quantity("mass_proportional_alpha", &RotorParameters::mass_proportional_alpha,
                 {.unit = "1/s",
                  .range = at_least(0),
-                 .usual = at_most(300),
+                 .usual = or_zero(between(0.1, 300)),
                  .fallback = "0 1/s",
                  .help = "Mass-proportional damping. It also damps rigid-body motion, as if the rotor fell through "
                          "oil: bounces decay sooner and the fall takes longer."})
@@ -199,12 +199,12 @@ Section<RotorParameters> rotor_section() {
                    .help = "Tilt about y and z relative to that line."})
       .quantities("initial_velocity", &RotorParameters::initial_velocity,
                   {.unit = "m/s",
-                   .usual = between(-5, 5),
+                   .usual = between(-1, 1),
                    .fallback = {"0 m/s", "0 m/s"},
                    .help = "Velocity (y, z) of the centre of gravity."})
       .quantities("initial_tilt_rate", &RotorParameters::initial_tilt_rate,
                   {.unit = "rad/s",
-                   .usual = between(-50, 50),
+                   .usual = between(-5, 5),
                    .fallback = {"0 rad/s", "0 rad/s"},
                    .help = "Tilt rate about y and z."})
       .table("initial_orbit", &RotorParameters::initial_orbit, orbit,

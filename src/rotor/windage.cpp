@@ -38,7 +38,10 @@ Section<WindageParameters> windage_section() {
            "power: torque (|spin| / speed)^exponent. geometry: smooth cylinders (Theodorsen & Regier 1944 in free gas, "
            "Bilgen & Boulos 1973 in a gap) and faces (von Karman) of the rotor's elements; mass points are ignored."});
   s.quantity("torque", &P::torque,
-             {.unit = "N m", .range = at_least(0), .help = "Windage torque at `speed`, for law = \"power\"."});
+             {.unit = "N m",
+              .range = at_least(0),
+              .usual = or_zero(between(1e-6, 1e4)),
+              .help = "Windage torque at `speed`, for law = \"power\"."});
   s.quantity("speed", &P::speed,
              {.unit = "rad/s", .range = positive(), .help = "Speed at which `torque` acts, for law = \"power\"."});
   s.quantity("exponent", &P::exponent,
@@ -49,23 +52,27 @@ Section<WindageParameters> windage_section() {
   s.quantity("density", &P::density,
              {.unit = "kg/m3",
               .range = positive(),
+              .usual = between(1e-4, 300),
               .fallback = "1.2 kg/m3",
               .source = "air at 20 degC and 1013 hPa",
               .help = "Density of the gas, for law = \"geometry\"."});
   s.quantity("viscosity", &P::viscosity,
              {.unit = "m2/s",
               .range = positive(),
+              .usual = between(1e-9, 10),
               .fallback = "15e-6 m2/s",
               .source = "air at 20 degC and 1013 hPa",
               .help = "Kinematic viscosity of the gas, for law = \"geometry\"."});
   s.quantity("gap", &P::gap,
              {.unit = "m",
               .range = positive(),
+              .usual = between(1e-4, 0.1),
               .help = "Radial gap between all cylinders and a casing at rest, for law = \"geometry\"; free gas if not "
                       "given."});
   s.quantity(
       "factor", &P::factor,
       {.range = at_least(0),
+       .usual = or_zero(between(0.1, 20)),
        .fallback = "1",
        .source = "1: smooth surfaces",
        .help = "Factor on the torque of either law: above 1 for slots, fans, rough or axially flushed surfaces."});

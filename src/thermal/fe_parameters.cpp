@@ -12,12 +12,14 @@ Section<FeParameters> fe_section() {
   s.quantity("surface_cell", &P::surface_cell,
              {.unit = "m",
               .range = between(1e-7, 1e-2),
+              .usual = between(1e-6, 5e-4),
               .fallback = "25 um",
               .source = "estimate: a sixth of the layer that an impact of 2 ms heats",
               .help = "Thickness of the cells on the bore and on the raceways' strips."});
   s.quantity("largest_cell", &P::largest_cell,
              {.unit = "m",
               .range = between(1e-6, 0.1),
+              .usual = between(5e-5, 0.02),
               .fallback = "2 mm",
               .source = "estimate",
               .help = "Size of cells far from heated surfaces."});
@@ -28,10 +30,12 @@ Section<FeParameters> fe_section() {
       "strip_half_width", &P::strip_half_width,
       {.unit = "m",
        .range = positive(),
+       .usual = between(1e-5, 5e-3),
        .help = "Half width, along the groove, of the strips on the raceways that the balls heat: the semi-major axis "
                "of the contact ellipse. thermal.contact_half_width if not given."});
   s.quantity("relieved_shoulder", &P::relieved_shoulder,
              {.range = between(0, 1),
+              .usual = or_zero(between(0.02, 1)),
               .fallback = "0.4",
               .source = "estimate from drawings of spindle bearings",
               .help = "Fraction of the groove depth kept by the outer ring's shoulder on the unloaded side, where "
@@ -90,6 +94,7 @@ Section<FeParameters> fe_section() {
       "longest_window", &P::longest_window,
       {.unit = "s",
        .range = between(1e-5, 0.1),
+       .usual = between(1e-4, 0.05),
        .fallback = "2 ms",
        .help = "Longest window with the windowed coupling; shorter ones are a half, a quarter and so on of it."});
   s.quantities("field_times", &P::field_times,

@@ -147,6 +147,7 @@ Section<ThermalParameters> thermal_section() {
                     "and Jaeger)."});
   s.quantity("share_to_ring", &P::share_to_ring,
              {.range = between(0, 1),
+              .usual = or_zero(between(0.01, 1)),
               .fallback = "0.66",
               .source = "calibration: gives the paper's ratio of ring and shaft rise",
               .help = "Share of the rub heat that enters the inner ring; the rest enters the shaft."});
@@ -180,21 +181,21 @@ Section<ThermalParameters> thermal_section() {
   s.quantity("h_shaft", &P::h_shaft,
              {.unit = "W/(m2 K)",
               .range = positive(),
-              .usual = between(0.5, 2e4),
+              .usual = between(1, 4e3),
               .fallback = "50 W/(m2 K)",
               .source = "estimate",
               .help = "Convection from the shaft."});
   s.quantity("h_ball", &P::h_ball,
              {.unit = "W/(m2 K)",
               .range = positive(),
-              .usual = between(0.5, 2e4),
+              .usual = between(1, 4e3),
               .fallback = "50 W/(m2 K)",
               .source = "estimate",
               .help = "Convection from the balls."});
   s.quantity("fit_resistance", &P::fit_resistance,
              {.unit = "K/W",
               .range = at_least(0),
-              .usual = at_most(3),
+              .usual = or_zero(between(1e-5, 3)),
               .fallback = "0.005 K/W",
               .source = "estimate",
               .help = "Resistance of the fit between outer ring and housing."});
@@ -219,6 +220,7 @@ Section<ThermalParameters> thermal_section() {
       "oil_film", &P::oil_film,
       {.unit = "m",
        .range = between(0, 1e-5),
+       .usual = or_zero(between(1e-8, 3e-6)),
        .fallback = "0 um",
        .help = "Thickness of the oil film between balls and raceways through which rolling contacts conduct; 0: dry. "
                "0.1 um cuts the conductance to about a third."});

@@ -165,7 +165,7 @@ class Lumped(ProgramTest):
         self.assertEqual(self.succeed("compare", "a", "--against", "b", "--quiet").stdout, "")
         self.assertEqual((self.folder / "a/comparison.json").read_text(), first)
         self.write("report.json", "mine")
-        self.assertIn("report.json: the file exists", self.refused("a", "--against", "b", "-o", "report.json"))
+        self.assertIn("report.json: the file already exists", self.refused("a", "--against", "b", "-o", "report.json"))
         self.succeed("compare", "a", "--against", "b", "-o", "report.json", "--force")
         self.assertEqual((self.folder / "report.json").read_text(), first)
         self.succeed("compare", "a", "--against", "b", "-o", "new/deep/report.json")

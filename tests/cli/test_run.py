@@ -147,7 +147,7 @@ class Results(ProgramTest):
 
     def test_results_of_other_commands_are_not_run_over(self):
         (self.folder / "taken").mkdir()
-        self.write("taken/preload.json", "{}")
+        self.write("taken/preload.json", '{\n  "program": "rotordrop 0.2.0"\n}')
         done = self.call("run", self.case(""), "-o", "taken")
         self.assertEqual(done.returncode, 2)
         self.assertIn("holds results already", done.stderr)

@@ -1,5 +1,6 @@
 """Values that are allowed, and most often a slip: a warning with its reason from every command that reads a case, a fault with --strict."""
 
+import json
 import os
 import pathlib
 import re
@@ -12,10 +13,57 @@ import unittest
 sys.path.insert(0, __file__.rpartition("/")[0])
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "faults"))
 from program import HAS_MESH_ROOM, HEATED_DISC, PARAMS, PROGRAM, ProgramTest, settings  # noqa: E402
-from scaled_values import passing  # noqa: E402
+from scaled_values import passing, with_value  # noqa: E402
+
+MANY_PARTS = pathlib.Path(__file__).resolve().parents[1] / "faults/many-parts.toml"
 
 # What is set, and what the warning says.
+SLIPS_OF_PARTS = {
+    MANY_PARTS: [
+        (["bearings.TB1.support.squeeze_film.radius=5.5 mm"], r"squeeze_film\.radius = 5\.5 mm is 0\.1 times the outer ring's, 55 mm"),
+        (["bearings.TB1.support.squeeze_film.length=200 mm"], r"squeeze_film\.length = 200 mm, but the bearing is 20 mm wide"),
+        (["bearings.TB2.support.elastomer.shape_factor=3 mm"], r"elastomer gives way by \d+\.?\d* mm under this bearing's share"),
+        (["bearings.SPRING.stiffness=[[-1e6, 0], [0, 1e6]]"], r"SPRING\.stiffness = -1e\+06 N/m on its diagonal pushes the rotor away"),
+        (["bearings.SPRING.stiffness=[[0, 1e6], [1e6, 0]]"], r"SPRING\.stiffness couples y and z with 1e\+06 N/m, but has 0 N/m on its diagonal"),
+        (["bearings.SPRING.stiffness=[[1e6, 0], [0, 1e9]]"], r"SPRING\.stiffness has 1e\+06 and 1e\+09 N/m on its diagonal: one is 1e\+03 times"),
+        (["bearings.SPRING.damping=[[-1e2, 0], [0, 1e2]]"], r"SPRING\.damping = -100 N s/m on its diagonal drives the rotor"),
+        (["bearings.SPRING.damping=[[1e6, 0], [0, 1e2]]"], r"SPRING\.damping = 1e\+06 N s/m is 47\.7 times critical damping"),
+        (["rotor.windage.gap=0.2 mm"], r"windage\.gap = 200 um is less than the air gap of the touchdown bearings, 250 um"),
+        (["rotor.windage.gap=90 mm"], r"windage\.gap = 90 mm is more than half the rotor's radius, 101\.5 mm"),
+        (["rotor.windage.viscosity=1.8e-3"], r"1\.2 kg/m3 times 0\.0018 m2/s = 0\.00216 Pa s; gases have 9e-6 to 3e-5"),
+        (["rotor.torque=-2000"], r"rotor\.torque of -2000 N m at 1\.52e\+04 rpm is 3\.18 MW, 29 kW for each kilogram"),
+        (["contact.static_friction_coefficient=0.05"], r"static_friction_coefficient = 0\.05 is less than the dynamic one, 0\.1"),
+        (["contact.friction_over_temperature=[[20, 1], [200, 0.8]]"], r'friction_over_temperature, argument = 20 K is unusual.*"20 degC"'),
+        (["bearings.TB1.housing_fit=0.9 mm"], r"housing_fit = 900 um is 0\.82 % of the bearing's diameter"),
+        (["bearings.TB1.contact_width=180 mm"], r"contact_width is 180 mm, but the bearing is 20 mm wide"),
+        (["bearings.TB2.ring_diametral_inertia=2.2e-2"], r"ring_diametral_inertia = 0\.022 kg m2 is 56\.4 times ring_spin_inertia"),
+        (["bearings.TB2.shoulders.stiffness=1e12"], r"shoulders\.stiffness = 1e\+12 N/m is 201 times that of the bodies, 4\.97e\+09 N/m"),
+        (["bearings.TB2.shoulders.stiffness=1e6"], r"shoulders\.stiffness = 1e\+06 N/m is 0\.000201 times that of the bodies"),
+    ],
+    PARAMS / "neisi2019-ribbon.toml": [
+        (["bearings.TB1.support.ribbon.geometry.waves=400"], r"400 waves of 8\.5 mm: 3400 mm, but around the outer ring there are 345\.6 mm"),
+        (["bearings.TB1.support.ribbon.geometry.strip_width=180 mm"], r"strip_width of 180 mm, but the bearing is 20 mm wide"),
+        (["bearings.TB1.support.ribbon.geometry.thickness=0.8 mm"], r"thickness of 0\.8 mm, but waves of 1 mm height"),
+        (["bearings.TB1.support.ribbon.geometry.interference=0.8 mm"], r"interference of 0\.8 mm, but waves of 1 mm height: mounting would flatten them"),
+        (["bearings.TB1.support.ribbon.geometry.modulus=206"], r'modulus = 206 Pa is unusual.*write "206 GPa"'),
+        (["bearings.M1.stiffness=[[100, 0], [0, 100]]"], r"M1\.stiffness = 100 N/m is unusual for a magnet"),
+        (['bearings.M1.release_time=["2 s", "2 s"]'], r"M1 holds the rotor until the end of the run, 0\.2 s, where other magnets let go"),
+    ],
+}
 UNUSUAL = [
+    (["contact.friction_coefficient=1e-4"], r"friction_coefficient = 0\.0001 is unusual: it is most often 0 or between 0\.005 and 0\.8"),
+    (["contact.lambda=8e-5"], r"contact\.lambda = 8e-0?5 s/m is unusual"),
+    (["bearings.TB1.radial_clearance=190 um"], r"radial_clearance = 190 um; a bore of 70 mm has less than 125 um"),
+    (["bearings.TB1.housing_length=2.5 mm"], r"the housing of bearings\.TB1 is 2\.5 mm long, but the bearing is 20 mm wide"),
+    (['bearings.TB1.housing_diameters=["110 mm", "1300 mm"]'], r"outside diameter of 1300 mm, 11\.8 times the bearing's"),
+    (["thermal.contact_half_width=4 mm"], r"contact_half_width = 4 mm is more than a quarter of the balls' diameter in bearings\.TB1, 11\.91 mm"),
+    (["materials.steel.k=700"], r"steel has 7800 kg/m3, as metals have, but k = 700 W/\(m K\); silver, the best of them, conducts 430"),
+    (["rotor.unbalance=[{ node = 5, me = 1.07e-3 }]"], r"e omega = 15\.5\d* mm/s at its initial speed"),
+    (["rotor.unbalance=[{ node = 5, me = 1.07e-12 }]"], r"e omega = 1\.6e-08 mm/s at its initial speed; the finest grade"),
+    (["rotor.unbalance=[]", "rotor.balance_grade=G0.0025"], r"balance_grade is G0\.0025; the finest of ISO 21940-11 is G0\.4"),
+    (["rotor.unbalance=[]", "rotor.balance_grade=G2.5", "rotor.balance_speed=12000"], r"balance_speed: at 114592 rpm the rotor's surface runs at 1218 m/s"),
+    (["rotor.initial_velocity=[4, 0]"], r"initial_velocity = 4 m/s is unusual"),
+    (["materials.steel.k_table=[[20, 46], [200, 42]]"], r'k_table, argument = 20 K is unusual.*"20 degC"'),
     (["bearings.TB1.support.K_y=1e300"], r"support\.K_y = 1e\+?300 N/m is unusual"),
     (["bearings.TB1.support.K_z=2.7"], r"support\.K_z = 2\.7 N/m is unusual"),
     (["bearings.TB1.support.C_y=1e300"], r"support\.C_y = 1e\+?300 N s/m is unusual"),
@@ -122,11 +170,32 @@ class Slips(ProgramTest):
                 self.assertNotIn(key, said, file.stem)
 
     def test_no_value_passes_a_thousand_times_too_large(self):
-        # Rows this coarse may be meant, and so is a speed with its unit.
-        meant = {"output.interval", "bearings.TB1.drag_regularisation", "bearings.TB2.drag_regularisation"}
-        silent, strange = passing(str(PROGRAM), str(self.folder / "reference.toml"), [1000])
-        self.assertEqual({key for key, value in silent} - meant, set())
-        self.assertEqual(strange, [])
+        # Rows this coarse may be meant; so may a torque that lasts, and whirl and strong damping by linear supports.
+        meant = {"output.interval", "rotor.torque[1][0]", "bearings.SPRING.stiffness[0][1]", "bearings.SPRING.stiffness[1][0]", "bearings.SPRING.damping[0][0]",
+                 "bearings.SPRING.damping[1][1]"}
+        for case in (MANY_PARTS, PARAMS / "neisi2019-ribbon.toml"):
+            with self.subTest(case.name):
+                silent, strange = passing(str(PROGRAM), str(case), [1000])
+                self.assertEqual({key for key, value in silent} - meant, set())
+                self.assertEqual(strange, [])
+
+    def test_parts_that_do_not_fit_each_other_warn(self):
+        for case, slips in SLIPS_OF_PARTS.items():
+            self.assertEqual(self.said("check", case), "")
+            for assignments, says in slips:
+                with self.subTest(says):
+                    self.assertRegex(self.said("check", case, *[word for assignment in assignments for word in ("--set", assignment)]), "warning: .*" + says)
+
+    def test_slips_in_a_rotor_file_warn(self):
+        rotor = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
+        for path, value, says in ((("elements", 14, "od"), 0.0203024, r"element 15 of the rotor has od = 20\.3 mm beside an element of 203 mm"),
+                                  (("elements", 29, "od"), 0.005, r"element 30 of the rotor has od = 5 mm beside an element of 60 mm"),
+                                  (("elements", 2, "od"), 0.7, r"element 3 of the rotor has od = 700 mm beside an element of 80 mm"),
+                                  (("elements", 8, "id_"), 0.1088, r"element 9 of the rotor is a tube with a wall of 0\.0545 mm"),
+                                  (("mass_points", 0, "Id"), 0.867, r"mass point 1 at node 1 has 1\.003 kg and Id = 0\.867 kg m2; a body of its mass and Ip as long as the whole rotor has 0\.0785 kg m2")):
+            with self.subTest(says):
+                self.write("rotor.json", json.dumps(with_value(rotor, path, value)))
+                self.assertRegex(self.said("check", "reference.toml", "--set", 'rotor.geometry="rotor.json"'), "warning: .*" + says)
 
     def test_check_says_when_the_rotor_first_touches(self):
         # sqrt(2 250 um / 9.81 m/s2)

@@ -9,6 +9,7 @@ otherwise than with 0 or 2.
 """
 
 import collections
+import json
 import pathlib
 import re
 import subprocess
@@ -17,17 +18,37 @@ import tempfile
 import tomllib
 
 
-def numbers_of(table, path=()):
-    """(key, number, unit) of all numbers of a table that are not zero."""
-    for key, value in table.items():
-        if key in ("title", "note"):
-            continue
-        if isinstance(value, dict):
-            yield from numbers_of(value, (*path, key))
-        elif isinstance(value, (int, float)) and not isinstance(value, bool) and value != 0:
-            yield ".".join((*path, key)), float(value), ""
-        elif isinstance(value, str) and (given := re.fullmatch(r"([-+0-9.eE]+) (.+)", value)) and float(given[1]) != 0:
-            yield ".".join((*path, key)), float(given[1]), given[2]
+def numbers_of(value, key=""):
+    """(key, number, unit) of all numbers that are not zero, of tables and lists."""
+    if isinstance(value, dict):
+        for name, entry in value.items():
+            if name not in ("title", "note"):
+                yield from numbers_of(entry, f"{key}.{name}" if key else name)
+    elif isinstance(value, list):
+        for i, entry in enumerate(value):
+            yield from numbers_of(entry, f"{key}[{i}]")
+    elif isinstance(value, (int, float)) and not isinstance(value, bool) and value != 0:
+        yield key, float(value), ""
+    elif isinstance(value, str) and (given := re.fullmatch(r"([-+0-9.eE]+) (.+)", value)) and float(given[1]) != 0:
+        yield key, float(given[1]), given[2]
+
+
+def with_value(tree, path, value):
+    """A copy of a tree in which one value is another."""
+    step, rest = path[0], path[1:]
+    copy = list(tree) if isinstance(tree, list) else dict(tree)
+    copy[step] = with_value(tree[step], rest, value) if rest else value
+    return copy
+
+
+def rotor_numbers(geometry):
+    """(path, number) of what a rotor's file says of its shaft and masses."""
+    for part, keys in (("nodes", ("x",)), ("elements", ("od",)), ("mass_points", ("mass", "Ip", "Id")), ("material", ("E", "rho"))):
+        entries = enumerate(geometry[part]) if isinstance(geometry[part], list) else [(None, geometry[part])]
+        for i, entry in entries:
+            for key in keys:
+                if entry.get(key):
+                    yield (part, key) if i is None else (part, i, key), entry[key]
 
 
 def passing(program, case, factors):
@@ -36,17 +57,25 @@ def passing(program, case, factors):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "run", case, "-o", f"{folder}/out", "--quiet", "--set", 'run.end_time="1 us"'], capture_output=True, check=True)
         resolved = tomllib.loads(pathlib.Path(folder, "out/parameters.toml").read_text())
-    for key, number, unit in numbers_of(resolved):
-        if key == "run.end_time":
-            continue
-        for factor in factors:
-            value = f'"{number * factor:g} {unit}"' if unit else f"{number * factor:g}"
-            command = [program, "check", case, "--strict", "--set", f"{key}={value}"]
+        geometry = resolved["rotor"].pop("geometry")
+
+        def look(key, value, factor, assignment):
+            command = [program, "check", case, "--strict", "--set", assignment]
             code = subprocess.run(command, capture_output=True, timeout=120).returncode
             if code == 0:
-                silent[key, f"{number:g} {unit}".strip()].append(factor)
+                silent[key, value].append(factor)
             elif code != 2:
                 strange.append((code, command))
+
+        for key, number, unit in numbers_of(resolved):
+            for factor in factors if key != "run.end_time" else []:
+                value = f'"{number * factor:g} {unit}"' if unit else f"{number * factor:g}"
+                look(key, f"{number:g} {unit}".strip(), factor, f"{key}={value}")
+        for path, number in rotor_numbers(geometry):
+            for factor in factors:
+                file = pathlib.Path(folder, "rotor.json")
+                file.write_text(json.dumps(with_value(geometry, path, number * factor)))
+                look("rotor.geometry." + ".".join(map(str, path)), f"{number:g}", factor, f'rotor.geometry="{file}"')
     return silent, strange
 
 

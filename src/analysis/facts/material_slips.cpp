@@ -10,6 +10,7 @@ namespace {
 constexpr double least_capacity = 0.8e6, most_capacity = 6e6;  // rho c of solids, with a margin [J/(m3 K)]
 constexpr double lightest_metal_of_machines = 6500.;           // estimate; zirconia, which insulates, has 6050 [kg/m3]
 constexpr double least_conductivity = 5.;                      // of metals; nickel alloys have 10 [W/(m K)]
+constexpr double most_conductivity = 430.;                     // of metals: silver [W/(m K)]
 constexpr double lightest_mineral = 2500.;                     // estimate; plastics with fillers have less [kg/m3]
 constexpr double least_of_minerals = 0.5;                      // glass conducts 1, zirconia 2.5 [W/(m K)]
 constexpr double softest_of_minerals = 10e9;                   // magnesium and lead have 45 and 16 [Pa]
@@ -39,6 +40,10 @@ std::vector<MaterialSlip> material_slips(const std::string& name, const Material
     if (m.k && *m.k < least_conductivity)
       add_of_density("k", "metals", fmt::format("k = {:.4g} W/(m K)", *m.k),
                      fmt::format("metals conduct more than {:.4g}", least_conductivity),
+                     "A bare number is in W/(m K): steel has 15 to 70.");
+    if (m.k && *m.k > most_conductivity)
+      add_of_density("k", "metals", fmt::format("k = {:.4g} W/(m K)", *m.k),
+                     fmt::format("silver, the best of them, conducts {:.4g}", most_conductivity),
                      "A bare number is in W/(m K): steel has 15 to 70.");
     if (m.E && std::sqrt(*m.E / m.rho) < slowest_sound)
       add_of_density("E", "metals", fmt::format("E = {:.4g} GPa", *m.E * 1e-9),

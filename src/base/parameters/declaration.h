@@ -49,6 +49,7 @@ struct Declaration {
   QuantityKind quantity_kind = QuantityKind::plain;
   Range range = {};
   Range usual = {};  ///< part of it; values outside are warned of
+  Range usual_argument = {};
   bool required = false;
   std::optional<Node> fallback = {};
   std::string source = {};

@@ -15,6 +15,8 @@ namespace detail {
 
 namespace {
 
+constexpr double usual_cold = 150., usual_hot = 3000.;  // outside a bare temperature was not meant in kelvin [K]
+
 using Kind = Declaration::Kind;
 
 Declaration started(std::string key, Kind kind, const std::string& source, const std::string& help) {
@@ -141,6 +143,11 @@ Declaration declare(std::string key, const QuantityFunction& options, bool is_op
   Declaration d = started(std::move(key), Kind::function, options.source, options.help);
   set_quantity(d, options);
   d.argument_unit = options.argument_unit;
+  const QuantityKind argument = kind_of(d.argument_unit);
+  d.usual_argument = !options.usual_argument.is_any() ? options.usual_argument
+                     : argument == QuantityKind::temperature
+                         ? between(usual_cold, usual_hot)
+                         : usual_magnitudes(d.argument_unit, argument, at_least(0.));
   if (!options.fallback.empty()) d.fallback = quantity_rows(options.fallback);
   d.required = !d.fallback && !is_optional;
   return d;

@@ -51,6 +51,7 @@ struct QuantityFunction {
   std::string argument_unit = "s";
   Range range = {};                                       ///< of every value
   Range usual = {};                                       ///< likewise
+  Range usual_argument = {};                              ///< of every argument that is not 0
   std::vector<std::array<std::string, 2>> fallback = {};  ///< {{"0 s", "0 N m"}, {"1 s", "2 N m"}}
   std::string source = {};
   std::string help = {};

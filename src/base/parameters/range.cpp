@@ -9,6 +9,7 @@
 namespace rotordrop {
 
 bool Range::contains(double value) const {
+  if (has_zero && value == 0.) return true;
   return (lower_is_open ? value > lower : value >= lower) && (upper_is_open ? value < upper : value <= upper);
 }
 
@@ -33,8 +34,17 @@ Range above(double a) { return {.lower = a, .lower_is_open = true}; }
 Range at_most(double b) { return {.upper = b}; }
 Range below(double b) { return {.upper = b, .upper_is_open = true}; }
 Range between(double a, double b) { return {.lower = a, .upper = b}; }
+Range or_zero(Range range) {
+  range.has_zero = true;
+  return range;
+}
 
 std::string to_string(const Range& range, std::string_view unit) {
+  if (range.has_zero) {
+    Range others = range;
+    others.has_zero = false;
+    return "0 or " + to_string(others, unit);
+  }
   const std::string unit_text = unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit);
   const bool has_lower = !std::isinf(range.lower);
   const bool has_upper = !std::isinf(range.upper);

@@ -12,6 +12,7 @@ struct Range {
   double upper = std::numeric_limits<double>::infinity();
   bool lower_is_open = false;
   bool upper_is_open = false;
+  bool has_zero = false;  ///< zero, too, which may lie outside
 
   bool contains(double value) const;
   bool is_any() const;
@@ -26,6 +27,7 @@ Range above(double a);              ///< > a
 Range at_most(double b);            ///< <= b
 Range below(double b);              ///< < b
 Range between(double a, double b);  ///< a <= . <= b
+Range or_zero(Range range);         ///< 0 or in the range: what zero switches off
 
 /// "> 0 m", "between 0 and 1", ">= 0 and < 1", "any value".
 std::string to_string(const Range& range, std::string_view unit = "1");

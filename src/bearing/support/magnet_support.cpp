@@ -27,6 +27,7 @@ Section<MagnetParameters> magnet_section() {
       "residual_time_constant", &P::residual_time,
       {.unit = "s",
        .range = at_least(0),
+       .usual = or_zero(between(1e-5, 0.2)),
        .fallback = "0 s",
        .help = "With it the force that held the rotor decays after the release, as currents die away; 0: at once."});
   s.quantities("holding_force", &P::holding_force,
@@ -36,6 +37,7 @@ Section<MagnetParameters> magnet_section() {
   s.quantity("axial_stiffness", &P::axial_stiffness,
              {.unit = "N/m",
               .range = at_least(0),
+              .usual = or_zero(between(1e3, 1e10)),
               .fallback = "0 N/m",
               .help = "Along the axis, of a rotor with axial_motion = \"free\": a thrust magnet."});
   s.quantity("axial_damping", &P::axial_damping,

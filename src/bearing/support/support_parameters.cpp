@@ -17,10 +17,14 @@ Section<RibbonLoopParameters> loop_section() {
   s.function("loading", &P::loading,
              {.unit = "N",
               .argument_unit = "m",
+              .usual = between(-1e6, 1e6),
+              .usual_argument = between(-2e-3, 2e-3),
               .help = "[displacement, force] pairs on the way of rising displacement, all around."});
   s.function("unloading", &P::unloading,
              {.unit = "N",
               .argument_unit = "m",
+              .usual = between(-1e6, 1e6),
+              .usual_argument = between(-2e-3, 2e-3),
               .help = "The same of the way back, also listed with rising displacement: it lies below the loading "
                       "branch, and the area between is the loss of a turn."});
   return s;
@@ -30,33 +34,42 @@ Section<RibbonGeometryParameters> ribbon_geometry_section() {
   using P = RibbonGeometryParameters;
   Section<P> s("geometry", "A ring of corrugations, pressed between outer ring and housing.");
   s.integer("waves", &P::waves, {.range = between(6, 1000), .help = "Number of waves around the circumference."});
+  s.quantity("pitch", &P::pitch,
+             {.unit = "m",
+              .range = positive(),
+              .usual = between(5e-4, 0.05),
+              .help = "Length of a wave around the circumference."});
   s.quantity(
-      "pitch", &P::pitch,
-      {.unit = "m", .range = positive(), .usual = at_most(0.05), .help = "Length of a wave around the circumference."});
-  s.quantity("height", &P::height,
-             {.unit = "m", .range = positive(), .usual = at_most(0.01), .help = "Of a wave's crest above its feet."});
+      "height", &P::height,
+      {.unit = "m", .range = positive(), .usual = between(5e-5, 0.01), .help = "Of a wave's crest above its feet."});
   s.quantity("thickness", &P::thickness,
              {.unit = "m",
               .range = positive(),
-              .usual = at_most(2e-3),
+              .usual = between(3e-5, 2e-3),
               .help = "Of the strip; the stiffness grows with its cube."});
   s.quantity("strip_width", &P::strip_width,
-             {.unit = "m", .range = positive(), .usual = at_most(0.5), .help = "Of the strip along the axis."});
+             {.unit = "m", .range = positive(), .usual = between(1e-3, 0.5), .help = "Of the strip along the axis."});
   s.quantity("interference", &P::interference,
              {.unit = "m",
               .range = positive(),
-              .usual = at_most(1e-3),
+              .usual = between(5e-6, 1e-3),
               .help = "By which mounting presses every wave, radially. Beyond this travel waves lift off."});
   s.quantity("modulus", &P::modulus,
              {.unit = "Pa",
               .range = positive(),
+              .usual = between(4e10, 2.5e11),
               .fallback = "206 GPa",
               .source = "spring steel",
               .help = "Young's modulus of the strip."});
   s.quantity("poisson_ratio", &P::poisson_ratio,
-             {.range = between(0, 0.499), .fallback = "0.3", .source = "steel", .help = "Of the strip."});
+             {.range = between(0, 0.499),
+              .usual = or_zero(between(0.05, 0.499)),
+              .fallback = "0.3",
+              .source = "steel",
+              .help = "Of the strip."});
   s.quantity("friction_coefficient", &P::friction_coefficient,
              {.range = between(0, 1),
+              .usual = or_zero(between(0.01, 0.6)),
               .fallback = "0.15",
               .source = "estimate: steel on steel",
               .help = "Of crests and feet."});
@@ -77,15 +90,20 @@ Section<RibbonParameters> ribbon_section() {
               .range = positive(),
               .usual = between(1e5, 1e10),
               .help = "While its friction slips; of a bilinear ribbon given by numbers."});
-  s.quantity("slip_force", &P::slip_force,
-             {.unit = "N", .range = positive(), .usual = at_most(1e6), .help = "Friction force at which it slips."});
+  s.quantity(
+      "slip_force", &P::slip_force,
+      {.unit = "N", .range = positive(), .usual = between(0.1, 1e6), .help = "Friction force at which it slips."});
   s.quantity("stick_stiffness", &P::stick_stiffness,
              {.unit = "N/m",
               .range = positive(),
               .usual = between(1e5, 1e11),
               .help = "By which it is stiffer before it slips."});
   s.quantity("damping", &P::damping,
-             {.unit = "N s/m", .range = at_least(0), .fallback = "0 N s/m", .help = "Besides friction."});
+             {.unit = "N s/m",
+              .range = at_least(0),
+              .usual = or_zero(between(1, 1e6)),
+              .fallback = "0 N s/m",
+              .help = "Besides friction."});
   s.table("loop", &P::loop, loop_section(),
           {.help = "Instead of numbers: sliders with the shape and the area of a measured loop."});
   s.table("geometry", &P::geometry, ribbon_geometry_section(),
@@ -123,20 +141,32 @@ Section<ElastomerParameters> elastomer_section() {
             .help = "maxwell: springs and dampers that have the whole table (generalised Maxwell). kelvin-voigt: one "
                     "spring and one damper, with the table's values at `frequency`."});
   s.function("storage", &P::storage,
-             {.unit = "Pa", .argument_unit = "Hz", .range = positive(), .help = "[frequency, storage modulus] pairs."});
+             {.unit = "Pa",
+              .argument_unit = "Hz",
+              .range = positive(),
+              .usual = between(1e4, 1e10),
+              .usual_argument = between(1e-4, 1e6),
+              .help = "[frequency, storage modulus] pairs."});
   s.function("loss", &P::loss,
              {.unit = "Pa",
               .argument_unit = "Hz",
               .range = at_least(0),
+              .usual = or_zero(between(1e2, 1e10)),
+              .usual_argument = between(1e-4, 1e6),
               .help = "[frequency, loss modulus] pairs at the same frequencies."});
   s.quantity("shape_factor", &P::shape_factor,
              {.unit = "m",
               .range = positive(),
+              .usual = between(1e-3, 100),
               .help = "Radial stiffness of the ring over its modulus: of a measured stiffness, or by its form."});
   s.quantity("frequency", &P::frequency,
-             {.unit = "Hz", .range = positive(), .help = "At which model = \"kelvin-voigt\" has the table's values."});
+             {.unit = "Hz",
+              .range = positive(),
+              .usual = between(0.1, 1e5),
+              .help = "At which model = \"kelvin-voigt\" has the table's values."});
   s.quantity("fit_tolerance", &P::fit_tolerance,
              {.range = between(1e-12, 1),
+              .usual = between(1e-6, 0.1),
               .fallback = "0.01",
               .help = "Largest deviation of model = \"maxwell\" from the table, over the magnitude there. A table that "
                       "a passive material can have is met to "
@@ -206,16 +236,17 @@ Section<StopParameters> stop_section() {
   s.quantity("gap", &P::gap,
              {.unit = "m",
               .range = positive(),
-              .usual = at_most(0.01),
+              .usual = between(1e-6, 0.01),
               .help = "Travel of the outer ring, in any direction, until it meets the stop."});
   s.quantity("stiffness", &P::stiffness,
              {.unit = "N/m",
               .range = positive(),
-              .usual = between(1e4, 1e12),
+              .usual = between(1e6, 1e11),
               .help = "Of the stop, beside the support's own."});
   s.quantity("lambda", &P::lambda,
              {.unit = "s/m",
               .range = at_least(0),
+              .usual = or_zero(between(1e-3, 1)),
               .fallback = "0.08 s/m",
               .source = "Neisi, Heikkinen & Sopanen 2019, of a rotor in its bearing",
               .help = "Damping: a slow impact at the speed v rebounds with 1 - lambda v of it."});

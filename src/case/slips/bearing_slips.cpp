@@ -164,7 +164,7 @@ void look_at_ratings(const std::string& name, const TouchdownParameters& b, cons
                      name, b.contact_angle * 180. / std::numbers::pi),
          "A bare number is in rad: 0.436 rad are 25 deg.");
   const double bodies = estimates.contact_stiffness;
-  if (const auto& given = b.contact_stiffness; given && bodies > 0. && (*given > 30. * bodies || *given < bodies / 30.))
+  if (const auto& given = b.contact_stiffness; given && bodies > 0. && (*given > 15. * bodies || *given < bodies / 15.))
     warn(
         warnings, position_of_value(table, "contact_stiffness"),
         fmt::format("bearings.{}.contact_stiffness = {:.4g} N/m^n, but journal and bore of these dimensions have about "

@@ -38,6 +38,38 @@ void look_at_elements(const CaseParameters& p, const Node& tree, std::vector<Fau
   }
 }
 
+/// Elements against each other.
+void look_at_steps(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  constexpr double thinnest_wall = 5e-3;                                       // of the diameter; all of them estimates
+  constexpr double deepest_neck = 0.2, thinnest_stub = 0.1, widest_disc = 6.;  // of the neighbours'
+  const Node& where = table_at(tree, "rotor");
+  const auto& elements = p.rotor.geometry.elements;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto& e = elements[i];
+    if (const double wall = 0.5 * (e.od - e.id); wall < thinnest_wall * e.od)
+      warn(warnings, position_of(where, "geometry"),
+           fmt::format("element {} of the rotor is a tube with a wall of {:.4g} mm at od = {:.4g} mm.", i + 1, mm(wall),
+                       mm(e.od)),
+           "od and id are diameters: check both.");
+    double before = 0., after = 0.;
+    for (const auto& other : elements) {
+      if (other.n2 == e.n1) before = std::max(before, other.od);
+      if (other.n1 == e.n2) after = std::max(after, other.od);
+    }
+    if (const double largest = std::max(before, after); largest > 0. && e.od > widest_disc * largest)
+      warn(warnings, position_of(where, "geometry"),
+           fmt::format("element {} of the rotor has od = {:.4g} mm beside an element of {:.4g} mm.", i + 1, mm(e.od),
+                       mm(largest)),
+           "Discs of machines are up to four times as thick as their shaft: check the digits and the unit of its od.");
+    if (const double stub = std::max(before, after);
+        std::min(before, after) == 0. ? e.od < thinnest_stub * stub : e.od < deepest_neck * std::min(before, after))
+      warn(warnings, position_of(where, "geometry"),
+           fmt::format("element {} of the rotor has od = {:.4g} mm beside an element of {:.4g} mm.", i + 1, mm(e.od),
+                       mm(std::max(before, after))),
+           "A shaft has no such neck: check the digits and the unit of its od.");
+  }
+}
+
 /// A rotor is not thinner than a disc: Ip <= 2 Id of every body, equal for a plane one.
 void look_at_body(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   const Node& rotor = table_at(tree, "rotor");
@@ -69,6 +101,14 @@ void look_at_body(const CaseParameters& p, const Node& tree, std::vector<Fault>&
                        "mm, where the shaft is up to {:.4g} mm thick.",
                        i + 1, point.node, point.mass, point.Ip, mm(gyration), mm(thickest)),
            "Check the units of mass and Ip: kg and kg m2, not kg mm2.");
+    // Of a body, Id = Ip/2 and what its length adds: that of the whole rotor, at most.
+    if (const double most = 0.75 * point.Ip + point.mass * length * length / 12.;
+        point.mass > 0. && length > 0. && point.Id > most)
+      warn(warnings, position_of(rotor, "geometry"),
+           fmt::format("mass point {} at node {} has {:.4g} kg and Id = {:.4g} kg m2; a body of its mass and Ip as "
+                       "long as the whole rotor has {:.3g} kg m2.",
+                       i + 1, point.node, point.mass, point.Id, most),
+           "Check the units of mass and Id: kg and kg m2, not kg mm2.");
     if (point.Ip > 2. * point.Id * (1. + 1e-9) && point.Ip > 0. && point.Id > 0.)
       warn(warnings, position_of(rotor, "geometry"),
            fmt::format("mass point {} at node {} has Ip = {:.4g} kg m2, more than 2 Id = {:.4g} kg m2, which no "
@@ -105,6 +145,7 @@ double largest_diameter(const RotorGeometry& geometry) {
 
 void look_at_rotor(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   look_at_elements(p, tree, warnings);
+  look_at_steps(p, tree, warnings);
   look_at_body(p, tree, warnings);
   look_at_probes(p, tree, warnings);
 }

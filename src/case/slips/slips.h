@@ -12,6 +12,7 @@ namespace rotordrop {
 void look_at_rotor(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 void look_at_motion(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 void look_at_bearings(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
+void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 
 /// Above it rings of steel burst: rho v^2 is 1.25 GPa at 400 m/s.

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 namespace rotordrop {
 namespace {
+
+using Matrix2 = std::array<std::array<double, 2>, 2>;
 
 /// The file that a key is from; in parameters.toml of a run the one that stands behind it.
 std::string origin_of(const Node& table, const char* key) {
@@ -80,6 +83,100 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
   }
 }
 
+/// A film or a ribbon around the outer ring, against its dimensions.
+void look_at_ring_seat(const std::string& name, const TouchdownParameters& b, const Node& tree,
+                       std::vector<Fault>& warnings) {
+  const Node& own = support_table(tree, name);
+  const double radius = 0.5 * b.outer_ring_diameters[1];
+  if (const auto& film = b.support.squeeze_film) {
+    const Node& table = table_at(own, "squeeze_film");
+    if (film->radius && (*film->radius < 0.5 * radius || *film->radius > 3. * radius))
+      warn(warnings, position_of_value(table, "radius"),
+           fmt::format("bearings.{}.support.squeeze_film.radius = {:.4g} mm is {:.3g} times the outer ring's, {:.4g} "
+                       "mm.",
+                       name, mm(*film->radius), *film->radius / radius, mm(radius)),
+           "The film lies around the outer ring. It is a radius; a bare number is in metres.");
+    if (film->length && (*film->length < 0.1 * b.width || *film->length > 5. * b.width))
+      warn(warnings, position_of_value(table, "length"),
+           fmt::format("bearings.{}.support.squeeze_film.length = {:.4g} mm, but the bearing is {:.4g} mm wide.", name,
+                       mm(*film->length), mm(b.width)),
+           "Damping grows with its cube. A bare number is in metres.");
+  }
+  if (const auto& ribbon = b.support.ribbon; ribbon && ribbon->geometry) {
+    const auto& g = *ribbon->geometry;
+    const double around = 2. * std::numbers::pi * radius, waves = g.waves * g.pitch;
+    if (waves < 0.3 * around || waves > 1.2 * around)
+      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
+           fmt::format("bearings.{}.support.ribbon.geometry has {} waves of {:.4g} mm: {:.4g} mm, but around the outer "
+                       "ring there are {:.4g} mm.",
+                       name, g.waves, mm(g.pitch), mm(waves), mm(around)),
+           "Check waves and pitch; a bare number is in metres.");
+    if (g.strip_width > 2. * b.width || g.strip_width < 0.05 * b.width)
+      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
+           fmt::format("bearings.{}.support.ribbon.geometry has a strip_width of {:.4g} mm, but the bearing is {:.4g} "
+                       "mm wide.",
+                       name, mm(g.strip_width), mm(b.width)),
+           "It is along the axis. A bare number is in metres.");
+    if (g.thickness > 0.5 * g.height)
+      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
+           fmt::format("bearings.{}.support.ribbon.geometry has a thickness of {:.4g} mm, but waves of {:.4g} mm "
+                       "height.",
+                       name, mm(g.thickness), mm(g.height)),
+           "The formulas are those of a thin strip; stiffness grows with the cube of its thickness.");
+    if (g.interference > 0.5 * g.height)
+      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
+           fmt::format("bearings.{}.support.ribbon.geometry has an interference of {:.4g} mm, but waves of {:.4g} mm "
+                       "height: mounting would flatten them.",
+                       name, mm(g.interference), mm(g.height)),
+           "It is radial. A bare number is in metres.");
+  }
+}
+
+/// Springs and dampers between rotor and ground: y against z, damping against stiffness.
+void look_at_matrices(const std::string& name, const Matrix2& K, const Matrix2& C, double mass, const Node& tree,
+                      std::vector<Fault>& warnings) {
+  constexpr double most_unequal = 100., most_damping = 10.;  // estimates, of critical with the rotor's mass
+  const Node& table = table_at(tree, "bearings", name);
+  const double stiffer = std::max(K[0][0], K[1][1]), softer = std::min(K[0][0], K[1][1]);
+  if (softer > 0. && stiffer > most_unequal * softer)
+    warn(warnings, position_of_value(table, "stiffness"),
+         fmt::format("bearings.{}.stiffness has {:.4g} and {:.4g} N/m on its diagonal: one is {:.3g} times the other.",
+                     name, K[0][0], K[1][1], stiffer / softer),
+         "Check the units of both.");
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const double critical = K[i][i] > 0. ? 2. * std::sqrt(K[i][i] * mass) : 0.;
+        critical > 0. && C[i][i] > most_damping * critical)
+      warn(warnings, position_of_value(table, "damping"),
+           fmt::format("bearings.{}.damping = {:.4g} N s/m is {:.3g} times critical damping of the rotor on it.", name,
+                       C[i][i], C[i][i] / critical),
+           "Critical is 2 sqrt(K m). A bare number is in N s/m: 10 N s/mm are 10000.");
+}
+
+/// A spring that pushes the rotor away, or does not hold it.
+void look_at_springs(const std::string& name, const LinearSupportParameters& support, const Node& tree,
+                     std::vector<Fault>& warnings) {
+  const auto& K = support.stiffness;
+  const Node& table = table_at(tree, "bearings", name);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (K[i][i] < 0.)
+      warn(warnings, position_of_value(table, "stiffness"),
+           fmt::format("bearings.{}.stiffness = {:.4g} N/m on its diagonal pushes the rotor away.", name, K[i][i]),
+           "Stiffness is positive: force on the rotor = -K x. A magnet without control may be meant.");
+  const double cross = std::max(std::fabs(K[0][1]), std::fabs(K[1][0]));
+  const double direct = std::max(std::fabs(K[0][0]), std::fabs(K[1][1]));
+  if (cross > 10. * direct)
+    warn(warnings, position_of_value(table, "stiffness"),
+         fmt::format("bearings.{}.stiffness couples y and z with {:.4g} N/m, but has {:.4g} N/m on its diagonal.", name,
+                     cross, direct),
+         "It is [[K_yy, K_yz], [K_zy, K_zz]].");
+  for (std::size_t i = 0; i < 2; ++i)
+    if (support.damping[i][i] < 0.)
+      warn(warnings, position_of_value(table, "damping"),
+           fmt::format("bearings.{}.damping = {:.4g} N s/m on its diagonal drives the rotor.", name,
+                       support.damping[i][i]),
+           "Damping is positive: force on the rotor = -C v.");
+}
+
 /// How far the rotor's weight moves the outer rings, where springs or a ribbon of numbers carry them.
 void look_at_sag(const std::string& name, const TouchdownParameters& b, double share, const CaseParameters& p,
                  const Node& tree, std::vector<Fault>& warnings) {
@@ -112,6 +209,14 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
            "A bare number is in N.");
     return;
   }
+  if (support.type == "elastomer" && support.elastomer && !support.elastomer->storage.empty())
+    if (const double K = support.elastomer->storage.front()[1] * support.elastomer->shape_factor;
+        K > 0. && share * std::hypot(g[1], g[2]) / K > gap)
+      warn(warnings, position_of_value(own, "elastomer"),
+           fmt::format("bearings.{}.support.elastomer gives way by {:.4g} mm under this bearing's share of the rotor's "
+                       "weight ({:.4g} N/m at its lowest frequency), more than the air gap, {:.4g} mm.",
+                       name, mm(share * std::hypot(g[1], g[2]) / K), K, mm(gap)),
+           "Stiffness is storage times shape_factor. Bare numbers are in Pa and in metres.");
   if (support.K_y) compare("K_y", *support.K_y, g[1]);
   if (support.K_z) compare("K_z", *support.K_z, g[2]);
   if (support.K_y && support.K_z && (*support.K_y > 100. * *support.K_z || *support.K_z > 100. * *support.K_y))
@@ -131,6 +236,15 @@ void look_at_magnets(const CaseParameters& p, double mass, const Node& tree, std
     const auto* magnet = entry.magnet();
     if (!magnet) continue;
     last = &entry;
+    // Estimate: closed loops of 10 kN/m in small pumps to 1 GN/m in large compressors.
+    constexpr double softest = 1e3, stiffest = 1e9;
+    for (std::size_t i = 0; i < 2; ++i)
+      if (const double K = magnet->stiffness[i][i]; K != 0. && (std::fabs(K) < softest || std::fabs(K) > stiffest))
+        warn(warnings, position_of_value(table_at(tree, "bearings", entry.name), "stiffness"),
+             fmt::format("bearings.{}.stiffness = {:.4g} N/m is unusual for a magnet: most often it is between {:.0e} "
+                         "and {:.0e} N/m.",
+                         entry.name, K, softest, stiffest),
+             "A bare number is in N/m: 10 N/um are 1e7.");
     all_given = all_given && magnet->holding_force.has_value();
     for (std::size_t i = 0; i < 2; ++i) {
       if (magnet->holding_force) held[i] += (*magnet->holding_force)[i];
@@ -172,8 +286,16 @@ void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fau
     const auto& b = *touchdowns[i]->touchdown();
     look_at_mass(touchdowns[i]->name, b, body.mass, tree, warnings);
     look_at_support(touchdowns[i]->name, b.support, tree, warnings);
+    look_at_ring_seat(touchdowns[i]->name, b, tree, warnings);
     look_at_sag(touchdowns[i]->name, b, body.mass * std::fabs(shares[i]), p, tree, warnings);
   }
+  for (const auto& entry : p.bearings)
+    if (const auto* linear = entry.linear()) {
+      look_at_springs(entry.name, *linear, tree, warnings);
+      look_at_matrices(entry.name, linear->stiffness, linear->damping, body.mass, tree, warnings);
+    } else if (const auto* magnet = entry.magnet()) {
+      look_at_matrices(entry.name, magnet->stiffness, magnet->damping, body.mass, tree, warnings);
+    }
   look_at_magnets(p, body.mass, tree, warnings);
 }
 

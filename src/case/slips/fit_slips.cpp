@@ -1,0 +1,106 @@
+#include "case/slips/slips.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "analysis/facts/bearing_estimates.h"
+
+namespace rotordrop {
+namespace {
+
+/// Housing and fit against the bearing.
+void look_at_housing(const std::string& name, const TouchdownParameters& b, const Node& table,
+                     std::vector<Fault>& warnings) {
+  constexpr double shortest = 0.3, widest = 5., tightest = 2e-3;  // estimates
+  const double outside = b.outer_ring_diameters[1];
+  if (b.housing_length < shortest * b.width)
+    warn(warnings, position_of_value(table, "housing_length"),
+         fmt::format("the housing of bearings.{} is {:.4g} mm long, but the bearing is {:.4g} mm wide.", name,
+                     mm(b.housing_length), mm(b.width)),
+         "It is what takes up heat, of all rows together.");
+  if (b.housing_diameters[1] > widest * outside)
+    warn(warnings, position_of_value(table, "housing_diameters"),
+         fmt::format("the housing of bearings.{} has an outside diameter of {:.4g} mm, {:.3g} times the bearing's.",
+                     name, mm(b.housing_diameters[1]), b.housing_diameters[1] / outside),
+         "A bare number is in metres. It is what takes up heat near the bearing, not the machine's frame.");
+  if (std::fabs(b.housing_fit) > tightest * outside)
+    warn(warnings, position_of_value(table, "housing_fit"),
+         fmt::format("bearings.{}.housing_fit = {:.4g} um is {:.2g} % of the bearing's diameter, {:.4g} mm; fits are a "
+                     "tenth of a percent at most.",
+                     name, b.housing_fit * 1e6, 100. * b.housing_fit / outside, mm(outside)),
+         "It is by radius. A bare number is in metres: 20 um are 20e-6.");
+}
+
+/// Clearance by ISO 5753: that of class 5, by radius, is 18 um in a bore of 10 mm and 50 um in one of 70 mm.
+void look_at_clearance(const std::string& name, const TouchdownParameters& b, const Node& table,
+                       std::vector<Fault>& warnings) {
+  const double most = 20e-6 + 1.5e-3 * b.inner_ring_diameters[0];
+  if (b.radial_clearance > most)
+    warn(warnings, position_of_value(table, "radial_clearance"),
+         fmt::format("bearings.{}.radial_clearance = {:.4g} um; a bore of {:.4g} mm has less than {:.3g} um.", name,
+                     b.radial_clearance * 1e6, mm(b.inner_ring_diameters[0]), most * 1e6),
+         "It is by radius, half of what catalogues give, and not the rotor's air gap (contact.air_gap).");
+}
+
+/// What is given of the bodies that touch, against their dimensions.
+void look_at_contacts(const std::string& name, const TouchdownParameters& b, const CaseParameters& p, const Node& tree,
+                      std::vector<Fault>& warnings) {
+  const Node& table = table_at(tree, "bearings", name);
+  if (b.contact_width && *b.contact_width > 2. * b.width)
+    warn(warnings, position_of_value(table, "contact_width"),
+         fmt::format("bearings.{}.contact_width is {:.4g} mm, but the bearing is {:.4g} mm wide.", name,
+                     mm(*b.contact_width), mm(b.width)),
+         "A bare number is in metres.");
+  if (const auto& given = b.ring_diametral_inertia;
+      given && (*given < 0.3 * b.ring_spin_inertia || *given > 5. * b.ring_spin_inertia))
+    warn(warnings, position_of_value(table, "ring_diametral_inertia"),
+         fmt::format("bearings.{}.ring_diametral_inertia = {:.4g} kg m2 is {:.3g} times ring_spin_inertia; a thin ring "
+                     "has half of it.",
+                     name, *given, *given / b.ring_spin_inertia),
+         "It is of the inner ring about a diameter, in kg m2.");
+  if (const auto& given = b.shoulders.stiffness) {
+    const double bodies = bearing_estimates(p, b).shoulder_stiffness;
+    if (*given > 30. * bodies || *given < 1e-3 * bodies)
+      warn(warnings, position_of_value(table_at(table, "shoulders"), "stiffness"),
+           fmt::format("bearings.{}.shoulders.stiffness = {:.4g} N/m is {:.3g} times that of the bodies, {:.3g} N/m.",
+                       name, *given, *given / bodies, bodies),
+           "Leave it out to take what the bodies give; a collar or a sleeve is softer. A bare number is in N/m.");
+  }
+  // The ellipse of balls and raceway is a small part of the ball.
+  for (const auto& [key, half_width, owner] :
+       {std::tuple{"contact_half_width", p.thermal.contact_half_width, &table_at(tree, "thermal")},
+        {"fe.strip_half_width", p.thermal.fe.strip_half_width.value_or(0.), &table_at(tree, "thermal", "fe")}})
+    if (half_width > 0.25 * b.ball_diameter)
+      warn(
+          warnings, position_of_value(*owner, key[0] == 'f' ? "strip_half_width" : key),
+          fmt::format("thermal.{} = {:.4g} mm is more than a quarter of the balls' diameter in bearings.{}, {:.4g} mm.",
+                      key, mm(half_width), name, mm(b.ball_diameter)),
+          "It is half of what balls touch across their track. A bare number is in metres.");
+}
+
+/// Friction between rotor and bore.
+void look_at_friction(const ContactParameters& c, const Node& tree, std::vector<Fault>& warnings) {
+  if (const auto& given = c.static_friction_coefficient; given && *given < c.friction_coefficient)
+    warn(warnings, position_of_value(table_at(tree, "contact"), "static_friction_coefficient"),
+         fmt::format("contact.static_friction_coefficient = {:.4g} is less than the dynamic one, {:.4g}.", *given,
+                     c.friction_coefficient),
+         "Surfaces at rest hold each other better than sliding ones: they may be exchanged.");
+}
+
+}  // namespace
+
+void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  look_at_friction(p.contact, tree, warnings);
+  for (const auto& entry : p.bearings)
+    if (const auto* b = entry.touchdown()) {
+      const Node& table = table_at(tree, "bearings", entry.name);
+      look_at_housing(entry.name, *b, table, warnings);
+      look_at_clearance(entry.name, *b, table, warnings);
+      look_at_contacts(entry.name, *b, p, tree, warnings);
+    }
+}
+
+}  // namespace rotordrop
