@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/trimmed.h"
 
 namespace rotordrop {
@@ -24,6 +26,28 @@ std::string letters_of(std::string_view unit) {
 }
 
 }  // namespace
+
+std::optional<NumberSlip> number_slip(double value, std::string_view rest) {
+  constexpr std::string_view digits = "0123456789";
+  if (rest.front() == ',') {
+    const bool may_be_thousands = std::min(rest.find_first_not_of(digits, 1), rest.size()) == 4;  // "11,000 rpm"
+    return NumberSlip{"is not a number with a unit",
+                      may_be_thousands
+                          ? "Write thousands without a comma (11000), and a decimal point as a point (11.0)."
+                          : "Write a decimal point, not a comma."};
+  }
+  if (rest.front() == '/')
+    if (const auto divisor = bare_number(rest.substr(1)); divisor && *divisor != 0.)
+      return NumberSlip{"is a fraction", fmt::format("Write it as a decimal number: {}.", shortest(value / *divisor))};
+  if (rest.front() == 'e' || rest.front() == 'E') {
+    const auto first =
+        std::min(rest.size(), std::size_t{rest.size() > 1 && (rest[1] == '-' || rest[1] == '+') ? 2U : 1U});
+    if (const auto end = std::min(rest.find_first_not_of(digits, first), rest.size()); end > first)
+      return NumberSlip{"has a space within its number",
+                        fmt::format("Write it without: \"{}{}\".", shortest(value), rest)};
+  }
+  return std::nullopt;
+}
 
 std::string unit_meant(std::string_view given, std::string_view si_unit, QuantityKind kind) {
   const auto fits = [&](std::string_view unit) {

@@ -263,17 +263,8 @@ Conversion convert_unit(double value, std::string_view unit_text, std::string_vi
     return failed(
         fmt::format("{} has a unit, but {} takes a bare number in {}", text, name, si_unit),
         fmt::format("Units with such an exponent cannot be converted. Write the value in {} without a unit.", si_unit));
-  if (unit_text.front() == ',') {
-    const auto digits = unit_text.find_first_not_of("0123456789", 1);
-    const bool may_be_thousands = std::min(digits, unit_text.size()) == 4;  // "11,000 rpm"
-    return failed(fmt::format("\"{}\" is not a number with a unit; {}", text, needs()),
-                  may_be_thousands ? "Write thousands without a comma (11000), and a decimal point as a point (11.0)."
-                                   : "Write a decimal point, not a comma.");
-  }
-  if (unit_text.front() == '/')
-    if (const auto divisor = bare_number(unit_text.substr(1)); divisor && *divisor != 0.)
-      return failed(fmt::format("\"{}\" is a fraction; {}", text, needs()),
-                    fmt::format("Write it as a decimal number: {}.", shortest(value / *divisor)));
+  if (const auto slip = number_slip(value, unit_text))
+    return failed(fmt::format("\"{}\" {}; {}", text, slip->what, needs()), slip->advice);
   switch (check_unit_text(unit_text)) {
     case UnitText::has_other_exponent:
       return failed(fmt::format("the unit of \"{}\" has an exponent that is not an integer; {}", text, needs()),

@@ -289,6 +289,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     const auto section = case_section();
     result.parameters = section->section.read(result.tree, faults);
     // What follows looks at several sections together, and so needs each of them sound.
+    check_size(result.parameters, result.tree, faults);
     faults.throw_if_any();
     check_machine(result.parameters, result.tree, faults);
     check_length(result.parameters, result.tree, faults);

@@ -70,7 +70,13 @@ std::string name_within(const std::string& text, const std::vector<std::string>&
 
 void load_entry(Node& bearing, const std::string& name, const fs::path& case_file, Faults& faults) {
   const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
-  if (!entry || !entry->is_text()) return;
+  if (!entry) return;
+  if (!entry->is_text()) {  // without it all that the bearing brings would be missing, too
+    faults.add(entry->where(),
+               fmt::format("bearings.{}.catalogue is {}; it must be a text in quotes.", name, kind_name(*entry)),
+               entry->is_number() ? fmt::format("Write it as: catalogue = \"{}\"", to_text(*entry)) : "");
+    faults.throw_if_any();
+  }
   for (const auto& folder : catalogue_folders(case_file)) {
     const fs::path file = folder / (entry->text() + ".toml");
     std::error_code unreadable;

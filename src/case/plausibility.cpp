@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "analysis/facts/material_slips.h"
+#include "base/memory.h"
 #include "base/rotation.h"
 #include "case/slips/slips.h"
 #include "case/usual_values.h"
@@ -17,6 +18,10 @@ namespace {
 constexpr double strongest_gravity = 30.;  // drops on ships and in vehicles, with a margin [m/s2]
 constexpr double weakest_gravity = 1.;     // the moon has 1.62 [m/s2]
 constexpr double shortest_run = 0.01;      // shorter ones are trials [s]
+
+/// Modes of all nodes take some 1e-8 s times the cube of their number, measured with 1000.
+constexpr double slowness_of_modes = 1e-8;  // [s]
+constexpr std::size_t many_nodes = 500, most_nodes = 20'000, most_supports = 1000;
 
 /// Steps of a drop take some 10 us of computing each.
 constexpr double many_steps = 1e9, most_steps = 1e11;
@@ -68,6 +73,11 @@ void look_at_run(const CaseParameters& p, const Node& tree, std::vector<Fault>& 
          fmt::format("run.end_time = {:.6g} s takes {:.2g} steps of at most {:.3g} s: hours or days.",
                      p.run.latest_end(), steps, step_or_bound(p.integration)),
          "A bare number is in seconds. Check run.end_time and integration.step; run.until ends a run by a condition.");
+  if (const std::size_t n = p.rotor.geometry.node_x.size(); n > many_nodes)
+    warn(warnings, position_of(table_at(tree, "rotor"), "geometry"),
+         fmt::format("the rotor has {} nodes: its modes take about {:.2g} s.", n,
+                     slowness_of_modes * std::pow(static_cast<double>(n), 3.)),
+         "Join elements of one diameter: 50 to 200 nodes are usual.");
   const Node& output = table_at(tree, "output");
   for (const auto& [key, interval] :
        {std::pair{"interval", p.output.interval}, {"detail_interval", p.output.detail_interval}})
@@ -118,6 +128,25 @@ std::vector<Fault> look_at_speed(const CaseParameters& p, const std::string& opt
                     std::fabs(speed) * to_rpm, surface, mm(thickest), fastest_surface),
         "A bare speed is in rad/s: if rpm is meant, write for example \"15200 rpm\".");
   return warnings;
+}
+
+void check_size(const CaseParameters& p, const Node& tree, Faults& faults) {
+  if (p.bearings.size() > most_supports)
+    faults.add(
+        position_of(tree, "bearings"),
+        fmt::format("there are {} bearings and supports; at most {} are taken.", p.bearings.size(), most_supports),
+        "Each has some eight series in the results, and closing them takes the square of their number: 4 s of "
+        "1000, 40 s of 3000.");
+  constexpr double n_matrices = 4.;  // measured with 1000 nodes
+  const std::size_t n_nodes = p.rotor.geometry.node_x.size();
+  const double n_unknowns = 2. * static_cast<double>(n_nodes), bytes = n_matrices * 8. * n_unknowns * n_unknowns;
+  const auto most = static_cast<double>(most_memory());
+  if (bytes < most && n_nodes <= most_nodes) return;
+  faults.add(position_of(table_at(tree, "rotor"), "geometry"),
+             fmt::format("the rotor has {} nodes: its modes have {:.0f} unknowns a plane, which take {}{}.", n_nodes,
+                         n_unknowns, bytes_in_words(bytes),
+                         bytes < most ? " and days" : fmt::format(", and there are {}", bytes_in_words(most))),
+             "Join elements of one diameter: 50 to 200 nodes are usual.");
 }
 
 void check_length(const CaseParameters& p, const Node& tree, Faults& faults) {

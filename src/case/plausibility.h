@@ -13,6 +13,9 @@ namespace rotordrop {
 [[nodiscard]] std::vector<Fault> look_at_speed(const CaseParameters& parameters, const std::string& option,
                                                double speed);
 
+/// Faults of a rotor whose modes take more memory than there is, or days, and of too many supports.
+void check_size(const CaseParameters& parameters, const Node& tree, Faults& faults);
+
 /// Faults of a run that would not end in days.
 void check_length(const CaseParameters& parameters, const Node& tree, Faults& faults);
 

@@ -41,6 +41,8 @@ MISTAKES = [
     ("a section as YAML has it", "contact:\n  friction_coefficient = 0.1\n", "the name of a section is in brackets", "[contact]"),
     ("a bearing with its maker", '[bearings.TB1]\ncatalogue = "SKF 6014"\n', 'Did you mean "6014"', None),
     ("a bearing with its seals", '[bearings.TB1]\ncatalogue = "6014-2RS"\n', 'Did you mean "6014"', None),
+    ("a bearing's number without quotes", "[bearings.TB1]\ncatalogue = 6014\n", r"bearings\.TB1\.catalogue is an integer; it must be a text in quotes", 'catalogue = "6014"'),
+    ("a space in a number", '[rotor]\nunbalance = [{ node = 5, me = "1.07 e-6 kg m" }]\n', 'has a space within its number.*Write it without: "1.07e-6 kg m"', None),
     ("an unknown bearing", '[bearings.TB1]\ncatalogue = "6o14"\n', 'Did you mean "6014"', None),
     ("a bearing too big for its housing", '[bearings.TB1]\ncatalogue = "6020"\n', r"housing_diameters = \[\"150 mm\", ", None),
     ("a file that is not there", '[rotor]\ngeometry = "rotr.json"\n', r'rotor\.geometry = "rotr\.json": there is no such file', None),
@@ -137,6 +139,9 @@ class Newcomers(ProgramTest):
         for words, says in ((["run", "study.toml"], "this is a study, not the case of a drop. Its command: rotordrop study study.toml"), (["check", "study.toml"], "this is a study"),
                             (["run", "disc.toml"], "this is a case of heat conduction alone, not the case of a drop. Its command: rotordrop heat disc.toml"),
                             (["study", "reference.toml"], 'this is the case of a drop, not a study. Its command: rotordrop run reference.toml, or name it in a study by case = "reference.toml"'),
+                            (["run", PARAMS / "bearings/6014.toml"], 'this is a bearing of the catalogue, not a case. Name it in the case: [bearings.NAME] with catalogue = "6014"'),
+                            (["study", PARAMS / "bearings/6014.toml"], "this is a bearing of the catalogue, not a case"),
+                            (["rerun", "reference.toml"], "this is a file of parameters, not results.h5 of a drop. A case is computed by: rotordrop run reference.toml"),
                             (["study", "disc.toml"], "this is a case of heat conduction alone, not a study")):
             done = self.call(*words)
             self.assertEqual(done.returncode, 2)

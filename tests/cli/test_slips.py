@@ -152,6 +152,24 @@ class Slips(ProgramTest):
         said = self.said("check", "reference.toml", *settings(run__end_time="1e6 s", output__interval="1 s", integration__method="runge-kutta-4", integration__step="1e-7 s"), code=2)
         self.assertRegex(said, r"1e\+06 s in steps of at most 1e-07 s are 1e\+13 steps; at most 1e\+11 are taken")
 
+    def test_a_rotor_of_too_many_nodes_is_told_before_its_modes_are_sought(self):
+        def with_nodes(n):
+            elements = [{"n1": i + 1, "n2": i + 2, "od": 0.0695} for i in range(n - 1)]
+            self.write("rotor.json", json.dumps({"units": "SI", "material": {"E": 2e11, "nu": 0.3, "rho": 7850}, "nodes": [{"id": i + 1, "x": i / n} for i in range(n)], "elements": elements}))
+            return ["check", "reference.toml", "--set", 'rotor.geometry="rotor.json"', "--set", "rotor.unbalance=[]", "--set", f"bearings.TB1.node={n // 20}", "--set", f"bearings.TB2.node={n - n // 10}"]
+
+        self.assertRegex(self.said(*with_nodes(25000), code=2), r"the rotor has 25000 nodes: its modes have 50000 unknowns a plane, which take 80 GB")
+        self.assertRegex(self.said(*with_nodes(501)), "warning: .*the rotor has 501 nodes: its modes take about 1.3 s")
+        self.assertNotIn("nodes: its modes", self.said(*with_nodes(400)))
+
+    def test_modes_are_sought_at_a_thousand_speeds_at_most(self):
+        said = self.said("modes", "reference.toml", "--speeds", ",".join(map(str, range(1, 1002))), code=2)
+        self.assertIn("--speeds: these are 1001 speeds; at most 1000 are taken", said)
+
+    def test_supports_are_a_thousand_at_most(self):
+        self.write("many.toml", 'base = "reference.toml"\n' + "".join(f'[bearings.S{i}]\ntype = "linear"\nnode = {3 + i % 20}\nstiffness = [[1e5, 0], [0, 1e5]]\n' for i in range(999)))
+        self.assertIn("there are 1001 bearings and supports; at most 1000 are taken", self.said("check", "many.toml", code=2))
+
     def test_a_speed_of_an_option_is_looked_at(self):
         for words in (["modes", "reference.toml", "--shapes", "m.h5", "--speeds"], ["critical-speeds", "reference.toml", "--diagram", "c.svg", "--force", "--up-to"]):
             self.assertRegex(self.said(*words, "15200"), words[-1] + r": at 145149 rpm the rotor's surface runs at \d+ m/s")

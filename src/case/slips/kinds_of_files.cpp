@@ -39,6 +39,12 @@ std::optional<FileKind> kind_of_file(const Node& tree) {
 }
 
 void require_kind(const Node& tree, const std::filesystem::path& file, FileKind kind) {
+  if (tree.has("ball_diameter") && tree.has("pitch_diameter"))
+    throw InputError(
+        {file.string(), 0, 0}, "this is a bearing of the catalogue, not a case.",
+        fmt::format("Name it in the case: [bearings.NAME] with catalogue = \"{}\". A folder named bearings "
+                    "beside the case is looked into, too.",
+                    file.stem().string()));
   const auto found = kind_of_file(tree);
   if (!found || *found == kind) return;
   const std::string meant = kind == FileKind::study && found == FileKind::drop

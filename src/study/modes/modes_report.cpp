@@ -29,6 +29,11 @@ std::vector<double> parse_speeds(const std::string& text) {
       faults.add({"--speeds", 0, 0}, speed.error, speed.advice);
     from = comma + 1;
   }
+  constexpr std::size_t most_speeds = 1000;  // of modes with all nodes: some minutes
+  if (speeds.size() > most_speeds)
+    faults.add({"--speeds", 0, 0},
+               fmt::format("these are {} speeds; at most {} are taken.", speeds.size(), most_speeds),
+               "For a Campbell diagram use `rotordrop critical-speeds --up-to SPEED --diagram FILE`.");
   faults.throw_if_any();
   return speeds;
 }

@@ -105,6 +105,9 @@ RecordedInput read_recorded_input(const fs::path& path) {
   if (!fs::exists(input.file, ignored))
     throw InputError({input.file.string(), 0, 0}, "there is no such file",
                      "Give the results.h5 of a drop, or the directory into which `rotordrop run` wrote it.");
+  if (input.file.extension() == ".toml")
+    throw InputError({input.file.string(), 0, 0}, "this is a file of parameters, not results.h5 of a drop.",
+                     fmt::format("A case is computed by: rotordrop run {}", input.file.string()));
   const auto datasets = list_datasets(input.file);
   const auto has = [&](const char* name) { return std::binary_search(datasets.begin(), datasets.end(), name); };
   if (!has("/parameters") || !has("/energy/mechanical"))
