@@ -91,24 +91,6 @@ SourcePosition position_of_value(const Node& table, std::string_view key) {
   return entry ? entry->value.where() : last_table->where();
 }
 
-std::string path_at(const Node& tree, const SourcePosition& where) {
-  if (!where.is_known()) return {};
-  if (tree.is_table())
-    for (const Node::Entry& entry : tree.entries()) {
-      if (entry.where == where || entry.value.where() == where) return entry.key;
-      const std::string below = path_at(entry.value, where);
-      if (!below.empty()) return entry.key + (below.front() == '[' ? "" : ".") + below;
-    }
-  if (tree.is_array())
-    for (std::size_t i = 0; i < tree.items().size(); ++i) {
-      const Node& item = tree.items()[i];
-      const std::string below = item.where() == where ? "" : path_at(item, where);
-      if (item.where() == where || !below.empty())
-        return "[" + std::to_string(i) + "]" + (below.empty() || below.front() == '[' ? "" : ".") + below;
-    }
-  return {};
-}
-
 Node merged(const Node& defaults, const Node& over) {
   if (!defaults.is_table() || !over.is_table()) return over;
   Node result = defaults;

@@ -85,9 +85,6 @@ SourcePosition position_of(const Node& table, std::string_view key);
 /// Where the value of a key stands, otherwise as position_of. Prefer it for faults about a value.
 SourcePosition position_of_value(const Node& table, std::string_view key);
 
-/// The dotted path of what stands at a place, such as "contact.air_gap" or "rotor.unbalance[0].me"; empty if nothing does.
-std::string path_at(const Node& tree, const SourcePosition& where);
-
 /// `over` on top of `defaults`: tables are merged key by key, everything else is replaced. Positions are kept.
 Node merged(const Node& defaults, const Node& over);
 

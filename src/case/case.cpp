@@ -201,7 +201,7 @@ void set_entry(Node& tree, const Setting& setting) {
   set_key(tree, key, setting.value, {setting.value.where().file, 0, 0});
 }
 
-/// Parameters by the places of their keys and values, as path_at() finds them one by one.
+/// Parameters, such as "contact.air_gap" or "rotor.unbalance[0].me", by the places of their keys and values.
 using ParametersByPlace = std::unordered_map<std::string, std::string>;
 void collect_places(const Node& node, const std::string& path, ParametersByPlace& found) {
   const auto collect = [&](const Node& value, const SourcePosition& key, const std::string& own) {
