@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "base/wide_vectors.h"
@@ -53,8 +54,7 @@ TrackMemory::TrackMemory(const RubbedBody& body, std::size_t n_cells, double axi
   weight_.resize(rate_.size(), 0.);
   memory_.assign(n_cells * rate_.size(), 0.);
   gain_.resize(rate_.size());
-  decay_.resize(rate_.size());
-  kept_decay_.resize(n_kept * rate_.size());
+  decay_.resize((n_kept + 1) * rate_.size());
 }
 
 std::size_t TrackMemory::cell_at(double angle) const {
@@ -66,27 +66,35 @@ std::size_t TrackMemory::cell_at(double angle) const {
 }
 
 const double* TrackMemory::decay_over(double lag) const {
-  const auto fill = [&](double* to, double over) {
-    for (std::size_t l = 0; l < rate_.size(); ++l) to[l] = std::exp(-rate_[l] * over);
+  if (lag != found_lag_) {
+    found_ = place_of_decay(lag);
+    found_lag_ = lag;
+  }
+  return &decay_[found_ * rate_.size()];
+}
+
+std::size_t TrackMemory::place_of_decay(double lag) const {
+  const std::size_t n = rate_.size();
+  const auto fill = [&](std::size_t place, double over) {
+    for (std::size_t l = 0; l < n; ++l) decay_[place * n + l] = std::exp(-rate_[l] * over);
   };
   const double count = lag * per_interval_;
   if (count < static_cast<double>(n_kept) - 1.) {
     const auto k = static_cast<std::size_t>(count + 0.5);  // NOLINT(bugprone-incorrect-roundings): never negative
     if (std::fabs(count - static_cast<double>(k)) < 1e-6) {
-      const std::size_t n = rate_.size();
       for (; n_filled_ <= k; ++n_filled_) {
-        double* const decay = &kept_decay_[n_filled_ * n];
+        double* const decay = &decay_[n_filled_ * n];
         if (n_filled_ < 2)
-          fill(decay, static_cast<double>(n_filled_) * interval_);
+          fill(n_filled_, static_cast<double>(n_filled_) * interval_);
         else
-          std::transform(decay - n, decay, &kept_decay_[n], decay, std::multiplies<>());
+          std::transform(decay - n, decay, &decay_[n], decay, std::multiplies<>());
       }
-      return &kept_decay_[k * n];
+      return k;
     }
   }
-  if (lag != decay_lag_) fill(decay_.data(), lag);
-  decay_lag_ = lag;
-  return decay_.data();
+  if (lag != other_lag_) fill(n_kept, lag);
+  other_lag_ = lag;
+  return n_kept;
 }
 
 double TrackMemory::rise(double angle, double t) const {
@@ -129,6 +137,7 @@ RubbingPair::RubbingPair(const RubbedBody& ring, const RubbedBody& rotor, const 
       ring_memory_(ring, options.ring_cells, options.axial_width, options.shortest_interval, options.duration),
       rotor_memory_(rotor, options.rotor_cells, options.axial_width, options.shortest_interval, options.duration),
       q_ring_(options.n_nodes),
+      middle_(options.n_nodes),
       kernel_(options.n_nodes) {
   state_.time = start_time;
 }
@@ -168,11 +177,8 @@ void RubbingPair::advance(double time, const RubbingBand& band) {
     const double v = std::fabs(rotor_speed);
     return v * contact_age > way ? way / v : contact_age;
   };
-  kernel_[0] = per_flux_rotor * std::sqrt(age(0.5 * h));
-  for (std::size_t j = 1; j < n; ++j) {
-    const double way = static_cast<double>(j) * h;
-    kernel_[j] = per_flux_rotor * (std::sqrt(age(way + 0.5 * h)) - std::sqrt(age(way - 0.5 * h)));
-  }
+  for (std::size_t j = 0; j < n; ++j) middle_[j] = per_flux_rotor * std::sqrt(age((static_cast<double>(j) + 0.5) * h));
+  std::adjacent_difference(middle_.begin(), middle_.end(), kernel_.begin());
   // What earlier turns left on the rotor, just ahead of the band.
   const double cell = 2. * pi / static_cast<double>(rotor_memory_.n_cells());
   const double before = rotor_memory_.rise(rotor_place + front * (b / rotor_.radius + cell), time);
@@ -192,7 +198,7 @@ void RubbingPair::advance(double time, const RubbingBand& band) {
     double rotor = before;
     if (is_given) {
       q_ring_[k] = band.share_to_ring * q;
-      rotor += per_flux_rotor * std::sqrt(age((static_cast<double>(k) + 0.5) * h)) * (q - q_ring_[k]);
+      rotor += middle_[k] * (q - q_ring_[k]);
     } else {
       for (std::size_t l = 0; l < k; ++l) rotor += kernel_[k - l] * (q - q_ring_[l]);
       q_ring_[k] = (rotor + kernel_[0] * q - kept) / (kernel_[0] + direct);

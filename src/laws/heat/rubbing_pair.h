@@ -39,6 +39,7 @@ class TrackMemory {
   [[nodiscard]] std::size_t cell_at(double angle) const;
   /// Decays of the terms over a lag [n_terms].
   [[nodiscard]] const double* decay_over(double lag) const;
+  [[nodiscard]] std::size_t place_of_decay(double lag) const;
 
   double scale_ = 0, cell_area_ = 0;
   std::vector<double> rate_, weight_;  ///< of the terms [1/s], [s^-1/2] [n_terms], whole vectors of them
@@ -48,12 +49,14 @@ class TrackMemory {
   std::vector<std::size_t> fresh_cells_;
   std::vector<double> gain_;  ///< of the terms over the interval of gain_step_
   double gain_step_ = -1;
-  // Lags are mostly whole numbers of intervals: their decays are kept [up to n_kept][n_terms].
+  // Lags are mostly whole numbers of intervals: their decays are kept, and behind them that of one other lag.
   static constexpr std::size_t n_kept = 512;
   double interval_ = 0, per_interval_ = 0;
-  mutable std::vector<double> kept_decay_, decay_;
-  mutable std::size_t n_filled_ = 0;  ///< of kept decays, each the one before times that of one interval
-  mutable double decay_lag_ = -1;
+  mutable std::vector<double> decay_;  ///< [n_kept + 1][n_terms]
+  mutable std::size_t n_filled_ = 0;   ///< of kept decays, each the one before times that of one interval
+  mutable double other_lag_ = -1;      ///< of the one behind them
+  mutable double found_lag_ = -1;      ///< that was asked for last
+  mutable std::size_t found_ = 0;      ///< place of its decays
 };
 
 /// How the heat divides between the bore and the rotor.
@@ -120,7 +123,7 @@ class RubbingPair {
   double touched_at_ = 0, last_contact_angle_ = 0, last_ring_angle_ = 0, last_rotor_angle_ = 0;
   bool was_in_contact_ = false;
   double into_ring_ = 0, into_rotor_ = 0;
-  std::vector<double> q_ring_, kernel_;
+  std::vector<double> q_ring_, middle_, kernel_;
   State state_;
 };
 
