@@ -360,6 +360,14 @@ class FilesOfTheUser(ProgramTest):
             (self.folder / "out" / name).unlink()
         self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"))
 
+    @unittest.skipUnless(HAS_MESH_ROOM, "finite elements are not built")
+    def test_what_a_killed_computation_of_heat_left_may_be_replaced(self):
+        self.write("disc.toml", "output_times = [1]\n" + HEATED_DISC)
+        self.succeed("heat", "disc.toml", "-o", "out")
+        for name in ("results.h5", "summary.json"):
+            (self.folder / "out" / name).unlink()
+        self.succeed("heat", "disc.toml", "-o", "out")
+
     def test_a_summary_of_someone_else_is_refused(self):
         self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"))
         for content in ("{}", "[]", '{"run": {}, "energy": {}}', '{"run": {}, "bearings": {}, "energy": {}}', '{"bearings": 5}'):

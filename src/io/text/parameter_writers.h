@@ -37,11 +37,7 @@ struct ResolvedParameters {
   std::vector<GivenParameter> given;
   std::size_t n_defaults = 0;  ///< parameters besides these
 };
-/// @param shows_origins  false: the text only says what is not given
-ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree, bool shows_origins = true);
-
-/// Its text, without origins.
-std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree);
+ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree);
 
 /// A value as TOML on one line; numbers read back to the same double. Throws std::invalid_argument for null, which TOML
 /// has not.

@@ -29,7 +29,6 @@ struct Place {
 
 class Resolver {
  public:
-  explicit Resolver(bool shows_origins) : shows_origins_(shows_origins) {}
   /// @param shared  for a named table of variants: the values that come from its parent table
   void section(const SectionDeclaration& section, const Node& table, const Place& place, const Node& shared = Node(),
                const std::string& path_of_shared = "") {
@@ -84,8 +83,7 @@ class Resolver {
       const std::string parent = given ? "" : fmt::format("[{}]", path_of_shared);
       std::string origin = parent.empty() ? "" : parent + ", ";
       origin += origin_in(*entry, place);
-      const std::string shown = shows_origins_ ? origin : parent;
-      line(d.key, entry->value, shown.empty() ? "" : std::string(origin_mark) + shown);
+      line(d.key, entry->value, origin.empty() ? "" : std::string(origin_mark) + origin);
       result_.given.push_back(
           {joined_path(place.name, d.key), entry->value, std::move(origin), d.fallback, d.unit, d.help});
     } else if (d.fallback) {
@@ -102,7 +100,7 @@ class Resolver {
       return;
     }
     std::string origin = origin_in(*given, place);
-    line(d.tag_key, Node(chosen.tag), shows_origins_ ? std::string(origin_mark) + origin : "");
+    line(d.tag_key, Node(chosen.tag), std::string(origin_mark) + origin);
     result_.given.push_back({joined_path(place.name, d.tag_key), given->value, std::move(origin), {}, "", ""});
   }
   void tables(const Declaration& d, const Node& node, const Place& place, const std::string& mark) {
@@ -141,14 +139,13 @@ class Resolver {
     return section;
   }
 
-  const bool shows_origins_;
   ResolvedParameters result_;
 };
 
 }  // namespace
 
-ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree, bool shows_origins) {
-  Resolver resolver(shows_origins);
+ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree) {
+  Resolver resolver;
   for (const ErasedSection& section : top_level_first(sections)) {
     if (section->name.empty()) {
       resolver.section(*section, tree, {});
@@ -160,10 +157,6 @@ ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Nod
     resolver.section(*section, given ? *given : Node::table(), {path, path});
   }
   return std::move(resolver.result());
-}
-
-std::string write_resolved(const std::vector<ErasedSection>& sections, const Node& tree) {
-  return resolve(sections, tree, false).text;
 }
 
 }  // namespace rotordrop

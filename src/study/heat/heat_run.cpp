@@ -115,7 +115,7 @@ HeatCase read_heat_case(const fs::path& file, const std::vector<std::string>& ov
       result.warnings.push_back(
           {table ? position_of_value(*table, slip.key) : tree.where(), slip.message, slip.advice});
     }
-  result.resolved = write_resolved({section.erased()}, tree);
+  result.resolved = resolve({section.erased()}, tree).text;
   return result;
 }
 
