@@ -70,7 +70,8 @@ DropResult Drop::result() const {
   if (const auto* growth = sections_->growth_in_force()) result.growth_in_force = *growth;
   for (std::size_t i = 0; i < scalars_.size(); ++i) result.fatigue.push_back(fatigue_.of(scalars_.name(i)));
   result.warnings = guards_.found(scalars_);
-  const EndedRun ended{parameters_,           machine_, scalars_, result.windows ? &*result.windows : nullptr,
+  const EndedRun ended{parameters_,           machine_,         scalars_,
+                       result.end_time,       result.completed, result.windows ? &*result.windows : nullptr,
                        result.windows_energy, elements_};
   for (auto& warning : warnings_at_end(ended)) result.warnings.push_back(std::move(warning));
   return result;

@@ -40,6 +40,7 @@ inline constexpr std::array warning_kinds{
                 true},
     WarningKind{"support-travel", "m", "times that an outer ring moves beyond its support's travel_limit", true},
     WarningKind{"probe-touched", "m", "times that the rotor moves beyond the clearance at a probe", true},
+    WarningKind{"no-contact", "s", "runs that end before the rotor touches a touchdown bearing", false},
     WarningKind{"window-error", "m", "windows that leave more than thermal.fe.window_tolerance", false},
     WarningKind{"response-error", "1", "reduced finite elements whose response to heat is off by more than 5 %", false},
     WarningKind{"local-temperature", "K",

@@ -93,6 +93,14 @@ class Warnings(ProgramTest):
         self.assertNotIn(("temperature", "TB1", "ball (lumped)"), found, "Si3N4 stands more")
         self.assertIn(("local-temperature", "TB1", "bore"), found)
 
+    def test_a_run_that_ends_before_the_rotor_touches_is_told(self):
+        # By free fall it bridges the gap after sqrt(2 250 um / 9.81 m/s2) = 7.14 ms.
+        for end, is_told in (("6.9 ms", True), ("7.5 ms", False)):
+            screen = self.succeed("run", "reference.toml", "-o", end, *settings(run__end_time=end)).stdout
+            self.assertEqual(("no-contact", "", "") in self.warnings(end), is_told, end)
+            self.assertEqual("the run ends at 6.9 ms, before the rotor touches a touchdown bearing" in screen, is_told)
+        self.assertAlmostEqual(self.warnings("6.9 ms")["no-contact", "", ""]["worst"], 6.9e-3, delta=1e-15)
+
     def test_a_sound_run_is_silent(self):
         screen = self.succeed("run", self.case(""), "-o", "out").stdout
         self.assertEqual(self.summary()["warnings"], [])

@@ -87,6 +87,8 @@ struct EndedRun {
   const MachineParameters& parameters;
   const Machine& machine;
   const DropScalars& scalars;
+  double end_time = 0;    ///< [s]
+  bool is_whole = false;  ///< not interrupted
   const WindowedSections::Report* windows = nullptr;
   HeatEnergy windows_energy;
   const FiniteElements* elements = nullptr;

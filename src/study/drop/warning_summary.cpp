@@ -73,6 +73,8 @@ std::string sentence(const RunWarning& w) {
                        when(w), w.limit * 1e6);
   if (code == "probe-touched")
     return fmt::format("the rotor moves up to {:.4g} um beyond the clearance at the probe{}", -w.worst * 1e6, when(w));
+  if (code == "no-contact")
+    return fmt::format("the run ends at {:.4g} ms, before the rotor touches a touchdown bearing", w.worst * 1e3);
   if (code == "window-error")
     return fmt::format(
         "{} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most{} ({:.2g} nm); a shorter "
