@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <regex>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -53,15 +52,15 @@ bool is_left_over(const std::string& name) {
 /// Names of results that someone else's files have. What a power cut left empty is the program's where its other files are.
 void require_no_others(const fs::path& directory) {
   const bool is_ours = holds_results(directory) || is_written_parameters(directory / "parameters.toml");
+  const auto is_known = [](const fs::path& file) { return file.extension() != ".csv" && file.extension() != ".toml"; };
   const auto require = [&](const char* name) {
     const fs::path file = directory / name;
-    if (!std::string_view(name).ends_with(".csv") && is_there(file) && !is_own_results(file) &&
-        !(is_ours && is_hollow(file)))
+    if (is_known(file) && is_there(file) && !is_own_results(file) && !(is_ours && is_hollow(file)))
       throw InputError({file.string()}, "results would replace this file, but the program did not write it.",
                        "It is left as it is. Choose another directory with -o DIR, or give the file another name.");
   };
   for (const char* name : outdated) require(name);
-  for (const char* name : {"results.h5", "preload.h5", "preload.json"}) require(name);
+  for (const char* name : replaced) require(name);
 }
 
 /// What results would be written over, or into, in a directory that holds none.

@@ -30,7 +30,7 @@ SLIPS_OF_PARTS = {
         (["bearings.SPRING.damping=[[1e6, 0], [0, 1e2]]"], r"SPRING\.damping = 1e\+06 N s/m is 47\.7 times critical damping"),
         (["rotor.windage.gap=0.2 mm"], r"windage\.gap = 200 um is less than the air gap of the touchdown bearings, 250 um"),
         (["rotor.windage.gap=90 mm"], r"windage\.gap = 90 mm is more than half the rotor's radius, 101\.5 mm"),
-        (["rotor.windage.viscosity=1.8e-3"], r"1\.2 kg/m3 times 0\.0018 m2/s = 0\.00216 Pa s; gases have 9e-6 to 3e-5"),
+        (["rotor.windage.viscosity=1.8e-3"], r"1\.2 kg/m3 times 0\.0018 m2/s = 0\.00216 Pa s; air has 1\.8e-5, hydrogen 9e-6 Pa s, at any pressure"),
         (["rotor.torque=-2000"], r"rotor\.torque of -2000 N m at 1\.52e\+04 rpm is 3\.18 MW, 29 kW for each kilogram"),
         (["contact.static_friction_coefficient=0.05"], r"static_friction_coefficient = 0\.05 is less than the dynamic one, 0\.1"),
         (["contact.friction_over_temperature=[[20, 1], [200, 0.8]]"], r'friction_over_temperature, argument = 20 K is unusual.*"20 degC"'),

@@ -70,15 +70,15 @@ void look_at_contacts(const std::string& name, const TouchdownParameters& b, con
            "Leave it out to take what the bodies give; a collar or a sleeve is softer. A bare number is in N/m.");
   }
   // The ellipse of balls and raceway is a small part of the ball.
-  for (const auto& [key, half_width, owner] :
-       {std::tuple{"contact_half_width", p.thermal.contact_half_width, &table_at(tree, "thermal")},
-        {"fe.strip_half_width", p.thermal.fe.strip_half_width.value_or(0.), &table_at(tree, "thermal", "fe")}})
+  for (const auto& [table_name, key, half_width, owner] :
+       {std::tuple{"thermal", "contact_half_width", p.thermal.contact_half_width, &table_at(tree, "thermal")},
+        {"thermal.fe", "strip_half_width", p.thermal.fe.strip_half_width.value_or(0.),
+         &table_at(tree, "thermal", "fe")}})
     if (half_width > 0.25 * b.ball_diameter)
-      warn(
-          warnings, position_of_value(*owner, key[0] == 'f' ? "strip_half_width" : key),
-          fmt::format("thermal.{} = {:.4g} mm is more than a quarter of the balls' diameter in bearings.{}, {:.4g} mm.",
-                      key, mm(half_width), name, mm(b.ball_diameter)),
-          "It is half of what balls touch across their track. A bare number is in metres.");
+      warn(warnings, position_of_value(*owner, key),
+           fmt::format("{}.{} = {:.4g} mm is more than a quarter of the balls' diameter in bearings.{}, {:.4g} mm.",
+                       table_name, key, mm(half_width), name, mm(b.ball_diameter)),
+           "It is half of what balls touch across their track. A bare number is in metres.");
 }
 
 /// Friction between rotor and bore.

@@ -83,13 +83,13 @@ void look_at_unbalance(const CaseParameters& p, double mass, const Node& tree, s
 /// The gas around the rotor.
 void look_at_gas(const CaseParameters& p, const WindageParameters& windage, const Node& table,
                  std::vector<Fault>& warnings) {
-  // Dynamic viscosity hardly depends on pressure: hydrogen has 9e-6, neon 3.2e-5 Pa s; with a margin for heat and cold.
+  // Dynamic viscosity hardly depends on pressure: butane has 7e-6, hydrogen 9e-6, neon 3.2e-5 Pa s; with a margin for heat and cold.
   constexpr double least = 4e-6, most = 1e-4, densest_gas = 200.;
   const double viscosity = windage.viscosity * windage.density;
   if (windage.law == WindageLaw::geometry && windage.density < densest_gas && (viscosity < least || viscosity > most))
     warn(warnings, position_of_value(table, "viscosity"),
-         fmt::format("the gas of rotor.windage has {:.4g} kg/m3 times {:.4g} m2/s = {:.3g} Pa s; gases have 9e-6 to "
-                     "3e-5 Pa s at any pressure.",
+         fmt::format("the gas of rotor.windage has {:.4g} kg/m3 times {:.4g} m2/s = {:.3g} Pa s; air has 1.8e-5, "
+                     "hydrogen 9e-6 Pa s, at any pressure.",
                      windage.density, windage.viscosity, viscosity),
          "viscosity is the kinematic one, dynamic viscosity over density: air has 15e-6 m2/s at 1.2 kg/m3.");
   if (!windage.gap) return;
@@ -125,7 +125,7 @@ void look_at_drive(const CaseParameters& p, const RigidBody& body, const Node& t
     warn(warnings, position_of_value(rotor, "torque"),
          fmt::format("rotor.torque of {:.4g} N m at {:.4g} rpm is {:.3g} MW, {:.3g} kW for each kilogram of the rotor.",
                      largest(p.rotor.torque), spin * to_rpm, power * 1e-6, power * 1e-3 / body.mass),
-         "A bare number is in N m. Motors of this kind have less than 10 kW for each kilogram of their rotor.");
+         "A bare number is in N m. Check the mass of the rotor, too.");
   if (p.rotor.windage) look_at_gas(p, *p.rotor.windage, table_at(tree, "rotor", "windage"), warnings);
   if (p.rotor.windage && spin > 0.) {
     const double torque = windage_of(p.rotor.geometry, *p.rotor.windage)(spin);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "analysis/facts/material_slips.h"
 #include "machine/probes.h"
@@ -44,6 +46,14 @@ void look_at_steps(const CaseParameters& p, const Node& tree, std::vector<Fault>
   constexpr double deepest_neck = 0.2, thinnest_stub = 0.1, widest_disc = 6.;  // of the neighbours'
   const Node& where = table_at(tree, "rotor");
   const auto& elements = p.rotor.geometry.elements;
+  // The thickest element that ends at a node, and that begins there.
+  std::vector<double> ending(p.rotor.geometry.node_x.size() + 1, 0.), beginning = ending;
+  for (const auto& e : elements) {
+    for (auto [largest, node] : {std::pair(&ending, e.n2), {&beginning, e.n1}}) {
+      double& od = (*largest)[static_cast<std::size_t>(node)];
+      od = std::max(od, e.od);
+    }
+  }
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const auto& e = elements[i];
     if (const double wall = 0.5 * (e.od - e.id); wall < thinnest_wall * e.od)
@@ -51,22 +61,15 @@ void look_at_steps(const CaseParameters& p, const Node& tree, std::vector<Fault>
            fmt::format("element {} of the rotor is a tube with a wall of {:.4g} mm at od = {:.4g} mm.", i + 1, mm(wall),
                        mm(e.od)),
            "od and id are diameters: check both.");
-    double before = 0., after = 0.;
-    for (const auto& other : elements) {
-      if (other.n2 == e.n1) before = std::max(before, other.od);
-      if (other.n1 == e.n2) after = std::max(after, other.od);
-    }
-    if (const double largest = std::max(before, after); largest > 0. && e.od > widest_disc * largest)
+    const double before = ending[static_cast<std::size_t>(e.n1)], after = beginning[static_cast<std::size_t>(e.n2)];
+    const double largest = std::max(before, after), smallest = std::min(before, after);
+    const bool is_disc = largest > 0. && e.od > widest_disc * largest;
+    const bool is_neck = smallest == 0. ? e.od < thinnest_stub * largest : e.od < deepest_neck * smallest;
+    if (is_disc || is_neck)
       warn(warnings, position_of(where, "geometry"),
            fmt::format("element {} of the rotor has od = {:.4g} mm beside an element of {:.4g} mm.", i + 1, mm(e.od),
                        mm(largest)),
-           "Discs of machines are up to four times as thick as their shaft: check the digits and the unit of its od.");
-    if (const double stub = std::max(before, after);
-        std::min(before, after) == 0. ? e.od < thinnest_stub * stub : e.od < deepest_neck * std::min(before, after))
-      warn(warnings, position_of(where, "geometry"),
-           fmt::format("element {} of the rotor has od = {:.4g} mm beside an element of {:.4g} mm.", i + 1, mm(e.od),
-                       mm(std::max(before, after))),
-           "A shaft has no such neck: check the digits and the unit of its od.");
+           "Check the digits and the unit of its od.");
   }
 }
 

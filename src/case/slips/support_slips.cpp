@@ -11,8 +11,6 @@
 namespace rotordrop {
 namespace {
 
-using Matrix2 = std::array<std::array<double, 2>, 2>;
-
 /// The file that a key is from; in parameters.toml of a run the one that stands behind it.
 std::string origin_of(const Node& table, const char* key) {
   constexpr std::string_view from = "from ";
@@ -104,37 +102,31 @@ void look_at_ring_seat(const std::string& name, const TouchdownParameters& b, co
   }
   if (const auto& ribbon = b.support.ribbon; ribbon && ribbon->geometry) {
     const auto& g = *ribbon->geometry;
+    const auto tell = [&](const std::string& what, const char* advice) {
+      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
+           fmt::format("bearings.{}.support.ribbon.geometry has {}.", name, what), advice);
+    };
     const double around = 2. * std::numbers::pi * radius, waves = g.waves * g.pitch;
     if (waves < 0.3 * around || waves > 1.2 * around)
-      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
-           fmt::format("bearings.{}.support.ribbon.geometry has {} waves of {:.4g} mm: {:.4g} mm, but around the outer "
-                       "ring there are {:.4g} mm.",
-                       name, g.waves, mm(g.pitch), mm(waves), mm(around)),
+      tell(fmt::format("{} waves of {:.4g} mm: {:.4g} mm, but around the outer ring there are {:.4g} mm", g.waves,
+                       mm(g.pitch), mm(waves), mm(around)),
            "Check waves and pitch; a bare number is in metres.");
     if (g.strip_width > 2. * b.width || g.strip_width < 0.05 * b.width)
-      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
-           fmt::format("bearings.{}.support.ribbon.geometry has a strip_width of {:.4g} mm, but the bearing is {:.4g} "
-                       "mm wide.",
-                       name, mm(g.strip_width), mm(b.width)),
+      tell(fmt::format("a strip_width of {:.4g} mm, but the bearing is {:.4g} mm wide", mm(g.strip_width), mm(b.width)),
            "It is along the axis. A bare number is in metres.");
     if (g.thickness > 0.5 * g.height)
-      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
-           fmt::format("bearings.{}.support.ribbon.geometry has a thickness of {:.4g} mm, but waves of {:.4g} mm "
-                       "height.",
-                       name, mm(g.thickness), mm(g.height)),
+      tell(fmt::format("a thickness of {:.4g} mm, but waves of {:.4g} mm height", mm(g.thickness), mm(g.height)),
            "The formulas are those of a thin strip; stiffness grows with the cube of its thickness.");
     if (g.interference > 0.5 * g.height)
-      warn(warnings, position_of_value(table_at(own, "ribbon"), "geometry"),
-           fmt::format("bearings.{}.support.ribbon.geometry has an interference of {:.4g} mm, but waves of {:.4g} mm "
-                       "height: mounting would flatten them.",
-                       name, mm(g.interference), mm(g.height)),
+      tell(fmt::format("an interference of {:.4g} mm, but waves of {:.4g} mm height: mounting would flatten them",
+                       mm(g.interference), mm(g.height)),
            "It is radial. A bare number is in metres.");
   }
 }
 
 /// Springs and dampers between rotor and ground: y against z, damping against stiffness.
-void look_at_matrices(const std::string& name, const Matrix2& K, const Matrix2& C, double mass, const Node& tree,
-                      std::vector<Fault>& warnings) {
+void look_at_matrices(const std::string& name, const LinearSupport::Matrix& K, const LinearSupport::Matrix& C,
+                      double mass, const Node& tree, std::vector<Fault>& warnings) {
   constexpr double most_unequal = 100., most_damping = 10.;  // estimates, of critical with the rotor's mass
   const Node& table = table_at(tree, "bearings", name);
   const double stiffer = std::max(K[0][0], K[1][1]), softer = std::min(K[0][0], K[1][1]);
