@@ -79,6 +79,7 @@ class Damage(ProgramTest):
         done = self.succeed("run", "reference.toml", "-o", "out", *RATED, *settings(bearings__required_static_safety=0.01))
         for name, bearing in self.summary()["bearings"].items():
             damage = bearing["damage"]
+            self.assertIs(damage["assessed"], True)
             self.assertAlmostEqual(damage["static_safety"], (4.2e9 / bearing["largest_contact_pressure"]) ** 3, delta=1e-9)
             self.assertAlmostEqual(damage["wear_share"], 1 / bearing["wear"]["drops_until_limit"], delta=1e-9 * damage["wear_share"])
             shares = {"fatigue": damage["fatigue"]["share"], "wear": damage["wear_share"]}
@@ -107,11 +108,18 @@ class Damage(ProgramTest):
         self.assertIn("not assessed", damage["basis"][1])
         self.assertIn("fatigue not assessed (no C)", done.stdout)
 
-    def test_a_drop_without_contact_has_no_end_of_drops(self):
-        self.succeed("run", "reference.toml", "-o", "out", *RATED, *settings(run__end_time="5 ms"))
-        damage = self.summary()["bearings"]["TB1"]["damage"]
-        self.assertEqual(damage["wear_share"], 0)
-        self.assertLess(damage["fatigue"]["share"], 1e-12, "weight of the rings")
+    def test_a_drop_without_contact_is_not_assessed(self):
+        done = self.succeed("run", "reference.toml", "-o", "out", *RATED, *settings(run__end_time="5 ms"))
+        for bearing in self.summary()["bearings"].values():
+            damage = bearing["damage"]
+            self.assertIs(damage["assessed"], False)
+            self.assertEqual({damage[key] for key in ("static_safety", "fatigue", "wear_share", "allowed_drops")}, {None})
+            self.assertTrue(all("the rotor did not touch the bearing" in basis for basis in damage["basis"]))
+        self.assertEqual(done.stdout.count("damage per drop: not assessed, the rotor did not touch the bearing"), 2)
+        self.succeed("report", "out")
+        rows = page_data((self.folder / "out/report.html").read_text())["damage"]
+        self.assertEqual(len(rows), 8)
+        self.assertEqual({row["state"] for row in rows}, {"unknown"})
 
     def test_an_interrupted_drop_counts_on(self):
         # Cycles that are open at the interruption are in the checkpoint. Steps are fixed: a resumed run has the same bits.

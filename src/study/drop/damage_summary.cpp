@@ -43,9 +43,23 @@ std::string fatigue_basis(const std::optional<FatigueShare>& f) {
   return text;
 }
 
+/// Of a bearing that the rotor did not touch: its preload says nothing about drops.
+Json not_assessed(const TouchdownParameters& p) {
+  const std::string why = ": not assessed, the rotor did not touch the bearing";
+  return {{"assessed", false},
+          {"static_safety", nullptr},
+          {"required_static_safety", p.required_static_safety},
+          {"fatigue", nullptr},
+          {"wear_share", nullptr},
+          {"allowed_drops", nullptr},
+          {"governed_by", "nothing"},
+          {"basis", {"static safety" + why, "contact fatigue" + why, "wear" + why}}};
+}
+
 }  // namespace
 
 Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
+  if (std::isnan(b.scalars.first_contact_time)) return not_assessed(p);
   const double safety = static_safety(b.scalars.contact_pressure.value);
   const Json wear = b.local ? wear_json(*b.local) : Json::object();
   const double wear_drops = number_at(wear, "/drops_until_limit");
@@ -53,6 +67,7 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
   const double fatigue_share = fatigue ? fatigue->share : 0.;
   const bool is_safe = safety >= p.required_static_safety;
   Json j;
+  j["assessed"] = true;
   j["static_safety"] = json_number(safety);
   j["required_static_safety"] = p.required_static_safety;
   j["fatigue"] = fatigue ? fatigue_json(*fatigue) : Json(nullptr);
@@ -73,7 +88,11 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
   return j;
 }
 
+bool is_assessed(const Json& d) { return d.value("assessed", true); }
+
 std::string damage_text(const Json& d, std::size_t indent) {
+  if (!is_assessed(d))
+    return fmt::format("{:{}}damage per drop: not assessed, the rotor did not touch the bearing\n", "", indent);
   std::string text = fmt::format("{:{}}damage per drop: static safety ", "", indent);
   text += d["static_safety"].is_null() ? "unloaded" : fmt::format("{:.3g}", d["static_safety"].get<double>());
   text += d["fatigue"].is_null() ? ", fatigue not assessed (no C)"

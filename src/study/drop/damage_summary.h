@@ -15,6 +15,8 @@ struct BearingSummary;
 [[nodiscard]] nlohmann::ordered_json damage_json(const BearingSummary& bearing,
                                                  const std::optional<FatigueShare>& fatigue,
                                                  const TouchdownParameters& parameters);
+/// Whether a `damage` says anything: not if the rotor did not touch the bearing.
+[[nodiscard]] bool is_assessed(const nlohmann::ordered_json& damage);
 /// Lines for the screen.
 [[nodiscard]] std::string damage_text(const nlohmann::ordered_json& damage, std::size_t indent);
 

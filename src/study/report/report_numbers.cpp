@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/rotation.h"
+#include "study/drop/damage_summary.h"
 #include "study/json_number.h"
 #include "study/report/report.h"
 #include "study/result_names.h"
@@ -100,6 +101,8 @@ Json report_damage(const Json& summary) {
   for (const auto& [name, b] : summary.at("bearings").items()) {
     if (!b.contains("damage")) continue;
     const Json& d = b.at("damage");
+    // What has no end allows any number of drops, and what did not happen none that anybody knows.
+    const double without_value = is_assessed(d) ? 0. : std::nan("");
     const auto add = [&, bearing = name](const std::string& meaning, const char* value, const std::string& limit,
                                          double usage, const Json& basis) {
       const double number = number_at(d, value);
@@ -118,14 +121,14 @@ Json report_damage(const Json& summary) {
     const double required = number_at(d, "/required_static_safety"), safety = number_at(d, "/static_safety"),
                  drops = number_at(d, "/allowed_drops");
     add("static safety of the worst ball", "/static_safety", fmt::format("≥ {:.4g}", required),
-        std::isfinite(safety) ? required / safety : 0., basis(0));
+        std::isfinite(safety) ? required / safety : without_value, basis(0));
     add("contact fatigue per drop, share of the life L10", "/fatigue/share", "≤ 1", number_at(d, "/fatigue/share"),
         basis(1));
     add("wear per drop, share of the permitted depth", "/wear_share", "≤ 1", number_at(d, "/wear_share"), basis(2));
     const std::string governed =
         d.at("governed_by") == "nothing" ? "" : ", by " + d.at("governed_by").get<std::string>();
     add("allowed number of such drops" + governed, "/allowed_drops", "≥ 1",
-        std::isnan(drops) ? 0.
+        std::isnan(drops) ? without_value
         : drops > 0.      ? 1. / drops
                           : std::nan(""),
         nullptr);
