@@ -28,16 +28,19 @@ class DropLoop::GrowthWatch {
 /// Without an integrator it is the start.
 class DropLoop::EndedStep final : public Step {
  public:
-  explicit EndedStep(const Integrator* integrator) : integrator_(integrator) {}
+  EndedStep(const Integrator* integrator, Followers& followers) : integrator_(integrator), followers_(followers) {}
   void interpolate(double t, std::span<double> y) const override {
-    if (integrator_)
-      integrator_->interpolate(t, y);
-    else
+    if (!integrator_) {
       std::copy(after.begin(), after.end(), y.begin());
+      return;
+    }
+    integrator_->interpolate(t, y.first(integrator_->state().size()));
+    followers_.advance(t - start, before, y);
   }
 
  private:
   const Integrator* integrator_;
+  Followers& followers_;
 };
 
 DropLoop::DropLoop(const Machine& machine, const IntegrationParameters& integration, const RunParameters& run,
@@ -47,7 +50,9 @@ DropLoop::DropLoop(const Machine& machine, const IntegrationParameters& integrat
       end_(machine, run.until),
       end_time_(run.latest_end()),
       system_(machine, growth_in_force),
+      followers_(machine),
       state_(machine.layout().size()),
+      after_(machine.layout().size()),
       growth_(std::make_unique<GrowthWatch>(growth_in_force, machine.n_thermal_places())) {
   found_.wants_step = true;
   found_.growth_in_force = growth_in_force;
@@ -58,10 +63,12 @@ DropLoop::~DropLoop() = default;
 
 bool DropLoop::run(const std::function<bool()>& is_stopped) {
   if (is_at_end()) return true;
-  integrator_ = make_integrator(system_, integration_, time_, state_, end_time_);
+  const std::size_t n_integrated = machine_.integrated_layout().size();
+  integrator_ = make_integrator(system_, integration_, time_, std::span(state_).first(n_integrated), end_time_);
   has_end_rates_ = integrator_->evaluate_ends_with(
       [this](double t, std::span<const double> y, std::span<double> dydt) { machine_.evaluate(t, y, dydt, found_); });
   show_start();
+  hold_for_followers();
   while (!is_at_end()) {
     integrator_->advance();
     follow_step();
@@ -82,13 +89,14 @@ bool DropLoop::follow_step() {
   show(step);
   if (step.is_observed && growth_->has_changed(step.time)) evaluate_end(step.time, step.after);
   time_ = step.time;
-  std::copy(step.after.begin(), step.after.end(), state_.begin());
+  state_.swap(after_);
+  followers_.hold(found_);
   return is_at_end();
 }
 
 void DropLoop::show_start() {
   if (time_ > 0.) return;
-  EndedStep first(nullptr);
+  EndedStep first(nullptr, followers_);
   first.before = first.after = state_;
   machine_.evaluate(0., state_, found_);
   integrator_->offer_rates(found_.rates);
@@ -98,16 +106,24 @@ void DropLoop::show_start() {
   show(first);
 }
 
+void DropLoop::hold_for_followers() {
+  if (followers_.empty()) return;
+  if (time_ > 0.) machine_.evaluate(time_, state_, found_);
+  followers_.hold(found_);
+}
+
 void DropLoop::show(const Step& step) {
   for (Observer* observer : observers_) observer->step(step);
 }
 
 DropLoop::EndedStep DropLoop::ended_step() {
-  EndedStep step(integrator_.get());
+  EndedStep step(integrator_.get(), followers_);
   step.start = time_;
   step.time = integrator_->time();
+  std::copy(integrator_->state().begin(), integrator_->state().end(), after_.begin());
+  followers_.advance(step.time - step.start, state_, after_);
   step.before = state_;
-  step.after = integrator_->state();
+  step.after = after_;
   step.found = &found_;
   step.is_observed = is_to_be_observed(step.time);
   if (step.is_observed) {
@@ -125,9 +141,9 @@ void DropLoop::evaluate_end(double t, std::span<const double> y) {
   integrator_->offer_rates(found_.rates);
 }
 
-/// Every step where that costs nothing; else as often as peaks need: 12 times in a period of the rings' fastest motion, 8 kHz.
+/// Every step where that costs nothing, or followers need it; else as often as peaks need: 12 times in a period of the rings' fastest motion, 8 kHz.
 bool DropLoop::is_to_be_observed(double t) const {
-  return integrator_->uses_offered_rates() || t - observed_time_ >= 10e-6 || t >= end_time_ ||
+  return integrator_->uses_offered_rates() || !followers_.empty() || t - observed_time_ >= 10e-6 || t >= end_time_ ||
          std::any_of(observers_.begin(), observers_.end(),
                      [t](const Observer* observer) { return is_same_time(observer->due(), t); });
 }

@@ -6,6 +6,7 @@
 #include "analysis/row_schedule.h"
 #include "analysis/run_end.h"
 #include "integrate/integrator.h"
+#include "machine/heat/followers.h"
 #include "machine/machine.h"
 #include "model/observer.h"
 
@@ -62,6 +63,7 @@ class DropLoop {
   void show(const Step& step);
   EndedStep ended_step();
   void evaluate_end(double t, std::span<const double> y);
+  void hold_for_followers();
   [[nodiscard]] bool is_to_be_observed(double t) const;
 
   const Machine& machine_;
@@ -70,7 +72,8 @@ class DropLoop {
   double end_time_, time_ = 0, observed_time_ = 0;
   MachineSystem system_;
   Evaluation found_;  ///< at ends of steps
-  std::vector<double> state_;
+  Followers followers_;
+  std::vector<double> state_, after_;  ///< at the start and at the end of a step that is shown
   std::vector<Observer*> observers_;
   std::unique_ptr<Integrator> integrator_;
   bool has_end_rates_ = false;  ///< the method evaluates ends of steps into found_

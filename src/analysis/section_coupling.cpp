@@ -6,7 +6,7 @@
 namespace rotordrop {
 namespace {
 
-/// Sections that the state vector holds, on few modes or on all, or none.
+/// Sections that the state vector holds or that follow it, on few modes or on all, or none.
 class SectionsInTheVector final : public SectionCoupling {
  public:
   SectionsInTheVector(const Machine& machine, FiniteElements* elements)

@@ -30,7 +30,7 @@ class FieldSink {
   virtual void write(double t) = 0;
 };
 
-/// How finite-element sections go along with a drop: in its state vector, on few modes or on all, or beside it in windows.
+/// How finite-element sections go along with a drop: in its state vector or following it, on few modes or on all, or beside it in windows.
 class SectionCoupling : public Observer {
  public:
   /// Growth that the machine takes from outside; none: all of it is in the state vector.

@@ -83,11 +83,11 @@ void Machine::evaluate_with(const PartsOf& parts, const Real& t, std::span<const
   }
   if constexpr (!RealTraits<Real>::is_in_lanes)
     if (!e.step.empty() && !parts_.probes.empty()) observe_probes(y, std::span(e.step).subspan(step_at));
-  const auto machine_ledger = dydt.subspan(machine_ledger_, n_machine_ledger_);
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
+    if (parts_.thermal[k].follows) continue;
     const auto T = y.subspan(thermal_[k].state, thermal_[k].n_state);
     const auto rates = dydt.subspan(thermal_[k].state, thermal_[k].n_state);
-    machine_ledger[heat_lost + k] = parts.thermal(k).rates(T, e.heats, rates);
+    dydt[thermal_[k].lost] = parts.thermal(k).rates(T, e.heats, rates);
     for (const auto& heated : heated_ports_)
       if (heated.model == k) parts.thermal(k).add_heat(heated.port, e.outputs[heated.support].heat_into_port, rates);
     if (parts_.driver == k) parts.thermal(k).growth_rates(rates, e.growth_rate);
@@ -124,10 +124,11 @@ void Machine::evaluate_with(const PartsOf& parts, const Real& t, std::span<const
       of_rows[2 * row + 1] = out.heat.rows[row].outer;
     }
   }
+  const auto machine_ledger = dydt.subspan(machine_ledger_, n_machine_ledger);
   machine_ledger[rotor_damping] = power.damping;
   machine_ledger[unbalance_work] = power.unbalance_work;
   machine_ledger[drive_work] = power.drive_work;
-  if (parts_.rotor->has_windage()) machine_ledger[heat_lost + thermal_.size()] = power.windage;
+  if (parts_.rotor->has_windage()) dydt[windage_ledger_] = power.windage;
 }
 
 }  // namespace rotordrop

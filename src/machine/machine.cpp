@@ -9,13 +9,58 @@
 #include "machine/evaluate_machine.h"
 
 namespace rotordrop {
+namespace {
+
+StateEntry heat_lost_entry(const Machine::Parts::Thermal& part) {
+  if (part.is_unmarked) return {"heat lost", "J", 1., "heat lost to ambient"};
+  return {part.name + " heat lost", "J", 1., "heat lost to ambient by model " + part.name};
+}
+
+}  // namespace
+
 Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   const std::size_t n = parts_.supports.size();
   if (parts_.rotor->n_stations() != n || parts_.thermal_place.size() != n)
     throw std::invalid_argument("a machine needs one rotor station and one thermal place (or none) per support");
 
+  lay_out_states();
+  lay_out_ledgers();
+  integrated_ = layout_;
+  lay_out_followers();
+
+  for (std::size_t i = 0; i < n; ++i)
+    if (const auto place = parts_.thermal_place[i]) {
+      ledger_of_place_.resize(std::max(ledger_of_place_.size(), *place + 1));
+      ledger_of_place_[*place] = {places_[i].ledger, places_[i].ledger + n_support_ledger + places_[i].n_own,
+                                  places_[i].n_rows};
+    }
+  connect_heat_ports();
+  const std::size_t n_places = ledger_of_place_.size();
+  if (parts_.rub_share.size() != n_places)
+    throw std::invalid_argument("a machine needs one share of the rub heat per thermal place");
+  if (parts_.rotor_growth_by_speed.empty()) parts_.rotor_growth_by_speed.assign(n_places, 0.);
+  if (parts_.rotor_growth_by_speed.size() != n_places)
+    throw std::invalid_argument("a machine needs the rotor's growth by speed at every thermal place, or at none");
+  list_observables();
+  n_step_ = observed_size(step_observables_);
+  n_detail_ = observed_size(detail_observables_);
+
+  std::vector<double> y(layout_.size());
+  initial_state(y);
+  initial_mechanical_ = mechanical_energy(0., y);
+}
+
+void Machine::lay_out_temperatures(std::size_t k) {
+  const auto& part = parts_.thermal[k];
+  thermal_[k].state = layout_.size();
+  layout_.add_block(part.is_unmarked ? "temperature" : part.name + " temperature", part.model->state_entries());
+  thermal_[k].n_state = layout_.size() - thermal_[k].state;
+}
+
+void Machine::lay_out_states() {
   layout_.add_block("rotor", parts_.rotor->state_entries());
   n_rotor_ = layout_.size();
+  const std::size_t n = parts_.supports.size();
   places_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     places_[i].state = layout_.size();
@@ -23,18 +68,19 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
     places_[i].n_state = entries.size();
     layout_.add_block(parts_.supports[i]->name(), entries);
   }
-  for (const auto& part : parts_.thermal) {
-    const std::size_t start = layout_.size();
-    layout_.add_block(part.is_unmarked ? "temperature" : part.name + " temperature", part.model->state_entries());
-    thermal_.push_back({start, layout_.size() - start, 0});
-  }
+  thermal_.resize(parts_.thermal.size());
+  for (std::size_t k = 0; k < thermal_.size(); ++k)
+    if (!parts_.thermal[k].follows) lay_out_temperatures(k);
   if (parts_.immediate_growth) {
     immediate_.state = layout_.size();
     layout_.add_block("windows", parts_.immediate_growth->state_entries());
     immediate_.n_state = layout_.size() - immediate_.state;
   }
+}
+
+void Machine::lay_out_ledgers() {
   first_ledger_ = layout_.size();
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
     std::vector<StateEntry> entries = {
         {"rub heat", "J", 100., "friction heat of rotor and inner ring"},
         {"rub heat into ring", "J", 100., "part of the rub heat that enters the inner ring"},
@@ -62,35 +108,34 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   std::vector<StateEntry> entries = {{"rotor damping", "J", 1., "energy dissipated by the rotor's damping"},
                                      {"unbalance work", "J", 1., "work of the unbalance forces on the rotor"},
                                      {"drive work", "J", 1., "work of motor or brake on the rotor"}};
-  for (const auto& part : parts_.thermal)
-    entries.push_back(
-        part.is_unmarked ? StateEntry{"heat lost", "J", 1., "heat lost to ambient"}
-                         : StateEntry{part.name + " heat lost", "J", 1., "heat lost to ambient by model " + part.name});
+  for (std::size_t k = 0; k < thermal_.size(); ++k) {
+    if (parts_.thermal[k].follows) continue;
+    thermal_[k].lost = machine_ledger_ + entries.size();
+    entries.push_back(heat_lost_entry(parts_.thermal[k]));
+  }
+  windage_ledger_ = machine_ledger_ + entries.size();
   if (parts_.rotor->has_windage())
     entries.push_back({"windage", "J", 100., "energy dissipated by the gas around the rotor, which warms no bearing"});
-  n_machine_ledger_ = entries.size();
   layout_.add_block("energy", entries);
+}
 
-  for (std::size_t i = 0; i < n; ++i)
-    if (const auto place = parts_.thermal_place[i]) {
-      ledger_of_place_.resize(std::max(ledger_of_place_.size(), *place + 1));
-      ledger_of_place_[*place] = {places_[i].ledger, places_[i].ledger + n_support_ledger + places_[i].n_own,
-                                  places_[i].n_rows};
-    }
-  connect_heat_ports();
-  const std::size_t n_places = ledger_of_place_.size();
-  if (parts_.rub_share.size() != n_places)
-    throw std::invalid_argument("a machine needs one share of the rub heat per thermal place");
-  if (parts_.rotor_growth_by_speed.empty()) parts_.rotor_growth_by_speed.assign(n_places, 0.);
-  if (parts_.rotor_growth_by_speed.size() != n_places)
-    throw std::invalid_argument("a machine needs the rotor's growth by speed at every thermal place, or at none");
-  list_observables();
-  n_step_ = observed_size(step_observables_);
-  n_detail_ = observed_size(detail_observables_);
-
-  std::vector<double> y(layout_.size());
-  initial_state(y);
-  initial_mechanical_ = mechanical_energy(0., y);
+void Machine::lay_out_followers() {
+  std::vector<StateEntry> lost;
+  for (std::size_t k = 0; k < thermal_.size(); ++k) {
+    if (!parts_.thermal[k].follows) continue;
+    const ThermalModel& model = *parts_.thermal[k].model;
+    const bool is_needed =
+        parts_.driver == k || (parts_.friction_temperatures && parts_.friction_temperatures->model == k);
+    if (is_needed || !model.can_follow() || !model.heat_ports().empty())
+      throw std::invalid_argument("a thermal model that others depend on, or that cannot follow, is to follow");
+    thermal_[k].lost = layout_.size() + lost.size();
+    lost.push_back(heat_lost_entry(parts_.thermal[k]));
+  }
+  n_ledger_ = layout_.size() + lost.size() - first_ledger_;
+  if (lost.empty()) return;
+  layout_.add_block("followers' energy", lost);
+  for (std::size_t k = 0; k < thermal_.size(); ++k)
+    if (parts_.thermal[k].follows) lay_out_temperatures(k);
 }
 
 void Machine::connect_heat_ports() {
@@ -122,12 +167,13 @@ void Machine::initial_state(std::span<double> y) const {
   for (std::size_t i = 0; i < places_.size(); ++i)
     parts_.supports[i]->initial_state(y.subspan(places_[i].state, places_[i].n_state));
   for (std::size_t i = 0; i < thermal_.size(); ++i)
-    parts_.thermal[i].model->initial_state(y.subspan(thermal_[i].state, thermal_[i].n_state));
+    if (!parts_.thermal[i].follows || y.size() == layout_.size())
+      parts_.thermal[i].model->initial_state(y.subspan(thermal_[i].state, thermal_[i].n_state));
   if (parts_.immediate_growth) parts_.immediate_growth->initial_state(y.subspan(immediate_.state, immediate_.n_state));
 }
 
 void Machine::evaluate(double t, std::span<const double> y, Evaluation& found) const {
-  found.rates.resize(layout_.size());
+  found.rates.resize(integrated_.size());
   evaluate(t, y, found.rates, found);
 }
 
@@ -200,15 +246,15 @@ EnergyBalance Machine::energy_balance(std::span<const double> y, std::span<const
     b.prescribed_work += ledger[prescribed_work];
     b.growth_work += ledger[growth_work];
   }
-  const auto ledger = y.subspan(machine_ledger_, n_machine_ledger_);
-  if (parts_.rotor->has_windage()) b.windage = ledger[heat_lost + thermal_.size()];
+  const auto ledger = y.subspan(machine_ledger_, n_machine_ledger);
+  if (parts_.rotor->has_windage()) b.windage = y[windage_ledger_];
   b.dissipated += b.heat_deposited + ledger[rotor_damping] + b.windage;
   b.unbalance_work = ledger[unbalance_work];
   b.drive_work = ledger[drive_work];
   b.residual = initial_mechanical_ - b.mechanical - b.dissipated + b.growth_work + b.prescribed_work +
                b.unbalance_work + b.drive_work;
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
-    const double stored = parts_.thermal[k].model->stored_energy(thermal_part(k, y)), lost = ledger[heat_lost + k];
+    const double stored = parts_.thermal[k].model->stored_energy(thermal_part(k, y)), lost = y[thermal_[k].lost];
     double deposited = b.heat_deposited;
     for (const auto& heated : heated_ports_)
       if (heated.model == k) deposited += y[places_[heated.support].port_ledger()];

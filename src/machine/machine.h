@@ -36,7 +36,8 @@ struct EnergyBalance {
 };
 
 /// Rotor, supports and thermal models wired to one state vector with its energy ledgers:
-///   y = [ rotor | each support | temperatures of each thermal model | ledgers ].
+///   y = [ rotor | each support | temperatures of each thermal model | ledgers | heat lost by each model that follows | its temperatures ].
+/// What follows is no part of what is integrated: functions of y that do not say otherwise read the rest alone, and can be given that alone.
 /// One pass computes all rates: motion and growth from states, then forces and heats, then rates. Nothing in it changes once it is built: several
 /// threads can evaluate one machine, each with an Evaluation of its own.
 class Machine final {
@@ -49,6 +50,8 @@ class Machine final {
       std::string group;  ///< of its datasets, "/thermal/"
       std::unique_ptr<ThermalModel> model;
       bool is_unmarked = false;  ///< its ledgers and keys carry no name
+      bool follows =
+          false;  ///< advances once for every step, behind it (Followers): nothing depends on its temperatures
       /// Before what results call its heat: "", "fe_".
       [[nodiscard]] std::string prefix() const { return is_unmarked ? "" : name + "_"; }
     };
@@ -78,9 +81,11 @@ class Machine final {
   [[nodiscard]] std::size_t n_details() const { return n_detail_; }  ///< of all detailed ones
 
   [[nodiscard]] const StateLayout& layout() const { return layout_; }
-  /// @param y [layout().size()]
+  /// The first part of it, which has rates and is integrated; all of it if no thermal model follows.
+  [[nodiscard]] const StateLayout& integrated_layout() const { return integrated_; }
+  /// @param y [layout().size()], or [integrated_layout().size()] for that part alone
   void initial_state(std::span<double> y) const;
-  /// Entries [from, size) are quadratures, the ledgers.
+  /// Entries [from, integrated_layout().size()) are quadratures, the ledgers.
   [[nodiscard]] std::size_t first_quadrature() const { return first_ledger_; }
 
   [[nodiscard]] std::size_t n_supports() const { return parts_.supports.size(); }
@@ -97,7 +102,7 @@ class Machine final {
   [[nodiscard]] const std::vector<Observable>& state_observables() const { return state_observables_; }
   /// Rates, and on the way what is asked for.
   void evaluate(double t, std::span<const double> y, Evaluation& found) const;
-  /// The same with the rates elsewhere. @param rates [layout().size()]
+  /// The same with the rates elsewhere. @param rates [integrated_layout().size()]
   void evaluate(double t, std::span<const double> y, std::span<double> rates, Evaluation& found) const;
   /// The same with the parts of machines alike side by side: those of several drops (machine/evaluate_machine.h).
   template <class Real, class PartsOf>
@@ -131,6 +136,11 @@ class Machine final {
   [[nodiscard]] std::span<const double> thermal_state(std::size_t model, std::span<const double> y) const {
     return thermal_part(model, y);
   }
+  /// Those of a model that follows, and the heat that it has lost. @param y [layout().size()]
+  [[nodiscard]] std::span<double> followed_state(std::size_t model, std::span<double> y) const {
+    return y.subspan(thermal_[model].state, thermal_[model].n_state);
+  }
+  [[nodiscard]] std::size_t heat_lost_ledger(std::size_t model) const { return thermal_[model].lost; }
   [[nodiscard]] double initial_mechanical_energy() const { return initial_mechanical_; }
   [[nodiscard]] double mechanical_energy(double t, std::span<const double> y,
                                          const GrowthHistory* growth_in_force = nullptr) const;
@@ -149,12 +159,8 @@ class Machine final {
     growth_work,
     n_support_ledger
   };
-  enum MachineLedger : std::size_t {
-    rotor_damping,
-    unbalance_work,
-    drive_work,
-    heat_lost
-  };  // heat_lost: one for each thermal model; after them the windage, if the rotor has any
+  /// After them the heat lost by each thermal model that is integrated (ThermalBlock::lost), and the windage, if the rotor has any.
+  enum MachineLedger : std::size_t { rotor_damping, unbalance_work, drive_work, n_machine_ledger };
   struct Place {
     std::size_t state = 0, n_state = 0;    // of the support
     std::size_t ledger = 0, n_own = 0;     // its ledgers: n_support_ledger common ones, then its own
@@ -166,6 +172,7 @@ class Machine final {
   [[nodiscard]] std::span<const double> rotor_part(std::span<const double> y) const { return y.subspan(0, n_rotor_); }
   struct ThermalBlock {
     std::size_t state = 0, n_state = 0, n_observed = 0;
+    std::size_t lost = 0;  // its ledger
   };
   [[nodiscard]] std::span<const double> thermal_part(std::size_t model, std::span<const double> y) const {
     return y.subspan(thermal_[model].state, thermal_[model].n_state);
@@ -183,10 +190,15 @@ class Machine final {
   [[nodiscard]] EnergyBalance energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const;
   void list_observables();
   void connect_heat_ports();
+  void lay_out_states();
+  void lay_out_temperatures(std::size_t model);
+  void lay_out_ledgers();
+  void lay_out_followers();
 
   Parts parts_;
-  StateLayout layout_;
-  std::size_t n_rotor_ = 0, first_ledger_ = 0, machine_ledger_ = 0, n_machine_ledger_ = 0;
+  StateLayout layout_, integrated_;
+  std::size_t n_rotor_ = 0, first_ledger_ = 0, n_ledger_ = 0;
+  std::size_t machine_ledger_ = 0, windage_ledger_ = 0;
   std::vector<ThermalBlock> thermal_;
   /// A support whose heat enters a port of a thermal model.
   struct HeatedPort {
@@ -213,7 +225,7 @@ class MachineSystem final : public OdeSystem {
   explicit MachineSystem(const Machine& machine, const GrowthHistory* growth_in_force = nullptr) : machine_(machine) {
     found_.growth_in_force = growth_in_force;
   }
-  [[nodiscard]] const StateLayout& layout() const override { return machine_.layout(); }
+  [[nodiscard]] const StateLayout& layout() const override { return machine_.integrated_layout(); }
   void initial_state(std::span<double> y) const override { machine_.initial_state(y); }
   void rhs(double t, std::span<const double> y, std::span<double> dydt) const override {
     machine_.evaluate(t, y, dydt, found_);

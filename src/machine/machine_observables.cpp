@@ -64,7 +64,7 @@ void Machine::list_observables() {
          {prefix + "heat_lost", "J", "heat lost to ambient since the start" + of, 1, {}},
          {prefix + "heat_residual", "J", "heat not accounted for" + of, 1, {}, Observed::heat_residual, part.name}});
   }
-  for (std::size_t i = first_ledger_; i < layout_.size(); ++i) {
+  for (std::size_t i = first_ledger_; i < first_ledger_ + n_ledger_; ++i) {
     const auto& entry = layout_.entries()[i];
     // "TB1 ledger/rub heat" becomes /ledger/TB1/rub_heat, "energy/heat lost" /ledger/heat_lost.
     std::string path = entry.name;
@@ -93,8 +93,8 @@ void Machine::observe_held(std::span<const double> y, std::span<double> out) con
   out[0] = spin.speed;
   out[1] = spin.angle;
   parts_.rotor->observe(rotor_part(y), out.subspan(2, n_rotor_observed_));
-  std::copy(y.begin() + static_cast<std::ptrdiff_t>(first_ledger_), y.end(),
-            out.last(y.size() - first_ledger_).begin());
+  const auto ledgers = y.subspan(first_ledger_, n_ledger_);
+  std::copy(ledgers.begin(), ledgers.end(), out.last(n_ledger_).begin());
 }
 
 void Machine::observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const {

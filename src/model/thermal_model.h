@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,15 @@ class ThermalModel {
   /// Rates of the temperatures [K/s]; returns the heat lost to ambient [W].
   virtual double rates(std::span<const double> temperature, std::span<const HeatInput> heat,
                        std::span<double> dydt) const = 0;
+  /// Whether it has advance(): then, where nothing depends on its temperatures, it can follow a drop step by step.
+  [[nodiscard]] virtual bool can_follow() const { return false; }
+  /// Temperatures after a step through which the heat stays as it is; what the model exchanges over balls and contacts counts with the temperatures
+  /// at the beginning. @returns the heat lost to ambient [J]
+  virtual double advance([[maybe_unused]] double step, [[maybe_unused]] std::span<const double> from,
+                         [[maybe_unused]] std::span<const HeatInput> heat,
+                         [[maybe_unused]] std::span<double> to) const {
+    throw std::logic_error("this thermal model cannot follow");
+  }
   /// Names of places that the heat of supports other than bearings can enter, "TB1/housing"; such heat is not among HeatInput.
   [[nodiscard]] virtual std::vector<std::string> heat_ports() const { return {}; }
   /// Adds to the rates of rates() what heat into one of these does; all of it is stored.

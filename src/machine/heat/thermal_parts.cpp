@@ -46,7 +46,9 @@ void add_thermal_models(const MachineParameters& p, const Node& case_node, Finit
       if (auto states = model->ring_states(); !states.empty())
         parts.friction_temperatures = {parts.thermal.size(), std::move(states)};
     if (drives) parts.driver = parts.thermal.size();
-    parts.thermal.push_back({kind->name, kind->group, std::move(model), kind->is_unmarked});
+    // All modes of a mesh are the reference by which steps are judged.
+    const bool follows = !drives && model->can_follow() && p.thermal.fe.coupling != FeCoupling::monolithic;
+    parts.thermal.push_back({kind->name, kind->group, std::move(model), kind->is_unmarked, follows});
   }
   faults.throw_if_any();
   if (driver == recorded_driver) parts.prescribed_growth = std::move(recorded);

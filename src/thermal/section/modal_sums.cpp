@@ -1,6 +1,10 @@
 #include "thermal/section/modal_sums.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "base/exponential_series.h"
 
 namespace rotordrop {
 namespace {
@@ -38,6 +42,41 @@ ROTORDROP_KERNEL void rates_kernel(const double* y, double zero, const double* d
     const double* input = inputs + at;
     for (std::size_t p = 0; p < n_inputs; ++p, input += stride) add_product(rate, watts[p], input);
     store_first(rate, n, dydt + at);
+  }
+}
+
+/// (1 - exp(-x)) / x for x >= 0, without a branch; where nothing is left of exp(-x), 1 / x.
+ROTORDROP_KERNEL double decay_mean(double x) {
+  const double within = x < 700. ? x : 700.;
+  // -x = n ln 2 + f. Adding 1.5 * 2^52 rounds to an integer and leaves it in the low bits; ln 2 in two parts, the first with 32 bits.
+  const double rounded = -within * 1.4426950408889634074 + 6755399441055744.;
+  const double n = rounded - 6755399441055744.;
+  const double f = (-within - n * 0.693147180369123816490) - n * 1.90821492927058770002e-10;
+  const double two_to_n = std::bit_cast<double>((std::bit_cast<std::uint64_t>(rounded) + 1023U) << 52);
+  // For n = 0 only the second term is left: a small x loses no digits.
+  const double gone = (1. - two_to_n) - two_to_n * (f + f * f * exponential_tail(f));
+  constexpr double no_decay = 1e-200;
+  return x > no_decay ? gone / x : 1.;
+}
+
+/// To states from their rates at the beginning: y + step decay_mean(x) dydt, with x = decay step; and their means over the step.
+ROTORDROP_KERNEL void advance_kernel(const double* y, const double* decay, double step, std::size_t n_modes, double* to,
+                                     double* mean) {
+  // Below it (1 - decay_mean) / x would lose more than three digits, and its series to x^3 lacks 1e-15.
+  constexpr double small = 1e-3;
+  for (std::size_t at = 0; at < n_modes; at += vector_length) {
+    const std::size_t n = std::min(vector_length, n_modes - at);
+    Octet state = first_of(y + at, n), rate = first_of(to + at, n), average = state;
+#pragma omp simd
+    for (std::size_t l = 0; l < vector_length; ++l) {
+      const double x = -decay[at + l] * step, first = decay_mean(x);
+      const double series = ((x * (-1. / 120.) + 1. / 24.) * x - 1. / 6.) * x + 0.5;
+      const double second = x > small ? (1. - first) / x : series;
+      state[l] += step * first * rate.value[l];
+      average[l] += step * second * rate.value[l];
+    }
+    store_first(state, n, to + at);
+    store_first(average, n, mean + at);
   }
 }
 
@@ -89,6 +128,12 @@ std::size_t ModalRates::add(std::span<const double> input) {
 
 void ModalRates::rates(const double* y, double zero, const double* watts, double* dydt) const {
   wide<rates_kernel>(y, zero, decay_.data(), inputs_.data(), watts, n_inputs_, n_modes_, dydt);
+}
+
+void ModalRates::advance(const double* y, double zero, const double* watts, double step, double* to,
+                         double* mean) const {
+  rates(y, zero, watts, to);
+  wide<advance_kernel>(y, decay_.data(), step, n_modes_, to, mean);
 }
 
 SurfacePoints::SurfacePoints(std::size_t n_modes, std::span<const double> by_point, std::span<const double> at_once)

@@ -185,6 +185,28 @@ void ReducedSections::heat_raceways(std::size_t k, const double* rises, const He
   watts[ball_port] = -from_balls;
 }
 
+double ReducedSections::port_heats(std::size_t k, const double* rises, const HeatInput& heat,
+                                   HeatedPorts& watts) const {
+  const Place& p = places_[k];
+  std::fill_n(watts.begin(), p.at_once.size(), 0.);
+  // Eq. (16) with the mean rise of the housing's surface.
+  const double film_loss = housing_convection(rises[housing_port]) * p.film_area * rises[housing_port];
+  watts[housing_port] = -film_loss;
+  watts[bore_port] = heat.rub_into_ring;
+  watts[shaft_port] = heat.rub - heat.rub_into_ring;
+  if (const auto& link = sections_[k].contact_link) {
+    const double q = (rises[bore_port] - rises[shaft_port]) / (heat.is_in_contact ? link->touching : link->apart);
+    watts[bore_port] -= q;
+    watts[shaft_port] += q;
+  }
+  heat_raceways(k, rises, heat, watts);
+  return film_loss;
+}
+
+double ReducedSections::lost_at_once(const Place& p, const HeatedPorts& watts) {
+  return std::inner_product(p.lost_at_once.begin(), p.lost_at_once.end(), watts.begin(), 0.);
+}
+
 double ReducedSections::rates(std::span<const double> state, std::span<const HeatInput> heat,
                               std::span<double> dydt) const {
   double lost = 0.;
@@ -193,24 +215,29 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
     const double* y = state.data() + p.first;
     HeatedPorts rises, watts;
     p.means.sums(y, ambient_, rises.data());
-    const std::size_t n_ports = p.at_once.size();
-    std::fill_n(watts.begin(), n_ports, 0.);
-    // Eq. (16) with the mean rise of the housing's surface.
-    const double film_loss = housing_convection(rises[housing_port]) * p.film_area * rises[housing_port];
-    watts[housing_port] = -film_loss;
-    watts[bore_port] = heat[k].rub_into_ring;
-    watts[shaft_port] = heat[k].rub - heat[k].rub_into_ring;
-    if (const auto& link = sections_[k].contact_link) {
-      const double q = (rises[bore_port] - rises[shaft_port]) / (heat[k].is_in_contact ? link->touching : link->apart);
-      watts[bore_port] -= q;
-      watts[shaft_port] += q;
-    }
-    heat_raceways(k, rises.data(), heat[k], watts);
+    lost += port_heats(k, rises.data(), heat[k], watts);
     p.modes.rates(y, ambient_, watts.data(), dydt.data() + p.first);
-    lost += rises[p.loss] + film_loss;
-    for (std::size_t port = 0; port < n_ports; ++port) lost += p.lost_at_once[port] * watts[port];
+    lost += rises[p.loss] + lost_at_once(p, watts);
   }
   return lost;
+}
+
+double ReducedSections::advance(double step, std::span<const double> from, std::span<const HeatInput> heat,
+                                std::span<double> to) const {
+  double lost = 0.;
+  std::vector<double> mean;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const Place& p = places_[k];
+    const double* y = from.data() + p.first;
+    HeatedPorts rises, watts;
+    p.means.sums(y, ambient_, rises.data());
+    lost += port_heats(k, rises.data(), heat[k], watts) + lost_at_once(p, watts);
+    mean.resize(p.n);
+    p.modes.advance(y, ambient_, watts.data(), step, to.data() + p.first, mean.data());
+    p.means.sums(mean.data(), ambient_, rises.data());
+    lost += rises[p.loss];
+  }
+  return lost * step;
 }
 
 std::vector<Observable> ReducedSections::observables() const {

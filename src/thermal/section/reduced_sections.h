@@ -38,7 +38,7 @@ struct ReducedSection {
   std::optional<Elastic> elastic;
 };
 
-/// The finite-element model of every touchdown bearing in reduced coordinates: part of the state vector, at about the cost of the circuit.
+/// The finite-element model of every touchdown bearing in reduced coordinates: part of the state vector, at about the cost of the circuit, or a follower of the drop's steps.
 class ReducedSections final : public ThermalModel {
  public:
   ReducedSections(std::vector<ReducedSection> sections, double ambient);
@@ -48,6 +48,9 @@ class ReducedSections final : public ThermalModel {
   void growth(std::span<const double> state, std::span<Expansion> out) const override;
   void growth_rates(std::span<const double> rate, std::span<Expansion> out) const override;
   double rates(std::span<const double> state, std::span<const HeatInput> heat, std::span<double> dydt) const override;
+  [[nodiscard]] bool can_follow() const override { return true; }
+  double advance(double step, std::span<const double> from, std::span<const HeatInput> heat,
+                 std::span<double> to) const override;
   [[nodiscard]] std::vector<Observable> observables() const override;
   void observe(std::span<const double> state, std::span<const HeatInput> heat, std::span<double> out) const override;
   [[nodiscard]] double stored_energy(std::span<const double> state) const override;
@@ -76,6 +79,9 @@ class ReducedSections final : public ThermalModel {
     std::vector<SurfacePoints> surfaces;     ///< of the ports that are observed
     std::vector<std::size_t> surface_ports;  ///< which they are
   };
+  /// Heats into the heated ports of a section. @param rises  of them @returns what the housing's film takes [W]
+  double port_heats(std::size_t k, const double* rises, const HeatInput& heat, HeatedPorts& watts) const;
+  static double lost_at_once(const Place& place, const HeatedPorts& watts);
   /// Heat of friction and of rolling balls into the raceways, or their rows, and out of the balls.
   /// @param rises  of the heated ports by conduction
   void heat_raceways(std::size_t k, const double* rises, const HeatInput& heat, HeatedPorts& watts) const;

@@ -68,6 +68,32 @@ TEST(ModalRates, DecayAndTakeHeatAndTouchNothingBehind) {
   }
 }
 
+TEST(ModalRates, AdvanceExactlyWhateverTheStepIs) {
+  const std::vector<double> rate = {0., 1e-9, 1e-3, 0.3, 1., 2.7, 40., 600., 1e5, 1e9, 5e-7, 1.1e-6, 1e-12};
+  ModalRates modes(rate);
+  const auto gain = numbers(rate.size(), 1.), y = states(rate.size());
+  modes.add(gain);
+  const double watts = 3.;
+  for (const double step : {1., 0.5, 2.}) {
+    std::vector<double> to(rate.size() + 8, 99.), mean = to;
+    modes.advance(y.data(), zero, &watts, step, to.data(), mean.data());
+    for (std::size_t i = 0; i < rate.size(); ++i) {
+      // z' = g - rate z, in extended precision.
+      const long double x = static_cast<long double>(rate[i]) * step, z = y[i] - zero, g = watts * gain[i];
+      const long double first = x > 0 ? -std::expm1(-x) / x : 1.L;
+      const long double second =
+          x > 1e-3L ? (1.L - first) / x : 0.5L - x / 6.L + x * x / 24.L - x * x * x / 120.L + x * x * x * x / 720.L;
+      const long double z_end = z + step * first * (g - rate[i] * z), z_mean = z + step * second * (g - rate[i] * z);
+      EXPECT_NEAR(to[i] - zero, static_cast<double>(z_end), roundoff) << rate[i] << " 1/s, " << step << " s";
+      EXPECT_NEAR(mean[i] - zero, static_cast<double>(z_mean), roundoff) << rate[i] << " 1/s, " << step << " s";
+    }
+    for (std::size_t i = rate.size(); i < to.size(); ++i) {
+      EXPECT_EQ(to[i], 99.);
+      EXPECT_EQ(mean[i], 99.);
+    }
+  }
+}
+
 TEST(SurfacePoints, FindTheColdestAndTheHottest) {
   constexpr std::size_t n_modes = 5;
   const auto y = states(n_modes);

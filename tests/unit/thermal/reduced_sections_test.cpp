@@ -6,41 +6,15 @@
 #include <cmath>
 
 #include "thermal/circuit/adiabatic_rises.h"
+#include "two_lumps.h"
 
 namespace rotordrop {
 namespace {
 
 constexpr double ambient = 293.15;
 
-/// Inner ring of 30 J/K and the rest, 70 J/K, joined by 2 W/K: the uniform mode, and (0.7, -0.3)/sqrt(0.21) with a rate of 2/30 + 2/70.
-ReducedSection two_lumps() {
-  const double root = std::sqrt(0.21);
-  const std::vector<double> inner = {1., 0.7 / root}, rest = {1., -0.3 / root};
-  ReducedHeat h;
-  h.capacity = 100.;
-  h.rate = {0., 2. / 30. + 2. / 70.};
-  const auto port = [](const char* name, const std::vector<double>& shape, double area) {
-    return ReducedHeat::Output{name, shape, 0., area, shape, 0., {0.}};
-  };
-  h.ports = {port("bore", inner, 0.01),         port("shaft", rest, 0.01),         port("inner_raceway", inner, 0.01),
-             port("outer_raceway", rest, 0.01), port("housing_surface", rest, 0.), port("ball", rest, 0.)};
-  h.ports[bore_port].at_once = 0.5;
-  h.ports[bore_port].points_at_once = {0.25};
-  h.bodies = {{"inner_ring", inner, 30.}, {"outer_ring", rest, 20.}, {"housing", rest, 20.}};
-  h.nodes = {{"ball", rest, 10.}, {"shaft", rest, 20.}};
-  h.loss = {0., 0.};
-  ReducedSection section;
-  section.name = "TB";
-  section.heat = h;
-  section.growth = {.bore = 1e-6, .inner_race = 2e-6, .outer_race = 3e-6, .shaft = 4e-6, .ball = 5e-6};
-  return section;
-}
-
-std::vector<ReducedSection> one(ReducedSection section) {
-  std::vector<ReducedSection> list;
-  list.push_back(std::move(section));
-  return list;
-}
+using testing::one;
+using testing::two_lumps;
 
 TEST(ReducedSections, HeatsTheBodyThatTheHeatEnters) {
   const ReducedSections model(one(two_lumps()), ambient);
@@ -142,6 +116,71 @@ TEST(ReducedSections, ALinkThatNeedsContactConductsOnlyThen) {
     model.growth_rates(rate, growth);
     const double watts = 14. + 7. / (touching ? 0.5 : 5.);
     EXPECT_NEAR(growth[0].bore, -1e-6 * watts / 30., 1e-17) << touching;
+  }
+}
+
+/// What a model does under heat that stays as it is, in so many equal steps. @returns the heat lost [J]
+double advanced(const ReducedSections& model, double time, int n_steps, const HeatInput& heat, std::vector<double>& y) {
+  double lost = 0.;
+  std::vector<double> to(y.size());
+  for (int i = 0; i < n_steps; ++i) {
+    lost += model.advance(time / n_steps, y, {&heat, 1}, to);
+    y = to;
+  }
+  return lost;
+}
+
+TEST(ReducedSections, FollowSteadyHeatExactlyInStepsOfAnyLength) {
+  auto section = two_lumps();
+  section.heat.loss = {3., 0.};  // W/K of the uniform mode, which decays by it
+  section.heat.rate[0] = 0.03;
+  const ReducedSections model(one(section), ambient);
+  ASSERT_TRUE(model.can_follow());
+  HeatInput heat;
+  heat.rub = heat.rub_into_ring = 8.;
+  const double root = std::sqrt(0.21), rate = section.heat.rate[1], time = 30.;
+  for (const int n_steps : {1, 2, 100}) {
+    std::vector<double> y(2);
+    model.initial_state(y);
+    const double lost = advanced(model, time, n_steps, heat, y);
+    EXPECT_NEAR(y[0] - ambient, 0.08 / 0.03 * (1. - std::exp(-0.9)), 1e-11) << "K, 8 W into 100 J/K and 3 W/K";
+    EXPECT_NEAR(y[1] - ambient, 0.08 * 0.7 / root / rate * (1. - std::exp(-rate * time)), 1e-11) << n_steps;
+    EXPECT_NEAR(lost + model.stored_energy(y), 8. * time, 1e-9) << "J: lost or stored";
+  }
+}
+
+TEST(ReducedSections, FollowWithHeatLostAtOnce) {
+  auto section = two_lumps();
+  section.heat.ports[bore_port].shape[0] = 0.9;  // of the uniform mode, which alone stores heat
+  const ReducedSections model(one(section), ambient);
+  std::vector<double> y(2);
+  model.initial_state(y);
+  HeatInput heat;
+  heat.rub = heat.rub_into_ring = 8.;
+  EXPECT_NEAR(advanced(model, 2., 5, heat, y), 1.6, 1e-12) << "J: a tenth of 16";
+  EXPECT_NEAR(model.stored_energy(y), 14.4, 1e-9) << "J";
+}
+
+TEST(ReducedSections, FollowExchangeToFirstOrderAndCloseTheBalance) {
+  // A link whose heat follows the difference of its ends: exact are two lumps with 2 W/K of conduction and 1 / (0.5 K/W) of the link.
+  auto section = two_lumps();
+  section.contact_link = {.touching = 0.5, .apart = 5.};
+  const ReducedSections model(one(section), ambient);
+  const double root = std::sqrt(0.21), time = 2.;
+  HeatInput none;
+  none.is_in_contact = true;
+  const double exact = 7. * root * std::exp(-(2. + 2.) * (1. / 30. + 1. / 70.) * time);
+  double last = 0.;
+  for (const int n_steps : {10, 20, 40}) {
+    std::vector<double> y = {ambient + 2.1, ambient + 7. * root};
+    EXPECT_NEAR(advanced(model, time, n_steps, none, y), 0., 1e-12) << "J";
+    EXPECT_NEAR(model.stored_energy(y), 210., 1e-9) << "J, as at first: it stays in the section";
+    const double error = std::fabs(y[1] - ambient - exact);
+    if (n_steps > 10) {
+      EXPECT_NEAR(last / error, 2., 0.05) << "the exchange is that of the steps' starts";
+    }
+    EXPECT_LT(error, 7. * root * 0.1 / n_steps);
+    last = error;
   }
 }
 

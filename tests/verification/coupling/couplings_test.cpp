@@ -17,8 +17,8 @@ using namespace rotordrop::testing;
 
 TEST(Couplings, BothModelsReceiveTheSameJoules) {
   // What a model stores and loses in a second is what it receives. At ambient, where nothing is lost by any of them.
-  auto drop = settling_drop({"thermal.models=[\"lumped\", \"fe\"]", "thermal.fe.section=plain", "thermal.fe.degree=1",
-                             "thermal.fe.refinement=0.25"});
+  auto drop = settling_drop({"thermal.models=[\"lumped\", \"fe\"]", "thermal.fe.coupling=monolithic",
+                             "thermal.fe.section=plain", "thermal.fe.degree=1", "thermal.fe.refinement=0.25"});
   const Machine& machine = *drop->machine;
   ASSERT_EQ(machine.n_thermal_models(), 2u);
   std::mt19937 random(7);
