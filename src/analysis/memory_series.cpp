@@ -23,20 +23,53 @@ MemorySeries::MemorySeries(const Machine& machine, Drop& drop, const Choice& is_
 MemorySeries::Group::Group(std::string times_path, std::initializer_list<const std::vector<Observable>*> lists,
                            const Choice& is_kept)
     : path(std::move(times_path)) {
-  std::size_t at = 0;
+  std::size_t at = 0, n_kept = 0;
   for (const auto* list : lists)
     for (const auto& o : *list) {
-      if (!is_kept || is_kept(o.name)) kept.push_back({o.name, o.unit, o.long_name, at, o.size, o.columns, {}});
+      if (!is_kept || is_kept(o.name)) {
+        kept.push_back({o.name, o.unit, o.long_name, at, o.size, o.columns, n_kept});
+        if (!parts_.empty() && parts_.back().first + parts_.back().size == at)
+          parts_.back().size += o.size;
+        else
+          parts_.push_back({at, o.size});
+        n_kept += o.size;
+      }
       at += o.size;
     }
+  row_.resize(n_kept);
+  rows_ = RowStore(n_kept);
 }
 
 void MemorySeries::Group::row(double time, std::span<const double> values) {
   if (kept.empty()) return;
   times.push_back(time);
-  for (auto& k : kept) {
-    const auto part = values.subspan(k.first, k.size);
-    k.values.insert(k.values.end(), part.begin(), part.end());
+  auto to = row_.begin();
+  for (const auto& part : parts_) {
+    const auto from = values.subspan(part.first, part.size);
+    to = std::copy(from.begin(), from.end(), to);
+  }
+  rows_.append(row_);
+}
+
+std::vector<double> MemorySeries::Group::values(const Kept& k) const {
+  std::vector<double> list(rows_.n_rows() * k.size);
+  rows_.copy(k.column, k.size, list.data());
+  return list;
+}
+
+void MemorySeries::Group::restore(const std::function<std::vector<double>(const std::string& path)>& read) {
+  if (kept.empty()) return;
+  times = read(path);
+  std::vector<std::vector<double>> lists;
+  for (const auto& k : kept)
+    if (lists.emplace_back(read(k.path)).size() != times.size() * k.size)
+      throw std::invalid_argument("rows of " + k.path + " are missing");
+  rows_.clear();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (std::size_t j = 0; j < kept.size(); ++j)
+      std::copy_n(lists[j].begin() + static_cast<std::ptrdiff_t>(i * kept[j].size), kept[j].size,
+                  row_.begin() + static_cast<std::ptrdiff_t>(kept[j].column));
+    rows_.append(row_);
   }
 }
 
@@ -54,21 +87,14 @@ SeriesInMemory MemorySeries::series(const std::string& path, std::size_t column)
   if (!found || column >= found->size)
     throw std::out_of_range("no series " + path + ", column " + std::to_string(column) + ", is kept");
   SeriesInMemory s{group->times, {}};
+  const std::vector<double> all = group->values(*found);
   s.values.reserve(s.times.size());
-  for (std::size_t at = column; at < found->values.size(); at += found->size) s.values.push_back(found->values[at]);
+  for (std::size_t at = column; at < all.size(); at += found->size) s.values.push_back(all[at]);
   return s;
 }
 
 void MemorySeries::restore(const std::function<std::vector<double>(const std::string& path)>& read) {
-  for (auto& group : groups_) {
-    if (group.kept.empty()) continue;
-    group.times = read(group.path);
-    for (auto& k : group.kept) {
-      k.values = read(k.path);
-      if (k.values.size() != group.times.size() * k.size)
-        throw std::invalid_argument("rows of " + k.path + " are missing");
-    }
-  }
+  for (auto& group : groups_) group.restore(read);
 }
 
 }  // namespace rotordrop

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/drop.h"
+#include "base/row_store.h"
 
 namespace rotordrop {
 
@@ -35,16 +36,28 @@ class MemorySeries {
     std::string unit, long_name;
     std::size_t first = 0, size = 1;
     std::vector<std::string> columns;  ///< their names, if they have any
-    std::vector<double> values;        ///< row after row
+    std::size_t column = 0;            ///< its first among what is kept
   };
   /// Observables that have rows at the same times.
   class Group final : public RowSink {
    public:
     Group(std::string times_path, std::initializer_list<const std::vector<Observable>*> lists, const Choice& is_kept);
     void row(double time, std::span<const double> values) override;
+    /// Of one that is kept, row after row.
+    [[nodiscard]] std::vector<double> values(const Kept& kept) const;
+    /// Rows that were kept elsewhere. @param read  as of MemorySeries::restore()
+    void restore(const std::function<std::vector<double>(const std::string& path)>& read);
     std::string path;  ///< of the times: "/time"
     std::vector<double> times;
     std::vector<Kept> kept;
+
+   private:
+    struct Part {
+      std::size_t first, size;
+    };
+    std::vector<Part> parts_;  // of a row, that are kept
+    std::vector<double> row_;
+    RowStore rows_;
   };
   [[nodiscard]] const std::deque<Group>& groups() const { return groups_; }
   /// All that was kept; nothing is left here.

@@ -46,16 +46,12 @@ RecordedDrop::RecordedDrop(const fs::path& directory, const Case& drop_case)
 
 RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, fs::path directory)
     : directory_(std::move(directory)), parameters_(drop_case.parameters), case_name_(drop_case.name) {
-  for (auto& group : series.take()) {
+  memory_ = series.take();
+  for (const auto& group : memory_) {
     if (group.kept.empty()) continue;
     datasets_.push_back(group.path);
-    for (auto& kept : group.kept) {
-      datasets_.push_back(kept.path);
-      tables_[kept.path] = {
-          std::move(kept.values), kept.size, {kept.unit, kept.long_name, group.path, std::move(kept.columns)}};
-    }
+    for (const auto& kept : group.kept) datasets_.push_back(kept.path);
     is_windowed_ = is_windowed_ || group.path == "/windows/time";
-    tables_[group.path] = {std::move(group.times), 1, {"s", "time", {}, {}}};
   }
   std::sort(datasets_.begin(), datasets_.end());
 }
@@ -100,9 +96,21 @@ std::optional<std::string> RecordedDrop::text(const std::string& dataset) const 
   return read_text(file_, dataset);
 }
 
+std::optional<RecordedDrop::Table> RecordedDrop::table_in_memory(const std::string& dataset) const {
+  for (const auto& group : memory_) {
+    if (group.kept.empty()) continue;
+    if (dataset == group.path) return Table{group.times, 1, {"s", "time", {}, {}}};
+    for (const auto& kept : group.kept)
+      if (kept.path == dataset)
+        return Table{group.values(kept), kept.size, {kept.unit, kept.long_name, group.path, kept.columns}};
+  }
+  return {};
+}
+
 const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const {
   const auto found = tables_.find(dataset);
   if (found != tables_.end()) return found->second;
+  if (auto in_memory = table_in_memory(dataset)) return tables_[dataset] = std::move(*in_memory);
   auto [raw, meaning] = read_series_with_meaning(file_, dataset);
   if (meaning.time_path.empty() && !dataset.ends_with("/time"))
     throw InputError({file_.string(), 0, 0}, dataset + " does not name its times", "Is this a drop's series?");

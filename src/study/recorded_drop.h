@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -64,12 +65,14 @@ class RecordedDrop {
 
  private:
   void open();
+  [[nodiscard]] std::optional<Table> table_in_memory(const std::string& dataset) const;
   std::filesystem::path directory_, file_;
   CaseParameters parameters_;
   std::string case_name_;
   std::vector<std::string> datasets_, texts_;  ///< sorted
   bool is_windowed_ = false;
-  mutable std::map<std::string, Table> tables_;  ///< read so far
+  std::deque<MemorySeries::Group> memory_;       ///< of a drop in memory
+  mutable std::map<std::string, Table> tables_;  ///< asked for so far
 };
 
 }  // namespace rotordrop

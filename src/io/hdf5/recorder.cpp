@@ -1,6 +1,7 @@
 #include "io/hdf5/recorder.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <chrono>
@@ -15,6 +16,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/row_store.h"
 #include "io/half_made_file.h"
 #include "io/hdf5/hdf5_driver.h"
 #include "io/hdf5/hdf5_handle.h"
@@ -32,8 +34,8 @@ namespace {
 struct Group {
   SeriesColumn time;
   std::vector<SeriesColumn> columns;
-  std::size_t row_size = 0;
-  std::vector<double> times, rows;  ///< not yet written [n], [n, row_size]
+  std::vector<double> times;  ///< of the rows that are not yet written
+  RowStore rows;
   std::size_t n_written = 0;
   double last_time = -std::numeric_limits<double>::infinity();
   std::uint64_t check_sum = 0;  ///< of all rows so far, times included
@@ -41,10 +43,23 @@ struct Group {
   [[nodiscard]] std::size_t n_buffered() const { return times.size(); }
 };
 
-/// Mixes a value's bits into a check sum: one multiplication for each, for every row of a run passes here.
-std::uint64_t mixed(std::uint64_t sum, double value) {
-  sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
+std::uint64_t mixed(std::uint64_t sum, std::uint64_t bits) {
+  sum = (sum ^ bits) * 0x9e3779b97f4a7c15U;
   return sum ^ (sum >> 32);
+}
+
+/// Mixes a row's bits into a check sum. Each multiplication waits for the one before it, so there are four sums.
+std::uint64_t mixed(std::uint64_t sum, double time, std::span<const double> row) {
+  constexpr std::size_t n_sums = 4;
+  std::array<std::uint64_t, n_sums> sums = {sum, 1, 2, 3};
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  std::size_t i = 0;
+  for (; i + n_sums <= row.size(); i += n_sums)
+    for (std::size_t k = 0; k < n_sums; ++k) sums[k] = mixed(sums[k], bits(row[i + k]));
+  for (; i < row.size(); ++i) sums[0] = mixed(sums[0], bits(row[i]));
+  std::uint64_t all = bits(time);
+  for (const std::uint64_t part : sums) all = mixed(all, part);
+  return all;
 }
 
 /// Writes the buffered rows of all columns but the time's.
@@ -53,9 +68,7 @@ void write_columns(const Group& group) {
   std::size_t first = 0;  // value of the column in a row
   for (const SeriesColumn& column : group.columns) {
     values.resize(group.n_buffered() * column.size);
-    auto to = values.begin();
-    for (std::size_t at = first; at < group.rows.size(); at += group.row_size)
-      for (std::size_t k = 0; k < column.size; ++k) *to++ = group.rows[at + k];
+    group.rows.copy(first, column.size, values.data());
     write_rows(column, group.n_written, values);
     first += column.size;
   }
@@ -130,8 +143,9 @@ struct Recorder::Implementation {
 
 void Recorder::Implementation::make_groups() {
   for (const auto& description : series) {
-    Group& group = groups.emplace_back();
-    for (const auto& channel : description.channels) group.row_size += channel.size;
+    std::size_t row_size = 0;
+    for (const auto& channel : description.channels) row_size += channel.size;
+    groups.emplace_back().rows = RowStore(row_size);
   }
 }
 
@@ -174,12 +188,13 @@ void Recorder::Implementation::make_file() {
 void Recorder::Implementation::make_datasets() {
   for (const auto& [name, text] : header.attributes) hdf5::write_attribute(file.id(), name, text);
   for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
+  ColumnMaker maker(file.id(), options.rows_per_chunk);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const SeriesGroup& description = series[i];
-    groups[i].time = make_column(file.id(), {description.time_path, description.unit, description.long_name, 1, {}},
-                                 description.time_path, options.rows_per_chunk);
+    groups[i].time =
+        maker.make({description.time_path, description.unit, description.long_name, 1, {}}, description.time_path);
     for (const auto& channel : description.channels)
-      groups[i].columns.push_back(make_column(file.id(), channel, description.time_path, options.rows_per_chunk));
+      groups[i].columns.push_back(maker.make(channel, description.time_path));
   }
 }
 
@@ -268,21 +283,22 @@ Recorder::~Recorder() {
 void Recorder::append(std::size_t group_index, double time, std::span<const double> row) {
   implementation_->require_open();
   Group& group = implementation_->groups.at(group_index);
-  if (row.size() != group.row_size)
+  if (row.size() != group.rows.row_size())
     throw std::invalid_argument("Recorder: a row of " + implementation_->series[group_index].time_path + " has " +
-                                std::to_string(group.row_size) + " values, given were " + std::to_string(row.size()));
+                                std::to_string(group.rows.row_size()) + " values, given were " +
+                                std::to_string(row.size()));
   if (!(time >= group.last_time))
     throw std::invalid_argument("Recorder: times of " + implementation_->series[group_index].time_path +
                                 " must not decrease");
   group.last_time = time;
   group.times.push_back(time);
-  group.rows.insert(group.rows.end(), row.begin(), row.end());
-  group.check_sum = mixed(group.check_sum, time);
-  for (const double value : row) group.check_sum = mixed(group.check_sum, value);
+  group.rows.append(row);
+  group.check_sum = mixed(group.check_sum, time, row);
   const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
   if (!implementation_->file.is_open() && waited.count() >= implementation_->options.seconds_until_made)
     implementation_->make_file();
   if (group.n_buffered() >= implementation_->options.rows_per_flush ||
+      group.rows.bytes() >= implementation_->options.bytes_per_flush ||
       waited.count() >= implementation_->options.seconds_per_flush)
     implementation_->flush();
 }
@@ -348,7 +364,7 @@ void Recorder::move_to(const fs::path& path) {
 
 const fs::path& Recorder::path() const { return implementation_->path; }
 const std::vector<SeriesGroup>& Recorder::groups() const { return implementation_->series; }
-std::size_t Recorder::row_size(std::size_t group) const { return implementation_->groups.at(group).row_size; }
+std::size_t Recorder::row_size(std::size_t group) const { return implementation_->groups.at(group).rows.row_size(); }
 std::size_t Recorder::n_rows(std::size_t group) const {
   const Group& asked = implementation_->groups.at(group);
   return asked.n_written + asked.n_buffered();

@@ -40,7 +40,8 @@ struct RecorderOptions {
   bool overwrite = false;             ///< replace an existing file; without it an existing file is an InputError
   double seconds_until_made = 0;      ///< [s] of wall time after which append() makes the file; 0: the constructor does
   std::size_t rows_per_flush = 8192;  ///< rows of a group held in memory before they are written
-  double seconds_per_flush = 1;       ///< [s] of wall time after which append() writes what it holds
+  std::size_t bytes_per_flush = 64'000'000;  ///< likewise, of rows with thousands of values
+  double seconds_per_flush = 1;              ///< [s] of wall time after which append() writes what it holds
   std::size_t rows_per_chunk =
       1024;  ///< chunk length of the datasets: larger is faster, but each dataset takes one chunk at least
 };

@@ -8,7 +8,7 @@ using hdf5::Handle;
 
 namespace {
 
-Handle chunked(std::size_t chunk_rows, std::size_t size, int rank) {
+Handle chunked_list(std::size_t chunk_rows, std::size_t size, int rank) {
   Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make property list");
   const hsize_t chunk[2] = {chunk_rows, size};
   hdf5::require(H5Pset_chunk(list.id(), rank, chunk), "set chunk size");
@@ -27,7 +27,16 @@ Handle no_cache() {
 
 }  // namespace
 
-SeriesColumn make_column(hid_t file, const Channel& channel, const std::string& time_path, std::size_t chunk_rows) {
+ColumnMaker::ColumnMaker(hid_t file, std::size_t chunk_rows)
+    : file_(file), chunk_rows_(chunk_rows), links_(hdf5::with_missing_groups()), access_(no_cache()) {}
+
+hid_t ColumnMaker::chunked(std::size_t size) {
+  auto found = chunked_.find(size);
+  if (found == chunked_.end()) found = chunked_.emplace(size, chunked_list(chunk_rows_, size, size == 1 ? 1 : 2)).first;
+  return found->second.id();
+}
+
+SeriesColumn ColumnMaker::make(const Channel& channel, const std::string& time_path) {
   SeriesColumn column;
   column.path = channel.path;
   column.size = channel.size;
@@ -35,10 +44,9 @@ SeriesColumn make_column(hid_t file, const Channel& channel, const std::string& 
   const hsize_t now[2] = {0, channel.size};
   const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
   const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
-  column.dataset =
-      Handle(H5Dcreate2(file, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), hdf5::with_missing_groups().id(),
-                        chunked(chunk_rows, channel.size, column.rank()).id(), no_cache().id()),
-             H5Dclose, "cannot make dataset " + channel.path);
+  column.dataset = Handle(H5Dcreate2(file_, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), links_.id(),
+                                     chunked(channel.size), access_.id()),
+                          H5Dclose, "cannot make dataset " + channel.path);
   hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
   hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
   if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 
@@ -18,8 +19,20 @@ struct SeriesColumn {
   [[nodiscard]] int rank() const { return is_flat ? 1 : 2; }
 };
 
-/// Makes the dataset of a channel, with its attributes. @param time_path  dataset of its times
-SeriesColumn make_column(hid_t file, const Channel& channel, const std::string& time_path, std::size_t chunk_rows);
+/// Makes datasets of channels, with their attributes. Lists of properties are made once: they take a good part of HDF5's time for a dataset.
+class ColumnMaker {
+ public:
+  ColumnMaker(hid_t file, std::size_t chunk_rows);
+  /// @param time_path  dataset of its times
+  SeriesColumn make(const Channel& channel, const std::string& time_path);
+
+ private:
+  [[nodiscard]] hid_t chunked(std::size_t size);
+  hid_t file_;
+  std::size_t chunk_rows_;
+  hdf5::Handle links_, access_;
+  std::map<std::size_t, hdf5::Handle> chunked_;  // by size
+};
 
 /// Writes rows behind the first `from`. @param values [n, size]
 void write_rows(const SeriesColumn& column, std::size_t from, std::span<const double> values);

@@ -1,0 +1,74 @@
+// Rows come back as columns: of sizes that fill no tile and no block, and after the store was cleared.
+#include "base/row_store.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace rotordrop {
+namespace {
+
+double value(std::size_t row, std::size_t column) {
+  return 1e4 * static_cast<double>(row) + static_cast<double>(column);
+}
+
+void fill(RowStore& store, std::size_t n_rows, std::size_t first) {
+  std::vector<double> row(store.row_size());
+  for (std::size_t i = 0; i < n_rows; ++i) {
+    for (std::size_t k = 0; k < row.size(); ++k) row[k] = value(first + i, k);
+    store.append(row);
+  }
+}
+
+void expect_rows(const RowStore& store, std::size_t n_rows, std::size_t first_row) {
+  ASSERT_EQ(store.n_rows(), n_rows);
+  const std::size_t n = store.row_size();
+  for (const auto& [first, size] :
+       {std::pair<std::size_t, std::size_t>{0, 1}, {n / 2, n - n / 2}, {n - 1, 1}, {0, n}}) {
+    std::vector<double> out(n_rows * size + 1, -1.);
+    store.copy(first, size, out.data());
+    EXPECT_EQ(out.back(), -1.) << "nothing behind";
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < n_rows; ++i)
+      for (std::size_t k = 0; k < size; ++k)
+        if (out[i * size + k] != value(first_row + i, first + k)) ++wrong;
+    EXPECT_EQ(wrong, 0U) << n_rows << " rows of " << n << ", " << size << " columns from " << first;
+  }
+}
+
+TEST(RowStore, GivesBackColumns) {
+  // 300 values: blocks of a large page; 40 000: of a single tile.
+  for (const std::size_t row_size : {1U, 3U, 7U, 300U, 40000U}) {
+    RowStore store(row_size);
+    expect_rows(store, 0, 0);
+    const std::size_t most = row_size > 1000 ? 30 : 2500;
+    std::size_t n = 0;
+    for (const std::size_t more : {1UL, 6UL, 1UL, 9UL, most}) {
+      fill(store, more, n);
+      n += more;
+      expect_rows(store, n, 0);
+    }
+    EXPECT_EQ(store.bytes(), n * row_size * sizeof(double));
+    store.clear();
+    fill(store, 13, 7);
+    expect_rows(store, 13, 7);
+  }
+}
+
+TEST(RowStore, RefusesRowsOfAnotherSize) {
+  RowStore store(3);
+  const std::vector<double> row(2);
+  EXPECT_THROW(store.append(row), std::invalid_argument);
+  EXPECT_EQ(store.n_rows(), 0U);
+}
+
+TEST(RowStore, MayHaveNoColumns) {
+  RowStore store;
+  store.append({});
+  EXPECT_EQ(store.n_rows(), 1U);
+  EXPECT_EQ(store.bytes(), 0U);
+}
+
+}  // namespace
+}  // namespace rotordrop
