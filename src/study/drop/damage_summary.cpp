@@ -43,13 +43,22 @@ std::string fatigue_basis(const std::optional<FatigueShare>& f) {
   return text;
 }
 
-/// Of a bearing that the rotor did not touch: its preload says nothing about drops.
-Json not_assessed(const TouchdownParameters& p) {
+/// Of a bearing that the rotor did not touch: its preload says nothing about drops. Names stay, for limits on them.
+Json not_assessed(const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
   const std::string why = ": not assessed, the rotor did not touch the bearing";
+  Json shares = nullptr;
+  if (fatigue) {
+    shares = fatigue_json(*fatigue);
+    for (auto& value : shares)
+      if (value.is_array())
+        std::fill(value.begin(), value.end(), Json(nullptr));
+      else
+        value = nullptr;
+  }
   return {{"assessed", false},
           {"static_safety", nullptr},
           {"required_static_safety", p.required_static_safety},
-          {"fatigue", nullptr},
+          {"fatigue", shares},
           {"wear_share", nullptr},
           {"allowed_drops", nullptr},
           {"governed_by", "nothing"},
@@ -59,7 +68,7 @@ Json not_assessed(const TouchdownParameters& p) {
 }  // namespace
 
 Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
-  if (std::isnan(b.scalars.first_contact_time)) return not_assessed(p);
+  if (std::isnan(b.scalars.first_contact_time)) return not_assessed(fatigue, p);
   const double safety = static_safety(b.scalars.contact_pressure.value);
   const Json wear = b.local ? wear_json(*b.local) : Json::object();
   const double wear_drops = number_at(wear, "/drops_until_limit");
