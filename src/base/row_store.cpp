@@ -1,41 +1,19 @@
 #include "base/row_store.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 #include <stdexcept>
-
-#include <sys/mman.h>
 
 namespace rotordrop {
 namespace {
 
-constexpr std::size_t large_page = std::size_t{2} << 20;  // of x86-64 and most arm64 systems [bytes]
-constexpr std::size_t most_rows = 1024;                   // of a block
-
-/// Rows of a block: of wide rows as many as a large page holds.
+/// Rows of a block: below the size from which malloc() takes fresh memory of the system for every block, whose first touch costs more than the rows.
 std::size_t rows_of_block(std::size_t row_size, std::size_t tile_rows) {
-  const std::size_t fit = large_page / (sizeof(double) * std::max<std::size_t>(row_size, 1));
-  const std::size_t rows = std::min(most_rows, fit > 2 * tile_rows ? fit - tile_rows : tile_rows);
-  return rows / tile_rows * tile_rows;
-}
-
-double* allocated(std::size_t bytes) {
-  // Half a page is not worth a whole one.
-  const bool is_large = bytes > large_page / 2;
-  const std::size_t line = is_large ? large_page : 64;
-  void* block = std::aligned_alloc(line, (bytes + line - 1) / line * line);
-  if (!block) throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-  if (is_large)
-    ::madvise(block, (bytes + line - 1) / line * line, MADV_HUGEPAGE);  // a wish: without it pages are small
-#endif
-  return static_cast<double*>(block);
+  constexpr std::size_t block_bytes = 100'000, most_rows = 1024;
+  const std::size_t fit = block_bytes / (sizeof(double) * std::max<std::size_t>(row_size, 1));
+  return std::clamp(fit / tile_rows * tile_rows, tile_rows, most_rows);
 }
 
 }  // namespace
-
-void RowStore::Free::operator()(double* block) const { std::free(block); }
 
 RowStore::RowStore(std::size_t row_size)
     : row_size_(row_size), block_rows_(rows_of_block(row_size, tile_rows)), tile_(tile_rows * row_size) {}
@@ -50,7 +28,7 @@ void RowStore::append(std::span<const double> row) {
 
 void RowStore::store_tile() {
   const std::size_t first = n_rows_ - tile_rows, block = first / block_rows_;
-  if (block == blocks_.size()) blocks_.emplace_back(allocated(block_bytes()));
+  if (block == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<double[]>(row_size_ * stride()));
   double* column = blocks_[block].get() + first % block_rows_;
   const double* from = tile_.data();
   for (std::size_t k = 0; k < row_size_; ++k, column += stride(), ++from)

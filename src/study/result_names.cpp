@@ -51,6 +51,7 @@ constexpr std::array rules{
     Rule{"fatigue.largest_cycle", "N", "largest load cycle of a ball"},
     Rule{"fatigue.equivalent_cycles", "1", "largest load cycles that damage as much as all cycles of the worst ball"},
     Rule{"fatigue.load_over_rating", "1", "largest load cycle of a ball over its load under the dynamic rating"},
+    Rule{"damage.assessed", "1", "1 if the rotor touched the bearing, else 0: nothing is assessed"},
     Rule{"damage.fatigue", "1", "contact fatigue, not assessed without the rating C"},
     Rule{"damage.wear_share", "1", "share of the allowed wear depth that one drop uses"},
     Rule{"damage.allowed_drops", "1", "allowed number of such drops"},

@@ -34,13 +34,13 @@ namespace {
 struct Group {
   SeriesColumn time;
   std::vector<SeriesColumn> columns;
-  std::vector<double> times;  ///< of the rows that are not yet written
-  RowStore rows;
-  std::size_t n_written = 0;
+  std::vector<double> times;  ///< of the rows that readers are not yet told of
+  RowStore rows;              ///< the last of these, in no column yet
+  std::size_t n_told = 0;
   double last_time = -std::numeric_limits<double>::infinity();
   std::uint64_t check_sum = 0;  ///< of all rows so far, times included
 
-  [[nodiscard]] std::size_t n_buffered() const { return times.size(); }
+  [[nodiscard]] std::size_t n_rows() const { return n_told + times.size(); }
 };
 
 std::uint64_t mixed(std::uint64_t sum, std::uint64_t bits) {
@@ -62,16 +62,19 @@ std::uint64_t mixed(std::uint64_t sum, double time, std::span<const double> row)
   return all;
 }
 
-/// Writes the buffered rows of all columns but the time's.
-void write_columns(const Group& group) {
+/// Writes the rows that are in no column yet. Nobody is told of them before flush().
+void write_columns(Group& group) {
+  const std::size_t n = group.rows.n_rows();
+  if (n == 0) return;
   std::vector<double> values;
   std::size_t first = 0;  // value of the column in a row
   for (const SeriesColumn& column : group.columns) {
-    values.resize(group.n_buffered() * column.size);
+    values.resize(n * column.size);
     group.rows.copy(first, column.size, values.data());
-    write_rows(column, group.n_written, values);
+    write_rows(column, group.n_rows() - n, values);
     first += column.size;
   }
+  group.rows.clear();
 }
 
 void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups,
@@ -134,6 +137,9 @@ struct Recorder::Implementation {
   void make_file();
   void make_datasets();
   void flush();
+  /// Calls what writes. @throws SolverError, after which the recorder only says so again
+  template <class Work>
+  void write_with(const Work& work);
   void close();
   /// Leaves the file as it is, as if the program had been killed. Closing a file after a failed write crashes HDF5 1.10.8 or
   /// makes the file unreadable.
@@ -198,31 +204,35 @@ void Recorder::Implementation::make_datasets() {
   }
 }
 
-void Recorder::Implementation::flush() {
-  hdf5::be_quiet();
-  if (!file.is_open()) make_file();
-  last_flush = Clock::now();
-  if (std::all_of(groups.begin(), groups.end(), [](const Group& group) { return group.n_buffered() == 0; })) return;
+template <class Work>
+void Recorder::Implementation::write_with(const Work& work) {
   try {
-    for (auto& group : groups)
-      if (group.n_buffered() > 0) write_columns(group);
-    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL),
-                  "flush");  // the values are out before the times that announce them
-    for (auto& group : groups) {
-      const std::size_t n = group.n_buffered();
-      if (n == 0) continue;
-      write_rows(group.time, group.n_written, group.times);
-      hdf5::require(H5Dflush(group.time.dataset.id()), "flush");
-      group.n_written += n;
-      group.times.clear();
-      group.rows.clear();
-    }
+    work();
   } catch (const SolverError& error) {
     failure = "the result file " + path.string() + " could not be written (" + error.what() + ").\n" +
               "       Its rows up to the last successful write can be read. Is the disk full?";
     abandon();
     throw SolverError(failure);
   }
+}
+
+void Recorder::Implementation::flush() {
+  hdf5::be_quiet();
+  if (!file.is_open()) make_file();
+  last_flush = Clock::now();
+  if (std::all_of(groups.begin(), groups.end(), [](const Group& group) { return group.times.empty(); })) return;
+  write_with([this] {
+    for (auto& group : groups) write_columns(group);
+    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL),
+                  "flush");  // the values are out before the times that announce them
+    for (auto& group : groups) {
+      if (group.times.empty()) continue;
+      write_rows(group.time, group.n_told, group.times);
+      hdf5::require(H5Dflush(group.time.dataset.id()), "flush");
+      group.n_told += group.times.size();
+      group.times.clear();
+    }
+  });
 }
 
 void Recorder::Implementation::close() {
@@ -297,7 +307,12 @@ void Recorder::append(std::size_t group_index, double time, std::span<const doub
   const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
   if (!implementation_->file.is_open() && waited.count() >= implementation_->options.seconds_until_made)
     implementation_->make_file();
-  if (group.n_buffered() >= implementation_->options.rows_per_flush ||
+  // Whole chunks go out as they are full: memory that was used before costs less than fresh memory for all rows.
+  if (implementation_->file.is_open() && group.n_rows() % implementation_->options.rows_per_chunk == 0) {
+    hdf5::be_quiet();
+    implementation_->write_with([&] { write_columns(group); });
+  }
+  if (group.times.size() >= implementation_->options.rows_per_flush ||
       group.rows.bytes() >= implementation_->options.bytes_per_flush ||
       waited.count() >= implementation_->options.seconds_per_flush)
     implementation_->flush();
@@ -312,7 +327,7 @@ RecordedRows Recorder::sync() {
   flush();
   RecordedRows rows;
   for (const Group& group : implementation_->groups) {
-    rows.n_rows.push_back(group.n_written);
+    rows.n_rows.push_back(group.n_told);
     rows.check_sums.push_back(group.check_sum);
   }
   try {
@@ -365,9 +380,6 @@ void Recorder::move_to(const fs::path& path) {
 const fs::path& Recorder::path() const { return implementation_->path; }
 const std::vector<SeriesGroup>& Recorder::groups() const { return implementation_->series; }
 std::size_t Recorder::row_size(std::size_t group) const { return implementation_->groups.at(group).rows.row_size(); }
-std::size_t Recorder::n_rows(std::size_t group) const {
-  const Group& asked = implementation_->groups.at(group);
-  return asked.n_written + asked.n_buffered();
-}
+std::size_t Recorder::n_rows(std::size_t group) const { return implementation_->groups.at(group).n_rows(); }
 
 }  // namespace rotordrop

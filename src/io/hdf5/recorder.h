@@ -39,11 +39,11 @@ struct RecordHeader {
 struct RecorderOptions {
   bool overwrite = false;             ///< replace an existing file; without it an existing file is an InputError
   double seconds_until_made = 0;      ///< [s] of wall time after which append() makes the file; 0: the constructor does
-  std::size_t rows_per_flush = 8192;  ///< rows of a group held in memory before they are written
-  std::size_t bytes_per_flush = 64'000'000;  ///< likewise, of rows with thousands of values
+  std::size_t rows_per_flush = 8192;  ///< rows of a group after which readers are told of them
+  std::size_t bytes_per_flush = 64'000'000;  ///< of rows that are in memory, likewise: those with thousands of values
   double seconds_per_flush = 1;              ///< [s] of wall time after which append() writes what it holds
   std::size_t rows_per_chunk =
-      1024;  ///< chunk length of the datasets: larger is faster, but each dataset takes one chunk at least
+      1024;  ///< chunk length of the datasets, which are written in whole chunks: larger is faster, but each takes one at least
 };
 
 /// How far a recording has come, for a checkpoint: a resumed run finds out whether the file still holds these rows.

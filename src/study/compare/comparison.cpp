@@ -156,6 +156,13 @@ void require_something_to_compare(const RecordedDrop& drop, const RecordedDrop* 
 
 }  // namespace
 
+std::vector<std::string> series_of_comparison(const CaseParameters& p) {
+  std::vector<std::string> paths = {"/growth/", "/windows/"};
+  for (const ThermalKind* kind : chosen_kinds(p.thermal)) paths.push_back(kind->group);
+  for (const auto& entry : p.bearings) paths.push_back("/bearings/" + entry.name + "/contact_force");
+  return paths;
+}
+
 Comparison compare_models(const RecordedDrop& drop, const RecordedDrop* against, const ComparisonOptions& options) {
   require_something_to_compare(drop, against);
   const auto models = models_of(drop, against);

@@ -20,6 +20,9 @@ struct Comparison {
 /// @throws InputError if there is nothing to compare
 Comparison compare_models(const RecordedDrop& drop, const RecordedDrop* against, const ComparisonOptions& options);
 
+/// Series that compare_models() reads of a drop with more than one thermal model: their paths, or beginnings of paths. Those of series_of_rub() are read, too.
+std::vector<std::string> series_of_comparison(const CaseParameters& parameters);
+
 /// Sentences for "in_short" and "verdict" of a report without them.
 std::vector<std::string> short_verdict_of(const nlohmann::ordered_json& report);
 std::vector<std::string> verdict_of(const nlohmann::ordered_json& report);

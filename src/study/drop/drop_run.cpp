@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "io/checkpoint.h"
 #include "io/results_folder.h"
+#include "study/compare/comparison.h"
 #include "study/drop/drop_checkpoints.h"
 #include "study/drop/drop_fields.h"
 #include "study/drop/drop_record.h"
@@ -24,10 +25,11 @@
 namespace rotordrop {
 namespace {
 
-/// Tells whether a series is one of which the summary tells: orbits and rubs of the bearings, and all of meshed sections.
+/// Tells whether a series is one of which the summary tells: orbits and rubs of the bearings, and all of meshed sections; or of further groups.
 class SummarySeries {
  public:
-  explicit SummarySeries(const Case& c, const SummaryParts& parts = {}) {
+  explicit SummarySeries(const Case& c, const SummaryParts& parts = {}, std::vector<std::string> groups = {})
+      : groups_(std::move(groups)) {
     const auto add = [&](const std::vector<std::string>& series) {
       paths_.insert(paths_.end(), series.begin(), series.end());
     };
@@ -35,7 +37,8 @@ class SummarySeries {
       if (parts.local_rub) add(series_of_rub(bearing));
       if (parts.whirl) add(series_of_whirl(bearing));
     }
-    if (const ThermalKind* kind = section_kind(c.parameters.thermal)) groups_ = {kind->group, "/windows/"};
+    if (const ThermalKind* kind = section_kind(c.parameters.thermal))
+      groups_.insert(groups_.end(), {kind->group, "/windows/"});
   }
   bool operator()(const std::string& path) const {
     return std::find(paths_.begin(), paths_.end(), path) != paths_.end() ||
@@ -135,7 +138,8 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   Drop drop(machine, p, p.integration, p.output, options.elements, options.tell);
   DropRecord record(options.directory, c, machine, drop);
   const bool are_compared = p.thermal.models.size() > 1;
-  MemorySeries series(machine, drop, are_compared ? MemorySeries::Choice{} : SummarySeries(c));
+  MemorySeries series(machine, drop,
+                      SummarySeries(c, {}, are_compared ? series_of_comparison(p) : std::vector<std::string>{}));
   DropCheckpoints checkpoints(options.directory, c, machine, drop, record, series, folder, options.tell);
   DropProgress progress(machine, drop, drop.sections().growth_in_force(), options.report);
   drop.loop().add(progress);

@@ -45,39 +45,39 @@ ROTORDROP_KERNEL void rates_kernel(const double* y, double zero, const double* d
   }
 }
 
-/// (1 - exp(-x)) / x for x >= 0, without a branch; where nothing is left of exp(-x), 1 / x.
-ROTORDROP_KERNEL double decay_mean(double x) {
-  const double within = x < 700. ? x : 700.;
+/// 1 - exp(-x) for 0 <= x <= 700, without a branch.
+ROTORDROP_KERNEL double decayed(double x) {
   // -x = n ln 2 + f. Adding 1.5 * 2^52 rounds to an integer and leaves it in the low bits; ln 2 in two parts, the first with 32 bits.
-  const double rounded = -within * 1.4426950408889634074 + 6755399441055744.;
+  const double rounded = -x * 1.4426950408889634074 + 6755399441055744.;
   const double n = rounded - 6755399441055744.;
-  const double f = (-within - n * 0.693147180369123816490) - n * 1.90821492927058770002e-10;
+  const double f = (-x - n * 0.693147180369123816490) - n * 1.90821492927058770002e-10;
   const double two_to_n = std::bit_cast<double>((std::bit_cast<std::uint64_t>(rounded) + 1023U) << 52);
   // For n = 0 only the second term is left: a small x loses no digits.
-  const double gone = (1. - two_to_n) - two_to_n * (f + f * f * exponential_tail(f));
-  constexpr double no_decay = 1e-200;
-  return x > no_decay ? gone / x : 1.;
+  return (1. - two_to_n) - two_to_n * (f + f * f * exponential_tail(f));
 }
 
-/// To states from their rates at the beginning: y + step decay_mean(x) dydt, with x = decay step; and their means over the step.
-ROTORDROP_KERNEL void advance_kernel(const double* y, const double* decay, double step, std::size_t n_modes, double* to,
-                                     double* mean) {
-  // Below it (1 - decay_mean) / x would lose more than three digits, and its series to x^3 lacks 1e-15.
-  constexpr double small = 1e-3;
+/// To states from their rates at the beginning: y + step first(x) dydt with x = decay step; over the step their mean is y + step second(x) dydt.
+ROTORDROP_KERNEL double advance_kernel(const double* y, double zero, const double* decay, double step,
+                                       std::size_t n_modes, const double* weights, double* to) {
+  // Below it second(x) would lose more than three digits, and its series to x^3 lacks 1e-15; above the other nothing is left of exp(-x).
+  constexpr double small = 1e-3, large = 700., no_decay = 1e-200;
+  Octet sum;
   for (std::size_t at = 0; at < n_modes; at += vector_length) {
     const std::size_t n = std::min(vector_length, n_modes - at);
-    Octet state = first_of(y + at, n), rate = first_of(to + at, n), average = state;
+    const Octet rate = first_of(to + at, n);
+    Octet state = first_of(y + at, n);
 #pragma omp simd
     for (std::size_t l = 0; l < vector_length; ++l) {
-      const double x = -decay[at + l] * step, first = decay_mean(x);
+      const double x = -decay[at + l] * step, within = x < large ? x : large, inverse = 1. / (x > no_decay ? x : 1.);
+      const double first = x > no_decay ? decayed(within) * inverse : 1.;
       const double series = ((x * (-1. / 120.) + 1. / 24.) * x - 1. / 6.) * x + 0.5;
-      const double second = x > small ? (1. - first) / x : series;
+      const double second = x > small ? (1. - first) * inverse : series;
+      sum[l] += weights[at + l] * (state.value[l] - zero + step * second * rate.value[l]);
       state[l] += step * first * rate.value[l];
-      average[l] += step * second * rate.value[l];
     }
     store_first(state, n, to + at);
-    store_first(average, n, mean + at);
   }
+  return sum.sum();
 }
 
 ROTORDROP_KERNEL RiseRange extremes_kernel(const double* y, double zero, const double* column, std::size_t n_modes,
@@ -130,10 +130,10 @@ void ModalRates::rates(const double* y, double zero, const double* watts, double
   wide<rates_kernel>(y, zero, decay_.data(), inputs_.data(), watts, n_inputs_, n_modes_, dydt);
 }
 
-void ModalRates::advance(const double* y, double zero, const double* watts, double step, double* to,
-                         double* mean) const {
+double ModalRates::advance(const double* y, double zero, const double* watts, double step,
+                           const AlignedNumbers& weights, double* to) const {
   rates(y, zero, watts, to);
-  wide<advance_kernel>(y, decay_.data(), step, n_modes_, to, mean);
+  return wide<advance_kernel>(y, zero, decay_.data(), step, n_modes_, weights.data(), to);
 }
 
 SurfacePoints::SurfacePoints(std::size_t n_modes, std::span<const double> by_point, std::span<const double> at_once)

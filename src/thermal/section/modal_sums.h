@@ -37,8 +37,11 @@ class ModalRates {
   std::size_t add(std::span<const double> input);
   /// @param watts  of all inputs
   void rates(const double* y, double zero, const double* watts, double* dydt) const;
-  /// States after `step` seconds under the same heats all the time, exactly. @param mean  of the states over the step [n_modes]
-  void advance(const double* y, double zero, const double* watts, double step, double* to, double* mean) const;
+  /// States after `step` seconds under the same heats all the time, exactly.
+  /// @param weights  [filled_up(n_modes)], zeros behind the modes
+  /// @returns the mean over the step of weights . (y - zero)
+  double advance(const double* y, double zero, const double* watts, double step, const AlignedNumbers& weights,
+                 double* to) const;
 
  private:
   std::size_t n_modes_ = 0, n_inputs_ = 0;

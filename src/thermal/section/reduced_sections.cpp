@@ -118,6 +118,8 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
       p.lost_at_once.push_back(not_stored(input, stored));
     }
     p.loss = p.means.add(heat.loss);
+    p.loss_shape.assign(heat.loss.begin(), heat.loss.end());
+    p.loss_shape.resize(filled_up(p.n), 0.);
     p.film_area = heat.ports[housing_port].area;
     for (const auto& row : section.rows)
       p.rows.push_back({heat.ports[row.inner].area / heat.ports[inner_raceway_port].area,
@@ -225,17 +227,13 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
 double ReducedSections::advance(double step, std::span<const double> from, std::span<const HeatInput> heat,
                                 std::span<double> to) const {
   double lost = 0.;
-  std::vector<double> mean;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const Place& p = places_[k];
     const double* y = from.data() + p.first;
     HeatedPorts rises, watts;
     p.means.sums(y, ambient_, rises.data());
     lost += port_heats(k, rises.data(), heat[k], watts) + lost_at_once(p, watts);
-    mean.resize(p.n);
-    p.modes.advance(y, ambient_, watts.data(), step, to.data() + p.first, mean.data());
-    p.means.sums(mean.data(), ambient_, rises.data());
-    lost += rises[p.loss];
+    lost += p.modes.advance(y, ambient_, watts.data(), step, p.loss_shape, to.data() + p.first);
   }
   return lost * step;
 }

@@ -63,6 +63,7 @@ class ReducedSections final : public ThermalModel {
     ModalRates modes;              ///< inputs: the heated ports'
     ModalShapes means;             ///< the heated ports' rises, and the linear loss
     std::size_t loss = 0;          ///< its place among them
+    AlignedNumbers loss_shape;     ///< the same by itself, filled up
     /// Parts of the ports' heat that the modes left out lose to the surroundings at once: a meshed shaft's surface, a few 1e-6.
     std::vector<double> lost_at_once;
     std::vector<double> at_once;  ///< rises of the heated ports at once [K/W]

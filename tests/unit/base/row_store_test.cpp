@@ -38,7 +38,7 @@ void expect_rows(const RowStore& store, std::size_t n_rows, std::size_t first_ro
 }
 
 TEST(RowStore, GivesBackColumns) {
-  // 300 values: blocks of a large page; 40 000: of a single tile.
+  // 300 values: blocks of 40 rows; 40 000: of a single tile.
   for (const std::size_t row_size : {1U, 3U, 7U, 300U, 40000U}) {
     RowStore store(row_size);
     expect_rows(store, 0, 0);
