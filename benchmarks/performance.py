@@ -29,6 +29,7 @@ CASE = ROOT / "params/neisi2019-settling.toml"
 HEAT = ROOT / "params/heat/ring-in-housing.toml"
 BEGIN, END = "<!-- performance.py: begin -->\n", "<!-- performance.py: end -->"
 FAST = ["--set", 'integration.method="tsitouras"', "--set", "integration.tolerance=1e-6"]
+BESIDE = ["--set", 'thermal.models=["lumped", "fe"]']
 NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"]
 
 KERNELS = [
@@ -101,6 +102,14 @@ def drop(program, case, folder, settings):
     return run["cpu_time"], process
 
 
+def drop_with(program, case, folder, settings):
+    """CPU of a drop [s]; None if the program does not know the settings."""
+    try:
+        return drop(program, case, folder, settings)[0]
+    except subprocess.CalledProcessError:
+        return None
+
+
 def heat(program, folder):
     """CPU per step and unknown of a heat run [s]; None without finite elements."""
     out = pathlib.Path(folder, "heat")
@@ -123,6 +132,8 @@ def programs_table(programs, rounds):
                         samples.setdefault(what, {}).setdefault(name, Samples()).append(value)
                 in_drop, process = drop(program, case, folder, settings)
                 bare, _ = drop(program, case, folder, settings + NO_ROWS)
+                add("beside", drop_with(program, case, folder, settings + BESIDE))
+                add("bare_beside", drop_with(program, case, folder, settings + BESIDE + NO_ROWS))
                 add("drop", in_drop)
                 add("process", process)
                 add("bare", bare)
@@ -134,6 +145,8 @@ def programs_table(programs, rounds):
     texts = [
         ("drop", "reference drop of 0.3 s with its records (`run.cpu_time`)", "ms", 1e3),
         ("bare", "the same, almost without rows", "ms", 1e3),
+        ("beside", "the first with finite elements beside the circuit, and their 76 values in each row", "ms", 1e3),
+        ("bare_beside", "the same, almost without rows", "ms", 1e3),
         ("process", "the whole process of the first", "ms", 1e3),
         ("fixed", "a process of a drop of 1 ms, without the drop", "ms", 1e3),
         ("start", "`rotordrop --version`", "ms", 1e3),

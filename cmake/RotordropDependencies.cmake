@@ -6,6 +6,8 @@ target_compile_options(rotordrop_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # Clang warns of each "omp simd" loop that it does not vectorise: below -O2 of all.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-pass-failed>
+  # Neighbouring numbers that were just stored one by one, loaded as a pair, wait for the store: 3 % of a drop, 7 % with finite elements beside.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize> $<$<CXX_COMPILER_ID:Clang>:-fno-slp-vectorize>
   # Lets sqrt and min/max vectorise; NaN keeps its meaning (unlike -ffast-math), and only loops marked "omp simd" are reordered.
   -fno-math-errno -fno-trapping-math -fopenmp-simd)
 if(ROTORDROP_SANITIZE)

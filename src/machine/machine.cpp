@@ -253,6 +253,7 @@ EnergyBalance Machine::energy_balance(std::span<const double> y, std::span<const
   b.drive_work = ledger[drive_work];
   b.residual = initial_mechanical_ - b.mechanical - b.dissipated + b.growth_work + b.prescribed_work +
                b.unbalance_work + b.drive_work;
+  b.heat.reserve(thermal_.size());
   for (std::size_t k = 0; k < thermal_.size(); ++k) {
     const double stored = parts_.thermal[k].model->stored_energy(thermal_part(k, y)), lost = y[thermal_[k].lost];
     double deposited = b.heat_deposited;
