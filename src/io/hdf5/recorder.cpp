@@ -77,14 +77,6 @@ void write_columns(Group& group) {
   group.rows.clear();
 }
 
-/// Tells of all rows that are in the columns.
-void write_times(Group& group) {
-  if (group.times.empty()) return;
-  write_rows(group.time, group.n_told, group.times);
-  group.n_told += group.times.size();
-  group.times.clear();
-}
-
 void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups,
                     const RecorderOptions& options) {
   if (options.rows_per_flush == 0 || options.rows_per_chunk == 0)
@@ -142,10 +134,8 @@ struct Recorder::Implementation {
   void make_groups();
   /// @throws InputError if the file exists and must not be replaced
   void require_absent() const;
-  /// @param goes_on  rows will follow, which readers may follow, too; else it is closed, with all rows in it
-  void make_file(bool goes_on = true);
+  void make_file();
   void make_datasets();
-  void close_datasets();
   void flush();
   /// Calls what writes. @throws SolverError, after which the recorder only says so again
   template <class Work>
@@ -172,7 +162,7 @@ void Recorder::Implementation::require_absent() const {
                      "Choose another directory, or allow it to be overwritten.");
 }
 
-void Recorder::Implementation::make_file(bool goes_on) {
+void Recorder::Implementation::make_file() {
   hdf5::be_quiet();
   require_absent();
   // Made under another name first: nobody ever opens a file whose datasets are still being made, and an older one stays until
@@ -183,16 +173,8 @@ void Recorder::Implementation::make_file(bool goes_on) {
   try {
     file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
     make_datasets();
-    if (goes_on) {
-      hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "cannot write it");
-      hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
-    } else {
-      for (auto& group : groups) {
-        write_columns(group);
-        write_times(group);
-      }
-      close_datasets();
-    }
+    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "cannot write it");
+    hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
     hdf5::know_readable(beside);
   } catch (const SolverError& error) {
     abandon();
@@ -245,8 +227,10 @@ void Recorder::Implementation::flush() {
                   "flush");  // the values are out before the times that announce them
     for (auto& group : groups) {
       if (group.times.empty()) continue;
-      write_times(group);
+      write_rows(group.time, group.n_told, group.times);
       hdf5::require(H5Dflush(group.time.dataset.id()), "flush");
+      group.n_told += group.times.size();
+      group.times.clear();
     }
   });
 }
@@ -254,30 +238,18 @@ void Recorder::Implementation::flush() {
 void Recorder::Implementation::close() {
   if (is_closed) return;
   require_open();
-  // A file that nobody could follow so far needs no order in which its rows appear.
-  if (!file.is_open()) {
-    make_file(false);
-    is_closed = true;
-    return;
-  }
   flush();
   is_closed = true;
-  try {
-    close_datasets();
-  } catch (const SolverError& error) {
-    failure = "the result file " + path.string() + " could not be closed: " + error.what() + ".";
-    throw SolverError(failure);
-  }
-}
-
-void Recorder::Implementation::close_datasets() {
   bool is_sound = true;
   for (auto& group : groups) {
     is_sound = group.time.dataset.reset() && is_sound;
     for (auto& column : group.columns) is_sound = column.dataset.reset() && is_sound;
   }
   is_sound = file.reset() && is_sound;
-  if (!is_sound) throw SolverError(hdf5::last_error());
+  if (!is_sound) {
+    failure = "the result file " + path.string() + " could not be closed: " + hdf5::last_error() + ".";
+    throw SolverError(failure);
+  }
 }
 
 void Recorder::Implementation::abandon() noexcept {
