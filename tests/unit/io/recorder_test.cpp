@@ -15,6 +15,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -269,6 +270,28 @@ TEST_F(RecorderTest, ShowsRowsOnlyAfterAFlushAndThenAll) {
   ASSERT_EQ(::write(go_on[1], "x", 1), 1);
   EXPECT_EQ(writer.wait(), 0);
   for (const int end : {ready[0], ready[1], go_on[0], go_on[1]}) ::close(end);
+}
+
+TEST_F(RecorderTest, ChecksumsKnowEveryValueAndItsPlace) {
+  // Seven values: of four sums, the first has those that are left over, too.
+  const std::vector<SeriesGroup> groups = {{"/time", {{"/x", "1", "numbers", 7, {}}}}};
+  RecorderOptions options;
+  options.overwrite = true;
+  const auto sum = [&](const std::function<void(std::vector<double>&)>& change) {
+    std::vector<double> all(3 * 8);  // three rows of a time and seven values
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<double>(i);
+    change(all);
+    Recorder recorder(path, header, groups, options);
+    for (std::size_t row = 0; row < 3; ++row) recorder.append(0, all[8 * row], std::span(all).subspan(8 * row + 1, 7));
+    return recorder.sync().check_sums.at(0);
+  };
+  const auto whole = sum([](auto&) {});
+  EXPECT_EQ(sum([](auto&) {}), whole);
+  std::set<std::uint64_t> others;
+  for (std::size_t i = 0; i < 24; ++i) others.insert(sum([i](auto& all) { all[i] += 0.5; }));
+  for (std::size_t i = 1; i < 7; ++i) others.insert(sum([i](auto& all) { std::swap(all[i], all[i + 1]); }));
+  EXPECT_EQ(others.size(), 30U) << "each change by itself";
+  EXPECT_FALSE(others.contains(whole));
 }
 
 TEST_F(RecorderTest, IsMadeLaterIfAsked) {
