@@ -51,9 +51,9 @@ void MemorySeries::Group::row(double time, std::span<const double> values) {
   rows_.append(row_);
 }
 
-std::vector<double> MemorySeries::Group::values(const Kept& k) const {
-  std::vector<double> list(rows_.n_rows() * k.size);
-  rows_.copy(k.column, k.size, list.data());
+std::vector<double> MemorySeries::Group::values(std::size_t column, std::size_t size) const {
+  std::vector<double> list(rows_.n_rows() * size);
+  rows_.copy(column, size, list.data());
   return list;
 }
 
@@ -86,11 +86,7 @@ SeriesInMemory MemorySeries::series(const std::string& path, std::size_t column)
   const auto [group, found] = find(path);
   if (!found || column >= found->size)
     throw std::out_of_range("no series " + path + ", column " + std::to_string(column) + ", is kept");
-  SeriesInMemory s{group->times, {}};
-  const std::vector<double> all = group->values(*found);
-  s.values.reserve(s.times.size());
-  for (std::size_t at = column; at < all.size(); at += found->size) s.values.push_back(all[at]);
-  return s;
+  return {group->times, group->values(found->column + column, 1)};
 }
 
 void MemorySeries::restore(const std::function<std::vector<double>(const std::string& path)>& read) {

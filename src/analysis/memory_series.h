@@ -44,7 +44,9 @@ class MemorySeries {
     Group(std::string times_path, std::initializer_list<const std::vector<Observable>*> lists, const Choice& is_kept);
     void row(double time, std::span<const double> values) override;
     /// Of one that is kept, row after row.
-    [[nodiscard]] std::vector<double> values(const Kept& kept) const;
+    [[nodiscard]] std::vector<double> values(const Kept& k) const { return values(k.column, k.size); }
+    /// Of neighbouring columns of what is kept, row after row.
+    [[nodiscard]] std::vector<double> values(std::size_t column, std::size_t size) const;
     /// Rows that were kept elsewhere. @param read  as of MemorySeries::restore()
     void restore(const std::function<std::vector<double>(const std::string& path)>& read);
     std::string path;  ///< of the times: "/time"

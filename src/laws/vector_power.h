@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "base/exponential_series.h"
+#include "base/split_exponential.h"
 
 namespace rotordrop {
 
@@ -28,14 +29,9 @@ namespace rotordrop {
   series = series * q + 1. / 5.;
   series = series * q + 1. / 3.;
   const double logarithm = e * 0.69314718055994530942 + 2. * (r + r * q * series);
-  // exp(y) = 2^k exp(f), |f| <= ln(2) / 2. Adding 1.5 * 2^52 rounds to an integer and leaves it in the low bits.
-  const double y = a * logarithm;
-  const double rounded = y * 1.4426950408889634074 + 6755399441055744.;
-  const double k = rounded - 6755399441055744.;
-  const double f = (y - k * 0.693147180369123816490) - k * 1.90821492927058770002e-10;
+  const auto [power, f] = split_exponential(a * logarithm);
   const double sum = (exponential_tail(f) * f + 1.) * f + 1.;
-  const std::uint64_t scale = (std::bit_cast<std::uint64_t>(rounded) + 1023U) << 52;
-  return sum * std::bit_cast<double>(scale) + (x - x);
+  return sum * power + (x - x);
 }
 
 }  // namespace rotordrop

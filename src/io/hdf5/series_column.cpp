@@ -30,9 +30,10 @@ Handle no_cache() {
 ColumnMaker::ColumnMaker(hid_t file, std::size_t chunk_rows)
     : file_(file), chunk_rows_(chunk_rows), links_(hdf5::with_missing_groups()), access_(no_cache()) {}
 
-hid_t ColumnMaker::chunked(std::size_t size) {
-  auto found = chunked_.find(size);
-  if (found == chunked_.end()) found = chunked_.emplace(size, chunked_list(chunk_rows_, size, size == 1 ? 1 : 2)).first;
+hid_t ColumnMaker::chunked(const SeriesColumn& column) {
+  auto found = chunked_.find(column.size);
+  if (found == chunked_.end())
+    found = chunked_.emplace(column.size, chunked_list(chunk_rows_, column.size, column.rank())).first;
   return found->second.id();
 }
 
@@ -44,9 +45,9 @@ SeriesColumn ColumnMaker::make(const Channel& channel, const std::string& time_p
   const hsize_t now[2] = {0, channel.size};
   const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
   const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
-  column.dataset = Handle(H5Dcreate2(file_, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), links_.id(),
-                                     chunked(channel.size), access_.id()),
-                          H5Dclose, "cannot make dataset " + channel.path);
+  column.dataset = Handle(
+      H5Dcreate2(file_, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), links_.id(), chunked(column), access_.id()),
+      H5Dclose, "cannot make dataset " + channel.path);
   hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
   hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
   if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);

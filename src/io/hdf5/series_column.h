@@ -27,7 +27,7 @@ class ColumnMaker {
   SeriesColumn make(const Channel& channel, const std::string& time_path);
 
  private:
-  [[nodiscard]] hid_t chunked(std::size_t size);
+  [[nodiscard]] hid_t chunked(const SeriesColumn& column);
   hid_t file_;
   std::size_t chunk_rows_;
   hdf5::Handle links_, access_;

@@ -46,8 +46,12 @@ void add_thermal_models(const MachineParameters& p, const Node& case_node, Finit
       if (auto states = model->ring_states(); !states.empty())
         parts.friction_temperatures = {parts.thermal.size(), std::move(states)};
     if (drives) parts.driver = parts.thermal.size();
+    const auto& friction = parts.friction_temperatures;
+    const bool is_felt =
+        drives || (friction && friction->model == parts.thermal.size()) || !model->heat_ports().empty();
     // All modes of a mesh are the reference by which steps are judged.
-    const bool follows = !drives && model->can_follow() && p.thermal.fe.coupling != FeCoupling::monolithic;
+    const bool is_reference = kind->meshes_sections && p.thermal.fe.coupling == FeCoupling::monolithic;
+    const bool follows = !is_felt && !is_reference && model->can_follow();
     parts.thermal.push_back({kind->name, kind->group, std::move(model), kind->is_unmarked, follows});
   }
   faults.throw_if_any();

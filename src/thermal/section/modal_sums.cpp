@@ -1,10 +1,9 @@
 #include "thermal/section/modal_sums.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 
 #include "base/exponential_series.h"
+#include "base/split_exponential.h"
 
 namespace rotordrop {
 namespace {
@@ -47,13 +46,9 @@ ROTORDROP_KERNEL void rates_kernel(const double* y, double zero, const double* d
 
 /// 1 - exp(-x) for 0 <= x <= 700, without a branch.
 ROTORDROP_KERNEL double decayed(double x) {
-  // -x = n ln 2 + f. Adding 1.5 * 2^52 rounds to an integer and leaves it in the low bits; ln 2 in two parts, the first with 32 bits.
-  const double rounded = -x * 1.4426950408889634074 + 6755399441055744.;
-  const double n = rounded - 6755399441055744.;
-  const double f = (-x - n * 0.693147180369123816490) - n * 1.90821492927058770002e-10;
-  const double two_to_n = std::bit_cast<double>((std::bit_cast<std::uint64_t>(rounded) + 1023U) << 52);
-  // For n = 0 only the second term is left: a small x loses no digits.
-  return (1. - two_to_n) - two_to_n * (f + f * f * exponential_tail(f));
+  const auto [power, f] = split_exponential(-x);
+  // For a power of 1 only the second term is left: a small x loses no digits.
+  return (1. - power) - power * (f + f * f * exponential_tail(f));
 }
 
 /// To states from their rates at the beginning: y + step first(x) dydt with x = decay step; over the step their mean is y + step second(x) dydt.

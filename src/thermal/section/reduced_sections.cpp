@@ -187,9 +187,10 @@ void ReducedSections::heat_raceways(std::size_t k, const double* rises, const He
   watts[ball_port] = -from_balls;
 }
 
-double ReducedSections::port_heats(std::size_t k, const double* rises, const HeatInput& heat,
+double ReducedSections::port_heats(std::size_t k, const double* y, const HeatInput& heat, HeatedPorts& rises,
                                    HeatedPorts& watts) const {
   const Place& p = places_[k];
+  p.means.sums(y, ambient_, rises.data());
   std::fill_n(watts.begin(), p.at_once.size(), 0.);
   // Eq. (16) with the mean rise of the housing's surface.
   const double film_loss = housing_convection(rises[housing_port]) * p.film_area * rises[housing_port];
@@ -201,12 +202,8 @@ double ReducedSections::port_heats(std::size_t k, const double* rises, const Hea
     watts[bore_port] -= q;
     watts[shaft_port] += q;
   }
-  heat_raceways(k, rises, heat, watts);
-  return film_loss;
-}
-
-double ReducedSections::lost_at_once(const Place& p, const HeatedPorts& watts) {
-  return std::inner_product(p.lost_at_once.begin(), p.lost_at_once.end(), watts.begin(), 0.);
+  heat_raceways(k, rises.data(), heat, watts);
+  return std::inner_product(p.lost_at_once.begin(), p.lost_at_once.end(), watts.begin(), film_loss);
 }
 
 double ReducedSections::rates(std::span<const double> state, std::span<const HeatInput> heat,
@@ -216,10 +213,9 @@ double ReducedSections::rates(std::span<const double> state, std::span<const Hea
     const Place& p = places_[k];
     const double* y = state.data() + p.first;
     HeatedPorts rises, watts;
-    p.means.sums(y, ambient_, rises.data());
-    lost += port_heats(k, rises.data(), heat[k], watts);
+    lost += port_heats(k, y, heat[k], rises, watts);
+    lost += rises[p.loss];
     p.modes.rates(y, ambient_, watts.data(), dydt.data() + p.first);
-    lost += rises[p.loss] + lost_at_once(p, watts);
   }
   return lost;
 }
@@ -231,8 +227,7 @@ double ReducedSections::advance(double step, std::span<const double> from, std::
     const Place& p = places_[k];
     const double* y = from.data() + p.first;
     HeatedPorts rises, watts;
-    p.means.sums(y, ambient_, rises.data());
-    lost += port_heats(k, rises.data(), heat[k], watts) + lost_at_once(p, watts);
+    lost += port_heats(k, y, heat[k], rises, watts);
     lost += p.modes.advance(y, ambient_, watts.data(), step, p.loss_shape, to.data() + p.first);
   }
   return lost * step;

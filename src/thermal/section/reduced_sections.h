@@ -80,9 +80,9 @@ class ReducedSections final : public ThermalModel {
     std::vector<SurfacePoints> surfaces;     ///< of the ports that are observed
     std::vector<std::size_t> surface_ports;  ///< which they are
   };
-  /// Heats into the heated ports of a section. @param rises  of them @returns what the housing's film takes [W]
-  double port_heats(std::size_t k, const double* rises, const HeatInput& heat, HeatedPorts& watts) const;
-  static double lost_at_once(const Place& place, const HeatedPorts& watts);
+  /// Heats into the heated ports of a section, and their rises by conduction. @returns what is lost besides by the modes: by the housing's film, and at once [W]
+  double port_heats(std::size_t k, const double* states, const HeatInput& heat, HeatedPorts& rises,
+                    HeatedPorts& watts) const;
   /// Heat of friction and of rolling balls into the raceways, or their rows, and out of the balls.
   /// @param rises  of the heated ports by conduction
   void heat_raceways(std::size_t k, const double* rises, const HeatInput& heat, HeatedPorts& watts) const;

@@ -87,8 +87,7 @@ TEST(Followers, LeaveTheMotionAsItIsWithoutThem) {
 }
 
 TEST(Followers, AgreeWithTheStateVector) {
-  // Even power within a step, and ways for heat as at its start: an error of second order, since what is held at the start of one step is the
-  // end of another's.
+  // Even power within a step: an error of second order. What the link carries, of first order, is little beside what is conducted.
   double last = 0.;
   for (const std::string step : {"8 us", "4 us", "2 us"}) {
     const std::vector<std::string> settings = {"integration.method=runge-kutta-4", "integration.step=" + step};
