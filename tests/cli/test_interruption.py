@@ -14,8 +14,8 @@ import numpy
 sys.path.insert(0, __file__.rpartition("/")[0])
 from program import HAS_MESH_ROOM, ProgramTest, content_of, settings, start  # noqa: E402
 
-# Some 80000 steps: a second or two, in which a signal finds the program at work.
-LONG = settings(run__end_time="40 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__detail_interval="0.1 ms")
+# Some 160000 steps: half a second or more, so that the file is there and a signal finds the program at work.
+LONG = settings(run__end_time="80 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__detail_interval="0.1 ms")
 
 
 def flat(tree, prefix=""):
@@ -49,7 +49,7 @@ class Interruption(ProgramTest):
     def is_under_way(self):
         if not (self.folder / "out/results.h5").exists():
             return False
-        time.sleep(0.2)
+        time.sleep(0.1)
         return True
 
     def is_checkpointed(self):

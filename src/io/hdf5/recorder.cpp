@@ -77,6 +77,14 @@ void write_columns(Group& group) {
   group.rows.clear();
 }
 
+/// Tells of all rows that are in the columns.
+void write_times(Group& group) {
+  if (group.times.empty()) return;
+  write_rows(group.time, group.n_told, group.times);
+  group.n_told += group.times.size();
+  group.times.clear();
+}
+
 void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups,
                     const RecorderOptions& options) {
   if (options.rows_per_flush == 0 || options.rows_per_chunk == 0)
@@ -134,8 +142,10 @@ struct Recorder::Implementation {
   void make_groups();
   /// @throws InputError if the file exists and must not be replaced
   void require_absent() const;
-  void make_file();
-  void make_datasets();
+  /// @param goes_on  rows will follow, which readers may follow, too; else it is closed, with all rows in it
+  void make_file(bool goes_on = true);
+  void make_datasets(bool goes_on);
+  void close_datasets();
   void flush();
   /// Calls what writes. @throws SolverError, after which the recorder only says so again
   template <class Work>
@@ -162,7 +172,7 @@ void Recorder::Implementation::require_absent() const {
                      "Choose another directory, or allow it to be overwritten.");
 }
 
-void Recorder::Implementation::make_file() {
+void Recorder::Implementation::make_file(bool goes_on) {
   hdf5::be_quiet();
   require_absent();
   // Made under another name first: nobody ever opens a file whose datasets are still being made, and an older one stays until
@@ -172,9 +182,17 @@ void Recorder::Implementation::make_file() {
   HalfMadeFile half_made(beside);
   try {
     file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
-    make_datasets();
-    hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "cannot write it");
-    hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
+    make_datasets(goes_on);
+    if (goes_on) {
+      hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "cannot write it");
+      hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
+    } else {
+      for (auto& group : groups) {
+        write_columns(group);
+        write_times(group);
+      }
+      close_datasets();
+    }
     hdf5::know_readable(beside);
   } catch (const SolverError& error) {
     abandon();
@@ -191,12 +209,14 @@ void Recorder::Implementation::make_file() {
   half_made.keep();
 }
 
-void Recorder::Implementation::make_datasets() {
+void Recorder::Implementation::make_datasets(bool goes_on) {
   for (const auto& [name, text] : header.attributes) hdf5::write_attribute(file.id(), name, text);
   for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
-  ColumnMaker maker(file.id(), options.rows_per_chunk);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const SeriesGroup& description = series[i];
+    // Of a whole series one chunk is as good as several, and sooner written.
+    const std::size_t rows = goes_on ? 0 : groups[i].n_rows();
+    ColumnMaker maker(file.id(), std::max(options.rows_per_chunk, rows));
     groups[i].time =
         maker.make({description.time_path, description.unit, description.long_name, 1, {}}, description.time_path);
     for (const auto& channel : description.channels)
@@ -227,10 +247,8 @@ void Recorder::Implementation::flush() {
                   "flush");  // the values are out before the times that announce them
     for (auto& group : groups) {
       if (group.times.empty()) continue;
-      write_rows(group.time, group.n_told, group.times);
+      write_times(group);
       hdf5::require(H5Dflush(group.time.dataset.id()), "flush");
-      group.n_told += group.times.size();
-      group.times.clear();
     }
   });
 }
@@ -238,18 +256,30 @@ void Recorder::Implementation::flush() {
 void Recorder::Implementation::close() {
   if (is_closed) return;
   require_open();
+  // A file that nobody could follow so far needs no order in which its rows appear.
+  if (!file.is_open()) {
+    make_file(false);
+    is_closed = true;
+    return;
+  }
   flush();
   is_closed = true;
+  try {
+    close_datasets();
+  } catch (const SolverError& error) {
+    failure = "the result file " + path.string() + " could not be closed: " + error.what() + ".";
+    throw SolverError(failure);
+  }
+}
+
+void Recorder::Implementation::close_datasets() {
   bool is_sound = true;
   for (auto& group : groups) {
     is_sound = group.time.dataset.reset() && is_sound;
     for (auto& column : group.columns) is_sound = column.dataset.reset() && is_sound;
   }
   is_sound = file.reset() && is_sound;
-  if (!is_sound) {
-    failure = "the result file " + path.string() + " could not be closed: " + hdf5::last_error() + ".";
-    throw SolverError(failure);
-  }
+  if (!is_sound) throw SolverError(hdf5::last_error());
 }
 
 void Recorder::Implementation::abandon() noexcept {

@@ -71,28 +71,21 @@ bool same_bits(const double* a, const double* b, std::size_t n) { return std::me
 
 /// All rows of a finished drop can be read, and the last one is that of its end. @throws DamagedFile
 void require_whole(const fs::path& file, const std::vector<std::string>& datasets, double end) {
-  try {
-    std::map<std::string, std::size_t> n_rows;
-    for (const auto& name : datasets) {
-      if (!is_time_axis(name)) continue;
-      const auto times = read_series(file, name).values;
-      if (std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return !(b > a); }) != times.end())
-        throw DamagedFile({file.string()}, name + " does not rise.");
-      constexpr double roundoff = 1e-12;
-      if (name == "/time" && (times.empty() || !(std::fabs(times.back() - end) <= roundoff * end)))
-        throw DamagedFile({file.string()}, fmt::format("its rows do not reach the end of the run, {:.6g} s.", end));
-      n_rows[name] = times.size();
-    }
-    for (const auto& name : datasets) {
-      const std::string axis = is_time_axis(name) ? "" : read_meaning(file, name).time_path;
-      if (!axis.empty() && read_series(file, name).shape.at(0) < n_rows[axis])
-        throw DamagedFile({file.string()}, name + " has fewer rows than " + axis + ".");
-    }
-  } catch (const DamagedFile& damage) {
-    const Fault& fault = damage.faults().front();
-    throw DamagedFile(fault.where, fault.message,
-                      "The run was finished, and its checkpoints are gone: run it again with --force, without "
-                      "--resume.");
+  std::map<std::string, std::size_t> n_rows;
+  for (const auto& name : datasets) {
+    if (!is_time_axis(name)) continue;
+    const auto times = read_series(file, name).values;
+    if (std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return !(b > a); }) != times.end())
+      throw DamagedFile({file.string()}, name + " does not rise.");
+    constexpr double roundoff = 1e-12;
+    if (name == "/time" && (times.empty() || !(std::fabs(times.back() - end) <= roundoff * end)))
+      throw DamagedFile({file.string()}, fmt::format("its rows do not reach the end of the run, {:.6g} s.", end));
+    n_rows[name] = times.size();
+  }
+  for (const auto& name : datasets) {
+    const std::string axis = is_time_axis(name) ? "" : read_meaning(file, name).time_path;
+    if (!axis.empty() && read_series(file, name).shape.at(0) < n_rows[axis])
+      throw DamagedFile({file.string()}, name + " has fewer rows than " + axis + ".");
   }
 }
 
@@ -140,9 +133,16 @@ nlohmann::ordered_json finished_summary(const fs::path& directory, const Case& c
   auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
   if (!summary.is_object() || !summary.contains("run") || !summary["run"].value("completed", false)) return nullptr;
   const fs::path results = directory / "results.h5";
-  const auto datasets = list_datasets(results);
-  require_same_files(results, datasets);
-  require_whole(results, datasets, summary["run"].value("end_time", 0.));
+  try {
+    const auto datasets = list_datasets(results);
+    require_same_files(results, datasets);
+    require_whole(results, datasets, summary["run"].value("end_time", 0.));
+  } catch (const DamagedFile& damage) {
+    const Fault& fault = damage.faults().front();
+    throw DamagedFile(fault.where, fault.message,
+                      "The run was finished, and its checkpoints are gone: run it again with --force, without "
+                      "--resume.");
+  }
   return summary;
 }
 

@@ -339,6 +339,23 @@ TEST_F(RecorderTest, IsMadeLaterIfAsked) {
   Recorder(path, header, machine(), options).close();
   EXPECT_EQ(read_series(path, "/time").values.size(), 0U);
   fs::remove(path);
+  {
+    Recorder whole(path, header, machine(), options);
+    append_rows(whole, 0, 3000);  // more than two chunks
+    EXPECT_EQ(n_files(), 0U);
+    whole.close();
+    EXPECT_EQ(n_files(), 1U) << "and nothing beside it";
+    expect_rows(path, 3000);
+    EXPECT_THROW(append_rows(whole, 3000, 3001), std::logic_error);
+    EXPECT_EQ(whole.n_rows(0), 3000U);
+  }
+  {
+    Recorder nowhere(directory / "missing" / "results.h5", header, machine(), options);
+    append_rows(nowhere, 0, 20);
+    const auto message = message_of([&] { nowhere.close(); });
+    EXPECT_NE(message.find("could not be made: "), std::string::npos) << message;
+  }
+  fs::remove(path);
   options.seconds_until_made = 0.02;
   Recorder soon(path, header, machine(), options);
   append_rows(soon, 0, 20);
