@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "analysis/drop_lanes.h"
+#include "base/aligned_numbers.h"
 #include "case/case.h"
 #include "integrate/integrator.h"
 #include "io/hdf5/recorder.h"
@@ -325,7 +326,8 @@ void right_hand_side_in_lanes(benchmark::State& state) {
   const std::vector<const Machine*> machines(LaneSystem::width, contact.machine.get());
   const auto system = make_lanes(machines);
   constexpr std::size_t width = LaneSystem::width;
-  std::vector<double> t(width, contact.t), y, dydt(contact.y.size() * width);
+  std::vector<double> t(width, contact.t);
+  AlignedNumbers y, dydt(contact.y.size() * width);
   for (const double value : contact.y) y.insert(y.end(), width, value);
   for (auto _ : state) {
     system->rates(t, y, dydt);

@@ -158,8 +158,16 @@ LaneIntegrator::PerLane LaneIntegrator::error_sizes() {
   return sums;
 }
 
+bool LaneIntegrator::have_all_stepped() const {
+  return std::all_of(stepped_.begin(), stepped_.end(), [](double flag) { return flag != 0.; });
+}
+
 void LaneIntegrator::advance() {
-  wide<take>(n_, stepped_.data(), k_.back().data(), k_.front().data());  // first same as last
+  // First same as last.
+  if (have_all_stepped())
+    k_.front().swap(k_.back());
+  else
+    wide<take>(n_, stepped_.data(), k_.back().data(), k_.front().data());
   start_begun();
   for (std::size_t l = 0; l < width; ++l) {
     const Trial trial = runs_[l] ? control_[l].trial(next_step_[l], time_[l], end_time_[l]) : Trial{0., time_[l]};
@@ -168,7 +176,7 @@ void LaneIntegrator::advance() {
     ends_[l] = trial.ends;
     if (runs_[l]) statistics_[l].rhs_evaluations += pair_.n_stages - 1;
   }
-  // Nothing depends on quadratures: the stages before the last leave them alone.
+  // Nothing depends on quadratures: the stages before the last leave them as they are.
   const int last = pair_.n_stages - 1;
   for (int i = 1; i < last; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -181,6 +189,11 @@ void LaneIntegrator::advance() {
   system_->observe(target_, stage_, k_.back(), step_, details_);
   const PerLane sizes = error_sizes();
   for (std::size_t l = 0; l < width; ++l) finish(l, sizes[l]);
+  if (have_all_stepped()) {
+    before_.swap(y_);
+    y_.swap(stage_);
+    return;
+  }
   wide<take>(n_, stepped_.data(), y_.data(), before_.data());
   wide<take>(n_, stepped_.data(), stage_.data(), y_.data());
 }

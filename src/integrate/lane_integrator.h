@@ -62,6 +62,7 @@ class LaneIntegrator {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i * width + lane];
   }
   void start_begun();
+  [[nodiscard]] bool have_all_stepped() const;
   void combine(std::size_t n, const std::array<double, most_stages>& coefficients, int count);
   [[nodiscard]] PerLane error_sizes();
   void finish(std::size_t lane, double size);

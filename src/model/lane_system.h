@@ -20,7 +20,7 @@ class LaneSystem {
   [[nodiscard]] virtual const StateLayout& layout() const = 0;
   /// Entries [from, size) are quadratures.
   [[nodiscard]] virtual std::size_t first_quadrature() const = 0;
-  /// @param t [width] [s]; @param y, dydt [layout().size()][width]
+  /// @param t [width] [s]; @param y, dydt [layout().size()][width], at whole lines of the cache (AlignedNumbers)
   virtual void rates(std::span<const double> t, std::span<const double> y, std::span<double> dydt) = 0;
   /// The same with what is observed on the way. @param step, details  [number of values][width]; empty: not
   virtual void observe(std::span<const double> t, std::span<const double> y, std::span<double> dydt,

@@ -199,21 +199,13 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
     width = bent.width.data();
     width_rate = bent.rate.data();
   }
-  const auto& v = in.rate;
-  const auto& e = in.displacement;
-  const double xr = geometry_.position, arm = numbers_.grooves.arm;
-  const Grooves at = numbers_.grown(in);
-  for (int j = 0; j < geometry_.n_balls; ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    const double c = in.cage_cosine * cosine_[k] - in.cage_sine * sine_[k];
-    const double s = in.cage_sine * cosine_[k] + in.cage_cosine * sine_[k];
-    const double Br = at.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s + (width ? width[k] : 0.);
-    const double Br_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s + (width_rate ? width_rate[k] : 0.);
-    const double Bx = at.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
-    const double distance = std::sqrt(Br * Br + Bx * Bx);
-    const double delta = std::max(distance - at.A + added[k], 0.);
-    const double rate = (Br * Br_rate + Bx * (v.x + arm * (v.psi_y * s - v.psi_z * c))) / distance;
-    load[k] = std::max(geometry_.stiffness * std::sqrt(delta) * (delta + 1.5 * geometry_.damping_beta * rate), 0.);
+  const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
+  for (std::size_t k = 0; k < n_balls(); ++k) {
+    BallWidening<double> bent_here{};
+    if (width) bent_here = {width[k], width_rate[k], 0.};
+    BallTerms<double> b = ball_penetration<true, true>(place, cosine_[k], sine_[k], added[k], bent_here);
+    press_ball(place, b);
+    load[k] = b.F;
   }
 }
 

@@ -42,15 +42,17 @@ ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const
       const std::size_t j = first + l;
       BallWidening<double> bent{};
       if constexpr (is_bent) bent = {in.bent->width[j], in.bent->rate[j], in.bent->slope[j]};
-      const BallTerms<double> b = ball_terms<tilts, is_bent>(place, in.cosine[j], in.sine[j], in.added[j], bent);
+      const double c = in.cosine[j], s = in.sine[j];
+      BallTerms<double> b = ball_penetration<tilts, is_bent>(place, c, s, in.added[j], bent);
+      press_ball(place, b);
       const double F_radial = b.F * b.cos_phi, F_axial = b.F * b.sin_phi;
       if constexpr (is_bent) in.bent->force[j] = F_radial;
       sum.fx[l] -= F_axial;
-      sum.fy[l] -= F_radial * b.c;
-      sum.fz[l] -= F_radial * b.s;
+      sum.fy[l] -= F_radial * c;
+      sum.fz[l] -= F_radial * s;
       if constexpr (tilts) {
-        sum.my[l] += F_radial * place.position * b.s - F_axial * place.arm * b.s;
-        sum.mz[l] += F_axial * place.arm * b.c - F_radial * place.position * b.c;
+        sum.my[l] += F_radial * place.position * s - F_axial * place.arm * s;
+        sum.mz[l] += F_axial * place.arm * c - F_radial * place.position * c;
       }
       sum.dissipated[l] += (b.F - b.elastic) * b.rate;
       sum.elastic_radial[l] += b.elastic * b.cos_phi;
@@ -67,6 +69,8 @@ ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const
   out.force_z = sum.fz.sum();
   out.moment_y = tilts ? sum.my.sum() : 0.;
   out.moment_z = tilts ? sum.mz.sum() : 0.;
+  place.turn_back(out.force_y, out.force_z);
+  if constexpr (tilts) place.turn_back(out.moment_y, out.moment_z);
   out.damping_power = sum.dissipated.sum();
   out.elastic_radial = sum.elastic_radial.sum();
   out.elastic_axial = sum.elastic_axial.sum();
@@ -92,7 +96,7 @@ ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const
 template <bool is_bent>
 ROTORDROP_KERNEL double deflections(const KernelInput& in) {
   Octet sum;
-  const double C = in.cage_cosine, S = in.cage_sine, arm = in.arm, xr = in.position;
+  const double arm = in.arm, xr = in.position;
   const RingDisplacement e = in.e;
   const double e_y = e.y + xr * e.psi_z, e_z = e.z - xr * e.psi_y;
   const std::size_t n = whole_vectors(in.n);
@@ -100,8 +104,7 @@ ROTORDROP_KERNEL double deflections(const KernelInput& in) {
 #pragma omp simd
     for (std::size_t l = 0; l < vector_length; ++l) {
       const std::size_t j = first + l;
-      const double c = C * in.cosine[j] - S * in.sine[j];
-      const double s = S * in.cosine[j] + C * in.sine[j];
+      const double c = in.cosine[j], s = in.sine[j];
       double Br = in.radial + e_y * c + e_z * s;
       if constexpr (is_bent) Br += in.bent->width[j];
       const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);

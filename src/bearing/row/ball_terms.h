@@ -6,21 +6,46 @@
 
 namespace rotordrop {
 
-/// What a row's balls have in common at one instant.
+/// What a row's balls have in common at one instant, seen from the cage: there a ball's azimuth is that at cage angle zero.
 template <class Real>
 struct RowPlaceOf {
   Real grown;                                        // added to every delta: 2 eps_b
   Real A, radial, axial, arm, position, K, damping;  // damping = 1.5 beta
   Real cage_cosine, cage_sine;
-  RingDisplacementOf<Real> e, v;
+  RingDisplacementOf<Real> e, v;  // in the cage's frame
+
+  /// Gives a vector that was summed in the cage's frame its place at rest.
+  void turn_back(Real& y, Real& z) const {
+    const Real in_cage = y;
+    y = cage_cosine * in_cage - cage_sine * z;
+    z = cage_sine * in_cage + cage_cosine * z;
+  }
 };
+
+/// A displacement, or its rate, in the cage's frame.
+template <class Real>
+RingDisplacementOf<Real> seen_from_cage(const RingDisplacementOf<Real>& d, const Real& cosine, const Real& sine) {
+  return {d.x, d.y * cosine + d.z * sine, d.z * cosine - d.y * sine, d.psi_y * cosine + d.psi_z * sine,
+          d.psi_z * cosine - d.psi_y * sine};
+}
 
 /// @param grown  added to every delta
 template <class Real>
 RowPlaceOf<Real> row_place(const RowNumbers<Real>& row, const BallRowInputOf<Real>& in, const Real& grown) {
   const GroovesOf<Real> g = row.grown(in);
-  return {grown,         g.A,         g.radial,       g.axial,      g.arm,           row.position,
-          row.stiffness, row.damping, in.cage_cosine, in.cage_sine, in.displacement, in.rate};
+  const Real &C = in.cage_cosine, &S = in.cage_sine;
+  return {grown,
+          g.A,
+          g.radial,
+          g.axial,
+          g.arm,
+          row.position,
+          row.stiffness,
+          row.damping,
+          C,
+          S,
+          seen_from_cage(in.displacement, C, S),
+          seen_from_cage(in.rate, C, S)};
 }
 
 /// By how much bent rings move a ball's races apart, its rate, and its slope around the ring.
@@ -32,24 +57,25 @@ struct BallWidening {
 /// One ball's contact with the races, and its parts of the row's sums. Forces are on the ball's inner race, against the ring's.
 template <class Real>
 struct BallTerms {
-  Real c, s;              // of its azimuth
   Real cos_phi, sin_phi;  // of the contact angle
   Real delta, root;       // penetration and its root
   Real elastic, F;        // [N]
   Real rate;              // of the penetration [m/s]
+  Real turn;              // change of the penetration over the cage's turning [m]
   Real cage;              // torque by elastic forces over the cage's turning [N m]
 };
 
-/// @tparam tilts    of a ring that moves in all five ways; one that only translates leaves out the terms of tilt and axial motion
-/// @tparam is_bent  of bent rings
-/// @param added     to the penetration: waves, or what keeps an idle ball away
+/// The penetration of a ball, where it is and how it changes.
+/// @tparam tilts        of a ring that moves in all five ways; one that only translates leaves out the terms of tilt and axial motion
+/// @tparam is_bent      of bent rings
+/// @param cosine, sine  of its azimuth, in the cage's frame
+/// @param added         to the penetration: waves, or what keeps an idle ball away
 template <bool tilts, bool is_bent, class Real>
-[[gnu::always_inline]] inline BallTerms<Real> ball_terms(const RowPlaceOf<Real>& in, const Real& cosine,
-                                                         const Real& sine, const Real& added,
-                                                         const BallWidening<Real>& bent) {
+[[gnu::always_inline]] inline BallTerms<Real> ball_penetration(const RowPlaceOf<Real>& in, const Real& cosine,
+                                                               const Real& sine, const Real& added,
+                                                               const BallWidening<Real>& bent) {
   BallTerms<Real> b;
-  const Real c = in.cage_cosine * cosine - in.cage_sine * sine;
-  const Real s = in.cage_sine * cosine + in.cage_cosine * sine;
+  const Real &c = cosine, &s = sine;
   Real e_y = in.e.y, e_z = in.e.z, v_y = in.v.y, v_z = in.v.z, Bx = in.axial, Bx_rate = 0., Bx_turn = 0.;
   if constexpr (tilts) {
     const auto &e = in.e, &v = in.v;
@@ -69,19 +95,23 @@ template <bool tilts, bool is_bent, class Real>
   }
   const Real distance = sqrt(Br * Br + Bx * Bx);
   const Real inverse = 1. / distance;
-  b.c = c;
-  b.s = s;
   b.cos_phi = Br * inverse;
   b.sin_phi = Bx * inverse;
   b.delta = larger(distance - in.A + (in.grown + added), Real(0.));
   b.rate = b.cos_phi * Br_rate;
   if constexpr (tilts) b.rate += b.sin_phi * Bx_rate;
+  b.turn = b.cos_phi * Br_turn + b.sin_phi * Bx_turn;
+  return b;
+}
+
+/// What its penetration makes of it: nothing where there is none.
+template <class Real>
+[[gnu::always_inline]] inline void press_ball(const RowPlaceOf<Real>& in, BallTerms<Real>& b) {
   b.root = sqrt(b.delta);
   const Real stiffness = in.K * b.root;
   b.elastic = stiffness * b.delta;
   b.F = larger(stiffness * (b.delta + in.damping * b.rate), Real(0.));
-  b.cage = b.elastic * (b.cos_phi * Br_turn + b.sin_phi * Bx_turn);
-  return b;
+  b.cage = b.elastic * b.turn;
 }
 
 /// Raceways' edges as the tractions' sums need them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.

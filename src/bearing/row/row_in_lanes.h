@@ -46,7 +46,11 @@ class RowInLanes {
   void ball_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
     const auto travels = travelling(in);
-    for (std::size_t j = 0; j < cosine_.size(); ++j) load[j] = ball(place, waved(travels, j).added, j).F;
+    for (std::size_t j = 0; j < cosine_.size(); ++j) {
+      BallTerms<Real> b = penetration(place, waved(travels, j).added, j);
+      press_ball(place, b);
+      load[j] = b.F;
+    }
   }
 
  private:
@@ -85,9 +89,9 @@ class RowInLanes {
     }
     return sum;
   }
-  [[nodiscard, gnu::always_inline]] inline BallTerms<Real> ball(const RowPlaceOf<Real>& place, const Real& added,
-                                                                std::size_t j) const {
-    return ball_terms<false, false>(place, Real(cosine_[j]), Real(sine_[j]), added, BallWidening<Real>{});
+  [[nodiscard, gnu::always_inline]] inline BallTerms<Real> penetration(const RowPlaceOf<Real>& place, const Real& added,
+                                                                       std::size_t j) const {
+    return ball_penetration<false, false>(place, Real(cosine_[j]), Real(sine_[j]), added, BallWidening<Real>{});
   }
 
   template <bool with_tractions, bool is_wavy>
@@ -104,7 +108,11 @@ class RowInLanes {
     for (std::size_t j = 0; j < cosine_.size(); ++j) {
       Waved by_waves{zero, zero};
       if constexpr (is_wavy) by_waves = waved(travels, j);
-      const BallTerms<Real> b = ball(place, by_waves.added, j);
+      BallTerms<Real> b = penetration(place, by_waves.added, j);
+      // Where no drop's ball is pressed it adds nothing but the centrifugal force in its outer contact. What is not a number goes on.
+      if constexpr (!with_tractions)
+        if (!any(!(b.delta <= 0.))) continue;
+      press_ball(place, b);
       if constexpr (is_wavy) waviness += b.elastic * by_waves.rate;
       if constexpr (with_tractions) {
         const TractionTerms<Real> t = traction_terms(with, b);
@@ -116,8 +124,8 @@ class RowInLanes {
       }
       const Real F_radial = b.F * b.cos_phi;
       fx -= b.F * b.sin_phi;
-      fy -= F_radial * b.c;
-      fz -= F_radial * b.s;
+      fy -= F_radial * cosine_[j];
+      fz -= F_radial * sine_[j];
       dissipated += (b.F - b.elastic) * b.rate;
       elastic_radial += b.elastic * b.cos_phi;
       elastic_axial += b.elastic * b.sin_phi;
@@ -126,6 +134,7 @@ class RowInLanes {
       largest = larger(largest, b.F);
       roots += b.root;
     }
+    place.turn_back(fy, fz);
     out.force_x = fx;
     out.force_y = fy;
     out.force_z = fz;

@@ -1,26 +1,21 @@
 #include "io/hdf5/recorder.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
-#include <span>
 #include <stdexcept>
 #include <system_error>
 
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "base/row_store.h"
 #include "io/half_made_file.h"
 #include "io/hdf5/hdf5_driver.h"
 #include "io/hdf5/hdf5_handle.h"
-#include "io/hdf5/series_column.h"
+#include "io/hdf5/recorded_group.h"
 #include "io/hdf5/trial_reading.h"
 
 namespace rotordrop {
@@ -30,60 +25,6 @@ using hdf5::Handle;
 using Clock = std::chrono::steady_clock;
 
 namespace {
-
-struct Group {
-  SeriesColumn time;
-  std::vector<SeriesColumn> columns;
-  std::vector<double> times;  ///< of the rows that readers are not yet told of
-  RowStore rows;              ///< the last of these, in no column yet
-  std::size_t n_told = 0;
-  double last_time = -std::numeric_limits<double>::infinity();
-  std::uint64_t check_sum = 0;  ///< of all rows so far, times included
-
-  [[nodiscard]] std::size_t n_rows() const { return n_told + times.size(); }
-};
-
-std::uint64_t mixed(std::uint64_t sum, std::uint64_t bits) {
-  sum = (sum ^ bits) * 0x9e3779b97f4a7c15U;
-  return sum ^ (sum >> 32);
-}
-
-/// Mixes a row's bits into a check sum. Each multiplication waits for the one before it, so there are four sums.
-std::uint64_t mixed(std::uint64_t sum, double time, std::span<const double> row) {
-  constexpr std::size_t n_sums = 4;
-  std::array<std::uint64_t, n_sums> sums = {sum, 1, 2, 3};
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  std::size_t i = 0;
-  for (; i + n_sums <= row.size(); i += n_sums)
-    for (std::size_t k = 0; k < n_sums; ++k) sums[k] = mixed(sums[k], bits(row[i + k]));
-  for (; i < row.size(); ++i) sums[0] = mixed(sums[0], bits(row[i]));
-  std::uint64_t all = bits(time);
-  for (const std::uint64_t part : sums) all = mixed(all, part);
-  return all;
-}
-
-/// Writes the rows that are in no column yet. Nobody is told of them before flush().
-void write_columns(Group& group) {
-  const std::size_t n = group.rows.n_rows();
-  if (n == 0) return;
-  std::vector<double> values;
-  std::size_t first = 0;  // value of the column in a row
-  for (const SeriesColumn& column : group.columns) {
-    values.resize(n * column.size);
-    group.rows.copy(first, column.size, values.data());
-    write_rows(column, group.n_rows() - n, values);
-    first += column.size;
-  }
-  group.rows.clear();
-}
-
-/// Tells of all rows that are in the columns.
-void write_times(Group& group) {
-  if (group.times.empty()) return;
-  write_rows(group.time, group.n_told, group.times);
-  group.n_told += group.times.size();
-  group.times.clear();
-}
 
 void check_channels(const RecordHeader& header, const std::vector<SeriesGroup>& groups,
                     const RecorderOptions& options) {
@@ -134,7 +75,7 @@ struct Recorder::Implementation {
   RecorderOptions options;
   std::vector<SeriesGroup> series;
   Handle file;  // before the groups: their datasets close first
-  std::vector<Group> groups;
+  std::vector<RecordedGroup> groups;
   Clock::time_point last_flush = Clock::now();
   std::string failure;  ///< why writing failed; empty while all is well
   bool is_closed = false;
@@ -188,8 +129,8 @@ void Recorder::Implementation::make_file(bool goes_on) {
       hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
     } else {
       for (auto& group : groups) {
-        write_columns(group);
-        write_times(group);
+        group.write_columns();
+        group.write_times();
       }
       close_datasets();
     }
@@ -240,14 +181,14 @@ void Recorder::Implementation::flush() {
   hdf5::be_quiet();
   if (!file.is_open()) make_file();
   last_flush = Clock::now();
-  if (std::all_of(groups.begin(), groups.end(), [](const Group& group) { return group.times.empty(); })) return;
+  if (std::all_of(groups.begin(), groups.end(), [](const RecordedGroup& group) { return group.times.empty(); })) return;
   write_with([this] {
-    for (auto& group : groups) write_columns(group);
+    for (auto& group : groups) group.write_columns();
     hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL),
                   "flush");  // the values are out before the times that announce them
     for (auto& group : groups) {
       if (group.times.empty()) continue;
-      write_times(group);
+      group.write_times();
       hdf5::require(H5Dflush(group.time.dataset.id()), "flush");
     }
   });
@@ -322,7 +263,7 @@ Recorder::~Recorder() {
 
 void Recorder::append(std::size_t group_index, double time, std::span<const double> row) {
   implementation_->require_open();
-  Group& group = implementation_->groups.at(group_index);
+  RecordedGroup& group = implementation_->groups.at(group_index);
   if (row.size() != group.rows.row_size())
     throw std::invalid_argument("Recorder: a row of " + implementation_->series[group_index].time_path + " has " +
                                 std::to_string(group.rows.row_size()) + " values, given were " +
@@ -330,17 +271,14 @@ void Recorder::append(std::size_t group_index, double time, std::span<const doub
   if (!(time >= group.last_time))
     throw std::invalid_argument("Recorder: times of " + implementation_->series[group_index].time_path +
                                 " must not decrease");
-  group.last_time = time;
-  group.times.push_back(time);
-  group.rows.append(row);
-  group.check_sum = mixed(group.check_sum, time, row);
+  group.append(time, row);
   const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
   if (!implementation_->file.is_open() && waited.count() >= implementation_->options.seconds_until_made)
     implementation_->make_file();
   // Whole chunks go out as they are full: memory that was used before costs less than fresh memory for all rows.
   if (implementation_->file.is_open() && group.n_rows() % implementation_->options.rows_per_chunk == 0) {
     hdf5::be_quiet();
-    implementation_->write_with([&] { write_columns(group); });
+    implementation_->write_with([&] { group.write_columns(); });
   }
   if (group.times.size() >= implementation_->options.rows_per_flush ||
       group.rows.bytes() >= implementation_->options.bytes_per_flush ||
@@ -356,7 +294,7 @@ void Recorder::flush() {
 RecordedRows Recorder::sync() {
   flush();
   RecordedRows rows;
-  for (const Group& group : implementation_->groups) {
+  for (const RecordedGroup& group : implementation_->groups) {
     rows.n_rows.push_back(group.n_told);
     rows.check_sums.push_back(group.check_sum);
   }

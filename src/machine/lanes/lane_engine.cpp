@@ -86,11 +86,7 @@ class MachineLanes final : public LaneSystem {
  public:
   static_assert(n_lanes == LaneSystem::width);
   explicit MachineLanes(std::span<const Machine* const> machines)
-      : machines_(machines.begin(), machines.end()),
-        form_(*machines.front()),
-        parts_(machines),
-        y_(form_.layout().size()),
-        dydt_(y_) {}
+      : machines_(machines.begin(), machines.end()), form_(*machines.front()), parts_(machines) {}
 
   [[nodiscard]] const StateLayout& layout() const override { return form_.layout(); }
   [[nodiscard]] std::size_t first_quadrature() const override { return form_.first_quadrature(); }
@@ -103,26 +99,32 @@ class MachineLanes final : public LaneSystem {
     observed_.wants_step = !step.empty();
     observed_.wants_details = !details.empty();
     evaluate(t, y, dydt, observed_);
-    if (!step.empty()) observe_probes();
+    if (!step.empty()) observe_probes(y);
     store(observed_.step, step);
     store(observed_.details, details);
   }
 
  private:
   void evaluate(std::span<const double> t, std::span<const double> y, std::span<double> dydt, EvaluationOf<Real>& e) {
-    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = Real::load(y.data() + i * width);
-    form_.evaluate_with<Real>(parts_, Real::load(t.data()), y_, dydt_, e);
-    store(dydt_, dydt);
+    form_.evaluate_with<Real>(parts_, Real::load(t.data()), in_vectors(y), in_vectors(dydt), e);
   }
-  void observe_probes() {
+  void observe_probes(std::span<const double> y) {
     const std::size_t n_probed = 3 * form_.probes().size(), first = observed_.step.size() - n_probed;
     if (n_probed == 0) return;
     std::vector<double> rotor(form_.n_rotor_states()), values(n_probed);
     for (int lane = 0; lane < n_lanes; ++lane) {
-      for (std::size_t i = 0; i < rotor.size(); ++i) rotor[i] = y_[i][lane];
-      machines_[std::min(static_cast<std::size_t>(lane), machines_.size() - 1)]->observe_probes(rotor, values);
+      const auto l = static_cast<std::size_t>(lane);
+      for (std::size_t i = 0; i < rotor.size(); ++i) rotor[i] = y[i * width + l];
+      machines_[std::min(l, machines_.size() - 1)]->observe_probes(rotor, values);
       for (std::size_t i = 0; i < n_probed; ++i) observed_.step[first + i].set(lane, values[i]);
     }
+  }
+  /// A list as it lies in memory, where the numbers of all lanes make whole vectors. Nothing in this source touches it as single numbers.
+  static std::span<const Real> in_vectors(std::span<const double> list) {
+    return {reinterpret_cast<const Real*>(list.data()), list.size() / width};
+  }
+  static std::span<Real> in_vectors(std::span<double> list) {
+    return {reinterpret_cast<Real*>(list.data()), list.size() / width};
   }
   static void store(const std::vector<Real>& from, std::span<double> to) {
     for (std::size_t i = 0; i < from.size(); ++i) from[i].store(to.data() + i * width);
@@ -131,7 +133,6 @@ class MachineLanes final : public LaneSystem {
   std::vector<const Machine*> machines_;
   const Machine& form_;
   PartsInLanes<Real> parts_;
-  std::vector<Real> y_, dydt_;
   EvaluationOf<Real> rates_only_, observed_;
 };
 

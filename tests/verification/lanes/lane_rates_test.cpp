@@ -6,6 +6,7 @@
 #include <random>
 
 #include "../machine/test_machines.h"
+#include "base/aligned_numbers.h"
 #include "machine/lanes/machine_lanes.h"
 
 namespace rotordrop {
@@ -38,12 +39,11 @@ class Lanes {
   std::vector<Columns> evaluate(const std::vector<std::vector<double>>& states) {
     const Machine& form = *machines_.front();
     const std::size_t n = form.layout().size();
-    std::vector<double> t(width, 0.01), y(n * width), dydt(n * width), step(form.n_step() * width),
-        details(form.n_details() * width);
+    std::vector<double> t(width, 0.01), step(form.n_step() * width), details(form.n_details() * width);
+    AlignedNumbers y(n * width), dydt(n * width), again(n * width);
     for (std::size_t l = 0; l < width; ++l)
       for (std::size_t i = 0; i < n; ++i) y[i * width + l] = states[l < states.size() ? l : 0][i];
     system_->observe(t, y, dydt, step, details);
-    std::vector<double> again(dydt.size());
     system_->rates(t, y, again);
     for (std::size_t i = 0; i < dydt.size(); ++i)
       if (std::isfinite(dydt[i])) {
@@ -51,7 +51,7 @@ class Lanes {
       }
     std::vector<Columns> all(machines_.size());
     for (std::size_t l = 0; l < all.size(); ++l) {
-      const auto column = [l](const std::vector<double>& from) {
+      const auto column = [l](std::span<const double> from) {
         std::vector<double> to;
         for (std::size_t i = l; i < from.size(); i += width) to.push_back(from[i]);
         return to;

@@ -1,0 +1,58 @@
+#include "io/hdf5/recorded_group.h"
+
+#include <array>
+#include <bit>
+
+namespace rotordrop {
+namespace {
+
+std::uint64_t mixed(std::uint64_t sum, std::uint64_t bits) {
+  sum = (sum ^ bits) * 0x9e3779b97f4a7c15U;
+  return sum ^ (sum >> 32);
+}
+
+/// Mixes a row's bits into a check sum. Each multiplication waits for the one before it, so there are four sums.
+std::uint64_t mixed(std::uint64_t sum, double time, std::span<const double> row) {
+  constexpr std::size_t n_sums = 4;
+  std::array<std::uint64_t, n_sums> sums = {sum, 1, 2, 3};
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  std::size_t i = 0;
+  for (; i + n_sums <= row.size(); i += n_sums)
+    for (std::size_t k = 0; k < n_sums; ++k) sums[k] = mixed(sums[k], bits(row[i + k]));
+  for (; i < row.size(); ++i) sums[0] = mixed(sums[0], bits(row[i]));
+  std::uint64_t all = bits(time);
+  for (const std::uint64_t part : sums) all = mixed(all, part);
+  return all;
+}
+
+}  // namespace
+
+void RecordedGroup::append(double t, std::span<const double> row) {
+  last_time = t;
+  times.push_back(t);
+  rows.append(row);
+  check_sum = mixed(check_sum, t, row);
+}
+
+void RecordedGroup::write_columns() {
+  const std::size_t n = rows.n_rows();
+  if (n == 0) return;
+  std::vector<double> values;
+  std::size_t first = 0;  // value of the column in a row
+  for (const SeriesColumn& column : columns) {
+    values.resize(n * column.size);
+    rows.copy(first, column.size, values.data());
+    write_rows(column, n_rows() - n, values);
+    first += column.size;
+  }
+  rows.clear();
+}
+
+void RecordedGroup::write_times() {
+  if (times.empty()) return;
+  write_rows(time, n_told, times);
+  n_told += times.size();
+  times.clear();
+}
+
+}  // namespace rotordrop
