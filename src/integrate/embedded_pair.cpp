@@ -106,7 +106,7 @@ class EmbeddedPair final : public Integrator {
       was_rejected = true;
       ++statistics_.rejected_steps;
       const double factor = control_.after_rejection(size);
-      if (step * factor < shortest_step * longest_) fail(step, size);
+      if (step * factor < shortest_step * longest_) fail(step);
       step *= factor;
     }
   }
@@ -154,7 +154,6 @@ class EmbeddedPair final : public Integrator {
     for (int i = 1; i < last; ++i) {
       wide<combine<1>>(0, n_controlled_, y_.data(), scaled(at(pair_.a, i)), k.data(), i, stage_.data());
       evaluate(time_ + at(pair_.c, i) * step, stage_, at(k_, i));
-      if (!all_finite(at(k_, i))) return not_finite(i);
     }
     wide<combine<1>>(0, n_, y_.data(), scaled(at(pair_.a, last)), k.data(), last, stage_.data());
     if (is_observed()) {
@@ -163,17 +162,13 @@ class EmbeddedPair final : public Integrator {
     } else {
       evaluate(target, stage_, at(k_, last));
     }
-    if (!all_finite(at(k_, last))) return not_finite(last);
+    // A rate that is not finite makes the new state so.
+    if (!all_finite(stage_) || !all_finite(at(k_, last))) return HUGE_VAL;
     std::fill(error_.begin(), error_.end(), 0.);
     wide<combine<1>>(0, n_controlled_, error_.data(), scaled(pair_.e), k.data(), pair_.n_stages, error_.data());
     const double sum =
         wide<squared_error>(n_controlled_, error_.data(), y_.data(), stage_.data(), scale_.data(), tolerance_);
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
-  }
-
-  double not_finite(int stage) {
-    bad_stage_ = stage;
-    return HUGE_VAL;
   }
 
   void accept(const Trial& trial, double size, bool was_rejected) {
@@ -187,9 +182,9 @@ class EmbeddedPair final : public Integrator {
     if (!trial.ends) next_step_ = std::min(trial.size * factor, longest_);
   }
 
-  [[noreturn]] void fail(double step, double size) {
-    if (!std::isfinite(size) && bad_stage_ >= 0)
-      throw_rates_not_finite(system_.layout(), at(k_, bad_stage_), time_, step);
+  [[noreturn]] void fail(double step) {
+    for (const auto& k : k_)
+      if (!all_finite(k)) throw_rates_not_finite(system_.layout(), k, time_, step);
     std::vector<double> weighted(n_);
     for (std::size_t i = 0; i < n_controlled_; ++i)
       weighted[i] = error_[i] / (tolerance_ * (scale_[i] + std::max(std::fabs(y_[i]), std::fabs(stage_[i]))));
@@ -209,7 +204,6 @@ class EmbeddedPair final : public Integrator {
   StepControl control_;
   double next_step_ = 0, last_step_ = 0;
   bool has_rates_ = false;
-  int bad_stage_ = -1;
   std::vector<double> y_, before_, stage_, error_, scale_;
   std::vector<std::vector<double>> k_;
   EndEvaluation end_evaluation_;

@@ -85,6 +85,9 @@ inline Expansion expansion_of(std::span<const double> values) {
   for (std::size_t k = 0; k < values.size(); ++k) e.*growth_surfaces.at(k) = values[k];
   return e;
 }
+inline Expansion expansion_of(const std::array<double, growth_surfaces.size()>& v) {
+  return {v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};
+}
 /// f a + g b
 template <class Real>
 ExpansionOf<Real> combined(double f, const ExpansionOf<Real>& a, const std::type_identity_t<Real>& g,

@@ -25,9 +25,10 @@ ROTORDROP_KERNEL double flows(const double* columns, std::size_t stride, const d
   return lost;
 }
 
-ROTORDROP_KERNEL void growths(const double* columns, const double* T, double above, std::size_t n_nodes, double* out) {
+ROTORDROP_KERNEL void growths(const double* columns, const std::size_t* nodes, std::size_t n_nodes, const double* T,
+                              double above, double* out) {
   Octet sum;
-  for (std::size_t j = 0; j < n_nodes; ++j, columns += vector_length) add_product(sum, T[j] - above, columns);
+  for (std::size_t j = 0; j < n_nodes; ++j, columns += vector_length) add_product(sum, T[nodes[j]] - above, columns);
   std::copy(sum.value.begin(), sum.value.end(), out);
 }
 
@@ -44,9 +45,24 @@ double LinearFlows::rates(std::span<const double> T, double ambient, std::span<c
   return wide<flows>(columns_.data(), stride_, T.data(), ambient, n_nodes_, heat.data(), n_places_, dTdt.data());
 }
 
+void LinearGrowth::add(std::size_t surface, std::size_t node, double coefficient) {
+  const auto found = std::find(nodes_.begin(), nodes_.end(), node);
+  const auto at = static_cast<std::size_t>(found - nodes_.begin());
+  if (found == nodes_.end()) {
+    nodes_.push_back(node);
+    columns_.resize(nodes_.size() * n_surfaces, 0.);
+  }
+  columns_[at * n_surfaces + surface] += coefficient;
+}
+
+double LinearGrowth::factor(std::size_t surface, std::size_t node) const {
+  const auto found = std::find(nodes_.begin(), nodes_.end(), node);
+  return found == nodes_.end() ? 0. : columns_[static_cast<std::size_t>(found - nodes_.begin()) * n_surfaces + surface];
+}
+
 Expansion LinearGrowth::of(std::span<const double> T, double above) const {
   std::array<double, n_surfaces> values;
-  wide<growths>(columns_.data(), T.data(), above, columns_.size() / n_surfaces, values.data());
+  wide<growths>(columns_.data(), nodes_.data(), nodes_.size(), T.data(), above, values.data());
   return expansion_of(values);
 }
 

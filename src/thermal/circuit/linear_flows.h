@@ -47,23 +47,20 @@ class LinearFlows {
   std::vector<double> columns_;  ///< [n_nodes + 4 n_places][stride]
 };
 
-/// Growth of one place by the temperatures of a network, a column of surfaces for each node [m/K].
+/// Growth of one place by the temperatures of a network: of each node that makes something grow a column of surfaces [m/K].
 class LinearGrowth {
  public:
   static constexpr std::size_t n_surfaces = growth_surfaces.size();
   static_assert(n_surfaces == vector_length);
-  explicit LinearGrowth(std::size_t n_nodes) : columns_(n_nodes * n_surfaces, 0.) {}
-  /// @param surface  its place in growth_surfaces
-  double& operator()(std::size_t surface, std::size_t node) { return columns_[node * n_surfaces + surface]; }
-  [[nodiscard]] std::size_t n_nodes() const { return columns_.size() / n_surfaces; }
-  [[nodiscard]] double factor(std::size_t surface, std::size_t node) const {
-    return columns_[node * n_surfaces + surface];
-  }
-  /// Growth by the temperatures above one [m], or its rate by their rates above zero [m/s]. @param T [n_nodes]
+  /// @param surface  its place in growth_surfaces; @param coefficient  [m/K], added to what is there
+  void add(std::size_t surface, std::size_t node, double coefficient);
+  [[nodiscard]] double factor(std::size_t surface, std::size_t node) const;
+  /// Growth by the temperatures above one [m], or its rate by their rates above zero [m/s]. @param T of all nodes
   [[nodiscard]] Expansion of(std::span<const double> T, double above) const;
 
  private:
-  std::vector<double> columns_;
+  std::vector<std::size_t> nodes_;
+  std::vector<double> columns_;  ///< [nodes_][n_surfaces]
 };
 
 }  // namespace rotordrop

@@ -181,18 +181,18 @@ ThermalNetwork::ThermalNetwork(ThermalNetworkData data) : data_(std::move(data))
   }
 
   for (const auto& g : data_.growths) {
-    while (growths_.size() <= g.place) growths_.emplace_back(surroundings);
+    while (growths_.size() <= g.place) growths_.emplace_back();
     const std::size_t node = index(g.node);
     const auto surface = static_cast<std::size_t>(std::find(growth_surfaces.begin(), growth_surfaces.end(), g.surface) -
                                                   growth_surfaces.begin());
     if (massless_of[node] == none) {
-      if (node != n) growths_[g.place](surface, state_of[node]) += g.coefficient;
+      if (node != n) growths_[g.place].add(surface, state_of[node], g.coefficient);
       continue;
     }
     const auto row = static_cast<Eigen::Index>(massless_of[node]);
     for (std::size_t k = 0; k < n; ++k)
       if (const double weight = elimination.weights(row, static_cast<Eigen::Index>(k)); weight != 0.)
-        growths_[g.place](surface, state_of[k]) += g.coefficient * weight;
+        growths_[g.place].add(surface, state_of[k], g.coefficient * weight);
   }
 
   shown_.resize(n);
