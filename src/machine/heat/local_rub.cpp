@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <initializer_list>
 #include <numbers>
 #include <numeric>
@@ -171,11 +172,17 @@ LocalRub local_rub(const RubRecord& r, const LocalRubSettings& s, std::size_t mo
   if (largest_force(list) == 0.) return result;
   const Share stated = s.is_one_temperature ? Share::one_temperature : Share::recorded;
   const Share other = s.is_one_temperature ? Share::recorded : Share::one_temperature;
+  // They know nothing of each other, and run at the same time where there are threads for them.
+  const auto begin = [&](bool hertz, Share share) {
+    return std::async([&replay, hertz, share] { return replay.run(hertz, share); });
+  };
+  auto other_share = begin(s.by_hertz, other), other_band = begin(!s.by_hertz, stated),
+       other_both = begin(!s.by_hertz, other), by_speeds = begin(s.by_hertz, Share::by_speeds);
   result.stated = replay.run(s.by_hertz, stated);
-  result.other_share = replay.run(s.by_hertz, other);
-  result.other_band = replay.run(!s.by_hertz, stated);
-  result.other_both = replay.run(!s.by_hertz, other);
-  result.by_speeds = replay.run(s.by_hertz, Share::by_speeds);
+  result.other_share = other_share.get();
+  result.other_band = other_band.get();
+  result.other_both = other_both.get();
+  result.by_speeds = by_speeds.get();
   const auto bounds = std::minmax({result.stated.bore, result.other_share.bore, result.other_band.bore,
                                    result.other_both.bore, result.by_speeds.bore});
   result.bore_rise_low = bounds.first;
