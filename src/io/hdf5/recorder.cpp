@@ -155,9 +155,9 @@ void Recorder::Implementation::make_datasets(bool goes_on) {
   for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const SeriesGroup& description = series[i];
-    // Of a whole series one chunk is as good as several, and sooner written.
-    const std::size_t rows = goes_on ? 0 : groups[i].n_rows();
-    ColumnMaker maker(file.id(), std::max(options.rows_per_chunk, rows));
+    // A whole series is one chunk: sooner written than several, and no longer than its rows.
+    const bool is_whole = !goes_on && groups[i].n_rows() > 0;
+    ColumnMaker maker(file.id(), is_whole ? groups[i].n_rows() : options.rows_per_chunk);
     groups[i].time =
         maker.make({description.time_path, description.unit, description.long_name, 1, {}}, description.time_path);
     for (const auto& channel : description.channels)

@@ -270,18 +270,25 @@ INSTANTIATE_TEST_SUITE_P(Methods, EmbeddedPairs,
 /// y' = cos t is a quadrature after an oscillator that it does not act on.
 class WithQuadrature final : public OdeSystem {
  public:
-  WithQuadrature() { layout_.add_block("part", {{"cosine", "m", 1.}, {"sine", "m/s", 1.}, {"work", "J", 1.}}); }
+  /// @param last      time from which the quadrature has no rate
+  /// @param bad_call  evaluation, from 1, that gives it none
+  explicit WithQuadrature(double last = 1e9, int bad_call = 0) : last_(last), bad_call_(bad_call) {
+    layout_.add_block("part", {{"cosine", "m", 1.}, {"sine", "m/s", 1.}, {"work", "J", 1.}});
+  }
   [[nodiscard]] const StateLayout& layout() const override { return layout_; }
   void initial_state(std::span<double> y) const override { y[0] = 1., y[1] = y[2] = 0.; }
-  void rhs(double, std::span<const double> y, std::span<double> dydt) const override {
+  void rhs(double t, std::span<const double> y, std::span<double> dydt) const override {
     dydt[0] = y[1];
     dydt[1] = -y[0];
-    dydt[2] = y[0] * y[0];
+    dydt[2] = t < last_ && ++n_calls_ != bad_call_ ? y[0] * y[0] : std::nan("");
   }
   [[nodiscard]] std::size_t first_quadrature() const override { return 2; }
 
  private:
   StateLayout layout_;
+  double last_;
+  int bad_call_;
+  mutable int n_calls_ = 0;
 };
 
 // integral of cos^2 from 0 to t is t/2 + sin(2 t)/4.
@@ -295,6 +302,36 @@ TEST(EmbeddedPair, IntegratesQuadraturesWithItsOwnOrder) {
     return std::fabs(integrator->state()[2] - (1. + 0.25 * std::sin(4.)));
   };
   expect_order(std::log2(error(0.1) / error(0.05)), 5.);
+}
+
+// The error control does not see a quadrature.
+TEST(EmbeddedPair, NamesAQuadratureThatIsNoNumber) {
+  for (const auto method : {IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine}) {
+    const WithQuadrature system(0.5);
+    std::vector<double> y(3);
+    system.initial_state(y);
+    auto integrator = make_integrator(system, {method, 0.1, 1e-6}, 0., y, 1.);
+    try {
+      while (integrator->time() < 1.) integrator->advance();
+      FAIL() << "NaN went through";
+    } catch (const SolverError& error) {
+      EXPECT_NE(std::string(error.what()).find("\"part/work [J]\""), std::string::npos) << error.what();
+      EXPECT_LT(integrator->time(), 0.5 + 1e-9);
+      EXPECT_TRUE(std::isfinite(integrator->state()[2])) << "the state before stands";
+    }
+  }
+}
+
+TEST(EmbeddedPair, TriesAgainWhereAStageHadNoRate) {
+  for (const auto method : {IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine}) {
+    const WithQuadrature system(1e9, 15);  // amid a step
+    std::vector<double> y(3);
+    system.initial_state(y);
+    auto integrator = make_integrator(system, {method, 0.1, 1e-6}, 0., y, 2.);
+    while (integrator->time() < 2.) integrator->advance();
+    EXPECT_NEAR(integrator->state()[2], 1. + 0.25 * std::sin(4.), 1e-5);
+    EXPECT_GT(integrator->statistics().rejected_steps, 0);
+  }
 }
 
 TEST(WorstComponents, AreNamedWithTheirSharesOfTheSquaredNorm) {
