@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "analysis/facts/thermal_report.h"
 #include "base/errors.h"
@@ -84,6 +85,9 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
   if (against) end = std::min(end, against->series("/bearings/" + name + "/orbit").times.back());
   const auto instants = instants_of(impact, end, options.instants);
 
+  const RubbedBore rubbed = rubbed_bore(name, p, drop, options.band_length);
+  auto history = std::async([&rubbed] { return bore_history(rubbed.rub, rubbed.surfaces); });
+
   Json j;
   j["first_contact_time"] = json_number(impact.start);
   j["first_contact_end"] = json_number(impact.end);
@@ -100,9 +104,8 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
   if (models.size() > 1) j.update(pair(1));
   for (std::size_t k = 2; k < models.size(); ++k) j["further"][models[k].kind->name] = pair(k);
 
-  BoreReport bore =
-      report_bore(name, p, drop, model_that(&ThermalKind::is_circuit, models),
-                  model_that(&ThermalKind::meshes_sections, models), options.band_length, impact, instants);
+  BoreReport bore = report_bore(name, p, drop, rubbed, history.get(), model_that(&ThermalKind::is_circuit, models),
+                                model_that(&ThermalKind::meshes_sections, models), impact, instants);
   j["bore"] = std::move(bore.report);
   bores.push_back(std::move(bore.temperatures));
   j["lumping"] = lumping_json(lumped_bodies(drop.parameters(), name, p), impact, instants);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "analysis/facts/thermal_report.h"
 #include "study/json_number.h"
@@ -123,21 +124,25 @@ RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing) {
   return r;
 }
 
+RubbedBore rubbed_bore(const std::string& bearing, const TouchdownParameters& p, const RecordedDrop& drop,
+                       const std::optional<double>& band_length) {
+  const auto& parameters = drop.parameters();
+  return {rub_record(drop, bearing),
+          rub_surfaces(parameters, bearing, p, band_length.value_or(parameters.thermal.rub_band_length))};
+}
+
 BoreReport report_bore(const std::string& bearing, const TouchdownParameters& p, const RecordedDrop& drop,
-                       const ModelOfRun& circuit, const ModelOfRun& section, const std::optional<double>& band_length,
-                       const Impact& impact, const std::vector<Instant>& instants) {
+                       const RubbedBore& rubbed, BoreHistory history, const ModelOfRun& circuit,
+                       const ModelOfRun& section, const Impact& impact, const std::vector<Instant>& instants) {
   std::optional<TimeSeries> node, mean;
   if (circuit) node = circuit.drop->series(circuit.drop->node_path(*circuit.kind, bearing, "inner_ring"));
   if (section) mean = section.drop->series(section.drop->node_path(*section.kind, bearing, "bore"), 0);
   const auto& parameters = drop.parameters();
-  const RubRecord rub = rub_record(drop, bearing);
-  const RubSurfaces surfaces =
-      rub_surfaces(parameters, bearing, p, band_length.value_or(parameters.thermal.rub_band_length));
   BoreReport r;
-  r.temperatures = bore_temperatures(bearing, bore_history(rub, surfaces), node ? &*node : nullptr,
-                                     mean ? &*mean : nullptr, parameters.run.ambient);
-  r.report = bore_json(r.temperatures, rub, surfaces, rub_half_width(parameters, p, impact.peak), mean.has_value(),
-                       impact, instants);
+  r.temperatures = bore_temperatures(bearing, std::move(history), node ? &*node : nullptr, mean ? &*mean : nullptr,
+                                     parameters.run.ambient);
+  r.report = bore_json(r.temperatures, rubbed.rub, rubbed.surfaces, rub_half_width(parameters, p, impact.peak),
+                       mean.has_value(), impact, instants);
   return r;
 }
 

@@ -32,11 +32,20 @@ std::vector<std::string> series_of_rub(const std::string& bearing);
 /// The rub of a bearing as recorded by a drop.
 RubRecord rub_record(const RecordedDrop& drop, const std::string& bearing);
 
-/// Local temperatures of a bearing's bore from the rub that a drop recorded.
-/// @param circuit, section  models that give the inner ring and the mean around the bore; may be of no run
+/// The rub of a bearing and what it heats. bore_history() of both needs nothing else, and may run beside whatever reads the drop.
+struct RubbedBore {
+  RubRecord rub;
+  RubSurfaces surfaces;
+};
 /// @param band_length  of the rub along the surface [m]; none: the case's
+RubbedBore rubbed_bore(const std::string& bearing, const TouchdownParameters& parameters, const RecordedDrop& drop,
+                       const std::optional<double>& band_length);
+
+/// Local temperatures of a bearing's bore from the rub that a drop recorded.
+/// @param history  that of `rubbed`
+/// @param circuit, section  models that give the inner ring and the mean around the bore; may be of no run
 BoreReport report_bore(const std::string& bearing, const TouchdownParameters& parameters, const RecordedDrop& drop,
-                       const ModelOfRun& circuit, const ModelOfRun& section, const std::optional<double>& band_length,
-                       const Impact& impact, const std::vector<Instant>& instants);
+                       const RubbedBore& rubbed, BoreHistory history, const ModelOfRun& circuit,
+                       const ModelOfRun& section, const Impact& impact, const std::vector<Instant>& instants);
 
 }  // namespace rotordrop
