@@ -223,7 +223,7 @@ class CoastDown(ProgramTest):
         self.assertTrue((self.folder / "out/report.html").is_file())
 
     def test_resumes_bit_for_bit(self):
-        options = [*COAST, *settings(integration__method="runge-kutta-4", integration__step="4 us", output__longest_interval="5 ms", run__initial_speed="5000 rpm")]
+        options = [*COAST, *settings(integration__method="runge-kutta-4", integration__step="2 us", output__longest_interval="5 ms", run__initial_speed="5000 rpm")]
         self.succeed("run", "settling.toml", "-o", "whole", *options)
         process = start("run", "settling.toml", "-o", "out", *options, cwd=self.folder)
         self.addCleanup(process.kill)

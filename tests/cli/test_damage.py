@@ -130,7 +130,7 @@ class Damage(ProgramTest):
         running = start("run", "reference.toml", "-o", "out", "--quiet", *fixed, cwd=self.folder)
         while not (self.folder / "out/results.h5").exists():
             time.sleep(0.01)
-        time.sleep(0.2)
+        time.sleep(0.05)
         running.send_signal(signal.SIGINT)
         running.communicate(timeout=60)
         self.assertEqual(running.returncode, 130, "it was to be interrupted")
