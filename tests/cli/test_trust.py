@@ -20,7 +20,7 @@ from program import HAS_MESH_ROOM, PARAMS, PROGRAM, ProgramTest, content_of, set
 
 SHORT = settings(run__end_time="1 ms")
 # Long enough to be killed, with steps that are the same after a resume.
-LONG = settings(run__end_time="60 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__checkpoint_interval="0.05 s")
+LONG = settings(run__end_time="80 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__checkpoint_interval="0.05 s")
 
 
 class OtherPeoplesFiles(ProgramTest):
@@ -195,7 +195,7 @@ class OtherPeoplesFiles(ProgramTest):
 
     def test_heat_does_not_go_into_a_directory_where_a_run_is_live(self):
         shutil.copytree(__file__.rpartition("/tests/")[0] + "/params/heat", self.folder / "heat")
-        process = start("run", "reference.toml", "-o", "out", *LONG, cwd=self.folder)
+        process = start("run", "reference.toml", "-o", "out", *LONG, *settings(run__end_time="2 s"), cwd=self.folder)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         while not (self.folder / "out/results.h5").exists():
