@@ -20,7 +20,7 @@ from program import HAS_MESH_ROOM, PARAMS, PROGRAM, ProgramTest, content_of, set
 
 SHORT = settings(run__end_time="1 ms")
 # Long enough to be killed, with steps that are the same after a resume.
-LONG = settings(run__end_time="80 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__checkpoint_interval="0.05 s")
+LONG = settings(run__end_time="60 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__checkpoint_interval="0.05 s")
 
 
 class OtherPeoplesFiles(ProgramTest):
