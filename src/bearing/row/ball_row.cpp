@@ -111,29 +111,17 @@ void BallRow::fill_added(const BallRowInput& in, double* added) const {
   }
 }
 
-double BallRow::penetration(const BallRowInput& in, const Grooves& grown, int ball, double added,
-                            double widening) const {
-  const auto j = static_cast<std::size_t>(ball);
-  const double c = in.cage_cosine * cosine_[j] - in.cage_sine * sine_[j];
-  const double s = in.cage_sine * cosine_[j] + in.cage_cosine * sine_[j];
-  const auto& e = in.displacement;
-  const double xr = geometry_.position;
-  const double Br = grown.radial + (e.y + xr * e.psi_z) * c + (e.z - xr * e.psi_y) * s + widening;
-  const double Bx = grown.axial + e.x + grown.arm * (e.psi_y * s - e.psi_z * c);
-  return std::sqrt(Br * Br + Bx * Bx) - grown.A + added;
-}
-
 double BallRow::waviness_power(const BallRowInput& in, const double* added, const double* widening) const {
-  const Grooves at = numbers_.grown(in);
+  const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
   double power = 0.;
   for (const auto& w : waves_) {
     const double on_ring = w.wave.on_inner_race ? 1. : 0.;
     const double argument = w.wave.order * (in.cage_angle - on_ring * in.ring_angle) + w.wave.phase;
     const double travel = w.wave.amplitude * w.wave.order * (in.cage_speed - on_ring * in.ring_speed);
     const double c = std::cos(argument), s = std::sin(argument);
-    for (int j = 0; j < geometry_.n_balls; ++j) {
-      const auto k = static_cast<std::size_t>(j);
-      const double delta = std::max(penetration(in, at, j, added[j], widening ? widening[j] : 0.), 0.);
+    for (std::size_t k = 0; k < n_balls(); ++k) {
+      const BallWidening<double> bent{widening ? widening[k] : 0., 0., 0.};
+      const double delta = ball_penetration<true, true>(place, cosine_[k], sine_[k], added[k], bent).delta;
       power += geometry_.stiffness * delta * std::sqrt(delta) * travel * (w.cosine[k] * c - w.sine[k] * s);
     }
   }

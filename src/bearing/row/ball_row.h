@@ -230,8 +230,6 @@ class BallRow {
   void place_balls(const BallRowInput& input, InertialBalls& balls, Widening& widening) const;
   BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls, Widening& widening) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out, RowTractions* tractions) const;
-  [[nodiscard]] double penetration(const BallRowInput& input, const Grooves& grown, int ball, double added,
-                                   double widening) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added, const double* widening) const;
 
   BallRowGeometry geometry_;

@@ -96,19 +96,15 @@ ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const
 template <bool is_bent>
 ROTORDROP_KERNEL double deflections(const KernelInput& in) {
   Octet sum;
-  const double arm = in.arm, xr = in.position;
-  const RingDisplacement e = in.e;
-  const double e_y = e.y + xr * e.psi_z, e_z = e.z - xr * e.psi_y;
+  const RowPlaceOf<double> place = in;
   const std::size_t n = whole_vectors(in.n);
   for (std::size_t first = 0; first < n; first += vector_length) {
 #pragma omp simd
     for (std::size_t l = 0; l < vector_length; ++l) {
       const std::size_t j = first + l;
-      const double c = in.cosine[j], s = in.sine[j];
-      double Br = in.radial + e_y * c + e_z * s;
-      if constexpr (is_bent) Br += in.bent->width[j];
-      const double Bx = in.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
-      const double delta = std::max(std::sqrt(Br * Br + Bx * Bx) - in.A + (in.grown + in.added[j]), 0.);
+      BallWidening<double> bent{};
+      if constexpr (is_bent) bent.width = in.bent->width[j];
+      const double delta = ball_penetration<true, is_bent>(place, in.cosine[j], in.sine[j], in.added[j], bent).delta;
       sum[l] += delta * delta * std::sqrt(delta);
     }
   }
