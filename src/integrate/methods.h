@@ -10,7 +10,15 @@ class Integrator;
 class OdeSystem;
 struct IntegrationParameters;
 
-enum class IntegrationMethod { tsitouras, bogacki_shampine, runge_kutta_4, dormand_prince, fehlberg_8, adams };
+enum class IntegrationMethod {
+  tsitouras,
+  bogacki_shampine,
+  sofroniou_spaletta,
+  runge_kutta_4,
+  dormand_prince,
+  fehlberg_8,
+  adams
+};
 
 /// Shortest step of an error-controlled method over its longest: a method that needs less is stuck, not careful.
 inline constexpr double shortest_step = 1e-7;
@@ -30,6 +38,8 @@ inline constexpr std::array integration_methods{
     MethodKind{IntegrationMethod::tsitouras, "tsitouras", "5th order, controls its error", make_embedded_pair},
     MethodKind{IntegrationMethod::bogacki_shampine, "bogacki-shampine",
                "3rd order, for low accuracy, controls its error", make_embedded_pair},
+    MethodKind{IntegrationMethod::sofroniou_spaletta, "sofroniou-spaletta", "4th order, controls its error",
+               make_embedded_pair},
     MethodKind{IntegrationMethod::runge_kutta_4, "runge-kutta-4", "4th order, with a fixed step", make_runge_kutta},
     MethodKind{IntegrationMethod::dormand_prince, "dormand-prince", "5th order, controls its error", make_runge_kutta},
     MethodKind{IntegrationMethod::fehlberg_8, "fehlberg-8", "8th order, controls its error", make_runge_kutta},

@@ -62,8 +62,33 @@ inline constexpr EmbeddedTableau bogacki_shampine = {
     {-5. / 72., 1. / 12., 1. / 9., -1. / 8.},
     {{{1., -4. / 3., 5. / 9.}, {0., 1., -2. / 3.}, {0., 4. / 3., -8. / 9.}, {0., -1., 1.}}}};
 
+/// Order 4(3), with Hermite's cubic. Source: Sofroniou & Spaletta, Journal of Computational and Applied Mathematics 164-165 (2004) 675-682
+/// ("ARKODE_SOFRONIOU_SPALETTA_5_3_4" of SUNDIALS); the weights are those of Kutta's 3/8 family with nodes 2/5 and 3/5.
+inline constexpr EmbeddedTableau sofroniou_spaletta = [] {
+  constexpr double b_1 = 11. / 72., b_2 = 25. / 72.;
+  return EmbeddedTableau{
+      5,
+      4,
+      3,
+      {0., 0.4, 0.6, 1., 1.},
+      {{{}, {0.4}, {-0.15, 0.75}, {19. / 44., -15. / 44., 10. / 11.}, {b_1, b_2, b_2, b_1}}},
+      {119041. / 8970912., -595205. / 8970912., 595205. / 8970912., 1309451. / 8970912., -119041. / 747576.},
+      {{{1., 3. * b_1 - 2., 1. - 2. * b_1},
+        {0., 3. * b_2, -2. * b_2},
+        {0., 3. * b_2, -2. * b_2},
+        {0., 3. * b_1, -2. * b_1},
+        {0., -1., 1.}}}};
+}();
+
 [[nodiscard]] inline const EmbeddedTableau& tableau_of(IntegrationMethod method) {
-  return method == IntegrationMethod::tsitouras ? tsitouras : bogacki_shampine;
+  switch (method) {
+    case IntegrationMethod::bogacki_shampine:
+      return bogacki_shampine;
+    case IntegrationMethod::sofroniou_spaletta:
+      return sofroniou_spaletta;
+    default:
+      return tsitouras;
+  }
 }
 
 /// Where a time lies in a step, from 0 to 1. @throws SolverError for one outside
