@@ -225,16 +225,15 @@ class TouchdownBearing final : public Support {
   template <class Real>
   void slide(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input, const BodiesOf<Real>& at,
              ContactOf<Real>& c) const;
+  /// @param c  of a contact that was not looked at yet
   template <class Real>
-  [[nodiscard]] ContactOf<Real> contact(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
-                                        const ExpansionOf<Real>& growth, std::span<const Real> y,
-                                        const BodiesOf<Real>& at) const;
+  void contact(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input, const ExpansionOf<Real>& growth,
+               std::span<const Real> y, const BodiesOf<Real>& at, ContactOf<Real>& c) const;
   /// At a point, or over the arc of a bent bore, whose shapes it presses.
   template <class Real>
-  [[nodiscard]] ContactOf<Real> contact_in_slice(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
-                                                 const ExpansionOf<Real>& growth, std::span<const Real> y,
-                                                 const BodiesOf<Real>& at, double share,
-                                                 std::span<Real> shape_forces) const;
+  void contact_in_slice(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+                        const ExpansionOf<Real>& growth, std::span<const Real> y, const BodiesOf<Real>& at,
+                        double share, std::span<Real> shape_forces, ContactOf<Real>& c) const;
   void add_bore_waves(std::span<const double> y, const Bodies& at, Contact& c) const;
   /// @param bristle_rates  [n_bristles()]
   /// @param shape_forces   on the inner ring's shapes, added to [BentRings::n_inner()] [N]

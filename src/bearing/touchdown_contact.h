@@ -76,11 +76,9 @@ void TouchdownBearing::slide(const TouchdownNumbers<Real>& q, const SupportInput
 }
 
 template <class Real>
-TouchdownBearing::ContactOf<Real> TouchdownBearing::contact(const TouchdownNumbers<Real>& q,
-                                                            const SupportInputOf<Real>& in,
-                                                            const ExpansionOf<Real>& growth, std::span<const Real> y,
-                                                            const BodiesOf<Real>& at) const {
-  ContactOf<Real> c;
+void TouchdownBearing::contact(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in,
+                               const ExpansionOf<Real>& growth, std::span<const Real> y, const BodiesOf<Real>& at,
+                               ContactOf<Real>& c) const {
   const Real distance = sqrt(at.y * at.y + at.z * at.z);
   // Concentric rings have no direction; they do not touch either.
   const auto is_apart = distance > 0.;
@@ -98,24 +96,26 @@ TouchdownBearing::ContactOf<Real> TouchdownBearing::contact(const TouchdownNumbe
   }
   // Written so that a penetration that is not a number goes on into the force and is found.
   const auto is_touching = !(c.penetration <= 0.);
-  if (!any(is_touching)) return c;
+  if (!any(is_touching)) return;
   c.elastic = q.contact.elastic(c.penetration);
   c.normal = q.contact.total(c.elastic, c.rate);
   c.damping = (c.normal - c.elastic) * c.rate;
   c.wave_power = c.elastic * c.wave_rate;
   c.lateral = -c.normal * c.bore_slope;
   slide(q, in, at, c);
-  return c;
 }
 
 template <class Real>
-TouchdownBearing::ContactOf<Real> TouchdownBearing::contact_in_slice(
-    const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
-    std::span<const Real> y, const BodiesOf<Real>& at, [[maybe_unused]] double share,
-    [[maybe_unused]] std::span<Real> shape_forces) const {
+void TouchdownBearing::contact_in_slice(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in,
+                                        const ExpansionOf<Real>& growth, std::span<const Real> y,
+                                        const BodiesOf<Real>& at, [[maybe_unused]] double share,
+                                        [[maybe_unused]] std::span<Real> shape_forces, ContactOf<Real>& c) const {
   if constexpr (has_all<Real>)
-    if (arc_table_) return contact_over_arc(in, growth, y, at, share, shape_forces);
-  return contact(q, in, growth, y, at);
+    if (arc_table_) {
+      c = contact_over_arc(in, growth, y, at, share, shape_forces);
+      return;
+    }
+  contact(q, in, growth, y, at, c);
 }
 
 template <class Real>
@@ -131,12 +131,13 @@ TouchdownBearing::TouchOf<Real> TouchdownBearing::touch(const TouchdownNumbers<R
     const BoreSlice& slice = bore.slices[k];
     const double x = slice.place * bore.width;
     const BodiesOf<Real> at = bodies(in.journal, y, x);
-    ContactOf<Real> c = contact_in_slice(q, in, growth, y, at, slice.share, shape_forces);
+    ContactOf<Real> beside;
+    ContactOf<Real>& c = slice.place == 0. ? t.middle : beside;
+    contact_in_slice(q, in, growth, y, at, slice.share, shape_forces, c);
     if constexpr (has_all<Real>) {
       if (data_.bending && !arc_table_) press_at_point(c, slice.share, shape_forces);
       if (data_.sticking) stick(in, y, k, c, bristle_rates);
     }
-    if (slice.place == 0.) t.middle = c;
     // A penetration that is not a number goes on.
     deepest = select(c.penetration <= deepest, deepest, c.penetration);
     // On the ring: N n + F_t t, with t = x cross n = (-n_z, n_y).

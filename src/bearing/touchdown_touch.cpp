@@ -106,8 +106,9 @@ double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion&
   double U = 0.;
   for (const BoreSlice& slice : bore.slices) {
     const Bodies at = bodies(j, y, slice.place * bore.width);
-    U += slice.share * (arc_table_ ? arc_energy(in, growth, y, at)
-                                   : data_.contact.energy(contact(numbers_, in, growth, y, at).penetration));
+    Contact c;
+    if (!arc_table_) contact(numbers_, in, growth, y, at, c);
+    U += slice.share * (arc_table_ ? arc_energy(in, growth, y, at) : data_.contact.energy(c.penetration));
   }
   if (data_.sticking)
     for (std::size_t k = 0; k < bore.slices.size(); ++k)

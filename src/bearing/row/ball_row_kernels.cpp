@@ -34,7 +34,7 @@ ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const
                                 RowTractions* tractions) {
   ForceSums sum;
   TractionSums traction_sum;
-  const RowPlaceOf<double> place = in;
+  const RowPlaceOf<double>& place = in.place;
   const std::size_t n = whole_vectors(in.n);
   for (std::size_t first = 0; first < n; first += vector_length) {
 #pragma omp simd
@@ -96,7 +96,7 @@ ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const
 template <bool is_bent>
 ROTORDROP_KERNEL double deflections(const KernelInput& in) {
   Octet sum;
-  const RowPlaceOf<double> place = in;
+  const RowPlaceOf<double>& place = in.place;
   const std::size_t n = whole_vectors(in.n);
   for (std::size_t first = 0; first < n; first += vector_length) {
 #pragma omp simd

@@ -11,7 +11,8 @@ namespace rotordrop {
 inline constexpr double idle_penetration = -1.;  // added to an idle ball's penetration [m]
 
 /// Balls, races and displacement of a row as its kernels take them.
-struct KernelInput : RowPlaceOf<double> {
+struct KernelInput {
+  RowPlaceOf<double> place;
   const double* cosine;
   const double* sine;
   const double* added;  // to every delta, by ball: waviness, or idle_penetration [n]

@@ -1,6 +1,7 @@
 #include "thermal/circuit/linear_flows.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace rotordrop {
 namespace {
@@ -25,14 +26,23 @@ ROTORDROP_KERNEL double flows(const double* columns, std::size_t stride, const d
   return lost;
 }
 
-ROTORDROP_KERNEL void growths(const double* columns, const std::size_t* nodes, std::size_t n_nodes, const double* T,
-                              double above, double* out) {
-  Octet sum;
-  for (std::size_t j = 0; j < n_nodes; ++j, columns += vector_length) add_product(sum, T[nodes[j]] - above, columns);
-  std::copy(sum.value.begin(), sum.value.end(), out);
-}
-
 }  // namespace
+
+struct LinearGrowth::Kernels {
+  ROTORDROP_KERNEL static void growths(const LinearGrowth* places, std::size_t n_places, const double* T, double above,
+                                       Expansion* out) {
+    for (std::size_t p = 0; p < n_places; ++p) {
+      const LinearGrowth& place = places[p];
+      const double* column = place.columns_.data();
+      Octet sum;
+      for (const std::size_t node : place.nodes_) {
+        add_product(sum, T[node] - above, column);
+        column += n_surfaces;
+      }
+      std::memcpy(static_cast<void*>(&out[p]), &sum, sizeof sum);
+    }
+  }
+};
 
 LinearFlows::LinearFlows(std::size_t n_nodes, std::size_t n_places)
     : n_nodes_(n_nodes),
@@ -60,10 +70,11 @@ double LinearGrowth::factor(std::size_t surface, std::size_t node) const {
   return found == nodes_.end() ? 0. : columns_[static_cast<std::size_t>(found - nodes_.begin()) * n_surfaces + surface];
 }
 
-Expansion LinearGrowth::of(std::span<const double> T, double above) const {
-  std::array<double, n_surfaces> values;
-  wide<growths>(columns_.data(), nodes_.data(), nodes_.size(), T.data(), above, values.data());
-  return expansion_of(values);
+void LinearGrowth::of_all(std::span<const LinearGrowth> places, std::span<const double> T, double above,
+                          std::span<Expansion> out) {
+  const std::size_t n = std::min(places.size(), out.size());
+  wide<Kernels::growths>(places.data(), n, T.data(), above, out.data());
+  std::fill(out.begin() + static_cast<std::ptrdiff_t>(n), out.end(), Expansion{});
 }
 
 }  // namespace rotordrop

@@ -51,14 +51,17 @@ class LinearFlows {
 class LinearGrowth {
  public:
   static constexpr std::size_t n_surfaces = growth_surfaces.size();
-  static_assert(n_surfaces == vector_length);
+  static_assert(n_surfaces == vector_length && sizeof(Expansion) == n_surfaces * sizeof(double));
   /// @param surface  its place in growth_surfaces; @param coefficient  [m/K], added to what is there
   void add(std::size_t surface, std::size_t node, double coefficient);
   [[nodiscard]] double factor(std::size_t surface, std::size_t node) const;
-  /// Growth by the temperatures above one [m], or its rate by their rates above zero [m/s]. @param T of all nodes
-  [[nodiscard]] Expansion of(std::span<const double> T, double above) const;
+  /// Growth of places by the temperatures above one [m], or its rate by their rates above zero [m/s]. Places that are not among these do not grow.
+  /// @param T of all nodes
+  static void of_all(std::span<const LinearGrowth> places, std::span<const double> T, double above,
+                     std::span<Expansion> out);
 
  private:
+  struct Kernels;
   std::vector<std::size_t> nodes_;
   std::vector<double> columns_;  ///< [nodes_][n_surfaces]
 };

@@ -253,12 +253,11 @@ std::vector<std::size_t> ThermalNetwork::ring_states() const {
 }
 
 void ThermalNetwork::growth(std::span<const double> T, std::span<Expansion> out) const {
-  for (std::size_t p = 0; p < out.size(); ++p)
-    out[p] = p < growths_.size() ? growths_[p].of(T, data_.ambient) : Expansion{};
+  LinearGrowth::of_all(growths_, T, data_.ambient, out);
 }
 
 void ThermalNetwork::growth_rates(std::span<const double> rate, std::span<Expansion> out) const {
-  for (std::size_t p = 0; p < out.size(); ++p) out[p] = p < growths_.size() ? growths_[p].of(rate, 0.) : Expansion{};
+  LinearGrowth::of_all(growths_, rate, 0., out);
 }
 
 double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInput> heat, std::span<double> dydt) const {
