@@ -5,7 +5,7 @@
 
 find_program(ROTORDROP_LD NAMES ${CMAKE_CXX_COMPILER_TARGET}-ld.bfd ld.bfd)
 
-# rotordrop_lane_engine(room source prefix options): adds the objects to the library of a room.
+# rotordrop_lane_engine(room source prefix): adds the objects to the library of a room.
 function(rotordrop_lane_engine room source prefix)
   set(levels base)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND ROTORDROP_LD)
@@ -33,7 +33,7 @@ function(rotordrop_lane_engine room source prefix)
         COMMAND ${ROTORDROP_LD} -r --force-group-allocation $<TARGET_OBJECTS:${engine}> -o ${closed}
         COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=_ZN9rotordrop${length}${prefix}_${level}* ${closed}
         COMMAND_EXPAND_LISTS VERBATIM
-        COMMENT "Closing the lane engine of ${level}")
+        COMMENT "Closing ${prefix} of ${level}")
       set_source_files_properties(${closed} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
       target_sources(rotordrop_${room} PRIVATE ${closed})
     endif()

@@ -102,6 +102,30 @@ struct Drops {
   }
   /// @param to  [n_lanes]
   [[gnu::always_inline]] inline void store(double* to) const { std::memcpy(to, &part, sizeof part); }
+  /// Sums over the lanes of eight numbers, each in the order ((0 + 4) + (2 + 6)) + ((1 + 5) + (3 + 7)) at every width: the eight are transposed
+  /// on the way, so that all take few more additions than one.
+  /// @param sums  [8]
+  [[gnu::always_inline]] static inline void sum_lanes(const Drops (&of)[8], double* sums) {
+    Drops all;
+    if constexpr (width == 8) {
+      all.part[0] = pairs(quarters(halves(of[0].part[0], of[1].part[0]), halves(of[2].part[0], of[3].part[0])),
+                          quarters(halves(of[4].part[0], of[5].part[0]), halves(of[6].part[0], of[7].part[0])));
+    } else if constexpr (width == 4) {
+      const auto half = [](const Drops& a) { return a.part[0] + a.part[1]; };
+      for (int i = 0; i < n; ++i)
+        all.part[i] =
+            pairs(quarters(half(of[4 * i]), half(of[4 * i + 1])), quarters(half(of[4 * i + 2]), half(of[4 * i + 3])));
+    } else {
+      const auto quarter = [](const Drops& a) { return (a.part[0] + a.part[2]) + (a.part[1] + a.part[3]); };
+      for (int i = 0; i < n; ++i) all.part[i] = pairs(quarter(of[2 * i]), quarter(of[2 * i + 1]));
+    }
+    all.store(sums);
+  }
+  /// The same of one number.
+  [[nodiscard]] double sum() const {
+    const Drops& v = *this;
+    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+  }
   [[nodiscard]] double operator[](int lane) const { return part[lane / width][lane % width]; }
   void set(int lane, double value) { part[lane / width][lane % width] = value; }
 
@@ -194,6 +218,28 @@ struct Drops {
   }
 
  private:
+  // Steps of sum_lanes(): the parts of a and b that belong together side by side, and added.
+  [[gnu::always_inline]] static inline Numbers halves(Numbers a, Numbers b) {
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11) +
+           __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+  [[gnu::always_inline]] static inline Numbers quarters(Numbers a, Numbers b) {
+    if constexpr (width == 8)
+      return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13) +
+             __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15);
+    else
+      return __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
+  }
+  [[gnu::always_inline]] static inline Numbers pairs(Numbers a, Numbers b) {
+    if constexpr (width == 8)
+      return __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14) +
+             __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+    else if constexpr (width == 4)
+      return __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
+    else
+      return __builtin_shufflevector(a, b, 0, 2) + __builtin_shufflevector(a, b, 1, 3);
+  }
+
   // Of one register: plain arithmetic and the numbers' bits (unsigned, which may wrap around), so that every instruction set does the same.
 
   /// The nearest integer of |x| < 2^51, and its bits: adding 1.5 * 2^52 rounds.

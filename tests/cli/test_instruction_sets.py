@@ -58,12 +58,14 @@ class InstructionSets(ProgramTest):
                 self.assertAlmostEqual(a, b, delta=1e-6 * a)
             self.assertAlmostEqual(heats[0], heat, delta=1e-6 * heats[0])
 
-    def test_engines_of_lanes_let_nothing_but_their_factory_out(self):
+    def test_engines_of_one_level_let_nothing_but_their_factory_out(self):
         """The linker keeps one copy of an inline function: one of a higher level would end the program on an older processor."""
-        closed = sorted((Path(PROGRAM).resolve().parent / "src/machine").glob("rotordrop_make_lanes_v*.o"))
+        rooms = Path(PROGRAM).resolve().parent / "src"
+        closed = sorted([*rooms.glob("machine/rotordrop_make_lanes_v*.o"), *rooms.glob("bearing/rotordrop_row_kernels_v*.o")])
         if not closed:
             self.skipTest("no engines beside the program")
-        self.assertEqual([path.stem for path in closed], ["rotordrop_make_lanes_v3", "rotordrop_make_lanes_v4"])
+        self.assertEqual([path.stem for path in closed], ["rotordrop_row_kernels_v3", "rotordrop_row_kernels_v4",
+                                                          "rotordrop_make_lanes_v3", "rotordrop_make_lanes_v4"])
         for path in closed:
             symbols = subprocess.run(["nm", "--defined-only", "--extern-only", str(path)], capture_output=True, text=True, check=True).stdout
             named = [line for line in symbols.splitlines() if "DW.ref" not in line]

@@ -39,6 +39,17 @@ double RaceContact::truncation(double load, double sine, double cosine) const {
   return std::clamp((a - edge_distance(sine, cosine)) / (2. * a), 0., 1.);
 }
 
+const RowKernels& row_kernels() {
+  static const RowKernels& chosen = []() -> const RowKernels& {
+#if defined(__x86_64__)
+    if (vector_level == VectorLevel::v4) return row_kernels_v4();
+    if (vector_level == VectorLevel::v3) return row_kernels_v3();
+#endif
+    return row_kernels_base();
+  }();
+  return chosen;
+}
+
 RowStrains row_strains(const BallRowGeometry& g) {
   const double c = std::cos(g.contact_angle), s = g.direction * std::sin(g.contact_angle), x = g.position;
   const double groove_i = g.inner_conformity * g.ball_diameter, groove_o = g.outer_conformity * g.ball_diameter;
@@ -133,6 +144,7 @@ KernelInput BallRow::kernel_input(const BallRowInput& in, double* waved, Widenin
   if (is_bent) widen(in, bent);
   if (!waves_.empty()) fill_added(in, waved);
   return {row_place(numbers_, in, waves_.empty() ? 2. * in.ball_growth : 0.),
+          numbers_.stiffness_root,
           cosine_.data(),
           sine_.data(),
           waves_.empty() ? only_idle(geometry_.n_balls) : waved,
@@ -156,18 +168,17 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
     kernel(balls, out, nullptr, nullptr);
   }
   if (balls.bent) press_shapes(in, bent);
-  out.inner_load_roots = out.outer_load_roots = numbers_.stiffness_root * out.inner_load_roots;
   out.waviness_power = waves_.empty() ? 0. : waviness_power(in, waved.data(), balls.bent ? bent.width.data() : nullptr);
 }
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run(sum_translations, in, out, tractions);
+  run(row_kernels().sum_translations, in, out, tractions);
 }
 
 void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
-  run(sum_all_motions, in, out, tractions);
+  run(row_kernels().sum_all_motions, in, out, tractions);
 }
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
@@ -209,7 +220,7 @@ double BallRow::energy(const BallRowInput& in) const {
   }
   Widening bent;
   std::array<double, max_balls> waved;
-  return 0.4 * geometry_.stiffness * sum_deflections(kernel_input(in, waved.data(), bent));
+  return 0.4 * geometry_.stiffness * row_kernels().sum_deflections(kernel_input(in, waved.data(), bent));
 }
 
 double BallRow::offset_for_axial_load(const BallRowGeometry& g, double axial_load) {

@@ -1,136 +1,122 @@
 #include "bearing/row/ball_row_kernels.h"
 
-#include <algorithm>
-#include <cmath>
-
+#include "base/drops.h"
 #include "base/wide_vectors.h"
 #include "bearing/row/ball_row_bending.h"
 
-// The row kernel is compiled for several kinds of machine and chosen when the program starts.
+// Compiled for every level of vectors, with ROTORDROP_LANE_FACTORY the name of the function that gives the kernels.
 namespace rotordrop {
-
 namespace {
 
-/// Sums over a row's balls, kept element by element.
-struct ForceSums {
-  Octet fx, fy, fz, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, cage, largest, roots;
-};
-struct TractionSums {
-  Octet inner, outer, gyroscopic, largest, truncation;
-};
+/// Eight balls of a row in the lanes of a vector.
+using Balls = EightDrops;
+static_assert(n_lanes == vector_length);
 
-ROTORDROP_KERNEL void add_tractions(const TractionInput& with, const BallTerms<double>& b, std::size_t l,
-                                    TractionSums& sum) {
-  const TractionTerms<double> t = traction_terms(with, b);
-  sum.inner[l] += b.F;
-  sum.outer[l] += t.outer;
-  sum.gyroscopic[l] += t.gyroscopic;
-  sum.largest[l] = std::max(sum.largest[l], t.demand);
-  sum.truncation[l] = sum.truncation[l] > t.beyond ? sum.truncation[l] : t.beyond;
+ROTORDROP_KERNEL RowPlaceOf<Balls> in_all_lanes(const RowPlaceOf<double>& p) {
+  const auto all = [](const RingDisplacementOf<double>& d) {
+    return RingDisplacementOf<Balls>{d.x, d.y, d.z, d.psi_y, d.psi_z};
+  };
+  return {p.grown, p.A,       p.radial,      p.axial,     p.arm,    p.position,
+          p.K,     p.damping, p.cage_cosine, p.cage_sine, all(p.e), all(p.v)};
+}
+ROTORDROP_KERNEL TractionInputOf<Balls> in_all_lanes(const TractionInput& with) {
+  TractionInputOf<Balls> all{with.F_c, with.inner_share, {}};
+  all.edges.inner.sine = with.edges.inner.sine;
+  all.edges.inner.cosine = with.edges.inner.cosine;
+  all.edges.outer.sine = with.edges.outer.sine;
+  all.edges.outer.cosine = with.edges.outer.cosine;
+  return all;
+}
+
+ROTORDROP_KERNEL double largest(const Balls& of) {
+  Octet values;
+  of.store(values.value.data());
+  return values.largest();
+}
+
+/// What is summed by balls, over all of them.
+template <bool tilts>
+ROTORDROP_KERNEL ForceSumsOf<double> over_lanes(const ForceSumsOf<Balls>& sum) {
+  ForceSumsOf<double> all;
+  double sums[8];
+  Balls::sum_lanes(
+      {sum.fx, sum.fy, sum.fz, sum.dissipated, sum.elastic_radial, sum.elastic_axial, sum.elastic_normal, sum.cage},
+      sums);
+  all.fx = sums[0];
+  all.fy = sums[1];
+  all.fz = sums[2];
+  all.dissipated = sums[3];
+  all.elastic_radial = sums[4];
+  all.elastic_axial = sums[5];
+  all.elastic_normal = sums[6];
+  all.cage = sums[7];
+  all.roots = sum.roots.sum();
+  if constexpr (tilts) {
+    all.my = sum.my.sum();
+    all.mz = sum.mz.sum();
+  }
+  all.largest = largest(sum.largest);
+  return all;
+}
+ROTORDROP_KERNEL TractionSumsOf<double> over_lanes(const TractionSumsOf<Balls>& sum) {
+  return {sum.inner.sum(), sum.outer.sum(), sum.gyroscopic.sum(), largest(sum.demand), largest(sum.truncation)};
+}
+
+template <bool tilts, bool is_bent>
+ROTORDROP_KERNEL BallTerms<Balls> penetration(const KernelInput& in, const RowPlaceOf<Balls>& place,
+                                              const Balls& cosine, const Balls& sine, std::size_t j) {
+  BallWidening<Balls> bent{0., 0., 0.};
+  if constexpr (is_bent)
+    bent = {Balls::load(&in.bent->width[j]), Balls::load(&in.bent->rate[j]), Balls::load(&in.bent->slope[j])};
+  return ball_penetration<tilts, is_bent>(place, cosine, sine, Balls::load(in.added + j), bent);
 }
 
 template <bool tilts, bool is_bent, bool with_tractions>
-ROTORDROP_KERNEL void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* with,
-                                RowTractions* tractions) {
-  ForceSums sum;
-  TractionSums traction_sum;
-  const RowPlaceOf<double>& place = in.place;
-  const std::size_t n = whole_vectors(in.n);
-  for (std::size_t first = 0; first < n; first += vector_length) {
-#pragma omp simd
-    for (std::size_t l = 0; l < vector_length; ++l) {
-      const std::size_t j = first + l;
-      BallWidening<double> bent{};
-      if constexpr (is_bent) bent = {in.bent->width[j], in.bent->rate[j], in.bent->slope[j]};
-      const double c = in.cosine[j], s = in.sine[j];
-      BallTerms<double> b = ball_penetration<tilts, is_bent>(place, c, s, in.added[j], bent);
-      press_ball(place, b);
-      const double F_radial = b.F * b.cos_phi, F_axial = b.F * b.sin_phi;
-      if constexpr (is_bent) in.bent->force[j] = F_radial;
-      sum.fx[l] -= F_axial;
-      sum.fy[l] -= F_radial * c;
-      sum.fz[l] -= F_radial * s;
-      if constexpr (tilts) {
-        sum.my[l] += F_radial * place.position * s - F_axial * place.arm * s;
-        sum.mz[l] += F_axial * place.arm * c - F_radial * place.position * c;
-      }
-      sum.dissipated[l] += (b.F - b.elastic) * b.rate;
-      sum.elastic_radial[l] += b.elastic * b.cos_phi;
-      sum.elastic_axial[l] += b.elastic * b.sin_phi;
-      sum.elastic_normal[l] += b.elastic;
-      sum.cage[l] += b.cage;
-      sum.largest[l] = std::max(sum.largest[l], b.F);
-      sum.roots[l] += b.root;
-      if constexpr (with_tractions) add_tractions(*with, b, l, traction_sum);
-    }
+void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  const RowPlaceOf<Balls> place = in_all_lanes(in.place);
+  ForceSumsOf<Balls> forces;
+  [[maybe_unused]] TractionSumsOf<Balls> traction_sums;
+  [[maybe_unused]] TractionInputOf<Balls> traction_input;
+  if constexpr (with_tractions) traction_input = in_all_lanes(*with);
+  for (std::size_t j = 0; j < in.n; j += vector_length) {
+    const Balls cosine = Balls::load(in.cosine + j), sine = Balls::load(in.sine + j);
+    BallTerms<Balls> b = penetration<tilts, is_bent>(in, place, cosine, sine, j);
+    press_ball(place, b);
+    forces.add<tilts>(place, b, cosine, sine);
+    if constexpr (is_bent) (b.F * b.cos_phi).store(&in.bent->force[j]);
+    if constexpr (with_tractions) traction_sums.add(traction_input, b);
   }
-  out.force_x = sum.fx.sum();
-  out.force_y = sum.fy.sum();
-  out.force_z = sum.fz.sum();
-  out.moment_y = tilts ? sum.my.sum() : 0.;
-  out.moment_z = tilts ? sum.mz.sum() : 0.;
-  place.turn_back(out.force_y, out.force_z);
-  if constexpr (tilts) place.turn_back(out.moment_y, out.moment_z);
-  out.damping_power = sum.dissipated.sum();
-  out.elastic_radial = sum.elastic_radial.sum();
-  out.elastic_axial = sum.elastic_axial.sum();
-  out.elastic_normal = sum.elastic_normal.sum();
-  out.elastic_outer_surplus = 0;
-  out.cage_torque = sum.cage.sum();
-  out.largest_load = out.largest_outer_load = sum.largest.largest();
-  out.inner_load_roots = sum.roots.sum();
-  out.inner_loads = out.outer_loads = out.elastic_normal;
-  out.inertia_power = out.inertia_per_speed = 0;
-  if constexpr (with_tractions) {
-    const double gyroscopic = traction_sum.gyroscopic.sum();
-    tractions->inner_load = traction_sum.inner.sum();
-    tractions->outer_load = traction_sum.outer.sum();
-    tractions->gyroscopic = (1. - with->inner_share) * gyroscopic;
-    tractions->largest_gyroscopic_over_load = traction_sum.largest.largest();
-    tractions->inner_gyroscopic = with->inner_share * gyroscopic;
-    tractions->centrifugal = with->F_c;
-    tractions->truncation = std::min(traction_sum.truncation.largest(), 1.);
-  }
-}
-
-template <bool is_bent>
-ROTORDROP_KERNEL double deflections(const KernelInput& in) {
-  Octet sum;
-  const RowPlaceOf<double>& place = in.place;
-  const std::size_t n = whole_vectors(in.n);
-  for (std::size_t first = 0; first < n; first += vector_length) {
-#pragma omp simd
-    for (std::size_t l = 0; l < vector_length; ++l) {
-      const std::size_t j = first + l;
-      BallWidening<double> bent{};
-      if constexpr (is_bent) bent.width = in.bent->width[j];
-      const double delta = ball_penetration<true, is_bent>(place, in.cosine[j], in.sine[j], in.added[j], bent).delta;
-      sum[l] += delta * delta * std::sqrt(delta);
-    }
-  }
-  return sum.sum();
+  put<tilts>(over_lanes<tilts>(forces), in.place, in.stiffness_root, out);
+  if constexpr (with_tractions) put(over_lanes(traction_sums), *with, *tractions);
 }
 
 template <bool tilts>
 void sum_chosen(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
   if (in.bent)
-    with ? wide<sum_balls<tilts, true, true>>(in, out, with, tractions)
-         : wide<sum_balls<tilts, true, false>>(in, out, with, tractions);
+    with ? sum_balls<tilts, true, true>(in, out, with, tractions)
+         : sum_balls<tilts, true, false>(in, out, with, tractions);
   else
-    with ? wide<sum_balls<tilts, false, true>>(in, out, with, tractions)
-         : wide<sum_balls<tilts, false, false>>(in, out, with, tractions);
+    with ? sum_balls<tilts, false, true>(in, out, with, tractions)
+         : sum_balls<tilts, false, false>(in, out, with, tractions);
 }
+
+template <bool is_bent>
+double deflections(const KernelInput& in) {
+  const RowPlaceOf<Balls> place = in_all_lanes(in.place);
+  Balls sum = 0.;
+  for (std::size_t j = 0; j < in.n; j += vector_length) {
+    const Balls delta =
+        penetration<true, is_bent>(in, place, Balls::load(in.cosine + j), Balls::load(in.sine + j), j).delta;
+    sum += delta * delta * sqrt(delta);
+  }
+  return sum.sum();
+}
+double sum_deflections(const KernelInput& in) { return in.bent ? deflections<true>(in) : deflections<false>(in); }
+
+constexpr RowKernels kernels{sum_chosen<false>, sum_chosen<true>, sum_deflections};
 
 }  // namespace
 
-void sum_translations(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
-  sum_chosen<false>(in, out, with, tractions);
-}
-void sum_all_motions(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
-  sum_chosen<true>(in, out, with, tractions);
-}
-double sum_deflections(const KernelInput& in) {
-  return in.bent ? wide<deflections<true>>(in) : wide<deflections<false>>(in);
-}
+const RowKernels& ROTORDROP_LANE_FACTORY() { return kernels; }
 
 }  // namespace rotordrop

@@ -13,6 +13,7 @@ inline constexpr double idle_penetration = -1.;  // added to an idle ball's pene
 /// Balls, races and displacement of a row as its kernels take them.
 struct KernelInput {
   RowPlaceOf<double> place;
+  double stiffness_root;  // K^(1/3)
   const double* cosine;
   const double* sine;
   const double* added;  // to every delta, by ball: waviness, or idle_penetration [n]
@@ -22,11 +23,20 @@ struct KernelInput {
 using RaceEdge = RaceEdgeOf<double>;
 using TractionInput = TractionInputOf<double>;
 
-/// Sums over the balls of a row whose ring only translates, or moves in all five ways; of rigid rings, or of bent ones.
-/// @param with, tractions  if what skidding needs is asked for, too; an idle ball adds F_c to the outer loads
-void sum_translations(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions);
-void sum_all_motions(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions);
-/// Sum of delta^(5/2) of a ring that moves in all five ways.
-double sum_deflections(const KernelInput& in);
+/// The hot loops of a row, compiled for one level of vectors.
+struct RowKernels {
+  /// Sums over the balls of a row. @param with, tractions  if what skidding needs is asked for, too; an idle ball adds F_c to the outer loads
+  using Sums = void(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions);
+  Sums* sum_translations;  ///< of a ring that only translates
+  Sums* sum_all_motions;   ///< of one that moves in all five ways
+  /// Sum of delta^(5/2) of a ring that moves in all five ways.
+  double (*sum_deflections)(const KernelInput& in);
+};
+// Nothing but these leaves the objects that ball_row_kernels.cpp is compiled to (cmake/LaneEngine.cmake).
+const RowKernels& row_kernels_base();
+const RowKernels& row_kernels_v3();
+const RowKernels& row_kernels_v4();
+/// Those of this process.
+const RowKernels& row_kernels();
 
 }  // namespace rotordrop

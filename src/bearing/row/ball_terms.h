@@ -166,4 +166,78 @@ template <class Real>
   return t;
 }
 
+/// Sums over the balls of a row, in the cage's frame.
+template <class Real>
+struct ForceSumsOf {
+  Real fx = 0, fy = 0, fz = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_axial = 0,
+       elastic_normal = 0, cage = 0, largest = 0, roots = 0;
+  /// @param cosine, sine  of the ball's azimuth
+  template <bool tilts>
+  [[gnu::always_inline]] inline void add(const RowPlaceOf<Real>& place, const BallTerms<Real>& b, const Real& cosine,
+                                         const Real& sine) {
+    const Real F_radial = b.F * b.cos_phi, F_axial = b.F * b.sin_phi;
+    fx -= F_axial;
+    fy -= F_radial * cosine;
+    fz -= F_radial * sine;
+    if constexpr (tilts) {
+      my += F_radial * place.position * sine - F_axial * place.arm * sine;
+      mz += F_axial * place.arm * cosine - F_radial * place.position * cosine;
+    }
+    dissipated += (b.F - b.elastic) * b.rate;
+    elastic_radial += b.elastic * b.cos_phi;
+    elastic_axial += b.elastic * b.sin_phi;
+    elastic_normal += b.elastic;
+    cage += b.cage;
+    largest = larger(largest, b.F);
+    roots += b.root;
+  }
+};
+template <class Real>
+struct TractionSumsOf {
+  Real inner = 0, outer = 0, gyroscopic = 0, demand = 0, truncation = 0;
+  [[gnu::always_inline]] inline void add(const TractionInputOf<Real>& with, const BallTerms<Real>& b) {
+    const TractionTerms<Real> t = traction_terms(with, b);
+    inner += b.F;
+    outer += t.outer;
+    gyroscopic += t.gyroscopic;
+    demand = larger(demand, t.demand);
+    truncation = larger(truncation, t.beyond);
+  }
+};
+
+/// What a row without inertia of its balls does, from its sums; its waves' power is left to the caller.
+/// @param stiffness_root  K^(1/3)
+template <bool tilts, class Real>
+[[gnu::always_inline]] inline void put(const ForceSumsOf<Real>& sum, const RowPlaceOf<Real>& place,
+                                       const Real& stiffness_root, BallRowOutputOf<Real>& out) {
+  out.force_x = sum.fx;
+  out.force_y = sum.fy;
+  out.force_z = sum.fz;
+  out.moment_y = sum.my;
+  out.moment_z = sum.mz;
+  place.turn_back(out.force_y, out.force_z);
+  if constexpr (tilts) place.turn_back(out.moment_y, out.moment_z);
+  out.damping_power = sum.dissipated;
+  out.elastic_radial = sum.elastic_radial;
+  out.elastic_axial = sum.elastic_axial;
+  out.elastic_normal = sum.elastic_normal;
+  out.elastic_outer_surplus = 0.;
+  out.cage_torque = sum.cage;
+  out.largest_load = out.largest_outer_load = sum.largest;
+  out.inner_load_roots = out.outer_load_roots = stiffness_root * sum.roots;
+  out.inner_loads = out.outer_loads = sum.elastic_normal;
+  out.inertia_power = out.inertia_per_speed = 0.;
+}
+template <class Real>
+[[gnu::always_inline]] inline void put(const TractionSumsOf<Real>& sum, const TractionInputOf<Real>& with,
+                                       RowTractionsOf<Real>& out) {
+  out = {.inner_load = sum.inner,
+         .outer_load = sum.outer,
+         .gyroscopic = (1. - with.inner_share) * sum.gyroscopic,
+         .largest_gyroscopic_over_load = sum.demand,
+         .inner_gyroscopic = with.inner_share * sum.gyroscopic,
+         .centrifugal = with.F_c,
+         .truncation = smaller(sum.truncation, Real(1.))};
+}
+
 }  // namespace rotordrop

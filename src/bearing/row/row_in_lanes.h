@@ -99,12 +99,11 @@ class RowInLanes {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
     const TractionInputOf<Real> with{numbers_.centrifugal_force(in), numbers_.inner_gyroscopic_share, edges_};
     const Real zero = 0.;
-    Real fx = zero, fy = zero, fz = zero, dissipated = zero, elastic_radial = zero, elastic_axial = zero,
-         elastic_normal = zero, cage = zero, largest = zero, roots = zero;
+    ForceSumsOf<Real> forces;
+    [[maybe_unused]] TractionSumsOf<Real> traction_sums;
     Real waviness = zero;
     [[maybe_unused]] Travels travels;
     if constexpr (is_wavy) travels = travelling(in);
-    Real inner = zero, outer = zero, gyroscopic = zero, demand = zero, truncation = zero;
     for (std::size_t j = 0; j < cosine_.size(); ++j) {
       Waved by_waves{zero, zero};
       if constexpr (is_wavy) by_waves = waved(travels, j);
@@ -114,50 +113,12 @@ class RowInLanes {
         if (!any(!(b.delta <= 0.))) continue;
       press_ball(place, b);
       if constexpr (is_wavy) waviness += b.elastic * by_waves.rate;
-      if constexpr (with_tractions) {
-        const TractionTerms<Real> t = traction_terms(with, b);
-        inner += b.F;
-        outer += t.outer;
-        gyroscopic += t.gyroscopic;
-        demand = larger(demand, t.demand);
-        truncation = larger(truncation, t.beyond);
-      }
-      const Real F_radial = b.F * b.cos_phi;
-      fx -= b.F * b.sin_phi;
-      fy -= F_radial * cosine_[j];
-      fz -= F_radial * sine_[j];
-      dissipated += (b.F - b.elastic) * b.rate;
-      elastic_radial += b.elastic * b.cos_phi;
-      elastic_axial += b.elastic * b.sin_phi;
-      elastic_normal += b.elastic;
-      cage += b.cage;
-      largest = larger(largest, b.F);
-      roots += b.root;
+      if constexpr (with_tractions) traction_sums.add(with, b);
+      forces.template add<false>(place, b, Real(cosine_[j]), Real(sine_[j]));
     }
-    place.turn_back(fy, fz);
-    out.force_x = fx;
-    out.force_y = fy;
-    out.force_z = fz;
-    out.moment_y = out.moment_z = zero;
-    out.damping_power = dissipated;
-    out.elastic_radial = elastic_radial;
-    out.elastic_axial = elastic_axial;
-    out.elastic_normal = elastic_normal;
-    out.elastic_outer_surplus = zero;
-    out.cage_torque = cage;
+    put<false>(forces, place, numbers_.stiffness_root, out);
     out.waviness_power = waviness;
-    out.largest_load = out.largest_outer_load = largest;
-    out.inner_load_roots = out.outer_load_roots = numbers_.stiffness_root * roots;
-    out.inner_loads = out.outer_loads = elastic_normal;
-    out.inertia_power = out.inertia_per_speed = zero;
-    if constexpr (with_tractions)
-      *tractions = {.inner_load = inner,
-                    .outer_load = outer,
-                    .gyroscopic = (1. - with.inner_share) * gyroscopic,
-                    .largest_gyroscopic_over_load = demand,
-                    .inner_gyroscopic = with.inner_share * gyroscopic,
-                    .centrifugal = with.F_c,
-                    .truncation = smaller(truncation, Real(1.))};
+    if constexpr (with_tractions) put(traction_sums, with, *tractions);
   }
 
   RowNumbers<Real> numbers_;

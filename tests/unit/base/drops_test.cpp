@@ -53,6 +53,22 @@ TEST(Drops, HaveFunctionsGoodToAFewUnitsInTheLastPlace) {
             3.);
 }
 
+TEST(Drops, SumEightNumbersOverTheirLanesAsOneBitForBit) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 200; ++i) {
+    Real numbers[8];
+    for (Real& number : numbers)
+      for (int lane = 0; lane < n_lanes; ++lane) number.set(lane, std::pow(10., even(random, -9., 9.)));
+    double sums[8];
+    Real::sum_lanes(numbers, sums);
+    for (int k = 0; k < 8; ++k) {
+      const Real& v = numbers[k];
+      EXPECT_EQ(sums[k], ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]))) << k;
+      EXPECT_EQ(sums[k], v.sum()) << k;
+    }
+  }
+}
+
 TEST(Drops, HaveSinesToTheirLastPlaceAndBeyondAMillionTheLibrarys) {
   std::mt19937_64 random(2);
   for (const double range : {1., 1e3, 9e5, 1e9})
