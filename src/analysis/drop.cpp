@@ -50,6 +50,7 @@ void Drop::run(const std::function<bool()>& is_stopped) {
 }
 
 void Drop::finish() {
+  rows_.settle();
   is_complete_ = loop_.is_at_end();
   if (is_complete_) sections_->finish(loop_.time(), loop_.state());
 }

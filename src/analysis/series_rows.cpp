@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "machine/lanes/machine_lanes.h"
+
 namespace rotordrop {
 
 ScheduledRows::ScheduledRows(const char* name, const Machine& machine, RowSchedule schedule,
@@ -27,10 +29,9 @@ bool ScheduledRows::is_needed(RowNeeds needs) const {
   return std::any_of(sinks_.begin(), sinks_.end(), [needs](const Reader& reader) { return reader.needs == needs; });
 }
 
-void ScheduledRows::give(double t, std::span<const double> row, bool is_whole) {
+void ScheduledRows::tell(double t, std::span<const double> row, bool is_whole) {
   for (const auto& [sink, needs] : sinks_)
     if (is_whole || needs == RowNeeds::step) sink->row(t, row);
-  schedule_.written(t);
 }
 
 SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force)
@@ -40,6 +41,20 @@ SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const Growt
   found_.wants_step = true;
   ahead_.step.resize(n_step_);
   ahead_.is_whole = false;
+  if (evaluates_in_lanes(machine)) lanes_ = std::make_unique<RowLanes>(machine);
+}
+
+void SeriesRows::settle() {
+  if (!lanes_) return;
+  lanes_->evaluate([this](double t, std::span<const double> y, const Evaluation& found) {
+    fill(y, found);
+    tell(t, row_);
+  });
+}
+
+void SeriesRows::fill(std::span<const double> y, const Evaluation& found) {
+  std::copy(found.step.begin(), found.step.end(), row_.begin());
+  machine_.observe_state(y, found, std::span(row_).subspan(n_step_));
 }
 
 bool SeriesRows::are_read() const { return is_needed(RowNeeds::all) || is_needed(RowNeeds::step); }
@@ -49,6 +64,12 @@ double SeriesRows::due_ahead() const { return are_read() ? due() : std::numeric_
 void SeriesRows::write(double t, std::span<const double> y) {
   if (!needs_state(t)) return give(t, row_, false);
   if (t == ahead_time_) return write(t, y, ahead_);
+  if (lanes_ && !is_thinned_) {
+    lanes_->add(t, y);
+    schedule_.written(t);
+    if (lanes_->is_full()) settle();
+    return;
+  }
   machine_.evaluate(t, y, found_);
   write(t, y, found_);
 }

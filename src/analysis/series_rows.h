@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "analysis/row_lanes.h"
 #include "analysis/row_schedule.h"
 #include "machine/machine.h"
 #include "model/observer.h"
@@ -37,7 +38,12 @@ class ScheduledRows : public Observer {
   /// Whether a change after a long interval without any gets a row at the beginning of the step that brought it.
   [[nodiscard]] virtual bool wants_before_change() const { return false; }
   /// @param is_whole  the row holds all that its sinks may need
-  void give(double t, std::span<const double> row, bool is_whole = true);
+  void give(double t, std::span<const double> row, bool is_whole = true) {
+    tell(t, row, is_whole);
+    schedule_.written(t);
+  }
+  /// The same of a row that the schedule counts as written.
+  void tell(double t, std::span<const double> row, bool is_whole = true);
   [[nodiscard]] bool is_needed(RowNeeds needs) const;
   [[nodiscard]] bool has_sinks() const { return !sinks_.empty(); }
 
@@ -55,10 +61,14 @@ class ScheduledRows : public Observer {
   std::vector<Reader> sinks_;
 };
 
-/// Rows of step and state observables.
+/// Rows of step and state observables. Where the machine can, rows between steps are evaluated several at a time, and reach their sinks when there are
+/// enough of them.
 class SeriesRows final : public ScheduledRows {
  public:
   SeriesRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force);
+
+  /// Gives out the rows that are left: before a checkpoint, and at the end.
+  void settle();
 
   /// Of drops in lanes: sinks that need a row now and then get no others, unless a sink needs all of every row.
   static constexpr double watch_interval = 1e-3;  // [s]
@@ -79,12 +89,16 @@ class SeriesRows final : public ScheduledRows {
   }
   void write(double t, std::span<const double> y) override;
   void write_end(const Step& step) override {
+    settle();
     if (step.is_last) watched_ = -1.;
     write(step.time, step.after, *step.found);
   }
   [[nodiscard]] bool wants_before_change() const override { return true; }
   void write(double t, std::span<const double> y, const Evaluation& found);
+  /// @param found  with what observe_state() needs
+  void fill(std::span<const double> y, const Evaluation& found);
 
+  std::unique_ptr<RowLanes> lanes_;  // none: rows are evaluated one by one
   std::size_t n_step_;
   std::vector<double> row_;
   bool is_thinned_ = false;

@@ -26,4 +26,15 @@ Numbers<Real> gathered(std::span<const Numbers<double>* const> of) {
   return std::bit_cast<Numbers<Real>>(columns);
 }
 
+/// The numbers of one lane, as they were before they were gathered.
+template <template <class> class Numbers, class Real>
+Numbers<double> of_lane(const Numbers<Real>& all, int lane) {
+  constexpr std::size_t n = sizeof(Numbers<double>) / sizeof(double);
+  static_assert(std::is_trivially_copyable_v<Numbers<Real>> && sizeof(Numbers<Real>) == n * sizeof(Real));
+  const auto columns = std::bit_cast<std::array<Real, n>>(all);
+  std::array<double, n> one;
+  for (std::size_t i = 0; i < n; ++i) one[i] = columns[i][lane];
+  return std::bit_cast<Numbers<double>>(one);
+}
+
 }  // namespace rotordrop

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <span>
 
+#include "model/evaluation.h"
 #include "model/state_layout.h"
 
 namespace rotordrop {
@@ -25,6 +26,8 @@ class LaneSystem {
   /// The same with what is observed on the way. @param step, details  [number of values][width]; empty: not
   virtual void observe(std::span<const double> t, std::span<const double> y, std::span<double> dydt,
                        std::span<double> step, std::span<double> details) = 0;
+  /// What supports saw and the heats that the last observe() found in a lane, as in an evaluation of that drop alone.
+  virtual void found(std::size_t lane, Evaluation& e) const = 0;
 };
 
 }  // namespace rotordrop

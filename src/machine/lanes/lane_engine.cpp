@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "base/gather.h"
@@ -33,9 +34,12 @@ class PartsInLanes {
     for (std::size_t i = 0; i < form.supports.size(); ++i)
       supports_.emplace_back(parts_of<TouchdownBearing>(
           machines, [&](const Machine& m) -> auto& { return m.support(i); }));
-    for (std::size_t i = 0; i < form.thermal.size(); ++i)
-      thermal_.emplace_back(parts_of<ThermalNetwork>(
+    for (std::size_t i = 0; i < form.thermal.size(); ++i) {
+      thermal_.emplace_back();
+      if (form.thermal[i].follows) continue;
+      thermal_.back().emplace(parts_of<ThermalNetwork>(
           machines, [&](const Machine& m) -> auto& { return *m.thermal(i).model; }));
+    }
     for (std::size_t place = 0; place < form.rub_share.size(); ++place) {
       std::vector<RubNumbers<double>> rub;
       for (const Machine* machine : machines) rub.push_back(machine->parts().rub_share[place].numbers());
@@ -59,9 +63,9 @@ class PartsInLanes {
   };
   [[nodiscard]] const ModalRotorInLanes<Real>& rotor() const { return rotor_; }
   [[nodiscard]] const TouchdownInLanes<Real>& support(std::size_t i) const { return supports_[i]; }
-  [[nodiscard]] const ThermalNetworkInLanes<Real>& thermal(std::size_t i) const { return thermal_[i]; }
+  [[nodiscard]] const ThermalNetworkInLanes<Real>& thermal(std::size_t i) const { return *thermal_[i]; }
   [[nodiscard]] const ThermalNetworkInLanes<Real>& immediate_growth() const {
-    return thermal_.front();
+    return *thermal_.front();
   }  // there is none
   [[nodiscard]] const Rub& rub_share(std::size_t place) const { return rub_[place]; }
   [[nodiscard]] const Real& rotor_growth_by_speed(std::size_t place) const { return growth_by_speed_[place]; }
@@ -76,7 +80,7 @@ class PartsInLanes {
  private:
   ModalRotorInLanes<Real> rotor_;
   std::vector<TouchdownInLanes<Real>> supports_;
-  std::vector<ThermalNetworkInLanes<Real>> thermal_;
+  std::vector<std::optional<ThermalNetworkInLanes<Real>>> thermal_;  // of those that do not follow
   std::vector<Rub> rub_;
   std::vector<Real> growth_by_speed_;
 };
@@ -102,6 +106,25 @@ class MachineLanes final : public LaneSystem {
     if (!step.empty()) observe_probes(y);
     store(observed_.step, step);
     store(observed_.details, details);
+  }
+  void found(std::size_t lane, Evaluation& e) const override {
+    const int l = static_cast<int>(lane);
+    e.time = observed_.time[l];
+    e.inputs.clear();
+    for (const auto& input : observed_.inputs) e.inputs.push_back(of_lane<SupportInputOf>(input, l));
+    e.heats.resize(observed_.heats.size());
+    for (std::size_t place = 0; place < e.heats.size(); ++place) {
+      const HeatInputOf<Real>& h = observed_.heats[place];
+      e.heats[place] = {h.rub[l],
+                        h.rub_into_ring[l],
+                        h.inner[l],
+                        h.outer[l],
+                        h.rotor_surface_speed[l],
+                        h.ring_surface_speed[l],
+                        h.is_in_contact[l],
+                        of_lane<BallConductionOf>(h.balls, l),
+                        {}};
+    }
   }
 
  private:

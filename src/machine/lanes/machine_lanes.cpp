@@ -19,9 +19,8 @@ const ThermalNetwork* network(const Machine& m, std::size_t i) {
   return dynamic_cast<const ThermalNetwork*>(m.thermal(i).model.get());
 }
 
-}  // namespace
-
-std::string why_not_in_lanes(const Machine& m) {
+/// @param with_followers  whether models that follow are asked, too
+std::string why_not_in_lanes(const Machine& m, bool with_followers) {
   const auto* rotor = dynamic_cast<const ModalRotor*>(&m.rotor());
   if (!rotor) return "its rotor is a model of its own";
   if (!ModalRotorInLanes<EightDrops>::is_alike(*rotor, *rotor)) return "its rotor moves along the axis";
@@ -34,12 +33,19 @@ std::string why_not_in_lanes(const Machine& m) {
              "regularised friction";
   }
   for (std::size_t i = 0; i < m.n_thermal_models(); ++i)
-    if (!network(m, i)) return "thermal model \"" + m.thermal_name(i) + "\" is no lumped circuit";
+    if (!network(m, i) && (with_followers || !m.thermal(i).follows))
+      return "thermal model \"" + m.thermal_name(i) + "\" is no lumped circuit";
   const auto& parts = m.parts();
   if (parts.immediate_growth || parts.takes_growth || parts.prescribed_growth)
     return "growth comes from outside its circuits";
   return {};
 }
+
+}  // namespace
+
+std::string why_not_in_lanes(const Machine& m) { return why_not_in_lanes(m, true); }
+
+bool evaluates_in_lanes(const Machine& m) { return why_not_in_lanes(m, false).empty(); }
 
 bool are_alike(const Machine& a, const Machine& b) {
   const auto &p = a.parts(), &q = b.parts();
@@ -66,8 +72,11 @@ bool are_alike(const Machine& a, const Machine& b) {
 std::unique_ptr<LaneSystem> make_lanes(std::span<const Machine* const> machines) {
   if (machines.empty() || machines.size() > LaneSystem::width)
     throw std::invalid_argument("lanes hold one to eight machines");
+  const bool is_one =
+      std::ranges::all_of(machines, [&](const Machine* machine) { return machine == machines.front(); });
   for (const Machine* machine : machines)
-    if (!are_alike(*machines.front(), *machine)) throw std::invalid_argument("machines side by side must be alike");
+    if (is_one ? !evaluates_in_lanes(*machine) : !are_alike(*machines.front(), *machine))
+      throw std::invalid_argument("machines side by side must be alike");
 #if defined(__x86_64__)
   if (vector_level == VectorLevel::v4) return make_lanes_v4(machines);
   if (vector_level == VectorLevel::v3) return make_lanes_v3(machines);

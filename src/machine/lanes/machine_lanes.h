@@ -13,10 +13,13 @@ namespace rotordrop {
 /// that TouchdownBearing::runs_in_lanes() names, and lumped circuits.
 [[nodiscard]] std::string why_not_in_lanes(const Machine& machine);
 
+/// Whether states of one machine can be evaluated side by side. Its thermal models that follow may be of any kind: nothing asks them.
+[[nodiscard]] bool evaluates_in_lanes(const Machine& machine);
+
 /// Whether two machines that run in lanes differ in nothing but numbers, so that they can run side by side.
 [[nodiscard]] bool are_alike(const Machine& a, const Machine& b);
 
-/// Machines side by side, compiled for this process's level of vectors.
+/// Machines side by side, compiled for this process's level of vectors; or one of them in all lanes.
 /// @param machines  1 to LaneSystem::width, alike; must outlive what is returned
 [[nodiscard]] std::unique_ptr<LaneSystem> make_lanes(std::span<const Machine* const> machines);
 

@@ -67,6 +67,7 @@ void DropCheckpoints::save() { write(directory_ / "checkpoints", drop_.loop().ti
 
 void DropCheckpoints::write(const fs::path& directory, double time, std::span<const double> state) {
   folder_.require_there();
+  drop_.rows().settle();
   recorded_ = record_.sync();  // on the disk before the checkpoint that relies on it
   written(directory, time, state);
 }
@@ -85,6 +86,7 @@ fs::path DropCheckpoints::written(const fs::path& directory, double time, std::s
 
 fs::path DropCheckpoints::save_failed() {
   try {
+    drop_.rows().settle();
     recorded_ = record_.sync();
   } catch (const SolverError&) {  // the recorder is what failed: the state may still find room
   }
