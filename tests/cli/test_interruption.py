@@ -92,7 +92,7 @@ class Interruption(ProgramTest):
         series = series_of(self.folder / "out/results.h5")
         times = series["time"]
         self.assertGreater(len(times), 5)
-        self.assertLess(times[-1], 0.04)
+        self.assertLess(times[-1], 0.08)  # where LONG ends
         self.assertTrue(numpy.all(numpy.diff(times) > 0))
         for name, values in series.items():
             self.assertTrue(numpy.all(numpy.isfinite(values)), name)

@@ -32,7 +32,8 @@ SupportWatch::SupportWatch(const Machine& machine) {
 
 void SupportWatch::follow(double t, std::span<const double> step) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const double travel = std::hypot(step[columns_[i].position], step[columns_[i].position + 1]);
+    const double y = step[columns_[i].position], z = step[columns_[i].position + 1];
+    const double travel = std::sqrt(y * y + z * z);
     auto& s = scalars_[i];
     if (travel > s.travel) {
       s.travel = travel;

@@ -151,7 +151,8 @@ template <class Real>
   constexpr double nothing = 1e-100;  // [N]
   const OuterContactOf<Real> o = outer_contact(b.F, b.sin_phi, b.cos_phi, with.F_c);
   TractionTerms<Real> t;
-  t.outer = o.load;
+  // A ball without load lies in the outer race by its centrifugal force alone.
+  t.outer = select(b.delta > 0., o.load, with.F_c);
   t.gyroscopic = gyroscopic_traction(with.F_c, o.sine);
   const Real inner_demand = with.inner_share * t.gyroscopic / (b.F + nothing);
   const Real outer_demand = (1. - with.inner_share) * t.gyroscopic * o.per_load;

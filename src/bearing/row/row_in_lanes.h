@@ -109,8 +109,10 @@ class RowInLanes {
       if constexpr (is_wavy) by_waves = waved(travels, j);
       BallTerms<Real> b = penetration(place, by_waves.added, j);
       // Where no drop's ball is pressed it adds nothing but the centrifugal force in its outer contact. What is not a number goes on.
-      if constexpr (!with_tractions)
-        if (!any(!(b.delta <= 0.))) continue;
+      if (!any(!(b.delta <= 0.))) {
+        if constexpr (with_tractions) traction_sums.outer += with.F_c;
+        continue;
+      }
       press_ball(place, b);
       if constexpr (is_wavy) waviness += b.elastic * by_waves.rate;
       if constexpr (with_tractions) traction_sums.add(with, b);
