@@ -68,7 +68,8 @@ class Witness final : public Observer {
   double last_time_ = 0;
 };
 
-const char* const methods[] = {"tsitouras", "bogacki-shampine", "dormand-prince", "runge-kutta-4", "adams"};
+const char* const methods[] = {"tsitouras",      "bogacki-shampine", "sofroniou-spaletta",
+                               "dormand-prince", "runge-kutta-4",    "adams"};
 
 TEST(DropLoop, ShowsEveryStepWithWhatWasFoundAtItsEnd) {
   for (const std::string method : methods) {
@@ -114,8 +115,10 @@ class Counted final : public Support {
 TEST(DropLoop, EvaluatesEndsOfStepsNoMoreThanTheMethodDoes) {
   // Besides the method's right-hand sides: the look at the start, and the details of the first and the last row if somebody reads them. Rows themselves
   // take what is there.
-  for (const auto& [method, reads_details] :
-       {std::pair<std::string, bool>{"tsitouras", false}, {"tsitouras", true}, {"bogacki-shampine", true}}) {
+  for (const auto& [method, reads_details] : {std::pair<std::string, bool>{"tsitouras", false},
+                                              {"tsitouras", true},
+                                              {"bogacki-shampine", true},
+                                              {"sofroniou-spaletta", true}}) {
     const auto e = reference_machine(
         {"integration.method=" + method, "run.end_time=10 ms", "output.interval=1 s", "output.detail_interval=1 s"});
     const auto& p = e.settings.parameters;

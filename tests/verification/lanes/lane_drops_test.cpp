@@ -25,15 +25,19 @@ struct OneDrop {
              example.settings.parameters.output) {}
 };
 
-std::vector<std::string> settings(std::size_t k, const std::string& end = "25 ms") {
-  return {"run.end_time=" + end, "integration.method=tsitouras", "integration.tolerance=1e-6",
+const std::string usual_method = "tsitouras";
+
+std::vector<std::string> settings(std::size_t k, const std::string& end = "25 ms",
+                                  const std::string& method = usual_method) {
+  return {"run.end_time=" + end, "integration.method=" + method, "integration.tolerance=1e-6",
           "contact.friction_coefficient=" + std::to_string(0.06 + 0.02 * static_cast<double>(k)),
           "bearings.TB1.support.C_y=" + std::to_string(2000. + 700. * static_cast<double>(k))};
 }
 
-std::vector<std::unique_ptr<OneDrop>> runs(std::span<const std::size_t> which, const std::string& end = "25 ms") {
+std::vector<std::unique_ptr<OneDrop>> runs(std::span<const std::size_t> which, const std::string& end = "25 ms",
+                                           const std::string& method = usual_method) {
   std::vector<std::unique_ptr<OneDrop>> list;
-  for (const std::size_t k : which) list.push_back(std::make_unique<OneDrop>(settings(k, end)));
+  for (const std::size_t k : which) list.push_back(std::make_unique<OneDrop>(settings(k, end, method)));
   return list;
 }
 
@@ -54,19 +58,21 @@ std::vector<double> scalars_of(const Drop& drop) {
   return values;
 }
 
+class DropsInLanesBy : public ::testing::TestWithParam<const char*> {};
+
 // Rounding decides about steps in flight, where the error is nothing but rounding, and grows from bounce to bounce. So the measure is what rounding does to
 // a drop alone: that of the last digits of its friction coefficient. Four neighbours find a third of the spread or more in all but one of a hundred
 // tries of a normal one; a wrong term is off by a million times as much.
-TEST(DropsInLanes, AreTheDropsThatRunAlone) {
+TEST_P(DropsInLanesBy, AreTheDropsThatRunAlone) {
   const std::vector<std::size_t> which = {0, 1, 2, 3, 4, 5, 6, 7};
-  const auto together = runs(which);
+  const auto together = runs(which, "25 ms", GetParam());
   for (const auto& failure : run_together(together)) EXPECT_FALSE(failure);
   for (std::size_t k = 0; k < which.size(); ++k) {
     std::vector<std::vector<double>> alone;
     for (int ulps = 0; ulps < 5; ++ulps) {
       double friction = 0.06 + 0.02 * static_cast<double>(k);
       for (int i = 0; i < ulps; ++i) friction = std::nextafter(friction, 1.);
-      auto set = settings(k);
+      auto set = settings(k, "25 ms", GetParam());
       set.push_back(fmt::format("contact.friction_coefficient={:.17g}", friction));
       OneDrop run(set);
       run.drop.run();
@@ -117,17 +123,17 @@ TEST(DropsInLanes, EndEachAtItsOwnTime) {
 
 // Rows are sparse while little changes, and then one lies before the change: all of them must hold the values of their own time. A drop alone with rows every 10 us
 // shows these by straight lines, to 100 m/s2 (10 us)^2 / 8 = 1e-9 m.
-TEST(DropsInLanes, HaveRowsOfTheirOwnTimes) {
+TEST_P(DropsInLanesBy, HaveRowsOfTheirOwnTimes) {
   const std::vector<std::string> paths = {"/bearings/TB1/orbit", "/rotor/spin_angle", "/ledger/TB1/contact_impulse"};
   const auto is_kept = [&](const std::string& path) {
     return std::find(paths.begin(), paths.end(), path) != paths.end();
   };
-  auto sparse = settings(2, "12 ms"), dense = sparse;
+  auto sparse = settings(2, "12 ms", GetParam()), dense = sparse;
   sparse.insert(sparse.end(), {"output.interval=0.1 ms", "output.longest_interval=3 ms", "output.change=0.05"});
   dense.push_back("output.interval=10 us");
   OneDrop lane(sparse), alone(dense);
   // All lanes run: where all have stepped, states change places instead of being copied.
-  const auto neighbours = runs(std::vector<std::size_t>{0, 1, 3, 4, 5, 6, 7}, "12 ms");
+  const auto neighbours = runs(std::vector<std::size_t>{0, 1, 3, 4, 5, 6, 7}, "12 ms", GetParam());
   MemorySeries rows(*lane.example, lane.drop, is_kept), all(*alone.example, alone.drop, is_kept);
   std::vector<Drop*> eight = {&lane.drop};
   for (const auto& neighbour : neighbours) eight.push_back(&neighbour->drop);
@@ -147,6 +153,9 @@ TEST(DropsInLanes, HaveRowsOfTheirOwnTimes) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(OwnPairs, DropsInLanesBy,
+                         ::testing::Values("tsitouras", "bogacki-shampine", "sofroniou-spaletta"));
 
 /// Ends its drop by a failure.
 class Trap final : public Observer {
