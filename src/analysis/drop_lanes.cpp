@@ -1,5 +1,7 @@
 #include "analysis/drop_lanes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -10,8 +12,11 @@
 namespace rotordrop {
 
 std::string why_not_in_lanes(const Machine& machine, const IntegrationParameters& integration) {
-  if (!runs_in_lanes(integration.method)) return "integration.method is neither \"tsitouras\" nor \"bogacki-shampine\"";
-  return why_not_in_lanes(machine);
+  if (runs_in_lanes(integration.method)) return why_not_in_lanes(machine);
+  std::string names;
+  for (const auto& kind : integration_methods)
+    if (runs_in_lanes(kind.method)) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", kind.name);
+  return "integration.method is none of " + names;
 }
 
 bool are_alike(const Machine& a, const IntegrationParameters& a_integration, const Machine& b,

@@ -529,6 +529,9 @@ class IntegrationMethods(ProgramTest):
         "runge-kutta-4": {"integration__step": "1 us"},
         "dormand-prince": {"integration__tolerance": "1e-8"},
         "fehlberg-8": {"integration__tolerance": "1e-8"},
+        "tsitouras": {"integration__tolerance": "1e-8"},
+        "bogacki-shampine": {"integration__tolerance": "1e-8"},
+        "sofroniou-spaletta": {"integration__tolerance": "1e-8"},
         "adams": {"integration__tolerance": "1e-8"},
     }
 

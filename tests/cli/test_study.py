@@ -2,6 +2,7 @@
 
 import json
 import random
+import re
 import struct
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from browser import BROWSER, DRIVER, Browser  # noqa: E402
-from program import ProgramTest, start  # noqa: E402
+from program import SOURCE, ProgramTest, start  # noqa: E402
 
 STUDY = """
 case = "drop.toml"
@@ -251,7 +252,11 @@ class Studies(ProgramTest):
         self.write("s.toml", "lanes = true\n" + STUDY)
         told = self.study("out").stderr  # of a method of SUNDIALS
         self.assertIn("run one by one", told)
-        self.assertIn("integration.method", told)
+        named = told[told.index("integration.method") :].splitlines()[0]
+        page = (SOURCE / "docs/how-to/studies.md").read_text(encoding="utf-8")
+        documented = next(line for line in page.splitlines() if line.startswith("What runs in lanes:"))
+        for method in re.findall(r'"[^"]+"', named):
+            self.assertIn(method, documented)
         self.assertEqual(self.bytes_of("out")[1], self.bytes_of("alone")[1])
 
     def test_parts_that_nobody_asks_for_change_no_other_result(self):

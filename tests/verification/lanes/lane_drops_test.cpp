@@ -157,6 +157,17 @@ TEST_P(DropsInLanesBy, HaveRowsOfTheirOwnTimes) {
 INSTANTIATE_TEST_SUITE_P(OwnPairs, DropsInLanesBy,
                          ::testing::Values("tsitouras", "bogacki-shampine", "sofroniou-spaletta"));
 
+TEST(DropsInLanes, AreOfTheMethodsThatTheReasonNames) {
+  const auto reason = [](const std::string& method) {
+    const auto e = reference_machine({"integration.method=" + method});
+    return why_not_in_lanes(*e, e.settings.parameters.integration);
+  };
+  for (const char* method : {"tsitouras", "bogacki-shampine", "sofroniou-spaletta"}) EXPECT_EQ(reason(method), "");
+  for (const char* method : {"runge-kutta-4", "dormand-prince", "fehlberg-8", "adams"})
+    EXPECT_EQ(reason(method),
+              "integration.method is none of \"tsitouras\", \"bogacki-shampine\", \"sofroniou-spaletta\"");
+}
+
 /// Ends its drop by a failure.
 class Trap final : public Observer {
  public:
