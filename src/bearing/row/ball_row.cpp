@@ -124,17 +124,19 @@ void BallRow::fill_added(const BallRowInput& in, double* added) const {
 
 double BallRow::waviness_power(const BallRowInput& in, const double* added, const double* widening) const {
   const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
+  std::array<double, max_balls> load;
+  for (std::size_t k = 0; k < n_balls(); ++k) {
+    const BallWidening<double> bent{widening ? widening[k] : 0., 0., 0.};
+    const double delta = ball_penetration<true, true>(place, cosine_[k], sine_[k], added[k], bent).delta;
+    load[k] = geometry_.stiffness * delta * std::sqrt(delta);
+  }
   double power = 0.;
   for (const auto& w : waves_) {
     const double on_ring = w.wave.on_inner_race ? 1. : 0.;
     const double argument = w.wave.order * (in.cage_angle - on_ring * in.ring_angle) + w.wave.phase;
     const double travel = w.wave.amplitude * w.wave.order * (in.cage_speed - on_ring * in.ring_speed);
     const double c = std::cos(argument), s = std::sin(argument);
-    for (std::size_t k = 0; k < n_balls(); ++k) {
-      const BallWidening<double> bent{widening ? widening[k] : 0., 0., 0.};
-      const double delta = ball_penetration<true, true>(place, cosine_[k], sine_[k], added[k], bent).delta;
-      power += geometry_.stiffness * delta * std::sqrt(delta) * travel * (w.cosine[k] * c - w.sine[k] * s);
-    }
+    for (std::size_t k = 0; k < n_balls(); ++k) power += load[k] * travel * (w.cosine[k] * c - w.sine[k] * s);
   }
   return power;
 }
@@ -172,12 +174,12 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
 }
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
-  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, false, out, tractions);
   run(row_kernels().sum_translations, in, out, tractions);
 }
 
 void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
-  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, out, tractions);
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, true, out, tractions);
   run(row_kernels().sum_all_motions, in, out, tractions);
 }
 
@@ -185,7 +187,7 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) {
     InertialBalls w;
     Widening bent;
-    balance(in, F_0, w, bent);
+    balance(in, F_0, true, w, bent);
     for (std::size_t j = 0; j < load.size(); ++j) load[j] = w.u_i[j] * w.u_i[j] * w.u_i[j];
     return;
   }
@@ -212,7 +214,7 @@ double BallRow::energy(const BallRowInput& in) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) {
     InertialBalls w;
     Widening bent;
-    balance(in, F_0, w, bent);
+    balance(in, F_0, true, w, bent);
     double both = 0.;
     for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
       both += inertial_.c_i * std::pow(w.u_i[j], 5) + inertial_.c_o * std::pow(w.Q_o[j], 5. / 3.);

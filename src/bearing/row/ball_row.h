@@ -227,9 +227,11 @@ class BallRow {
   void widen(const BallRowInput& input, Widening& widening) const;
   void press_shapes(const BallRowInput& input, Widening& widening) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
-  void place_balls(const BallRowInput& input, InertialBalls& balls, Widening& widening) const;
-  BallWork balance(const BallRowInput& input, double F_0, InertialBalls& balls, Widening& widening) const;
-  void evaluate_inertial(const BallRowInput& input, double F_0, BallRowOutput& out, RowTractions* tractions) const;
+  void place_balls(const BallRowInput& input, bool tilts, InertialBalls& balls, Widening& widening) const;
+  /// @param tilts  false for a ring that only translates
+  BallWork balance(const BallRowInput& input, double F_0, bool tilts, InertialBalls& balls, Widening& widening) const;
+  void evaluate_inertial(const BallRowInput& input, double F_0, bool tilts, BallRowOutput& out,
+                         RowTractions* tractions) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added, const double* widening) const;
 
   BallRowGeometry geometry_;

@@ -1,154 +1,184 @@
 // Rows whose balls have inertia: the forces of BallRow from each ball's own balance.
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
+#include "base/real.h"
 #include "base/wide_vectors.h"
 #include "bearing/row/ball_row.h"
 #include "bearing/row/ball_row_bending.h"
+#include "bearing/row/ball_terms.h"
 #include "laws/skidding.h"
 
 namespace rotordrop {
 namespace {
 
-struct Place {
-  const double* cosine;
-  const double* sine;
-  double cage_cosine, cage_sine;
-  double radial, axial, arm, position;
-  RingDisplacement e, v;
-  Widening* bent;  // of bent rings
+/// @tparam tilts    of a ring that moves in all five ways; one that only translates leaves out the terms of tilt and axial motion
+/// @tparam is_bent  of bent rings
+template <bool tilts, bool is_bent>
+ROTORDROP_KERNEL void place_grooves(const RowPlaceOf<double>& given, double cage_speed, const double* cosine,
+                                    const double* sine, const Widening* bent, InertialBalls& w) {
+  const RowPlaceOf<double> p = given;  // a copy that no store can change
+  const auto &e = p.e, &v = p.v;
+  double e_y = e.y, e_z = e.z, v_y = v.y, v_z = v.z;
+  if constexpr (tilts) {
+    e_y += p.position * e.psi_z;
+    e_z -= p.position * e.psi_y;
+    v_y += p.position * v.psi_z;
+    v_z -= p.position * v.psi_y;
+  }
+  // The cage carries the balls past the grooves, too.
+  v_y += cage_speed * e_z;
+  v_z -= cage_speed * e_y;
+  const double turn_y = v.psi_y + cage_speed * e.psi_z, turn_z = v.psi_z - cage_speed * e.psi_y;
+#pragma omp simd
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const double c = cosine[j], s = sine[j];
+    w.B_r[j] = p.radial + e_y * c + e_z * s;
+    w.B_r_rate[j] = v_y * c + v_z * s;
+    w.B_x[j] = p.axial;
+    w.B_x_rate[j] = 0.;
+    if constexpr (tilts) {
+      w.B_x[j] += e.x + p.arm * (e.psi_y * s - e.psi_z * c);
+      w.B_x_rate[j] = v.x + p.arm * (turn_y * s - turn_z * c);
+    }
+    if constexpr (is_bent) {
+      w.B_r[j] += bent->width[j];
+      w.B_r_rate[j] += bent->rate[j] + cage_speed * bent->slope[j];
+    }
+  }
+}
+
+/// Sums over a row's balls, kept element by element.
+struct ForceSums {
+  Octet fx, fy, fz, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, elastic_outer, cage, largest,
+      largest_outer;
 };
 
-template <bool is_bent>
-ROTORDROP_KERNEL void place_all(const Place& given, double cage_speed, InertialBalls& w) {
-  const Place p = given;  // a copy that no store can change
-  const RingDisplacement e = p.e, v = p.v;
-  const double arm = p.arm, xr = p.position;
-#pragma omp simd
-  for (std::size_t j = 0; j < w.n; ++j) {
-    const double c = p.cage_cosine * p.cosine[j] - p.cage_sine * p.sine[j];
-    const double s = p.cage_sine * p.cosine[j] + p.cage_cosine * p.sine[j];
-    const double y = e.y + xr * e.psi_z, z = e.z - xr * e.psi_y;
-    w.B_r[j] = p.radial + y * c + z * s;
-    w.B_x[j] = p.axial + e.x + arm * (e.psi_y * s - e.psi_z * c);
-    w.B_r_rate[j] = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s + cage_speed * (z * c - y * s);
-    w.B_x_rate[j] = v.x + arm * (v.psi_y * s - v.psi_z * c + cage_speed * (e.psi_y * c + e.psi_z * s));
-    if constexpr (is_bent) {
-      w.B_r[j] += p.bent->width[j];
-      w.B_r_rate[j] += p.bent->rate[j] + cage_speed * p.bent->slope[j];
-    }
-  }
-}
-ROTORDROP_KERNEL void place_grooves(const Place& p, double cage_speed, InertialBalls& w) {
-  place_all<false>(p, cage_speed, w);
-}
-ROTORDROP_KERNEL void place_bent_grooves(const Place& p, double cage_speed, InertialBalls& w) {
-  place_all<true>(p, cage_speed, w);
-}
-
 /// @param hardness  K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is hardness * u
-template <bool is_split, bool is_bent>
-ROTORDROP_KERNEL void sum_all(const Place& given, const InertialBalls& w, double damping, double hardness,
-                              BallRowOutput& out) {
-  const Place p = given;
-  double fy = 0, fz = 0, fx = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_normal = 0, cage = 0;
-  double elastic_axial = 0, elastic_outer = 0, largest = 0, largest_outer = 0;
-  const RingDisplacement e = p.e, v = p.v;
-  const double arm = p.arm, xr = p.position;
-#pragma omp simd reduction(+ : fy, fz, fx, my, mz, dissipated, elastic_radial, elastic_axial, elastic_normal, elastic_outer, cage) reduction(max : largest, largest_outer)
-  for (std::size_t j = 0; j < w.n; ++j) {
-    const double c = p.cage_cosine * p.cosine[j] - p.cage_sine * p.sine[j];
-    const double s = p.cage_sine * p.cosine[j] + p.cage_cosine * p.sine[j];
-    const double u = w.u_i[j], is_ball = w.is_ball[j];
-    double r_rate = (v.y + xr * v.psi_z) * c + (v.z - xr * v.psi_y) * s;
-    const double x_rate = v.x + arm * (v.psi_y * s - v.psi_z * c);
-    double r_turn = (e.z - xr * e.psi_y) * c - (e.y + xr * e.psi_z) * s;
-    if constexpr (is_bent) {
-      r_rate += p.bent->rate[j];
-      r_turn += p.bent->slope[j];
+template <bool tilts, bool is_bent, bool is_split>
+ROTORDROP_KERNEL void sum_forces(const RowPlaceOf<double>& given, const double* cosine, const double* sine,
+                                 const InertialBalls& w, double hardness, Widening* bent, BallRowOutput& out) {
+  const RowPlaceOf<double> p = given;
+  const auto &e = p.e, &v = p.v;
+  double e_y = e.y, e_z = e.z, v_y = v.y, v_z = v.z;
+  if constexpr (tilts) {
+    e_y += p.position * e.psi_z;
+    e_z -= p.position * e.psi_y;
+    v_y += p.position * v.psi_z;
+    v_z -= p.position * v.psi_y;
+  }
+  const double damping = p.damping * hardness;
+  ForceSums sum;
+  const std::size_t n = whole_vectors(w.n);
+  for (std::size_t first = 0; first < n; first += vector_length) {
+#pragma omp simd
+    for (std::size_t l = 0; l < vector_length; ++l) {
+      const std::size_t j = first + l;
+      const double c = cosine[j], s = sine[j], i_r = w.i_r[j], i_x = w.i_x[j];
+      const double is_ball = w.is_ball[j], u = is_ball * w.u_i[j], Q_o = is_ball * w.Q_o[j];
+      double r_rate = v_y * c + v_z * s, r_turn = e_z * c - e_y * s;
+      if constexpr (is_bent) {
+        r_rate += bent->rate[j];
+        r_turn += bent->slope[j];
+      }
+      double rate = i_r * r_rate;
+      if constexpr (tilts) rate += i_x * (v.x + p.arm * (v.psi_y * s - v.psi_z * c));
+      const double elastic = u * u * u, F = larger(elastic + damping * u * rate, 0.);
+      double F_radial = F * i_r, F_axial = F * i_x, pull_radial = elastic * i_r, pull_axial = elastic * i_x;
+      if constexpr (is_split) {
+        const double T = is_ball * w.T_i[j];
+        F_radial -= T * i_x;
+        F_axial += T * i_r;
+        pull_radial -= T * i_x;
+        pull_axial += T * i_r;
+      }
+      if constexpr (is_bent) bent->force[j] = F_radial;
+      sum.fy[l] -= F_radial * c;
+      sum.fz[l] -= F_radial * s;
+      sum.fx[l] -= F_axial;
+      sum.cage[l] += pull_radial * r_turn;
+      if constexpr (tilts) {
+        sum.my[l] += F_radial * p.position * s - F_axial * p.arm * s;
+        sum.mz[l] += F_axial * p.arm * c - F_radial * p.position * c;
+        sum.cage[l] += pull_axial * p.arm * (e.psi_y * c + e.psi_z * s);
+      }
+      sum.dissipated[l] += (F - elastic) * rate;
+      sum.elastic_radial[l] += pull_radial;
+      sum.elastic_axial[l] += pull_axial;
+      sum.elastic_normal[l] += elastic;
+      sum.elastic_outer[l] += Q_o;
+      sum.largest[l] = larger(sum.largest[l], F);
+      sum.largest_outer[l] = larger(sum.largest_outer[l], Q_o);
     }
-    const double x_turn = arm * (e.psi_y * c + e.psi_z * s);
-    const double rate = w.i_r[j] * r_rate + w.i_x[j] * x_rate;
-    const double elastic = is_ball * u * u * u, Q_o = is_ball * w.Q_o[j];
-    const double F = std::max(elastic + is_ball * damping * hardness * u * rate, 0.);
-    double F_radial = F * w.i_r[j], F_axial = F * w.i_x[j];
-    double pull_radial = elastic * w.i_r[j], pull_axial = elastic * w.i_x[j];
-    if constexpr (is_split) {
-      const double T = is_ball * w.T_i[j], T_radial = -T * w.i_x[j], T_axial = T * w.i_r[j];
-      F_radial += T_radial;
-      F_axial += T_axial;
-      pull_radial += T_radial;
-      pull_axial += T_axial;
-    }
-    if constexpr (is_bent) p.bent->force[j] = F_radial;
-    fy -= F_radial * c;
-    fz -= F_radial * s;
-    fx -= F_axial;
-    my += F_radial * xr * s - F_axial * arm * s;
-    mz += F_axial * arm * c - F_radial * xr * c;
-    dissipated += (F - elastic) * rate;
-    elastic_radial += pull_radial;
-    elastic_axial += pull_axial;
-    elastic_normal += 0.5 * (elastic + Q_o);
-    elastic_outer += Q_o;
-    cage += pull_radial * r_turn + pull_axial * x_turn;
-    largest = std::max(largest, F);
-    largest_outer = std::max(largest_outer, Q_o);
   }
-  out.force_x = fx;
-  out.force_y = fy;
-  out.force_z = fz;
-  out.moment_y = my;
-  out.moment_z = mz;
-  out.damping_power = dissipated;
-  out.elastic_radial = elastic_radial;
-  out.elastic_axial = elastic_axial;
-  out.elastic_normal = elastic_normal;
-  out.elastic_outer_surplus = elastic_outer - elastic_normal;
-  out.cage_torque = cage;
-  out.largest_load = largest;
-  out.largest_outer_load = largest_outer;
-}
-
-ROTORDROP_KERNEL void sum_forces(const Place& p, const InertialBalls& w, bool is_split, double damping, double hardness,
-                                 BallRowOutput& out) {
-  if (is_split)
-    sum_all<true, false>(p, w, damping, hardness, out);
-  else
-    sum_all<false, false>(p, w, damping, hardness, out);
-}
-ROTORDROP_KERNEL void sum_bent_forces(const Place& p, const InertialBalls& w, bool is_split, double damping,
-                                      double hardness, BallRowOutput& out) {
-  if (is_split)
-    sum_all<true, true>(p, w, damping, hardness, out);
-  else
-    sum_all<false, true>(p, w, damping, hardness, out);
-}
-
-/// Q^(1/3) without a branch, for vectors: Halley's iteration from Q^(1/4), to 1e-7 for loads from 0.1 N to 1 MN, 6 % at 1e-5 N.
-inline double cube_root(double Q) {
-  double y = 1.7 * std::sqrt(std::sqrt(Q)) + 1e-30;
-  for (int i = 0; i < 3; ++i) {
-    const double cube = y * y * y;
-    y *= (cube + 2. * Q) / (2. * cube + Q + 1e-90);
-  }
-  return y;
-}
-
-ROTORDROP_KERNEL void sum_load_roots(const InertialBalls& w, BallRowOutput& out) {
-  double inner_roots = 0, outer_roots = 0, inner = 0, outer = 0;
-#pragma omp simd reduction(+ : inner_roots, outer_roots, inner, outer)
-  for (std::size_t j = 0; j < w.n; ++j) {
-    const double u = w.is_ball[j] * w.u_i[j], Q_o = w.is_ball[j] * w.Q_o[j];
-    inner_roots += u;
-    inner += u * u * u;
-    outer_roots += cube_root(Q_o);
-    outer += Q_o;
-  }
-  out.inner_load_roots = inner_roots;
-  out.outer_load_roots = outer_roots;
+  out.force_x = sum.fx.sum();
+  out.force_y = sum.fy.sum();
+  out.force_z = sum.fz.sum();
+  out.moment_y = tilts ? sum.my.sum() : 0.;
+  out.moment_z = tilts ? sum.mz.sum() : 0.;
+  p.turn_back(out.force_y, out.force_z);
+  if constexpr (tilts) p.turn_back(out.moment_y, out.moment_z);
+  out.damping_power = sum.dissipated.sum();
+  out.elastic_radial = sum.elastic_radial.sum();
+  out.elastic_axial = sum.elastic_axial.sum();
+  const double inner = sum.elastic_normal.sum(), outer = sum.elastic_outer.sum();
+  out.elastic_normal = 0.5 * (inner + outer);
+  out.elastic_outer_surplus = 0.5 * (outer - inner);
   out.inner_loads = inner;
   out.outer_loads = outer;
+  out.cage_torque = sum.cage.sum();
+  out.largest_load = sum.largest.largest();
+  out.largest_outer_load = sum.largest_outer.largest();
+}
+
+/// Calls what(tilts, is_bent), both known to the compiler.
+template <class What>
+void with_motion(bool tilts, bool is_bent, const What& what) {
+  using Yes = std::true_type;
+  using No = std::false_type;
+  if (tilts)
+    is_bent ? what(Yes{}, Yes{}) : what(Yes{}, No{});
+  else
+    is_bent ? what(No{}, Yes{}) : what(No{}, No{});
+}
+
+ROTORDROP_KERNEL void sum_load_roots(const InertialBalls& w, double u_per_root_o, BallRowOutput& out) {
+  double inner = 0, outer = 0;
+#pragma omp simd reduction(+ : inner, outer)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    inner += w.is_ball[j] * w.u_i[j];
+    outer += w.is_ball[j] * u_per_root_o * std::sqrt(w.deflection_o[j]);
+  }
+  out.inner_load_roots = inner;
+  out.outer_load_roots = outer;
+}
+
+ROTORDROP_KERNEL void sum_tractions(const InertialBalls& w, const TractionInputOf<double>& with, double u_per_root_o,
+                                    RowTractions& out) {
+  const auto [F_c, share, edges] = with;
+  double inner = 0., outer = 0., gyroscopic = 0., demand = 0., truncation = 0.;
+#pragma omp simd reduction(+ : inner, outer, gyroscopic) reduction(max : demand, truncation)
+  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
+    const double is_ball = w.is_ball[j], u = w.u_i[j], Q_i = u * u * u, Q_o = w.Q_o[j];
+    const double T_g = is_ball * gyroscopic_traction(F_c, w.o_x[j]);
+    const double inner_beyond = edges.inner.beyond(w.i_x[j], w.i_r[j], u);
+    const double outer_beyond = edges.outer.beyond(w.o_x[j], w.o_r[j], u_per_root_o * std::sqrt(w.deflection_o[j]));
+    inner += is_ball * Q_i;
+    outer += is_ball * Q_o;
+    gyroscopic += T_g;
+    // A ball that the inner race does not reach lies in the bottom of the outer groove, where T_g is roundoff.
+    const double inner_demand = Q_i > least_share_of_load * Q_o ? share * T_g / Q_i : 0.;
+    demand = std::max(demand, std::max(inner_demand, (1. - share) * T_g / Q_o));
+    truncation = std::max(truncation, is_ball * std::max(u > 0. ? inner_beyond : 0., outer_beyond));
+  }
+  out.inner_load = inner;
+  out.outer_load = outer;
+  out.gyroscopic = (1. - share) * gyroscopic;
+  out.inner_gyroscopic = share * gyroscopic;
+  out.largest_gyroscopic_over_load = demand;
+  out.centrifugal = F_c;
+  out.truncation = std::min(truncation, 1.);
 }
 
 }  // namespace
@@ -161,12 +191,11 @@ double BallRow::inertia_force(const BallRowInput& in) const {
   return F_0 > negligible ? F_0 : 0.;
 }
 
-void BallRow::place_balls(const BallRowInput& in, InertialBalls& w, Widening& bent) const {
+void BallRow::place_balls(const BallRowInput& in, bool tilts, InertialBalls& w, Widening& bent) const {
   w.n = n_padded_;
   const auto n = static_cast<std::size_t>(geometry_.n_balls);
   std::fill_n(w.is_ball.begin(), n, 1.);
   std::fill_n(w.is_ball.begin() + geometry_.n_balls, n_padded_ - n, 0.);
-  const Grooves at = numbers_.grown(in);
   std::fill_n(w.added_i.begin(), n_padded_, in.ball_growth - in.inner_strain * numbers_.strains.inner.groove);
   std::fill_n(w.added_o.begin(), n_padded_, in.ball_growth - in.outer_strain * numbers_.strains.outer.groove);
   std::fill_n(w.added_i_rate.begin(), n_padded_, 0.);
@@ -185,33 +214,37 @@ void BallRow::place_balls(const BallRowInput& in, InertialBalls& w, Widening& be
   }
   const bool is_bent = !in.shape.empty();
   if (is_bent) widen(in, bent);
-  const Place place{cosine_.data(), sine_.data(),       in.cage_cosine,  in.cage_sine, at.radial, at.axial,
-                    at.arm,         geometry_.position, in.displacement, in.rate,      &bent};
-  is_bent ? wide<place_bent_grooves>(place, in.cage_speed, w) : wide<place_grooves>(place, in.cage_speed, w);
+  const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
+  with_motion(tilts, is_bent, [&](auto tilts_too, auto bends) {
+    wide<place_grooves<tilts_too, bends>>(place, in.cage_speed, cosine_.data(), sine_.data(), &bent, w);
+  });
 }
 
-BallWork BallRow::balance(const BallRowInput& in, double F_0, InertialBalls& w, Widening& bent) const {
-  place_balls(in, w, bent);
+BallWork BallRow::balance(const BallRowInput& in, double F_0, bool tilts, InertialBalls& w, Widening& bent) const {
+  place_balls(in, tilts, w, bent);
   const auto& e = in.displacement;
-  const bool only_translates = e.x == 0. && e.psi_y == 0. && e.psi_z == 0.;
-  return balance_balls(inertial_, F_0, w, only_translates ? starts_.get() : nullptr);
+  const bool has_one_axial = !tilts || (e.x == 0. && e.psi_y == 0. && e.psi_z == 0.);
+  return balance_balls(inertial_, F_0, w, has_one_axial ? starts_.get() : nullptr);
 }
 
-void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutput& out, RowTractions* tractions) const {
+void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, bool tilts, BallRowOutput& out,
+                                RowTractions* tractions) const {
   InertialBalls w;
   Widening bent;
-  const BallWork work = balance(in, F_0, w, bent);
+  const BallWork work = balance(in, F_0, tilts, w, bent);
   const bool is_bent = !in.shape.empty();
-  const Place place{cosine_.data(),       sine_.data(),       in.cage_cosine,  in.cage_sine, 0.,   0.,
-                    numbers_.grooves.arm, geometry_.position, in.displacement, in.rate,      &bent};
-  const bool is_split = geometry_.inner_gyroscopic_share != 0.;
-  const double hardness = 1. / (inertial_.c_i + inertial_.c_o);
-  is_bent ? wide<sum_bent_forces>(place, w, is_split, numbers_.damping, hardness, out)
-          : wide<sum_forces>(place, w, is_split, numbers_.damping, hardness, out);
+  const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
+  const double hardness = 1. / (inertial_.c_i + inertial_.c_o), u_per_root_o = 1. / std::sqrt(inertial_.c_o);
+  with_motion(tilts, is_bent, [&](auto tilts_too, auto bends) {
+    if (geometry_.inner_gyroscopic_share != 0.)
+      wide<sum_forces<tilts_too, bends, true>>(place, cosine_.data(), sine_.data(), w, hardness, &bent, out);
+    else
+      wide<sum_forces<tilts_too, bends, false>>(place, cosine_.data(), sine_.data(), w, hardness, &bent, out);
+  });
   if (is_bent) press_shapes(in, bent);
   out.waviness_power = 0.;
   if (!waves_.empty())
-    for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
+    for (std::size_t j = 0; j < n_balls(); ++j)
       out.waviness_power += w.u_i[j] * w.u_i[j] * w.u_i[j] * w.added_i_rate[j] + w.Q_o[j] * w.added_o_rate[j];
 
   // The forces of inertia follow no potential: what they do as the balls move is work of the prescribed motion of cage and balls. What they do as
@@ -223,26 +256,13 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, BallRowOutpu
   out.elastic_normal += 0.5 * work.per_ball_growth;
   out.elastic_outer_surplus += work.per_outer - 0.5 * work.per_ball_growth;
 
-  if (geometry_.conducts) wide<sum_load_roots>(w, out);
-
-  if (!tractions) return;
-  *tractions = {};
-  const double F_c = numbers_.centrifugal_force(in);
-  tractions->centrifugal = F_c;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j) {
-    const double T_g = gyroscopic_traction(F_c, w.o_x[j]);
-    const double Q_i = w.u_i[j] * w.u_i[j] * w.u_i[j], share = geometry_.inner_gyroscopic_share;
-    tractions->truncation = std::max({tractions->truncation, geometry_.inner.truncation(Q_i, w.i_x[j], w.i_r[j]),
-                                      geometry_.outer.truncation(w.Q_o[j], w.o_x[j], w.o_r[j])});
-    tractions->inner_load += Q_i;
-    tractions->outer_load += w.Q_o[j];
-    tractions->inner_gyroscopic += share * T_g;
-    tractions->gyroscopic += (1. - share) * T_g;
-    // A ball that the inner race does not reach lies in the bottom of the outer groove, where T_g is roundoff.
-    const double inner_demand = Q_i > least_share_of_load * w.Q_o[j] ? share * T_g / Q_i : 0.;
-    tractions->largest_gyroscopic_over_load =
-        std::max({tractions->largest_gyroscopic_over_load, inner_demand, (1. - share) * T_g / w.Q_o[j]});
-  }
+  if (geometry_.conducts) wide<sum_load_roots>(w, u_per_root_o, out);
+  if (tractions)
+    wide<sum_tractions>(w,
+                        {numbers_.centrifugal_force(in),
+                         geometry_.inner_gyroscopic_share,
+                         {{geometry_.inner, 1.}, {geometry_.outer, 1.}}},
+                        u_per_root_o, *tractions);
 }
 
 }  // namespace rotordrop

@@ -126,6 +126,10 @@ struct RaceEdgeOf {
     sine = select(has_edge, per_axis * race.edge_sine, Real(1e30));
     cosine = select(has_edge, per_axis * race.edge_cosine, Real(-1e30));
   }
+  /// What lies beyond the edge, below 0 if nothing does; with stiffness_root = 1 root is that of the load, Q^(1/3).
+  [[nodiscard, gnu::always_inline]] inline Real beyond(Real sin_phi, Real cos_phi, Real root) const {
+    return 0.5 - (sine * cos_phi - cosine * abs(sin_phi)) / (root + 1e-30);
+  }
 };
 template <class Real>
 struct RaceEdgesOf {

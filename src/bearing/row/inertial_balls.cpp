@@ -55,27 +55,27 @@ ROTORDROP_KERNEL Normal turned(double angle, double x, double r) {
 /// @tparam is_split  part of the gyroscopic traction acts at the inner race
 template <bool is_split>
 struct Balance {
-  double L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, F, F_by_i, F_by_o, by_L_i;
+  double L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, by_L_i;
+  double F, f_i, f_o, f_a, f_x;  // and its relative change with the inner and the outer angle, and with turn and length
   double h_n, h_t, force_n, force_t;
-  double angle_a, angle_x, stretch_a, stretch_x;  // of the inner contact
+  double angle_a, angle_x;  // of the inner contact
   double R_n_a, R_t_a, R_n_x, R_t_x, inverse_det;
 
   ROTORDROP_KERNEL Balance(const Row& row, const Place& p, const Surroundings& at) {
     L_o = row.l_o + p.delta_o - at.added_o;
-    const double v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r, square = v_x * v_x + v_r * v_r + 1e-18,
-                 L_i = std::sqrt(square);
-    by_L_i = 1. / L_i;
+    const double v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r, v_n = v_x * p.x + v_r * p.r,
+                 v_t = v_x * p.r - v_r * p.x, square = v_x * v_x + v_r * v_r + 1e-18, L_i = std::sqrt(square);
+    by_L_i = L_i * (1. / square);  // does not wait for the root
     delta_i = L_i - row.l_i + at.added_i;
     i_x = v_x * by_L_i;
     i_r = v_r * by_L_i;
-    c = i_x * p.x + i_r * p.r;
-    s = i_x * p.r - i_r * p.x;
-    // Two divisions in one.
-    const double above = 1. - row.g * i_r, below = larger(1. + c, 1e-3), both = 1. / (above * below);
-    const double inverse_above = both * below, inverse_below = both * above, ratio = above * inverse_below;
+    c = v_n * by_L_i;
+    s = v_t * by_L_i;
+    // Both of the ratio are L_i times as large, and need not wait for the normal.
+    const double above = L_i - row.g * v_r, by_below = 1. / larger(L_i + v_n, 1e-3 * L_i), ratio = above * by_below;
     F = row.F_0 * ratio * ratio;
-    F_by_i = 2. * F * (row.g * i_x * inverse_above + s * inverse_below);
-    F_by_o = -2. * F * s * inverse_below;
+    f_o = -2. * v_t * by_below;
+    f_i = 2. * row.g * v_x / above - f_o;
 
     const double reached = larger(delta_i, 0.), root_i = std::sqrt(reached), root_o = std::sqrt(p.delta_o);
     S_i = 1.5 * row.K_i * root_i;
@@ -91,17 +91,18 @@ struct Balance {
     force_n = Q_i * c - Q_o + F * h_n;
     force_t = Q_i * s + F * h_t;
 
+    // The inner contact's stiffness is S_i along its normal and Q_i / L_i across it.
+    const double across = Q_i * by_L_i, more_c = (S_i - across) * c;
+    const double K_nn = across + more_c * c, K_nt = more_c * s, K_tt = S_i + across - K_nn;
     angle_a = -L_o * c * by_L_i;
     angle_x = s * by_L_i;
-    stretch_a = -L_o * s;
-    stretch_x = -c;
-    const double F_a = F_by_i * angle_a + F_by_o, F_x = F_by_i * angle_x;
-    // The force of inertia, F (-0.4 o_x o_r, 1 + 0.4 o_x^2), turns with the outer angle: (-0.4 (o_r^2 - o_x^2), 0.8 o_x o_r) F.
-    const double turn_x = -0.4 * (p.r * p.r - p.x * p.x), turn_r = 0.8 * p.x * p.r;
-    R_n_a = S_i * stretch_a * c - Q_i * s * angle_a + F_a * h_n + F * (turn_x * p.x + turn_r * p.r);
-    R_t_a = S_i * stretch_a * s + Q_i * c * angle_a - Q_o + F_a * h_t + F * (turn_x * p.r - turn_r * p.x);
-    R_n_x = S_i * stretch_x * c - Q_i * s * angle_x - S_o + F_x * h_n;
-    R_t_x = S_i * stretch_x * s + Q_i * c * angle_x + F_x * h_t;
+    f_a = f_i * angle_a + f_o;
+    f_x = f_i * angle_x;
+    // The force of inertia, F (-0.4 o_x o_r, 1 + 0.4 o_x^2), turns with the outer angle: 0.4 F (o_x n - o_r t).
+    R_n_a = F * (f_a * h_n + 0.4 * p.x) - L_o * K_nt;
+    R_t_a = F * (f_a * h_t - 0.4 * p.r) - (L_o * K_tt + Q_o);
+    R_n_x = F * (f_x * h_n) - (K_nn + S_o);
+    R_t_x = F * (f_x * h_t) - K_nt;
     if constexpr (is_split) {
       // From F (-0.4 x t) at the outer race to F (-(0.4 - k) x t + k x t_i), t_i = (i_r, -i_x) across the inner normal.
       const double T = F * row.k * p.x;
@@ -115,6 +116,10 @@ struct Balance {
   /// Turn and growth of the outer length that cancel the forces.
   [[nodiscard]] ROTORDROP_KERNEL double turn() const { return (force_t * R_n_x - force_n * R_t_x) * inverse_det; }
   [[nodiscard]] ROTORDROP_KERNEL double growth() const { return (force_n * R_t_a - force_t * R_n_a) * inverse_det; }
+  /// Deflection of the inner contact after them.
+  [[nodiscard]] ROTORDROP_KERNEL double next_delta_i(double turn, double growth) const {
+    return delta_i - L_o * s * turn - c * growth;
+  }
   /// 0 if no more than `enough` of the loads is left; 1 if more is, or no number any more; or if the ball got past the inner groove's centre, where
   /// forces balance, too, under loads of no meaning.
   [[nodiscard]] ROTORDROP_KERNEL double is_left(double enough) const {
@@ -194,39 +199,36 @@ ROTORDROP_KERNEL double finish_all(const Row row, double u_per_root_i, double en
     const Balance<is_split> b(row, p, {w.B_x[j], w.B_r[j], w.added_i[j], w.added_o[j]});
     n_left += b.is_left(enough);
     const double a = b.turn(), x = b.growth();
-    w.u_i[j] = u_per_root_i * std::sqrt(larger(b.delta_i + b.stretch_a * a + b.stretch_x * x, 0.));
+    w.u_i[j] = u_per_root_i * std::sqrt(larger(b.next_delta_i(a, x), 0.));
     w.Q_o[j] = b.Q_o + b.S_o * x;
+    w.deflection_o[j] = p.delta_o + x;
     const auto i = turned(b.angle_a * a + b.angle_x * x, b.i_x, b.i_r);
     w.i_x[j] = i.x;
     w.i_r[j] = i.r;
 
     // The forces of inertia and the gyroscopic tractions work on the ball's motion, the inner one on what the ring moves past it. What a force along n or t would make of it, by the transposed matrix; then what moves the
     // groove along and across the inner normal makes such forces.
-    const double f_n = b.F * b.h_n, f_t = b.F * b.h_t;
+    const double F = w.is_ball[j] * b.F, f_n = F * b.h_n, f_t = F * b.h_t;
     const double by_n = (f_n * b.R_t_a - f_t * b.L_o * b.R_t_x) * b.inverse_det;
     const double by_t = (f_t * b.L_o * b.R_n_x - f_n * b.R_n_a) * b.inverse_det;
+    double push_n = b.F * b.f_i * b.h_n - b.Q_i * b.s, push_t = b.F * b.f_i * b.h_t + b.Q_i * b.c, T = 0.;
+    if constexpr (is_split) {
+      const double T_i = b.F * row.k * p.x;
+      push_n -= T_i * b.c;
+      push_t -= T_i * b.s;
+      w.T_i[j] = T_i + row.k * b.F * ((b.f_a * a + b.f_x * x) * p.x + a * p.r);
+      T = w.is_ball[j] * T_i;
+    }
     const double gap_n = b.S_i * (b.c * by_n + b.s * by_t);
-    double T = 0., push_n = b.F_by_i * b.h_n - b.Q_i * b.s, push_t = b.F_by_i * b.h_t + b.Q_i * b.c;
-    if constexpr (is_split) {
-      T = b.F * row.k * p.x;
-      push_n -= T * b.c;
-      push_t -= T * b.s;
-      w.T_i[j] = T + row.k * ((b.F_by_i * (b.angle_a * a + b.angle_x * x) + b.F_by_o * a) * p.x + b.F * a * p.r);
-    }
-    const double gap_t = b.by_L_i * (push_n * by_n + push_t * by_t);
-    const double B_x = w.B_x_rate[j], B_r = w.B_r_rate[j], outer = w.added_o_rate[j], is_ball = w.is_ball[j];
-    if constexpr (is_split) {
-      power -= is_ball * T * (B_x * b.i_r - B_r * b.i_x);
-      per_radial += is_ball * T * b.i_x;
-      per_axial -= is_ball * T * b.i_r;
-    }
-    power += is_ball * (gap_n * (B_x * b.i_x + B_r * b.i_r + outer * b.c + w.added_i_rate[j]) +
-                        gap_t * (B_x * b.i_r - B_r * b.i_x - outer * b.s) - f_n * outer);
-    per_radial += is_ball * (gap_n * b.i_r - gap_t * b.i_x);
-    per_axial += is_ball * (gap_n * b.i_x + gap_t * b.i_r);
-    per_ball_growth += is_ball * (gap_n * (1. + b.c) - gap_t * b.s - f_n);
-    per_outer += is_ball * (gap_n * b.c - gap_t * b.s - f_n);
-    per_force += is_ball * (f_n * by_n + f_t * by_t);
+    const double gap_t = b.by_L_i * (push_n * by_n + push_t * by_t) - T;
+    const double radial = gap_n * b.i_r - gap_t * b.i_x, axial = gap_n * b.i_x + gap_t * b.i_r;
+    const double outer = gap_n * b.c - (gap_t + T) * b.s - f_n;
+    power += axial * w.B_x_rate[j] + radial * w.B_r_rate[j] + gap_n * w.added_i_rate[j] + outer * w.added_o_rate[j];
+    per_radial += radial;
+    per_axial += axial;
+    per_ball_growth += gap_n + outer;
+    per_outer += outer;
+    per_force += f_n * by_n + f_t * by_t;
   }
   sums = {power, per_radial, per_axial, per_ball_growth, per_outer, per_force};
   return n_left;

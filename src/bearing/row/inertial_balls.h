@@ -28,10 +28,10 @@ struct InertialBalls {
   std::size_t n;
   // In: groove centres' distance B; what adds to the deflection of each contact; their rates; 0 for balls that fill up the row, else 1.
   alignas(64) Array B_x, B_r, added_i, added_o, B_x_rate, B_r_rate, added_i_rate, added_o_rate, is_ball;
-  // Out: cubic root of the inner load, 0 for a ball that the inner race does not reach; inner normal; outer load; with a share of the gyroscopic
+  // Out: cubic root of the inner load, 0 for a ball that the inner race does not reach; inner normal; outer load and deflection; with a share of the gyroscopic
   // traction at the inner race, that traction on the ball along (i_r, -i_x), else unwritten.
-  alignas(64) Array u_i, i_x, i_r, Q_o, T_i;
-  // The ball's place.
+  alignas(64) Array u_i, i_x, i_r, Q_o, deflection_o, T_i;
+  // The ball's place before the last step.
   alignas(64) Array delta_o, o_x, o_r;
   int steps;              ///< of Newton's method, the last one included
   bool is_by_scalar_law;  ///< the steps did not arrive: each ball by laws/ball_balance.h
