@@ -36,12 +36,12 @@ void ScheduledRows::tell(double t, std::span<const double> row, bool is_whole) {
 
 SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force)
     : ScheduledRows("rows", machine, std::move(schedule), growth_in_force),
+      evaluates_in_lanes_(evaluates_in_lanes(machine)),
       n_step_(observed_size(machine.step_observables())),
       row_(n_step_ + observed_size(machine.state_observables())) {
   found_.wants_step = true;
   ahead_.step.resize(n_step_);
   ahead_.is_whole = false;
-  if (evaluates_in_lanes(machine)) lanes_ = std::make_unique<RowLanes>(machine);
 }
 
 void SeriesRows::settle() {
@@ -64,7 +64,8 @@ double SeriesRows::due_ahead() const { return are_read() ? due() : std::numeric_
 void SeriesRows::write(double t, std::span<const double> y) {
   if (!needs_state(t)) return give(t, row_, false);
   if (t == ahead_time_) return write(t, y, ahead_);
-  if (lanes_ && !is_thinned_) {
+  if (evaluates_in_lanes_ && !is_thinned_) {
+    if (!lanes_) lanes_ = std::make_unique<RowLanes>(machine_);
     lanes_->add(t, y);
     schedule_.written(t);
     if (lanes_->is_full()) settle();

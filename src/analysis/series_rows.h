@@ -98,7 +98,8 @@ class SeriesRows final : public ScheduledRows {
   /// @param found  with what observe_state() needs
   void fill(std::span<const double> y, const Evaluation& found);
 
-  std::unique_ptr<RowLanes> lanes_;  // none: rows are evaluated one by one
+  bool evaluates_in_lanes_;
+  std::unique_ptr<RowLanes> lanes_;  // made for the first row that is evaluated there
   std::size_t n_step_;
   std::vector<double> row_;
   bool is_thinned_ = false;
