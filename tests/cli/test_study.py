@@ -69,7 +69,7 @@ class Studies(ProgramTest):
     def setUp(self):
         super().setUp()
         self.case("")
-        self.write("s.toml", STUDY)
+        self.write("s.toml", "lanes = false\n" + STUDY)
 
     def study(self, output, *arguments, code=0, file="s.toml"):
         done = self.call("study", file, "-o", output, *arguments)
@@ -94,7 +94,8 @@ class Studies(ProgramTest):
         self.assertEqual(self.bytes_of("killed"), self.bytes_of("whole"))
 
     def test_an_interrupted_study_says_how_to_go_on(self):
-        running = start("study", "s.toml", "-o", "out", cwd=self.folder)
+        long = ["--set", 'run.end_time="0.1 s"']
+        running = start("study", "s.toml", "-o", "out", *long, cwd=self.folder)
         journal = self.folder / "out/study.journal"
         for _ in range(200):
             time.sleep(0.01)
@@ -104,8 +105,8 @@ class Studies(ProgramTest):
         _, told = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 143)
         self.assertIn("--resume", told)
-        self.study("out", "--resume")
-        self.study("whole")
+        self.study("out", "--resume", *long)
+        self.study("whole", *long)
         self.assertEqual(self.bytes_of("out"), self.bytes_of("whole"))
 
     def test_shards_join_to_the_same_bits(self):
@@ -265,7 +266,7 @@ class Studies(ProgramTest):
         kept = {"few": ["bearings.*.friction_heat", "energy.*"], "whirl": ["bearings.*.whirl.*"],
                 "local": ["bearings.*.local.*", "bearings.*.damage.*"], "warnings": ["run.warnings"]}
         for output, results in kept.items():
-            self.write("s.toml", STUDY + f"[keep]\nresults = {json.dumps(results)}\n")
+            self.write("s.toml", "lanes = false\n" + STUDY + f"[keep]\nresults = {json.dumps(results)}\n")
             self.study(output)
         with h5py.File(self.folder / "all/study.h5") as whole:
             for output in kept:
@@ -330,7 +331,9 @@ kind = "list"
     def test_a_dry_run_computes_and_writes_nothing(self):
         told = self.study("out", "--dry-run").stdout
         self.assertIn("12 drops", told)
-        self.assertRegex(told, r"about .* of CPU and .* of results")
+        self.assertRegex(told, r"about [^,]* of CPU and .* of results")
+        self.write("s.toml", STUDY)
+        self.assertRegex(self.study("out", "--dry-run").stdout, r"about .* of CPU one by one, .* in lanes, and .* of results")
         self.assertFalse((self.folder / "out").exists())
 
     def test_bad_input_is_told_before_anything_is_written(self):
