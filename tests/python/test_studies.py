@@ -8,6 +8,7 @@ from package import SETTLING, PackageTest, rd  # noqa: E402
 from program import call  # noqa: E402
 
 STUDY = """
+lanes = false
 case = "{case}"
 [vary]
 contact.friction_coefficient = {{ range = [0.05, 0.3] }}
