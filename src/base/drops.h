@@ -3,6 +3,10 @@
 #include <cstring>
 #include <type_traits>
 
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
 #include "base/exponential_series.h"
 #include "base/real.h"
 #include "base/sine_cosine.h"
@@ -44,9 +48,9 @@ ROTORDROP_VECTOR(8)
 }  // namespace lane_words
 
 /// Truth of each lane: all bits or none.
-template <int width>
+template <int width, int lanes = n_lanes>
 struct DropMask {
-  static constexpr int n = n_lanes / width;
+  static constexpr int n = lanes / width;
   using Bits = typename lane_words::Vector<width>::Bits;
   Bits part[n];
   DropMask() = default;
@@ -80,13 +84,14 @@ struct DropMask {
 };
 
 /// A number of each lane.
-template <int width>
+/// @tparam lanes  how many: those of drops, or as many as one register holds
+template <int width, int lanes = n_lanes>
 struct Drops {
-  static constexpr int n = n_lanes / width;
+  static constexpr int n = lanes / width;
   using Numbers = typename lane_words::Vector<width>::Numbers;
   using Bits = typename lane_words::Vector<width>::Bits;
   using Unsigned = typename lane_words::Vector<width>::Unsigned;
-  using Mask = DropMask<width>;
+  using Mask = DropMask<width, lanes>;
   Numbers part[n];
 
   Drops() = default;
@@ -94,13 +99,13 @@ struct Drops {
   [[gnu::always_inline]] inline Drops(double value) {
     for (Numbers& p : part) p = value - Numbers{};  // zero plus a number would be an addition
   }
-  /// @param from  [n_lanes]
+  /// @param from  [lanes]
   [[nodiscard, gnu::always_inline]] static inline Drops load(const double* from) {
     Drops r;
     std::memcpy(&r.part, from, sizeof r.part);
     return r;
   }
-  /// @param to  [n_lanes]
+  /// @param to  [lanes]
   [[gnu::always_inline]] inline void store(double* to) const { std::memcpy(to, &part, sizeof part); }
   /// Sums over the lanes of eight numbers, each in the order ((0 + 4) + (2 + 6)) + ((1 + 5) + (3 + 7)) at every width: the eight are transposed
   /// on the way, so that all take few more additions than one.
@@ -169,8 +174,18 @@ struct Drops {
     for (int i = 0; i < n; ++i) r.part[i] = condition.part[i] ? a.part[i] : b.part[i];
     return r;
   }
-  ROTORDROP_LANE_WORD Drops larger(const Drops& a, const Drops& b) { return select(a < b, b, a); }
-  ROTORDROP_LANE_WORD Drops smaller(const Drops& a, const Drops& b) { return select(b < a, b, a); }
+  /// a < b ? b : a
+  ROTORDROP_LANE_WORD Drops larger(const Drops& a, const Drops& b) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = larger_of(a.part[i], b.part[i]);
+    return r;
+  }
+  /// b < a ? b : a
+  ROTORDROP_LANE_WORD Drops smaller(const Drops& a, const Drops& b) {
+    Drops r;
+    for (int i = 0; i < n; ++i) r.part[i] = smaller_of(a.part[i], b.part[i]);
+    return r;
+  }
   ROTORDROP_LANE_WORD Drops abs(const Drops& a) {
     Drops r;
     for (int i = 0; i < n; ++i) r.part[i] = (Numbers)((Bits)a.part[i] & 0x7fffffffffffffffLL);
@@ -209,7 +224,7 @@ struct Drops {
     for (int i = 0; i < n; ++i) sine_cosine_of(a.part[i], r.sine.part[i], r.cosine.part[i]);
     const Mask is_beyond = !(abs(a) < 1e6);
     if (any(is_beyond))
-      for (int lane = 0; lane < n_lanes; ++lane)
+      for (int lane = 0; lane < lanes; ++lane)
         if (is_beyond[lane]) {
           r.sine.set(lane, std::sin(a[lane]));
           r.cosine.set(lane, std::cos(a[lane]));
@@ -238,6 +253,26 @@ struct Drops {
       return __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
     else
       return __builtin_shufflevector(a, b, 0, 2) + __builtin_shufflevector(a, b, 1, 3);
+  }
+
+  // SSE2 and AVX have both in one instruction, which gives the second of its numbers where one of them is not a number.
+  [[gnu::always_inline]] static inline Numbers larger_of(Numbers a, Numbers b) {
+#if defined(__AVX__) && !defined(__AVX512F__)
+    return _mm256_max_pd(b, a);
+#elif defined(__SSE2__) && !defined(__AVX__)
+    return _mm_max_pd(b, a);
+#else
+    return a < b ? b : a;
+#endif
+  }
+  [[gnu::always_inline]] static inline Numbers smaller_of(Numbers a, Numbers b) {
+#if defined(__AVX__) && !defined(__AVX512F__)
+    return _mm256_min_pd(b, a);
+#elif defined(__SSE2__) && !defined(__AVX__)
+    return _mm_min_pd(b, a);
+#else
+    return b < a ? b : a;
+#endif
   }
 
   // Of one register: plain arithmetic and the numbers' bits (unsigned, which may wrap around), so that every instruction set does the same.
@@ -328,13 +363,15 @@ struct Drops {
 };
 #undef ROTORDROP_LANE_WORD
 
-template <int width>
-struct RealTraits<Drops<width>> {
-  using Mask = DropMask<width>;
+template <int width, int lanes>
+struct RealTraits<Drops<width, lanes>> {
+  using Mask = DropMask<width, lanes>;
   static constexpr bool is_in_lanes = true;
 };
 
 /// Lanes of what this source is compiled for.
 using EightDrops = Drops<register_width>;
+/// As many numbers as one register of it holds.
+using OneRegister = Drops<register_width, register_width>;
 
 }  // namespace rotordrop

@@ -1,5 +1,7 @@
 #include "bearing/row/ball_row_kernels.h"
 
+#include <cstring>
+
 #include "base/drops.h"
 #include "base/wide_vectors.h"
 #include "bearing/row/ball_row_bending.h"
@@ -8,9 +10,12 @@
 namespace rotordrop {
 namespace {
 
-/// Eight balls of a row in the lanes of a vector.
-using Balls = EightDrops;
+/// Balls of a row in one register: more of them at a time would not leave room for their sums. Every eighth ball adds to the same element of a sum, at
+/// every level, so that all levels add in the same order.
+using Balls = OneRegister;
+using Sum = EightDrops;
 static_assert(n_lanes == vector_length);
+constexpr std::size_t at_once = register_width;
 
 ROTORDROP_KERNEL RowPlaceOf<Balls> in_all_lanes(const RowPlaceOf<double>& p) {
   const auto all = [](const RingDisplacementOf<double>& d) {
@@ -28,7 +33,7 @@ ROTORDROP_KERNEL TractionInputOf<Balls> in_all_lanes(const TractionInput& with) 
   return all;
 }
 
-ROTORDROP_KERNEL double largest(const Balls& of) {
+ROTORDROP_KERNEL double largest(const Sum& of) {
   Octet values;
   of.store(values.value.data());
   return values.largest();
@@ -36,10 +41,10 @@ ROTORDROP_KERNEL double largest(const Balls& of) {
 
 /// What is summed by balls, over all of them.
 template <bool tilts>
-ROTORDROP_KERNEL ForceSumsOf<double> over_lanes(const ForceSumsOf<Balls>& sum) {
+ROTORDROP_KERNEL ForceSumsOf<double> over_lanes(const ForceSumsOf<Sum>& sum) {
   ForceSumsOf<double> all;
   double sums[8];
-  Balls::sum_lanes(
+  Sum::sum_lanes(
       {sum.fx, sum.fy, sum.fz, sum.dissipated, sum.elastic_radial, sum.elastic_axial, sum.elastic_normal, sum.cage},
       sums);
   all.fx = sums[0];
@@ -58,7 +63,7 @@ ROTORDROP_KERNEL ForceSumsOf<double> over_lanes(const ForceSumsOf<Balls>& sum) {
   all.largest = largest(sum.largest);
   return all;
 }
-ROTORDROP_KERNEL TractionSumsOf<double> over_lanes(const TractionSumsOf<Balls>& sum) {
+ROTORDROP_KERNEL TractionSumsOf<double> over_lanes(const TractionSumsOf<Sum>& sum) {
   return {sum.inner.sum(), sum.outer.sum(), sum.gyroscopic.sum(), largest(sum.demand), largest(sum.truncation)};
 }
 
@@ -71,23 +76,39 @@ ROTORDROP_KERNEL BallTerms<Balls> penetration(const KernelInput& in, const RowPl
   return ball_penetration<tilts, is_bent>(place, cosine, sine, Balls::load(in.added + j), bent);
 }
 
+/// The sums of some lanes among those of all. @tparam Sums  a struct of nothing but its scalar
+template <template <class> class Sums>
+ROTORDROP_KERNEL void put_part(const Sums<Balls>& part, std::size_t first_lane, Sums<Sum>& all) {
+  constexpr std::size_t n = sizeof part / sizeof(Balls);
+  static_assert(sizeof all == n * sizeof(Sum));
+  for (std::size_t k = 0; k < n; ++k)
+    std::memcpy(reinterpret_cast<unsigned char*>(&all) + k * sizeof(Sum) + first_lane * sizeof(double),
+                reinterpret_cast<const unsigned char*>(&part) + k * sizeof(Balls), sizeof(Balls));
+}
+
 template <bool tilts, bool is_bent, bool with_tractions>
 void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
   const RowPlaceOf<Balls> place = in_all_lanes(in.place);
-  ForceSumsOf<Balls> forces;
-  [[maybe_unused]] TractionSumsOf<Balls> traction_sums;
+  ForceSumsOf<Sum> all_forces;
+  [[maybe_unused]] TractionSumsOf<Sum> all_tractions;
   [[maybe_unused]] TractionInputOf<Balls> traction_input;
   if constexpr (with_tractions) traction_input = in_all_lanes(*with);
-  for (std::size_t j = 0; j < in.n; j += vector_length) {
-    const Balls cosine = Balls::load(in.cosine + j), sine = Balls::load(in.sine + j);
-    BallTerms<Balls> b = penetration<tilts, is_bent>(in, place, cosine, sine, j);
-    press_ball(place, b);
-    forces.add<tilts>(place, b, cosine, sine);
-    if constexpr (is_bent) (b.F * b.cos_phi).store(&in.bent->force[j]);
-    if constexpr (with_tractions) traction_sums.add(traction_input, b);
+  for (std::size_t first = 0; first < vector_length; first += at_once) {
+    ForceSumsOf<Balls> forces;
+    [[maybe_unused]] TractionSumsOf<Balls> traction_sums;
+    for (std::size_t j = first; j < in.n; j += vector_length) {
+      const Balls cosine = Balls::load(in.cosine + j), sine = Balls::load(in.sine + j);
+      BallTerms<Balls> b = penetration<tilts, is_bent>(in, place, cosine, sine, j);
+      press_ball(place, b);
+      forces.add<tilts>(place, b, cosine, sine);
+      if constexpr (is_bent) (b.F * b.cos_phi).store(&in.bent->force[j]);
+      if constexpr (with_tractions) traction_sums.add(traction_input, b);
+    }
+    put_part(forces, first, all_forces);
+    if constexpr (with_tractions) put_part(traction_sums, first, all_tractions);
   }
-  put<tilts>(over_lanes<tilts>(forces), in.place, in.stiffness_root, out);
-  if constexpr (with_tractions) put(over_lanes(traction_sums), *with, *tractions);
+  put<tilts>(over_lanes<tilts>(all_forces), in.place, in.stiffness_root, out);
+  if constexpr (with_tractions) put(over_lanes(all_tractions), *with, *tractions);
 }
 
 template <bool tilts>
@@ -103,13 +124,17 @@ void sum_chosen(const KernelInput& in, BallRowOutput& out, const TractionInput* 
 template <bool is_bent>
 double deflections(const KernelInput& in) {
   const RowPlaceOf<Balls> place = in_all_lanes(in.place);
-  Balls sum = 0.;
-  for (std::size_t j = 0; j < in.n; j += vector_length) {
-    const Balls delta =
-        penetration<true, is_bent>(in, place, Balls::load(in.cosine + j), Balls::load(in.sine + j), j).delta;
-    sum += delta * delta * sqrt(delta);
+  Octet all;
+  for (std::size_t first = 0; first < vector_length; first += at_once) {
+    Balls sum = 0.;
+    for (std::size_t j = first; j < in.n; j += vector_length) {
+      const Balls delta =
+          penetration<true, is_bent>(in, place, Balls::load(in.cosine + j), Balls::load(in.sine + j), j).delta;
+      sum += delta * delta * sqrt(delta);
+    }
+    sum.store(&all[first]);
   }
-  return sum.sum();
+  return all.sum();
 }
 double sum_deflections(const KernelInput& in) { return in.bent ? deflections<true>(in) : deflections<false>(in); }
 
