@@ -20,13 +20,7 @@ ROTORDROP_KERNEL void place_grooves(const RowPlaceOf<double>& given, double cage
                                     const double* sine, const Widening* bent, InertialBalls& w) {
   const RowPlaceOf<double> p = given;  // a copy that no store can change
   const auto &e = p.e, &v = p.v;
-  double e_y = e.y, e_z = e.z, v_y = v.y, v_z = v.z;
-  if constexpr (tilts) {
-    e_y += p.position * e.psi_z;
-    e_z -= p.position * e.psi_y;
-    v_y += p.position * v.psi_z;
-    v_z -= p.position * v.psi_y;
-  }
+  auto [e_y, e_z, v_y, v_z] = at_row<tilts>(p);
   // The cage carries the balls past the grooves, too.
   v_y += cage_speed * e_z;
   v_z -= cage_speed * e_y;
@@ -61,13 +55,7 @@ ROTORDROP_KERNEL void sum_forces(const RowPlaceOf<double>& given, const double* 
                                  const InertialBalls& w, double hardness, Widening* bent, BallRowOutput& out) {
   const RowPlaceOf<double> p = given;
   const auto &e = p.e, &v = p.v;
-  double e_y = e.y, e_z = e.z, v_y = v.y, v_z = v.z;
-  if constexpr (tilts) {
-    e_y += p.position * e.psi_z;
-    e_z -= p.position * e.psi_y;
-    v_y += p.position * v.psi_z;
-    v_z -= p.position * v.psi_y;
-  }
+  const auto [e_y, e_z, v_y, v_z] = at_row<tilts>(p);
   const double damping = p.damping * hardness;
   ForceSums sum;
   const std::size_t n = whole_vectors(w.n);

@@ -65,6 +65,24 @@ struct BallTerms {
   Real cage;              // torque by elastic forces over the cage's turning [N m]
 };
 
+/// How far a ring is displaced along y and z where its row lies, and the rates of that, in the cage's frame.
+template <class Real>
+struct AtRow {
+  Real e_y, e_z, v_y, v_z;
+};
+/// @tparam tilts  of a ring that also tilts
+template <bool tilts, class Real>
+[[gnu::always_inline]] inline AtRow<Real> at_row(const RowPlaceOf<Real>& in) {
+  AtRow<Real> at{in.e.y, in.e.z, in.v.y, in.v.z};
+  if constexpr (tilts) {
+    at.e_y += in.position * in.e.psi_z;
+    at.e_z -= in.position * in.e.psi_y;
+    at.v_y += in.position * in.v.psi_z;
+    at.v_z -= in.position * in.v.psi_y;
+  }
+  return at;
+}
+
 /// The penetration of a ball, where it is and how it changes.
 /// @tparam tilts        of a ring that moves in all five ways; one that only translates leaves out the terms of tilt and axial motion
 /// @tparam is_bent      of bent rings
@@ -76,13 +94,10 @@ template <bool tilts, bool is_bent, class Real>
                                                                const BallWidening<Real>& bent) {
   BallTerms<Real> b;
   const Real &c = cosine, &s = sine;
-  Real e_y = in.e.y, e_z = in.e.z, v_y = in.v.y, v_z = in.v.z, Bx = in.axial, Bx_rate = 0., Bx_turn = 0.;
+  const auto [e_y, e_z, v_y, v_z] = at_row<tilts>(in);
+  Real Bx = in.axial, Bx_rate = 0., Bx_turn = 0.;
   if constexpr (tilts) {
     const auto &e = in.e, &v = in.v;
-    e_y += in.position * e.psi_z;
-    e_z -= in.position * e.psi_y;
-    v_y += in.position * v.psi_z;
-    v_z -= in.position * v.psi_y;
     Bx += e.x + in.arm * (e.psi_y * s - e.psi_z * c);
     Bx_rate = v.x + in.arm * (v.psi_y * s - v.psi_z * c);
     Bx_turn = in.arm * (e.psi_y * c + e.psi_z * s);

@@ -197,6 +197,58 @@ TEST(InertialRow, BallsOutOfTheInnerRacesReachAskNoGyroscopicTractionOfIt) {
   EXPECT_GT(n_free, 300);
 }
 
+TEST(InertialRow, TractionsAndTruncationAreThoseOfEveryBallsBalance) {
+  std::mt19937 random(43);
+  int n_truncated = 0, n_shared = 0;
+  for (int i = 0; i < 300; ++i) {
+    auto s = sample(random, 20 * um, 20 * um / 42.5e-3, 1600.);
+    s.in.cage_speed = 0.45 * s.in.ring_speed;
+    for (auto& g : s.rows)
+      for (auto* race : {&g.inner, &g.outer}) {
+        race->groove_radius = 0.52 * g.ball_diameter;
+        race->edge_sine = std::sin(32. * deg);
+        race->edge_cosine = std::cos(32. * deg);
+      }
+    const RingStatics ring(s.rows, surroundings(s.in));
+    const auto& e = s.in.displacement;
+    RingVector q;
+    q << e.x, e.y, e.z, e.psi_y, e.psi_z, 0.;
+    const auto balls = ring.balls(q);
+    for (std::size_t k = 0; k < s.rows.size(); ++k) {
+      const auto& g = s.rows[k];
+      const BallRow r(g, {});
+      BallRowOutput out;
+      RowTractions found;
+      r.evaluate(s.in, out, &found);
+      const double F_c = r.numbers().centrifugal_force(s.in), share = g.inner_gyroscopic_share;
+      double inner = 0., outer = 0., T = 0., demand = 0., truncation = 0.;
+      for (const auto& ball : balls[k]) {
+        const BallBalance& b = ball.balance;
+        const double T_g = 0.4 * F_c * std::fabs(b.sin_o);
+        inner += b.load_i;
+        outer += b.load_o;
+        T += T_g;
+        demand = std::max(demand, (1. - share) * T_g / b.load_o);
+        if (b.load_i > least_share_of_load * b.load_o) demand = std::max(demand, share * T_g / b.load_i);
+        truncation = std::max({truncation, g.inner.truncation(b.load_i, b.sin_i, b.cos_i),
+                               g.outer.truncation(b.load_o, b.sin_o, b.cos_o)});
+      }
+      // The scalar balance and the row's agree to 1e-6 of a ball's load.
+      EXPECT_NEAR(found.inner_load, inner, 1e-5 * outer);
+      EXPECT_NEAR(found.outer_load, outer, 1e-5 * outer);
+      EXPECT_NEAR(found.gyroscopic, (1. - share) * T, 1e-5 * (T + F_c));
+      EXPECT_NEAR(found.inner_gyroscopic, share * T, 1e-5 * (T + F_c));
+      EXPECT_NEAR(found.largest_gyroscopic_over_load, demand, 1e-3 * demand + 1e-5) << "a lightly loaded ball decides";
+      EXPECT_NEAR(found.truncation, truncation, 1e-4);
+      EXPECT_EQ(found.centrifugal, F_c);
+      n_truncated += truncation > 0.01;
+      n_shared += share > 0.;
+    }
+  }
+  EXPECT_GT(n_truncated, 50);
+  EXPECT_GT(n_shared, 50);
+}
+
 TEST(InertialRow, AnswersDependOnTheStateAlone) {
   // The same state after another one, and in another place of memory: the same bits.
   std::mt19937 random(19);
