@@ -1,5 +1,7 @@
 #include "analysis/row_lanes.h"
 
+#include <utility>
+
 #include "machine/lanes/machine_lanes.h"
 
 namespace rotordrop {
@@ -18,15 +20,16 @@ void RowLanes::add(double t, std::span<const double> y) {
 }
 
 void RowLanes::evaluate(const std::function<void(double t, std::span<const double> y, const Evaluation& found)>& take) {
-  if (n_ == 0) return;
+  const std::size_t n = std::exchange(n_, 0);  // if one of them cannot be taken, none is given again
+  if (n == 0) return;
   // Lanes without a state repeat the first.
   for (std::size_t lane = 0; lane < LaneSystem::width; ++lane) {
-    const std::size_t from = lane < n_ ? lane : 0;
+    const std::size_t from = lane < n ? lane : 0;
     t_[lane] = t_[from];
     for (std::size_t i = 0; i < state_[from].size(); ++i) y_[i * LaneSystem::width + lane] = state_[from][i];
   }
   system_->observe(t_, y_, rates_, step_, {});
-  for (std::size_t lane = 0; lane < n_; ++lane) {
+  for (std::size_t lane = 0; lane < n; ++lane) {
     for (std::size_t i = 0; i < found_.step.size(); ++i) found_.step[i] = step_[i * LaneSystem::width + lane];
     system_->found(lane, found_);
     take(t_[lane], state_[lane], found_);

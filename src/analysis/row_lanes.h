@@ -10,7 +10,7 @@
 
 namespace rotordrop {
 
-/// States of one drop at several times, evaluated side by side in lanes: a row then takes a third of its evaluation alone. What is found of a state does
+/// States of one drop at several times, evaluated side by side in lanes, which takes less time than one by one. What is found of a state does
 /// not depend on those beside it.
 class RowLanes {
  public:
