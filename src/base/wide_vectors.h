@@ -51,6 +51,13 @@ struct Octet {
 };
 static_assert(vector_length == 8);
 
+/// Half as many, for what comes in fours.
+struct Quartet {
+  static constexpr std::size_t length = 4;
+  std::array<double, length> value{};
+  ROTORDROP_KERNEL double& operator[](std::size_t i) { return value[i]; }
+};
+
 /// The first values of a list in a vector, zeros behind them.
 ROTORDROP_KERNEL Octet first_of(const double* list, std::size_t count) {
   Octet a;
@@ -68,6 +75,10 @@ ROTORDROP_KERNEL void store_first(const Octet& a, std::size_t count, double* lis
 ROTORDROP_KERNEL void add_product(Octet& a, double f, const double* b) {
 #pragma omp simd
   for (std::size_t i = 0; i < vector_length; ++i) a[i] += f * b[i];
+}
+ROTORDROP_KERNEL void add_product(Quartet& a, double f, const double* b) {
+#pragma omp simd
+  for (std::size_t i = 0; i < Quartet::length; ++i) a[i] += f * b[i];
 }
 
 template <auto kernel>

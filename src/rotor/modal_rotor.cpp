@@ -73,30 +73,27 @@ Motion operator+(const Motion& a, const Motion& b) {
           a.tilt_rate_z + b.tilt_rate_z};
 }
 
+// Points are looked at two at a time, from any one on: behind the last one lies another.
+ModalRotor::Shapes::Shapes(std::size_t modes, std::size_t n_points)
+    : n_modes(modes), stride(2 * n_points + 2), columns(modes * stride, 0.) {}
+
 struct ModalRotor::Kernels {
-  ROTORDROP_KERNEL static void motions(const ModalRotor& rotor, const double* y, const double* shape,
+  /// Two points at a time: their deflections and slopes lie side by side for each mode.
+  ROTORDROP_KERNEL static void motions(const Shapes& shapes, const double* y, std::size_t first_point,
                                        std::size_t n_points, Motion* out) {
-    const std::size_t n = rotor.n_modes_, stride = filled_up(n);
-    for (std::size_t p = 0; p < n_points; ++p, shape += 2 * stride) {
-      Octet displacement_y, displacement_z, velocity_y, velocity_z, slope_y, slope_z, slope_rate_y, slope_rate_z;
-      for (std::size_t first = 0; first < n; first += vector_length) {
-        const double *deflection = shape + first, *slope = shape + stride + first;
-        const Octet q_y = first_of(y + first, n - first), q_z = first_of(y + n + first, n - first);
-        const Octet v_y = first_of(y + 2 * n + first, n - first), v_z = first_of(y + 3 * n + first, n - first);
-#pragma omp simd
-        for (std::size_t i = 0; i < vector_length; ++i) {
-          displacement_y[i] += deflection[i] * q_y.value[i];
-          displacement_z[i] += deflection[i] * q_z.value[i];
-          velocity_y[i] += deflection[i] * v_y.value[i];
-          velocity_z[i] += deflection[i] * v_z.value[i];
-          slope_y[i] += slope[i] * q_y.value[i];
-          slope_z[i] += slope[i] * q_z.value[i];
-          slope_rate_y[i] += slope[i] * v_y.value[i];
-          slope_rate_z[i] += slope[i] * v_z.value[i];
-        }
+    const std::size_t n = shapes.n_modes, stride = shapes.stride;
+    const double* columns = shapes.columns.data() + 2 * first_point;
+    for (std::size_t p = 0; p < n_points; p += 2, columns += Quartet::length) {
+      Quartet q_y, q_z, v_y, v_z;
+      const double* column = columns;
+      for (std::size_t i = 0; i < n; ++i, column += stride) {
+        add_product(q_y, y[i], column);
+        add_product(q_z, y[n + i], column);
+        add_product(v_y, y[2 * n + i], column);
+        add_product(v_z, y[3 * n + i], column);
       }
-      out[p] = {0, displacement_y.sum(), displacement_z.sum(), -slope_z.sum(),      slope_y.sum(),
-                0, velocity_y.sum(),     velocity_z.sum(),     -slope_rate_z.sum(), slope_rate_y.sum()};
+      out[p] = {0, q_y[0], q_z[0], -q_z[1], q_y[1], 0, v_y[0], v_z[0], -v_z[1], v_y[1]};
+      if (p + 1 < n_points) out[p + 1] = {0, q_y[2], q_z[2], -q_z[3], q_y[3], 0, v_y[2], v_z[2], -v_z[3], v_y[3]};
     }
   }
 
@@ -200,27 +197,36 @@ ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& setti
       gyroscopic_[i * filled_up(n) + j] = basis.gyroscopic(row, static_cast<Eigen::Index>(j));
   }
 
-  const auto append_shape = [&](int node, std::vector<double>& to) {
+  const auto lay_shape = [&](int node, std::size_t point, Shapes& to) {
     assert(node >= 1 && node <= geometry.n_nodes());
-    for (const Eigen::Index row : {2 * node - 2, 2 * node - 1})
-      for (std::size_t k = 0; k < filled_up(n); ++k)
-        to.push_back(k < n ? basis.shape(row, static_cast<Eigen::Index>(k)) : 0.);
+    for (std::size_t k = 0; k < n; ++k) {
+      to.deflection(point, k) = basis.shape(2 * node - 2, static_cast<Eigen::Index>(k));
+      to.slope(point, k) = basis.shape(2 * node - 1, static_cast<Eigen::Index>(k));
+    }
   };
-  for (int node = 1; node <= geometry.n_nodes(); ++node) append_shape(node, node_shape_);
-  for (const int node : station_nodes) {
-    append_shape(node, station_shape_);
-    station_position_.push_back(geometry.position(node));
+  node_shape_ = Shapes(n, n_nodes_);
+  for (int node = 1; node <= geometry.n_nodes(); ++node)
+    lay_shape(node, static_cast<std::size_t>(node - 1), node_shape_);
+  station_shape_ = Shapes(n, n_stations_);
+  force_influence_.assign(2 * n_stations_ * filled_up(n), 0.);
+  for (std::size_t s = 0; s < n_stations_; ++s) {
+    lay_shape(station_nodes[s], s, station_shape_);
+    station_position_.push_back(geometry.position(station_nodes[s]));
+    double* per_force = force_influence_.data() + 2 * s * filled_up(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      per_force[k] = station_shape_.deflection(s, k) / body_.mass;
+      per_force[filled_up(n) + k] = station_shape_.slope(s, k) / body_.mass;
+    }
   }
-  for (const double shape : station_shape_) force_influence_.push_back(shape / body_.mass);
 
   unbalance_cos_.assign(filled_up(n), 0.0);
   unbalance_sin_.assign(filled_up(n), 0.0);
   for (const auto& unbalance : settings.unbalance) {
     assert(unbalance.node >= 1 && unbalance.node <= geometry.n_nodes());
-    const double* deflection = node_shape_.data() + static_cast<std::size_t>(unbalance.node - 1) * 2 * filled_up(n);
     for (std::size_t i = 0; i < n; ++i) {
-      unbalance_cos_[i] += unbalance.me * std::cos(unbalance.angle) * deflection[i] / body_.mass;
-      unbalance_sin_[i] += unbalance.me * std::sin(unbalance.angle) * deflection[i] / body_.mass;
+      const double deflection = node_shape_.deflection(static_cast<std::size_t>(unbalance.node - 1), i);
+      unbalance_cos_[i] += unbalance.me * std::cos(unbalance.angle) * deflection / body_.mass;
+      unbalance_sin_[i] += unbalance.me * std::sin(unbalance.angle) * deflection / body_.mass;
     }
   }
 }
@@ -252,25 +258,24 @@ std::vector<StateEntry> ModalRotor::state_entries() const {
 
 void ModalRotor::motions(std::span<const double> y, std::span<Motion> out) const {
   assert(y.size() == n_state() && out.size() == n_stations_);
-  wide<Kernels::motions>(*this, y.data(), station_shape_.data(), n_stations_, out.data());
+  wide<Kernels::motions>(station_shape_, y.data(), 0, n_stations_, out.data());
   if (axial_) add_axial_motion(y, out);
 }
 
 void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) const {
   assert(y.size() == n_state() && out.size() == n_nodes_);
-  wide<Kernels::motions>(*this, y.data(), node_shape_.data(), n_nodes_, out.data());
+  wide<Kernels::motions>(node_shape_, y.data(), 0, n_nodes_, out.data());
   if (axial_) add_axial_motion(y, out);
 }
 
 double ModalRotor::mode_shape(int node, std::size_t mode) const {
-  return node_shape_[static_cast<std::size_t>(node - 1) * 2 * filled_up(n_modes_) + mode];
+  return node_shape_.deflection(static_cast<std::size_t>(node - 1), mode);
 }
 
 Motion ModalRotor::node_motion(int node, std::span<const double> y) const {
   assert(y.size() == n_state() && node >= 1 && static_cast<std::size_t>(node) <= n_nodes_);
   Motion motion;
-  wide<Kernels::motions>(*this, y.data(),
-                         node_shape_.data() + static_cast<std::size_t>(node - 1) * 2 * filled_up(n_modes_), 1, &motion);
+  wide<Kernels::motions>(node_shape_, y.data(), static_cast<std::size_t>(node - 1), 1, &motion);
   if (axial_) add_axial_motion(y, {&motion, 1});
   return motion;
 }
@@ -357,7 +362,7 @@ void ModalRotor::add_static_deflection(std::span<const Force> force_on_station, 
   const std::size_t n = n_modes_;
   for (std::size_t s = 0; s < n_stations_; ++s)
     for (std::size_t i = 2; i < n; ++i) {
-      const double per_force = station_shape_[2 * s * filled_up(n) + i] / (body_.mass * omega_squared_[i]);
+      const double per_force = station_shape_.deflection(s, i) / (body_.mass * omega_squared_[i]);
       y[i] += per_force * force_on_station[s].y;
       y[n + i] += per_force * force_on_station[s].z;
     }

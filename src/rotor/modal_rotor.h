@@ -120,6 +120,21 @@ class ModalRotor final : public RotorModel {
   template <class Real>
   friend class ModalRotorInLanes;  // rotor/modal_rotor_in_lanes.h
   struct Kernels;                  // bodies of rates() and motions(), for several widths of vectors
+  /// Deflections and slopes of points per unit of each mode's coordinate, those of all points side by side.
+  struct Shapes {
+    std::size_t n_modes = 0, stride = 0;
+    std::vector<double> columns;  // [modes][points][deflection, slope], and at least one point without any behind them
+    Shapes() = default;
+    Shapes(std::size_t modes, std::size_t n_points);
+    double& deflection(std::size_t point, std::size_t mode) { return columns[mode * stride + 2 * point]; }
+    double& slope(std::size_t point, std::size_t mode) { return columns[mode * stride + 2 * point + 1]; }
+    [[nodiscard]] double deflection(std::size_t point, std::size_t mode) const {
+      return columns[mode * stride + 2 * point];
+    }
+    [[nodiscard]] double slope(std::size_t point, std::size_t mode) const {
+      return columns[mode * stride + 2 * point + 1];
+    }
+  };
 
   [[nodiscard]] std::size_t axial_at() const { return 4 * n_modes_ + 2; }
   void add_axial_motion(std::span<const double> y, std::span<Motion> out) const;
@@ -136,8 +151,7 @@ class ModalRotor final : public RotorModel {
   std::vector<double> unbalance_cos_;    // [modes] sum of me cos(a) Phi / m
   std::vector<double> unbalance_sin_;    // [modes] sum of me sin(a) Phi / m
   std::vector<double> force_influence_;  // [n_stations][force, moment][modes] acceleration per unit force
-  std::vector<double> station_shape_;    // [n_stations][deflection, slope][modes] per unit modal coordinate
-  std::vector<double> node_shape_;       // [n_nodes][deflection, slope][modes]
+  Shapes station_shape_, node_shape_;
   std::vector<double> station_position_;
   TimeTable drive_torque_;
   std::optional<Windage> windage_;

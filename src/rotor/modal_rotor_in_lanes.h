@@ -57,9 +57,14 @@ ModalRotorInLanes<Real>::ModalRotorInLanes(std::span<const ModalRotor* const> ro
   lay(unbalance_sin_, &ModalRotor::unbalance_sin_, 1);
   lay(gyroscopic_, &ModalRotor::gyroscopic_, n_);
   lay(force_influence_, &ModalRotor::force_influence_, 2 * n_stations_);
-  lay(station_shape_, &ModalRotor::station_shape_, 2 * n_stations_);
+  station_shape_.resize(2 * n_stations_ * n_);
   for (int lane = 0; lane < n_lanes; ++lane) {
     const ModalRotor& rotor = *rotors_[static_cast<std::size_t>(lane)];
+    for (std::size_t s = 0; s < n_stations_; ++s)
+      for (std::size_t i = 0; i < n_; ++i) {
+        station_shape_[2 * s * n_ + i].set(lane, rotor.station_shape_.deflection(s, i));
+        station_shape_[(2 * s + 1) * n_ + i].set(lane, rotor.station_shape_.slope(s, i));
+      }
     mass_.set(lane, rotor.body_.mass);
     Ip_.set(lane, rotor.body_.Ip);
     gravity_y_.set(lane, rotor.gravity_y_);
