@@ -1,29 +1,40 @@
 #include "thermal/circuit/linear_flows.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace rotordrop {
 namespace {
 
+/// So many vectors of rows from one row on.
+template <std::size_t n_vectors>
+ROTORDROP_KERNEL void add_flows(const double* column, std::size_t stride, const double* T, double ambient,
+                                std::size_t n_nodes, const HeatInput* heat, std::size_t n_places, double* rows) {
+  std::array<Octet, n_vectors> sum;
+  const auto add = [&](double factor) {
+    for (std::size_t k = 0; k < n_vectors; ++k) add_product(sum[k], factor, column + k * vector_length);
+    column += stride;
+  };
+  for (std::size_t j = 0; j < n_nodes; ++j) add(T[j] - ambient);
+  for (std::size_t p = 0; p < n_places; ++p)
+    for (const double watts : heat_by_port(heat[p])) add(watts);
+  std::memcpy(rows, sum.data(), sizeof sum);
+}
+
 ROTORDROP_KERNEL double flows(const double* columns, std::size_t stride, const double* T, double ambient,
                               std::size_t n_nodes, const HeatInput* heat, std::size_t n_places, double* dTdt) {
-  double lost = 0.;
-  for (std::size_t row = 0; row < stride; row += vector_length) {
-    const double* column = columns + row;
-    Octet sum;
-    for (std::size_t j = 0; j < n_nodes; ++j, column += stride) add_product(sum, T[j] - ambient, column);
-    for (std::size_t p = 0; p < n_places; ++p)
-      for (const double watts : heat_by_port(heat[p])) {
-        add_product(sum, watts, column);
-        column += stride;
-      }
-    for (std::size_t l = 0; l < vector_length; ++l) {
-      if (row + l < n_nodes) dTdt[row + l] = sum.value[l];
-      if (row + l == n_nodes) lost = sum.value[l];
-    }
-  }
-  return lost;
+  // The last rows, among them the heat lost, are fewer than whole vectors.
+  std::size_t row = 0;
+  for (; row + 2 * vector_length < stride; row += vector_length)
+    add_flows<1>(columns + row, stride, T, ambient, n_nodes, heat, n_places, dTdt + row);
+  std::array<double, 2 * vector_length> last;
+  if (row + vector_length < stride)
+    add_flows<2>(columns + row, stride, T, ambient, n_nodes, heat, n_places, last.data());
+  else
+    add_flows<1>(columns + row, stride, T, ambient, n_nodes, heat, n_places, last.data());
+  std::copy_n(last.data(), n_nodes - row, dTdt + row);
+  return last[n_nodes - row];
 }
 
 }  // namespace
