@@ -150,8 +150,8 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   const double bound = farthest_bend(y);
   c.penetration = distance + bound - gap;  // a bound for rotors that are clear of the bore
   if (c.penetration <= 0.) {
-    bend_at_point(y, c);
-    c.penetration -= bound;
+    const BendAtPoint bend = bend_at_point(y, c.n_y, c.n_z);
+    c.penetration = distance - gap - bend.u;
     return c;
   }
   if (!std::isfinite(c.penetration)) {  // found by the solver as a force that is not a number
@@ -199,7 +199,7 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   c.n_z = sums.z / sums.normal;
   c.tangential_speed = at.vz * c.n_y - at.vy * c.n_z;
   c.slip_speed = surfaces + c.tangential_speed;
-  slide(numbers_, in, at, c);
+  slide<true>(numbers_, in, at, c);
   return c;
 }
 

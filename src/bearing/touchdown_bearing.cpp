@@ -157,17 +157,17 @@ void TouchdownBearing::evaluate(const SupportInput& in, std::span<const double> 
   evaluate_with<double>(*this, in, y, dydt, ledger, out);
 }
 
-void TouchdownBearing::tilt(const BallForces& balls, const Touch& t, std::span<const double> y,
+void TouchdownBearing::tilt(const BallForces& balls, Force on_ring, std::span<const double> y,
                             std::span<double> dydt) const {
   // The angular momentum of a tilted spinning ring has the parts I_p omega (psi_z, -psi_y) along y and z.
   const FreeRing& ring = *data_.free_ring;
   const double gyroscopic = ring.polar_inertia * y[ring_spin];
   dydt[ring_x] = y[ring_vx];
-  dydt[ring_vx] = (t.on_ring.x + balls.force_x) / data_.ring_mass + ring.gravity_x;
+  dydt[ring_vx] = (on_ring.x + balls.force_x) / data_.ring_mass + ring.gravity_x;
   dydt[tilt_y] = y[tilt_rate_y];
   dydt[tilt_z] = y[tilt_rate_z];
-  dydt[tilt_rate_y] = (t.on_ring.moment_y + balls.moment_y - gyroscopic * y[tilt_rate_z]) / ring.diametral_inertia;
-  dydt[tilt_rate_z] = (t.on_ring.moment_z + balls.moment_z + gyroscopic * y[tilt_rate_y]) / ring.diametral_inertia;
+  dydt[tilt_rate_y] = (on_ring.moment_y + balls.moment_y - gyroscopic * y[tilt_rate_z]) / ring.diametral_inertia;
+  dydt[tilt_rate_z] = (on_ring.moment_z + balls.moment_z + gyroscopic * y[tilt_rate_y]) / ring.diametral_inertia;
 }
 
 void TouchdownBearing::observe_support(const SupportAnswer& answer, std::span<const double> y,

@@ -109,6 +109,8 @@ struct TouchdownBearingData {
   std::optional<FreeCage> free_cage;        ///< none: the balls roll, and the cage's speed follows the inner ring's
 };
 
+struct BoreSlice;  // bearing/touchdown_touch.h
+
 /// Ball bearing that catches a falling rotor: rotor surface against bore, inner-ring body, ball rows, outer ring on its support.
 /// The inner ring translates and spins; it also tilts and moves along its axis if it is a free one. The outer ring does not rotate.
 class TouchdownBearing final : public Support {
@@ -206,7 +208,11 @@ class TouchdownBearing final : public Support {
   template <class Real>
   struct TouchOf;  // rotor on ring, all places together
   template <class Real>
-  struct BallForcesOf;  // sums over the rows
+  struct ObservedTouchOf;
+  template <class Real>
+  struct BallSumsOf;  // over the rows
+  template <class Real>
+  struct BallForcesOf;  // rows and sums
   using Bodies = BodiesOf<double>;
   using Contact = ContactOf<double>;
   using Touch = TouchOf<double>;
@@ -218,33 +224,50 @@ class TouchdownBearing final : public Support {
   template <class Real>
   [[nodiscard]] static ExpansionOf<Real> growth(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
                                                 std::span<const Real> y);
-  /// @param x  along the bore, from the ring's middle [m]
-  template <class Real>
+  /// @tparam tilts  of a free ring; another one only translates
+  /// @param x       along the bore, from the ring's middle [m]
+  template <bool tilts, class Real>
   [[nodiscard]] BodiesOf<Real> bodies(const MotionOf<Real>& journal, std::span<const Real> y, double x) const;
   /// Sliding friction of a contact whose normal force and slip around the bore are known; none where a bristle holds it.
-  template <class Real>
+  template <bool tilts, class Real>
   void slide(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input, const BodiesOf<Real>& at,
              ContactOf<Real>& c) const;
-  /// @param c  of a contact that was not looked at yet
-  template <class Real>
-  void contact(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input, const ExpansionOf<Real>& growth,
-               std::span<const Real> y, const BodiesOf<Real>& at, ContactOf<Real>& c) const;
-  /// At a point, or over the arc of a bent bore, whose shapes it presses.
-  template <class Real>
-  void contact_in_slice(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
-                        const ExpansionOf<Real>& growth, std::span<const Real> y, const BodiesOf<Real>& at,
-                        double share, std::span<Real> shape_forces, ContactOf<Real>& c) const;
-  void add_bore_waves(std::span<const double> y, const Bodies& at, Contact& c) const;
+  template <bool tilts, class Real>
+  [[nodiscard]] ContactOf<Real> contact(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+                                        const ExpansionOf<Real>& growth, std::span<const Real> y,
+                                        const BodiesOf<Real>& at) const;
+  template <bool tilts, class Real>
+  [[nodiscard]] ContactOf<Real> contact_in_slice(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+                                                 const ExpansionOf<Real>& growth, std::span<const Real> y,
+                                                 const BoreSlice& slice, std::span<Real> bristle_rates,
+                                                 std::span<Real> shape_forces) const;
+  /// Of a bent bore, whose shapes it presses, at a point or over an arc; or of one that sticks.
+  template <bool tilts>
+  [[nodiscard]] Contact bent_or_sticking_contact(const SupportInput& input, const Expansion& growth,
+                                                 std::span<const double> y, Bodies at, const BoreSlice& slice,
+                                                 std::span<double> bristle_rates, std::span<double> shape_forces) const;
+  template <bool tilts, class Real>
+  [[nodiscard]] static TouchOf<Real> touch_in_slice(const TouchdownNumbers<Real>& q, const ContactOf<Real>& c,
+                                                    const BoreSlice& slice);
+  struct BoreWavesAtPoint {
+    double height = 0, rate = 0;  // [m], [m/s]
+  };
+  [[nodiscard]] BoreWavesAtPoint bore_waves_at(std::span<const double> y, Bodies at, double centres_turning) const;
   /// @param bristle_rates  [n_bristles()]
   /// @param shape_forces   on the inner ring's shapes, added to [BentRings::n_inner()] [N]
   template <class Real>
   [[nodiscard]] TouchOf<Real> touch(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
                                     const ExpansionOf<Real>& growth, std::span<const Real> y,
                                     std::span<Real> bristle_rates, std::span<Real> shape_forces) const;
+  [[nodiscard]] Touch touch_of_free_ring(const SupportInput& input, const Expansion& growth, std::span<const double> y,
+                                         std::span<double> bristle_rates, std::span<double> shape_forces) const;
   // Bent rings (touchdown_bending.cpp).
   [[nodiscard]] std::span<const double> inner_shape(std::span<const double> y) const;
   [[nodiscard]] std::span<const double> inner_shape_rate(std::span<const double> y) const;
-  void bend_at_point(std::span<const double> y, Contact& contact) const;
+  struct BendAtPoint {
+    double u = 0, rate = 0, slope = 0;  // [m], [m/s], du/d(theta) [m]
+  };
+  [[nodiscard]] BendAtPoint bend_at_point(std::span<const double> y, double n_y, double n_z) const;
   void press_at_point(const Contact& contact, double share, std::span<double> shape_forces) const;
   [[nodiscard]] Contact contact_over_arc(const SupportInput& input, const Expansion& growth, std::span<const double> y,
                                          const Bodies& at, double share, std::span<double> shape_forces) const;
@@ -271,7 +294,7 @@ class TouchdownBearing final : public Support {
   void touch_shoulders(const SupportInput& input, std::span<const double> y, Touch& sum) const;
   [[nodiscard]] SupportMotion support_motion(std::span<const double> y) const;
   /// Rates of a free ring's axial and tilting motion.
-  void tilt(const BallForces& balls, const Touch& touch, std::span<const double> y, std::span<double> dydt) const;
+  void tilt(const BallForces& balls, Force on_ring, std::span<const double> y, std::span<double> dydt) const;
   /// Turns a free cage and brakes the inner ring by it. @return heat of the balls' slip, which is added to `heat` [W]
   double turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt, HeatInput& heat) const;
   template <class Real>
@@ -298,7 +321,7 @@ class TouchdownBearing final : public Support {
                                                   const Real& ring_speed) const;
   template <class Real, class Row>
   void observe(const TouchdownNumbers<Real>& q, std::span<const Row> rows, const SupportInputOf<Real>& input,
-               const ExpansionOf<Real>& growth, std::span<const Real> y, const TouchOf<Real>& touch,
+               const ExpansionOf<Real>& growth, std::span<const Real> y, const ObservedTouchOf<Real>& touch,
                const BallForcesOf<Real>& balls, const Real& load_torque, const Real& drag_torque,
                const Real& ring_acceleration, const HeatInputOf<Real>& heat, std::span<Real> out) const;
   void set_numbers();

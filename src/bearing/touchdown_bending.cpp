@@ -17,24 +17,20 @@ std::span<const double> TouchdownBearing::inner_shape_rate(std::span<const doubl
   return y.subspan(shapes_at() + n_shapes(), data_.bending->n_inner());
 }
 
-void TouchdownBearing::bend_at_point(std::span<const double> y, Contact& c) const {
+TouchdownBearing::BendAtPoint TouchdownBearing::bend_at_point(std::span<const double> y, double n_y, double n_z) const {
   const auto shape = inner_shape(y), rate = inner_shape_rate(y);
-  double cosine = c.n_y * c.n_y - c.n_z * c.n_z, sine = 2. * c.n_y * c.n_z;
-  double u = 0., u_rate = 0., slope = 0.;
+  double cosine = n_y * n_y - n_z * n_z, sine = 2. * n_y * n_z;
+  BendAtPoint bend;
   for (std::size_t k = 0; k + 1 < shape.size(); k += 2) {
     const double n = 2. + 0.5 * static_cast<double>(k);
-    u += shape[k] * cosine + shape[k + 1] * sine;
-    u_rate += rate[k] * cosine + rate[k + 1] * sine;
-    slope += n * (shape[k + 1] * cosine - shape[k] * sine);
-    const double next = cosine * c.n_y - sine * c.n_z;
-    sine = sine * c.n_y + cosine * c.n_z;
+    bend.u += shape[k] * cosine + shape[k + 1] * sine;
+    bend.rate += rate[k] * cosine + rate[k + 1] * sine;
+    bend.slope += n * (shape[k + 1] * cosine - shape[k] * sine);
+    const double next = cosine * n_y - sine * n_z;
+    sine = sine * n_y + cosine * n_z;
     cosine = next;
   }
-  c.penetration -= u;
-  // d(delta)/dt with the line of centres turning through the shape.
-  c.rate -= u_rate + slope * c.centres_turning;
-  // The line of centres' direction has no meaning for concentric rings, which do not touch.
-  c.bore_slope = c.distance > 0. ? slope / c.distance : 0.;
+  return bend;
 }
 
 void TouchdownBearing::press_at_point(const Contact& c, double share, std::span<double> forces) const {

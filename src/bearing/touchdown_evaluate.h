@@ -13,45 +13,48 @@ namespace rotordrop {
 template <class Real>
 BallRowInputOf<Real> TouchdownBearing::row_input(const TouchdownNumbers<Real>& q, const ExpansionOf<Real>& growth,
                                                  std::span<const Real> y) const {
-  BallRowInputOf<Real> in;
-  in.displacement.y = y[ring_y] - y[support_y];
-  in.displacement.z = y[ring_z] - y[support_z];
-  in.rate.y = y[ring_vy] - y[support_vy];
-  in.rate.z = y[ring_vz] - y[support_vz];
-  in.cage_speed = q.cage_ratio * y[ring_spin];
+  RingDisplacementOf<Real> displacement{0., y[ring_y] - y[support_y], y[ring_z] - y[support_z], 0., 0.};
+  RingDisplacementOf<Real> rate{0., y[ring_vy] - y[support_vy], y[ring_vz] - y[support_vz], 0., 0.};
+  Real cage_speed = q.cage_ratio * y[ring_spin];
   if constexpr (has_all<Real>) {
     if (data_.free_ring) {
-      in.displacement.x = y[ring_x];
-      in.displacement.psi_y = y[tilt_y];
-      in.displacement.psi_z = y[tilt_z];
-      in.rate.x = y[ring_vx];
-      in.rate.psi_y = y[tilt_rate_y];
-      in.rate.psi_z = y[tilt_rate_z];
+      displacement.x = y[ring_x];
+      displacement.psi_y = y[tilt_y];
+      displacement.psi_z = y[tilt_z];
+      rate.x = y[ring_vx];
+      rate.psi_y = y[tilt_rate_y];
+      rate.psi_z = y[tilt_rate_z];
     }
-    if (data_.free_cage) in.cage_speed = y[free_cage_at()];
+    if (data_.free_cage) cage_speed = y[free_cage_at()];
   }
-  in.cage_angle = y[cage_angle];
-  const auto turned = sine_cosine(in.cage_angle);
-  in.cage_cosine = turned.cosine;
-  in.cage_sine = turned.sine;
-  in.ring_angle = y[ring_angle];
-  in.ring_speed = y[ring_spin];
-  in.radial_growth = growth.inner_race - growth.outer_race;
-  in.row_difference = growth.row_difference;
-  in.ball_growth = growth.ball;
-  in.inner_strain = q.strain_per_growth * growth.inner_width;
-  in.outer_strain = q.strain_per_growth * growth.outer_width;
-  return in;
+  auto turned = sine_cosine(y[cage_angle]);
+  return {.displacement = displacement,
+          .rate = rate,
+          .cage_angle = y[cage_angle],
+          .cage_cosine = turned.cosine,
+          .cage_sine = turned.sine,
+          .cage_speed = cage_speed,
+          .ring_angle = y[ring_angle],
+          .ring_speed = y[ring_spin],
+          .radial_growth = growth.inner_race - growth.outer_race,
+          .row_difference = growth.row_difference,
+          .ball_growth = growth.ball,
+          .inner_strain = q.strain_per_growth * growth.inner_width,
+          .outer_strain = q.strain_per_growth * growth.outer_width,
+          .shape = {},
+          .shape_rate = {},
+          .shape_force = {}};
 }
 
 template <class Real, class Row>
 TouchdownBearing::BallForcesOf<Real> TouchdownBearing::ball_forces(std::span<const Row> rows,
                                                                    const BallRowInputOf<Real>& in,
                                                                    bool with_tractions) const {
-  BallForcesOf<Real> sum;
+  BallForcesOf<Real> forces;
+  BallSumsOf<Real> sum;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    auto& row = sum.row[i];
-    RowTractionsOf<Real>* tractions = with_tractions ? &sum.tractions[i] : nullptr;
+    auto& row = forces.row[i];
+    RowTractionsOf<Real>* tractions = with_tractions ? &forces.tractions[i] : nullptr;
     if constexpr (has_all<Real>) {
       if (data_.free_ring)
         rows[i].evaluate(in, row, tractions);
@@ -77,7 +80,8 @@ TouchdownBearing::BallForcesOf<Real> TouchdownBearing::ball_forces(std::span<con
     sum.inertia_power += row.inertia_power;
     sum.inertia_per_speed += row.inertia_per_speed;
   }
-  return sum;
+  static_cast<BallSumsOf<Real>&>(forces) = sum;
+  return forces;
 }
 
 template <class Real>
@@ -117,7 +121,7 @@ template <class Real, class Of>
 void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& in, std::span<const Real> y,
                                      std::span<Real> dydt, std::span<Real> ledger, SupportOutputOf<Real>& out) const {
   const TouchdownNumbers<Real>& q = of.numbers();
-  const auto rows = of.rows();
+  auto rows = of.rows();
   const ExpansionOf<Real> grown = growth(q, in, y);
   BallRowInputOf<Real> rows_in = row_input(q, grown, y);
   ShapeForces shapes;
@@ -128,9 +132,11 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
       by_rotor = {shapes.by_rotor.data(), data_.bending->n_inner()};
       lend_shapes(shapes, rows_in);
     }
-  const TouchOf<Real> t = touch(q, in, grown, y, dydt.subspan(bristles_at(), n_bristles()), by_rotor);
+  // Neither const nor copied in parts: GCC would keep it in memory.
+  TouchOf<Real> t = touch(q, in, grown, y, dydt.subspan(bristles_at(), n_bristles()), by_rotor);
   const BallForcesOf<Real> balls = ball_forces(rows, rows_in, !out.observed.empty());
-  out.force_on_rotor = t.on_rotor;
+  const auto& on_rotor = t.on_rotor;
+  out.force_on_rotor = {on_rotor.x, on_rotor.y, on_rotor.z, on_rotor.moment_y, on_rotor.moment_z, on_rotor.torque};
 
   const Real ring_speed = y[ring_spin];
   const Real M_L = load_torque_of(q, balls);
@@ -162,7 +168,7 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
   dydt[cage_angle] = rows_in.cage_speed;
   Real bending_loss = 0.;
   if constexpr (has_all<Real>) {
-    if (data_.free_ring) tilt(balls, t, y, dydt);
+    if (data_.free_ring) tilt(balls, t.on_ring, y, dydt);
     if (data_.bending) bending_loss = bend(y, shapes, dydt);
   }
 
@@ -214,7 +220,9 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
   if (data_.free_cage) ledger[optional_ledger++] = slip_loss;
 
   if (!out.observed.empty()) {
-    observe(q, rows, in, grown, y, t, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
+    const ObservedTouchOf<Real> touch{t.middle.penetration, t.normal,   t.friction,         t.middle.slip_speed,
+                                      t.on_ring.x,          t.shoulder, t.on_ring.moment_y, t.on_ring.moment_z};
+    observe(q, rows, in, grown, y, touch, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
     if (data_.support_law) of.observe_support(support, y, out.observed.last(3));
   }
   if (!out.observed_details.empty()) {
@@ -230,17 +238,16 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
 template <class Real, class Row>
 void TouchdownBearing::observe(const TouchdownNumbers<Real>& q, std::span<const Row> rows,
                                const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth, std::span<const Real> y,
-                               const TouchOf<Real>& touch, const BallForcesOf<Real>& balls, const Real& load_torque,
-                               const Real& drag_torque, const Real& ring_acceleration, const HeatInputOf<Real>& heat,
-                               std::span<Real> out) const {
+                               const ObservedTouchOf<Real>& touch, const BallForcesOf<Real>& balls,
+                               const Real& load_torque, const Real& drag_torque, const Real& ring_acceleration,
+                               const HeatInputOf<Real>& heat, std::span<Real> out) const {
   std::size_t at = 0;
   const auto put = [&](std::initializer_list<Real> values) {
     for (const Real& value : values) out[at++] = value;
   };
   put({in.journal.y, in.journal.z, in.journal.velocity_y, in.journal.velocity_z});
   put({y[ring_y], y[ring_z], y[ring_vy], y[ring_vz], y[support_y], y[support_z]});
-  put({touch.middle.penetration, q.air_gap + growth.bore - growth.shaft, touch.normal, touch.friction,
-       touch.middle.slip_speed});
+  put({touch.penetration, q.air_gap + growth.bore - growth.shaft, touch.normal, touch.friction, touch.slip_speed});
   const Real rotor_surface = in.rotor_spin.speed * q.rotor_radius;
   put({select(rotor_surface != 0., 1. - y[ring_spin] * q.bore_radius / rotor_surface, Real(1.))});
   put({balls.force_y, balls.force_z});
@@ -278,8 +285,8 @@ void TouchdownBearing::observe(const TouchdownNumbers<Real>& q, std::span<const 
     put({traction_demand(balls.tractions[i].largest_gyroscopic_over_load, mu, Real(1.))});
   if constexpr (has_all<Real>) {
     if (data_.free_ring) {
-      put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.on_ring.x, touch.shoulder});
-      put({touch.on_ring.moment_y, touch.on_ring.moment_z});
+      put({in.journal.x, y[ring_x], y[tilt_y], y[tilt_z], touch.axial, touch.shoulder});
+      put({touch.moment_y, touch.moment_z});
     }
     if (data_.free_cage) put({y[free_cage_at()], q.cage_ratio * y[ring_spin], y[free_cage_at() + 1]});
   }

@@ -25,20 +25,30 @@ const std::array<Direction, n_around> around = [] {
   return directions;
 }();
 
+/// Gauss' three points: they integrate a pressure that changes linearly along the bore, and its moment, exactly.
+constexpr std::size_t n_slices = 3;
+std::array<BoreSlice, n_slices> slices_of(double width) {
+  const double outer = 0.5 * std::sqrt(0.6) * width;
+  return {{{0., 4. / 9., 0}, {-outer, 5. / 18., 1}, {outer, 5. / 18., 2}}};
+}
+
 }  // namespace
 
 std::size_t TouchdownBearing::n_bristles() const {
   if (!data_.sticking) return 0;
-  return data_.free_ring ? 2 * bore_slices.size() : 1;
+  return data_.free_ring ? 2 * n_slices : 1;
 }
 
-void TouchdownBearing::add_bore_waves(std::span<const double> y, const Bodies& at, Contact& c) const {
+TouchdownBearing::BoreWavesAtPoint TouchdownBearing::bore_waves_at(std::span<const double> y, Bodies at,
+                                                                   double centres_turning) const {
   const double angle = std::atan2(at.z, at.y) - y[ring_angle];
-  const double angle_rate = c.centres_turning - y[ring_spin];
+  const double angle_rate = centres_turning - y[ring_spin];
+  BoreWavesAtPoint waves;
   for (const auto& w : data_.bore_waves) {
-    c.penetration += w.amplitude * std::sin(w.order * angle + w.phase);
-    c.wave_rate += w.amplitude * w.order * angle_rate * std::cos(w.order * angle + w.phase);
+    waves.height += w.amplitude * std::sin(w.order * angle + w.phase);
+    waves.rate += w.amplitude * w.order * angle_rate * std::cos(w.order * angle + w.phase);
   }
+  return waves;
 }
 
 StickingFriction::Vector TouchdownBearing::bristle(std::span<const double> y, std::size_t slice) const {
@@ -65,6 +75,22 @@ void TouchdownBearing::stick(const SupportInput& in, std::span<const double> y, 
   }
 }
 
+TouchdownBearing::Touch TouchdownBearing::touch_of_free_ring(const SupportInput& in, const Expansion& growth,
+                                                             std::span<const double> y, std::span<double> bristle_rates,
+                                                             std::span<double> shape_forces) const {
+  Touch t;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const BoreSlice& slice : slices_of(data_.free_ring->width)) {
+    const Contact c = contact_in_slice<true>(numbers_, in, growth, y, slice, bristle_rates, shape_forces);
+    t += touch_in_slice<true>(numbers_, c, slice);
+    if (slice.x == 0.) t.middle = c;
+    if (!(c.penetration <= deepest)) deepest = c.penetration;  // one that is not a number goes on
+  }
+  t.middle.penetration = deepest;  // a tilted journal touches at an end first
+  touch_shoulders(in, y, t);
+  return t;
+}
+
 void TouchdownBearing::touch_shoulders(const SupportInput& in, std::span<const double> y, Touch& sum) const {
   const Motion& j = in.journal;
   const FreeRing& ring = *data_.free_ring;
@@ -87,8 +113,10 @@ void TouchdownBearing::touch_shoulders(const SupportInput& in, std::span<const d
       const double per_slip = data_.friction.per_speed(slip_squared, in.ring_temperature) * normal;
       const double f_x = -shoulder.side * normal, f_y = per_slip * slip_y, f_z = per_slip * slip_z;
       const double torque = r * (c * f_z - s * f_y);
-      add_force(sum.on_ring, face, r * c, r * s, f_x, f_y, f_z, torque);
-      add_force(sum.on_rotor, face, r * c, r * s, -f_x, -f_y, -f_z, -torque);
+      add_moments(sum.on_ring, face, r * c, r * s, f_x, f_y, f_z);
+      add_moments(sum.on_rotor, face, r * c, r * s, -f_x, -f_y, -f_z);
+      sum.on_ring += Force{.x = f_x, .y = f_y, .z = f_z, .torque = torque};
+      sum.on_rotor += Force{.x = -f_x, .y = -f_y, .z = -f_z, .torque = -torque};
       sum.shoulder += f_x;
       sum.shoulder_torque += torque;
       sum.rub_heat += f_y * slip_y + f_z * slip_z;
@@ -102,17 +130,16 @@ void TouchdownBearing::touch_shoulders(const SupportInput& in, std::span<const d
 double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion& growth,
                                         std::span<const double> y) const {
   const Motion& j = in.journal;
-  const SlicedBore bore = bore_of(data_);
   double U = 0.;
-  for (const BoreSlice& slice : bore.slices) {
-    const Bodies at = bodies(j, y, slice.place * bore.width);
-    Contact c;
-    if (!arc_table_) contact(numbers_, in, growth, y, at, c);
-    U += slice.share * (arc_table_ ? arc_energy(in, growth, y, at) : data_.contact.energy(c.penetration));
-  }
-  if (data_.sticking)
-    for (std::size_t k = 0; k < bore.slices.size(); ++k)
-      U += bore.slices[k].share * data_.sticking->energy(bristle(y, k));
+  const auto add = [&](const BoreSlice& slice, const Bodies& at) {
+    U += slice.share * (arc_table_ ? arc_energy(in, growth, y, at)
+                                   : data_.contact.energy(contact<true>(numbers_, in, growth, y, at).penetration));
+    if (data_.sticking) U += slice.share * data_.sticking->energy(bristle(y, slice.number));
+  };
+  if (data_.free_ring)
+    for (const BoreSlice& slice : slices_of(data_.free_ring->width)) add(slice, bodies<true>(j, y, slice.x));
+  else
+    add(bore_middle, bodies<false>(j, y, 0.));
   if (!data_.free_ring) return U;
   const double r = data_.free_ring->shoulder_radius;
   for (const Shoulder& shoulder : data_.free_ring->shoulders)

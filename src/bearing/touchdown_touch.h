@@ -7,6 +7,15 @@
 
 namespace rotordrop {
 
+/// A part of the bore's width, whose contact is looked at in its middle.
+struct BoreSlice {
+  double x = 0;            // from the ring's middle [m]
+  double share = 1;        // of the width
+  std::size_t number = 0;  // along the bore
+};
+/// Of a ring that only translates: no axial force, no moments.
+inline constexpr BoreSlice bore_middle;
+
 /// The rotor past the ring at one place along the bore.
 template <class Real>
 struct TouchdownBearing::BodiesOf {
@@ -47,19 +56,40 @@ struct TouchdownBearing::TouchOf {
   Real rub_heat = 0, damping = 0, wave_power = 0;  // [W]
   Real centres_power = 0;                          // friction force times the slip that is not spin [W]
   MaskOf<Real> is_touching = false;
+
+  /// Of another slice; which one is the middle stays.
+  TouchOf& operator+=(const TouchOf& other) {
+    on_ring += other.on_ring;
+    on_rotor += other.on_rotor;
+    for (const auto number : {&TouchOf::elastic, &TouchOf::normal, &TouchOf::friction, &TouchOf::rub_heat,
+                              &TouchOf::damping, &TouchOf::wave_power, &TouchOf::centres_power})
+      this->*number += other.*number;
+    is_touching |= other.is_touching;
+    return *this;
+  }
+};
+
+/// What results tell of it.
+template <class Real>
+struct TouchdownBearing::ObservedTouchOf {
+  Real penetration, normal, friction, slip_speed;
+  Real axial, shoulder, moment_y, moment_z;  // on the ring
 };
 
 /// Balls on the inner ring, summed over its rows.
 template <class Real>
-struct TouchdownBearing::BallForcesOf {
-  BallForcesOf() {}  // leaves the rows unwritten: only those that exist are
-  std::array<BallRowOutputOf<Real>, max_rows> row;
-  std::array<RowTractionsOf<Real>, max_rows> tractions;  // when asked for
+struct TouchdownBearing::BallSumsOf {
   Real force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
   Real damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
   Real by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
   Real by_row_difference = 0;                     // dU/d(Expansion::row_difference) [N]
   Real inertia_power = 0, inertia_per_speed = 0;
+};
+template <class Real>
+struct TouchdownBearing::BallForcesOf : BallSumsOf<Real> {
+  BallForcesOf() {}  // leaves the rows unwritten: only those that exist are
+  std::array<BallRowOutputOf<Real>, max_rows> row;
+  std::array<RowTractionsOf<Real>, max_rows> tractions;  // when asked for
 };
 
 /// Bent rings while they are evaluated.

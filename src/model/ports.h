@@ -34,6 +34,16 @@ struct ForceOf {
   Real x = 0, y = 0, z = 0;         ///< [N]
   Real moment_y = 0, moment_z = 0;  ///< [N m]
   Real torque = 0;                  ///< about +x [N m]
+
+  ForceOf& operator+=(const ForceOf& other) {
+    x += other.x;
+    y += other.y;
+    z += other.z;
+    moment_y += other.moment_y;
+    moment_z += other.moment_z;
+    torque += other.torque;
+    return *this;
+  }
 };
 using Force = ForceOf<double>;
 
