@@ -94,7 +94,7 @@ template <bool tilts, bool is_bent, class Real>
                                                                const BallWidening<Real>& bent) {
   BallTerms<Real> b;
   const Real &c = cosine, &s = sine;
-  const auto [e_y, e_z, v_y, v_z] = at_row<tilts>(in);
+  auto [e_y, e_z, v_y, v_z] = at_row<tilts>(in);
   Real Bx = in.axial, Bx_rate = 0., Bx_turn = 0.;
   if constexpr (tilts) {
     const auto &e = in.e, &v = in.v;
@@ -108,11 +108,11 @@ template <bool tilts, bool is_bent, class Real>
     Br_rate += bent.rate;
     Br_turn += bent.slope;
   }
-  const Real distance = sqrt(Br * Br + Bx * Bx);
-  const Real inverse = 1. / distance;
+  const Real squared = Br * Br + Bx * Bx;
+  const Real distance = sqrt(squared), inverse = distance * (1. / squared);
   b.cos_phi = Br * inverse;
   b.sin_phi = Bx * inverse;
-  b.delta = larger(distance - in.A + (in.grown + added), Real(0.));
+  b.delta = larger(distance - (in.A - in.grown - added), Real(0.));
   b.rate = b.cos_phi * Br_rate;
   if constexpr (tilts) b.rate += b.sin_phi * Bx_rate;
   b.turn = b.cos_phi * Br_turn + b.sin_phi * Bx_turn;
