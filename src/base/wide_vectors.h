@@ -57,6 +57,12 @@ struct Quartet {
   std::array<double, length> value{};
   ROTORDROP_KERNEL double& operator[](std::size_t i) { return value[i]; }
 };
+ROTORDROP_KERNEL Quartet sum_of(const std::array<Quartet, 2>& a) {
+  Quartet sum;
+#pragma omp simd
+  for (std::size_t i = 0; i < Quartet::length; ++i) sum[i] = a[0].value[i] + a[1].value[i];
+  return sum;
+}
 
 /// The first values of a list in a vector, zeros behind them.
 ROTORDROP_KERNEL Octet first_of(const double* list, std::size_t count) {

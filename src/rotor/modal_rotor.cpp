@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "base/rotation.h"
-#include "base/sine_cosine.h"
 #include "base/wide_vectors.h"
 #include "rotor/modal_basis.h"
 
@@ -72,102 +71,6 @@ Motion operator+(const Motion& a, const Motion& b) {
           a.tilt_rate_y + b.tilt_rate_y,
           a.tilt_rate_z + b.tilt_rate_z};
 }
-
-// Points are looked at two at a time, from any one on: behind the last one lies another.
-ModalRotor::Shapes::Shapes(std::size_t modes, std::size_t n_points)
-    : n_modes(modes), stride(2 * n_points + 2), columns(modes * stride, 0.) {}
-
-struct ModalRotor::Kernels {
-  /// Two points at a time: their deflections and slopes lie side by side for each mode.
-  ROTORDROP_KERNEL static void motions(const Shapes& shapes, const double* y, std::size_t first_point,
-                                       std::size_t n_points, Motion* out) {
-    const std::size_t n = shapes.n_modes, stride = shapes.stride;
-    const double* columns = shapes.columns.data() + 2 * first_point;
-    for (std::size_t p = 0; p < n_points; p += 2, columns += Quartet::length) {
-      Quartet q_y, q_z, v_y, v_z;
-      const double* column = columns;
-      for (std::size_t i = 0; i < n; ++i, column += stride) {
-        add_product(q_y, y[i], column);
-        add_product(q_z, y[n + i], column);
-        add_product(v_y, y[2 * n + i], column);
-        add_product(v_z, y[3 * n + i], column);
-      }
-      out[p] = {0, q_y[0], q_z[0], -q_z[1], q_y[1], 0, v_y[0], v_z[0], -v_z[1], v_y[1]};
-      if (p + 1 < n_points) out[p + 1] = {0, q_y[2], q_z[2], -q_z[3], q_y[3], 0, v_y[2], v_z[2], -v_z[3], v_y[3]};
-    }
-  }
-
-  ROTORDROP_KERNEL static RotorPower rates(const ModalRotor& rotor, double t, const double* __restrict y,
-                                           const Force* __restrict force_on_station, double* __restrict dydt) {
-    const std::size_t n = rotor.n_modes_, stride = filled_up(n);
-    const double *q_y = y, *q_z = y + n, *v_y = y + 2 * n, *v_z = y + 3 * n;
-    const double spin_angle = y[4 * n], omega = y[4 * n + 1];
-
-    // The spin first: the unbalance needs its acceleration.
-    const double drive = rotor.drive_torque_.empty() ? 0 : rotor.drive_torque(t);
-    double torque = drive;
-    for (std::size_t s = 0; s < rotor.n_stations_; ++s) torque += force_on_station[s].torque;
-    double windage = 0;
-    if (rotor.windage_) {
-      windage = (*rotor.windage_)(omega);
-      torque -= windage;
-    }
-    const double omega_rate = torque / rotor.body_.Ip;
-    dydt[4 * n] = omega;
-    dydt[4 * n + 1] = omega_rate;
-
-    // The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
-    const auto [sine, cosine] = sine_cosine(spin_angle);
-    const double along_cos = omega * omega * cosine + omega_rate * sine,
-                 along_sin = omega * omega * sine - omega_rate * cosine;
-    const double *u_cos = rotor.unbalance_cos_.data(), *u_sin = rotor.unbalance_sin_.data();
-    const double *c = rotor.damping_rate_.data(), *k = rotor.omega_squared_.data();
-    Octet unbalance_work, damping;
-    for (std::size_t first = 0; first < n; first += vector_length) {
-      const std::size_t count = n - first;
-      const Octet displacement_y = first_of(q_y + first, count), displacement_z = first_of(q_z + first, count);
-      const Octet velocity_y = first_of(v_y + first, count), velocity_z = first_of(v_z + first, count);
-      Octet a_y, a_z;
-#pragma omp simd
-      for (std::size_t i = 0; i < vector_length; ++i) {
-        const std::size_t m = first + i;
-        const double vy = velocity_y.value[i], vz = velocity_z.value[i];
-        const double unbalance_y = along_cos * u_cos[m] - along_sin * u_sin[m];
-        const double unbalance_z = along_sin * u_cos[m] + along_cos * u_sin[m];
-        unbalance_work[i] += unbalance_y * vy + unbalance_z * vz;
-        damping[i] += c[m] * (vy * vy + vz * vz);
-        a_y[i] = unbalance_y - c[m] * vy - k[m] * displacement_y.value[i];
-        a_z[i] = unbalance_z - c[m] * vz - k[m] * displacement_z.value[i];
-      }
-      // Uniform gravity moves the centre of gravity alone.
-      if (first == 0) {
-        a_y[0] += rotor.gravity_y_;
-        a_z[0] += rotor.gravity_z_;
-      }
-      // The translation (mode 0) has no slope and so no gyroscopic term.
-      const double* G = rotor.gyroscopic_.data() + stride + first;
-      for (std::size_t j = 1; j < n; ++j, G += stride) {
-        add_product(a_y, -omega * v_z[j], G);
-        add_product(a_z, omega * v_y[j], G);
-      }
-      const double* per_force = rotor.force_influence_.data() + first;
-      for (std::size_t s = 0; s < rotor.n_stations_; ++s, per_force += 2 * stride) {
-        const double* per_moment = per_force + stride;
-        const Force& f = force_on_station[s];
-        add_product(a_y, f.y, per_force);
-        add_product(a_y, f.moment_z, per_moment);
-        add_product(a_z, f.z, per_force);
-        add_product(a_z, -f.moment_y, per_moment);
-      }
-      store_first(velocity_y, count, dydt + first);
-      store_first(velocity_z, count, dydt + n + first);
-      store_first(a_y, count, dydt + 2 * n + first);
-      store_first(a_z, count, dydt + 3 * n + first);
-    }
-    return {rotor.body_.mass * damping.sum(), rotor.body_.mass * unbalance_work.sum(), drive * omega, windage * omega,
-            omega_rate};
-  }
-};
 
 ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& settings,
                        const std::vector<int>& station_nodes)
@@ -256,28 +159,8 @@ std::vector<StateEntry> ModalRotor::state_entries() const {
   return entries;
 }
 
-void ModalRotor::motions(std::span<const double> y, std::span<Motion> out) const {
-  assert(y.size() == n_state() && out.size() == n_stations_);
-  wide<Kernels::motions>(station_shape_, y.data(), 0, n_stations_, out.data());
-  if (axial_) add_axial_motion(y, out);
-}
-
-void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) const {
-  assert(y.size() == n_state() && out.size() == n_nodes_);
-  wide<Kernels::motions>(node_shape_, y.data(), 0, n_nodes_, out.data());
-  if (axial_) add_axial_motion(y, out);
-}
-
 double ModalRotor::mode_shape(int node, std::size_t mode) const {
   return node_shape_.deflection(static_cast<std::size_t>(node - 1), mode);
-}
-
-Motion ModalRotor::node_motion(int node, std::span<const double> y) const {
-  assert(y.size() == n_state() && node >= 1 && static_cast<std::size_t>(node) <= n_nodes_);
-  Motion motion;
-  wide<Kernels::motions>(node_shape_, y.data(), static_cast<std::size_t>(node - 1), 1, &motion);
-  if (axial_) add_axial_motion(y, {&motion, 1});
-  return motion;
 }
 
 std::vector<Observable> ModalRotor::observables() const {
@@ -300,14 +183,6 @@ void ModalRotor::add_axial_motion(std::span<const double> y, std::span<Motion> o
     motion.x = y[axial_at()];
     motion.velocity_x = y[axial_at() + 1];
   }
-}
-
-RotorPower ModalRotor::rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
-                             std::span<double> dydt) const {
-  assert(y.size() == n_state() && dydt.size() == n_state() && force_on_station.size() == n_stations_);
-  RotorPower power = wide<Kernels::rates>(*this, t, y.data(), force_on_station.data(), dydt.data());
-  if (axial_) add_axial_rates(t, y, force_on_station, dydt, power);
-  return power;
 }
 
 void ModalRotor::add_axial_rates(double t, std::span<const double> y, std::span<const Force> force_on_station,
