@@ -46,18 +46,34 @@ ROTORDROP_KERNEL void combine(std::size_t from, std::size_t to, const double* y,
   combine_all<n>(from, to, y, factor, k, out);
 }
 
-/// Sum of (error / (tolerance (scale + largest magnitude of both states)))^2.
-ROTORDROP_KERNEL double squared_error(std::size_t n, const double* error, const double* before, const double* after,
-                                      const double* scale, double tolerance) {
+/// Sum of (error / (tolerance (scale + largest magnitude of both states)))^2, with the error sum_j factor_j k_j.
+template <int n>
+ROTORDROP_KERNEL double squared_error_of_all(std::size_t size, const double* factors, const double* const* list,
+                                             const double* before, const double* after, const double* scale,
+                                             double tolerance) {
+  const double* k[n];
+  double factor[n];
+  std::copy_n(list, n, k);
+  std::copy_n(factors, n, factor);
   double sum = 0.;
 #pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
+    double error = 0.;
+#pragma GCC unroll 8
+    for (int j = 0; j < n; ++j) error += factor[j] * k[j][i];
     const double a = std::fabs(before[i]), b = std::fabs(after[i]);
-    const double allowed = tolerance * (scale[i] + (a > b ? a : b));
-    const double part = error[i] / allowed;
+    const double part = error / (tolerance * (scale[i] + (a > b ? a : b)));
     sum += part * part;
   }
   return sum;
+}
+template <int n = 1>
+ROTORDROP_KERNEL double squared_error(std::size_t size, const double* factor, const double* const* k, int count,
+                                      const double* before, const double* after, const double* scale,
+                                      double tolerance) {
+  if constexpr (n < most_stages)
+    if (count > n) return squared_error<n + 1>(size, factor, k, count, before, after, scale, tolerance);
+  return squared_error_of_all<n>(size, factor, k, before, after, scale, tolerance);
 }
 
 class EmbeddedPair final : public Integrator {
@@ -75,8 +91,7 @@ class EmbeddedPair final : public Integrator {
         control_(pair, tolerance_, longest_),
         y_(state.begin(), state.end()),
         before_(y_),
-        stage_(y_),
-        error_(n_) {
+        stage_(y_) {
     for (const auto& entry : system.layout().entries()) scale_.push_back(entry.scale);
     for (int i = 0; i < pair_.n_stages; ++i) k_.emplace_back(n_);
   }
@@ -120,12 +135,10 @@ class EmbeddedPair final : public Integrator {
 
   void interpolate(double t, std::span<double> y) const override {
     const double theta = part_of_step(t, time_, last_step_);
+    const auto k = stage_rates();
     std::array<double, most_stages> factor{};
-    std::array<const double*, most_stages> k{};
-    for (int i = 0; i < pair_.n_stages; ++i) {
+    for (int i = 0; i < pair_.n_stages; ++i)
       at(factor, i) = last_step_ * pair_.weight(static_cast<std::size_t>(i), theta);
-      at(k, i) = at(k_, i).data();
-    }
     wide<combine<1>>(0, n_, before_.data(), factor.data(), k.data(), pair_.n_stages, y.data());
   }
 
@@ -138,10 +151,15 @@ class EmbeddedPair final : public Integrator {
     system_.rhs(t, y, rates);
   }
 
-  /// Leaves the new state in stage_. @returns the error over what is allowed; not finite if a rate is not
-  double try_step(double step, double target) {
+  [[nodiscard]] std::array<const double*, most_stages> stage_rates() const {
     std::array<const double*, most_stages> k{};
     for (int i = 0; i < pair_.n_stages; ++i) at(k, i) = at(k_, i).data();
+    return k;
+  }
+
+  /// Leaves the new state in stage_. @returns the error over what is allowed; not finite if a rate is not
+  double try_step(double step, double target) {
+    const auto k = stage_rates();
     std::array<double, most_stages> factor{};
     const auto scaled = [&](const std::array<double, most_stages>& coefficients) {
       std::transform(coefficients.begin(), coefficients.end(), factor.begin(), [&](double a) { return step * a; });
@@ -164,10 +182,8 @@ class EmbeddedPair final : public Integrator {
     }
     // A rate that is not finite makes the new state so.
     if (!all_finite(stage_) || !all_finite(at(k_, last))) return HUGE_VAL;
-    std::fill(error_.begin(), error_.end(), 0.);
-    wide<combine<1>>(0, n_controlled_, error_.data(), scaled(pair_.e), k.data(), pair_.n_stages, error_.data());
-    const double sum =
-        wide<squared_error>(n_controlled_, error_.data(), y_.data(), stage_.data(), scale_.data(), tolerance_);
+    const double sum = wide<squared_error<1>>(n_controlled_, scaled(pair_.e), k.data(), pair_.n_stages, y_.data(),
+                                              stage_.data(), scale_.data(), tolerance_);
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
   }
 
@@ -186,8 +202,11 @@ class EmbeddedPair final : public Integrator {
     for (const auto& k : k_)
       if (!all_finite(k)) throw_rates_not_finite(system_.layout(), k, time_, step);
     std::vector<double> weighted(n_);
-    for (std::size_t i = 0; i < n_controlled_; ++i)
-      weighted[i] = error_[i] / (tolerance_ * (scale_[i] + std::max(std::fabs(y_[i]), std::fabs(stage_[i]))));
+    for (std::size_t i = 0; i < n_controlled_; ++i) {
+      double error = 0.;
+      for (int j = 0; j < pair_.n_stages; ++j) error += step * at(pair_.e, j) * at(k_, j)[i];
+      weighted[i] = error / (tolerance_ * (scale_[i] + std::max(std::fabs(y_[i]), std::fabs(stage_[i]))));
+    }
     throw_no_step(system_.layout(), time_, step, weighted);
   }
 
@@ -204,7 +223,7 @@ class EmbeddedPair final : public Integrator {
   StepControl control_;
   double next_step_ = 0, last_step_ = 0;
   bool has_rates_ = false;
-  std::vector<double> y_, before_, stage_, error_, scale_;
+  std::vector<double> y_, before_, stage_, scale_;
   std::vector<std::vector<double>> k_;
   EndEvaluation end_evaluation_;
   IntegrationStatistics statistics_;

@@ -43,24 +43,47 @@ ROTORDROP_KERNEL void combine_lanes(std::size_t size, const double* y, const dou
   combine_all<n>(size, y, factors, k, out);
 }
 
-/// Sums of (error / (tolerance (scale + largest magnitude of both states)))^2; not a number for a lane with a rate or a new state that is not finite.
-ROTORDROP_KERNEL void squared_errors(std::size_t n_controlled, std::size_t n, const double* error, const double* before,
-                                     const double* after, const double* rates, const double* scale,
-                                     const double* tolerance, double* sums) {
+/// What the errors of a step are measured by.
+struct StepEnds {
+  const double *before, *after, *rates;  // [n][width]
+  const double *scale, *tolerance;       // [n], [width]
+};
+/// Sums of (error / (tolerance (scale + largest magnitude of both states)))^2 with the errors sum_j factor_j k_j; not a number for a lane with a rate
+/// or a new state that is not finite.
+template <int n>
+ROTORDROP_KERNEL void squared_errors_of_all(std::size_t n_controlled, std::size_t size, const double* factors,
+                                            const double* const* list, const StepEnds& ends, double* sums) {
+  const double* k[n];
+  std::copy_n(list, n, k);
+  double factor[n * width], tolerance[width];
+  std::copy_n(factors, n * width, factor);
+  std::copy_n(ends.tolerance, width, tolerance);
+  const double *before = ends.before, *after = ends.after, *rates = ends.rates;
   Octet sum;
   for (std::size_t i = 0; i < n_controlled; ++i) {
     const std::size_t at = i * width;
+    const double scale = ends.scale[i];
 #pragma omp simd
     for (std::size_t l = 0; l < width; ++l) {
+      double error = 0.;
+#pragma GCC unroll 8
+      for (int j = 0; j < n; ++j) error += factor[static_cast<std::size_t>(j) * width + l] * k[j][at + l];
       const double a = std::fabs(before[at + l]), b = std::fabs(after[at + l]);
-      const double part = error[at + l] / (tolerance[l] * (scale[i] + (a > b ? a : b)));
+      const double part = error / (tolerance[l] * (scale + (a > b ? a : b)));
       sum[l] += part * part;
     }
   }
-  for (std::size_t at = 0; at < n * width; at += width)
+  for (std::size_t at = 0; at < size * width; at += width)
 #pragma omp simd
     for (std::size_t l = 0; l < width; ++l) sum[l] += (after[at + l] - after[at + l]) + (rates[at + l] - rates[at + l]);
   std::copy(sum.value.begin(), sum.value.end(), sums);
+}
+template <int n = 1>
+ROTORDROP_KERNEL void squared_errors(std::size_t n_controlled, std::size_t size, const double* factors,
+                                     const double* const* k, int count, const StepEnds& ends, double* sums) {
+  if constexpr (n < most_stages)
+    if (count > n) return squared_errors<n + 1>(n_controlled, size, factors, k, count, ends, sums);
+  squared_errors_of_all<n>(n_controlled, size, factors, k, ends, sums);
 }
 
 /// to = from in lanes whose flag is not zero.
@@ -86,7 +109,6 @@ LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, const Lane& l
       n_(system_->layout().size()),
       n_controlled_(system_->first_quadrature()),
       y_(n_ * width),
-      error_(n_ * width),
       step_(n_step * width) {
   for (const auto& entry : system_->layout().entries()) scale_.push_back(entry.scale);
   for (int i = 0; i < pair_.n_stages; ++i) k_.emplace_back(n_ * width);
@@ -149,11 +171,9 @@ LaneIntegrator::PerLane LaneIntegrator::error_sizes() {
     k[j] = k_[j].data();
     for (std::size_t l = 0; l < width; ++l) factors[j * width + l] = tried_[l] * pair_.e[j];
   }
-  std::fill(error_.begin(), error_.end(), 0.);
-  wide<combine_lanes<1>>(n_controlled_, error_.data(), factors.data(), k.data(), pair_.n_stages, error_.data());
   PerLane sums;
-  wide<squared_errors>(n_controlled_, n_, error_.data(), y_.data(), stage_.data(), k_.back().data(), scale_.data(),
-                       tolerance_.data(), sums.data());
+  const StepEnds ends{y_.data(), stage_.data(), k_.back().data(), scale_.data(), tolerance_.data()};
+  wide<squared_errors<1>>(n_controlled_, n_, factors.data(), k.data(), pair_.n_stages, ends, sums.data());
   for (double& sum : sums) sum = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
   return sums;
 }
@@ -236,7 +256,9 @@ void LaneIntegrator::fail(std::size_t l, double size) const {
   std::vector<double> weighted(n_);
   for (std::size_t i = 0; i < n_controlled_; ++i) {
     const std::size_t at = i * width + l;
-    weighted[i] = error_[at] / (tolerance_[l] * (scale_[i] + std::max(std::fabs(y_[at]), std::fabs(stage_[at]))));
+    double error = 0.;
+    for (std::size_t j = 0; j < k_.size(); ++j) error += tried_[l] * pair_.e[j] * k_[j][at];
+    weighted[i] = error / (tolerance_[l] * (scale_[i] + std::max(std::fabs(y_[at]), std::fabs(stage_[at]))));
   }
   throw_no_step(system_->layout(), time_[l], tried_[l], weighted);
 }

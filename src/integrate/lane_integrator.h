@@ -76,7 +76,7 @@ class LaneIntegrator {
   PerLane stepped_{}, begun_{};  // 1 or 0: the last step was taken; the first one is still to come
   std::array<bool, width> runs_{}, was_rejected_{}, ends_{};
   std::vector<StepControl> control_;
-  AlignedNumbers y_, before_, stage_, error_, step_, details_;  // [n][width]
+  AlignedNumbers y_, before_, stage_, step_, details_;  // [n][width]
   PerLane within_time_{};                                       // of within_ [s]
   AlignedNumbers within_, within_rates_;                        // [n][width], made when they are asked for
   std::vector<AlignedNumbers> k_;
