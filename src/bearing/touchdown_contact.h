@@ -128,8 +128,7 @@ template <bool tilts, class Real>
   const Real along = friction + slice.share * c.lateral;
   const Real f_y = normal * c.n_y - along * c.n_z, f_z = normal * c.n_z + along * c.n_y;
   const Real &r_r = q.rotor_radius, &r_b = q.bore_radius;
-  TouchOf<Real> t{.middle = c,
-                  .on_ring = {.y = f_y, .z = f_z, .torque = friction * r_b},
+  TouchOf<Real> t{.on_ring = {.y = f_y, .z = f_z, .torque = friction * r_b},
                   .on_rotor = {.y = -f_y, .z = -f_z, .torque = -friction * r_r},
                   .elastic = slice.share * c.elastic,
                   .normal = normal,
@@ -151,6 +150,7 @@ template <bool tilts, class Real>
   return t;
 }
 
+// What is not const here and in evaluate_with() would stay in memory with GCC if it were.
 template <class Real>
 [[gnu::always_inline]] inline TouchdownBearing::TouchOf<Real> TouchdownBearing::touch(
     const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
@@ -160,8 +160,10 @@ template <class Real>
       const Touch all = touch_of_free_ring(in, growth, y, bristle_rates, shape_forces);
       return all;
     }
-  return touch_in_slice<false>(q, contact_in_slice<false>(q, in, growth, y, bore_middle, bristle_rates, shape_forces),
-                               bore_middle);
+  ContactOf<Real> c = contact_in_slice<false>(q, in, growth, y, bore_middle, bristle_rates, shape_forces);
+  TouchOf<Real> t = touch_in_slice<false>(q, c, bore_middle);
+  t.middle = c;
+  return t;
 }
 
 }  // namespace rotordrop

@@ -132,7 +132,6 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
       by_rotor = {shapes.by_rotor.data(), data_.bending->n_inner()};
       lend_shapes(shapes, rows_in);
     }
-  // Neither const nor copied in parts: GCC would keep it in memory.
   TouchOf<Real> t = touch(q, in, grown, y, dydt.subspan(bristles_at(), n_bristles()), by_rotor);
   const BallForcesOf<Real> balls = ball_forces(rows, rows_in, !out.observed.empty());
   const auto& on_rotor = t.on_rotor;

@@ -48,7 +48,7 @@ struct TouchdownBearing::ContactOf {
 
 template <class Real>
 struct TouchdownBearing::TouchOf {
-  ContactOf<Real> middle;                          // at the middle of the bore; the penetration is the largest along it
+  ContactOf<Real> middle = {};                     // at the middle of the bore; the penetration is the largest along it
   ForceOf<Real> on_ring, on_rotor;                 // moments about each one's centre
   Real elastic = 0, normal = 0, friction = 0;      // of the bore [N]
   Real shoulder = 0;                               // normal force of shoulders on the ring, along +x [N]
@@ -57,7 +57,7 @@ struct TouchdownBearing::TouchOf {
   Real centres_power = 0;                          // friction force times the slip that is not spin [W]
   MaskOf<Real> is_touching = false;
 
-  /// Of another slice; which one is the middle stays.
+  /// Of another slice; the middle stays.
   TouchOf& operator+=(const TouchOf& other) {
     on_ring += other.on_ring;
     on_rotor += other.on_rotor;

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace rotordrop {
 namespace {
@@ -131,6 +133,36 @@ TEST(ThermalNetwork, TakesTheRubHeatAsItIsDivided) {
   const auto r = rates(network, {ambient, ambient}, h);
   EXPECT_NEAR(r.of_temperature[1], 1000. / 3. / 40., 1e-9) << "K/s";
   EXPECT_NEAR(r.of_temperature[0], 2000. / 3. / 100., 1e-9) << "K/s";
+}
+
+TEST(LinearFlows, AreTheSumsOfTheirColumns) {
+  // Rows are looked at in vectors of eight, the last of them not full: all remainders.
+  for (std::size_t n_nodes = 1; n_nodes <= 34; ++n_nodes) {
+    constexpr std::size_t n_places = 2;
+    LinearFlows flows(n_nodes, n_places);
+    const auto number = [](std::size_t a, std::size_t b) { return std::sin(1. + static_cast<double>(7 * a + 3 * b)); };
+    for (std::size_t row = 0; row <= n_nodes; ++row) {
+      for (std::size_t node = 0; node < n_nodes; ++node) flows.by_rise(row, node) = number(row, node);
+      for (std::size_t port = 0; port < 4 * n_places; ++port)
+        flows.by_port(row, port / 4, port % 4) = number(row, n_nodes + port);
+    }
+    std::vector<double> T(n_nodes), rate(n_nodes + 1, 4711.);
+    for (std::size_t node = 0; node < n_nodes; ++node) T[node] = ambient + number(node, 100);
+    const std::vector<HeatInput> given = {heat(300., 20., 5.), heat(-70., 3., 40.)};
+    const double lost = flows.rates(T, ambient, given, {rate.data(), n_nodes});
+    EXPECT_EQ(rate[n_nodes], 4711.) << "nothing is written behind the nodes";
+    for (std::size_t row = 0; row <= n_nodes; ++row) {
+      double expected = 0.;
+      for (std::size_t node = 0; node < n_nodes; ++node) expected += number(row, node) * (T[node] - ambient);
+      for (std::size_t place = 0; place < n_places; ++place) {
+        const HeatInput& h = given[place];
+        const std::array<double, 4> watts = {h.rub_into_ring, h.rub - h.rub_into_ring, h.inner, h.outer};
+        for (std::size_t port = 0; port < 4; ++port) expected += number(row, n_nodes + 4 * place + port) * watts[port];
+      }
+      // Sums of some 40 numbers of up to 200.
+      EXPECT_NEAR(row < n_nodes ? rate[row] : lost, expected, 40. * 200. * 2.2e-16) << n_nodes << " nodes, row " << row;
+    }
+  }
 }
 
 TEST(ThermalNetwork, GrowthIsLinearInTheRises) {
