@@ -112,7 +112,7 @@ Section<RotorParameters> rotor_section() {
                {"rigid", RotorRepresentation::rigid}},
               {.fallback = "modal",
                .source = "trial model: peak force +34 % rigid, +11 % with 1 kHz, 0.7 % with 5 kHz, all against full",
-               .help = "modal: free-free modes up to cut_off_frequency. full: all modes, exact, a hundred times "
+               .help = "modal: free-free modes up to cut_off_frequency. full: all modes, exact, some five times "
                        "slower. rigid: no bending modes."})
       .quantity("cut_off_frequency", &RotorParameters::cut_off_frequency,
                 {.unit = "Hz",
