@@ -74,10 +74,10 @@ struct DropMask {
     return r;
   }
   DropMask& operator|=(const DropMask& b) { return *this = *this | b; }
+  // By one instruction where there is one: GCC would take the lanes out of a register one by one.
   ROTORDROP_LANE_WORD bool any(const DropMask& a) {
     Bits all = a.part[0];
     for (int i = 1; i < n; ++i) all |= a.part[i];
-      // One by one, as GCC would take them out of a register, costs as much as a third of a ball.
 #if defined(__AVX512DQ__)
     if constexpr (width == 8) return _mm512_movepi64_mask(reinterpret_cast<__m512i>(all)) != 0;
 #endif

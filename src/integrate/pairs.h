@@ -138,7 +138,7 @@ class StepControl {
   }
   /// What a step is to be multiplied by that was accepted with an error of so many times what is allowed.
   /// PI control. Source: the same, IV.2, which has beta from 0.04 to 0.08. With 0.06 hardly any step of a rotor with all its modes is rejected, whose
-  /// steps stability bounds; with 0.04 every seventh was. 0.08 costs the pair of order five 8 % more steps of the reference drop.
+  /// steps stability bounds; with 0.04 every seventh was. 0.08 costs the pair of order five 8 % more right-hand sides of the reference drop.
   [[nodiscard]] double after_acceptance(double size, bool was_rejected) {
     constexpr double beta = 0.06;
     const double exponent = 1. / order_ - 0.75 * beta, logarithm = std::log(std::max(size, 1e-10));

@@ -17,7 +17,6 @@ void Machine::fit(EvaluationOf<Real>& e) const {
     e.forces.resize(places_.size());
     e.heats.assign(n_thermal_places(), {});
   }
-  if (!heats_rows_) return;
   for (std::size_t i = 0; i < places_.size(); ++i)
     if (auto& rows = e.outputs[i].heat.rows; rows.size() != places_[i].n_rows) rows.resize(places_[i].n_rows);
 }

@@ -94,7 +94,6 @@ void Machine::lay_out_ledgers() {
     places_[i].ledger = layout_.size();
     places_[i].n_own = own.size();
     places_[i].n_rows = parts_.supports[i]->n_heated_rows();
-    heats_rows_ = heats_rows_ || places_[i].n_rows > 0;
     for (std::size_t row = 1; row <= places_[i].n_rows; ++row)
       for (const std::string race : {"inner", "outer"})
         entries.push_back({"row " + std::to_string(row) + " " + race + " heat", "J", 10.,

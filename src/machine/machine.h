@@ -207,7 +207,6 @@ class Machine final {
   std::vector<HeatedPort> heated_ports_;
   ThermalBlock immediate_;  // of the immediate growth
   std::vector<Place> places_;
-  bool heats_rows_ = false;  // of some place apart
   struct PlaceLedger {
     std::size_t first = 0, rows = 0,
                 n_rows = 0;  // where the ledgers of its support begin, and those of its rows; how many rows
