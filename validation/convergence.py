@@ -55,9 +55,9 @@ SETTINGS = (
     + [(f"{m}, {t:g}", dict(integration__method=m, integration__tolerance=t)) for m, list_of in TOLERANCES.items() for t in list_of])
 
 
-def air_gaps(shifts):
+def air_gaps(shifts, spacing=0.11e-6):
     """Where in a step a contact closes is chance. These starts, twelve for every shift [m], differ by their air gaps; each has a fine reference of its own."""
-    return [250e-6 + shift + 0.11e-6 * k for shift in shifts for k in range(12)]
+    return [250e-6 + shift + spacing * k for shift in shifts for k in range(12)]
 
 
 def study_of_steps(runs, lines, points, gaps):
@@ -146,8 +146,9 @@ def main():
     parser.add_argument("--write", default=str(ROOT / "docs/theory"), help="folder of convergence.md")
     parser.add_argument("--images", default=str(ROOT / "docs/images"), help="folder of the figure")
     parser.add_argument("--shifts", type=float, nargs="+", default=[0.0], help="of the air gaps of twelve starts each [m]")
+    parser.add_argument("--spacing", type=float, default=0.11e-6, help="of the air gaps [m]")
     options = parser.parse_args()
-    gaps = air_gaps(options.shifts)
+    gaps = air_gaps(options.shifts, options.spacing)
     points, tables = [], {"steps": [], "modes": [], "spread": []}
     with tempfile.TemporaryDirectory() as scratch:
         runs = Runs(options.program, options.work or scratch)
