@@ -28,19 +28,21 @@ class DropLoop::GrowthWatch {
 /// Without an integrator it is the start.
 class DropLoop::EndedStep final : public Step {
  public:
-  EndedStep(const Integrator* integrator, Followers& followers) : integrator_(integrator), followers_(followers) {}
+  EndedStep(const Integrator* integrator, const Followers& followers)
+      : integrator_(integrator), followers_(followers) {}
   void interpolate(double t, std::span<double> y) const override {
-    if (!integrator_) {
+    if (t == time)
       std::copy(after.begin(), after.end(), y.begin());
-      return;
-    }
-    integrator_->interpolate(t, y.first(integrator_->state().size()));
-    followers_.advance(t - start, before, y);
+    else if (t == start)
+      std::copy(before.begin(), before.end(), y.begin());
+    else
+      integrator_->interpolate(t, y.first(after.size()));
+    followers_.fill(t, y);
   }
 
  private:
   const Integrator* integrator_;
-  Followers& followers_;
+  const Followers& followers_;
 };
 
 DropLoop::DropLoop(const Machine& machine, const IntegrationParameters& integration, const RunParameters& run,
@@ -68,7 +70,6 @@ bool DropLoop::run(const std::function<bool()>& is_stopped) {
   has_end_rates_ = integrator_->evaluate_ends_with(
       [this](double t, std::span<const double> y, std::span<double> dydt) { machine_.evaluate(t, y, dydt, found_); });
   show_start();
-  hold_for_followers();
   while (!is_at_end()) {
     integrator_->advance();
     follow_step();
@@ -90,26 +91,21 @@ bool DropLoop::follow_step() {
   if (step.is_observed && growth_->has_changed(step.time)) evaluate_end(step.time, step.after);
   time_ = step.time;
   state_.swap(after_);
-  followers_.hold(found_);
+  followers_.follow(step.start, time_, state_, found_);
   return is_at_end();
 }
 
 void DropLoop::show_start() {
   if (time_ > 0.) return;
   EndedStep first(nullptr, followers_);
-  first.before = first.after = state_;
+  first.before = first.after = std::span(state_).first(machine_.integrated_layout().size());
   machine_.evaluate(0., state_, found_);
+  followers_.begin(0., state_, found_);
   integrator_->offer_rates(found_.rates);
   end_.follow(0., found_.step, machine_.spin(state_).speed);
   first.is_observed = true;
   first.found = &found_;
   show(first);
-}
-
-void DropLoop::hold_for_followers() {
-  if (followers_.empty()) return;
-  if (time_ > 0.) machine_.evaluate(time_, state_, found_);
-  followers_.hold(found_);
 }
 
 void DropLoop::show(const Step& step) {
@@ -120,10 +116,10 @@ DropLoop::EndedStep DropLoop::ended_step() {
   EndedStep step(integrator_.get(), followers_);
   step.start = time_;
   step.time = integrator_->time();
-  std::copy(integrator_->state().begin(), integrator_->state().end(), after_.begin());
-  followers_.advance(step.time - step.start, state_, after_);
-  step.before = state_;
-  step.after = after_;
+  const std::span<const double> integrated = integrator_->state();
+  std::copy(integrated.begin(), integrated.end(), after_.begin());
+  step.before = std::span(state_).first(integrated.size());
+  step.after = std::span(after_).first(integrated.size());
   step.found = &found_;
   step.is_observed = is_to_be_observed(step.time);
   if (step.is_observed) {
@@ -148,6 +144,11 @@ bool DropLoop::is_to_be_observed(double t) const {
                      [t](const Observer* observer) { return is_same_time(observer->due(), t); });
 }
 
+std::span<const double> DropLoop::state() const {
+  followers_.fill(time_, state_);
+  return state_;
+}
+
 IntegrationStatistics DropLoop::statistics() const {
   IntegrationStatistics s = integrator_ ? integrator_->statistics() : IntegrationStatistics{};
   s.steps += earlier_.steps;
@@ -161,6 +162,10 @@ void DropLoop::pack(PackedValues& to) const {
   to["loop"] = {static_cast<double>(s.steps), static_cast<double>(s.rhs_evaluations),
                 static_cast<double>(s.rejected_steps), observed_time_};
   to["end condition"] = end_.packed();
+  if (!followers_.empty()) {
+    auto& values = to["followers"] = {followers_.time()};
+    values.insert(values.end(), followers_.state().begin(), followers_.state().end());
+  }
   for (const Observer* observer : observers_) observer->pack(to);
 }
 
@@ -173,6 +178,14 @@ void DropLoop::unpack(double time, std::span<const double> state, const PackedVa
   for (Observer* observer : observers_) observer->unpack(from);
   time_ = time;
   std::copy(state.begin(), state.end(), state_.begin());
+  if (!followers_.empty()) {
+    const auto& values = from.at("followers");
+    if (values.size() != 1 + state_.size() || !(values.front() <= time))
+      throw std::invalid_argument("a checkpoint of another kind");
+    const auto begun = std::span(values).subspan(1);
+    machine_.evaluate(values.front(), begun, found_);
+    followers_.begin(values.front(), begun, found_);
+  }
   earlier_ = {static_cast<long>(loop[0]), static_cast<long>(loop[1]), static_cast<long>(loop[2])};
   observed_time_ = loop[3];
 }

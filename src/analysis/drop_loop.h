@@ -45,7 +45,7 @@ class DropLoop {
   [[nodiscard]] const IntegrationParameters& integration() const { return integration_; }
   [[nodiscard]] const Machine& machine() const { return machine_; }
   [[nodiscard]] double end_time() const { return end_time_; }  ///< the latest [s]
-  [[nodiscard]] std::span<const double> state() const { return state_; }
+  [[nodiscard]] std::span<const double> state() const;
   [[nodiscard]] bool is_at_end() const { return time_ >= end_time_ || end_.is_reached(); }
   [[nodiscard]] bool condition_is_met() const { return end_.is_reached(); }
   /// Over all parts of a resumed run.
@@ -63,7 +63,6 @@ class DropLoop {
   void show(const Step& step);
   EndedStep ended_step();
   void evaluate_end(double t, std::span<const double> y);
-  void hold_for_followers();
   [[nodiscard]] bool is_to_be_observed(double t) const;
 
   const Machine& machine_;
@@ -73,7 +72,9 @@ class DropLoop {
   MachineSystem system_;
   Evaluation found_;  ///< at ends of steps
   Followers followers_;
-  std::vector<double> state_, after_;  ///< at the start and at the end of a step that is shown
+  /// At the start and at the end of a step that is shown; what follows is filled in where it is asked for.
+  mutable std::vector<double> state_;
+  std::vector<double> after_;
   std::vector<Observer*> observers_;
   std::unique_ptr<Integrator> integrator_;
   bool has_end_rates_ = false;  ///< the method evaluates ends of steps into found_

@@ -16,12 +16,11 @@ ScheduledRows::ScheduledRows(const char* name, const Machine& machine, RowSchedu
 void ScheduledRows::step(const Step& step) {
   while (schedule_.due() < step.time && !is_same_time(schedule_.due(), step.time)) {
     const double t = schedule_.due();
-    if (needs_state(t)) step.interpolate(t, state_);
-    write(t, state_);
+    write(t, needs_state(t) ? state_at(step, t) : state_);
   }
   if (!step.is_observed) return;
   schedule_.follow(step.time, step.found->step);
-  if (wants_before_change() && schedule_.is_awoken(step.start)) write(step.start, step.before);
+  if (wants_before_change() && schedule_.is_awoken(step.start)) write(step.start, state_at(step, step.start));
   if (is_same_time(schedule_.due(), step.time) || step.is_last) write_end(step);
 }
 

@@ -34,9 +34,14 @@ class ScheduledRows : public Observer {
   /// The row of a state, which was not evaluated yet. @param y  anything if the row does not need it
   virtual void write(double t, std::span<const double> y) = 0;
   /// That of the step's end, which may have been.
-  virtual void write_end(const Step& step) { write(step.time, step.after); }
+  virtual void write_end(const Step& step) = 0;
   /// Whether a change after a long interval without any gets a row at the beginning of the step that brought it.
   [[nodiscard]] virtual bool wants_before_change() const { return false; }
+  /// The state there; it stays until the next call.
+  std::span<const double> state_at(const Step& step, double t) {
+    step.interpolate(t, state_);
+    return state_;
+  }
   /// @param is_whole  the row holds all that its sinks may need
   void give(double t, std::span<const double> row, bool is_whole = true) {
     tell(t, row, is_whole);
@@ -91,7 +96,7 @@ class SeriesRows final : public ScheduledRows {
   void write_end(const Step& step) override {
     settle();
     if (step.is_last) watched_ = -1.;
-    write(step.time, step.after, *step.found);
+    write(step.time, state_at(step, step.time), *step.found);
   }
   [[nodiscard]] bool wants_before_change() const override { return true; }
   void write(double t, std::span<const double> y, const Evaluation& found);

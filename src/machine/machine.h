@@ -50,8 +50,8 @@ class Machine final {
       std::string group;  ///< of its datasets, "/thermal/"
       std::unique_ptr<ThermalModel> model;
       bool is_unmarked = false;  ///< its ledgers and keys carry no name
-      bool follows =
-          false;  ///< advances once for every step, behind it (Followers): nothing depends on its temperatures
+      bool follows = false;      ///< advances behind the integration (Followers): nothing depends on its temperatures
+      double longest_step = 0;   ///< of one that follows [s]
       /// Before what results call its heat: "", "fe_".
       [[nodiscard]] std::string prefix() const { return is_unmarked ? "" : name + "_"; }
     };

@@ -15,11 +15,11 @@ using PackedValues = std::map<std::string, std::vector<double>>;
 /// A step that a run has taken, as its observers see it. The first one has no length: the run's start.
 struct Step {
   double start = 0, time = 0;             ///< [s]
-  std::span<const double> before, after;  ///< states at start and at time
+  std::span<const double> before, after;  ///< what is integrated, at start and at time
   bool is_observed = false;               ///< whether `found` holds an evaluation at `time`, with the step observables
   bool is_last = false;                   ///< the run ends here
   const Evaluation* found = nullptr;
-  /// State at a time within the step. @throws SolverError for one outside
+  /// Whole state at a time within the step. @throws SolverError for one outside
   virtual void interpolate(double t, std::span<double> y) const = 0;
 
  protected:

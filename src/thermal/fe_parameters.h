@@ -32,6 +32,7 @@ struct FeParameters {
   FeCoupling coupling = FeCoupling::reduced;
   int degree = 2, modes = 0;
   double response_tolerance = 0;
+  double longest_step = 0;  ///< [s]
   HeatLinearSolver solver = HeatLinearSolver::direct;
   double window_tolerance = 0, longest_window = 0;
   std::vector<double> field_times;       ///< [s]

@@ -52,7 +52,8 @@ void add_thermal_models(const MachineParameters& p, const Node& case_node, Finit
     // All modes of a mesh are the reference by which steps are judged.
     const bool is_reference = kind->meshes_sections && p.thermal.fe.coupling == FeCoupling::monolithic;
     const bool follows = !is_felt && !is_reference && model->can_follow();
-    parts.thermal.push_back({kind->name, kind->group, std::move(model), kind->is_unmarked, follows});
+    parts.thermal.push_back({kind->name, kind->group, std::move(model), kind->is_unmarked, follows,
+                             kind->meshes_sections ? p.thermal.fe.longest_step : 0.});
   }
   faults.throw_if_any();
   if (driver == recorded_driver) parts.prescribed_growth = std::move(recorded);

@@ -60,7 +60,9 @@ void DropCheckpoints::step(const Step& step) {
   const auto now = Clock::now();
   if (std::chrono::duration<double>(now - last_).count() <= interval_) return;
   last_ = now;
-  write(directory_ / "checkpoints", step.time, step.after);
+  std::vector<double> state(entry_names_.size());
+  step.interpolate(step.time, state);
+  write(directory_ / "checkpoints", step.time, state);
 }
 
 void DropCheckpoints::save() { write(directory_ / "checkpoints", drop_.loop().time(), drop_.loop().state()); }

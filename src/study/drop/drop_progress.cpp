@@ -11,6 +11,7 @@ DropProgress::DropProgress(const Machine& machine, const Drop& drop, const Growt
       drop_(drop),
       report_(std::move(report)),
       observed_(observed_size(machine.state_observables())),
+      state_(machine.layout().size()),
       inner_rings_(columns_of(machine.state_observables(), Observed::inner_ring_temperature)) {
   found_.growth_in_force = growth_in_force;
 }
@@ -22,7 +23,8 @@ void DropProgress::begin(double time) {
 
 void DropProgress::step(const Step& step) {
   if (!report_ || ++counter_ % 64 != 0 || Clock::now() - last_ < std::chrono::milliseconds(200)) return;
-  tell(step.time, step.after);
+  step.interpolate(step.time, state_);
+  tell(step.time, state_);
   last_ = Clock::now();
 }
 

@@ -35,7 +35,7 @@ class DropProgress final : public Observer {
   const Drop& drop_;
   Report report_;
   Evaluation found_;
-  std::vector<double> observed_;
+  std::vector<double> observed_, state_;
   std::vector<ObservedColumns> inner_rings_;
   Clock::time_point begin_ = Clock::now(), last_ = begin_;
   double start_time_ = 0;
