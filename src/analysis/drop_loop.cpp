@@ -114,7 +114,7 @@ void DropLoop::show(const Step& step) {
 
 DropLoop::EndedStep DropLoop::ended_step() {
   EndedStep step(integrator_.get(), followers_);
-  step.start = time_;
+  step.start = last_start_ = time_;
   step.time = integrator_->time();
   const std::span<const double> integrated = integrator_->state();
   std::copy(integrated.begin(), integrated.end(), after_.begin());
@@ -163,7 +163,7 @@ void DropLoop::pack(PackedValues& to) const {
                 static_cast<double>(s.rejected_steps), observed_time_};
   to["end condition"] = end_.packed();
   if (!followers_.empty()) {
-    auto& values = to["followers"] = {followers_.time()};
+    auto& values = to["followers"] = {last_start_, followers_.time()};
     values.insert(values.end(), followers_.state().begin(), followers_.state().end());
   }
   for (const Observer* observer : observers_) observer->pack(to);
@@ -180,11 +180,15 @@ void DropLoop::unpack(double time, std::span<const double> state, const PackedVa
   std::copy(state.begin(), state.end(), state_.begin());
   if (!followers_.empty()) {
     const auto& values = from.at("followers");
-    if (values.size() != 1 + state_.size() || !(values.front() <= time))
+    if (values.size() != 2 + state_.size() || !(values[1] <= time))
       throw std::invalid_argument("a checkpoint of another kind");
-    const auto begun = std::span(values).subspan(1);
-    machine_.evaluate(values.front(), begun, found_);
-    followers_.begin(values.front(), begun, found_);
+    last_start_ = values[0];
+    const auto begun = std::span(values).subspan(2);
+    machine_.evaluate(values[1], begun, found_);
+    followers_.begin(values[1], begun, found_);
+    // While a step is shown, it has not been followed yet.
+    machine_.evaluate(time_, state_, found_);
+    followers_.follow(last_start_, time_, state_, found_);
   }
   earlier_ = {static_cast<long>(loop[0]), static_cast<long>(loop[1]), static_cast<long>(loop[2])};
   observed_time_ = loop[3];

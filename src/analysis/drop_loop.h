@@ -69,6 +69,7 @@ class DropLoop {
   IntegrationParameters integration_;
   RunEnd end_;
   double end_time_, time_ = 0, observed_time_ = 0;
+  double last_start_ = 0;  ///< of the step that was shown last
   MachineSystem system_;
   Evaluation found_;  ///< at ends of steps
   Followers followers_;

@@ -181,6 +181,44 @@ TEST(Followers, GoOnFromPackedValuesToTheSameBits) {
   EXPECT_EQ(second.result().state, whole.result().state);
 }
 
+/// Packs a drop while it shows some of its steps.
+class PackingWhileShown final : public Observer {
+ public:
+  PackingWhileShown(Drop& drop, const Machine& machine) : drop_(drop), state_(machine.layout().size()) {}
+  struct Packed {
+    double time;
+    std::vector<double> state;
+    PackedValues values;
+  };
+  std::vector<Packed> packed;
+  void step(const Step& step) override {
+    if (step.time < 12e-3 || packed.size() == 12) return;
+    step.interpolate(step.time, state_);
+    packed.push_back({step.time, state_, {}});
+    drop_.loop().pack(packed.back().values);
+  }
+
+ private:
+  Drop& drop_;
+  std::vector<double> state_;
+};
+
+TEST(Followers, GoOnFromStepsThatWereShown) {
+  const auto machine = machine_with(
+      Second::follows, {"integration.method=runge-kutta-4", "integration.step=10 us", "run.end_time=13 ms"}, 50e-6);
+  Drop whole = drop_of(machine);
+  PackingWhileShown packing(whole, *machine);
+  whole.loop().add(packing);
+  whole.run();
+  ASSERT_EQ(packing.packed.size(), 12U) << "more than two steps of theirs";
+  for (const auto& packed : packing.packed) {
+    Drop second = drop_of(machine);
+    second.loop().unpack(packed.time, packed.state, packed.values);
+    second.run();
+    EXPECT_EQ(second.result().state, whole.result().state) << packed.time;
+  }
+}
+
 TEST(Followers, StayWhereTheyAreInAStepOfNoLength) {
   const auto machine = machine_with(Second::follows);
   std::vector<double> before(machine->layout().size());
