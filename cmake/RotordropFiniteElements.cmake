@@ -18,3 +18,12 @@ find_library(ROTORDROP_MPI NAMES mpi REQUIRED)
 target_link_libraries(rotordrop_dealii INTERFACE umfpack cholmod ${ROTORDROP_PETSC} ${ROTORDROP_MPI})
 # The usual linker takes 9 s for what lld does in half a second.
 target_link_options(rotordrop_dealii INTERFACE -fuse-ld=lld -Wl,--as-needed)
+
+# Leaves the list beside a module by which the program opens its libraries (src/case/modules/load_module.cpp).
+function(rotordrop_list_libraries module)
+  if(CMAKE_CROSSCOMPILING)
+    return()  # ldd runs on the machine that the module is for
+  endif()
+  add_custom_command(TARGET ${module} POST_BUILD VERBATIM
+    COMMAND ${CMAKE_SOURCE_DIR}/cmake/list_libraries $<TARGET_FILE:${module}> > $<TARGET_FILE:${module}>.libraries)
+endfunction()

@@ -6,6 +6,8 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rotordrop)
 install(TARGETS rotordrop RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT core)
 if(ROTORDROP_FE)
   install(TARGETS rotordrop_fe rotordrop_mesh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rotordrop COMPONENT fe)
+  install(FILES $<TARGET_FILE:rotordrop_fe>.libraries $<TARGET_FILE:rotordrop_mesh>.libraries
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/rotordrop COMPONENT fe OPTIONAL)
 endif()
 # Modules of studies: with a package of their own (OpenTURNS and MPI are large, and few need them).
 foreach(module rotordrop_mpi rotordrop_surrogate)
@@ -19,6 +21,8 @@ install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rotordrop COMPONE
 install(DIRECTORY params DESTINATION ${data} COMPONENT core)
 install(DIRECTORY examples/ DESTINATION ${data}/examples COMPONENT core PATTERN __pycache__ EXCLUDE)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core)
+# The program contains HDF5 (RotordropLibraries.cmake).
+install(FILES /usr/share/doc/libhdf5-dev/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright.hdf5 COMPONENT core OPTIONAL)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")
 install(DIRECTORY ${ROTORDROP_HTML}/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html COMPONENT core OPTIONAL)
 

@@ -27,7 +27,7 @@ OUTPUT_TIMES = [1e-3, 2e-3, 4e-3, 0.01, 0.03, 0.1, 0.3]
 RUNS = 9
 TARGET = 1e-3
 
-OURS = {"cells": 2, "grading": 25, "growth": 2.0, "time_tolerance": 1e-2}
+OURS = {"cells": 2, "grading": 25, "end_grading": 1, "growth": 2.0, "time_tolerance": 1e-2}
 OURS_FINE = {"cells": 24, "grading": 60, "growth": 1.25, "time_tolerance": 1e-8}
 THEIRS = {"nx": 2, "nX": 4, "nr": 16, "nR": 3, "grade": 4.5, "gradeHousing": 0.5, "solver": "Cholesky"}
 THEIRS_FINE = {"nx": 20, "nX": 30, "nr": 60, "nR": 24, "grade": 4.5, "gradeHousing": 2.0}

@@ -32,7 +32,7 @@ class Package(build_py):
         shutil.rmtree(target, ignore_errors=True)
         shutil.copytree(BUILD / "python/rotordrop", target, ignore=shutil.ignore_patterns("__pycache__"))
         shutil.copytree(ROOT / "params", target / "params")
-        modules = [BUILD / name for name in ("rotordrop_fe.so", "rotordrop_mesh.so") if (BUILD / name).is_file()]
+        modules = [BUILD / name for name in ("rotordrop_fe.so", "rotordrop_fe.so.libraries", "rotordrop_mesh.so", "rotordrop_mesh.so.libraries") if (BUILD / name).is_file()]
         if modules:
             (target / "modules").mkdir()
         for module in modules:
