@@ -83,14 +83,15 @@ Section<FeParameters> fe_section() {
        .help =
            "Largest relative error of the reduced coupling's response to heat, for every port and every mean "
            "temperature of a body, from 0.1 ms to 1000 s or the end of the run. It sets the number of modes kept."});
-  s.quantity("longest_step", &P::longest_step,
-             {.unit = "s",
-              .range = between(0, 1e-3),
-              .usual = at_most(2e-4),
-              .fallback = "100 us",
-              .source = "the shortest time whose responses response_tolerance bounds",
-              .help = "Steps of the motion are one step of reduced sections that follow it, while together they are no "
-                      "longer than this. 0: each step is one of theirs."});
+  s.quantity(
+      "longest_step", &P::longest_step,
+      {.unit = "s",
+       .range = between(0, 1e-3),
+       .usual = at_most(2e-4),
+       .fallback = "100 us",
+       .source = "the shortest time whose responses response_tolerance bounds",
+       .help = "Steps of the motion are one step of reduced sections that follow it, as long as another one like "
+               "the last would fit into this. 0: each step is one of theirs."});
   s.choice("solver", &P::solver, linear_solvers(), {.fallback = "automatic", .help = linear_solver_help});
   s.quantity("window_tolerance", &P::window_tolerance,
              {.unit = "m",
