@@ -401,7 +401,7 @@ Note: Google Test filter = A.Holds
         self.assertEqual(verification.tables_between_markers(text), {"steps": [["a", "b"], ["1", "2"]]})
 
     def test_the_tables_of_convergence_are_found_in_the_document(self):
-        self.assertEqual(set(verification.tables_between_markers((ROOT / "docs/theory/convergence.md").read_text())), {"steps", "modes", "spread"})
+        self.assertEqual(set(verification.tables_between_markers((ROOT / "docs/theory/convergence.md").read_text())), {"steps", "starts", "modes", "spread"})
 
 
 class Document(unittest.TestCase):
