@@ -22,6 +22,7 @@ BEARINGS = ("TB1", "TB2")
 class Runs:
     def __init__(self, program, work):
         self.program, self.work = program, pathlib.Path(work)
+        self.references = {}  # by air gap [m]
 
     def run(self, name, case, **settings):
         """Runs a case; settings are parameters with __ for the dot. Returns times, orbits [m] of all bearings, and the summary."""
@@ -65,24 +66,24 @@ def air_gaps(shifts, first, spacing):
 FINE = dict(integration__method="runge-kutta-4", integration__step=0.5e-6)
 
 
-def fine_starts(runs, gaps):
-    """Air gaps with their references."""
-    return [(gap, runs.run(f"settling-fine-{k}", "neisi2019-settling", contact__air_gap=gap, **FINE)) for k, gap in enumerate(gaps)]
-
-
-def from_starts(runs, starts, settings):
-    """Errors of the orbits [um] and summaries from all starts."""
-    found = [(runs.run("settling", "neisi2019-settling", contact__air_gap=gap, **settings), reference) for gap, reference in starts]
-    return np.array([largest_distance(run, reference) for run, reference in found]), [run[2] for run, _ in found]
+def from_starts(runs, gaps, settings):
+    """Errors of the orbits [um] and summaries from all starts, each against its own fine reference."""
+    errors, summaries = [], []
+    for gap in gaps:
+        if gap not in runs.references:
+            runs.references[gap] = runs.run("settling-fine", "neisi2019-settling", contact__air_gap=gap, **FINE)
+        run = runs.run("settling", "neisi2019-settling", contact__air_gap=gap, **settings)
+        errors.append(largest_distance(run, runs.references[gap]))
+        summaries.append(run[2])
+    return np.array(errors), summaries
 
 
 def study_of_steps(runs, lines, points, gaps):
-    starts = fine_starts(runs, gaps)
     table = runs.run("table-fine", "neisi2019", run__end_time=0.02, **FINE)
     lines += [f"| method, step or tolerance | steps | right-hand sides | CPU [s] | settling, to 0.3 s: median, worst of {len(gaps)} starts [um] | table, to 20 ms [um] | energy residual, worst [J] |",
               "|---|---|---|---|---|---|---|"]
     for name, settings in SETTINGS:
-        errors, summaries = from_starts(runs, starts, settings)
+        errors, summaries = from_starts(runs, gaps, settings)
         steps, evaluations = (int(np.median([s["run"][key] for s in summaries])) for key in ("steps", "rhs_evaluations"))
         cpu = np.median([s["run"]["cpu_time"] for s in summaries])
         residual = max((s["energy"]["residual"] for s in summaries), key=abs)
@@ -98,12 +99,11 @@ ALLOWED = 0.2  # [um]
 
 def study_of_starts(runs, lines, gaps):
     """Many starts: what a worst case of twelve is worth, and how many orbits stay near their references to the end."""
-    starts = fine_starts(runs, gaps)
     lines += [f"| method, tolerance | right-hand sides | median [um] | root mean square [um] | worst [um], and of each twelve | within {ALLOWED} um, of {len(gaps)} | energy residual, worst [J] |",
               "|---|---|---|---|---|---|---|"]
     for method, tolerances in WORTH_THEIR_COST.items():
         for tolerance in tolerances:
-            errors, summaries = from_starts(runs, starts, dict(integration__method=method, integration__tolerance=tolerance))
+            errors, summaries = from_starts(runs, gaps, dict(integration__method=method, integration__tolerance=tolerance))
             evaluations = int(np.median([s["run"]["rhs_evaluations"] for s in summaries]))
             residual = max((s["energy"]["residual"] for s in summaries), key=abs)
             twelves = ", ".join(f"{errors[i:i + 12].max():.3f}" for i in range(0, len(errors), 12))
@@ -180,21 +180,18 @@ def main():
     parser.add_argument("--shifts", type=float, nargs="+", help="of the air gaps of twelve starts each [m]; steps: 0, starts: 0 0.033e-6 0.067e-6")
     parser.add_argument("--first", type=float, default=250e-6, help="air gap of the first start [m]")
     parser.add_argument("--spacing", type=float, default=0.11e-6, help="of the air gaps [m]")
-    studies = ("steps", "starts", "modes", "spread")
-    parser.add_argument("--only", nargs="+", choices=studies, default=studies, help="these tables")
+    names = ("steps", "starts", "modes", "spread")
+    parser.add_argument("--only", nargs="+", choices=names, default=names, help="these tables")
     options = parser.parse_args()
     gaps = air_gaps(options.shifts or [0.0], options.first, options.spacing)
-    points, tables = [], {name: [] for name in studies if name in options.only}
+    many_gaps = air_gaps(options.shifts or [0.0, 0.033e-6, 0.067e-6], options.first, options.spacing)
+    points, tables = [], {name: [] for name in names if name in options.only}
     with tempfile.TemporaryDirectory() as scratch:
         runs = Runs(options.program, options.work or scratch)
-        if "steps" in tables:
-            study_of_steps(runs, tables["steps"], points, gaps)
-        if "starts" in tables:
-            study_of_starts(runs, tables["starts"], air_gaps(options.shifts or [0.0, 0.033e-6, 0.067e-6], options.first, options.spacing))
-        if "modes" in tables:
-            study_of_modes(runs, tables["modes"])
-        if "spread" in tables:
-            study_of_spread(runs, tables["spread"])
+        studies = {"steps": lambda lines: study_of_steps(runs, lines, points, gaps), "starts": lambda lines: study_of_starts(runs, lines, many_gaps),
+                   "modes": lambda lines: study_of_modes(runs, lines), "spread": lambda lines: study_of_spread(runs, lines)}
+        for name, lines in tables.items():
+            studies[name](lines)
     images = pathlib.Path(options.images)
     images.mkdir(parents=True, exist_ok=True)
     page = pathlib.Path(options.write) / "convergence.md"
