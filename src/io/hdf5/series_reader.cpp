@@ -1,5 +1,7 @@
 #include "io/hdf5/series_reader.h"
 
+#include <algorithm>
+
 #include "base/errors.h"
 #include "io/hdf5/recorded_series.h"
 
@@ -25,6 +27,30 @@ bool has_object(hid_t file, const std::string& path) {
   }
 }
 
+namespace {
+
+using Extents = std::vector<std::size_t>;
+
+double product(const Extents& extents) {
+  double product = 1.;
+  for (const std::size_t n : extents) product *= static_cast<double>(n);
+  return product;
+}
+
+/// Of the pieces in which a dataset lies in its file; the whole of it if it is in one. No extent is 0.
+Extents chunk_extents(hid_t dataset, const Extents& shape) {
+  Extents extents(shape.size());
+  const Handle list(H5Dget_create_plist(dataset), H5Pclose, "chunks");
+  std::vector<hsize_t> chunk(shape.begin(), shape.end());
+  if (H5Pget_layout(list.id()) == H5D_CHUNKED)
+    require(H5Pget_chunk(list.id(), static_cast<int>(chunk.size()), chunk.data()), "chunks");
+  std::transform(chunk.begin(), chunk.end(), extents.begin(),
+                 [](hsize_t n) { return std::max(static_cast<std::size_t>(n), std::size_t{1}); });
+  return extents;
+}
+
+}  // namespace
+
 SeriesReader::SeriesReader(hid_t file, const fs::path& file_path, const std::string& dataset)
     : file_path_(file_path), name_(dataset) {
   if (!has_object(file, dataset)) throw_unreadable(file_path, "there is no dataset " + dataset + " in this file.");
@@ -37,12 +63,14 @@ SeriesReader::SeriesReader(hid_t file, const fs::path& file_path, const std::str
   if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || dimensions.empty())
     throw_unreadable(file_path, dataset + " does not hold a series of numbers.");
   shape_.assign(dimensions.begin(), dimensions.end());
-  // Compressed numbers of other programs take less room than they have in memory; rows that are not written yet take none.
-  constexpr double largest_compression = 1100., not_written = 1024. * 1024. * 1024.;
-  double bytes = sizeof(double);
-  for (const hsize_t n : dimensions) bytes *= static_cast<double>(n);
-  if (const auto stored = static_cast<double>(H5Dget_storage_size(id));
-      bytes > largest_compression * stored + not_written)
+  chunk_ = chunk_extents(id, shape_);
+  // Compressed numbers of other programs take less room than they have in memory; rows that are not written yet take none. HDF5 needs half a
+  // kilobyte for each chunk that it is asked for, whether there is one or not.
+  constexpr double largest_compression = 1100., not_written = 1024. * 1024. * 1024., chunks_not_written = 1e5;
+  const double bytes = sizeof(double) * product(shape_), chunk_bytes = sizeof(double) * product(chunk_);
+  const double n_chunks = bytes / chunk_bytes;
+  if (const double held = largest_compression * static_cast<double>(H5Dget_storage_size(id));
+      std::max(bytes, chunk_bytes) > held + not_written || n_chunks > held / chunk_bytes + chunks_not_written)
     throw_damaged(file_path, "this file is damaged (" + dataset + " tells of more numbers than it can hold).");
 }
 
@@ -55,6 +83,15 @@ std::size_t SeriesReader::row_size() const {
 std::vector<double> SeriesReader::rows(std::size_t from, std::size_t n) const {
   std::vector<double> values(n * row_size());
   if (values.empty()) return values;
+  // Many chunks at once would take more memory than what they hold.
+  constexpr std::size_t chunks_at_once = 1024;
+  const std::size_t block = chunk_.front() * chunks_at_once;
+  for (std::size_t done = 0; done < n; done += block)
+    read_block(from + done, std::min(block, n - done), values.data() + done * row_size());
+  return values;
+}
+
+void SeriesReader::read_block(std::size_t from, std::size_t n, double* values) const {
   std::vector<hsize_t> start(shape_.size(), 0);
   std::vector<hsize_t> count(shape_.begin(), shape_.end());
   start[0] = from;
@@ -62,9 +99,8 @@ std::vector<double> SeriesReader::rows(std::size_t from, std::size_t n) const {
   const Handle in_file(H5Dget_space(dataset_.id()), H5Sclose, name_);
   require(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name_);
   const Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, name_);
-  if (H5Dread(dataset_.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()) < 0)
+  if (H5Dread(dataset_.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values) < 0)
     throw_damaged(file_path_, "the values of " + name_ + " cannot be read (" + last_error() + ").");
-  return values;
 }
 
 std::vector<std::string> attribute_texts(hid_t object, const fs::path& path, const std::string& owner,

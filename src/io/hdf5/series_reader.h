@@ -34,10 +34,12 @@ class SeriesReader {
   [[nodiscard]] std::vector<double> rows(std::size_t from, std::size_t n) const;
 
  private:
+  void read_block(std::size_t from, std::size_t n, double* values) const;
+
   std::filesystem::path file_path_;
   std::string name_;
   Handle dataset_;
-  std::vector<std::size_t> shape_;
+  std::vector<std::size_t> shape_, chunk_;
 };
 
 }  // namespace rotordrop::hdf5
