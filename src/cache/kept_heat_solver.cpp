@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <utility>
 
 #include "cache/kept_values.h"
+#include "conduction/assembled_equations.h"
+#include "conduction/heat_stepper.h"
 #include "io/sha256.h"
 
 namespace rotordrop {
@@ -16,7 +19,7 @@ class KeptHeatSolver final : public HeatConductionSolver {
                  HeatSolverMaker make)
       : values_(folder, content), problem_(std::move(problem)), make_(std::move(make)) {}
 
-  // Kept. What a problem is at its start does not change while the real solver advances.
+  // Kept. What a problem is at its start does not change while it is stepped.
   [[nodiscard]] double body_capacity(std::size_t body) const override {
     return values_.get<double>(fmt::format("body capacity {}", body), [&] { return real().body_capacity(body); });
   }
@@ -24,21 +27,17 @@ class KeptHeatSolver final : public HeatConductionSolver {
     return values_.get<double>(fmt::format("port area {}", port), [&] { return real().port_area(port); });
   }
   [[nodiscard]] HeatStatistics statistics() const override {
-    if (real_) return real_->statistics();
-    HeatStatistics start;
+    if (real_ && !own_) return real_->statistics();
+    HeatStatistics s = own_ ? own_->stepper.statistics() : HeatStatistics{};
     const auto [unknowns, cells, values] = sizes();
-    start.unknowns = unknowns;
-    start.cells = cells;
-    return start;
+    s.unknowns = unknowns;
+    s.cells = cells;
+    return s;
   }
   [[nodiscard]] const SectionMesh& section_mesh() const override {
     if (!problem_.mesh.empty()) return problem_.mesh;
     if (mesh_.empty()) mesh_ = values_.get<SectionMesh>("mesh", [&] { return real().section_mesh(); });
     return mesh_;
-  }
-  [[nodiscard]] std::vector<double> field() const override {
-    if (real_) return real_->field();
-    return std::vector<double>(std::get<2>(sizes()), problem_.initial_temperature);  // plain problems start evenly
   }
   ReducedHeat reduce(const ReductionSettings& settings) override {
     reduction_ = settings;
@@ -56,35 +55,66 @@ class KeptHeatSolver final : public HeatConductionSolver {
                                             [&] { return reduced().project(weights); });
   }
 
-  // Of the real solver.
-  [[nodiscard]] double time() const override { return real_ ? real_->time() : 0.; }
-  void advance_to(double time) override { real().advance_to(time); }
+  // Of the matrices, or of the real solver where there are none.
+  [[nodiscard]] double time() const override {
+    if (own_) return own_->stepper.time();
+    return real_ ? real_->time() : 0.;
+  }
+  void advance_to(double time) override {
+    on_stepper([&](auto& stepper) { stepper.advance_to(time); });
+  }
+  void advance_window(double step) override {
+    on_stepper([&](auto& stepper) { stepper.advance_window(step); });
+  }
+  void set_port_heat(std::span<const double> watts, std::span<const double> rates) override {
+    on_stepper([&](auto& stepper) { stepper.set_port_heat(watts, rates); });
+  }
+  void set_field(std::span<const double> temperatures, double time, double input, double lost) override {
+    on_stepper([&](auto& stepper) { stepper.set_field(temperatures, time, input, lost); });
+  }
+  [[nodiscard]] std::vector<double> field() const override {
+    if (own_) return {own_->stepper.field().begin(), own_->stepper.field().end()};
+    if (real_) return real_->field();
+    return std::vector<double>(std::get<2>(sizes()), problem_.initial_temperature);  // plain problems start evenly
+  }
+  [[nodiscard]] HeatEnergy energy() const override { return own() ? own_->stepper.energy() : real().energy(); }
   [[nodiscard]] double temperature(std::size_t body, double x, double r) const override {
-    return real().temperature(body, x, r);
+    return own() ? value(kept_mean_at(body, x, r)) : real().temperature(body, x, r);
   }
   [[nodiscard]] double mean_temperature(const HeatBoundary& boundary) const override {
-    return real().mean_temperature(boundary);
+    return own() ? value(kept_mean_over({boundary})) : real().mean_temperature(boundary);
   }
   [[nodiscard]] SurfaceRange surface(const std::vector<HeatBoundary>& boundaries) const override {
-    return real().surface(boundaries);
+    if (!own()) return real().surface(boundaries);
+    const HeatMean& mean = kept_mean_over(boundaries);
+    return {value(mean), mean.lowest(own_->stepper.field()), mean.highest(own_->stepper.field())};
   }
-  [[nodiscard]] double body_mean(std::size_t body) const override { return real().body_mean(body); }
-  [[nodiscard]] double port_temperature(std::size_t port) const override { return real().port_temperature(port); }
-  [[nodiscard]] HeatEnergy energy() const override { return real().energy(); }
-  void set_port_heat(std::span<const double> watts, std::span<const double> rates) override {
-    real().set_port_heat(watts, rates);
+  [[nodiscard]] double body_mean(std::size_t body) const override {
+    return own() ? value(own_->assembled.bodies[body]) : real().body_mean(body);
   }
-  void advance_window(double step) override { real().advance_window(step); }
-  void set_field(std::span<const double> temperatures, double time, double input, double lost) override {
-    real().set_field(temperatures, time, input, lost);
+  [[nodiscard]] double port_temperature(std::size_t port) const override {
+    return own() ? value(own_->ports[port]) : real().port_temperature(port);
   }
+  [[nodiscard]] HeatMean mean_at(std::size_t body, double x, double r) const override {
+    return kept_mean_at(body, x, r);
+  }
+  [[nodiscard]] HeatMean mean_over(const std::vector<HeatBoundary>& boundaries) const override {
+    return kept_mean_over(boundaries);
+  }
+  [[nodiscard]] std::optional<AssembledHeat> assembled() const override {
+    return values_.get<std::optional<AssembledHeat>>("assembled", [&] { return real().assembled(); });
+  }
+
+  // Of the real solver.
   void lift(std::span<const double> state, std::span<const double> watts, double time) override {
     reduced().lift(state, watts, time);
+    is_lifted_ = true;
+    if (own_) take_lifted_field();
   }
-  void write_vtu(const std::string& file) const override { real().write_vtu(file); }
+  void write_vtu(const std::string& file) const override { real_with_field().write_vtu(file); }
   [[nodiscard]] bool on_any_rank(bool own) const override { return real_ ? real_->on_any_rank(own) : own; }
   [[nodiscard]] double difference(const std::function<double(std::size_t body, double x, double r)>& f) const override {
-    return real().difference(f);
+    return real_with_field().difference(f);
   }
 
  private:
@@ -110,6 +140,65 @@ class KeptHeatSolver final : public HeatConductionSolver {
     return real();
   }
 
+  /// What is stepped here, without the real solver.
+  struct Own {
+    Own(const HeatConductionProblem& problem, AssembledHeat heat)
+        : assembled(std::move(heat)), equations(problem, assembled), stepper(equations, problem) {
+      for (const auto& load : assembled.port_loads) {
+        ports.emplace_back();
+        for (unsigned int i = 0; i < load.size(); ++i) {
+          if (load[i] == 0.) continue;
+          ports.back().unknowns.push_back(i);
+          ports.back().weights.push_back(load[i]);
+        }
+      }
+    }
+    const AssembledHeat assembled;
+    std::vector<HeatMean> ports;
+    AssembledEquations equations;
+    HeatStepper stepper;
+  };
+  /// Whether there are matrices to step by.
+  [[nodiscard]] bool own() const {
+    if (!is_own_known_) {
+      is_own_known_ = true;
+      if (auto heat = assembled()) own_ = std::make_unique<Own>(problem_, std::move(*heat));
+      if (own_ && is_lifted_) take_lifted_field();
+    }
+    return own_ != nullptr;
+  }
+  void take_lifted_field() const {
+    const HeatEnergy e = own_->stepper.energy();
+    own_->stepper.set_field(real_->field(), real_->time(), e.input, e.lost);
+  }
+  void on_stepper(const auto& f) {
+    if (own())
+      f(own_->stepper);
+    else
+      f(real());
+  }
+  [[nodiscard]] double value(const HeatMean& mean) const {
+    return mean.of(own_->stepper.field(), problem_.initial_temperature);
+  }
+  [[nodiscard]] const HeatMean& kept_mean_at(std::size_t body, double x, double r) const {
+    return kept_mean(fmt::format("mean at {} {} {}", body, x, r), [&] { return real().mean_at(body, x, r); });
+  }
+  [[nodiscard]] const HeatMean& kept_mean_over(const std::vector<HeatBoundary>& boundaries) const {
+    return kept_mean("mean over " + plain::bytes_of(boundaries), [&] { return real().mean_over(boundaries); });
+  }
+  [[nodiscard]] const HeatMean& kept_mean(const std::string& name, const auto& compute) const {
+    auto found = means_.find(name);
+    if (found == means_.end()) found = means_.emplace(name, values_.get<HeatMean>(name, compute)).first;
+    return found->second;
+  }
+  [[nodiscard]] HeatConductionSolver& real_with_field() const {
+    HeatConductionSolver& solver = real();
+    if (!own_) return solver;
+    const HeatEnergy e = own_->stepper.energy();
+    solver.set_field(own_->stepper.field(), own_->stepper.time(), e.input, e.lost);
+    return solver;
+  }
+
   mutable KeptValues values_;
   HeatConductionProblem problem_;
   HeatSolverMaker make_;
@@ -118,6 +207,10 @@ class KeptHeatSolver final : public HeatConductionSolver {
   std::optional<ReductionSettings> reduction_;
   std::string reduction_name_;
   mutable bool has_reduced_ = false;
+  mutable std::unique_ptr<Own> own_;
+  mutable bool is_own_known_ = false;
+  bool is_lifted_ = false;
+  mutable std::map<std::string, HeatMean> means_;
 };
 
 }  // namespace
@@ -125,7 +218,7 @@ class KeptHeatSolver final : public HeatConductionSolver {
 std::unique_ptr<HeatConductionSolver> kept_heat_solver(const std::filesystem::path& folder, const std::string& module,
                                                        const HeatConductionProblem& problem,
                                                        const HeatSolverMaker& make) {
-  const auto digest = folder.empty() ? std::nullopt : plain::digest_of(problem);
+  const auto digest = plain::digest_of(problem);
   if (!digest) return make(problem);
   return std::make_unique<KeptHeatSolver>(folder, sha256_of(module + "\nheat\n" + *digest), problem, make);
 }

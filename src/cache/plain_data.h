@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "model/assembled_heat.h"
 #include "model/reduced_heat.h"
 #include "model/section_mesh.h"
 #include "model/section_plan.h"
@@ -70,6 +71,12 @@ auto members(T& x) {
   } else if constexpr (std::is_same_v<S, ReductionSettings>) {
     auto& [a, b, c, d, e] = x;
     return std::tie(a, b, c, d, e);
+  } else if constexpr (std::is_same_v<S, AssembledHeat>) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+  } else if constexpr (std::is_same_v<S, HeatMean> || std::is_same_v<S, HeldUnknowns>) {
+    auto& [a, b] = x;
+    return std::tie(a, b);
   } else if constexpr (std::is_same_v<S, ReducedHeat>) {
     auto& [a, b, c, d, e, f, g, h] = x;
     return std::tie(a, b, c, d, e, f, g, h);
@@ -201,6 +208,7 @@ std::string bytes_of(const T& x) {
 }
 
 /// SHA-256 of the content; nothing if it holds a function.
+/// Of a problem in space: its fluxes over time and the accuracy in time do not count.
 std::optional<std::string> digest_of(const HeatConductionProblem& problem);
 std::optional<std::string> digest_of(const ElasticProblem& problem);
 std::string digest_of(const SectionPlan& plan);

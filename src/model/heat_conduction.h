@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/assembled_heat.h"
 #include "model/reduced_heat.h"
 #include "model/section_mesh.h"
 
@@ -237,6 +238,12 @@ class HeatConductionSolver {
   virtual void write_vtu(const std::string& file) const = 0;
   /// Under mpirun: whether any rank says yes. All ranks must ask. Alone: what was asked.
   [[nodiscard]] virtual bool on_any_rank(bool own) const = 0;
+
+  /// The problem in space as plain data, apart from its fluxes over time: nothing if it is not linear, or so large that it is stepped better here.
+  [[nodiscard]] virtual std::optional<AssembledHeat> assembled() const { return std::nullopt; }
+  /// temperature(), and surface(), as means over unknowns.
+  [[nodiscard]] virtual HeatMean mean_at(std::size_t body, double x, double r) const = 0;
+  [[nodiscard]] virtual HeatMean mean_over(const std::vector<HeatBoundary>& boundaries) const = 0;
 
   /// sqrt of the volume integral of (T - f)^2 [K m^1.5].
   [[nodiscard]] virtual double difference(

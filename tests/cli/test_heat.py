@@ -5,7 +5,9 @@ ROTORDROP_PROGRAM is the program under test. What needs the room is skipped wher
 
 import json
 import math
+import os
 import pathlib
+import subprocess
 import sys
 import tomllib
 import unittest
@@ -512,6 +514,50 @@ class HeatDeclarations(ProgramTest):
 
     def test_help_lists_heat(self):
         self.assertRegex(self.succeed("--help").stdout, r"\n  heat ")
+
+
+@unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
+class KeptMatrices(ProgramTest):
+    """A section that was assembled before is stepped without the finite elements, to the same last bit."""
+
+    def heat(self, text, output, cache="cache", *options):
+        """Whether the finite elements were loaded, and the temperatures of the rim."""
+        cache = cache if cache == "off" else str(self.folder / cache)
+        done = subprocess.run([PROGRAM, "heat", self.write("disc.toml", text), "-o", output, "--quiet", *options], cwd=self.folder, env={**os.environ, "ROTORDROP_CACHE": cache, "LD_DEBUG": "files"}, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+        summary = json.loads((self.folder / output / "summary.json").read_text())
+        self.assertLess(abs(summary["energy"]["residual"]), 1e-9 * summary["energy"]["input"])
+        return "rotordrop_fe.so" in done.stderr, summary["probes"]["rim"]["temperature"]
+
+    def test_only_a_new_section_needs_the_finite_elements(self):
+        is_loaded, first = self.heat(DISC, "first")
+        self.assertTrue(is_loaded)
+        is_loaded, second = self.heat(DISC, "second")
+        self.assertFalse(is_loaded)
+        self.assertEqual(second, first)
+        is_loaded, without = self.heat(DISC, "without", "off")
+        self.assertTrue(is_loaded)
+        self.assertEqual(without, first)
+        is_loaded, stronger = self.heat(DISC.replace("[1e5]", "[2e5]"), "stronger")
+        self.assertFalse(is_loaded, "a flux is not of the section")
+        for two, one in zip(stronger, first):
+            self.assertAlmostEqual(two - 293.15, 2 * (one - 293.15), delta=1e-9)
+        self.assertTrue(self.heat(DISC.replace("20 mm", "21 mm"), "larger")[0])
+
+    def test_a_field_is_written_of_what_was_stepped(self):
+        fields = DISC.replace("output_times", 'field_times = ["1 ms", "10 ms"]\noutput_times')
+        self.heat(fields, "first")
+        self.assertTrue(self.heat(fields, "second")[0], "deal.II writes it")
+        files = sorted(path.relative_to(self.folder / "first") for path in (self.folder / "first/fields").rglob("*.vtu"))
+        self.assertGreater(len(files), 1)
+        for file in files:
+            self.assertEqual((self.folder / "first" / file).read_bytes(), (self.folder / "second" / file).read_bytes())
+        self.assertNotEqual(*((self.folder / "second" / file).read_bytes() for file in (files[0], files[-1])))
+
+    def test_properties_over_temperature_are_stepped_by_the_finite_elements(self):
+        text = DISC.replace('"steel"', '"own"') + '[materials.own]\nrho = 7800\nk_table = [[293, 46], [600, 36]]\nc = 460\nE = "210 GPa"\nnu = 0.3\nalpha = 1.1e-5\n'
+        self.assertTrue(self.heat(text, "first")[0])
+        self.assertTrue(self.heat(text, "second")[0])
 
 
 @unittest.skipIf(HAS_ROOM, "built with the finite-element room")

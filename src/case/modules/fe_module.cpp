@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -38,6 +40,13 @@ std::string version_of(const std::string& module) {
                      fs::last_write_time(file, error).time_since_epoch().count());
 }
 
+/// The room's own.
+std::unique_ptr<HeatConductionSolver> real_heat_solver(const HeatConductionProblem& problem) {
+  static auto* const make =
+      load<MakeHeatSolver>(ROTORDROP_FE_MODULE, "the finite-element module", "`rotordrop heat`", make_heat_solver_name);
+  return std::unique_ptr<HeatConductionSolver>(make(problem));
+}
+
 }  // namespace
 
 std::mutex& section_lock() {
@@ -45,10 +54,16 @@ std::mutex& section_lock() {
   return lock;
 }
 
+int ranks_of_mpirun() {
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const char* text = std::getenv(variable)) return std::max(std::atoi(text), 1);
+  return 1;
+}
+
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem) {
-  static auto* const make =
-      load<MakeHeatSolver>(ROTORDROP_FE_MODULE, "the finite-element module", "`rotordrop heat`", make_heat_solver_name);
-  return std::unique_ptr<HeatConductionSolver>(make(problem));
+  // Several ranks share each step.
+  if (ranks_of_mpirun() > 1) return real_heat_solver(problem);
+  return kept_heat_solver(cache_folder(), version_of(ROTORDROP_FE_MODULE), problem, real_heat_solver);
 }
 
 std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem) {
@@ -59,9 +74,7 @@ std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticProblem& problem
 
 FiniteElements finite_elements_of(const Case& drop_case) {
   FiniteElements elements;
-  elements.make_solver = [](const HeatConductionProblem& problem) {
-    return kept_heat_solver(cache_folder(), version_of(ROTORDROP_FE_MODULE), problem, make_heat_solver);
-  };
+  elements.make_solver = make_heat_solver;
   elements.make_elastic_solver = [](const ElasticProblem& problem) {
     return kept_elastic_solver(cache_folder(), version_of(ROTORDROP_FE_MODULE), problem, make_elastic_solver);
   };

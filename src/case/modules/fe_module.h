@@ -17,8 +17,11 @@ FiniteElements finite_elements_of(const Case& drop_case);
 /// To be held while machines with finite elements are built: meshes come from one generator for the whole process.
 std::mutex& section_lock();
 
-/// Loads the finite-element room, a module beside the program, and makes its solver. The module stays loaded.
-/// @throws InputError if the program was built without it
+/// Processes that mpirun has started together: 1 without it.
+[[nodiscard]] int ranks_of_mpirun();
+
+/// A solver of the finite-element room, which is a module beside the program: loaded once something is asked that is not in the cache.
+/// @throws InputError then, if the program was built without it
 std::unique_ptr<HeatConductionSolver> make_heat_solver(const HeatConductionProblem& problem);
 
 /// Loads its elasticity solver. @throws InputError likewise

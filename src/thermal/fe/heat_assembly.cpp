@@ -160,7 +160,7 @@ void HeatOperator::assemble_boundaries() {
 // Heat q that arises within the resistance R of an interface, R s of which lie on its second side: with the temperature T_0 of that place,
 //   q_1 = (T_0 - T_1)/(R (1 - s)),  q_2 = (T_0 - T_2)/(R s),  q_1 + q_2 = q   give   q_1 = s q + (T_2 - T_1)/R,  q_2 = (1 - s) q + (T_1 - T_2)/R.
 HeatOperator::FluxLoad HeatOperator::flux_load(const HeatFlux& flux) const {
-  FluxLoad load{&flux, {}, {}, 0., 0.};
+  FluxLoad load{&flux, {}, {}, 0.};
   if (flux.second) {
     for (const auto& [first, second] : mesh_.pairs_of(flux.boundary, *flux.second)) {
       load.faces.push_back(first);

@@ -17,7 +17,8 @@ HeatOperator::HeatOperator(const HeatConductionProblem& problem)
       cell_quadrature_(fe_.degree + 1),
       face_quadrature_(fe_.degree + 1),
       cells_(mesh_.cells()),
-      n_field_(mesh_.dofs().n_dofs()) {
+      n_field_(mesh_.dofs().n_dofs()),
+      sources_(problem_, {}, {}) {
   find_covered_edges();
   for (auto* v : {&capacity_weights_, &ambient_load_, &loss_weights_, &scratch_}) v->reinit(size());
   make_ports();
@@ -30,6 +31,7 @@ HeatOperator::HeatOperator(const HeatConductionProblem& problem)
   assemble_interfaces();
   assemble_boundaries();
   assemble_nodes_and_links();
+  sources_ = make_sources();
 }
 
 void HeatOperator::find_covered_edges() {
@@ -69,7 +71,7 @@ HeatOperator::Vector HeatOperator::integral_over(const std::vector<Face>& faces)
 
 void HeatOperator::make_ports() {
   for (const auto& port : problem_.ports) {
-    Port made{port.name, Vector(size()), 0., 0., 0.};
+    Port made{port.name, Vector(size()), 0.};
     if (port.node) {
       made.weights(index_of_node(*port.node)) = 1.;
     } else {
@@ -85,31 +87,38 @@ void HeatOperator::make_ports() {
   }
 }
 
+HeatSources HeatOperator::make_sources() const {
+  std::vector<double> flux_areas, port_areas;
+  for (const auto& load : loads_) flux_areas.push_back(load.area);
+  for (const auto& port : ports_) port_areas.push_back(port.area);
+  return {problem_, std::move(flux_areas), std::move(port_areas)};
+}
+
 void HeatOperator::find_held_unknowns() {
   std::vector<bool> is_taken(size());
   Indices dofs(fe_.dofs_per_cell);
   for (std::size_t b = 0; b < problem_.bodies.size(); ++b) {
     if (!problem_.bodies[b].held_at) continue;
-    Held held{{}, *problem_.bodies[b].held_at};
+    HeldUnknowns held{{}, *problem_.bodies[b].held_at};
     for (const auto& cell : cells_) {
       if (cell->material_id() != b) continue;
       cell->get_dof_indices(dofs);
       for (const auto i : dofs) {
         if (is_taken[i]) continue;
         is_taken[i] = true;
-        held.dofs.push_back(static_cast<unsigned int>(i));
+        held.unknowns.push_back(static_cast<unsigned int>(i));
       }
     }
     held_.push_back(std::move(held));
   }
   for (const auto& fixed : problem_.fixed) {
-    Held held{{}, fixed.temperature};
+    HeldUnknowns held{{}, fixed.temperature};
     for (const auto& face : free_faces_of(fixed.boundary)) {
       face.cell->get_dof_indices(dofs);
       for (unsigned int i = 0; i < fe_.dofs_per_cell; ++i) {
         if (!fe_.has_support_on_face(i, face.number) || is_taken[dofs[i]]) continue;
         is_taken[dofs[i]] = true;
-        held.dofs.push_back(static_cast<unsigned int>(dofs[i]));
+        held.unknowns.push_back(static_cast<unsigned int>(dofs[i]));
       }
     }
     held_.push_back(std::move(held));
@@ -185,27 +194,6 @@ bool HeatOperator::is_symmetric() const {
                      [](const HeatBody& body) { return body.conductivity.is_constant(); });
 }
 
-void HeatOperator::clear_held(Vector& residual) const {
-  for (const auto& held : held_)
-    for (const auto i : held.dofs) residual(i) = 0.;
-}
-
-void HeatOperator::hold_fluxes_of(double time) {
-  for (auto& load : loads_) {
-    const auto& times = load.flux->times;
-    const auto next = std::upper_bound(times.begin(), times.end(), time);
-    load.held = next == times.begin() ? 0. : load.flux->values[static_cast<std::size_t>(next - times.begin()) - 1];
-  }
-}
-
-void HeatOperator::hold_port_heat(std::span<const double> watts, std::span<const double> rates, double time) {
-  for (std::size_t p = 0; p < watts.size(); ++p) {
-    ports_[p].held = watts[p];
-    ports_[p].rate = rates.empty() ? 0. : rates[p];
-  }
-  held_since_ = time;
-}
-
 void HeatOperator::enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const {
   scratch_ = T;
   scratch_ -= T_before;
@@ -223,9 +211,9 @@ void HeatOperator::heat_flow(const Vector& T, double t, Vector& out) const {
   scratch_.add(-problem_.initial_temperature);
   conductance_.vmult(out, scratch_);
   out.sadd(-1., ambient_load_);
-  for (const auto& load : loads_) out.add(load.held, load.unit);
-  for (const auto& port : ports_)
-    if (port.held != 0. || port.rate != 0.) out.add(watts(port, t), port.weights);
+  for (std::size_t f = 0; f < loads_.size(); ++f) out.add(sources_.flux(f), loads_[f].unit);
+  for (std::size_t p = 0; p < ports_.size(); ++p)
+    if (!sources_.is_silent(p)) out.add(sources_.watts(p, t), ports_[p].weights);
 
   for (const auto& cell : curved_cells_)
     for (std::size_t q = 0; q < cell.weights.size(); ++q) {
@@ -243,6 +231,12 @@ void HeatOperator::heat_flow(const Vector& T, double t, Vector& out) const {
       for (std::size_t i = 0; i < face.dofs.size(); ++i) out(face.dofs[i]) -= lost * shape[i];
     }
   add_functions(t, out);
+}
+
+bool HeatOperator::is_steady() const {
+  return sources_.is_steady() && !problem_.volume_source &&
+         std::none_of(problem_.fluxes.begin(), problem_.fluxes.end(),
+                      [](const HeatFlux& flux) { return static_cast<bool>(flux.function); });
 }
 
 void HeatOperator::add_functions(double t, Vector& out) const {
@@ -310,7 +304,7 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
           out.add(face.dofs[i], face.dofs[j], film * shape[i] * shape[j]);
     }
   for (const auto& held : held_)
-    for (const auto i : held.dofs)
+    for (const auto i : held.unknowns)
       for (auto entry = out.begin(i); entry != out.end(i); ++entry) {
         const auto j = entry->column();
         if (j == i) continue;

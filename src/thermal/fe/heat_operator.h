@@ -7,8 +7,11 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "conduction/heat_sources.h"
+#include "model/assembled_heat.h"
 #include "model/heat_conduction.h"
 #include "thermal/fe/heat_mesh.h"
 
@@ -38,19 +41,12 @@ class HeatOperator {
   [[nodiscard]] bool is_symmetric() const;
   void initial_temperature(Vector& T) const;
 
-  /// A body or boundary that is held at a temperature. An unknown that two of them share belongs to the first.
-  struct Held {
-    std::vector<unsigned int> dofs;
-    double temperature = 0;  ///< [K]
-  };
-  [[nodiscard]] const std::vector<Held>& held() const { return held_; }
-  /// Takes held unknowns out of a residual: what they miss is the heat that holding them takes.
-  void clear_held(Vector& residual) const;
+  /// Bodies and boundaries that are held at a temperature. An unknown that two of them share belongs to the first.
+  [[nodiscard]] const std::vector<HeldUnknowns>& held() const { return held_; }
 
-  /// Fluxes keep, until the next call, the values that hold right after this time [s].
-  void hold_fluxes_of(double time);
-  /// Heat into each port [W] [n_ports] at a time [s], and its rate [W/s] [n_ports, or none], until the next call.
-  void hold_port_heat(std::span<const double> watts, std::span<const double> rates, double time);
+  [[nodiscard]] HeatSources& sources() { return sources_; }
+  /// Whether no heat changes with time while the sources hold what they do.
+  [[nodiscard]] bool is_steady() const;
   /// out(v) = integral rho (H(T) - H(T_before)) v  [J]
   void enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const;
   /// out(v) = F(T, t)(v)  [W]
@@ -62,15 +58,16 @@ class HeatOperator {
   [[nodiscard]] double input_power(double t) const;
   [[nodiscard]] double lost_power(const Vector& T) const;  ///< [W]
   /// In words: the body or node that an unknown belongs to, and the flux or port that cools it, or else the one that cools most.
-  [[nodiscard]] std::string part_of(unsigned int dof) const;
-  [[nodiscard]] std::string strongest_cooling(unsigned int dof, double t) const;
+  [[nodiscard]] std::string part_of(std::size_t unknown) const;
+  [[nodiscard]] std::string strongest_cooling(std::size_t unknown, double t) const;
   [[nodiscard]] double stored_energy(const Vector& T, const Vector& T_0) const;  ///< [J], by quadrature of H
 
-  [[nodiscard]] double temperature(const Vector& T, std::size_t body, double x, double r) const;
-  [[nodiscard]] double mean_temperature(const Vector& T, const HeatBoundary& boundary) const;
-  [[nodiscard]] SurfaceRange surface(const Vector& T, const std::vector<HeatBoundary>& boundaries) const;
-  [[nodiscard]] double body_mean(const Vector& T, std::size_t body) const;
-  [[nodiscard]] double port_temperature(const Vector& T, std::size_t port) const;
+  [[nodiscard]] HeatMean mean_at(std::size_t body, double x, double r) const;
+  [[nodiscard]] HeatMean mean_over(const std::vector<HeatBoundary>& boundaries) const;  ///< by area
+  [[nodiscard]] HeatMean mean_of_body(std::size_t body) const;                          ///< by volume
+  [[nodiscard]] HeatMean mean_of_port(std::size_t port) const;
+  /// All of it as plain data, if it is linear.
+  [[nodiscard]] std::optional<AssembledHeat> assembled() const;
 
   // What a reduction needs; T = initial temperature + rise.
   [[nodiscard]] const Matrix& capacity() const { return capacity_; }
@@ -93,9 +90,6 @@ class HeatOperator {
 
   [[nodiscard]] double difference(const Vector& T, const std::function<double(std::size_t, double, double)>& f) const;
 
-  /// Rise of a half space [K] under the largest held flux or port's heat after this time [s], as long as it has not felt the body's other side,
-  /// or of a node under its port's heat: a scale.
-  [[nodiscard]] double expected_rise(double duration) const;
   /// Time [s] in which heat crosses the thinnest cell, node to node.
   [[nodiscard]] double shortest_time() const;
 
@@ -122,7 +116,6 @@ class HeatOperator {
     std::vector<Face> faces;
     Vector unit;                          ///< integral v
     double area = 0;                      ///< [m2]
-    double held = 0;                      ///< [W/m2]
     std::vector<Face> second_faces = {};  ///< of an interface: its other side
     [[nodiscard]] double part(bool is_second) const {
       if (!flux->second) return 1.;
@@ -139,10 +132,7 @@ class HeatOperator {
     std::string name;
     Vector weights;   ///< integral v / area; sums to 1
     double area = 0;  ///< [m2]; 0 for a node
-    double held = 0;  ///< at held_since_ [W]
-    double rate = 0;  ///< [W/s]
   };
-  [[nodiscard]] double watts(const Port& port, double t) const { return port.held + port.rate * (t - held_since_); }
   struct BodyMean {
     Vector weights;
     double capacity = 0;
@@ -158,6 +148,7 @@ class HeatOperator {
   void assemble_boundaries();
   void assemble_nodes_and_links();
   void find_held_unknowns();
+  [[nodiscard]] HeatSources make_sources() const;
   void add_functions(double t, Vector& out) const;
 
   [[nodiscard]] const HeatBody& body_of(const Cell& cell) const { return problem_.bodies[cell->material_id()]; }
@@ -182,8 +173,7 @@ class HeatOperator {
   std::vector<FilmFace> power_faces_, linear_faces_;
   std::vector<FluxLoad> loads_;
   std::vector<Port> ports_;
-  double held_since_ = 0;  ///< of the ports' heat [s]
-  std::vector<Held> held_;
+  std::vector<HeldUnknowns> held_;
   std::vector<BodyMean> bodies_;
   std::vector<std::size_t> body_of_;  ///< [n_field_]
   dealii::SparsityPattern pattern_;
@@ -191,6 +181,7 @@ class HeatOperator {
   Vector capacity_weights_;        ///< stored energy of linear bodies = weights . (T - T_0)
   Vector loss_weights_;
   Vector ambient_load_;  ///< coefficient (ambient - initial) v of linear convections
+  HeatSources sources_;
   mutable Vector scratch_;
 };
 

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/errors.h"
+#include "base/memory.h"
 
 namespace rotordrop {
 namespace {
@@ -30,6 +31,19 @@ void check(long status, const char* what) {
         fmt::format("the matrix of the finite elements could not be {} (UMFPACK status {})", what, status));
 }
 
+/// OpenBLAS takes a buffer at its first call; where there is no memory for it, it asks again for ever.
+void require_memory_of_blas() {
+  constexpr std::uint64_t buffer =
+      150'000'000;  // [bytes]: 134 MB of OpenBLAS 0.3.21, and some for what comes before it
+  static bool is_there = false;
+  if (const auto left = memory_left(); !is_there && left < buffer)
+    throw SolverError(
+        fmt::format("there is not enough memory for the matrix of the finite elements: its factors need at least {}, "
+                    "{} are left (ulimit -v).",
+                    bytes_in_words(static_cast<double>(buffer)), bytes_in_words(static_cast<double>(left))));
+  is_there = true;
+}
+
 }  // namespace
 
 void LuSolver::set_matrix(const Matrix& matrix) {
@@ -45,6 +59,7 @@ void LuSolver::set_matrix(const Matrix& matrix) {
     symbolic_ = std::shared_ptr<void>(symbolic, [](void* p) { umfpack_dl_free_symbolic(&p); });
   }
   rows_.take_values(matrix);
+  require_memory_of_blas();
   void* numeric = nullptr;
   numeric_.reset();
   check(umfpack_dl_numeric(rows_.row_start.data(), rows_.column.data(), rows_.value.data(), symbolic_.get(), &numeric,

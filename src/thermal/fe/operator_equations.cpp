@@ -1,0 +1,83 @@
+#include "thermal/fe/operator_equations.h"
+
+#include <algorithm>
+
+#include "thermal/fe/solvers/linear_solver.h"
+
+namespace rotordrop {
+namespace {
+
+class OperatorInverse final : public HeatInverse {
+ public:
+  OperatorInverse(const HeatOperator& problem, HeatLinearSolver solver)
+      : operator_(problem), matrix_(problem.pattern()), solver_(make_linear_solver(solver, problem.is_symmetric())) {}
+
+  void set_matrix(const Eigen::VectorXd& T, double scaled_step) override {
+    copy_to(T, vector_);
+    operator_.jacobian(vector_, scaled_step, matrix_);
+    solver_->set_matrix(matrix_);
+  }
+  void solve(Eigen::VectorXd& v) override {
+    copy_to(v, vector_);
+    solver_->solve(vector_);
+    copy_to(vector_, v);
+  }
+
+ private:
+  const HeatOperator& operator_;
+  HeatOperator::Matrix matrix_;
+  std::unique_ptr<LinearSolver> solver_;
+  HeatOperator::Vector vector_;
+};
+
+}  // namespace
+
+void copy_to(const Eigen::VectorXd& from, dealii::Vector<double>& to) {
+  if (to.size() != static_cast<std::size_t>(from.size()))
+    to.reinit(static_cast<unsigned int>(from.size()), /*omit_zeroing_entries=*/true);
+  std::copy(from.begin(), from.end(), to.begin());
+}
+
+void copy_to(const dealii::Vector<double>& from, Eigen::VectorXd& to) {
+  to.resize(static_cast<Eigen::Index>(from.size()));
+  std::copy(from.begin(), from.end(), to.begin());
+}
+
+OperatorEquations::Vector OperatorEquations::initial_temperature() const {
+  operator_.initial_temperature(T_);
+  Vector T;
+  copy_to(T_, T);
+  return T;
+}
+
+void OperatorEquations::enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const {
+  copy_to(T, T_);
+  copy_to(T_before, T_before_);
+  out_.reinit(T_, /*omit_zeroing_entries=*/true);
+  operator_.enthalpy_difference(T_, T_before_, out_);
+  copy_to(out_, out);
+}
+
+void OperatorEquations::heat_flow(const Vector& T, double t, Vector& out) const {
+  copy_to(T, T_);
+  out_.reinit(T_, /*omit_zeroing_entries=*/true);
+  operator_.heat_flow(T_, t, out_);
+  copy_to(out_, out);
+}
+
+std::unique_ptr<HeatInverse> OperatorEquations::make_inverse() const {
+  return std::make_unique<OperatorInverse>(operator_, solver_);
+}
+
+double OperatorEquations::lost_power(const Vector& T) const {
+  copy_to(T, T_);
+  return operator_.lost_power(T_);
+}
+
+double OperatorEquations::stored_energy(const Vector& T) const {
+  copy_to(T, T_);
+  operator_.initial_temperature(T_before_);
+  return operator_.stored_energy(T_, T_before_);
+}
+
+}  // namespace rotordrop
