@@ -74,11 +74,16 @@ TEST(AssembledEquations, HeatOfAPortMayRiseByTheSecond) {
   a.port_loads = {{1.}};
   a.port_areas = {1e-3};
   Stepped s(p, a);
-  const double watts[] = {10.}, rates[] = {4.}, t = 3., tau = C / K, decay = std::exp(-t / tau);
-  s.stepper.set_port_heat(watts, rates);
-  s.stepper.advance_to(t);
-  EXPECT_NEAR(s.rise(), 10. / K * (1. - decay) + 4. / K * (t - tau * (1. - decay)), 1e-6);
-  EXPECT_NEAR(s.stepper.energy().input, 10. * t + 2. * t * t, 1e-9);
+  const double t = 3., tau = C / K, decay = std::exp(-t / tau);
+  double rise = 0., input = 0.;
+  for (const auto& [watts, rate] : {std::pair{10., 4.}, {22., -6.}}) {  // the second from t on
+    s.stepper.set_port_heat({{watts}}, {{rate}});
+    s.stepper.advance_to(s.stepper.time() + t);
+    rise = rise * decay + watts / K * (1. - decay) + rate / K * (t - tau * (1. - decay));
+    input += watts * t + rate * t * t / 2.;
+    EXPECT_NEAR(s.rise(), rise, 1e-6);
+    EXPECT_NEAR(s.stepper.energy().input, input, 1e-9);
+  }
 }
 
 TEST(AssembledEquations, WindowsAreOfSecondOrder) {
