@@ -10,39 +10,68 @@ namespace rotordrop {
 namespace {
 
 using Vector = Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
 
-/// L D L^T factors, column by column. The order of elimination is found once.
-class CholeskyInverse final : public HeatInverse {
- public:
-  using Matrix = Eigen::SparseMatrix<double>;
-  CholeskyInverse(const Matrix& capacity, const Matrix& conductance, const std::vector<HeldUnknowns>& held)
-      : capacity_(capacity), conductance_(conductance), matrix_(capacity) {
+}  // namespace
+
+/// Upper halves of both matrices, rows and columns in an order of elimination that leaves few entries in the factors: found once for all of them.
+struct OrderedMatrices {
+  OrderedMatrices(const Matrix& given_capacity, const Matrix& given_conductance,
+                  const std::vector<HeldUnknowns>& held) {
+    Eigen::AMDOrdering<int>()(given_capacity, order);  // by the pattern; its inverse
+    order = Eigen::PermutationMatrix<Eigen::Dynamic>(order.inverse());
+    const auto upper = [&](const Matrix& matrix) {
+      Matrix half(matrix.rows(), matrix.cols());
+      half.selfadjointView<Eigen::Upper>() = matrix.selfadjointView<Eigen::Lower>().twistedBy(order);
+      return half;
+    };
+    capacity = upper(given_capacity);
+    conductance = upper(given_conductance);
     std::vector<bool> is_held(static_cast<std::size_t>(capacity.rows()));
     for (const auto& part : held)
-      for (const auto i : part.unknowns) is_held[i] = true;
+      for (const auto i : part.unknowns)
+        is_held[static_cast<std::size_t>(order.indices()[static_cast<Eigen::Index>(i)])] = true;
     for (int column = 0; column < capacity.outerSize(); ++column)
       for (int k = capacity.outerIndexPtr()[column]; k < capacity.outerIndexPtr()[column + 1]; ++k) {
         const int row = capacity.innerIndexPtr()[k];
         if (row != column && (is_held[static_cast<std::size_t>(row)] || is_held[static_cast<std::size_t>(column)]))
-          left_out_.push_back(k);
+          left_out.push_back(k);
       }
+  }
+  Eigen::PermutationMatrix<Eigen::Dynamic> order;
+  Matrix capacity, conductance;  ///< of one pattern
+  std::vector<int> left_out;     ///< entries in rows and columns of held unknowns
+};
+
+namespace {
+
+/// L D L^T factors, column by column.
+class CholeskyInverse final : public HeatInverse {
+ public:
+  explicit CholeskyInverse(const OrderedMatrices& ordered) : ordered_(ordered), matrix_(ordered.capacity) {
     factors_.analyzePattern(matrix_);
   }
 
   void set_matrix(const Vector&, double scaled_step) override {
-    values(matrix_) = values(capacity_) + scaled_step * values(conductance_);  // of one pattern
-    for (const int k : left_out_) matrix_.valuePtr()[k] = 0.;
+    Eigen::Map<Vector>(matrix_.valuePtr(), matrix_.nonZeros()) =
+        values(ordered_.capacity) + scaled_step * values(ordered_.conductance);
+    for (const int k : ordered_.left_out) matrix_.valuePtr()[k] = 0.;
     factors_.factorize(matrix_);
     if (factors_.info() != Eigen::Success)
       throw SolverError("the matrix of the finite elements could not be factorised.");
   }
-  void solve(Vector& v) override { v = factors_.solve(v).eval(); }
+  void solve(Vector& v) override {
+    in_order_ = ordered_.order * v;
+    solution_ = factors_.solve(in_order_);
+    v = ordered_.order.inverse() * solution_;
+  }
 
  private:
-  static Eigen::Map<Vector> values(Matrix& matrix) { return {matrix.valuePtr(), matrix.nonZeros()}; }
-  Matrix capacity_, conductance_, matrix_;
-  std::vector<int> left_out_;  ///< entries in rows and columns of held unknowns
-  Eigen::SimplicialLDLT<Matrix> factors_;
+  static Eigen::Map<const Vector> values(const Matrix& matrix) { return {matrix.valuePtr(), matrix.nonZeros()}; }
+  const OrderedMatrices& ordered_;
+  Matrix matrix_;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factors_;
+  Vector in_order_, solution_;
 };
 
 }  // namespace
@@ -55,7 +84,9 @@ AssembledEquations::AssembledEquations(const HeatConductionProblem& problem, con
       ambient_power_(std::accumulate(assembled.ambient_load.begin(), assembled.ambient_load.end(), 0.)),
       sources_(problem, assembled.flux_areas, assembled.port_areas) {}
 
-AssembledEquations::Matrix AssembledEquations::matrix(const std::vector<double>& values) const {
+AssembledEquations::~AssembledEquations() = default;
+
+AssembledEquations::Rows AssembledEquations::matrix(const std::vector<double>& values) const {
   const auto n = static_cast<Eigen::Index>(assembled_.size());
   return {n,
           n,
@@ -84,8 +115,8 @@ void AssembledEquations::heat_flow(const Vector& T, double t, Vector& out) const
 
 std::unique_ptr<HeatInverse> AssembledEquations::make_inverse() const {
   // Symmetric: rows are columns.
-  return std::make_unique<CholeskyInverse>(CholeskyInverse::Matrix(capacity_), CholeskyInverse::Matrix(conductance_),
-                                           assembled_.held);
+  if (!ordered_) ordered_ = std::make_unique<const OrderedMatrices>(capacity_, conductance_, assembled_.held);
+  return std::make_unique<CholeskyInverse>(*ordered_);
 }
 
 double AssembledEquations::lost_power(const Vector& T) const {

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/SparseCore>
 
+#include <memory>
+
 #include "conduction/heat_equations.h"
 #include "conduction/heat_sources.h"
 #include "model/assembled_heat.h"
@@ -8,11 +10,14 @@
 
 namespace rotordrop {
 
-/// A linear problem whose matrices are known: nothing is asked of finite elements any more.
+struct OrderedMatrices;
+
+/// A linear problem whose matrices are known: nothing is asked of finite elements any more. Inverses need it as long as they live.
 class AssembledEquations final : public HeatEquations {
  public:
   /// @param problem  of which `assembled` was made but for the fluxes over time; both must outlive it
   AssembledEquations(const HeatConductionProblem& problem, const AssembledHeat& assembled);
+  ~AssembledEquations() override;
 
   [[nodiscard]] Vector initial_temperature() const override;
   [[nodiscard]] bool is_linear() const override { return true; }
@@ -34,9 +39,9 @@ class AssembledEquations final : public HeatEquations {
   [[nodiscard]] std::string strongest_cooling(std::size_t unknown, double t) const override;
 
  private:
-  using Matrix = Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>;
+  using Rows = Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>;
   using List = Eigen::Map<const Eigen::VectorXd>;
-  [[nodiscard]] Matrix matrix(const std::vector<double>& values) const;
+  [[nodiscard]] Rows matrix(const std::vector<double>& values) const;
   static List list(const std::vector<double>& values) {
     return {values.data(), static_cast<Eigen::Index>(values.size())};
   }
@@ -44,9 +49,10 @@ class AssembledEquations final : public HeatEquations {
 
   const HeatConductionProblem& problem_;
   const AssembledHeat& assembled_;
-  const Matrix capacity_, conductance_;
+  const Rows capacity_, conductance_;
   const double ambient_power_;  ///< [W] in while all is at T_0
   HeatSources sources_;
+  mutable std::unique_ptr<const OrderedMatrices> ordered_;  ///< with the first inverse
 };
 
 }  // namespace rotordrop

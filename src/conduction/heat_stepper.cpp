@@ -237,7 +237,6 @@ void HeatStepper::book(double joules_through_boundary) {
 
 // What is stored in a held row beyond what conduction, fluxes and films brought there came through the boundary.
 void HeatStepper::book_held_boundaries(const Vector& before, const Vector& after, const Vector& flow_joules) {
-  if (equations_.held().empty()) return;
   equations_.enthalpy_difference(after, before, residual_);
   residual_ -= flow_joules;
   for (const auto& held : equations_.held()) {
@@ -269,20 +268,28 @@ void HeatStepper::advance_parts_of_window(double step, int most_parts) {
 bool HeatStepper::step_window(double step) {
   static const double g = 1. - 1. / std::sqrt(2.);
   Vector &first = stage_[1], &second = stage_[2];
+  const double t_1 = time_ + g * step, t_2 = time_ + step;
   known_.setZero();
   first = T_;
-  if (!solve_window_stage(step, time_ + g * step, first, flow_[1])) return false;
+  equations_.heat_flow(first, t_1, flow_[1]);
+  if (!solve_window_stage(step, t_1, first, flow_[1])) return false;
+  equations_.heat_flow(first, t_1, flow_[1]);
   known_ = step * (1. - g) * flow_[1];
   second = first;
-  if (!solve_window_stage(step, time_ + step, second, flow_[2])) return false;
-  require_above_zero(second, time_ + step);
+  flow_[2] = flow_[1];
+  if (!equations_.is_steady()) equations_.heat_flow(second, t_2, flow_[2]);
+  if (!solve_window_stage(step, t_2, second, flow_[2])) return false;
+  require_above_zero(second, t_2);
   const double weights[2] = {1. - g, g};
   for (std::size_t i = 0; i < 2; ++i) {
     input_ += step * weights[i] * equations_.input_power(time_);
     lost_ += step * weights[i] * equations_.lost_power(stage_[i + 1]);
   }
-  known_ += step * g * flow_[2];
-  book_held_boundaries(T_, second, known_);
+  if (!equations_.held().empty()) {
+    equations_.heat_flow(second, t_2, flow_[2]);
+    known_ += step * g * flow_[2];
+    book_held_boundaries(T_, second, known_);
+  }
   T_ = second;
   time_ += step;
   ++statistics_.steps;
@@ -305,7 +312,7 @@ bool HeatStepper::solve_window_stage(double step, double t, Vector& T, Vector& f
   double last = 0.;
   bool is_fresh = false;
   for (int k = 0; k < most_window_iterations; ++k) {
-    equations_.heat_flow(T, t, flow);
+    if (k > 0) equations_.heat_flow(T, t, flow);
     equations_.enthalpy_difference(T, T_, residual_);
     residual_ = known_ + step * g * flow - residual_;
     clear_held(residual_);
@@ -313,10 +320,7 @@ bool HeatStepper::solve_window_stage(double step, double t, Vector& T, Vector& f
     ++statistics_.solves;
     T += residual_;
     const double change = largest(residual_);
-    if (is_linear || change <= 1e-10) {
-      equations_.heat_flow(T, t, flow);
-      return true;
-    }
+    if (is_linear || change <= 1e-10) return true;
     if (!std::isfinite(change)) break;
     if (k > 0 && change > 0.3 * last) {
       if (is_fresh && change > 2. * last) break;

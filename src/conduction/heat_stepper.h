@@ -57,6 +57,7 @@ class HeatStepper {
   void factorise(double step, const Vector& T);
   void advance_parts_of_window(double step, int most_parts);
   [[nodiscard]] bool step_window(double step);
+  /// @param flow  of T on entry; @return false if Newton's iteration fails
   [[nodiscard]] bool solve_window_stage(double step, double t, Vector& T, Vector& flow);
 
   HeatEquations& equations_;
