@@ -29,6 +29,7 @@ constexpr double b_embedded[6] = {4586570599. / 29645900160., 0.,
 constexpr double safety = 0.9, largest_growth = 4., worth_a_factorisation = 1.7;
 constexpr int most_iterations = 12, most_window_iterations = 25;
 constexpr std::size_t most_window_factors = 16;  // kept at a time: some MB each
+constexpr double window_accuracy = 1e-10;        // [K] of Newton's iteration
 constexpr double roundoff = 1e-11;               // [K] of an error estimate
 
 double largest(const Eigen::VectorXd& v) { return v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(); }
@@ -320,8 +321,11 @@ bool HeatStepper::solve_window_stage(double step, double t, Vector& T, Vector& f
     ++statistics_.solves;
     T += residual_;
     const double change = largest(residual_);
-    if (is_linear || change <= 1e-10) return true;
+    if (is_linear || change <= window_accuracy) return true;
     if (!std::isfinite(change)) break;
+    // What is still missing, if changes go on to shrink as they do.
+    if (const double rate = change / last; k > 0 && rate < 0.3 && change * rate / (1. - rate) <= window_accuracy)
+      return true;
     if (k > 0 && change > 0.3 * last) {
       if (is_fresh && change > 2. * last) break;
       factorise_at(T);

@@ -76,7 +76,7 @@ double HeatOperator::stored_energy(const Vector& T, const Vector& T_0) const {
   double energy = 0.;
   for (unsigned int i = 0; i < size(); ++i) energy += capacity_weights_(i) * (T(i) - T_0(i));
   for (const auto& cell : curved_cells_)
-    for (std::size_t q = 0; q < cell.weights.size(); ++q) {
+    for (std::size_t q = 0; cell.has_capacity && q < cell.weights.size(); ++q) {
       const double before = interpolated(T_0, cell.dofs, shape_[q]), now = interpolated(T, cell.dofs, shape_[q]);
       energy += cell.body->density * cell.body->heat_capacity.integral(before, now) * cell.weights[q];
     }

@@ -72,8 +72,9 @@ void HeatOperator::assemble_bodies() {
     for (const auto dof : dofs) body_of_[dof] = cell->material_id();
     for (unsigned int q = 0; q < fe.n_quadrature_points; ++q)
       for (unsigned int i = 0; i < n; ++i) mean.weights(dofs[i]) += weight(fe, q) * fe.shape_value(i, q);
-    if (is_curved(body)) continue;
-    const double k = body.conductivity.value(0.), rho_c = body.density * body.heat_capacity.value(0.);
+    // What depends on temperature is not in the matrices.
+    const double k = body.conductivity.is_constant() ? body.conductivity.value(0.) : 0.;
+    const double rho_c = body.heat_capacity.is_constant() ? body.density * body.heat_capacity.value(0.) : 0.;
     capacity = 0.;
     conductance = 0.;
     for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {

@@ -152,7 +152,9 @@ void HeatOperator::prepare_curved_cells() {
     if (!is_curved(body_of(cell))) continue;
     fe.reinit(cell);
     cell->get_dof_indices(dofs);
-    CurvedCell prepared{&body_of(cell), {dofs.begin(), dofs.end()}, {}, {}};
+    const HeatBody& body = body_of(cell);
+    CurvedCell prepared{
+        &body, !body.heat_capacity.is_constant(), !body.conductivity.is_constant(), {dofs.begin(), dofs.end()}, {}, {}};
     for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
       prepared.weights.push_back(weight(fe, q));
       const auto& inverse = fe.inverse_jacobian(q);  // rows: directions of the unit cell
@@ -199,7 +201,7 @@ void HeatOperator::enthalpy_difference(const Vector& T, const Vector& T_before, 
   scratch_ -= T_before;
   capacity_.vmult(out, scratch_);
   for (const auto& cell : curved_cells_)
-    for (std::size_t q = 0; q < cell.weights.size(); ++q) {
+    for (std::size_t q = 0; cell.has_capacity && q < cell.weights.size(); ++q) {
       const double before = interpolated(T_before, cell.dofs, shape_[q]), now = interpolated(T, cell.dofs, shape_[q]);
       const double gained = cell.body->density * cell.body->heat_capacity.integral(before, now) * cell.weights[q];
       for (std::size_t i = 0; i < cell.dofs.size(); ++i) out(cell.dofs[i]) += gained * shape_[q][i];
@@ -215,15 +217,28 @@ void HeatOperator::heat_flow(const Vector& T, double t, Vector& out) const {
   for (std::size_t p = 0; p < ports_.size(); ++p)
     if (!sources_.is_silent(p)) out.add(sources_.watts(p, t), ports_[p].weights);
 
-  for (const auto& cell : curved_cells_)
+  const std::size_t n = fe_.dofs_per_cell;
+  std::vector<double> here(n), flow(n);
+  for (const auto& cell : curved_cells_) {
+    if (!cell.has_conductivity) continue;
+    for (std::size_t i = 0; i < n; ++i) here[i] = T(cell.dofs[i]);
+    std::fill(flow.begin(), flow.end(), 0.);
     for (std::size_t q = 0; q < cell.weights.size(); ++q) {
-      const double k = cell.body->conductivity.value(interpolated(T, cell.dofs, shape_[q])) * cell.weights[q];
-      const double T_x = interpolated(T, cell.dofs, shape_x_[q]), T_r = interpolated(T, cell.dofs, shape_r_[q]);
+      const auto &shape = shape_[q], &shape_x = shape_x_[q], &shape_r = shape_r_[q];
+      double T_q = 0., T_x = 0., T_r = 0.;
+#pragma omp simd reduction(+ : T_q, T_x, T_r)
+      for (std::size_t i = 0; i < n; ++i) {
+        T_q += here[i] * shape[i];
+        T_x += here[i] * shape_x[i];
+        T_r += here[i] * shape_r[i];
+      }
+      const double k = cell.body->conductivity.value(T_q) * cell.weights[q];
       const auto& [xx, xr, rr] = cell.metric[q];
       const double k_T_x = k * (xx * T_x + xr * T_r), k_T_r = k * (xr * T_x + rr * T_r);
-      for (std::size_t i = 0; i < cell.dofs.size(); ++i)
-        out(cell.dofs[i]) -= k_T_x * shape_x_[q][i] + k_T_r * shape_r_[q][i];
+      for (std::size_t i = 0; i < n; ++i) flow[i] += k_T_x * shape_x[i] + k_T_r * shape_r[i];
     }
+    for (std::size_t i = 0; i < n; ++i) out(cell.dofs[i]) -= flow[i];
+  }
   for (const auto& face : power_faces_)
     for (std::size_t q = 0; q < face.weights.size(); ++q) {
       const auto& shape = (*face.shape)[q];
@@ -282,13 +297,14 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, Matrix& out) co
       for (std::size_t q = 0; q < cell.weights.size(); ++q) {
         const double now = interpolated(T, cell.dofs, shape_[q]), w = cell.weights[q];
         const auto& [xx, xr, rr] = cell.metric[q];
-        const double k = scaled_step * w * k_of.value(now), steeper = scaled_step * w * k_of.slope(now);
+        const double k = cell.has_conductivity ? scaled_step * w * k_of.value(now) : 0.;
+        const double steeper = cell.has_conductivity ? scaled_step * w * k_of.slope(now) : 0.;
+        const double rho_c = cell.has_capacity ? cell.body->density * cell.body->heat_capacity.value(now) : 0.;
         // Gradient of shape i raised by the metric.
         const double i_x = xx * shape_x_[q][i] + xr * shape_r_[q][i], i_r = xr * shape_x_[q][i] + rr * shape_r_[q][i];
         const double flow_i =
             interpolated(T, cell.dofs, shape_x_[q]) * i_x + interpolated(T, cell.dofs, shape_r_[q]) * i_r;
-        const double by_value =
-            cell.body->density * cell.body->heat_capacity.value(now) * w * shape_[q][i] + steeper * flow_i;
+        const double by_value = rho_c * w * shape_[q][i] + steeper * flow_i;
         for (std::size_t j = 0; j < n; ++j)
           local[j] += by_value * shape_[q][j] + k * (i_x * shape_x_[q][j] + i_r * shape_r_[q][j]);
       }

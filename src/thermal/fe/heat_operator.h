@@ -99,6 +99,7 @@ class HeatOperator {
   /// Of a cell with temperature-dependent properties, what its integrals need.
   struct CurvedCell {
     const HeatBody* body = nullptr;
+    bool has_capacity = false, has_conductivity = false;  ///< that depends on temperature; the matrices have the other
     std::vector<unsigned int> dofs;
     std::vector<double> weights;  ///< 2 pi r times the quadrature's weight [n_points]
     std::vector<std::array<double, 3>>
