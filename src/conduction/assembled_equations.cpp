@@ -52,7 +52,7 @@ class CholeskyInverse final : public HeatInverse {
     factors_.analyzePattern(matrix_);
   }
 
-  void set_matrix(const Vector&, double scaled_step) override {
+  void set_matrix(const Vector&, double scaled_step, HeatMatrix) override {
     Eigen::Map<Vector>(matrix_.valuePtr(), matrix_.nonZeros()) =
         values(ordered_.capacity) + scaled_step * values(ordered_.conductance);
     for (const int k : ordered_.left_out) matrix_.valuePtr()[k] = 0.;

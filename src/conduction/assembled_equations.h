@@ -21,6 +21,7 @@ class AssembledEquations final : public HeatEquations {
 
   [[nodiscard]] Vector initial_temperature() const override;
   [[nodiscard]] bool is_linear() const override { return true; }
+  [[nodiscard]] bool is_symmetric() const override { return true; }
   [[nodiscard]] const std::vector<HeldUnknowns>& held() const override { return assembled_.held; }
   void hold_fluxes_of(double time) override { sources_.hold_fluxes_of(time); }
   void hold_port_heat(std::span<const double> watts, std::span<const double> rates, double time) override {

@@ -11,6 +11,9 @@
 
 namespace rotordrop {
 
+/// What a matrix knows of conductivities over temperature: their values alone, which leaves it symmetric, or their slopes, too.
+enum class HeatMatrix { symmetric, exact };
+
 /// Solves with one matrix after another, of one pattern.
 class HeatInverse {
  public:
@@ -21,7 +24,7 @@ class HeatInverse {
 
   /// Takes d(enthalpy)/dT - scaled_step dF/dT at T, rows and columns of held unknowns but for their diagonal left out.
   /// @throws SolverError if it is singular
-  virtual void set_matrix(const Eigen::VectorXd& T, double scaled_step) = 0;
+  virtual void set_matrix(const Eigen::VectorXd& T, double scaled_step, HeatMatrix kind) = 0;
   /// v becomes the solution. @throws SolverError
   virtual void solve(Eigen::VectorXd& v) = 0;
 };
@@ -38,6 +41,8 @@ class HeatEquations {
   [[nodiscard]] virtual Vector initial_temperature() const = 0;  ///< [K]
   /// Whether there is one Jacobian for all temperatures.
   [[nodiscard]] virtual bool is_linear() const = 0;
+  /// Whether the exact matrix is symmetric: no conductivity depends on temperature.
+  [[nodiscard]] virtual bool is_symmetric() const = 0;
   [[nodiscard]] virtual const std::vector<HeldUnknowns>& held() const = 0;
 
   /// Fluxes keep, until the next call, the values that hold right after this time [s].

@@ -37,7 +37,10 @@ double largest(const Eigen::VectorXd& v) { return v.cwiseAbs().maxCoeff<Eigen::P
 }  // namespace
 
 HeatStepper::HeatStepper(HeatEquations& equations, const HeatConductionProblem& problem)
-    : equations_(equations), numerics_(problem.numerics), T_0_(equations.initial_temperature()) {
+    : equations_(equations),
+      numerics_(problem.numerics),
+      T_0_(equations.initial_temperature()),
+      kind_(equations.is_symmetric() ? HeatMatrix::exact : HeatMatrix::symmetric) {
   for (const auto& flux : problem.fluxes) changes_.insert(changes_.end(), flux.times.begin(), flux.times.end());
   std::sort(changes_.begin(), changes_.end());
   for (const auto& law : problem.convections)
@@ -167,8 +170,8 @@ bool HeatStepper::solve_stage(std::size_t i, double step) {
       equations_.heat_flow(T, t, flow_[i]);
       return true;
     }
-    if (k > 0 && rate > 0.3) {
-      if (is_fresh && rate > 2.) return false;
+    if (k > 0 && is_slow(rate)) {
+      if (!has_better_matrix(rate, is_fresh)) return false;
       factorise(step, T);
       is_fresh = true;
     }
@@ -177,8 +180,15 @@ bool HeatStepper::solve_stage(std::size_t i, double step) {
   return false;
 }
 
+bool HeatStepper::has_better_matrix(double rate, bool is_fresh) {
+  if (!is_fresh) return true;
+  if (kind_ == HeatMatrix::exact) return rate <= 2.;
+  kind_ = HeatMatrix::exact;
+  return true;
+}
+
 void HeatStepper::factorise(double step, const Vector& T) {
-  inverse_->set_matrix(T, step * sdirk_gamma);
+  inverse_->set_matrix(T, step * sdirk_gamma, kind_);
   factorised_step_ = step;
   is_stale_ = false;
   ++statistics_.factorisations;
@@ -303,7 +313,7 @@ bool HeatStepper::solve_window_stage(double step, double t, Vector& T, Vector& f
   auto found = window_inverse_.find(step);
   const auto factorise_at = [&](const Vector& at) {
     found = window_inverse_.insert_or_assign(step, equations_.make_inverse()).first;
-    found->second->set_matrix(at, step * g);
+    found->second->set_matrix(at, step * g, kind_);
     ++statistics_.factorisations;
   };
   if (found == window_inverse_.end()) {
@@ -323,11 +333,11 @@ bool HeatStepper::solve_window_stage(double step, double t, Vector& T, Vector& f
     const double change = largest(residual_);
     if (is_linear || change <= window_accuracy) return true;
     if (!std::isfinite(change)) break;
+    const double rate = k > 0 ? change / last : 0.;
     // What is still missing, if changes go on to shrink as they do.
-    if (const double rate = change / last; k > 0 && rate < 0.3 && change * rate / (1. - rate) <= window_accuracy)
-      return true;
-    if (k > 0 && change > 0.3 * last) {
-      if (is_fresh && change > 2. * last) break;
+    if (k > 0 && rate < 0.3 && change * rate / (1. - rate) <= window_accuracy) return true;
+    if (k > 0 && is_slow(rate)) {
+      if (!has_better_matrix(rate, is_fresh)) break;
       factorise_at(T);
       is_fresh = true;
     }

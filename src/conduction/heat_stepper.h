@@ -55,6 +55,10 @@ class HeatStepper {
   /// @param flow_joules  integral of the heat flow over the step, by the method's weights [J]
   void book_held_boundaries(const Vector& before, const Vector& after, const Vector& flow_joules);
   void factorise(double step, const Vector& T);
+  /// Whether Newton's iteration should have another matrix: its changes shrink by no more than this.
+  [[nodiscard]] bool is_slow(double rate) const { return rate > (kind_ == HeatMatrix::exact ? 0.3 : 0.1); }
+  /// Prepares for it. @return false if there is no better one. @param is_fresh  the present one was made in this iteration
+  [[nodiscard]] bool has_better_matrix(double rate, bool is_fresh);
   void advance_parts_of_window(double step, int most_parts);
   [[nodiscard]] bool step_window(double step);
   /// @param flow  of T on entry; @return false if Newton's iteration fails
@@ -73,6 +77,7 @@ class HeatStepper {
   Vector known_, residual_;
   std::unique_ptr<HeatInverse> inverse_;
   double factorised_step_ = 0;
+  HeatMatrix kind_;        ///< of matrices: exact once slopes of conductivities turn out to matter
   bool is_stale_ = false;  ///< the matrix belongs to temperatures too far away
   HeatStatistics statistics_;
   std::map<double, std::unique_ptr<HeatInverse>> window_inverse_;  ///< by step

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "conduction/heat_equations.h"
 #include "conduction/heat_sources.h"
 #include "model/assembled_heat.h"
 #include "model/heat_conduction.h"
@@ -52,7 +53,7 @@ class HeatOperator {
   /// out(v) = F(T, t)(v)  [W]
   void heat_flow(const Vector& T, double t, Vector& out) const;
   /// out = d(enthalpy)/dT - scaled_step dF/dT, rows and columns of held unknowns but for their diagonal left out
-  void jacobian(const Vector& T, double scaled_step, Matrix& out) const;
+  void jacobian(const Vector& T, double scaled_step, HeatMatrix kind, Matrix& out) const;
 
   /// Held fluxes times their areas, the areas taken from the bodies' dimensions [W]; functions of place and time by quadrature.
   [[nodiscard]] double input_power(double t) const;

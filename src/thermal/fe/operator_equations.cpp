@@ -10,23 +10,29 @@ namespace {
 class OperatorInverse final : public HeatInverse {
  public:
   OperatorInverse(const HeatOperator& problem, HeatLinearSolver solver)
-      : operator_(problem), matrix_(problem.pattern()), solver_(make_linear_solver(solver, problem.is_symmetric())) {}
+      : operator_(problem), solver_(solver), matrix_(problem.pattern()) {}
 
-  void set_matrix(const Eigen::VectorXd& T, double scaled_step) override {
+  void set_matrix(const Eigen::VectorXd& T, double scaled_step, HeatMatrix kind) override {
+    const bool is_symmetric = kind == HeatMatrix::symmetric || operator_.is_symmetric();
+    auto& factors = is_symmetric ? symmetric_ : exact_;
+    if (!factors) factors = make_linear_solver(solver_, is_symmetric);
     copy_to(T, vector_);
-    operator_.jacobian(vector_, scaled_step, matrix_);
-    solver_->set_matrix(matrix_);
+    operator_.jacobian(vector_, scaled_step, kind, matrix_);
+    factors->set_matrix(matrix_);
+    last_ = factors.get();
   }
   void solve(Eigen::VectorXd& v) override {
     copy_to(v, vector_);
-    solver_->solve(vector_);
+    last_->solve(vector_);
     copy_to(vector_, v);
   }
 
  private:
   const HeatOperator& operator_;
+  const HeatLinearSolver solver_;
   HeatOperator::Matrix matrix_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::unique_ptr<LinearSolver> symmetric_, exact_;
+  LinearSolver* last_ = nullptr;  ///< of them, that has the matrix
   HeatOperator::Vector vector_;
 };
 

@@ -12,6 +12,7 @@ class OperatorEquations final : public HeatEquations {
 
   [[nodiscard]] Vector initial_temperature() const override;
   [[nodiscard]] bool is_linear() const override { return operator_.is_linear(); }
+  [[nodiscard]] bool is_symmetric() const override { return operator_.is_symmetric(); }
   [[nodiscard]] const std::vector<HeldUnknowns>& held() const override { return operator_.held(); }
   void hold_fluxes_of(double time) override { operator_.sources().hold_fluxes_of(time); }
   void hold_port_heat(std::span<const double> watts, std::span<const double> rates, double time) override {

@@ -138,5 +138,30 @@ TEST(FixedTemperature, CannotBeReduced) {
   EXPECT_THROW(static_cast<void>(solver->reduce({})), SolverError);
 }
 
+// Kirchhoff: with k = k_0 + slope (T - T_0), k_0 theta + slope theta^2/2 is what the profile of constant k is scaled to. A conductivity that grows a
+// hundredfold from the outside to the bore: matrices without its slope do not bring Newton's iteration to its end.
+TEST(FixedTemperature, LeavesTheProfileOfASteepConductivity) {
+  const Cylinder c;
+  const double k_0 = 10., k_1 = 1000., slope = (k_1 - k_0) / c.jump;
+  const auto rise = [&](double r) {
+    const double integral = (k_0 + 0.5 * slope * c.jump) * c.steady(r);
+    return (std::sqrt(k_0 * k_0 + 2. * slope * integral) - k_0) / slope;
+  };
+  auto p = c.problem();
+  p.bodies[0].conductivity = PropertyTable({{c.start, k_0}, {c.start + c.jump, k_1}});
+  p.numerics.degree = 4;
+  p.numerics.cells = 3;
+  for (const auto kind : {HeatLinearSolver::direct, HeatLinearSolver::multigrid}) {
+    p.numerics.solver = kind;
+    const auto solver = make_solver(p);
+    for (int i = 0; i < 12; ++i) solver->advance_window(c.time(4.));
+    // The mesh's error, largest where k is small.
+    for (const double r : {36e-3, 40e-3, 43.7e-3, 49e-3})
+      EXPECT_NEAR(solver->temperature(0, 4e-3, r) - c.start, rise(r), 1e-4 * c.jump) << "r = " << r;
+    const HeatEnergy e = solver->energy();
+    EXPECT_LT(std::fabs(e.residual()), 1e-9 * e.input);
+  }
+}
+
 }  // namespace
 }  // namespace rotordrop

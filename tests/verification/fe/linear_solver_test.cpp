@@ -53,7 +53,6 @@ TEST(LinearSolvers, MultigridGivesWhatFactorisationGivesOnALargeSection) {
   EXPECT_GT(make_solver(problem)->statistics().unknowns, 20000U);
 }
 
-// Then matrices are not symmetric: LU instead of Cholesky, GMRES instead of conjugate gradients.
 TEST(LinearSolvers, AutomaticFactorisesAsLongAsTheFactorsFitIntoHalfOfTheMemory) {
   using enum HeatLinearSolver;
   // 150 bytes times n log2 n, as measured: 3 GB for a million unknowns.
@@ -63,6 +62,7 @@ TEST(LinearSolvers, AutomaticFactorisesAsLongAsTheFactorsFitIntoHalfOfTheMemory)
   for (const auto asked : {direct, multigrid}) EXPECT_EQ(chosen_solver(asked, 1'000'000, 1e6), asked);
 }
 
+// By matrices without the slope of the conductivity, which are symmetric; where it is steep, fixed_temperature_test.cpp has LU and GMRES.
 TEST(LinearSolvers, AgreeWhereConductivityDependsOnTemperature) {
   auto problem = ring_in_housing(6);
   problem.bodies[0].conductivity = PropertyTable({{293., 46.}, {320., 44.}, {600., 36.}});
