@@ -226,7 +226,6 @@ void HeatOperator::heat_flow(const Vector& T, double t, Vector& out) const {
     for (std::size_t q = 0; q < cell.weights.size(); ++q) {
       const auto &shape = shape_[q], &shape_x = shape_x_[q], &shape_r = shape_r_[q];
       double T_q = 0., T_x = 0., T_r = 0.;
-#pragma omp simd reduction(+ : T_q, T_x, T_r)
       for (std::size_t i = 0; i < n; ++i) {
         T_q += here[i] * shape[i];
         T_x += here[i] * shape_x[i];
