@@ -27,8 +27,12 @@ from document_tables import put_between  # noqa: E402
 DOCUMENT = ROOT / "docs/performance.md"
 CASE = ROOT / "params/neisi2019-settling.toml"
 HEAT = ROOT / "params/heat/ring-in-housing.toml"
+#: with 128 unknowns, as validation/heat_cost_freefem.py has it
+LINEAR_HEAT = [ROOT / "validation/heat_two_bodies.toml"] + [
+    word for key in ("cells=2", "grading=25", "end_grading=1", "growth=2", "time_tolerance=1e-2") for word in ("--set", f"fe.{key}")]
 BEGIN, END = "<!-- performance.py: begin -->\n", "<!-- performance.py: end -->"
 BESIDE = ["--set", 'thermal.models=["lumped", "fe"]']
+WINDOWS = ["--set", 'thermal.models=["fe"]', "--set", "thermal.fe.coupling=windowed"]
 NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"]
 
 KERNELS = [
@@ -120,6 +124,15 @@ def heat(program, folder):
         return None
 
 
+def heat_process(program, folder):
+    """CPU of a whole process that heats a section it has met before [s]; None without finite elements."""
+    out = pathlib.Path(folder, "heat")
+    try:
+        return [cpu_of([program, "heat", *LINEAR_HEAT, "--quiet", "--force", "-o", out]) for _ in range(2)][1]
+    except (subprocess.CalledProcessError, FileNotFoundError):
+        return None
+
+
 def programs_table(programs, rounds):
     """Rows of (what, texts of each program)."""
     samples = {}
@@ -133,6 +146,7 @@ def programs_table(programs, rounds):
                 bare, _ = drop(program, case, folder, settings + NO_ROWS)
                 add("beside", drop_with(program, case, folder, settings + BESIDE))
                 add("bare_beside", drop_with(program, case, folder, settings + BESIDE + NO_ROWS))
+                add("windows", drop_with(program, case, folder, settings + WINDOWS + NO_ROWS))
                 add("drop", in_drop)
                 add("process", process)
                 add("bare", bare)
@@ -140,16 +154,19 @@ def programs_table(programs, rounds):
                 short, whole = drop(program, case, folder, settings + ["--set", "run.end_time=1ms"])
                 add("fixed", whole - short)
                 add("heat", heat(program, folder))
+                add("heat_process", heat_process(program, folder))
                 print(f"round {turn + 1} of {rounds}: {name}", flush=True)
     texts = [
         ("drop", "reference drop of 0.3 s with its records (`run.cpu_time`)", "ms", 1e3),
         ("bare", "the same, almost without rows", "ms", 1e3),
         ("beside", "the first with finite elements beside the circuit, and their 76 values in each row", "ms", 1e3),
         ("bare_beside", "the same, almost without rows", "ms", 1e3),
+        ("windows", "the same, finite elements in windows instead of the circuit", "ms", 1e3),
         ("process", "the whole process of the first", "ms", 1e3),
         ("fixed", "a process of a drop of 1 ms, without the drop", "ms", 1e3),
         ("start", "`rotordrop --version`", "ms", 1e3),
-        ("heat", "finite elements of `rotordrop heat`, per step and unknown", "ns", 1e9),
+        ("heat", "finite elements of `rotordrop heat` with k and c over temperature, per step and unknown", "ns", 1e9),
+        ("heat_process", "a process of `rotordrop heat`, linear, 128 unknowns, of a section that it has met before", "ms", 1e3),
     ]
     return [(what, [samples.get(key, {}).get(name, Samples()).text(unit, scale) for name in programs])
             for key, what, unit, scale in texts if key in samples]
