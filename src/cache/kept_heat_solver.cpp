@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -74,7 +75,7 @@ class KeptHeatSolver final : public HeatConductionSolver {
   }
   [[nodiscard]] std::vector<double> field() const override {
     if (own_) return {own_->stepper.field().begin(), own_->stepper.field().end()};
-    if (real_) return real_->field();
+    if (real_ || is_held()) return real().field();
     return std::vector<double>(std::get<2>(sizes()), problem_.initial_temperature);  // plain problems start evenly
   }
   [[nodiscard]] HeatEnergy energy() const override { return own() ? own_->stepper.energy() : real().energy(); }
@@ -140,6 +141,11 @@ class KeptHeatSolver final : public HeatConductionSolver {
     return real();
   }
 
+  /// Whether something is held at a temperature from the start on.
+  [[nodiscard]] bool is_held() const {
+    return !problem_.fixed.empty() || std::any_of(problem_.bodies.begin(), problem_.bodies.end(),
+                                                  [](const HeatBody& body) { return body.held_at.has_value(); });
+  }
   /// What is stepped here, without the real solver.
   struct Own {
     Own(const HeatConductionProblem& problem, AssembledHeat heat)

@@ -277,6 +277,17 @@ TEST_F(KeptHeat, MatricesAreSteppedWithoutTheRealSolverForAnyFluxAndTolerance) {
   EXPECT_EQ(calls.made, 2);
 }
 
+TEST_F(KeptHeat, AFieldThatIsHeldSomewhereIsTheRealSolvers) {
+  Calls calls;
+  const auto make = [&](const HeatConductionProblem& p) { return std::make_unique<FakeHeat>(p, calls); };
+  auto p = problem();
+  p.fixed.push_back({{0, HeatSide::inner}, 350.});
+  for (int round = 1; round <= 2; ++round) {
+    EXPECT_EQ(kept_heat_solver(folder_, "room", p, make)->field().size(), 7U);
+    EXPECT_EQ(calls.made, round);
+  }
+}
+
 TEST_F(KeptHeat, TheRealSolverGetsTheFieldThatWasSteppedWithoutIt) {
   Calls calls;
   calls.matrices = two_lumps();
