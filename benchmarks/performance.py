@@ -14,7 +14,6 @@ import os
 import pathlib
 import platform
 import re
-import resource
 import statistics
 import subprocess
 import sys
@@ -22,6 +21,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "docs"))
+from child_cpu import with_cpu_of_children  # noqa: E402
 from document_tables import put_between  # noqa: E402
 
 DOCUMENT = ROOT / "docs/performance.md"
@@ -60,10 +60,8 @@ class Samples(list):
 
 def cpu_of(command, **options):
     """CPU of a process and its children [s]."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **options)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    words = [str(word) for word in command]
+    return with_cpu_of_children(lambda: subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **options))[1]
 
 
 def version_of(program):

@@ -10,10 +10,11 @@ of the whole process (user and system), start and reading of cases included. The
 import argparse
 import os
 import pathlib
-import resource
 import subprocess
 import sys
 import tempfile
+
+from child_cpu import with_cpu_of_children
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 CASE = ROOT / "params/neisi2019-settling.toml"
@@ -28,10 +29,7 @@ for i in range(n):
 
 def cpu_of(command, **options):
     """CPU of a process and its children [s]."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, **options)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return with_cpu_of_children(lambda: subprocess.run(command, check=True, stdout=subprocess.DEVNULL, **options))[1]
 
 
 def main():

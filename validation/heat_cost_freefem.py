@@ -16,7 +16,6 @@ of one, which has to load the finite elements, stands apart. Exit codes: 0 done,
 import json
 import os
 import pathlib
-import resource
 import shutil
 import statistics
 import subprocess
@@ -25,6 +24,9 @@ import tempfile
 import tomllib
 
 from heat_freefem import CASE, HERE, PROBES, freefem
+
+sys.path.insert(0, str(HERE.parent / "benchmarks"))
+from child_cpu import with_cpu_of_children  # noqa: E402
 
 OUTPUT_TIMES = [1e-3, 2e-3, 4e-3, 0.01, 0.03, 0.1, 0.3]
 RUNS = 9
@@ -44,14 +46,6 @@ def our_run(program, folder, settings):
     s = json.loads((folder / "out/summary.json").read_text())
     rises = {t: [s["probes"][p]["temperature"][i] - 293.15 for p in PROBES] for i, t in enumerate(OUTPUT_TIMES)}
     return rises, s["cpu_time"], s["unknowns"], s["steps"], s["factorisations"]
-
-
-def with_process(call):
-    """What a call returns, and the CPU seconds of the processes that it ran."""
-    spent = lambda: sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])
-    before = spent()
-    result = call()
-    return result, spent() - before
 
 
 def schedule(first, per_mark, jumps):
@@ -98,8 +92,8 @@ def main():
         our_times, their_times, our_first, our_whole, their_whole = [], [], [], [], []
         for _ in range(RUNS):
             shutil.rmtree(folder / "cache", ignore_errors=True)
-            our_first.append(with_process(lambda: our_run(program, folder, OURS))[1])
-            (ours, our_process), (theirs, their_process) = (with_process(call) for call in (lambda: our_run(program, folder, OURS), lambda: freefem(case, folder, steps, **THEIRS)))
+            our_first.append(with_cpu_of_children(lambda: our_run(program, folder, OURS))[1])
+            (ours, our_process), (theirs, their_process) = (with_cpu_of_children(call) for call in (lambda: our_run(program, folder, OURS), lambda: freefem(case, folder, steps, **THEIRS)))
             our_times.append(ours[1])
             their_times.append(theirs[1])
             our_whole.append(our_process)

@@ -94,7 +94,7 @@ class KeptHeatSolver final : public HeatConductionSolver {
     return own() ? value(own_->assembled.bodies[body]) : real().body_mean(body);
   }
   [[nodiscard]] double port_temperature(std::size_t port) const override {
-    return own() ? value(own_->ports[port]) : real().port_temperature(port);
+    return own() ? value(own_->assembled.ports[port]) : real().port_temperature(port);
   }
   [[nodiscard]] HeatMean mean_at(std::size_t body, double x, double r) const override {
     return kept_mean_at(body, x, r);
@@ -149,18 +149,8 @@ class KeptHeatSolver final : public HeatConductionSolver {
   /// What is stepped here, without the real solver.
   struct Own {
     Own(const HeatConductionProblem& problem, AssembledHeat heat)
-        : assembled(std::move(heat)), equations(problem, assembled), stepper(equations, problem) {
-      for (const auto& load : assembled.port_loads) {
-        ports.emplace_back();
-        for (unsigned int i = 0; i < load.size(); ++i) {
-          if (load[i] == 0.) continue;
-          ports.back().unknowns.push_back(i);
-          ports.back().weights.push_back(load[i]);
-        }
-      }
-    }
+        : assembled(std::move(heat)), equations(problem, assembled), stepper(equations, problem) {}
     const AssembledHeat assembled;
-    std::vector<HeatMean> ports;
     AssembledEquations equations;
     HeatStepper stepper;
   };

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <numeric>
 
 #include "base/errors.h"
@@ -109,8 +110,12 @@ void AssembledEquations::heat_flow(const Vector& T, double t, Vector& out) const
   out.noalias() -= conductance_ * (T.array() - T_0()).matrix();
   for (std::size_t f = 0; f < assembled_.flux_loads.size(); ++f)
     if (sources_.flux(f) != 0.) out += sources_.flux(f) * list(assembled_.flux_loads[f]);
-  for (std::size_t p = 0; p < assembled_.port_loads.size(); ++p)
-    if (!sources_.is_silent(p)) out += sources_.watts(p, t) * list(assembled_.port_loads[p]);
+  for (std::size_t p = 0; p < assembled_.ports.size(); ++p) {
+    if (sources_.is_silent(p)) continue;
+    const auto& port = assembled_.ports[p];
+    for (std::size_t i = 0; i < port.unknowns.size(); ++i)
+      out[port.unknowns[i]] += sources_.watts(p, t) * port.weights[i];
+  }
 }
 
 std::unique_ptr<HeatInverse> AssembledEquations::make_inverse() const {
@@ -123,8 +128,8 @@ double AssembledEquations::lost_power(const Vector& T) const {
   return list(assembled_.loss_weights).dot((T.array() - T_0()).matrix()) - ambient_power_;
 }
 
-double AssembledEquations::stored_energy(const Vector& T) const {
-  return list(assembled_.capacity_weights).dot((T.array() - T_0()).matrix());
+double AssembledEquations::stored_energy(const Vector& T, const Vector& T_before) const {
+  return list(assembled_.capacity_weights).dot(T - T_before);
 }
 
 std::string AssembledEquations::part_of(std::size_t unknown) const {
@@ -136,7 +141,7 @@ std::string AssembledEquations::part_of(std::size_t unknown) const {
 std::string AssembledEquations::strongest_cooling(std::size_t unknown, double t) const {
   return sources_.strongest_cooling(
       t, [&](std::size_t f) { return assembled_.flux_loads[f][unknown] != 0.; },
-      [&](std::size_t p) { return assembled_.port_loads[p][unknown] != 0.; });
+      [&](std::size_t p) { return std::ranges::count(assembled_.ports[p].unknowns, unknown) > 0; });
 }
 
 }  // namespace rotordrop

@@ -33,7 +33,7 @@ class AssembledEquations final : public HeatEquations {
   [[nodiscard]] std::unique_ptr<HeatInverse> make_inverse() const override;
   [[nodiscard]] double input_power(double t) const override { return sources_.power(t); }
   [[nodiscard]] double lost_power(const Vector& T) const override;
-  [[nodiscard]] double stored_energy(const Vector& T) const override;
+  [[nodiscard]] double stored_energy(const Vector& T, const Vector& T_before) const override;
   [[nodiscard]] double expected_rise(double duration) const override { return sources_.expected_rise(duration); }
   [[nodiscard]] double shortest_time() const override { return assembled_.shortest_time; }
   [[nodiscard]] std::string part_of(std::size_t unknown) const override;

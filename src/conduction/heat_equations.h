@@ -57,9 +57,9 @@ class HeatEquations {
   virtual void heat_flow(const Vector& T, double t, Vector& out) const = 0;                          ///< F [W]
   [[nodiscard]] virtual std::unique_ptr<HeatInverse> make_inverse() const = 0;
 
-  [[nodiscard]] virtual double input_power(double t) const = 0;           ///< [W]
-  [[nodiscard]] virtual double lost_power(const Vector& T) const = 0;     ///< [W]
-  [[nodiscard]] virtual double stored_energy(const Vector& T) const = 0;  ///< over the initial temperatures [J]
+  [[nodiscard]] virtual double input_power(double t) const = 0;                                   ///< [W]
+  [[nodiscard]] virtual double lost_power(const Vector& T) const = 0;                             ///< [W]
+  [[nodiscard]] virtual double stored_energy(const Vector& T, const Vector& T_before) const = 0;  ///< [J]
 
   /// Largest rise [K] that fluxes and ports as they are held can be expected to give in this time [s]: a scale.
   [[nodiscard]] virtual double expected_rise(double duration) const = 0;

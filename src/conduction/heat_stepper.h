@@ -22,7 +22,7 @@ class HeatStepper {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const Vector& temperatures() const { return T_; }
   [[nodiscard]] std::span<const double> field() const { return {T_.data(), static_cast<std::size_t>(T_.size())}; }
-  [[nodiscard]] HeatEnergy energy() const { return {input_, equations_.stored_energy(T_), lost_}; }
+  [[nodiscard]] HeatEnergy energy() const { return {input_, equations_.stored_energy(T_, T_0_), lost_}; }
   /// Steps, factorisations and solves; sizes are the caller's.
   [[nodiscard]] const HeatStatistics& statistics() const { return statistics_; }
 

@@ -13,11 +13,12 @@ struct HeatMean {
   std::vector<double> weights;  ///< [as many], of sum 1
 
   /// @param T  of all unknowns [K]; @param T_0  [K], near them: differences cost no digits
-  [[nodiscard]] double of(std::span<const double> T, double T_0) const {
+  [[nodiscard]] double rise(std::span<const double> T, double T_0) const {
     double rise = 0.;
     for (std::size_t i = 0; i < unknowns.size(); ++i) rise += weights[i] * (T[unknowns[i]] - T_0);
-    return T_0 + rise;
+    return rise;
   }
+  [[nodiscard]] double of(std::span<const double> T, double T_0) const { return T_0 + rise(T, T_0); }
   [[nodiscard]] double lowest(std::span<const double> T) const {
     double lowest = std::numeric_limits<double>::infinity();
     for (const auto i : unknowns) lowest = std::min(lowest, T[i]);
@@ -45,14 +46,12 @@ struct AssembledHeat {
   std::vector<double> loss_weights;             ///< heat lost = weights . (T - T_0) - sum of ambient_load
   std::vector<double> ambient_load;             ///< [W]: convection while all is at T_0
   std::vector<std::vector<double>> flux_loads;  ///< [n_fluxes][n] per W/m2
-  std::vector<std::vector<double>> port_loads;  ///< [n_ports][n] per W; also the weights of the port's mean
+  std::vector<HeatMean> ports;                  ///< means, and loads per W [n_ports]
   std::vector<double> flux_areas, port_areas;   ///< [m2]
   std::vector<HeldUnknowns> held;               ///< no unknown twice
   std::vector<HeatMean> bodies;                 ///< over their volumes
-  std::vector<double> body_capacities;          ///< [J/K]
   std::vector<unsigned int> body_of;            ///< of the mesh's unknowns
   double shortest_time = 0;                     ///< [s] in which heat crosses the thinnest cell, node to node
-  std::size_t cells = 0;
 
   [[nodiscard]] std::size_t size() const { return capacity_weights.size(); }
 };

@@ -15,16 +15,6 @@ namespace {
 
 using Values = std::vector<double>;
 
-HeatMean mean_by(const HeatOperator::Vector& weights) {
-  HeatMean mean;
-  for (unsigned int i = 0; i < weights.size(); ++i) {
-    if (weights(i) == 0.) continue;
-    mean.unknowns.push_back(i);
-    mean.weights.push_back(weights(i));
-  }
-  return mean;
-}
-
 }  // namespace
 
 // --------------------------------------------------------------------------------------------------------------------- energy
@@ -56,19 +46,14 @@ double HeatOperator::input_power(double t) const {
 }
 
 double HeatOperator::lost_power(const Vector& T) const {
-  const auto rise_of_port = [&](std::size_t port) {
-    double rise = 0.;
-    for (unsigned int i = 0; i < size(); ++i)
-      if (const double w = ports_[port].weights(i); w != 0.) rise += w * (T(i) - problem_.initial_temperature);
-    return rise;
-  };
   double power = 0.;
   for (const auto* faces : {&linear_faces_, &power_faces_})
     for (const auto& face : *faces)
       for (std::size_t q = 0; q < face.weights.size(); ++q)
         power += loss(*face.law, interpolated(T, face.dofs, (*face.shape)[q])) * face.weights[q];
   for (const auto& link : problem_.links)
-    if (!link.to) power += rise_of_port(link.from) / link.resistance;
+    if (!link.to)
+      power += mean_of_port(link.from).rise({T.begin(), T.end()}, problem_.initial_temperature) / link.resistance;
   return power;
 }
 
@@ -119,9 +104,6 @@ HeatMean HeatOperator::mean_over(const std::vector<HeatBoundary>& boundaries) co
   }
   return mean;
 }
-
-HeatMean HeatOperator::mean_of_body(std::size_t body) const { return mean_by(bodies_[body].weights); }
-HeatMean HeatOperator::mean_of_port(std::size_t port) const { return mean_by(ports_[port].weights); }
 
 double HeatOperator::difference(const Vector& T, const std::function<double(std::size_t, double, double)>& f) const {
   dealii::FEValues<2> fe(mapping_, fe_, dealii::QGauss<2>(fe_.degree + 3), cell_flags);
@@ -177,17 +159,13 @@ std::optional<AssembledHeat> HeatOperator::assembled() const {
     heat.flux_areas.push_back(load.area);
   }
   for (const auto& port : ports_) {
-    heat.port_loads.push_back(list(port.weights));
+    heat.ports.push_back(port.mean);
     heat.port_areas.push_back(port.area);
   }
   heat.held = held_;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    heat.bodies.push_back(mean_of_body(b));
-    heat.body_capacities.push_back(bodies_[b].capacity);
-  }
+  for (const auto& body : bodies_) heat.bodies.push_back(body.mean);
   heat.body_of.assign(body_of_.begin(), body_of_.end());
   heat.shortest_time = shortest_time();
-  heat.cells = n_cells();
   return heat;
 }
 

@@ -62,7 +62,7 @@ void HeatOperator::assemble_bodies() {
   const unsigned int n = fe_.dofs_per_cell;
   dealii::FullMatrix<double> capacity(n, n), conductance(n, n);
   Indices dofs(n);
-  for (std::size_t b = 0; b < problem_.bodies.size(); ++b) bodies_.push_back({Vector(size()), 0.});
+  for (std::size_t b = 0; b < problem_.bodies.size(); ++b) bodies_.push_back({Vector(size()), 0., {}});
   body_of_.assign(n_field_, 0);
   for (const auto& cell : cells_) {
     const auto& body = body_of(cell);
@@ -96,6 +96,7 @@ void HeatOperator::assemble_bodies() {
     for (const double w : bodies_[b].weights) volume += w;
     bodies_[b].capacity = volume * body.density * body.heat_capacity.value(problem_.initial_temperature);
     bodies_[b].weights /= volume;
+    bodies_[b].mean = mean_by(bodies_[b].weights);
   }
 }
 

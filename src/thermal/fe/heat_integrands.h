@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "model/assembled_heat.h"
 #include "model/heat_conduction.h"
 
 namespace rotordrop {
@@ -24,6 +25,17 @@ inline double loss_slope(const HeatConvection& law, double T) {
 /// Whether properties of a body depend on temperature.
 inline bool is_curved(const HeatBody& body) {
   return !body.conductivity.is_constant() || !body.heat_capacity.is_constant();
+}
+
+/// The weights that are not 0.
+inline HeatMean mean_by(const dealii::Vector<double>& weights) {
+  HeatMean mean;
+  for (unsigned int i = 0; i < weights.size(); ++i) {
+    if (weights(i) == 0.) continue;
+    mean.unknowns.push_back(i);
+    mean.weights.push_back(weights(i));
+  }
+  return mean;
 }
 
 /// A field at a point, from the shape functions there.

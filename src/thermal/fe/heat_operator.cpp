@@ -71,7 +71,7 @@ HeatOperator::Vector HeatOperator::integral_over(const std::vector<Face>& faces)
 
 void HeatOperator::make_ports() {
   for (const auto& port : problem_.ports) {
-    Port made{port.name, Vector(size()), 0.};
+    Port made{port.name, Vector(size()), 0., {}};
     if (port.node) {
       made.weights(index_of_node(*port.node)) = 1.;
     } else {
@@ -83,6 +83,7 @@ void HeatOperator::make_ports() {
       made.weights = integral_over(faces);
       made.weights /= made.area;
     }
+    made.mean = mean_by(made.weights);
     ports_.push_back(std::move(made));
   }
 }

@@ -64,9 +64,9 @@ class HeatOperator {
   [[nodiscard]] double stored_energy(const Vector& T, const Vector& T_0) const;  ///< [J], by quadrature of H
 
   [[nodiscard]] HeatMean mean_at(std::size_t body, double x, double r) const;
-  [[nodiscard]] HeatMean mean_over(const std::vector<HeatBoundary>& boundaries) const;  ///< by area
-  [[nodiscard]] HeatMean mean_of_body(std::size_t body) const;                          ///< by volume
-  [[nodiscard]] HeatMean mean_of_port(std::size_t port) const;
+  [[nodiscard]] HeatMean mean_over(const std::vector<HeatBoundary>& boundaries) const;               ///< by area
+  [[nodiscard]] const HeatMean& mean_of_body(std::size_t body) const { return bodies_[body].mean; }  ///< by volume
+  [[nodiscard]] const HeatMean& mean_of_port(std::size_t port) const { return ports_[port].mean; }
   /// All of it as plain data, if it is linear.
   [[nodiscard]] std::optional<AssembledHeat> assembled() const;
 
@@ -132,12 +132,14 @@ class HeatOperator {
   }
   struct Port {
     std::string name;
-    Vector weights;   ///< integral v / area; sums to 1
-    double area = 0;  ///< [m2]; 0 for a node
+    Vector weights;      ///< integral v / area; sums to 1
+    double area = 0;     ///< [m2]; 0 for a node
+    HeatMean mean = {};  ///< of the weights
   };
   struct BodyMean {
     Vector weights;
     double capacity = 0;
+    HeatMean mean = {};
   };
 
   void find_covered_edges();

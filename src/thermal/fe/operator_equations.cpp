@@ -80,9 +80,9 @@ double OperatorEquations::lost_power(const Vector& T) const {
   return operator_.lost_power(T_);
 }
 
-double OperatorEquations::stored_energy(const Vector& T) const {
+double OperatorEquations::stored_energy(const Vector& T, const Vector& T_before) const {
   copy_to(T, T_);
-  operator_.initial_temperature(T_before_);
+  copy_to(T_before, T_before_);
   return operator_.stored_energy(T_, T_before_);
 }
 

@@ -24,7 +24,7 @@ class OperatorEquations final : public HeatEquations {
   [[nodiscard]] std::unique_ptr<HeatInverse> make_inverse() const override;
   [[nodiscard]] double input_power(double t) const override { return operator_.input_power(t); }
   [[nodiscard]] double lost_power(const Vector& T) const override;
-  [[nodiscard]] double stored_energy(const Vector& T) const override;
+  [[nodiscard]] double stored_energy(const Vector& T, const Vector& T_before) const override;
   [[nodiscard]] double expected_rise(double duration) const override {
     return operator_.sources().expected_rise(duration);
   }

@@ -236,7 +236,7 @@ AssembledHeat two_lumps() {
   a.ambient_load = {0., 0.};
   a.flux_loads = {{3., 0.}};
   a.flux_areas = {3.};
-  a.port_loads = {{0., 1.}};
+  a.ports = {{{1}, {1.}}};
   a.port_areas = {1.};
   a.bodies = {{{0, 1}, {0.5, 0.5}}};
   a.body_of = {0, 0};

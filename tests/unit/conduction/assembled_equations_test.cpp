@@ -71,7 +71,7 @@ TEST(AssembledEquations, HeatOfAPortMayRiseByTheSecond) {
   auto p = problem();
   p.ports.push_back({"bore", {{0, HeatSide::inner}}, {}, 0.});
   auto a = lump();
-  a.port_loads = {{1.}};
+  a.ports = {{{0}, {1.}}};
   a.port_areas = {1e-3};
   Stepped s(p, a);
   const double t = 3., tau = C / K, decay = std::exp(-t / tau);
@@ -90,7 +90,7 @@ TEST(AssembledEquations, WindowsAreOfSecondOrder) {
   auto p = problem();
   p.ports.push_back({"bore", {{0, HeatSide::inner}}, {}, 0.});
   auto a = lump();
-  a.port_loads = {{1.}};
+  a.ports = {{{0}, {1.}}};
   a.port_areas = {1e-3};
   double error[2] = {};
   for (const int n : {8, 16}) {

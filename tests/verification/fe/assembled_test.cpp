@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "conduction/assembled_equations.h"
 #include "conduction/heat_stepper.h"
@@ -50,7 +51,10 @@ class Assembled : public testing::Test {
     EXPECT_EQ(real_->temperature(1, 3e-3, 47e-3), real_->mean_at(1, 3e-3, 47e-3).of(x, problem_.initial_temperature));
     EXPECT_EQ(real_->surface(seam).mean, real_->mean_over(seam).of(x, problem_.initial_temperature));
     EXPECT_EQ(real_->body_mean(1), heat_.bodies[1].of(x, problem_.initial_temperature));
-    EXPECT_EQ(real_->body_capacity(1), heat_.body_capacities[1]);
+    EXPECT_EQ(real_->port_temperature(0), heat_.ports[0].of(x, problem_.initial_temperature));
+    const double capacity = std::accumulate(heat_.capacity_weights.begin(), heat_.capacity_weights.end(), 0.);
+    EXPECT_NEAR(real_->body_capacity(0) + real_->body_capacity(1) + problem_.nodes[0].capacity, capacity,
+                1e-12 * capacity);
     EXPECT_EQ(real_->port_area(0), heat_.port_areas[0]);
     EXPECT_EQ(real_->statistics().steps, own_.statistics().steps);
     EXPECT_EQ(real_->statistics().factorisations, own_.statistics().factorisations);
