@@ -8,61 +8,66 @@
 namespace rotordrop {
 namespace {
 
-ROTORDROP_KERNEL void arc_overlaps_kernel(const ArcPlace& in, ArcValues& overlap, ArcValues& overlap_rate) {
+/// At some vectors of points, from the first of them on.
+template <std::size_t vectors>
+ROTORDROP_KERNEL void overlaps_at(const ArcPlace& in, std::size_t first, double* delta, double* rate) {
+  std::array<Octet, vectors> bend{}, bend_rate{};
+  const double* shapes = in.shapes + first;
+  for (std::size_t k = 0; k < in.n_shapes; ++k, shapes += in.stride)
+    for (std::size_t v = 0; v < vectors; ++v) {
+      add_product(bend[v], in.shape[k], shapes + v * vector_length);
+      add_product(bend_rate[v], in.rate[k], shapes + v * vector_length);
+    }
   const double ey = in.ey, ez = in.ez, vy = in.vy, vz = in.vz, gap = in.gap;
-  const double *cosine = in.cosine, *sine = in.sine;
-  double *delta = overlap.at.data(), *rate = overlap_rate.at.data();
-  const std::size_t n = whole_vectors(in.n);
+  for (std::size_t v = 0; v < vectors; ++v) {
+    const std::size_t at = first + v * vector_length;
+    const double *cosine = in.cosine + at, *sine = in.sine + at;
 #pragma omp simd
-  for (std::size_t j = 0; j < n; ++j) {
-    delta[j] = ey * cosine[j] + ez * sine[j] - gap;
-    rate[j] = vy * cosine[j] + vz * sine[j];
-  }
-  std::size_t k = 0;
-  for (; k + 4 <= in.n_shapes; k += 4) {
-    const double *t_0 = in.shapes + k * in.stride, *t_1 = t_0 + in.stride, *t_2 = t_1 + in.stride,
-                 *t_3 = t_2 + in.stride;
-    const double a_0 = in.shape[k], a_1 = in.shape[k + 1], a_2 = in.shape[k + 2], a_3 = in.shape[k + 3];
-    const double v_0 = in.rate[k], v_1 = in.rate[k + 1], v_2 = in.rate[k + 2], v_3 = in.rate[k + 3];
-#pragma omp simd
-    for (std::size_t j = 0; j < n; ++j) {
-      delta[j] -= (a_0 * t_0[j] + a_1 * t_1[j]) + (a_2 * t_2[j] + a_3 * t_3[j]);
-      rate[j] -= (v_0 * t_0[j] + v_1 * t_1[j]) + (v_2 * t_2[j] + v_3 * t_3[j]);
+    for (std::size_t i = 0; i < vector_length; ++i) {
+      delta[at + i] = ey * cosine[i] + ez * sine[i] - gap - bend[v][i];
+      rate[at + i] = vy * cosine[i] + vz * sine[i] - bend_rate[v][i];
     }
   }
-  for (; k < in.n_shapes; k += 2) {
-    const double *t_0 = in.shapes + k * in.stride, *t_1 = t_0 + in.stride;
-    const double a_0 = in.shape[k], a_1 = in.shape[k + 1], v_0 = in.rate[k], v_1 = in.rate[k + 1];
-#pragma omp simd
-    for (std::size_t j = 0; j < n; ++j) {
-      delta[j] -= a_0 * t_0[j] + a_1 * t_1[j];
-      rate[j] -= v_0 * t_0[j] + v_1 * t_1[j];
-    }
-  }
-  if (!in.waves) return;
-  const double* waves = in.waves;
-#pragma omp simd
-  for (std::size_t j = 0; j < n; ++j) delta[j] += waves[j];
 }
 
-ROTORDROP_KERNEL double deepest_overlap_kernel(const ArcValues& overlap, std::size_t n) {
-  const double* delta = overlap.at.data();
-  double deepest = delta[0];
-  const std::size_t whole = whole_vectors(n);
-#pragma omp simd reduction(max : deepest)
-  for (std::size_t j = 0; j < whole; ++j) deepest = delta[j] > deepest ? delta[j] : deepest;
-  return deepest;
+ROTORDROP_KERNEL double largest_of_vector(const double* values) {
+  double largest = values[0];
+#pragma omp simd reduction(max : largest)
+  for (std::size_t i = 0; i < vector_length; ++i) largest = values[i] > largest ? values[i] : largest;
+  return largest;
+}
+
+/// Overlaps and rates in one pass, since the tables are more than the nearest cache holds; two vectors at a time share the coefficients.
+ROTORDROP_KERNEL ArcOverlap arc_overlaps_kernel(const ArcPlace& given, ArcValues& overlap, ArcValues& overlap_rate) {
+  const ArcPlace in = given;  // a copy that no store can change
+  double *delta = overlap.at.data(), *rate = overlap_rate.at.data();
+  const std::size_t n = whole_vectors(in.n);
+  std::size_t j = 0;
+  for (; j + 2 * vector_length <= n; j += 2 * vector_length) overlaps_at<2>(in, j, delta, rate);
+  if (j < n) overlaps_at<1>(in, j, delta, rate);
+  if (in.waves)
+#pragma omp simd
+    for (std::size_t k = 0; k < n; ++k) delta[k] += in.waves[k];
+  ArcOverlap found{delta[0], n, 0};
+  for (j = 0; j < n; j += vector_length) {
+    const double largest = largest_of_vector(delta + j);
+    found.deepest = std::max(found.deepest, largest);
+    if (largest <= 0.) continue;
+    found.first = std::min(found.first, j);
+    found.last = j + vector_length;
+  }
+  return found;
 }
 
 ROTORDROP_KERNEL ArcSums arc_forces_kernel(const ArcForce& law, const ArcPlace& place, const ArcValues& overlap,
-                                           const ArcValues& overlap_rate, std::size_t first, std::size_t last,
+                                           const ArcValues& overlap_rate, const ArcOverlap& where,
                                            ArcValues& normal_forces, ArcValues& elastic_forces) {
   const double exponent = law.exponent, f_0 = law.f_0, f_1 = law.f_1, f_2 = law.f_2, f_3 = law.f_3,
                damping = law.damping;
+  const std::size_t first = where.first, n = whole_vectors(where.last - first);
   const double *cosine = place.cosine + first, *sine = place.sine + first, *delta = overlap.at.data() + first,
                *rate = overlap_rate.at.data() + first;
   double *N_of = normal_forces.at.data() + first, *E_of = elastic_forces.at.data() + first;
-  const std::size_t n = whole_vectors(last - first);
   double y = 0., z = 0., normal = 0., elastic = 0., dissipated = 0.;
 #pragma omp simd reduction(+ : y, z, normal, elastic, dissipated)
   for (std::size_t j = 0; j < n; ++j) {
@@ -97,13 +102,12 @@ ROTORDROP_KERNEL double arc_energies_kernel(double exponent, const std::array<do
 
 }  // namespace
 
-void arc_overlaps(const ArcPlace& place, ArcValues& overlap, ArcValues& rate) {
-  wide<arc_overlaps_kernel>(place, overlap, rate);
+ArcOverlap arc_overlaps(const ArcPlace& place, ArcValues& overlap, ArcValues& rate) {
+  return wide<arc_overlaps_kernel>(place, overlap, rate);
 }
-double deepest_overlap(const ArcValues& overlap, std::size_t n) { return wide<deepest_overlap_kernel>(overlap, n); }
 ArcSums arc_forces(const ArcForce& law, const ArcPlace& place, const ArcValues& overlap, const ArcValues& rate,
-                   std::size_t first, std::size_t last, ArcValues& normal, ArcValues& elastic) {
-  return wide<arc_forces_kernel>(law, place, overlap, rate, first, last, normal, elastic);
+                   const ArcOverlap& where, ArcValues& normal, ArcValues& elastic) {
+  return wide<arc_forces_kernel>(law, place, overlap, rate, where, normal, elastic);
 }
 double arc_energies(double exponent, const std::array<double, 4>& w, const ArcValues& overlap, std::size_t n) {
   return wide<arc_energies_kernel>(exponent, w, overlap, n);

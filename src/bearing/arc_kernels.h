@@ -1,6 +1,6 @@
 #pragma once
 // Sums over the points of an arc of contact: the hot loops of drops with bent bores, compiled for several kinds of machine. Their arrays are contiguous along
-// the arc, so that every loop is one over vectors; tables are read several rows at a time, since the sums go through memory between them.
+// the arc, so that every loop is one over vectors.
 #include <array>
 #include <cstddef>
 
@@ -24,10 +24,13 @@ struct ArcPlace {
   const double *shape, *rate;    // coefficients [m], [m/s]
   const double* waves;           // what waves of the bore add to the overlap [m]; nullptr: none
 };
+/// Where surfaces overlap.
+struct ArcOverlap {
+  double deepest;           // the largest overlap [m]; none is positive: they are apart
+  std::size_t first, last;  // whole vectors of points with all that overlap: first to last - 1
+};
 /// Overlap [m] at each point, negative where there is none, and its rate [m/s].
-void arc_overlaps(const ArcPlace& place, ArcValues& overlap, ArcValues& rate);
-/// The largest of n overlaps.
-double deepest_overlap(const ArcValues& overlap, std::size_t n);
+ArcOverlap arc_overlaps(const ArcPlace& place, ArcValues& overlap, ArcValues& rate);
 
 /// Force of a point over its overlap d: d^exponent (f_0 + f_1 d + f_2 d^2 + f_3 d^3), with Hunt and Crossley's damping.
 struct ArcForce {
@@ -38,9 +41,9 @@ struct ArcForce {
 struct ArcSums {
   double y, z, normal, elastic, damping;  // [N], [W]
 };
-/// Forces at the points first to last - 1, with and without damping; both in whole vectors.
+/// Forces at the points where surfaces overlap, with and without damping.
 ArcSums arc_forces(const ArcForce& law, const ArcPlace& place, const ArcValues& overlap, const ArcValues& rate,
-                   std::size_t first, std::size_t last, ArcValues& normal, ArcValues& elastic);
+                   const ArcOverlap& where, ArcValues& normal, ArcValues& elastic);
 
 /// Sum of the points' energies d^exponent (w_0 + w_1 d + w_2 d^2 + w_3 d^3) [J].
 double arc_energies(double exponent, const std::array<double, 4>& w, const ArcValues& overlap, std::size_t n);

@@ -1,21 +1,33 @@
 #include "bearing/forces_on_shapes.h"
 
+#include <array>
+
 #include "base/wide_vectors.h"
 
 namespace rotordrop {
 namespace {
 
+/// Some vectors of shapes, from the first of them on. Even and odd points have their own sums, so that they do not wait for each other.
+template <std::size_t vectors>
+ROTORDROP_KERNEL void forces_on_shapes_at(const double* force, const double* by_point, std::size_t n, std::size_t row,
+                                          double* sums) {
+  std::array<Octet, vectors> even{}, odd{};
+  for (std::size_t j = 0; j < whole_vectors(n); j += 2, by_point += 2 * row)
+    for (std::size_t v = 0; v < vectors; ++v) {
+      add_product(even[v], force[j], by_point + v * vector_length);
+      add_product(odd[v], force[j + 1], by_point + row + v * vector_length);
+    }
+  for (std::size_t v = 0; v < vectors; ++v)
+#pragma omp simd
+    for (std::size_t i = 0; i < vector_length; ++i) sums[v * vector_length + i] = even[v][i] + odd[v][i];
+}
+
 ROTORDROP_KERNEL void forces_on_shapes_kernel(const double* force, const double* by_point, std::size_t n,
                                               std::size_t n_shapes, double* sums) {
-  const std::size_t row = whole_vectors(n_shapes);
-#pragma omp simd
-  for (std::size_t k = 0; k < row; ++k) sums[k] = 0.;
-  for (std::size_t j = 0; j < n; j += 4) {
-    const double F_0 = force[j], F_1 = force[j + 1], F_2 = force[j + 2], F_3 = force[j + 3];
-    const double *t_0 = by_point + j * row, *t_1 = t_0 + row, *t_2 = t_1 + row, *t_3 = t_2 + row;
-#pragma omp simd
-    for (std::size_t k = 0; k < row; ++k) sums[k] += (F_0 * t_0[k] + F_1 * t_1[k]) + (F_2 * t_2[k] + F_3 * t_3[k]);
-  }
+  std::size_t k = 0;
+  for (; k + 3 * vector_length <= n_shapes; k += 3 * vector_length)
+    forces_on_shapes_at<3>(force, by_point + k, n, n_shapes, sums + k);
+  for (; k < n_shapes; k += vector_length) forces_on_shapes_at<1>(force, by_point + k, n, n_shapes, sums + k);
 }
 
 }  // namespace

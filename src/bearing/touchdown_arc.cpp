@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/aligned_numbers.h"
 #include "base/wide_vectors.h"
 #include "bearing/arc_kernels.h"
 #include "bearing/forces_on_shapes.h"
@@ -14,20 +15,29 @@
 
 namespace rotordrop {
 
-// Twice around, so that every arc is one run of points.
-struct TouchdownBearing::ArcTable {
+namespace {
+
+/// A quantity at the points twice around, so that every arc is one run of them.
+struct Row {
   static constexpr std::size_t n = 2 * n_arc_points;
-  using Row = std::array<double, n>;
+  static constexpr std::size_t stride =
+      n + vector_length;  // odd in lines of the cache: one place of all shapes would share a few lines else
+  alignas(64) std::array<double, stride> at;
+  [[nodiscard]] double operator[](std::size_t i) const { return at[i]; }
+};
+
+}  // namespace
+
+struct TouchdownBearing::ArcTable {
   Row cosine, sine;
   std::vector<Row> shapes;                // as the coefficients
   std::size_t row = 0;                    // number of shapes, filled up to whole vectors
-  std::vector<double> by_point;           // shapes of each point [n][row], 0 beyond their number
+  AlignedNumbers by_point;                // shapes of each point [n][row], 0 beyond their number
   std::vector<std::array<Row, 2>> waves;  // cos, sin of a bore wave's order times the azimuth
 };
 
 namespace {
 
-using Row = std::array<double, 2 * n_arc_points>;
 /// First point and number of points of the arc where surfaces can overlap.
 struct Window {
   std::size_t first = 0, n = 0;
@@ -69,10 +79,10 @@ double bound_of(std::span<const double> shape) {
 std::shared_ptr<const TouchdownBearing::ArcTable> TouchdownBearing::make_arc_table() const {
   auto table = std::make_shared<ArcTable>();
   const auto fill = [](int order, Row& cosine, Row& sine) {
-    for (std::size_t i = 0; i < cosine.size(); ++i) {
+    for (std::size_t i = 0; i < Row::n; ++i) {
       const double theta = 2. * std::numbers::pi * static_cast<double>(i % n_arc_points) / n_arc_points;
-      cosine[i] = std::cos(order * theta);
-      sine[i] = std::sin(order * theta);
+      cosine.at[i] = std::cos(order * theta);
+      sine.at[i] = std::sin(order * theta);
     }
   };
   fill(1, table->cosine, table->sine);
@@ -80,8 +90,8 @@ std::shared_ptr<const TouchdownBearing::ArcTable> TouchdownBearing::make_arc_tab
   for (std::size_t k = 0; k < data_.bending->inner.size(); ++k)
     fill(data_.bending->inner[k].n, table->shapes[2 * k], table->shapes[2 * k + 1]);
   table->row = filled_up(table->shapes.size());
-  table->by_point.assign(ArcTable::n * table->row, 0.);
-  for (std::size_t i = 0; i < ArcTable::n; ++i)
+  table->by_point.assign(Row::n * table->row, 0.);
+  for (std::size_t i = 0; i < Row::n; ++i)
     for (std::size_t k = 0; k < table->shapes.size(); ++k) table->by_point[i * table->row + k] = table->shapes[k][i];
   table->waves.resize(data_.bore_waves.size());
   for (std::size_t k = 0; k < data_.bore_waves.size(); ++k)
@@ -116,10 +126,10 @@ void TouchdownBearing::find_arc(std::span<const double> y, const Bodies& at, dou
                at.vy,
                at.vz,
                gap,
-               table.cosine.data() + w.first,
-               table.sine.data() + w.first,
-               table.shapes.front().data() + w.first,
-               ArcTable::n,
+               table.cosine.at.data() + w.first,
+               table.sine.at.data() + w.first,
+               table.shapes.front().at.data() + w.first,
+               Row::stride,
                shape.size(),
                w.n,
                shape.data(),
@@ -161,35 +171,29 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   Arc arc;
   find_arc(y, at, distance, gap, bound, arc);
   ArcValues overlap, rate, normal, elastic;
-  arc_overlaps(arc.place, overlap, rate);
-  c.penetration = deepest_overlap(overlap, arc.place.n);
+  const ArcOverlap where = arc_overlaps(arc.place, overlap, rate);
+  c.penetration = where.deepest;
   if (c.penetration <= 0.) return c;
-  // Whole vectors from the first to the last point that overlaps.
-  std::size_t first = 0, last = arc.place.n;
-  while (overlap.at[first] <= 0.) ++first;
-  while (overlap.at[last - 1] <= 0.) --last;
-  first = whole_vectors(first);
-  last = filled_up(last);
   const double step = 2. * std::numbers::pi / n_arc_points;
   const auto& f = data_.bending->arc.factors();
   const ArcForce law{data_.bending->arc.exponent(), step * f[0], step * f[1], step * f[2], step * f[3],
                      1.5 * data_.contact.lambda};
-  const ArcSums sums = arc_forces(law, arc.place, overlap, rate, first, last, normal, elastic);
+  const ArcSums sums = arc_forces(law, arc.place, overlap, rate, where, normal, elastic);
   c.elastic = sums.elastic;
   c.normal = sums.normal;
   c.damping = sums.damping;
   if (c.normal == 0.) return c;
   const ArcTable& table = *arc_table_;
-  const std::size_t at_first = arc.window.first + first;
+  const std::size_t at_first = arc.window.first + where.first;
   std::array<double, filled_up(max_shapes)> on_shapes;
-  forces_on_shapes(normal.at.data() + first, table.by_point.data() + at_first * table.row, last - first, table.row,
-                   on_shapes.data());
+  forces_on_shapes(normal.at.data() + where.first, table.by_point.data() + at_first * table.row,
+                   where.last - where.first, table.row, on_shapes.data());
   for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += share * on_shapes[k];
   for (std::size_t k = 0; k < data_.bore_waves.size(); ++k) {
     const BoreWave& wave = data_.bore_waves[k];
     const TurnedWave p(wave, y[ring_angle]);
     double sum = 0.;
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = where.first; i < where.last; ++i)
       sum += elastic.at[i] *
              (table.waves[k][0][arc.window.first + i] * p.cosine - table.waves[k][1][arc.window.first + i] * p.sine);
     c.wave_power -= sum * wave.order * y[ring_spin];

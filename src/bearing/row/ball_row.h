@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/aligned_numbers.h"
 #include "bearing/row/inertial_balls.h"
 #include "laws/skidding.h"
 
@@ -238,13 +239,12 @@ class BallRow {
   RowNumbers<double> numbers_{};
   InertialRow inertial_;
   std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
-  std::vector<double> cosine_,
-      sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
+  AlignedNumbers cosine_, sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;
   std::vector<Wave> waves_;
-  std::vector<double>
+  AlignedNumbers
       shapes_;  // cos, sin of n times the azimuths at cage angle zero, n = 2 ...: [2 (highest - 1)][n_padded]
-  std::vector<double> shapes_by_ball_;  // the same, [n_padded][2 (highest - 1), filled up to whole vectors]
+  AlignedNumbers shapes_by_ball_;  // the same, [n_padded][2 (highest - 1), filled up to whole vectors]
 };
 
 }  // namespace rotordrop

@@ -11,36 +11,46 @@
 namespace rotordrop {
 namespace {
 
-/// Per harmonic: coefficients of the shape, of its rate and of its slope, in the cage's frame.
+/// Per harmonic: coefficients of the shape, of its rate and of its slope by azimuth, in the cage's frame.
 struct Turned {
-  double a, b, a_rate, b_rate, n;
+  double a, b, a_rate, b_rate, a_slope, b_slope;
 };
 
 constexpr std::size_t max_harmonics = 40;  // 2 to 41
 
-/// @param table  cos, sin of every harmonic at the balls: [2 n_harmonics][n]
-ROTORDROP_KERNEL void add_shapes(Turned* turned, std::size_t n_harmonics, const double* table, std::size_t n,
-                                 Widening& w) {
-  for (std::size_t j = 0; j < n; j += vector_length) {
-    double width[vector_length] = {}, rate[vector_length] = {}, slope[vector_length] = {};
-    for (std::size_t k = 0; k < n_harmonics; ++k) {
-      const Turned t = turned[k];
-      const double a_slope = t.n * t.b, b_slope = -t.n * t.a;
-      const double *cosine = table + 2 * k * n + j, *sine = cosine + n;
-#pragma omp simd
-      for (std::size_t i = 0; i < vector_length; ++i) {
-        width[i] += t.a * cosine[i] + t.b * sine[i];
-        rate[i] += t.a_rate * cosine[i] + t.b_rate * sine[i];
-        slope[i] += a_slope * cosine[i] + b_slope * sine[i];
-      }
-    }
-#pragma omp simd
-    for (std::size_t i = 0; i < vector_length; ++i) {
-      w.width[j + i] = width[i];
-      w.rate[j + i] = rate[i];
-      w.slope[j + i] = slope[i];
+/// At some vectors of balls. @param table  cos, sin of every harmonic at the balls: [2 n_harmonics][n], from the first of these balls on
+template <std::size_t vectors>
+ROTORDROP_KERNEL void add_shapes_at(const Turned* turned, std::size_t n_harmonics, const double* table, std::size_t n,
+                                    std::size_t first, Widening& w) {
+  std::array<Octet, vectors> width{}, rate{}, slope{};
+  for (std::size_t k = 0; k < n_harmonics; ++k, table += 2 * n) {
+    const Turned t = turned[k];
+    for (std::size_t v = 0; v < vectors; ++v) {
+      const double *cosine = table + first + v * vector_length, *sine = cosine + n;
+      add_product(width[v], t.a, cosine);
+      add_product(width[v], t.b, sine);
+      add_product(rate[v], t.a_rate, cosine);
+      add_product(rate[v], t.b_rate, sine);
+      add_product(slope[v], t.a_slope, cosine);
+      add_product(slope[v], t.b_slope, sine);
     }
   }
+  for (std::size_t v = 0; v < vectors; ++v)
+#pragma omp simd
+    for (std::size_t i = 0; i < vector_length; ++i) {
+      const std::size_t j = first + v * vector_length + i;
+      w.width[j] = width[v][i];
+      w.rate[j] = rate[v][i];
+      w.slope[j] = slope[v][i];
+    }
+}
+
+/// Two vectors at a time share the coefficients; more would not leave them registers.
+ROTORDROP_KERNEL void add_shapes(const Turned* turned, std::size_t n_harmonics, const double* table, std::size_t n,
+                                 Widening& w) {
+  std::size_t j = 0;
+  for (; j + 2 * vector_length <= n; j += 2 * vector_length) add_shapes_at<2>(turned, n_harmonics, table, n, j, w);
+  if (j < n) add_shapes_at<1>(turned, n_harmonics, table, n, j, w);
 }
 
 /// cos and sin of n times the cage's angle, n = 2, 3, ...
@@ -80,8 +90,8 @@ void BallRow::widen(const BallRowInput& in, Widening& w) const {
   for (std::size_t k = 0; k < n_harmonics; ++k, turn.next()) {
     const double C = turn.cosine(), S = turn.sine();
     const double *a = &in.shape[2 * k], *rate = &in.shape_rate[2 * k];
-    turned[k] = {a[0] * C + a[1] * S, a[1] * C - a[0] * S, rate[0] * C + rate[1] * S, rate[1] * C - rate[0] * S,
-                 2. + static_cast<double>(k)};
+    const double n = 2. + static_cast<double>(k), a_n = a[0] * C + a[1] * S, b_n = a[1] * C - a[0] * S;
+    turned[k] = {a_n, b_n, rate[0] * C + rate[1] * S, rate[1] * C - rate[0] * S, n * b_n, -n * a_n};
   }
   wide<add_shapes>(turned.data(), n_harmonics, shapes_.data(), n_padded_, w);
 }

@@ -9,7 +9,8 @@ namespace rotordrop {
 /// By ball: what bending adds to B_r.
 struct Widening {
   Widening() {}  // leaves everything unwritten: only rows of bent rings use it
-  using Array = std::array<double, BallRow::max_balls>;
+  /// A little longer than a row can be, lest all arrays fall on the same lines of the cache.
+  using Array = std::array<double, BallRow::max_balls + 8>;
   alignas(64) Array width;  ///< [m]
   alignas(64) Array rate;   ///< its rate at a standing cage [m/s]
   alignas(64) Array slope;  ///< its derivative by azimuth [m/rad]
