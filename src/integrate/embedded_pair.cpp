@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/aligned_numbers.h"
 #include "base/errors.h"
 #include "base/wide_vectors.h"
 #include "integrate/failures.h"
@@ -223,8 +224,8 @@ class EmbeddedPair final : public Integrator {
   StepControl control_;
   double next_step_ = 0, last_step_ = 0;
   bool has_rates_ = false;
-  std::vector<double> y_, before_, stage_, scale_;
-  std::vector<std::vector<double>> k_;
+  AlignedNumbers y_, before_, stage_, scale_;
+  std::vector<AlignedNumbers> k_;
   EndEvaluation end_evaluation_;
   IntegrationStatistics statistics_;
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/aligned_numbers.h"
 #include "model/rotor_model.h"
 #include "rotor/geometry.h"
 #include "rotor/windage.h"
@@ -123,7 +124,7 @@ class ModalRotor final : public RotorModel {
   /// Deflections and slopes of points per unit of each mode's coordinate, those of all points side by side.
   struct Shapes {
     std::size_t n_modes = 0, stride = 0;
-    std::vector<double> columns;  // [modes][points][deflection, slope], and at least one point without any behind them
+    AlignedNumbers columns;  // [modes][points][deflection, slope], and at least one point without any behind them
     Shapes() = default;
     Shapes(std::size_t modes, std::size_t n_points);
     double& deflection(std::size_t point, std::size_t mode) { return columns[mode * stride + 2 * point]; }
@@ -145,12 +146,12 @@ class ModalRotor final : public RotorModel {
   RigidBody body_;
   double gravity_y_ = 0, gravity_z_ = 0, alpha_ = 0;
   // Lists of modes are filled up to whole vectors.
-  std::vector<double> omega_squared_;    // [modes]
-  std::vector<double> damping_rate_;     // [modes] 2 zeta omega_k + alpha
-  std::vector<double> gyroscopic_;       // [n_modes columns][modes]
-  std::vector<double> unbalance_cos_;    // [modes] sum of me cos(a) Phi / m
-  std::vector<double> unbalance_sin_;    // [modes] sum of me sin(a) Phi / m
-  std::vector<double> force_influence_;  // [n_stations][force, moment][modes] acceleration per unit force
+  AlignedNumbers omega_squared_;    // [modes]
+  AlignedNumbers damping_rate_;     // [modes] 2 zeta omega_k + alpha
+  AlignedNumbers gyroscopic_;       // [n_modes columns][modes]
+  AlignedNumbers unbalance_cos_;    // [modes] sum of me cos(a) Phi / m
+  AlignedNumbers unbalance_sin_;    // [modes] sum of me sin(a) Phi / m
+  AlignedNumbers force_influence_;  // [n_stations][force, moment][modes] acceleration per unit force
   Shapes station_shape_, node_shape_;
   std::vector<double> station_position_;
   TimeTable drive_torque_;

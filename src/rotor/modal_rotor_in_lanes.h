@@ -43,7 +43,7 @@ ModalRotorInLanes<Real>::ModalRotorInLanes(std::span<const ModalRotor* const> ro
     rotors_.push_back(static_cast<std::size_t>(lane) < rotors.size() ? rotors[static_cast<std::size_t>(lane)]
                                                                      : rotors.front());
   // Lists of modes are filled up to whole vectors in a single rotor.
-  const auto lay = [&](std::vector<Real>& to, const std::vector<double> ModalRotor::*list, std::size_t n_lists) {
+  const auto lay = [&](std::vector<Real>& to, const AlignedNumbers ModalRotor::*list, std::size_t n_lists) {
     const std::size_t stride = filled_up(n_);
     to.resize(n_lists * n_);
     for (std::size_t k = 0; k < n_lists; ++k)

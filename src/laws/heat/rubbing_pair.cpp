@@ -5,7 +5,6 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
-#include <utility>
 
 #include "base/wide_vectors.h"
 #include "laws/arc_cells.h"
@@ -46,9 +45,9 @@ TrackMemory::TrackMemory(const RubbedBody& body, std::size_t n_cells, double axi
       fresh_(n_cells, 0.),
       interval_(shortest_interval),
       per_interval_(1. / shortest_interval) {
-  RootKernel kernel(duration, shortest_interval);
-  rate_ = std::move(kernel.rate);
-  weight_ = std::move(kernel.weight);
+  const RootKernel kernel(duration, shortest_interval);
+  rate_.assign(kernel.rate.begin(), kernel.rate.end());
+  weight_.assign(kernel.weight.begin(), kernel.weight.end());
   // Filled up to whole vectors with terms that stay zero.
   rate_.resize(filled_up(rate_.size()), 0.);
   weight_.resize(rate_.size(), 0.);
@@ -100,7 +99,13 @@ std::size_t TrackMemory::place_of_decay(double lag) const {
 double TrackMemory::rise(double angle, double t) const {
   const std::size_t cell = cell_at(angle);
   if (heat_[cell] == 0.) return 0.;
-  return wide<sum_of_products>(decay_over(t - heated_at_[cell]), &memory_[cell * rate_.size()], rate_.size());
+  // Pieces of a band ask for the same cell one after another.
+  if (cell != risen_cell_ || t != risen_at_) {
+    risen_ = wide<sum_of_products>(decay_over(t - heated_at_[cell]), &memory_[cell * rate_.size()], rate_.size());
+    risen_cell_ = cell;
+    risen_at_ = t;
+  }
+  return risen_;
 }
 
 void TrackMemory::add(double from, double to, double half_angle, double heat) {
@@ -126,6 +131,7 @@ void TrackMemory::commit(double t, double step) {
     fresh_[cell] = 0.;
   }
   fresh_cells_.clear();
+  risen_cell_ = n_cells();
 }
 
 // ------------------------------------------------------------------------------------------------------------ the pair

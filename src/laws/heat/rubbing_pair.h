@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/aligned_numbers.h"
+
 namespace rotordrop {
 
 /// A body as its rubbed surface sees it.
@@ -42,21 +44,24 @@ class TrackMemory {
   [[nodiscard]] std::size_t place_of_decay(double lag) const;
 
   double scale_ = 0, cell_area_ = 0;
-  std::vector<double> rate_, weight_;  ///< of the terms [1/s], [s^-1/2] [n_terms], whole vectors of them
-  std::vector<double> memory_;         ///< [n_cells][n_terms]
-  std::vector<double> heated_at_;      ///< time of a cell's memory [s] [n_cells]
-  std::vector<double> heat_, fresh_;   ///< [J] [n_cells]
+  AlignedNumbers rate_, weight_;      ///< of the terms [1/s], [s^-1/2] [n_terms], whole vectors of them
+  AlignedNumbers memory_;             ///< [n_cells][n_terms]
+  std::vector<double> heated_at_;     ///< time of a cell's memory [s] [n_cells]
+  std::vector<double> heat_, fresh_;  ///< [J] [n_cells]
   std::vector<std::size_t> fresh_cells_;
-  std::vector<double> gain_;  ///< of the terms over the interval of gain_step_
+  AlignedNumbers gain_;  ///< of the terms over the interval of gain_step_
   double gain_step_ = -1;
   // Lags are mostly whole numbers of intervals: their decays are kept, and behind them that of one other lag.
   static constexpr std::size_t n_kept = 512;
   double interval_ = 0, per_interval_ = 0;
-  mutable std::vector<double> decay_;  ///< [n_kept + 1][n_terms]
-  mutable std::size_t n_filled_ = 0;   ///< of kept decays, each the one before times that of one interval
-  mutable double other_lag_ = -1;      ///< of the one behind them
-  mutable double found_lag_ = -1;      ///< that was asked for last
-  mutable std::size_t found_ = 0;      ///< place of its decays
+  mutable AlignedNumbers decay_;      ///< [n_kept + 1][n_terms]
+  mutable std::size_t n_filled_ = 0;  ///< of kept decays, each the one before times that of one interval
+  mutable double other_lag_ = -1;     ///< of the one behind them
+  mutable double found_lag_ = -1;     ///< that was asked for last
+  mutable std::size_t found_ = 0;     ///< place of its decays
+  // The rise that was asked for last.
+  mutable std::size_t risen_cell_ = static_cast<std::size_t>(-1);  ///< none
+  mutable double risen_at_ = 0, risen_ = 0;
 };
 
 /// How the heat divides between the bore and the rotor.

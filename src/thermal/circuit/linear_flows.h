@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/aligned_numbers.h"
 #include "base/wide_vectors.h"
 #include "model/ports.h"
 
@@ -44,7 +45,7 @@ class LinearFlows {
 
  private:
   std::size_t n_nodes_ = 0, n_places_ = 0, stride_ = 0;
-  std::vector<double> columns_;  ///< [n_nodes + 4 n_places][stride]
+  AlignedNumbers columns_;  ///< [n_nodes + 4 n_places][stride]
 };
 
 /// Growth of one place by the temperatures of a network: of each node that makes something grow a column of surfaces [m/K].
@@ -63,7 +64,7 @@ class LinearGrowth {
  private:
   struct Kernels;
   std::vector<std::size_t> nodes_;
-  std::vector<double> columns_;  ///< [nodes_][n_surfaces]
+  AlignedNumbers columns_;  ///< [nodes_][n_surfaces]
 };
 
 }  // namespace rotordrop
