@@ -187,7 +187,7 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) {
     InertialBalls w;
     Widening bent;
-    balance(in, F_0, true, w, bent);
+    balance(in, F_0, row_place(numbers_, in, 0.), true, w, bent);
     for (std::size_t j = 0; j < load.size(); ++j) load[j] = w.u_i[j] * w.u_i[j] * w.u_i[j];
     return;
   }
@@ -214,7 +214,7 @@ double BallRow::energy(const BallRowInput& in) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) {
     InertialBalls w;
     Widening bent;
-    balance(in, F_0, true, w, bent);
+    balance(in, F_0, row_place(numbers_, in, 0.), true, w, bent);
     double both = 0.;
     for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
       both += inertial_.c_i * std::pow(w.u_i[j], 5) + inertial_.c_o * std::pow(w.Q_o[j], 5. / 3.);

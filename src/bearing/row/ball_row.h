@@ -12,7 +12,9 @@
 namespace rotordrop {
 
 struct KernelInput;  // bearing/row/ball_row_kernels.h
-struct Widening;     // bearing/row/ball_row_bending.h
+template <class Real>
+struct RowPlaceOf;  // bearing/row/ball_terms.h
+struct Widening;    // bearing/row/ball_row_bending.h
 
 /// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
 template <class Real>
@@ -228,9 +230,11 @@ class BallRow {
   void widen(const BallRowInput& input, Widening& widening) const;
   void press_shapes(const BallRowInput& input, Widening& widening) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
-  void place_balls(const BallRowInput& input, bool tilts, InertialBalls& balls, Widening& widening) const;
+  void place_balls(const BallRowInput& input, const RowPlaceOf<double>& place, bool tilts, InertialBalls& balls,
+                   Widening& widening) const;
   /// @param tilts  false for a ring that only translates
-  BallWork balance(const BallRowInput& input, double F_0, bool tilts, InertialBalls& balls, Widening& widening) const;
+  BallWork balance(const BallRowInput& input, double F_0, const RowPlaceOf<double>& place, bool tilts,
+                   InertialBalls& balls, Widening& widening) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, bool tilts, BallRowOutput& out,
                          RowTractions* tractions) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added, const double* widening) const;

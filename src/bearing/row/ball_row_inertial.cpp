@@ -13,12 +13,21 @@
 namespace rotordrop {
 namespace {
 
+/// What a row's balls have in common.
+struct RowOfBalls {
+  std::size_t n_balls;
+  double added_i, added_o;  // to the contacts' deflections
+  double cage_speed;
+};
+
+/// All that is put in but the waves.
 /// @tparam tilts    of a ring that moves in all five ways; one that only translates leaves out the terms of tilt and axial motion
 /// @tparam is_bent  of bent rings
 template <bool tilts, bool is_bent>
-ROTORDROP_KERNEL void place_grooves(const RowPlaceOf<double>& given, double cage_speed, const double* cosine,
+ROTORDROP_KERNEL void place_grooves(const RowPlaceOf<double>& given, const RowOfBalls& given_row, const double* cosine,
                                     const double* sine, const Widening* bent, InertialBalls& w) {
-  const RowPlaceOf<double> p = given;  // a copy that no store can change
+  const RowPlaceOf<double> p = given;  // copies that no store can change
+  const auto [n_balls, added_i, added_o, cage_speed] = given_row;
   const auto &e = p.e, &v = p.v;
   auto [e_y, e_z, v_y, v_z] = at_row<tilts>(p);
   // The cage carries the balls past the grooves, too.
@@ -28,6 +37,10 @@ ROTORDROP_KERNEL void place_grooves(const RowPlaceOf<double>& given, double cage
 #pragma omp simd
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
     const double c = cosine[j], s = sine[j];
+    w.is_ball[j] = j < n_balls ? 1. : 0.;
+    w.added_i[j] = added_i;
+    w.added_o[j] = added_o;
+    w.added_i_rate[j] = w.added_o_rate[j] = 0.;
     w.B_r[j] = p.radial + e_y * c + e_z * s;
     w.B_r_rate[j] = v_y * c + v_z * s;
     w.B_x[j] = p.axial;
@@ -179,15 +192,16 @@ double BallRow::inertia_force(const BallRowInput& in) const {
   return F_0 > negligible ? F_0 : 0.;
 }
 
-void BallRow::place_balls(const BallRowInput& in, bool tilts, InertialBalls& w, Widening& bent) const {
+void BallRow::place_balls(const BallRowInput& in, const RowPlaceOf<double>& place, bool tilts, InertialBalls& w,
+                          Widening& bent) const {
   w.n = n_padded_;
-  const auto n = static_cast<std::size_t>(geometry_.n_balls);
-  std::fill_n(w.is_ball.begin(), n, 1.);
-  std::fill_n(w.is_ball.begin() + geometry_.n_balls, n_padded_ - n, 0.);
-  std::fill_n(w.added_i.begin(), n_padded_, in.ball_growth - in.inner_strain * numbers_.strains.inner.groove);
-  std::fill_n(w.added_o.begin(), n_padded_, in.ball_growth - in.outer_strain * numbers_.strains.outer.groove);
-  std::fill_n(w.added_i_rate.begin(), n_padded_, 0.);
-  std::fill_n(w.added_o_rate.begin(), n_padded_, 0.);
+  const RowOfBalls row{n_balls(), in.ball_growth - in.inner_strain * numbers_.strains.inner.groove,
+                       in.ball_growth - in.outer_strain * numbers_.strains.outer.groove, in.cage_speed};
+  const bool is_bent = !in.shape.empty();
+  if (is_bent) widen(in, bent);
+  with_motion(tilts, is_bent, [&](auto tilts_too, auto bends) {
+    wide<place_grooves<tilts_too, bends>>(place, row, cosine_.data(), sine_.data(), &bent, w);
+  });
   for (const auto& wave : waves_) {
     const bool inner = wave.wave.on_inner_race;
     const double argument = wave.wave.order * (in.cage_angle - (inner ? in.ring_angle : 0.)) + wave.wave.phase;
@@ -195,21 +209,16 @@ void BallRow::place_balls(const BallRowInput& in, bool tilts, InertialBalls& w, 
     const double c = wave.wave.amplitude * std::cos(argument), s = wave.wave.amplitude * std::sin(argument);
     auto& added = inner ? w.added_i : w.added_o;
     auto& rate = inner ? w.added_i_rate : w.added_o_rate;
-    for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t j = 0; j < n_balls(); ++j) {
       added[j] += wave.sine[j] * c + wave.cosine[j] * s;
       rate[j] += travel * (wave.cosine[j] * c - wave.sine[j] * s);
     }
   }
-  const bool is_bent = !in.shape.empty();
-  if (is_bent) widen(in, bent);
-  const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
-  with_motion(tilts, is_bent, [&](auto tilts_too, auto bends) {
-    wide<place_grooves<tilts_too, bends>>(place, in.cage_speed, cosine_.data(), sine_.data(), &bent, w);
-  });
 }
 
-BallWork BallRow::balance(const BallRowInput& in, double F_0, bool tilts, InertialBalls& w, Widening& bent) const {
-  place_balls(in, tilts, w, bent);
+BallWork BallRow::balance(const BallRowInput& in, double F_0, const RowPlaceOf<double>& place, bool tilts,
+                          InertialBalls& w, Widening& bent) const {
+  place_balls(in, place, tilts, w, bent);
   const auto& e = in.displacement;
   const bool has_one_axial = !tilts || (e.x == 0. && e.psi_y == 0. && e.psi_z == 0.);
   return balance_balls(inertial_, F_0, w, has_one_axial ? starts_.get() : nullptr);
@@ -219,9 +228,9 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, bool tilts, 
                                 RowTractions* tractions) const {
   InertialBalls w;
   Widening bent;
-  const BallWork work = balance(in, F_0, tilts, w, bent);
-  const bool is_bent = !in.shape.empty();
   const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
+  const BallWork work = balance(in, F_0, place, tilts, w, bent);
+  const bool is_bent = !in.shape.empty();
   const double hardness = 1. / (inertial_.c_i + inertial_.c_o), u_per_root_o = 1. / std::sqrt(inertial_.c_o);
   with_motion(tilts, is_bent, [&](auto tilts_too, auto bends) {
     if (geometry_.inner_gyroscopic_share != 0.)

@@ -1,6 +1,7 @@
 #include "bearing/row/inertial_balls.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -158,19 +159,36 @@ ROTORDROP_KERNEL void guess_all(const Row& constants, double c_i, double c_o, do
   }
 }
 
-/// Places by straight lines in a table over B_r, from its first to its last entry.
-ROTORDROP_KERNEL void look_up(const float* delta_o, const float* o_x, double first, double per_step, double last,
-                              InertialBalls& w) {
-#pragma omp simd simdlen(8)
+ROTORDROP_KERNEL std::uint64_t together(float delta_o, float o_x) {
+  return std::bit_cast<std::uint32_t>(delta_o) | static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(o_x)) << 32;
+}
+ROTORDROP_KERNEL float delta_o_of(std::uint64_t place) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(place));
+}
+ROTORDROP_KERNEL float o_x_of(std::uint64_t place) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(place >> 32));
+}
+
+/// Places by straight lines in a table over B_r, with what adds to the deflections, which is nearly a shift of B_r.
+/// @param last  the table's last entry. @return the largest entry that was asked for, of those beyond `last` too
+ROTORDROP_KERNEL float look_up(const std::uint64_t* places, double first, double per_step, float last,
+                               InertialBalls& w) {
+  float farthest = 0.f;
+#pragma omp simd simdlen(8) reduction(max : farthest)
   for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
-    const auto at = static_cast<float>(limited((w.B_r[j] + w.added_i[j] + w.added_o[j] - first) * per_step, 0., last));
+    const auto asked = static_cast<float>((w.B_r[j] + w.added_i[j] + w.added_o[j] - first) * per_step);
+    farthest = asked > farthest ? asked : farthest;
+    // Below the first entry balls are free, or nearly so.
+    const float above = asked > 0.f ? asked : 0.f, at = above < last ? above : last;
     const auto k = static_cast<std::int32_t>(at);
     const float part = at - static_cast<float>(k);
-    const float x = o_x[k] + part * (o_x[k + 1] - o_x[k]);
-    w.delta_o[j] = delta_o[k] + part * (delta_o[k + 1] - delta_o[k]);
+    const std::uint64_t here = places[k], next = places[k + 1];
+    const float x = o_x_of(here) + part * (o_x_of(next) - o_x_of(here));
+    w.delta_o[j] = delta_o_of(here) + part * (delta_o_of(next) - delta_o_of(here));
     w.o_x[j] = x;
     w.o_r[j] = std::sqrt(1.f - x * x);
   }
+  return farthest;
 }
 
 template <bool is_split>
@@ -264,76 +282,48 @@ void place_one(const InertialRow& row, double F_0, std::size_t j, InertialBalls&
   w.o_r[j] = b.cos_o;
 }
 
-/// Least and largest B_r of a row, with what adds to the deflections, which is nearly a shift of B_r.
-struct Reach {
-  double least, largest;
-};
-ROTORDROP_KERNEL Reach reach(const InertialBalls& w) {
-  double least = 1e300, largest = -1e300;
-#pragma omp simd reduction(min : least) reduction(max : largest)
-  for (std::size_t j = 0; j < whole_vectors(w.n); ++j) {
-    const double radius = w.B_r[j] + w.added_i[j] + w.added_o[j];
-    least = std::min(least, radius);
-    largest = std::max(largest, radius);
-  }
-  return {least, largest};
-}
-
-/// Between three tables one step apart, by a parabola: centrifugal forces go with the square of the speed.
-ROTORDROP_KERNEL void blend(const float* t_0, const float* t_1, const float* t_2, float part, std::size_t first,
-                            std::size_t last, float* out) {
-  const float w_0 = 0.5f * (1.f - part) * (2.f - part), w_1 = part * (2.f - part), w_2 = 0.5f * part * (part - 1.f);
-#pragma omp simd simdlen(8)
-  for (std::size_t k = whole_vectors(first); k < whole_vectors(last); ++k)
-    out[k] = w_0 * t_0[k] + w_1 * t_1[k] + w_2 * t_2[k];
-}
-
-/// Places from the row's table. @return false if the table does not have them
-bool start_from(const InertialStarts& starts, double F_0, InertialBalls& w) {
-  const auto [least, largest] = wide<reach>(w);
-  const double per_step = 1. / starts.radius_step(), end = static_cast<double>(InertialStarts::n_radii) - 1.001;
-  const double low = (least - starts.first_radius()) * per_step, high = (largest - starts.first_radius()) * per_step;
-  // Below the first entry balls are free, or nearly so.
-  if (!(high <= end && low <= end)) return false;
-  const auto entry = [&](double at) { return static_cast<std::size_t>(std::max(at, 0.)); };
-  InertialStarts::Table table;
-  if (!starts.at_speed(F_0, entry(low) / 8 * 8, (entry(high) + 2 + 7) / 8 * 8, table)) return false;
-  wide<look_up>(table[0].data(), table[1].data(), starts.first_radius(), per_step, end, w);
-  return true;
-}
-
 }  // namespace
 
 InertialStarts::InertialStarts(const InertialRow& row, double B_x, double B_r, double force_per_speed2)
-    : force_per_speed2_(force_per_speed2) {
-  // 50 um to either side, more than rings move in their balls; speeds to 2500 rad/s. Beyond, the closed guess serves.
-  const double reach = 50e-6;
-  radius_step_ = 2. * reach / static_cast<double>(n_radii - 1);
-  first_radius_ = B_r - reach;
-  speed_step_ = 2500. / static_cast<double>(n_speeds - 1);
-  const auto ball = contacts(row, 0., 0., force_per_speed2);
-  for (std::size_t s = 0; s < n_speeds; ++s)
-    for (std::size_t k = 0; k < n_radii; ++k) {
-      const double speed = std::max(speed_step_ * static_cast<double>(s), 1.);
-      const BallBalance b = ball_balance(ball, B_x, first_radius_ + radius_step_ * static_cast<double>(k), 0., speed);
-      tables_[s][0][k] = static_cast<float>(row.c_o * std::cbrt(b.load_o * b.load_o));
-      tables_[s][1][k] = static_cast<float>(b.sin_o);
-    }
+    : first_radius_(B_r - reach), force_per_speed2_(force_per_speed2), places_(n_speeds * n_radii) {
+  // At some speeds by the balance; centrifugal forces go with the square of the speed, so a parabola through three of them tells the speeds between.
+  constexpr std::size_t n_known = 33, between = (n_speeds + n_known - 3) / (n_known - 2);
+  std::vector<std::array<double, n_radii>> delta_o(n_known), o_x(n_known);
+  InertialBalls w;
+  w.n = n_radii;
+  for (auto* zero : {&w.added_i, &w.added_o, &w.B_x_rate, &w.B_r_rate, &w.added_i_rate, &w.added_o_rate})
+    zero->fill(0.);
+  w.is_ball.fill(1.);
+  w.B_x.fill(B_x);
+  for (std::size_t j = 0; j < n_radii; ++j) w.B_r[j] = first_radius_ + radius_step * static_cast<double>(j);
+  for (std::size_t s = 0; s < n_known; ++s) {
+    const double speed = std::max(speed_step * static_cast<double>(s * between), 1.);
+    balance_balls(row, force_per_speed2 * speed * speed, w);
+    std::copy_n(w.delta_o.begin(), n_radii, delta_o[s].begin());
+    std::copy_n(w.o_x.begin(), n_radii, o_x[s].begin());
+  }
+  for (std::size_t s = 0; s < n_speeds; ++s) {
+    const std::size_t k = std::min(s / between, n_known - 3);
+    const double part = static_cast<double>(s) / static_cast<double>(between) - static_cast<double>(k);
+    const double w_0 = 0.5 * (1. - part) * (2. - part), w_1 = part * (2. - part), w_2 = 0.5 * part * (part - 1.);
+    const auto at = [&](const std::vector<std::array<double, n_radii>>& of, std::size_t j) {
+      return static_cast<float>(w_0 * of[k][j] + w_1 * of[k + 1][j] + w_2 * of[k + 2][j]);
+    };
+    for (std::size_t j = 0; j < n_radii; ++j) places_[s * n_radii + j] = together(at(delta_o, j), at(o_x, j));
+  }
 }
 
-bool InertialStarts::at_speed(double F_0, std::size_t first, std::size_t last, Table& places) const {
-  const double at = std::sqrt(F_0 / force_per_speed2_) / speed_step_;
-  if (!(at < static_cast<double>(n_speeds - 2))) return false;
-  const auto s = static_cast<std::size_t>(at);
-  for (std::size_t q = 0; q < 2; ++q)
-    wide<blend>(tables_[s][q].data(), tables_[s + 1][q].data(), tables_[s + 2][q].data(),
-                static_cast<float>(at - static_cast<double>(s)), first, last, places[q].data());
-  return true;
+bool InertialStarts::place(double F_0, InertialBalls& balls) const {
+  const double speed = std::sqrt(F_0 / force_per_speed2_) * (1. / speed_step) + 0.5;
+  if (!(speed < static_cast<double>(n_speeds))) return false;
+  const Place* places = &places_[static_cast<std::size_t>(speed) * n_radii];
+  constexpr float last = n_radii - 1.001f;
+  return wide<look_up>(places, first_radius_, 1. / radius_step, last, balls) <= last;
 }
 
 BallWork balance_balls(const InertialRow& constants, double F_0, InertialBalls& w, const InertialStarts* starts) {
   const Row row(constants, F_0);
-  if (!(starts && start_from(*starts, F_0, w))) {
+  if (!(starts && starts->place(F_0, w))) {
     const double least = 0.5 * constants.c_o * std::cbrt(0.0625 * F_0 * F_0);
     wide<guess_all>(row, constants.c_i, constants.c_o, least, w);
   }

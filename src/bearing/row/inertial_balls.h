@@ -8,6 +8,8 @@
 // it solves gives the work of the forces of inertia too.
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace rotordrop {
 
@@ -50,19 +52,20 @@ struct BallWork {
 /// Places of a row's balls at one B_x over B_r and the ring's speed, made once: a start that is near without any memory of what was before.
 class InertialStarts {
  public:
-  static constexpr std::size_t n_radii = 256, n_speeds = 24;  // radii: a multiple of 8
-  using Table = std::array<std::array<float, n_radii>, 2>;    // delta_o, sin of the outer angle
-
   /// @param B_x, B_r  of the undisplaced row [m]; @param force_per_speed2  F_0 / omega^2 [N s^2/rad^2]
   InertialStarts(const InertialRow& row, double B_x, double B_r, double force_per_speed2);
-  [[nodiscard]] double first_radius() const { return first_radius_; }
-  [[nodiscard]] double radius_step() const { return radius_step_; }
-  /// Places at a speed, from entry `first` to before `last`, both multiples of 8. @return false beyond the table's speeds
-  bool at_speed(double F_0, std::size_t first, std::size_t last, Table& places) const;
+  /// Sets the balls' places at about this speed. @return false if the table does not have them
+  bool place(double F_0, InertialBalls& balls) const;
 
  private:
-  double first_radius_, radius_step_, speed_step_, force_per_speed2_;
-  std::array<Table, n_speeds> tables_;  // at 0 (nearly), 1, 2, ... speed steps
+  // 50 um to either side, more than rings move in their balls; speeds to 2500 rad/s. Beyond, the closed guess serves.
+  static constexpr std::size_t n_radii = InertialBalls::capacity, n_speeds = 768;
+  static constexpr double reach = 50e-6, last_speed = 2500.;
+  static constexpr double radius_step = 2. * reach / (n_radii - 1), speed_step = last_speed / (n_speeds - 1);
+  /// delta_o and the outer normal's o_x, both as float, in one number: what is looked up together lies together.
+  using Place = std::uint64_t;
+  double first_radius_, force_per_speed2_;
+  std::vector<Place> places_;  // [n_speeds][n_radii]
 };
 
 /// Brings all balls into balance.
