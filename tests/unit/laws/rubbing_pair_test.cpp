@@ -48,6 +48,28 @@ void rub(RubbingPair& pair, const RubbedBody& ring, const RubbedBody& rotor, dou
 
 double flux(double watts) { return watts / (2. * b * width); }
 
+// One cell, asked again: later, and at the same time after more heat. Under the flux q from t_1 to t_2 a half space rises by
+// 2 q/(e sqrt(pi)) (sqrt(t - t_1) - sqrt(t - t_2)) (Carslaw & Jaeger 2.9).
+TEST(TrackMemory, AnswersForTheTimeAndTheHeatOfEachQuestion) {
+  TrackMemory track(steel, 90, width, step, 0.1);
+  const double joules = 40., area = 2. * pi * steel.radius * width;
+  const auto rise = [&](double t, double from, double to) {
+    return 2. * joules / ((to - from) * area * steel.effusivity() * std::sqrt(pi)) *
+           (std::sqrt(t - from) - std::sqrt(t - to));
+  };
+  const auto heat_all_round = [&](double from, double to) {
+    track.add(0., 0., pi, joules);
+    track.commit(to, to - from);
+  };
+  heat_all_round(0., step);
+  for (const double t : {3. * step, 10. * step, 200. * step})
+    EXPECT_NEAR(track.rise(1., t), rise(t, 0., step), 1e-3 * rise(t, 0., step));
+  const double t = 20. * step, before = track.rise(1., t);
+  heat_all_round(10. * step, 11. * step);
+  const double more = rise(t, 10. * step, 11. * step);
+  EXPECT_NEAR(track.rise(1., t) - before, more, 1e-3 * (before + more));
+}
+
 TEST(RubbingPair, RingAtRestUnderAFastRotorIsAHalfSpaceCooledByAFilm) {
   const double watts = 2e4, v = 55., q = flux(watts), e = steel.effusivity();
   const double film = e * std::sqrt(pi) / (2. * std::sqrt(b / v)), a = film / e;
