@@ -18,7 +18,7 @@ struct Turned {
 
 constexpr std::size_t max_harmonics = 40;  // 2 to 41
 
-/// At some vectors of balls. @param table  cos, sin of every harmonic at the balls: [2 n_harmonics][n], from the first of these balls on
+/// At some vectors of balls, from the first of them on. @param table  cos, sin of every harmonic at all balls: [2 n_harmonics][n]
 template <std::size_t vectors>
 ROTORDROP_KERNEL void add_shapes_at(const Turned* turned, std::size_t n_harmonics, const double* table, std::size_t n,
                                     std::size_t first, Widening& w) {
