@@ -19,6 +19,25 @@ struct SweptBand {
 ///   integral of [r(c - p + b) - r(c - p - b)] dp,  r(x) = max(x, 0), whose integral is r^2/2.
 void cover_cells(const SweptBand& band, double cell_angle, double first, std::span<double> below);
 
+/// Cells that lie one after another around the circumference; numbers beyond the last cell are those of further turns.
+struct CellRange {
+  long first;
+  std::size_t n;
+};
+CellRange cells_under(const SweptBand& band, double cell_angle);
+
+/// Heat of a swept band that is cut across its length into pieces of equal length, each of which gives off its own.
+struct PiecesOfBand {
+  const double*
+      heat;  ///< of the pieces from the lower angle up [J], of one list of them after another [n_lists][n_pieces]
+  std::size_t n_pieces, n_lists;
+};
+/// What falls on each cell of a range that holds all cells under the band; of each list the cells' sum is that of its pieces.
+/// @param into  [n_lists][stride] [J]: of cells of the range in their order
+/// @param stride  whole vectors (vector_length), range.n at least
+void spread_pieces(const SweptBand& band, const PiecesOfBand& pieces, double cell_angle, const CellRange& range,
+                   std::size_t stride, double* into);
+
 /// Divides what a band gives off evenly over its length 2 b while its middle goes evenly from one angle to the other [rad]; any number of turns.
 /// @param half_angle  b over the radius [rad], > 0; a band that reaches round covers all
 /// @param give        called with a cell's index and its share; the shares' sum is 1. A cell may be called more than once.
@@ -27,8 +46,8 @@ void spread_over_cells(std::size_t n_cells, double from, double to, double half_
   using std::numbers::pi;
   const double cell_angle = 2. * pi / static_cast<double>(n_cells), b = std::min(half_angle, pi);
   const SweptBand band{std::min(from, to), std::max(from, to), b};
-  const auto first = static_cast<long>(std::floor((band.low - b) / cell_angle)),
-             last = static_cast<long>(std::floor((band.high + b) / cell_angle));
+  const auto [first, n_covered] = cells_under(band, cell_angle);
+  const long last = first + static_cast<long>(n_covered) - 1;
   const auto count = static_cast<long>(n_cells);
   auto cell = static_cast<std::size_t>(((first % count) + count) % count);
   std::array<double, 32> below;

@@ -75,7 +75,7 @@ struct RubbingSpot {
 /// is a half space of its own,
 ///   T(t) = (pi k rho c)^(-1/2) integral_0^t q(s) (t - s)^(-1/2) ds,
 /// the last interval exactly, what went before by a sum of exponentials for the root: with 1/sqrt(s) = pi^(-1/2) integral exp(-s e^z) e^(z/2) dz the
-/// trapezoid rule in z converges so fast that the kernel is met to 5e-4. Cost and memory: touched cells times about 20 terms.
+/// trapezoid rule in z converges so fast that the kernel is met to 4e-4. Cost and memory: touched cells times about 15 terms.
 ///
 /// Valid: until heat has crossed the wall, see valid_until(); with no heat going sideways, sqrt(kappa t) below the spot's half width (in steel 0.2 mm after
 /// 3 ms): later the rise of the hot track is an upper bound. No loss from the surface. Rises are over the temperature at the start.
@@ -84,7 +84,7 @@ class SweptArcHistory {
   struct Options {
     std::size_t n_cells = 1000;        ///< cells_for() says how many are enough
     double shortest_interval = 50e-6;  ///< [s]; shorter ones miss a little of the heat of just before them
-    double duration = 10;              ///< [s]; heat older than this is remembered too warm
+    double duration = 10;              ///< [s]; heat older than this fades too fast
   };
   /// Cells so that they are narrower than half of the half width [m], 720 at least.
   static std::size_t cells_for(double radius, double half_width);

@@ -1,9 +1,12 @@
 #pragma once
 // Temperatures of two surfaces that rub: one temperature wherever they touch, and the share of the heat that follows from it.
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/aligned_numbers.h"
+#include "laws/arc_cells.h"
 
 namespace rotordrop {
 
@@ -16,52 +19,62 @@ struct RubbedBody {
   [[nodiscard]] double effusivity() const;
 };
 
+/// Angles around a circle [rad], first + k step.
+struct EvenAngles {
+  double first, step;
+  std::size_t n;
+};
+
 /// Surface rise around a circle from heat that passed over it earlier: cells that turn with the body, each a half space,
 ///   T(t) = (pi k rho c)^(-1/2) integral q(s) (t - s)^(-1/2) ds,
-/// the root as a sum of exponentials (see SweptArcHistory), met to 5e-4 for heat that ended at least one shortest interval ago.
-/// A cell costs something only while it is heated or looked at.
+/// the root as a sum of exponentials (see SweptArcHistory), met to 4e-4 for heat that ended at least one shortest interval ago.
+/// A cell costs something only while it is heated or looked at. Several fluxes over the same places at the same times are kept side by side: each has
+/// rises of its own, and what depends on places and times alone is done once.
 class TrackMemory {
  public:
   /// @param shortest_interval, duration  [s]
-  TrackMemory(const RubbedBody& body, std::size_t n_cells, double axial_width, double shortest_interval,
-              double duration);
+  TrackMemory(const RubbedBody& body, std::size_t n_cells, std::size_t n_fluxes, double axial_width,
+              double shortest_interval, double duration);
 
-  /// Rise [K] at the time t [s] of the cell at this angle [rad], which was last heated before it.
-  [[nodiscard]] double rise(double angle, double t) const;
-  /// Adds heat [J] that a band gives off evenly while its middle goes from one angle to the other; takes effect with commit().
-  void add(double from, double to, double half_angle, double heat);
-  /// All that was added since the last commit entered evenly from t - step to t.
-  void commit(double t, double step);
+  /// Rises [K] by each flux at the time t [s] of the cells at these angles, which were last heated before it.
+  /// @param out  [n_fluxes][stride], stride >= at.n
+  void rises(const EvenAngles& at, double t, double* out, std::size_t stride) const;
+  /// A band's heat that entered evenly from t - step to t.
+  /// @param pieces  of the fluxes, one list for each
+  void add(const SweptBand& band, const PiecesOfBand& pieces, double t, double step);
 
-  [[nodiscard]] std::size_t n_cells() const { return heat_.size(); }
-  /// Heat of every cell so far [J] [n_cells].
-  [[nodiscard]] const std::vector<double>& heat() const { return heat_; }
+  [[nodiscard]] std::size_t n_cells() const { return heated_at_.size(); }
+  /// Heat of every cell by a flux so far [J] [n_cells].
+  [[nodiscard]] std::span<const double> heat(std::size_t flux) const {
+    return std::span(heat_).subspan(flux * n_cells(), n_cells());
+  }
 
  private:
-  [[nodiscard]] std::size_t cell_at(double angle) const;
+  void set_gain(double step);
+  /// Of neighbouring cells. @param heat  [n_fluxes][stride] [J]
+  void take(std::size_t first_cell, std::size_t n, const double* heat, std::size_t stride, double t, double step);
   /// Decays of the terms over a lag [n_terms].
   [[nodiscard]] const double* decay_over(double lag) const;
   [[nodiscard]] std::size_t place_of_decay(double lag) const;
 
-  double scale_ = 0, cell_area_ = 0;
-  AlignedNumbers rate_, weight_;      ///< of the terms [1/s], [s^-1/2] [n_terms], whole vectors of them
-  AlignedNumbers memory_;             ///< [n_cells][n_terms]
-  std::vector<double> heated_at_;     ///< time of a cell's memory [s] [n_cells]
-  std::vector<double> heat_, fresh_;  ///< [J] [n_cells]
-  std::vector<std::size_t> fresh_cells_;
-  AlignedNumbers gain_;  ///< of the terms over the interval of gain_step_
+  double scale_ = 0, cell_angle_ = 0, cell_area_ = 0;
+  std::size_t n_fluxes_ = 1;
+  AlignedNumbers rate_, weight_;   ///< of the terms [1/s], [s^-1/2] [n_terms], whole vectors of them
+  AlignedNumbers memory_;          ///< [n_cells][n_fluxes][n_terms]
+  std::vector<double> heated_at_;  ///< time of a cell's memory [s] [n_cells]; below all times: never
+  std::vector<double> heat_;       ///< [J] [n_fluxes][n_cells]
+  AlignedNumbers fresh_;           ///< of the band that is being added [J] [n_fluxes][its cells, whole vectors]
+  AlignedNumbers gain_;            ///< of the terms over the interval of gain_step_
   double gain_step_ = -1;
   // Lags are mostly whole numbers of intervals: their decays are kept, and behind them that of one other lag.
   static constexpr std::size_t n_kept = 512;
   double interval_ = 0, per_interval_ = 0;
-  mutable AlignedNumbers decay_;      ///< [n_kept + 1][n_terms]
-  mutable std::size_t n_filled_ = 0;  ///< of kept decays, each the one before times that of one interval
-  mutable double other_lag_ = -1;     ///< of the one behind them
-  mutable double found_lag_ = -1;     ///< that was asked for last
-  mutable std::size_t found_ = 0;     ///< place of its decays
-  // The rise that was asked for last.
-  mutable std::size_t risen_cell_ = static_cast<std::size_t>(-1);  ///< none
-  mutable double risen_at_ = 0, risen_ = 0;
+  mutable AlignedNumbers decay_;              ///< [n_kept + 1][n_terms]
+  mutable std::size_t n_filled_ = 0;          ///< of kept decays, each the one before times that of one interval
+  mutable double other_lag_ = -1;             ///< of the one behind them
+  mutable double found_lag_ = -1;             ///< that was asked for last
+  mutable std::size_t found_ = 0;             ///< place of its decays
+  mutable std::vector<std::uint32_t> cells_;  ///< that are looked at
 };
 
 /// How the heat divides between the bore and the rotor.
@@ -77,10 +90,10 @@ struct RubbingBand {
   double contact_angle = 0;  ///< of the band's middle, at the interval's end [rad]; whole turns do not matter
   double ring_angle = 0;     ///< of the ring, at the interval's end; not wrapped [rad]
   double rotor_angle = 0;    ///< of the rotor, likewise
-  double share_to_ring = 0;  ///< for RubDivision::given
 };
 
-/// Bore and rotor under one rubbing band, from interval to interval.
+/// Bore and rotor under one rubbing band, from interval to interval. The same rub is followed for several divisions of its heat at once, which know
+/// nothing of each other.
 ///
 /// The heat is even over the band, q = H/(2 b w). The band is cut into n_nodes pieces across its length. The ring, slow against the rotor, keeps what each
 /// piece of its surface got (TrackMemory), and takes up the present interval's flux like a half space for as long as it has been under the band. The
@@ -94,7 +107,7 @@ struct RubbingBand {
 class RubbingPair {
  public:
   struct Options {
-    RubDivision division = RubDivision::one_temperature;
+    std::vector<RubDivision> divisions = {RubDivision::one_temperature};
     std::size_t n_nodes = 12;
     double axial_width = 0;           ///< w [m], > 0
     double shortest_interval = 5e-5;  ///< [s]
@@ -105,7 +118,8 @@ class RubbingPair {
 
   /// Goes on to the time [s] with a band. The line of centres has turned the shorter way since the last interval; in the first one of a contact it is
   /// taken as at rest.
-  void advance(double time, const RubbingBand& band);
+  /// @param shares_to_ring  [divisions], of those whose share is given; if none is, it may be left out
+  void advance(double time, const RubbingBand& band, std::span<const double> shares_to_ring = {});
   /// The same without contact; the angles [rad] as those of a band.
   void advance(double time, double ring_angle, double rotor_angle);
 
@@ -115,21 +129,34 @@ class RubbingPair {
     double largest_difference = 0;         ///< |T_ring - T_rotor| in a piece, largest of this interval [K]
     double share_to_ring = 0;              ///< part of this interval's heat that entered the ring
   };
-  [[nodiscard]] const State& state() const { return state_; }
-  /// Heat since the start [J].
-  [[nodiscard]] double heat_into_ring() const { return into_ring_; }
-  [[nodiscard]] double heat_into_rotor() const { return into_rotor_; }
+  /// Of a division.
+  [[nodiscard]] const State& state(std::size_t division = 0) const { return states_[division]; }
+  /// Heat by a division since the start [J].
+  [[nodiscard]] double heat_into_ring(std::size_t division = 0) const { return into_ring_[division]; }
+  [[nodiscard]] double heat_into_rotor(std::size_t division = 0) const { return into_rotor_[division]; }
   [[nodiscard]] const TrackMemory& ring() const { return ring_memory_; }
 
  private:
+  /// How the band lies over both bodies in an interval.
+  struct Passage;
+  [[nodiscard]] Passage passage(double time, const RubbingBand& band);
+  /// What earlier intervals left on both bodies under the band's pieces.
+  void look_at_tracks(const Passage& p);
+  void divide(const Passage& p, double q, std::size_t division, double share_to_ring);
+
   RubbedBody ring_, rotor_;
   Options options_;
   TrackMemory ring_memory_, rotor_memory_;
-  double touched_at_ = 0, last_contact_angle_ = 0, last_ring_angle_ = 0, last_rotor_angle_ = 0;
+  double time_ = 0, touched_at_ = 0, last_contact_angle_ = 0, last_ring_angle_ = 0, last_rotor_angle_ = 0;
   bool was_in_contact_ = false;
-  double into_ring_ = 0, into_rotor_ = 0;
-  std::vector<double> q_ring_, middle_, kernel_;
-  State state_;
+  std::vector<double> into_ring_, into_rotor_;  // [divisions]
+  std::vector<double> before_;                  // on the rotor, just ahead of the band [K] [divisions]
+  AlignedNumbers kept_;                         // on the ring [K] [divisions][n_nodes, filled up]
+  // Of the band's pieces [n_nodes, filled up]
+  AlignedNumbers direct_, rotor_rise_, kernel_, inverse_;  // how fluxes warm them
+  AlignedNumbers q_ring_, on_rotor_;                       // [W/m2], [K]
+  AlignedNumbers ring_joules_, rotor_joules_;              // [divisions][pieces that are told apart]
+  std::vector<State> states_;
 };
 
 }  // namespace rotordrop

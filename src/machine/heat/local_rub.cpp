@@ -70,7 +70,11 @@ enum class Share { one_temperature, recorded, by_speeds };
 class Replay {
  public:
   Replay(const RubRecord& r, const std::vector<Interval>& list, const LocalRubSettings& s)
-      : list_(list), s_(s), start_(r.times.empty() ? 0. : r.times.front()) {
+      : list_(list),
+        s_(s),
+        ring_{s.surfaces.bore.radius, s.surfaces.bore.conductivity, s.surfaces.bore.capacity},
+        rotor_{s.surfaces.rotor_radius, s.surfaces.rotor_conductivity, s.surfaces.rotor_capacity},
+        start_(r.times.empty() ? 0. : r.times.front()) {
     // Under a hundredth of the largest width the flux of so small a force is no matter; a point would have no area.
     least_force_ = 1e-4 * largest_force(list);
   }
@@ -79,21 +83,12 @@ class Replay {
     return hertz ? s_.hertz_width_per_root * std::sqrt(std::max(force, least_force_)) : s_.surfaces.half_width;
   }
 
-  [[nodiscard]] LocalRise run(bool hertz, Share share) const {
-    LocalRise rise;
-    if (list_.empty()) return rise;
-    const RubbedBody ring = {s_.surfaces.bore.radius, s_.surfaces.bore.conductivity, s_.surfaces.bore.capacity};
-    const RubbedBody rotor = {s_.surfaces.rotor_radius, s_.surfaces.rotor_conductivity, s_.surfaces.rotor_capacity};
-    RubbingPair::Options options;
-    options.division = share == Share::one_temperature ? RubDivision::one_temperature : RubDivision::given;
-    // Under an even flux fewer pieces say the same.
-    if (options.division == RubDivision::given) options.n_nodes = 6;
-    options.axial_width = s_.surfaces.axial_width;
-    options.shortest_interval = list_.front().step;
-    options.duration = std::max(list_.back().end - start_, 2. * list_.front().step);
-    options.ring_cells = n_ring_cells;
-    options.rotor_cells = n_rotor_cells;
-    RubbingPair pair(ring, rotor, options, start_);
+  /// By one band, for several shares at once. [shares]
+  [[nodiscard]] std::vector<LocalRise> run(bool hertz, const std::vector<Share>& shares) const {
+    std::vector<LocalRise> rises(shares.size());
+    if (list_.empty()) return rises;
+    RubbingPair pair(ring_, rotor_, options(shares), start_);
+    std::vector<double> given(shares.size(), 0.);
     double touched_at = start_;
     for (const auto& v : list_) {
       if (v.force == 0.) {
@@ -102,29 +97,29 @@ class Replay {
         continue;
       }
       const double b = half_width(hertz, v.force);
-      double given = 0.;
-      if (share == Share::recorded) given = v.heat_into_ring / v.heat;
-      if (share == Share::by_speeds) {
-        const JaegerShare law{2. * b, v.end - touched_at, rotor.effusivity() / ring.effusivity()};
-        given = law.to_ring((v.turned - v.rotor_turned) * rotor.radius / v.step,
-                            (v.turned - v.ring_turned) * ring.radius / v.step);
-      }
-      pair.advance(v.end, {v.heat, b, v.contact_angle, v.ring_angle, v.rotor_angle, given});
-      rise.heat += v.heat;
-      const auto& now = pair.state();
-      rise.rotor = std::max(rise.rotor, now.rotor_rise);
-      if (now.ring_rise > rise.bore) {
-        rise.bore = now.ring_rise;
-        rise.time = v.end;
-        rise.share_then = now.share_to_ring;
-        rise.half_width = b;
-        rise.difference_then = now.largest_difference;
+      for (std::size_t i = 0; i < shares.size(); ++i) given[i] = given_share(shares[i], v, b, v.end - touched_at);
+      pair.advance(v.end, {v.heat, b, v.contact_angle, v.ring_angle, v.rotor_angle}, given);
+      for (std::size_t i = 0; i < shares.size(); ++i) {
+        LocalRise& rise = rises[i];
+        const auto& now = pair.state(i);
+        rise.heat += v.heat;
+        rise.rotor = std::max(rise.rotor, now.rotor_rise);
+        if (now.ring_rise > rise.bore) {
+          rise.bore = now.ring_rise;
+          rise.time = v.end;
+          rise.share_then = now.share_to_ring;
+          rise.half_width = b;
+          rise.difference_then = now.largest_difference;
+        }
       }
     }
-    rise.heat_into_ring = pair.heat_into_ring();
-    rise.heat_into_rotor = pair.heat_into_rotor();
-    rise.share_to_ring = rise.heat > 0. ? rise.heat_into_ring / rise.heat : 0.;
-    return rise;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      LocalRise& rise = rises[i];
+      rise.heat_into_ring = pair.heat_into_ring(i);
+      rise.heat_into_rotor = pair.heat_into_rotor(i);
+      rise.share_to_ring = rise.heat > 0. ? rise.heat_into_ring / rise.heat : 0.;
+    }
+    return rises;
   }
 
   [[nodiscard]] Wear wear() const {
@@ -155,8 +150,30 @@ class Replay {
   }
 
  private:
+  [[nodiscard]] RubbingPair::Options options(const std::vector<Share>& shares) const {
+    RubbingPair::Options o;
+    o.divisions.clear();
+    for (const Share share : shares)
+      o.divisions.push_back(share == Share::one_temperature ? RubDivision::one_temperature : RubDivision::given);
+    o.axial_width = s_.surfaces.axial_width;
+    o.shortest_interval = list_.front().step;
+    o.duration = std::max(list_.back().end - start_, 2. * list_.front().step);
+    o.ring_cells = n_ring_cells;
+    o.rotor_cells = n_rotor_cells;
+    return o;
+  }
+  /// @param b, age  half width of the band [m], time in contact [s]
+  [[nodiscard]] double given_share(Share share, const Interval& v, double b, double age) const {
+    if (share == Share::recorded) return v.heat_into_ring / v.heat;
+    if (share == Share::one_temperature) return 0.;  // it follows
+    const JaegerShare law{2. * b, age, rotor_.effusivity() / ring_.effusivity()};
+    return law.to_ring((v.turned - v.rotor_turned) * rotor_.radius / v.step,
+                       (v.turned - v.ring_turned) * ring_.radius / v.step);
+  }
+
   const std::vector<Interval>& list_;
   const LocalRubSettings& s_;
+  RubbedBody ring_, rotor_;
   double start_ = 0, least_force_ = 0;
 };
 
@@ -172,17 +189,15 @@ LocalRub local_rub(const RubRecord& r, const LocalRubSettings& s, std::size_t mo
   if (largest_force(list) == 0.) return result;
   const Share stated = s.is_one_temperature ? Share::one_temperature : Share::recorded;
   const Share other = s.is_one_temperature ? Share::recorded : Share::one_temperature;
-  // They know nothing of each other, and run at the same time where there are threads for them.
-  const auto begin = [&](bool hertz, Share share) {
-    return std::async([&replay, hertz, share] { return replay.run(hertz, share); });
-  };
-  auto other_share = begin(s.by_hertz, other), other_band = begin(!s.by_hertz, stated),
-       other_both = begin(!s.by_hertz, other), by_speeds = begin(s.by_hertz, Share::by_speeds);
-  result.stated = replay.run(s.by_hertz, stated);
-  result.other_share = other_share.get();
-  result.other_band = other_band.get();
-  result.other_both = other_both.get();
-  result.by_speeds = by_speeds.get();
+  // The two bands know nothing of each other, and run at the same time where there are threads for them.
+  auto by_other_band = std::async([&] { return replay.run(!s.by_hertz, {stated, other}); });
+  const auto by_stated_band = replay.run(s.by_hertz, {stated, other, Share::by_speeds});
+  result.stated = by_stated_band[0];
+  result.other_share = by_stated_band[1];
+  result.by_speeds = by_stated_band[2];
+  const auto others = by_other_band.get();
+  result.other_band = others[0];
+  result.other_both = others[1];
   const auto bounds = std::minmax({result.stated.bore, result.other_share.bore, result.other_band.bore,
                                    result.other_both.bore, result.by_speeds.bore});
   result.bore_rise_low = bounds.first;

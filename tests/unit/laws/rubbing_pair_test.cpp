@@ -41,7 +41,7 @@ void rub(RubbingPair& pair, const RubbedBody& ring, const RubbedBody& rotor, dou
   const int n = static_cast<int>(std::lround(end / step));
   for (int i = 1; i <= n; ++i) {
     const double t = i * step;
-    pair.advance(t, {watts * step, b, 0.3, v_ring * t / ring.radius, v_rotor * t / rotor.radius, share});
+    pair.advance(t, {watts * step, b, 0.3, v_ring * t / ring.radius, v_rotor * t / rotor.radius}, {&share, 1});
     watch(t);
   }
 }
@@ -51,23 +51,39 @@ double flux(double watts) { return watts / (2. * b * width); }
 // One cell, asked again: later, and at the same time after more heat. Under the flux q from t_1 to t_2 a half space rises by
 // 2 q/(e sqrt(pi)) (sqrt(t - t_1) - sqrt(t - t_2)) (Carslaw & Jaeger 2.9).
 TEST(TrackMemory, AnswersForTheTimeAndTheHeatOfEachQuestion) {
-  TrackMemory track(steel, 90, width, step, 0.1);
+  TrackMemory track(steel, 90, 1, width, step, 0.1);
   const double joules = 40., area = 2. * pi * steel.radius * width;
   const auto rise = [&](double t, double from, double to) {
     return 2. * joules / ((to - from) * area * steel.effusivity() * std::sqrt(pi)) *
            (std::sqrt(t - from) - std::sqrt(t - to));
   };
-  const auto heat_all_round = [&](double from, double to) {
-    track.add(0., 0., pi, joules);
-    track.commit(to, to - from);
+  const auto risen = [&](double t) {
+    double found = 0.;
+    track.rises({1., 0., 1}, t, &found, 1);
+    return found;
   };
+  const auto heat_all_round = [&](double from, double to) { track.add({0., 0., pi}, {&joules, 1, 1}, to, to - from); };
   heat_all_round(0., step);
   for (const double t : {3. * step, 10. * step, 200. * step})
-    EXPECT_NEAR(track.rise(1., t), rise(t, 0., step), 1e-3 * rise(t, 0., step));
-  const double t = 20. * step, before = track.rise(1., t);
+    EXPECT_NEAR(risen(t), rise(t, 0., step), 1e-3 * rise(t, 0., step));
+  const double t = 20. * step, before = risen(t);
   heat_all_round(10. * step, 11. * step);
   const double more = rise(t, 10. * step, 11. * step);
-  EXPECT_NEAR(track.rise(1., t) - before, more, 1e-3 * (before + more));
+  EXPECT_NEAR(risen(t) - before, more, 1e-3 * (before + more));
+}
+
+TEST(TrackMemory, KeepsWhatABandGivesOffInSeveralTurns) {
+  const std::size_t n_cells = 90;
+  for (const double way : {0.5, 6., 20.}) {
+    TrackMemory track(steel, n_cells, 2, width, step, 0.1);
+    const std::vector<double> joules = {40., 3.};
+    track.add({0.3, 0.3 + way, 0.2}, {joules.data(), 1, 2}, step, step);
+    std::vector<double> share(n_cells);
+    spread_over_cells(n_cells, 0.3, 0.3 + way, 0.2, [&](std::size_t cell, double part) { share[cell] += part; });
+    for (std::size_t flux = 0; flux < 2; ++flux)
+      for (std::size_t cell = 0; cell < n_cells; ++cell)
+        EXPECT_NEAR(track.heat(flux)[cell], joules[flux] * share[cell], 1e-12) << way << " " << cell;
+  }
 }
 
 TEST(RubbingPair, RingAtRestUnderAFastRotorIsAHalfSpaceCooledByAFilm) {
@@ -160,6 +176,13 @@ TEST(RubbingPair, AgreesWithADirectSolutionOfBothIntegralEquations) {
   // Twelve pieces end half a piece before the edge, 2 % short of its square root; cells of the ring are not the pieces.
   EXPECT_NEAR(reached, hottest, 0.04 * hottest);
   EXPECT_NEAR(pair.heat_into_ring(), total, 0.01 * total);
+  // The other way round it is the same but for the cells, which begin elsewhere.
+  RubbingPair mirrored(steel, steel, options(12), 0.);
+  double mirrored_reached = 0.;
+  rub(mirrored, steel, steel, watts, 0., -v, 2e-3,
+      [&](double) { mirrored_reached = std::max(mirrored_reached, mirrored.state().ring_rise); });
+  EXPECT_NEAR(mirrored_reached, hottest, 0.04 * hottest);
+  EXPECT_NEAR(mirrored.heat_into_ring(), total, 0.01 * total);
 }
 
 TEST(RubbingPair, KeepsEveryJoule) {
@@ -170,10 +193,10 @@ TEST(RubbingPair, KeepsEveryJoule) {
     if (heat == 0.)
       pair.advance(t, 2e3 * t * t, 1600. * t);
     else
-      pair.advance(t, {heat, b, -3. * t, 2e3 * t * t * 10., 1600. * t, 0.});
+      pair.advance(t, {heat, b, -3. * t, 2e3 * t * t * 10., 1600. * t});
     given += heat;
   }
-  const auto& cells = pair.ring().heat();
+  const auto cells = pair.ring().heat(0);
   const double in_cells = std::accumulate(cells.begin(), cells.end(), 0.);
   EXPECT_NEAR(pair.heat_into_ring() + pair.heat_into_rotor(), given, 1e-12 * given);
   EXPECT_NEAR(in_cells, pair.heat_into_ring(), 1e-12 * given);
@@ -184,9 +207,14 @@ TEST(RubbingPair, RotorBringsBackWhatEarlierTurnsLeft) {
   RubbedBody insulator = steel;
   insulator.conductivity = 1e-6;
   const double v = 55., watts = 1e4, turn = 2. * pi * steel.radius / v;
-  RubbingPair pair(insulator, steel, options(12), 0.);
+  RubbingPair::Options o = options(12);
+  o.divisions = {RubDivision::one_temperature, RubDivision::given};  // the given share is none
+  RubbingPair pair(insulator, steel, o, 0.);
   std::vector<double> rise;
-  rub(pair, insulator, steel, watts, 0., v, 0.02, [&](double) { rise.push_back(pair.state().rotor_rise); });
+  rub(pair, insulator, steel, watts, 0., v, 0.02, [&](double) {
+    rise.push_back(pair.state().rotor_rise);
+    EXPECT_NEAR(pair.state(1).rotor_rise, rise.back(), 1e-3 * rise.back());
+  });
   const double first = 2. * flux(watts) * std::sqrt((2. * b - b / 12.) / (pi * v)) / steel.effusivity();
   EXPECT_NEAR(rise[40], first, 0.01 * first);
   // Each point had a pulse of watts turn/(2 pi r w) joules per area, turns ago: T = sum J/(e sqrt(pi t_j)), t_j = j turn.
@@ -199,7 +227,7 @@ TEST(RubbingPair, RotorBringsBackWhatEarlierTurnsLeft) {
 
 TEST(RubbingPair, GivenShareHeatsTheRingByItAlone) {
   RubbingPair::Options o = options(12);
-  o.division = RubDivision::given;
+  o.divisions = {RubDivision::given};
   RubbingPair pair(steel, steel, o, 0.);
   rub(
       pair, steel, steel, 2e4, 0., 55., 3e-3,
@@ -209,6 +237,63 @@ TEST(RubbingPair, GivenShareHeatsTheRingByItAlone) {
       },
       0.66);
   EXPECT_NEAR(pair.heat_into_ring(), 0.66 * 2e4 * 3e-3, 1e-9);
+}
+
+// Bit for bit: a division's numbers never meet another's. The ring is slow at first, then fast; the band comes round to places that are warm.
+TEST(RubbingPair, FollowsSeveralDivisionsAsEachAlone) {
+  const std::vector<RubDivision> divisions = {RubDivision::given, RubDivision::one_temperature, RubDivision::given};
+  const std::vector<double> shares = {0.4, 0., 0.7};
+  RubbingPair::Options o = options(12);
+  o.divisions = divisions;
+  RubbingPair together(steel, steel, o, 0.);
+  std::vector<RubbingPair> alone;
+  for (const RubDivision division : divisions) {
+    o.divisions = {division};
+    alone.emplace_back(steel, steel, o, 0.);
+  }
+  for (int i = 1; i <= 600; ++i) {
+    const double t = i * step;
+    const RubbingBand band{1. + 0.5 * std::sin(0.3 * i), b, -200. * t, 2e5 * t * t, 1600. * t};
+    together.advance(t, band, shares);
+    for (std::size_t d = 0; d < alone.size(); ++d) {
+      alone[d].advance(t, band, {&shares[d], 1});
+      const auto &one = together.state(d), &other = alone[d].state();
+      ASSERT_EQ(one.ring_rise, other.ring_rise) << i << " " << d;
+      ASSERT_EQ(one.rotor_rise, other.rotor_rise);
+      ASSERT_EQ(one.largest_difference, other.largest_difference);
+      ASSERT_EQ(one.share_to_ring, other.share_to_ring);
+      ASSERT_EQ(together.heat_into_ring(d), alone[d].heat_into_ring());
+      ASSERT_EQ(together.heat_into_rotor(d), alone[d].heat_into_rotor());
+    }
+  }
+  EXPECT_GT(together.state(2).ring_rise, 1.2 * together.state(0).ring_rise);
+}
+
+// A band in pieces leaves what its pieces leave one by one, each as a band of its own.
+TEST(ArcCells, PiecesOfABandLieSideBySide) {
+  std::vector<double> heat;  // of a second list ten times as much
+  for (int k = 0; k < 20; ++k) heat.push_back(3. * std::sin(1. + k));
+  const std::size_t n = heat.size(), n_cells = 100;
+  const double cell_angle = 2. * pi / static_cast<double>(n_cells), half_angle = 0.2;
+  for (const double way : {0., 1e-3, 0.3, 9.}) {
+    const SweptBand band{1., 1. + way, half_angle};
+    const CellRange range = cells_under(band, cell_angle);
+    const std::size_t stride = (range.n + 7) / 8 * 8;
+    std::vector<double> both = heat, found(2 * stride), expected(n_cells), folded(n_cells);
+    for (const double joules : heat) both.push_back(10. * joules);
+    spread_pieces(band, {both.data(), n, 2}, cell_angle, range, stride, found.data());
+    for (std::size_t k = 0; k < n; ++k) {
+      const double half = half_angle / static_cast<double>(n),
+                   at = 1. - half_angle + (2. * static_cast<double>(k) + 1.) * half;
+      spread_over_cells(n_cells, at, at + way, half,
+                        [&](std::size_t cell, double share) { expected[cell] += share * heat[k]; });
+    }
+    for (std::size_t i = 0; i < range.n; ++i) {
+      folded[(static_cast<std::size_t>(range.first) + i) % n_cells] += found[i];
+      EXPECT_NEAR(found[stride + i], 10. * found[i], 1e-12);
+    }
+    for (std::size_t cell = 0; cell < n_cells; ++cell) EXPECT_NEAR(folded[cell], expected[cell], 1e-12) << way;
+  }
 }
 
 TEST(ArcCells, ShareOutExactlyOneOverAnyWay) {
