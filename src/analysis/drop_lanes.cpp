@@ -35,33 +35,20 @@ struct Lane {
   [[nodiscard]] DropLoop& loop() const { return drop->loop(); }
 };
 
-/// Evaluates the next rows of all lanes that lie within their last steps.
-class RowsAhead {
- public:
-  explicit RowsAhead(std::size_t n_step) : values_(n_step * width) {}
-  void evaluate(std::span<const Lane> lanes, LaneIntegrator& integrator) {
-    std::array<double, width> t;
-    bool is_any_due = false;
-    for (std::size_t l = 0; l < width; ++l) {
-      t[l] = integrator.time(l);
-      if (!integrator.has_stepped(l)) continue;
-      const double due = lanes[l].drop->rows().due_ahead();
-      if (!(due < t[l]) || due <= lanes[l].loop().time()) continue;
-      t[l] = due;
-      is_any_due = true;
-    }
-    if (!is_any_due) return;
-    integrator.observe_within(t, values_);
-    for (std::size_t l = 0; l < width; ++l) {
-      if (!integrator.has_stepped(l) || t[l] == integrator.time(l)) continue;
-      const auto ahead = lanes[l].drop->rows().ahead(t[l]);
-      for (std::size_t i = 0; i < ahead.size(); ++i) ahead[i] = values_[i * width + l];
-    }
+/// Interpolates the states of the next rows of all lanes that lie within their last steps: at once, which costs less than lane by lane.
+void interpolate_rows(std::span<const Lane> lanes, LaneIntegrator& integrator) {
+  std::array<double, width> t;
+  bool is_any_due = false;
+  for (std::size_t l = 0; l < width; ++l) {
+    t[l] = integrator.time(l);
+    if (!integrator.has_stepped(l)) continue;
+    const double due = lanes[l].drop->rows().due_ahead();
+    if (!(due < t[l]) || due <= lanes[l].loop().time()) continue;
+    t[l] = due;
+    is_any_due = true;
   }
-
- private:
-  std::vector<double> values_;  // [n_step][width]
-};
+  if (is_any_due) integrator.interpolate_all(t);
+}
 
 /// Drops from a feed in eight lanes.
 class LaneRun {
@@ -71,10 +58,9 @@ class LaneRun {
   std::size_t run() {
     fill();
     if (!integrator_) return 0;
-    RowsAhead rows(busy()->loop().machine().n_step());
     while (busy() != lanes_.end()) {
       integrator_->advance();
-      rows.evaluate(lanes_, *integrator_);
+      interpolate_rows(lanes_, *integrator_);
       for (std::size_t l = 0; l < width; ++l)
         if (integrator_->has_stepped(l)) follow(l);
       if (is_stopped_ && is_stopped_()) break;

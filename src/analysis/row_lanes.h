@@ -16,8 +16,9 @@ class RowLanes {
  public:
   /// @param machine  evaluates_in_lanes(); must outlive this
   explicit RowLanes(const Machine& machine);
-  [[nodiscard]] bool is_full() const { return n_ == LaneSystem::width; }
-  [[nodiscard]] bool is_empty() const { return n_ == 0; }
+  static constexpr std::size_t most = LaneSystem::width;
+  [[nodiscard]] bool is_full() const { return n_ == most; }
+  [[nodiscard]] std::size_t n_added() const { return n_; }
   void add(double t, std::span<const double> y);
   /// Evaluates all that were added, gives them to `take` in their order, and is empty.
   /// @param take  its evaluation holds what Machine::observe_state() and the step observables need, and no more

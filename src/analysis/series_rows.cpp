@@ -39,21 +39,31 @@ SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const Growt
       n_step_(observed_size(machine.step_observables())),
       row_(n_step_ + observed_size(machine.state_observables())) {
   found_.wants_step = true;
-  ahead_.step.resize(n_step_);
-  ahead_.is_whole = false;
 }
 
 void SeriesRows::settle() {
   if (!lanes_) return;
-  lanes_->evaluate([this](double t, std::span<const double> y, const Evaluation& found) {
-    fill(y, found);
-    tell(t, row_);
+  std::size_t i = 0;
+  lanes_->evaluate([&](double t, std::span<const double> y, const Evaluation& found) {
+    const bool is_whole = whole_[i++];
+    fill(y, found, is_whole);
+    tell(t, row_, is_whole);
   });
 }
 
-void SeriesRows::fill(std::span<const double> y, const Evaluation& found) {
+bool SeriesRows::has_to_be_whole(double t) {
+  const bool is_whole = !is_thinned_ || is_needed(RowNeeds::all) || t >= watched_ + watch_interval;
+  if (is_whole) watched_ = t;
+  return is_whole;
+}
+
+void SeriesRows::fill(std::span<const double> y, const Evaluation& found, bool is_whole) {
   std::copy(found.step.begin(), found.step.end(), row_.begin());
-  machine_.observe_state(y, found, std::span(row_).subspan(n_step_));
+  const auto of_state = std::span(row_).subspan(n_step_);
+  if (is_whole)
+    machine_.observe_state(y, found, of_state);
+  else
+    machine_.observe_held(y, of_state);
 }
 
 bool SeriesRows::are_read() const { return is_needed(RowNeeds::all) || is_needed(RowNeeds::step); }
@@ -62,9 +72,9 @@ double SeriesRows::due_ahead() const { return are_read() ? due() : std::numeric_
 
 void SeriesRows::write(double t, std::span<const double> y) {
   if (!needs_state(t)) return give(t, row_, false);
-  if (t == ahead_time_) return write(t, y, ahead_);
-  if (evaluates_in_lanes_ && !is_thinned_) {
+  if (evaluates_in_lanes_) {
     if (!lanes_) lanes_ = std::make_unique<RowLanes>(machine_);
+    whole_[lanes_->n_added()] = has_to_be_whole(t);
     lanes_->add(t, y);
     schedule_.written(t);
     if (lanes_->is_full()) settle();
@@ -75,15 +85,10 @@ void SeriesRows::write(double t, std::span<const double> y) {
 }
 
 void SeriesRows::write(double t, std::span<const double> y, const Evaluation& found) {
-  std::copy(found.step.begin(), found.step.end(), row_.begin());
-  const bool is_whole = !is_thinned_ || is_needed(RowNeeds::all) || t >= watched_ + watch_interval;
-  if (is_whole) {
-    if (!found.is_whole) machine_.evaluate(t, y, found_);
-    machine_.observe_state(y, found.is_whole ? found : found_, std::span(row_).subspan(n_step_));
-    watched_ = t;
-  } else {
-    machine_.observe_held(y, std::span(row_).subspan(n_step_));
-  }
+  const bool is_whole = has_to_be_whole(t);
+  const bool lacks_inputs = is_whole && !found.is_whole;
+  if (lacks_inputs) machine_.evaluate(t, y, found_);
+  fill(y, lacks_inputs ? found_ : found, is_whole);
   give(t, row_, is_whole);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "analysis/row_lanes.h"
@@ -80,11 +81,6 @@ class SeriesRows final : public ScheduledRows {
   void thin_out() { is_thinned_ = true; }
   /// Time of the next row whose values are read [s].
   [[nodiscard]] double due_ahead() const;
-  /// Step observables of a row to come that were evaluated elsewhere, [observed_size(step_observables())].
-  [[nodiscard]] std::span<double> ahead(double t) {
-    ahead_time_ = t;
-    return ahead_.step;
-  }
 
  private:
   /// Whether anybody reads every row.
@@ -100,16 +96,18 @@ class SeriesRows final : public ScheduledRows {
   }
   [[nodiscard]] bool wants_before_change() const override { return true; }
   void write(double t, std::span<const double> y, const Evaluation& found);
-  /// @param found  with what observe_state() needs
-  void fill(std::span<const double> y, const Evaluation& found);
+  /// Whether all of the row at this time is needed, or what Machine::observe_held() gives of the state will do. Such rows are counted.
+  [[nodiscard]] bool has_to_be_whole(double t);
+  /// @param found  if the row is to be whole, with what observe_state() needs
+  void fill(std::span<const double> y, const Evaluation& found, bool is_whole);
 
   bool evaluates_in_lanes_;
-  std::unique_ptr<RowLanes> lanes_;  // made for the first row that is evaluated there
+  std::unique_ptr<RowLanes> lanes_;           // made for the first row that is evaluated there
+  std::array<bool, RowLanes::most> whole_{};  // of the rows in lanes_
   std::size_t n_step_;
   std::vector<double> row_;
   bool is_thinned_ = false;
-  double watched_ = -1., ahead_time_ = -1.;  // times of the last whole row, and of ahead_
-  Evaluation ahead_;
+  double watched_ = -1.;  // time of the last whole row
 };
 
 /// Rows of the detailed observables.

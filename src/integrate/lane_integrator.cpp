@@ -265,7 +265,7 @@ void LaneIntegrator::fail(std::size_t l, double size) const {
 
 void LaneIntegrator::interpolate(std::size_t l, double t, std::span<double> y) const {
   if (has_stepped(l) && t == within_time_[l] && t < time_[l] && t > time_[l] - last_step_[l])
-    return column(within_, l, y);  // observe_within() was there
+    return column(within_, l, y);  // interpolate_all() was there
   const double theta = part_of_step(t, time_[l], last_step_[l]);
   column(before_, l, y);
   for (std::size_t j = 0; j < k_.size(); ++j) {
@@ -274,9 +274,8 @@ void LaneIntegrator::interpolate(std::size_t l, double t, std::span<double> y) c
   }
 }
 
-void LaneIntegrator::observe_within(std::span<const double> t, std::span<double> step) {
+void LaneIntegrator::interpolate_all(std::span<const double> t) {
   within_.resize(y_.size());
-  within_rates_.resize(y_.size());
   std::array<const double*, most_stages> k{};
   std::array<double, most_stages * width> factors{};
   for (std::size_t j = 0; j < k_.size(); ++j) {
@@ -287,7 +286,6 @@ void LaneIntegrator::observe_within(std::span<const double> t, std::span<double>
   }
   wide<combine_lanes<1>>(n_, before_.data(), factors.data(), k.data(), pair_.n_stages, within_.data());
   std::copy(t.begin(), t.end(), within_time_.begin());
-  system_->observe(t, within_, within_rates_, step, {});
 }
 
 }  // namespace rotordrop

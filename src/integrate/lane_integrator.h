@@ -51,9 +51,9 @@ class LaneIntegrator {
   void details(std::size_t lane, std::span<double> values) const { column(details_, lane, values); }
   /// State at a time within the lane's last step.
   void interpolate(std::size_t lane, double t, std::span<double> y) const;
-  /// Observes all lanes at times of their own within their last steps; lanes that have not stepped give nothing.
-  /// @param t [width]; @param step  [number of values][width]
-  void observe_within(std::span<const double> t, std::span<double> step);
+  /// Interpolates all lanes that have stepped at times of their own within their last steps: interpolate() there has it at hand then.
+  /// @param t [width]
+  void interpolate_all(std::span<const double> t);
   [[nodiscard]] IntegrationStatistics statistics(std::size_t lane) const { return statistics_[lane]; }
 
  private:
@@ -77,8 +77,8 @@ class LaneIntegrator {
   std::array<bool, width> runs_{}, was_rejected_{}, ends_{};
   std::vector<StepControl> control_;
   AlignedNumbers y_, before_, stage_, step_, details_;  // [n][width]
-  PerLane within_time_{};                                       // of within_ [s]
-  AlignedNumbers within_, within_rates_;                        // [n][width], made when they are asked for
+  PerLane within_time_{};                               // of within_ [s]
+  AlignedNumbers within_;                               // [n][width], made when it is asked for
   std::vector<AlignedNumbers> k_;
   std::array<IntegrationStatistics, width> statistics_{};
   std::array<std::exception_ptr, width> failures_{};

@@ -70,7 +70,7 @@ std::vector<std::vector<double>> in_lanes(const Machine& m, const std::vector<In
       row.resize(m.n_step() + observed_size(m.state_observables()));
       m.observe_state(y, found, std::span(row).subspan(m.n_step()));
     });
-    EXPECT_TRUE(lanes.is_empty());
+    EXPECT_EQ(lanes.n_added(), 0U);
   };
   for (std::size_t k = 0; k < list.size(); ++k) {
     lanes.add(list[k].t, list[k].y);
