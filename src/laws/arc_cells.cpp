@@ -80,7 +80,12 @@ void cover_cells(const SweptBand& band, double cell_angle, double first, std::sp
 }
 
 CellRange cells_under(const SweptBand& band, double cell_angle) {
-  const auto cell_at = [&](double angle) { return static_cast<long>(std::floor(angle / cell_angle)); };
+  const double per_angle = 1. / cell_angle;
+  const auto cell_at = [&](double angle) {
+    const double place = angle * per_angle;
+    const auto towards_zero = static_cast<long>(place);
+    return towards_zero - (static_cast<double>(towards_zero) > place ? 1 : 0);
+  };
   const long first = cell_at(band.low - band.half_angle), last = cell_at(band.high + band.half_angle);
   return {first, static_cast<std::size_t>(last - first + 1)};
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/rotation.h"
 #include "base/wide_vectors.h"
 #include "laws/arc_cells.h"
 #include "laws/root_kernel.h"
@@ -230,12 +231,12 @@ void SweptArcHistory::advance(double time, const RubbingSpot& spot) {
   const bool is_in_contact = spot.heat_rate > 0.;
   if (!has_begun_) start_ring_angle_ = spot.ring_angle;
   has_begun_ = true;
-  const double angle = std::remainder(spot.contact_angle - spot.ring_angle, 2. * pi);
+  const double angle = shorter_way(spot.contact_angle - spot.ring_angle);
 
   std::fill(flux_.begin(), flux_.end(), 0.);
   double way = 0.;
   if (is_in_contact) {
-    if (was_in_contact_) way = std::remainder(angle - last_angle_, 2. * pi);
+    if (was_in_contact_) way = shorter_way(angle - last_angle_);
     deposit(angle - way, angle, spot, spot.heat_rate * step);
   }
   decay_and_heat(step);

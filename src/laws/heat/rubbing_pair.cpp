@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/rotation.h"
 #include "base/wide_vectors.h"
 #include "laws/root_kernel.h"
 
@@ -47,15 +48,19 @@ struct CellHeat {
   const double* joules;  ///< [n_fluxes][stride]
   std::size_t n_cells, n_fluxes, stride;
   double flux_per_joule;
+  double* total;  ///< of every cell so far, flux after flux [n_fluxes][total_stride]
+  std::size_t total_stride;
 };
 
 /// y <- decay y + gain flux. What has died away must not become denormal, which is slow to compute with.
 /// @param y  [n_cells][n_fluxes][n_terms]
-ROTORDROP_KERNEL void go_on(const double* decay, const double* gain, std::size_t n_terms, const CellHeat& heat,
+ROTORDROP_KERNEL void go_on(const double* decay, const double* gain, std::size_t n_terms, const CellHeat& of,
                             double* y) {
+  const CellHeat heat = of;  // what is written below cannot change it
   for (std::size_t cell = 0; cell < heat.n_cells; ++cell)
     for (std::size_t f = 0; f < heat.n_fluxes; ++f, y += whole_vectors(n_terms)) {
-      const double flux = heat.joules[f * heat.stride + cell] * heat.flux_per_joule;
+      const double joules = heat.joules[f * heat.stride + cell], flux = joules * heat.flux_per_joule;
+      heat.total[f * heat.total_stride + cell] += joules;
 #pragma omp simd
       for (std::size_t i = 0; i < whole_vectors(n_terms); ++i) y[i] = decay[i] * y[i] + gain[i] * flux + 1e-250;
     }
@@ -168,14 +173,13 @@ void TrackMemory::take(std::size_t first_cell, std::size_t n, const double* heat
     std::size_t end = i + 1;
     while (end < n && heated_at[end] == before) ++end;
     // What was never heated has nothing that could decay.
-    wide<go_on>(decay_over(before == never ? step : t - before), gain_.data(), rate_.size(),
-                CellHeat{heat + i, end - i, n_fluxes_, stride, 1. / (step * cell_area_)},
-                &memory_[(first_cell + i) * n_fluxes_ * rate_.size()]);
+    wide<go_on>(
+        decay_over(before == never ? step : t - before), gain_.data(), rate_.size(),
+        CellHeat{heat + i, end - i, n_fluxes_, stride, 1. / (step * cell_area_), &heat_[first_cell + i], n_cells()},
+        &memory_[(first_cell + i) * n_fluxes_ * rate_.size()]);
     i = end;
   }
   std::fill_n(heated_at, n, t);
-  for (std::size_t f = 0; f < n_fluxes_; ++f)
-    for (std::size_t i = 0; i < n; ++i) heat_[f * n_cells() + first_cell + i] += heat[f * stride + i];
 }
 
 // ------------------------------------------------------------------------------------------------------------ the pair
@@ -196,14 +200,6 @@ ROTORDROP_KERNEL double time_under_band(double way, double speed, double whole) 
   const double v = std::fabs(speed);
   return v * whole > way ? way / v : whole;
 }
-
-/// How a flux that begins with the present contact warms the band's pieces [K m2/W] [n_pieces].
-struct PieceResponses {
-  double* direct;      ///< the ring's by its own flux
-  double* rotor_rise;  ///< the rotor's by an even flux over all pieces up to this one
-  double* kernel;      ///< the rotor's by the flux of the piece that lies so many ahead
-  double* inverse;     ///< of the sum of direct and the first of kernel [W/(m2 K)]
-};
 
 template <class Passage>
 ROTORDROP_KERNEL void responses(const Passage& p, double per_flux_ring, double per_flux_rotor, std::size_t n,
@@ -270,14 +266,21 @@ ROTORDROP_KERNEL Hottest hottest_of(std::size_t n, const double* q_ring, const d
   return hottest.found();
 }
 
-/// From the front on: q_ring so that both temperatures are one in each piece.
-/// @param on_rotor  the rise before the band, in all pieces; then that at each piece's middle
-void meet(std::size_t n, double q, const double* kernel, const double* inverse, const double* kept, double* q_ring,
-          double* on_rotor) {
+/// From the front on: q_ring so that both temperatures are one in each piece. With R_k the rotor's rise by the pieces before,
+///   q_rotor = [kept + direct q - R_k] / (direct + kernel_0),
+/// written so that little has to wait for the piece before.
+/// @param before    the rotor's rise ahead of the band
+/// @param on_rotor  the rise at each piece's middle
+ROTORDROP_KERNEL void meet(std::size_t n, double q, double before, const PieceResponses& by, const double* kept,
+                           double* q_ring, double* on_rotor) {
   for (std::size_t k = 0; k < n; ++k) {
-    q_ring[k] = (on_rotor[k] + kernel[0] * q - kept[k]) * inverse[k];
-    const double q_rotor = q - q_ring[k];
-    for (std::size_t j = k; j < n; ++j) on_rotor[j] += kernel[j - k] * q_rotor;
+    q_ring[k] = (kept[k] + by.direct[k] * q) * by.inverse[k];
+    on_rotor[k] = before;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const double q_rotor = q_ring[k] - on_rotor[k] * by.inverse[k];
+    q_ring[k] = q - q_rotor;
+    for (std::size_t j = k; j < n; ++j) on_rotor[j] += by.kernel[j - k] * q_rotor;
   }
 }
 
@@ -319,7 +322,7 @@ RubbingPair::Passage RubbingPair::passage(double time, const RubbingBand& band) 
   p.b = std::min(band.half_width, pi * ring_.radius);
   p.h = 2. * p.b / static_cast<double>(options_.n_nodes);
   if (!was_in_contact_) touched_at_ = time_;
-  const double turned = was_in_contact_ ? std::remainder(band.contact_angle - last_contact_angle_, 2. * pi) : 0.;
+  const double turned = was_in_contact_ ? shorter_way(band.contact_angle - last_contact_angle_) : 0.;
   p.ring_way = turned - (band.ring_angle - last_ring_angle_);
   p.rotor_way = turned - (band.rotor_angle - last_rotor_angle_);
   p.ring_place = band.contact_angle - band.ring_angle;
@@ -343,7 +346,7 @@ void RubbingPair::look_at_tracks(const Passage& p) {
   ring_memory_.rises({p.ring_place + p.front * (p.b - 0.5 * p.h) / ring_.radius, -p.front * p.h / ring_.radius, n},
                      p.time, kept_.data(), direct_.size());
   wide<responses<Passage>>(p, 2. / (std::sqrt(pi) * ring_.effusivity()), 2. / (std::sqrt(pi) * rotor_.effusivity()), n,
-                           PieceResponses{direct_.data(), rotor_rise_.data(), kernel_.data(), inverse_.data()});
+                           piece_responses());
 }
 
 void RubbingPair::divide(const Passage& p, double q, std::size_t division, double share_to_ring) {
@@ -356,8 +359,7 @@ void RubbingPair::divide(const Passage& p, double q, std::size_t division, doubl
     found = wide<hottest_of_even>(n, q_ring, q - q_ring, before, kept, direct_.data(), rotor_rise_.data());
     std::fill_n(q_ring_.begin(), n, q_ring);
   } else {
-    std::fill_n(on_rotor_.begin(), n, before);
-    meet(n, q, kernel_.data(), inverse_.data(), kept, q_ring_.data(), on_rotor_.data());
+    wide<meet>(n, q, before, piece_responses(), kept, q_ring_.data(), on_rotor_.data());
     found = wide<hottest_of>(n, q_ring_.data(), on_rotor_.data(), kept, direct_.data());
   }
   const double area_time = p.h * options_.axial_width * p.step, into_ring = found.sum_of_fluxes * area_time;

@@ -92,6 +92,14 @@ struct RubbingBand {
   double rotor_angle = 0;    ///< of the rotor, likewise
 };
 
+/// How a flux that begins with the present contact warms a band's pieces [K m2/W] [n_pieces].
+struct PieceResponses {
+  double* direct;      ///< the ring's by its own flux
+  double* rotor_rise;  ///< the rotor's by an even flux over all pieces up to this one
+  double* kernel;      ///< the rotor's by the flux of the piece that lies so many ahead
+  double* inverse;     ///< of the sum of direct and the first of kernel [W/(m2 K)]
+};
+
 /// Bore and rotor under one rubbing band, from interval to interval. The same rub is followed for several divisions of its heat at once, which know
 /// nothing of each other.
 ///
@@ -142,6 +150,9 @@ class RubbingPair {
   [[nodiscard]] Passage passage(double time, const RubbingBand& band);
   /// What earlier intervals left on both bodies under the band's pieces.
   void look_at_tracks(const Passage& p);
+  [[nodiscard]] PieceResponses piece_responses() {
+    return {direct_.data(), rotor_rise_.data(), kernel_.data(), inverse_.data()};
+  }
   void divide(const Passage& p, double q, std::size_t division, double share_to_ring);
 
   RubbedBody ring_, rotor_;

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "base/rotation.h"
 
 namespace rotordrop {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-double turned(double from, double to) { return std::remainder(to - from, 2. * std::numbers::pi); }
+double turned(double from, double to) { return shorter_way(to - from); }
 
 }  // namespace
 

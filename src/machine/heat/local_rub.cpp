@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/rotation.h"
 #include "laws/arc_cells.h"
 #include "laws/heat/heat_flow.h"
 #include "laws/heat/rubbing_pair.h"
@@ -47,7 +48,7 @@ std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
     v.contact_angle = r.contact_angle[j];
     v.ring_angle = r.ring_angle[j];
     v.rotor_angle = r.rotor_angle[j];
-    v.turned = std::remainder(r.contact_angle[j] - r.contact_angle[i], 2. * pi);
+    v.turned = shorter_way(r.contact_angle[j] - r.contact_angle[i]);
     v.ring_turned = r.ring_angle[j] - r.ring_angle[i];
     v.rotor_turned = r.rotor_angle[j] - r.rotor_angle[i];
     largest_heat = std::max(largest_heat, v.heat);

@@ -269,6 +269,23 @@ TEST(RubbingPair, FollowsSeveralDivisionsAsEachAlone) {
   EXPECT_GT(together.state(2).ring_rise, 1.2 * together.state(0).ring_rise);
 }
 
+// At rest each cell gets the part of the band that lies in it.
+TEST(ArcCells, LieUnderTheBand) {
+  const std::size_t n_cells = 100;
+  const double cell_angle = 2. * pi / static_cast<double>(n_cells), half_angle = 0.11;
+  for (const double middle : {-20., -0.3, -0.1, 0.02, 0.4, 20.}) {
+    std::vector<double> got(n_cells), expected(n_cells);
+    spread_over_cells(n_cells, middle, middle, half_angle, [&](std::size_t cell, double share) { got[cell] += share; });
+    for (long i = -400; i < 400; ++i) {
+      const double low = std::max(static_cast<double>(i) * cell_angle, middle - half_angle);
+      const double high = std::min(static_cast<double>(i + 1) * cell_angle, middle + half_angle);
+      expected[static_cast<std::size_t>(i + 400) % n_cells] += std::max(high - low, 0.) / (2. * half_angle);
+    }
+    // The band goes a ten-millionth of its length, so that no formula divides by its way.
+    for (std::size_t cell = 0; cell < n_cells; ++cell) EXPECT_NEAR(got[cell], expected[cell], 1e-7) << middle;
+  }
+}
+
 // A band in pieces leaves what its pieces leave one by one, each as a band of its own.
 TEST(ArcCells, PiecesOfABandLieSideBySide) {
   std::vector<double> heat;  // of a second list ten times as much
