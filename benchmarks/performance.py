@@ -33,6 +33,7 @@ LINEAR_HEAT = [ROOT / "validation/heat_two_bodies.toml"] + [
 BEGIN, END = "<!-- performance.py: begin -->\n", "<!-- performance.py: end -->"
 BESIDE = ["--set", 'thermal.models=["lumped", "fe"]']
 WINDOWS = ["--set", 'thermal.models=["fe"]', "--set", "thermal.fe.coupling=windowed"]
+DROPS_OF_STUDY = 64
 NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"]
 
 KERNELS = [
@@ -111,6 +112,17 @@ def drop_with(program, case, folder, settings):
         return None
 
 
+def drop_of_study(program, case, folder):
+    """CPU of a drop of a study that keeps all results [s]; None if the program knows no such study."""
+    study = pathlib.Path(folder, "friction.toml")
+    study.write_text(f'case = "{case}"\n[vary]\ncontact.friction_coefficient = {{ range = [0.05, 0.3] }}\n'
+                     f'[design]\nkind = "latin-hypercube"\nsize = {DROPS_OF_STUDY}\n', encoding="utf-8")
+    try:
+        return cpu_of([program, "study", study, "--jobs", "1", "--quiet", "--force", "-o", pathlib.Path(folder, "study")]) / DROPS_OF_STUDY
+    except subprocess.CalledProcessError:
+        return None
+
+
 def heat(program, folder):
     """CPU per step and unknown of a heat run [s]; None without finite elements."""
     out = pathlib.Path(folder, "heat")
@@ -148,6 +160,7 @@ def programs_table(programs, rounds):
                 add("drop", in_drop)
                 add("process", process)
                 add("bare", bare)
+                add("study", drop_of_study(program, case, folder))
                 add("start", cpu_of([program, "--version"]))
                 short, whole = drop(program, case, folder, settings + ["--set", "run.end_time=1ms"])
                 add("fixed", whole - short)
@@ -161,6 +174,7 @@ def programs_table(programs, rounds):
         ("bare_beside", "the same, almost without rows", "ms", 1e3),
         ("windows", "the same, finite elements in windows instead of the circuit", "ms", 1e3),
         ("process", "the whole process of the first", "ms", 1e3),
+        ("study", f"a drop of a study of {DROPS_OF_STUDY} over friction that keeps all results, by one job", "ms", 1e3),
         ("fixed", "a process of a drop of 1 ms, without the drop", "ms", 1e3),
         ("start", "`rotordrop --version`", "ms", 1e3),
         ("heat", "finite elements of `rotordrop heat` with k and c over temperature, per step and unknown", "ns", 1e9),
