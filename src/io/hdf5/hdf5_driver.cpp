@@ -244,6 +244,9 @@ Handle access_for_writing() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make property list");
   require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "set file format");
   require(H5Pset_driver(access.id(), driver(), nullptr), "set file driver");
+  // Rows are written once, in order, many at a time: a chunk goes to the file at once, and those of a dataset follow on each other. For the file, not
+  // for a dataset: H5Fstart_swmr_write() opens all datasets anew with the file's cache, a megabyte each (HDF5 1.10.8).
+  require(H5Pset_cache(access.id(), 0, 17, 0, 1.0), "set chunk cache");
   return access;
 }
 

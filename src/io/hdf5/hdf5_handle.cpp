@@ -139,13 +139,17 @@ std::vector<std::string> texts_of(Handle type, Handle space, std::string_view wh
 
 }  // namespace
 
-void write_attribute(hid_t object, const std::string& name, const std::string& text) {
-  const Handle type = text_type();
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make data space");
-  const Handle attribute(H5Acreate2(object, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+TextAttributes::TextAttributes() : type_(text_type()), scalar_(H5Screate(H5S_SCALAR), H5Sclose, "make data space") {}
+
+void TextAttributes::write(hid_t object, const std::string& name, const std::string& text) const {
+  const Handle attribute(H5Acreate2(object, name.c_str(), type_.id(), scalar_.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                          "cannot make attribute " + name);
   const char* pointer = text.c_str();
-  require(H5Awrite(attribute.id(), type.id(), &pointer), "cannot write attribute " + name);
+  require(H5Awrite(attribute.id(), type_.id(), &pointer), "cannot write attribute " + name);
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  TextAttributes().write(object, name, text);
 }
 
 void write_attribute(hid_t object, const std::string& name, const std::vector<std::string>& texts) {

@@ -18,17 +18,10 @@ Handle chunked_list(std::size_t chunk_rows, std::size_t size, int rank) {
   return list;
 }
 
-/// Rows are written once, in order, many at a time: a chunk goes to the file at once, and those of a dataset follow on each other.
-Handle no_cache() {
-  Handle list(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "make property list");
-  hdf5::require(H5Pset_chunk_cache(list.id(), 17, 0, 1.0), "set chunk cache");
-  return list;
-}
-
 }  // namespace
 
 ColumnMaker::ColumnMaker(hid_t file, std::size_t chunk_rows)
-    : file_(file), chunk_rows_(chunk_rows), links_(hdf5::with_missing_groups()), access_(no_cache()) {}
+    : file_(file), chunk_rows_(chunk_rows), links_(hdf5::with_missing_groups()) {}
 
 hid_t ColumnMaker::chunked(const SeriesColumn& column) {
   auto found = chunked_.find(column.size);
@@ -46,11 +39,11 @@ SeriesColumn ColumnMaker::make(const Channel& channel, const std::string& time_p
   const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
   const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
   column.dataset = Handle(
-      H5Dcreate2(file_, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), links_.id(), chunked(column), access_.id()),
+      H5Dcreate2(file_, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), links_.id(), chunked(column), H5P_DEFAULT),
       H5Dclose, "cannot make dataset " + channel.path);
-  hdf5::write_attribute(column.dataset.id(), "units", channel.unit);
-  hdf5::write_attribute(column.dataset.id(), "long_name", channel.long_name);
-  if (channel.path != time_path) hdf5::write_attribute(column.dataset.id(), "time", time_path);
+  attributes_.write(column.dataset.id(), "units", channel.unit);
+  attributes_.write(column.dataset.id(), "long_name", channel.long_name);
+  if (channel.path != time_path) attributes_.write(column.dataset.id(), "time", time_path);
   if (!channel.columns.empty()) hdf5::write_attribute(column.dataset.id(), "columns", channel.columns);
   return column;
 }

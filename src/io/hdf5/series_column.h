@@ -30,7 +30,8 @@ class ColumnMaker {
   [[nodiscard]] hid_t chunked(const SeriesColumn& column);
   hid_t file_;
   std::size_t chunk_rows_;
-  hdf5::Handle links_, access_;
+  hdf5::Handle links_;
+  hdf5::TextAttributes attributes_;
   std::map<std::size_t, hdf5::Handle> chunked_;  // by size
 };
 

@@ -151,7 +151,7 @@ TEST_F(KillWithinWrite, LeavesEveryFlushedRowReadableAtEveryPlace) {
       }
   }
   RecordProperty("places", std::to_string(n_places));
-  EXPECT_GT(n_torn, 20U) << "there are writes of more than one page";
+  EXPECT_GT(n_torn, 5U) << "there are writes over the end of a page";
   EXPECT_GT(n_mended, 0U) << "some of them are blocks that HDF5 cannot read in halves";
 }
 
