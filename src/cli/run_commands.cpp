@@ -11,7 +11,6 @@
 #include "case/built_machine.h"
 #include "case/case.h"
 #include "cli/commands.h"
-#include "cli/heap.h"
 #include "cli/progress_line.h"
 #include "cli/signals.h"
 #include "io/text/parameter_keys.h"
@@ -113,7 +112,6 @@ Case read_case_and_tell(const std::filesystem::path& file, const std::vector<std
 }
 
 int run_command(const RunCommand& command) {
-  grow_heap_in_large_pages();
   const Case drop_case = read_case_and_tell(command.file, command.overrides, command.strict);
   if (command.accept && drop_case.parameters.limits.empty())
     throw InputError({"--accept", 0, 0}, "the case has no [limits] that a run could meet.",
