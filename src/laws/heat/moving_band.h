@@ -75,7 +75,7 @@ struct RubbingSpot {
 /// is a half space of its own,
 ///   T(t) = (pi k rho c)^(-1/2) integral_0^t q(s) (t - s)^(-1/2) ds,
 /// the last interval exactly, what went before by a sum of exponentials for the root: with 1/sqrt(s) = pi^(-1/2) integral exp(-s e^z) e^(z/2) dz the
-/// trapezoid rule in z converges so fast that the kernel is met to 4e-4. Cost and memory: touched cells times about 15 terms.
+/// trapezoid rule in z converges so fast that the kernel is met to 4e-4. Cost and memory: touched cells times about 17 terms.
 ///
 /// Valid: until heat has crossed the wall, see valid_until(); with no heat going sideways, sqrt(kappa t) below the spot's half width (in steel 0.2 mm after
 /// 3 ms): later the rise of the hot track is an upper bound. No loss from the surface. Rises are over the temperature at the start.

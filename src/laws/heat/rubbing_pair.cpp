@@ -340,11 +340,22 @@ RubbingPair::Passage RubbingPair::passage(double time, const RubbingBand& band) 
 }
 
 void RubbingPair::look_at_tracks(const Passage& p) {
-  const std::size_t n = options_.n_nodes;
-  const double cell = 2. * pi / static_cast<double>(rotor_memory_.n_cells());
-  rotor_memory_.rises({p.rotor_place + p.front * (p.b / rotor_.radius + cell), 0., 1}, p.time, before_.data(), 1);
-  ring_memory_.rises({p.ring_place + p.front * (p.b - 0.5 * p.h) / ring_.radius, -p.front * p.h / ring_.radius, n},
-                     p.time, kept_.data(), direct_.size());
+  const std::size_t n = options_.n_nodes, stride = direct_.size();
+  const double pieces = static_cast<double>(n), cell = 2. * pi / static_cast<double>(rotor_memory_.n_cells());
+  // What comes under the band in an interval lies all along its way: each sample is of another part of it. What lies at its end alone would decide on
+  // heat for all the way, and two surfaces that roll on each other in long intervals would heat each other without end.
+  const auto along = [&](double end, double way, double step) {
+    return EvenAngles{end - 0.5 * way / pieces, step - way / pieces, n};
+  };
+  const double ahead = p.rotor_place + p.front * (p.b / rotor_.radius + cell);
+  rotor_memory_.rises(along(ahead, p.rotor_way, 0.), p.time, kept_.data(), stride);
+  for (std::size_t d = 0; d < before_.size(); ++d) {
+    const auto first = kept_.begin() + static_cast<std::ptrdiff_t>(d * stride);
+    before_[d] = std::accumulate(first, first + static_cast<std::ptrdiff_t>(n), 0.) / pieces;
+  }
+  const double front_piece = p.ring_place + p.front * (p.b - 0.5 * p.h) / ring_.radius;
+  ring_memory_.rises(along(front_piece, p.ring_is_slow() ? 0. : p.ring_way, -p.front * p.h / ring_.radius), p.time,
+                     kept_.data(), stride);
   wide<responses<Passage>>(p, 2. / (std::sqrt(pi) * ring_.effusivity()), 2. / (std::sqrt(pi) * rotor_.effusivity()), n,
                            piece_responses());
 }

@@ -107,6 +107,7 @@ struct PieceResponses {
 /// piece of its surface got (TrackMemory), and takes up the present interval's flux like a half space for as long as it has been under the band. The
 /// rotor passes fast: its material enters at the edge that it meets first, with the rise that is left from earlier turns, and at the age tau under the band has
 ///   T = T_before + (1/(e sqrt(pi))) integral_0^tau q_rotor tau'^(-1/2) dtau'.
+/// A surface that goes by in an interval is met by each piece at another time of it, so that all that came under the band counts.
 /// From that edge on, piece by piece, q_ring follows from T_ring = T_rotor, so the condition holds in each piece and q_ring + q_rotor = q. Where a surface
 /// that was heated before meets a colder one, heat goes from one to the other, and q_ring may be below 0 or above q.
 ///
