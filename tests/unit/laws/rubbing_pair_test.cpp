@@ -48,44 +48,6 @@ void rub(RubbingPair& pair, const RubbedBody& ring, const RubbedBody& rotor, dou
 
 double flux(double watts) { return watts / (2. * b * width); }
 
-// One cell, asked again: later, and at the same time after more heat. Under the flux q from t_1 to t_2 a half space rises by
-// 2 q/(e sqrt(pi)) (sqrt(t - t_1) - sqrt(t - t_2)) (Carslaw & Jaeger 2.9).
-TEST(TrackMemory, AnswersForTheTimeAndTheHeatOfEachQuestion) {
-  TrackMemory track(steel, 90, 1, width, step, 0.1);
-  const double joules = 40., area = 2. * pi * steel.radius * width;
-  const auto rise = [&](double t, double from, double to) {
-    return 2. * joules / ((to - from) * area * steel.effusivity() * std::sqrt(pi)) *
-           (std::sqrt(t - from) - std::sqrt(t - to));
-  };
-  const auto risen = [&](double t) {
-    double found = 0.;
-    track.rises({1., 0., 1}, t, &found, 1);
-    return found;
-  };
-  const auto heat_all_round = [&](double from, double to) { track.add({0., 0., pi}, {&joules, 1, 1}, to, to - from); };
-  heat_all_round(0., step);
-  for (const double t : {3. * step, 10. * step, 200. * step})
-    EXPECT_NEAR(risen(t), rise(t, 0., step), 1e-3 * rise(t, 0., step));
-  const double t = 20. * step, before = risen(t);
-  heat_all_round(10. * step, 11. * step);
-  const double more = rise(t, 10. * step, 11. * step);
-  EXPECT_NEAR(risen(t) - before, more, 1e-3 * (before + more));
-}
-
-TEST(TrackMemory, KeepsWhatABandGivesOffInSeveralTurns) {
-  const std::size_t n_cells = 90;
-  for (const double way : {0.5, 6., 20.}) {
-    TrackMemory track(steel, n_cells, 2, width, step, 0.1);
-    const std::vector<double> joules = {40., 3.};
-    track.add({0.3, 0.3 + way, 0.2}, {joules.data(), 1, 2}, step, step);
-    std::vector<double> share(n_cells);
-    spread_over_cells(n_cells, 0.3, 0.3 + way, 0.2, [&](std::size_t cell, double part) { share[cell] += part; });
-    for (std::size_t flux = 0; flux < 2; ++flux)
-      for (std::size_t cell = 0; cell < n_cells; ++cell)
-        EXPECT_NEAR(track.heat(flux)[cell], joules[flux] * share[cell], 1e-12) << way << " " << cell;
-  }
-}
-
 TEST(RubbingPair, RingAtRestUnderAFastRotorIsAHalfSpaceCooledByAFilm) {
   const double watts = 2e4, v = 55., q = flux(watts), e = steel.effusivity();
   const double film = e * std::sqrt(pi) / (2. * std::sqrt(b / v)), a = film / e;
@@ -294,58 +256,6 @@ TEST(RubbingPair, FollowsSeveralDivisionsAsEachAlone) {
     }
   }
   EXPECT_GT(together.state(2).ring_rise, 1.2 * together.state(0).ring_rise);
-}
-
-// At rest each cell gets the part of the band that lies in it.
-TEST(ArcCells, LieUnderTheBand) {
-  const std::size_t n_cells = 100;
-  const double cell_angle = 2. * pi / static_cast<double>(n_cells), half_angle = 0.11;
-  for (const double middle : {-20., -0.3, -0.1, 0.02, 0.4, 20.}) {
-    std::vector<double> got(n_cells), expected(n_cells);
-    spread_over_cells(n_cells, middle, middle, half_angle, [&](std::size_t cell, double share) { got[cell] += share; });
-    for (long i = -400; i < 400; ++i) {
-      const double low = std::max(static_cast<double>(i) * cell_angle, middle - half_angle);
-      const double high = std::min(static_cast<double>(i + 1) * cell_angle, middle + half_angle);
-      expected[static_cast<std::size_t>(i + 400) % n_cells] += std::max(high - low, 0.) / (2. * half_angle);
-    }
-    // The band goes a ten-millionth of its length, so that no formula divides by its way.
-    for (std::size_t cell = 0; cell < n_cells; ++cell) EXPECT_NEAR(got[cell], expected[cell], 1e-7) << middle;
-  }
-}
-
-// A band in pieces leaves what its pieces leave one by one, each as a band of its own.
-TEST(ArcCells, PiecesOfABandLieSideBySide) {
-  std::vector<double> heat;  // of a second list ten times as much
-  for (int k = 0; k < 20; ++k) heat.push_back(3. * std::sin(1. + k));
-  const std::size_t n = heat.size(), n_cells = 100;
-  const double cell_angle = 2. * pi / static_cast<double>(n_cells), half_angle = 0.2;
-  for (const double way : {0., 1e-3, 0.3, 9.}) {
-    const SweptBand band{1., 1. + way, half_angle};
-    const CellRange range = cells_under(band, cell_angle);
-    const std::size_t stride = (range.n + 7) / 8 * 8;
-    std::vector<double> both = heat, found(2 * stride), expected(n_cells), folded(n_cells);
-    for (const double joules : heat) both.push_back(10. * joules);
-    spread_pieces(band, {both.data(), n, 2}, cell_angle, range, stride, found.data());
-    for (std::size_t k = 0; k < n; ++k) {
-      const double half = half_angle / static_cast<double>(n),
-                   at = 1. - half_angle + (2. * static_cast<double>(k) + 1.) * half;
-      spread_over_cells(n_cells, at, at + way, half,
-                        [&](std::size_t cell, double share) { expected[cell] += share * heat[k]; });
-    }
-    for (std::size_t i = 0; i < range.n; ++i) {
-      folded[(static_cast<std::size_t>(range.first) + i) % n_cells] += found[i];
-      EXPECT_NEAR(found[stride + i], 10. * found[i], 1e-12);
-    }
-    for (std::size_t cell = 0; cell < n_cells; ++cell) EXPECT_NEAR(folded[cell], expected[cell], 1e-12) << way;
-  }
-}
-
-TEST(ArcCells, ShareOutExactlyOneOverAnyWay) {
-  for (const double way : {0., 1e-12, 0.01, 1., 20.}) {
-    std::vector<double> got(100);
-    spread_over_cells(100, -0.4, way - 0.4, 0.05, [&](std::size_t cell, double share) { got[cell] += share; });
-    EXPECT_NEAR(std::accumulate(got.begin(), got.end(), 0.), 1., 1e-14) << way;
-  }
 }
 
 }  // namespace
