@@ -96,7 +96,7 @@ class SeriesRows final : public ScheduledRows {
   }
   [[nodiscard]] bool wants_before_change() const override { return true; }
   void write(double t, std::span<const double> y, const Evaluation& found);
-  /// Whether all of the row at this time is needed, or what Machine::observe_held() gives of the state will do. Such rows are counted.
+  /// Whether all of the row at this time is needed, or what Machine::observe_held() gives of the state will do; the time of a whole one is remembered.
   [[nodiscard]] bool has_to_be_whole(double t);
   /// @param found  if the row is to be whole, with what observe_state() needs
   void fill(std::span<const double> y, const Evaluation& found, bool is_whole);

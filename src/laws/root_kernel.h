@@ -7,9 +7,9 @@ namespace rotordrop {
 
 /// 1/sqrt(s) as a sum of exponentials, sum_k weight_k exp(-rate_k s), for heat that half spaces remember:
 ///   1/sqrt(s) = pi^(-1/2) sum H e^(z/2) exp(-s e^z) over z = z_0 + j H,  error 2 sqrt(2) exp(-pi^2/H) of it.
-/// Terms that have died within a fifth of the shortest interval [s] are left out (where rows come unevenly some are nearer to each other); the endless many that change little within the duration [s] are one, the first: all
-/// their weight at their mean rate, so that the error is of second order in rate times duration. From there to the duration the sum is met to 4e-4;
-/// beyond the duration it falls too fast.
+/// Terms that have died within a fifth of the shortest interval [s] are left out (where rows come unevenly some are nearer to each other); the endless
+/// many that change little within the duration [s] are one, the first: all their weight at their mean rate, so that the error is of second order in
+/// rate times duration. From that fifth to the duration the sum is met to 4e-4; beyond the duration it falls too fast.
 struct RootKernel {
   std::vector<double> rate, weight;  ///< [1/s], [s^-1/2]
   RootKernel(double duration, double shortest_interval) {
