@@ -1,7 +1,5 @@
 #include "laws/arc_cells.h"
 
-#include "base/wide_vectors.h"
-
 namespace rotordrop {
 namespace {
 
@@ -20,17 +18,8 @@ struct Ramp {
   }
 };
 
-ROTORDROP_KERNEL void cover(const SweptBand& band, double cell_angle, double first, std::size_t n, double* below) {
-  const Ramp ramp(band);
-  const double b = band.half_angle, per_length = 0.5 / b;
-#pragma omp simd
-  for (std::size_t k = 0; k < n; ++k) {
-    const double x = (first + static_cast<double>(k)) * cell_angle;
-    below[k] = (ramp(x + b) - ramp(x - b)) * per_length;
-  }
-}
-
-/// What falls below the far edge of each cell, then what falls on the cell. A piece's part is the difference of the ramps that start at its ends.
+/// What falls below the far edge of each cell, all of it below the last; then what falls on the cell. A piece's part is the difference of the ramps that
+/// start at its ends.
 ROTORDROP_KERNEL void spread(const SweptBand& band, const PiecesOfBand& pieces, double cell_angle, double first,
                              std::size_t n, std::size_t stride, double* into) {
   constexpr std::size_t at_once = 16;
@@ -69,15 +58,14 @@ ROTORDROP_KERNEL void spread(const SweptBand& band, const PiecesOfBand& pieces, 
   }
   for (std::size_t list = 0; list < pieces.n_lists; ++list) {
     double* const cells = into + list * stride;
+    cells[n - 1] = 0.;
+    for (std::size_t piece = 0; piece < pieces.n_pieces; ++piece)
+      cells[n - 1] += pieces.heat[list * pieces.n_pieces + piece];
     for (std::size_t i = n; --i > 0;) cells[i] -= cells[i - 1];
   }
 }
 
 }  // namespace
-
-void cover_cells(const SweptBand& band, double cell_angle, double first, std::span<double> below) {
-  wide<cover>(band, cell_angle, first, below.size(), below.data());
-}
 
 CellRange cells_under(const SweptBand& band, double cell_angle) {
   const double per_angle = 1. / cell_angle;

@@ -1,11 +1,11 @@
 #pragma once
 // A circumference cut into cells, and what a moving band leaves in each.
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <span>
+#include <vector>
+
+#include "base/wide_vectors.h"
 
 namespace rotordrop {
 
@@ -14,25 +14,27 @@ struct SweptBand {
   double low, high, half_angle;
 };
 
-/// Part of what the band gives off that falls on angles below each of the edges first, first + 1, ... of cells.
-/// Length of the band below the angle c, summed over the way of its middle p and divided by 2 b times the way:
-///   integral of [r(c - p + b) - r(c - p - b)] dp,  r(x) = max(x, 0), whose integral is r^2/2.
-void cover_cells(const SweptBand& band, double cell_angle, double first, std::span<double> below);
-
 /// Cells that lie one after another around the circumference; numbers beyond the last cell are those of further turns.
 struct CellRange {
   long first;
   std::size_t n;
+  /// The first one as one of so many cells.
+  [[nodiscard]] std::size_t first_of(std::size_t n_cells) const {
+    const auto count = static_cast<long>(n_cells);
+    return static_cast<std::size_t>(((first % count) + count) % count);
+  }
 };
 CellRange cells_under(const SweptBand& band, double cell_angle);
 
 /// Heat of a swept band that is cut across its length into pieces of equal length, each of which gives off its own.
 struct PiecesOfBand {
-  const double*
-      heat;  ///< of the pieces from the lower angle up [J], of one list of them after another [n_lists][n_pieces]
+  /// Of the pieces from the lower angle up [J], of one list of them after another [n_lists][n_pieces].
+  const double* heat;
   std::size_t n_pieces, n_lists;
 };
 /// What falls on each cell of a range that holds all cells under the band; of each list the cells' sum is that of its pieces.
+/// A piece is a band of its own. Length of a band below the angle c, summed over the way of its middle p and divided by 2 b times the way:
+///   integral of [r(c - p + b) - r(c - p - b)] dp,  r(x) = max(x, 0), whose integral is r^2/2.
 /// @param into  [n_lists][stride] [J]: of cells of the range in their order
 /// @param stride  whole vectors (vector_length), range.n at least
 void spread_pieces(const SweptBand& band, const PiecesOfBand& pieces, double cell_angle, const CellRange& range,
@@ -46,22 +48,13 @@ void spread_over_cells(std::size_t n_cells, double from, double to, double half_
   using std::numbers::pi;
   const double cell_angle = 2. * pi / static_cast<double>(n_cells), b = std::min(half_angle, pi);
   const SweptBand band{std::min(from, to), std::max(from, to), b};
-  const auto [first, n_covered] = cells_under(band, cell_angle);
-  const long last = first + static_cast<long>(n_covered) - 1;
-  const auto count = static_cast<long>(n_cells);
-  auto cell = static_cast<std::size_t>(((first % count) + count) % count);
-  std::array<double, 32> below;
-  double before = 0.;
-  for (long i = first; i <= last;) {
-    const auto n = std::min(below.size(), static_cast<std::size_t>(last - i + 1));
-    cover_cells(band, cell_angle, static_cast<double>(i + 1), {below.data(), n});
-    if (i + static_cast<long>(n) > last) below[n - 1] = 1.;
-    for (std::size_t k = 0; k < n; ++k, ++i, cell = cell + 1 == n_cells ? 0 : cell + 1) {
-      const double share = below[k] - before;
-      before = below[k];
-      if (share > 0.) give(cell, share);
-    }
-  }
+  const CellRange range = cells_under(band, cell_angle);
+  std::vector<double> shares(filled_up(range.n));
+  const double whole = 1.;
+  spread_pieces(band, {&whole, 1, 1}, cell_angle, range, shares.size(), shares.data());
+  std::size_t cell = range.first_of(n_cells);
+  for (std::size_t i = 0; i < range.n; ++i, cell = cell + 1 == n_cells ? 0 : cell + 1)
+    if (shares[i] > 0.) give(cell, shares[i]);
 }
 
 }  // namespace rotordrop

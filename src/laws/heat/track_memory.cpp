@@ -153,9 +153,8 @@ void TrackMemory::add(const SweptBand& band, const PiecesOfBand& pieces, double 
   // A band that goes round comes to some cells more than once.
   for (std::size_t i = n; i < under.n; ++i)
     for (std::size_t f = 0; f < n_fluxes_; ++f) fresh_[f * stride + i % n] += fresh_[f * stride + i];
-  const auto count = static_cast<long>(n);
-  const auto first = static_cast<std::size_t>(((under.first % count) + count) % count);
-  const std::size_t n_touched = std::min(under.n, n), n_to_end = std::min(n_touched, n - first);
+  const std::size_t first = under.first_of(n), n_touched = std::min(under.n, n),
+                    n_to_end = std::min(n_touched, n - first);
   take(first, n_to_end, fresh_.data(), stride, t, step);
   take(0, n_touched - n_to_end, fresh_.data() + n_to_end, stride, t, step);
 }
