@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/real.h"
 #include "base/rotation.h"
 #include "base/wide_vectors.h"
 
@@ -12,11 +13,12 @@ namespace rotordrop {
 
 using std::numbers::pi;
 
-struct RubbingPair::Passage {
+struct BandPassage {
   double b, h;                                          // half of the band, length of a piece [m]
   double ring_place, ring_way, rotor_place, rotor_way;  // of the band's middle over either body [rad]
   double ring_radius, ring_speed, rotor_speed;          // [m], [m/s]
   double time, step, contact_age;                       // [s]
+  double heat, flux;                                    // of both bodies together [J], [W/m2]
   double front;                                         // 1 or -1: the edge at which the rotor's material enters
   [[nodiscard]] bool ring_is_slow() const { return std::fabs(ring_way) * ring_radius <= b; }
 };
@@ -29,8 +31,7 @@ ROTORDROP_KERNEL double time_under_band(double way, double speed, double whole) 
   return v * whole > way ? way / v : whole;
 }
 
-template <class Passage>
-ROTORDROP_KERNEL void responses(const Passage& p, double per_flux_ring, double per_flux_rotor, std::size_t n,
+ROTORDROP_KERNEL void responses(const BandPassage& p, double per_flux_ring, double per_flux_rotor, std::size_t n,
                                 const PieceResponses& out) {
 #pragma omp simd
   for (std::size_t k = 0; k < n; ++k) {
@@ -53,45 +54,32 @@ struct Hottest {
   double sum_of_fluxes;  ///< into the ring [W/m2]
 };
 
-ROTORDROP_KERNEL double larger_of(double a, double b) { return a > b ? a : b; }
-
-struct HottestSoFar {
-  Octet ring, rotor, difference, sum;
-  ROTORDROP_KERNEL void take(std::size_t i, bool is_piece, double on_ring, double on_rotor, double flux) {
-    ring[i] = larger_of(is_piece ? on_ring : 0., ring.value[i]);
-    rotor[i] = larger_of(is_piece ? on_rotor : 0., rotor.value[i]);
-    difference[i] = larger_of(is_piece ? std::fabs(on_ring - on_rotor) : 0., difference.value[i]);
-    sum[i] += is_piece ? flux : 0.;
-  }
-  [[nodiscard]] ROTORDROP_KERNEL Hottest found() const {
-    return {ring.largest(), rotor.largest(), difference.largest(), sum.sum()};
-  }
-};
-
-/// Under even fluxes. Lists are whole vectors.
-ROTORDROP_KERNEL Hottest hottest_of_even(std::size_t n, double q_ring, double q_rotor, double before,
-                                         const double* kept, const double* direct, const double* rotor_rise) {
-  HottestSoFar hottest;
-  for (std::size_t first = 0; first < n; first += vector_length)
-#pragma omp simd
-    for (std::size_t i = 0; i < vector_length; ++i) {
-      const std::size_t k = first + i;
-      hottest.take(i, k < n, kept[k] + direct[k] * q_ring, before + rotor_rise[k] * q_rotor, q_ring);
-    }
-  return hottest.found();
-}
-
-/// Under fluxes of each piece. Lists are whole vectors.
+/// Lists are filled up to whole vectors with zeros.
 ROTORDROP_KERNEL Hottest hottest_of(std::size_t n, const double* q_ring, const double* on_rotor, const double* kept,
                                     const double* direct) {
-  HottestSoFar hottest;
+  Octet ring, rotor, difference, sum;
   for (std::size_t first = 0; first < n; first += vector_length)
 #pragma omp simd
     for (std::size_t i = 0; i < vector_length; ++i) {
       const std::size_t k = first + i;
-      hottest.take(i, k < n, kept[k] + direct[k] * q_ring[k], on_rotor[k], q_ring[k]);
+      const double on_ring = kept[k] + direct[k] * q_ring[k];
+      ring[i] = larger(ring.value[i], on_ring);
+      rotor[i] = larger(rotor.value[i], on_rotor[k]);
+      difference[i] = larger(difference.value[i], std::fabs(on_ring - on_rotor[k]));
+      sum[i] += q_ring[k];
     }
-  return hottest.found();
+  return {ring.largest(), rotor.largest(), difference.largest(), sum.sum()};
+}
+
+/// A given flux into the ring, even over all pieces.
+/// @param on_rotor  the rise at each piece's middle
+ROTORDROP_KERNEL void share_out(std::size_t n, double given, double q_rotor, double before, const PieceResponses& by,
+                                double* q_ring, double* on_rotor) {
+#pragma omp simd
+  for (std::size_t k = 0; k < n; ++k) {
+    q_ring[k] = given;
+    on_rotor[k] = before + by.rotor_rise[k] * q_rotor;
+  }
 }
 
 /// From the front on: q_ring so that both temperatures are one in each piece. With R_k the rotor's rise by the pieces before,
@@ -132,19 +120,18 @@ RubbingPair::RubbingPair(const RubbedBody& ring, const RubbedBody& rotor, const 
   for (auto* list : {&rotor_rise_, &direct_, &kernel_, &inverse_, &q_ring_, &on_rotor_}) list->resize(n);
   ring_joules_.resize(options.n_nodes * options.divisions.size());
   rotor_joules_.resize(options.divisions.size());
-  for (State& state : states_) state.time = start_time;
 }
 
 void RubbingPair::advance(double time, double ring_angle, double rotor_angle) {
   time_ = time;
-  for (State& state : states_) state = {.time = time};
+  std::fill(states_.begin(), states_.end(), State{});
   last_ring_angle_ = ring_angle;
   last_rotor_angle_ = rotor_angle;
   was_in_contact_ = false;
 }
 
-RubbingPair::Passage RubbingPair::passage(double time, const RubbingBand& band) {
-  Passage p{};
+BandPassage RubbingPair::passage(double time, const RubbingBand& band) {
+  BandPassage p{};
   p.time = time;
   p.step = time - time_;
   p.b = std::min(band.half_width, pi * ring_.radius);
@@ -164,10 +151,12 @@ RubbingPair::Passage RubbingPair::passage(double time, const RubbingBand& band) 
   p.ring_speed = p.ring_way * ring_.radius / p.step;
   p.rotor_speed = p.rotor_way * rotor_.radius / p.step;
   p.front = p.rotor_speed < 0. ? -1. : 1.;
+  p.heat = band.heat;
+  p.flux = band.heat / (p.step * 2. * p.b * options_.axial_width);
   return p;
 }
 
-void RubbingPair::look_at_tracks(const Passage& p) {
+void RubbingPair::look_at_tracks(const BandPassage& p) {
   const std::size_t n = options_.n_nodes, stride = direct_.size();
   const double pieces = static_cast<double>(n), cell = 2. * pi / static_cast<double>(rotor_memory_.n_cells());
   // What comes under the band in an interval lies all along its way: each sample is of another part of it. What lies at its end alone would decide on
@@ -175,6 +164,7 @@ void RubbingPair::look_at_tracks(const Passage& p) {
   const auto along = [&](double end, double way, double step) {
     return EvenAngles{end - 0.5 * way / pieces, step - way / pieces, n};
   };
+  // The rotor's own are needed as means alone, before the list is taken for the ring's.
   const double ahead = p.rotor_place + p.front * (p.b / rotor_.radius + cell);
   rotor_memory_.rises(along(ahead, p.rotor_way, 0.), p.time, kept_.data(), stride);
   for (std::size_t d = 0; d < before_.size(); ++d) {
@@ -184,29 +174,25 @@ void RubbingPair::look_at_tracks(const Passage& p) {
   const double front_piece = p.ring_place + p.front * (p.b - 0.5 * p.h) / ring_.radius;
   ring_memory_.rises(along(front_piece, p.ring_is_slow() ? 0. : p.ring_way, -p.front * p.h / ring_.radius), p.time,
                      kept_.data(), stride);
-  wide<responses<Passage>>(p, 2. / (std::sqrt(pi) * ring_.effusivity()), 2. / (std::sqrt(pi) * rotor_.effusivity()), n,
-                           piece_responses());
+  wide<responses>(p, 2. / (std::sqrt(pi) * ring_.effusivity()), 2. / (std::sqrt(pi) * rotor_.effusivity()), n,
+                  piece_responses());
 }
 
-void RubbingPair::divide(const Passage& p, double q, std::size_t division, double share_to_ring) {
+void RubbingPair::divide(const BandPassage& p, std::size_t division, double share_to_ring) {
   const std::size_t n = options_.n_nodes;
   const double* kept = &kept_[division * direct_.size()];
-  const double before = before_[division];
-  Hottest found;
-  if (options_.divisions[division] == RubDivision::given) {
-    const double q_ring = share_to_ring * q;
-    found = wide<hottest_of_even>(n, q_ring, q - q_ring, before, kept, direct_.data(), rotor_rise_.data());
-    std::fill_n(q_ring_.begin(), n, q_ring);
-  } else {
+  const double before = before_[division], q = p.flux;
+  if (options_.divisions[division] == RubDivision::given)
+    wide<share_out>(n, share_to_ring * q, q - share_to_ring * q, before, piece_responses(), q_ring_.data(),
+                    on_rotor_.data());
+  else
     wide<meet>(n, q, before, piece_responses(), kept, q_ring_.data(), on_rotor_.data());
-    found = wide<hottest_of>(n, q_ring_.data(), on_rotor_.data(), kept, direct_.data());
-  }
+  const Hottest found = wide<hottest_of>(q_ring_.size(), q_ring_.data(), on_rotor_.data(), kept, direct_.data());
   const double area_time = p.h * options_.axial_width * p.step, into_ring = found.sum_of_fluxes * area_time;
-  const double heat = q * area_time * static_cast<double>(n);
-  states_[division] = {p.time, found.ring, found.rotor, found.difference, heat > 0. ? into_ring / heat : 0.};
+  states_[division] = {found.ring, found.rotor, found.difference, p.heat > 0. ? into_ring / p.heat : 0.};
   into_ring_[division] += into_ring;
-  into_rotor_[division] += heat - into_ring;
-  rotor_joules_[division] = heat - into_ring;
+  rotor_joules_[division] = p.heat - into_ring;
+  into_rotor_[division] += rotor_joules_[division];
   if (!p.ring_is_slow()) {
     ring_joules_[division] = into_ring;
     return;
@@ -217,11 +203,10 @@ void RubbingPair::divide(const Passage& p, double q, std::size_t division, doubl
 
 void RubbingPair::advance(double time, const RubbingBand& band, std::span<const double> shares_to_ring) {
   if (!(time > time_)) return;
-  const Passage p = passage(time, band);
+  const BandPassage p = passage(time, band);
   look_at_tracks(p);
-  const double q = band.heat / (p.step * 2. * p.b * options_.axial_width);
   const std::size_t n_divisions = options_.divisions.size();
-  for (std::size_t d = 0; d < n_divisions; ++d) divide(p, q, d, d < shares_to_ring.size() ? shares_to_ring[d] : 0.);
+  for (std::size_t d = 0; d < n_divisions; ++d) divide(p, d, d < shares_to_ring.size() ? shares_to_ring[d] : 0.);
   const auto swept = [](double place, double way, double half_angle) {
     return SweptBand{std::min(place - way, place), std::max(place - way, place), std::min(half_angle, pi)};
   };

@@ -24,6 +24,9 @@ struct RubbingBand {
   double rotor_angle = 0;    ///< of the rotor, likewise
 };
 
+/// How the band lies over both bodies in an interval.
+struct BandPassage;
+
 /// How a flux that begins with the present contact warms a band's pieces [K m2/W] [n_pieces].
 struct PieceResponses {
   double* direct;      ///< the ring's by its own flux
@@ -65,7 +68,6 @@ class RubbingPair {
   void advance(double time, double ring_angle, double rotor_angle);
 
   struct State {
-    double time = 0;
     double ring_rise = 0, rotor_rise = 0;  ///< largest under the band [K]; 0 without contact
     double largest_difference = 0;         ///< |T_ring - T_rotor| in a piece, largest of this interval [K]
     double share_to_ring = 0;              ///< part of this interval's heat that entered the ring
@@ -78,15 +80,13 @@ class RubbingPair {
   [[nodiscard]] const TrackMemory& ring() const { return ring_memory_; }
 
  private:
-  /// How the band lies over both bodies in an interval.
-  struct Passage;
-  [[nodiscard]] Passage passage(double time, const RubbingBand& band);
+  [[nodiscard]] BandPassage passage(double time, const RubbingBand& band);
   /// What earlier intervals left on both bodies under the band's pieces.
-  void look_at_tracks(const Passage& p);
+  void look_at_tracks(const BandPassage& p);
   [[nodiscard]] PieceResponses piece_responses() {
     return {direct_.data(), rotor_rise_.data(), kernel_.data(), inverse_.data()};
   }
-  void divide(const Passage& p, double q, std::size_t division, double share_to_ring);
+  void divide(const BandPassage& p, std::size_t division, double share_to_ring);
 
   RubbedBody ring_, rotor_;
   Options options_;
