@@ -65,14 +65,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t n_orbit = 60;  // of a row: rows between two flushes are longer than a page
+
 double value_of(std::size_t row) { return 0.5 * static_cast<double>(row); }
+
+std::vector<double> row_of(std::size_t row) {
+  std::vector<double> values(1 + n_orbit, 1.);
+  values.front() = value_of(row);
+  return values;
+}
 
 std::vector<SeriesGroup> three_groups() {
   std::vector<SeriesGroup> groups;
   for (const std::string name : {"a", "b", "c"})
     groups.push_back(
         {"/" + name + "/time",
-         {{"/" + name + "/force", "N", "force", 1, {}}, {"/" + name + "/orbit", "m", "orbit", 2, {"y", "z"}}}});
+         {{"/" + name + "/force", "N", "force", 1, {}}, {"/" + name + "/orbit", "m", "orbit", n_orbit, {}}}});
   return groups;
 }
 
@@ -83,7 +91,7 @@ void record(const fs::path& path) {
   Recorder recorder(path, {}, three_groups(), options);
   for (std::size_t row = 0; row < 260; ++row) {
     for (std::size_t group = 0; group < 3; ++group)
-      recorder.append(group, 1e-5 * static_cast<double>(row), std::vector<double>{value_of(row), 1., 2.});
+      recorder.append(group, 1e-5 * static_cast<double>(row), row_of(row));
     if (row % 20 != 19) continue;
     recorder.flush();
     seen->n_rows = row + 1;
@@ -151,7 +159,7 @@ TEST_F(KillWithinWrite, LeavesEveryFlushedRowReadableAtEveryPlace) {
       }
   }
   RecordProperty("places", std::to_string(n_places));
-  EXPECT_GT(n_torn, 5U) << "there are writes over the end of a page";
+  EXPECT_GT(n_torn, 20U) << "there are writes of more than one page";
   EXPECT_GT(n_mended, 0U) << "some of them are blocks that HDF5 cannot read in halves";
 }
 
