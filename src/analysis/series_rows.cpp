@@ -51,12 +51,6 @@ void SeriesRows::settle() {
   });
 }
 
-bool SeriesRows::has_to_be_whole(double t) {
-  const bool is_whole = !is_thinned_ || is_needed(RowNeeds::all) || t >= watched_ + watch_interval;
-  if (is_whole) watched_ = t;
-  return is_whole;
-}
-
 void SeriesRows::fill(std::span<const double> y, const Evaluation& found, bool is_whole) {
   std::copy(found.step.begin(), found.step.end(), row_.begin());
   const auto of_state = std::span(row_).subspan(n_step_);
@@ -74,7 +68,9 @@ void SeriesRows::write(double t, std::span<const double> y) {
   if (!needs_state(t)) return give(t, row_, false);
   if (evaluates_in_lanes_) {
     if (!lanes_) lanes_ = std::make_unique<RowLanes>(machine_);
-    whole_[lanes_->n_added()] = has_to_be_whole(t);
+    const bool is_whole = has_to_be_whole(t);
+    if (is_whole) watched_ = t;
+    whole_[lanes_->n_added()] = is_whole;
     lanes_->add(t, y);
     schedule_.written(t);
     if (lanes_->is_full()) settle();
@@ -86,6 +82,7 @@ void SeriesRows::write(double t, std::span<const double> y) {
 
 void SeriesRows::write(double t, std::span<const double> y, const Evaluation& found) {
   const bool is_whole = has_to_be_whole(t);
+  if (is_whole) watched_ = t;
   const bool lacks_inputs = is_whole && !found.is_whole;
   if (lacks_inputs) machine_.evaluate(t, y, found_);
   fill(y, lacks_inputs ? found_ : found, is_whole);

@@ -85,9 +85,7 @@ class SeriesRows final : public ScheduledRows {
  private:
   /// Whether anybody reads every row.
   [[nodiscard]] bool are_read() const;
-  [[nodiscard]] bool needs_state(double t) const override {
-    return !is_thinned_ || are_read() || t >= watched_ + watch_interval;
-  }
+  [[nodiscard]] bool needs_state(double t) const override { return has_to_be_whole(t) || is_needed(RowNeeds::step); }
   void write(double t, std::span<const double> y) override;
   void write_end(const Step& step) override {
     settle();
@@ -96,8 +94,10 @@ class SeriesRows final : public ScheduledRows {
   }
   [[nodiscard]] bool wants_before_change() const override { return true; }
   void write(double t, std::span<const double> y, const Evaluation& found);
-  /// Whether all of the row at this time is needed, or what Machine::observe_held() gives of the state will do; the time of a whole one is remembered.
-  [[nodiscard]] bool has_to_be_whole(double t);
+  /// Whether all of the row at this time is needed, or what Machine::observe_held() gives of the state will do.
+  [[nodiscard]] bool has_to_be_whole(double t) const {
+    return !is_thinned_ || is_needed(RowNeeds::all) || t >= watched_ + watch_interval;
+  }
   /// @param found  if the row is to be whole, with what observe_state() needs
   void fill(std::span<const double> y, const Evaluation& found, bool is_whole);
 
