@@ -49,7 +49,7 @@ Handle layout_of(const TableColumn& column, hid_t space, int rank) {
   return list;
 }
 
-void write_column(hid_t file, const TableColumn& column) {
+void write_column(hid_t file, const TableColumn& column, const TextAttributes& attributes) {
   make_groups(file, column.path);
   using Kind = TableColumn::Kind;
   hsize_t extent[2] = {column.numbers.size() / column.width, column.width};
@@ -84,8 +84,8 @@ void write_column(hid_t file, const TableColumn& column) {
     }
   }
   require(status, "cannot write " + column.path);
-  if (!column.unit.empty()) write_attribute(dataset.id(), "units", column.unit);
-  if (!column.long_name.empty()) write_attribute(dataset.id(), "long_name", column.long_name);
+  if (!column.unit.empty()) attributes.write(dataset.id(), "units", column.unit);
+  if (!column.long_name.empty()) attributes.write(dataset.id(), "long_name", column.long_name);
 }
 
 }  // namespace
@@ -98,8 +98,9 @@ void write_columns(const std::filesystem::path& path,
   {
     Handle file(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
                 "cannot make " + path.string());
-    for (const auto& [name, text] : attributes) write_attribute(file.id(), name, text);
-    for (const auto& column : columns) write_column(file.id(), column);
+    const TextAttributes writer;
+    for (const auto& [name, text] : attributes) writer.write(file.id(), name, text);
+    for (const auto& column : columns) write_column(file.id(), column, writer);
     if (!file.reset()) throw SolverError("cannot write " + path.string() + ": " + last_error());
   }
   std::error_code error;
