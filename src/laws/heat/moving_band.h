@@ -83,7 +83,7 @@ class SweptArcHistory {
  public:
   struct Options {
     std::size_t n_cells = 1000;        ///< cells_for() says how many are enough
-    double shortest_interval = 50e-6;  ///< [s]; shorter ones miss a little of the heat of just before them
+    double shortest_interval = 50e-6;  ///< [s]; shorter ones than a fifth miss a little of the heat of just before
     double duration = 10;              ///< [s]; heat older than this fades too fast
   };
   /// Cells so that they are narrower than half of the half width [m], 720 at least.

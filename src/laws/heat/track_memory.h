@@ -27,7 +27,7 @@ struct EvenAngles {
 
 /// Surface rise around a circle from heat that passed over it earlier: cells that turn with the body, each a half space,
 ///   T(t) = (pi k rho c)^(-1/2) integral q(s) (t - s)^(-1/2) ds,
-/// the root as a sum of exponentials (see SweptArcHistory), met to 4e-4 for heat that ended at least one shortest interval ago.
+/// the root as a sum of exponentials (see SweptArcHistory), met to 4e-4 for heat that ended at least a fifth of the shortest interval ago.
 /// A cell costs something only while it is heated or looked at. Several fluxes over the same places at the same times are kept side by side: each has
 /// rises of its own, and what depends on places and times alone is done once.
 class TrackMemory {

@@ -10,11 +10,11 @@
 #include <limits>
 #include <map>
 #include <new>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "base/errors.h"
+#include "base/rotation.h"
 
 namespace rotordrop {
 namespace {
@@ -125,7 +125,7 @@ std::vector<Place> places_on(const SectionPlan& plan, const SectionPlan::Curve& 
     } else {
       const auto& arc = plan.arcs[static_cast<std::size_t>(curve.arc)];
       const double start = std::atan2(a.r - arc.r, a.x - arc.x);
-      const double turn = std::remainder(std::atan2(b.r - arc.r, b.x - arc.x) - start, 2. * std::numbers::pi);
+      const double turn = shorter_way(std::atan2(b.r - arc.r, b.x - arc.x) - start);
       places.push_back(
           {arc.x + arc.radius * std::cos(start + s * turn), arc.r + arc.radius * std::sin(start + s * turn)});
     }

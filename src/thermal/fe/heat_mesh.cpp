@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "base/rotation.h"
 #include "thermal/fe/grid_lines.h"
 
 namespace rotordrop {
@@ -136,7 +137,7 @@ double HeatMesh::area(const Face& face) const {
   const auto& arc = section_.arcs[static_cast<std::size_t>(edge.arc)];
   // r = arc.r + radius sin(phi): the integral of 2 pi r over the arc's length.
   const double phi_a = std::atan2(a[1] - arc.r, a[0] - arc.x);
-  const double turn = std::remainder(std::atan2(b[1] - arc.r, b[0] - arc.x) - phi_a, 2. * pi);
+  const double turn = shorter_way(std::atan2(b[1] - arc.r, b[0] - arc.x) - phi_a);
   return 2. * pi * arc.radius * std::fabs(arc.r * turn + arc.radius * (std::cos(phi_a) - std::cos(phi_a + turn)));
 }
 
