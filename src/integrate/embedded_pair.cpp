@@ -1,4 +1,4 @@
-// Explicit embedded Runge-Kutta pairs of our own: first same as last, quadratures outside the stages and the error control, free interpolant,
+// Explicit embedded Runge-Kutta methods of our own: first same as last, quadratures outside the stages and the error control, free interpolant,
 // and a last stage that the caller may evaluate together with whatever else it wants to know of the step's end.
 #include <algorithm>
 #include <array>
@@ -79,9 +79,9 @@ ROTORDROP_KERNEL double squared_error(std::size_t size, const double* factor, co
 
 class EmbeddedPair final : public Integrator {
  public:
-  EmbeddedPair(const EmbeddedTableau& pair, const OdeSystem& system, const IntegrationParameters& parameters,
+  EmbeddedPair(const EmbeddedTableau& method, const OdeSystem& system, const IntegrationParameters& parameters,
                double start_time, std::span<const double> state, double end_time)
-      : pair_(pair),
+      : method_(method),
         system_(system),
         n_(system.layout().size()),
         n_controlled_(system.first_quadrature()),
@@ -89,12 +89,12 @@ class EmbeddedPair final : public Integrator {
         longest_(step_or_bound(parameters)),
         time_(start_time),
         end_time_(end_time),
-        control_(pair, tolerance_, longest_),
+        control_(method, tolerance_, longest_),
         y_(state.begin(), state.end()),
         before_(y_),
         stage_(y_) {
     for (const auto& entry : system.layout().entries()) scale_.push_back(entry.scale);
-    for (int i = 0; i < pair_.n_stages; ++i) k_.emplace_back(n_);
+    for (int i = 0; i < method_.n_stages; ++i) k_.emplace_back(n_);
   }
 
   [[nodiscard]] double time() const override { return time_; }
@@ -102,11 +102,12 @@ class EmbeddedPair final : public Integrator {
 
   void advance() override {
     if (!has_rates_) {
-      evaluate(time_, y_, k_.front());
-      if (!all_finite(k_.front())) throw_rates_not_finite(system_.layout(), k_.front(), time_, next_step_);
+      evaluate(time_, y_, at_start());
+      if (!all_finite(at_start())) throw_rates_not_finite(system_.layout(), at_start(), time_, next_step_);
       has_rates_ = true;
     } else if (last_step_ > 0.) {
-      std::swap(k_.front(), k_.back());  // first same as last
+      if (sees_past(method_)) std::swap(k_.front(), at_start());
+      std::swap(at_start(), k_.back());  // first same as last
     }
     if (next_step_ == 0.) next_step_ = first_step();
     double step = next_step_;
@@ -138,14 +139,15 @@ class EmbeddedPair final : public Integrator {
     const double theta = part_of_step(t, time_, last_step_);
     const auto k = stage_rates();
     std::array<double, most_stages> factor{};
-    for (int i = 0; i < pair_.n_stages; ++i)
-      at(factor, i) = last_step_ * pair_.weight(static_cast<std::size_t>(i), theta);
-    wide<combine<1>>(0, n_, before_.data(), factor.data(), k.data(), pair_.n_stages, y.data());
+    for (int i = 0; i < method_.n_stages; ++i)
+      at(factor, i) = last_step_ * method_.weight(static_cast<std::size_t>(i), theta);
+    wide<combine<1>>(0, n_, before_.data(), factor.data(), k.data(), method_.n_stages, y.data());
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const override { return statistics_; }
 
  private:
+  [[nodiscard]] AlignedNumbers& at_start() { return at(k_, method_.start); }
   [[nodiscard]] bool is_observed() const { return static_cast<bool>(end_evaluation_); }
   void evaluate(double t, std::span<const double> y, std::span<double> rates) {
     ++statistics_.rhs_evaluations;
@@ -154,12 +156,13 @@ class EmbeddedPair final : public Integrator {
 
   [[nodiscard]] std::array<const double*, most_stages> stage_rates() const {
     std::array<const double*, most_stages> k{};
-    for (int i = 0; i < pair_.n_stages; ++i) at(k, i) = at(k_, i).data();
+    for (int i = 0; i < method_.n_stages; ++i) at(k, i) = at(k_, i).data();
     return k;
   }
 
   /// Leaves the new state in stage_. @returns the error over what is allowed; not finite if a rate is not
   double try_step(double step, double target) {
+    if (sees_past(method_)) set_two_step(method_, last_step_ > 0. ? step / last_step_ : 0.);
     const auto k = stage_rates();
     std::array<double, most_stages> factor{};
     const auto scaled = [&](const std::array<double, most_stages>& coefficients) {
@@ -169,12 +172,12 @@ class EmbeddedPair final : public Integrator {
     // Nothing depends on quadratures: the stages before the last leave them as they are.
     std::copy(y_.begin() + static_cast<std::ptrdiff_t>(n_controlled_), y_.end(),
               stage_.begin() + static_cast<std::ptrdiff_t>(n_controlled_));
-    const int last = pair_.n_stages - 1;
-    for (int i = 1; i < last; ++i) {
-      wide<combine<1>>(0, n_controlled_, y_.data(), scaled(at(pair_.a, i)), k.data(), i, stage_.data());
-      evaluate(time_ + at(pair_.c, i) * step, stage_, at(k_, i));
+    const int last = method_.n_stages - 1;
+    for (int i = method_.start + 1; i < last; ++i) {
+      wide<combine<1>>(0, n_controlled_, y_.data(), scaled(at(method_.a, i)), k.data(), i, stage_.data());
+      evaluate(time_ + at(method_.c, i) * step, stage_, at(k_, i));
     }
-    wide<combine<1>>(0, n_, y_.data(), scaled(at(pair_.a, last)), k.data(), last, stage_.data());
+    wide<combine<1>>(0, n_, y_.data(), scaled(at(method_.a, last)), k.data(), last, stage_.data());
     if (is_observed()) {
       ++statistics_.rhs_evaluations;
       end_evaluation_(target, stage_, at(k_, last));
@@ -183,7 +186,7 @@ class EmbeddedPair final : public Integrator {
     }
     // A rate that is not finite makes the new state so.
     if (!all_finite(stage_) || !all_finite(at(k_, last))) return HUGE_VAL;
-    const double sum = wide<squared_error<1>>(n_controlled_, scaled(pair_.e), k.data(), pair_.n_stages, y_.data(),
+    const double sum = wide<squared_error<1>>(n_controlled_, scaled(method_.e), k.data(), method_.n_stages, y_.data(),
                                               stage_.data(), scale_.data(), tolerance_);
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
   }
@@ -205,7 +208,7 @@ class EmbeddedPair final : public Integrator {
     std::vector<double> weighted(n_);
     for (std::size_t i = 0; i < n_controlled_; ++i) {
       double error = 0.;
-      for (int j = 0; j < pair_.n_stages; ++j) error += step * at(pair_.e, j) * at(k_, j)[i];
+      for (int j = 0; j < method_.n_stages; ++j) error += step * at(method_.e, j) * at(k_, j)[i];
       weighted[i] = error / (tolerance_ * (scale_[i] + std::max(std::fabs(y_[i]), std::fabs(stage_[i]))));
     }
     throw_no_step(system_.layout(), time_, step, weighted);
@@ -214,10 +217,10 @@ class EmbeddedPair final : public Integrator {
   [[nodiscard]] double first_step() const {
     return control_.first(
         std::span(scale_).first(n_controlled_), [&](std::size_t i) { return y_[i]; },
-        [&](std::size_t i) { return k_.front()[i]; });
+        [&](std::size_t i) { return at(k_, method_.start)[i]; });
   }
 
-  const EmbeddedTableau& pair_;
+  EmbeddedTableau method_;
   const OdeSystem& system_;
   std::size_t n_, n_controlled_;
   double tolerance_, longest_, time_, end_time_;

@@ -105,22 +105,23 @@ void LaneView::advance() { throw std::logic_error("a lane is advanced with its n
 
 LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, const Lane& like, std::size_t n_step)
     : system_(std::move(system)),
-      pair_(tableau_of(like.parameters.method)),
+      shape_(tableau_of(like.parameters.method)),
       n_(system_->layout().size()),
       n_controlled_(system_->first_quadrature()),
       y_(n_ * width),
       step_(n_step * width) {
   for (const auto& entry : system_->layout().entries()) scale_.push_back(entry.scale);
-  for (int i = 0; i < pair_.n_stages; ++i) k_.emplace_back(n_ * width);
+  for (int i = 0; i < shape_.n_stages; ++i) k_.emplace_back(n_ * width);
   before_ = stage_ = y_;
-  control_.assign(width, StepControl(pair_, 1., 1.));
+  methods_.fill(shape_);
+  control_.assign(width, StepControl(shape_, 1., 1.));
   for (std::size_t l = 0; l < width; ++l) begin(l, like);
   runs_.fill(false);
   begun_.fill(0.);
 }
 
 void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
-  if (&tableau_of(drop.parameters.method) != &pair_)
+  if (&tableau_of(drop.parameters.method) != &shape_)
     throw std::invalid_argument("drops in lanes are integrated by one method");
   for (std::size_t i = 0; i < n_; ++i)
     y_[i * width + l] = before_[i * width + l] = stage_[i * width + l] = drop.state[i];
@@ -129,7 +130,7 @@ void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
   end_time_[l] = drop.end_time;
   tolerance_[l] = drop.parameters.tolerance;
   longest_[l] = step_or_bound(drop.parameters);
-  control_[l] = StepControl(pair_, tolerance_[l], longest_[l]);
+  control_[l] = StepControl(shape_, tolerance_[l], longest_[l]);
   last_step_[l] = stepped_[l] = 0.;
   was_rejected_[l] = false;
   statistics_[l] = {};
@@ -142,26 +143,28 @@ void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
 void LaneIntegrator::start_begun() {
   if (std::all_of(begun_.begin(), begun_.end(), [](double flag) { return flag == 0.; })) return;
   system_->rates(time_, y_, k_.back());
-  wide<take>(n_, begun_.data(), k_.back().data(), k_.front().data());
+  wide<take>(n_, begun_.data(), k_.back().data(), at_start().data());
+  // What a drop before left there may not be finite; the first step counts it as nothing.
+  if (sees_past(shape_)) wide<take>(n_, begun_.data(), k_.back().data(), k_.front().data());
   for (std::size_t l = 0; l < width; ++l) {
     if (begun_[l] == 0.) continue;
     begun_[l] = 0.;
     ++statistics_[l].rhs_evaluations;
     next_step_[l] = control_[l].first(
         std::span(scale_).first(n_controlled_), [&](std::size_t i) { return y_[i * width + l]; },
-        [&](std::size_t i) { return k_.front()[i * width + l]; });
+        [&](std::size_t i) { return at_start()[i * width + l]; });
   }
 }
 
-void LaneIntegrator::combine(std::size_t n, const std::array<double, most_stages>& coefficients, int count) {
+void LaneIntegrator::combine(std::size_t n, int stage) {
   std::array<const double*, most_stages> k{};
   std::array<double, most_stages * width> factors;
-  for (int j = 0; j < count; ++j) {
-    const auto at = static_cast<std::size_t>(j);
-    k[at] = k_[at].data();
-    for (std::size_t l = 0; l < width; ++l) factors[at * width + l] = tried_[l] * coefficients[at];
+  const auto count = static_cast<std::size_t>(stage);
+  for (std::size_t j = 0; j < count; ++j) {
+    k[j] = k_[j].data();
+    for (std::size_t l = 0; l < width; ++l) factors[j * width + l] = tried_[l] * methods_[l].a[count][j];
   }
-  wide<combine_lanes<1>>(n, y_.data(), factors.data(), k.data(), count, stage_.data());
+  wide<combine_lanes<1>>(n, y_.data(), factors.data(), k.data(), stage, stage_.data());
 }
 
 LaneIntegrator::PerLane LaneIntegrator::error_sizes() {
@@ -169,11 +172,11 @@ LaneIntegrator::PerLane LaneIntegrator::error_sizes() {
   std::array<double, most_stages * width> factors;
   for (std::size_t j = 0; j < k_.size(); ++j) {
     k[j] = k_[j].data();
-    for (std::size_t l = 0; l < width; ++l) factors[j * width + l] = tried_[l] * pair_.e[j];
+    for (std::size_t l = 0; l < width; ++l) factors[j * width + l] = tried_[l] * shape_.e[j];
   }
   PerLane sums;
   const StepEnds ends{y_.data(), stage_.data(), k_.back().data(), scale_.data(), tolerance_.data()};
-  wide<squared_errors<1>>(n_controlled_, n_, factors.data(), k.data(), pair_.n_stages, ends, sums.data());
+  wide<squared_errors<1>>(n_controlled_, n_, factors.data(), k.data(), shape_.n_stages, ends, sums.data());
   for (double& sum : sums) sum = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
   return sums;
 }
@@ -184,28 +187,33 @@ bool LaneIntegrator::have_all_stepped() const {
 
 void LaneIntegrator::advance() {
   // First same as last.
-  if (have_all_stepped())
-    k_.front().swap(k_.back());
-  else
-    wide<take>(n_, stepped_.data(), k_.back().data(), k_.front().data());
+  if (have_all_stepped()) {
+    if (sees_past(shape_)) k_.front().swap(at_start());
+    at_start().swap(k_.back());
+  } else {
+    if (sees_past(shape_)) wide<take>(n_, stepped_.data(), at_start().data(), k_.front().data());
+    wide<take>(n_, stepped_.data(), k_.back().data(), at_start().data());
+  }
   start_begun();
   for (std::size_t l = 0; l < width; ++l) {
     const Trial trial = runs_[l] ? control_[l].trial(next_step_[l], time_[l], end_time_[l]) : Trial{0., time_[l]};
     tried_[l] = trial.size;
     target_[l] = trial.target;
     ends_[l] = trial.ends;
-    if (runs_[l]) statistics_[l].rhs_evaluations += pair_.n_stages - 1;
+    if (!runs_[l]) continue;
+    statistics_[l].rhs_evaluations += shape_.n_stages - 1 - shape_.start;
+    if (sees_past(shape_)) set_two_step(methods_[l], last_step_[l] > 0. ? trial.size / last_step_[l] : 0.);
   }
   // Nothing depends on quadratures: the stages before the last leave them as they are.
-  const int last = pair_.n_stages - 1;
-  for (int i = 1; i < last; ++i) {
+  const int last = shape_.n_stages - 1;
+  for (int i = shape_.start + 1; i < last; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    combine(n_controlled_, pair_.a[at], i);
+    combine(n_controlled_, i);
     PerLane t;
-    for (std::size_t l = 0; l < width; ++l) t[l] = time_[l] + pair_.c[at] * tried_[l];
+    for (std::size_t l = 0; l < width; ++l) t[l] = time_[l] + shape_.c[at] * tried_[l];
     system_->rates(t, stage_, k_[at]);
   }
-  combine(n_, pair_.a[static_cast<std::size_t>(last)], last);
+  combine(n_, last);
   system_->observe(target_, stage_, k_.back(), step_, details_);
   const PerLane sizes = error_sizes();
   for (std::size_t l = 0; l < width; ++l) finish(l, sizes[l]);
@@ -257,7 +265,7 @@ void LaneIntegrator::fail(std::size_t l, double size) const {
   for (std::size_t i = 0; i < n_controlled_; ++i) {
     const std::size_t at = i * width + l;
     double error = 0.;
-    for (std::size_t j = 0; j < k_.size(); ++j) error += tried_[l] * pair_.e[j] * k_[j][at];
+    for (std::size_t j = 0; j < k_.size(); ++j) error += tried_[l] * shape_.e[j] * k_[j][at];
     weighted[i] = error / (tolerance_[l] * (scale_[i] + std::max(std::fabs(y_[at]), std::fabs(stage_[at]))));
   }
   throw_no_step(system_->layout(), time_[l], tried_[l], weighted);
@@ -269,7 +277,7 @@ void LaneIntegrator::interpolate(std::size_t l, double t, std::span<double> y) c
   const double theta = part_of_step(t, time_[l], last_step_[l]);
   column(before_, l, y);
   for (std::size_t j = 0; j < k_.size(); ++j) {
-    const double factor = last_step_[l] * pair_.weight(j, theta);
+    const double factor = last_step_[l] * methods_[l].weight(j, theta);
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += factor * k_[j][i * width + l];
   }
 }
@@ -282,9 +290,10 @@ void LaneIntegrator::interpolate_all(std::span<const double> t) {
     k[j] = k_[j].data();
     for (std::size_t l = 0; l < width; ++l)
       if (has_stepped(l))
-        factors[j * width + l] = last_step_[l] * pair_.weight(j, (t[l] - (time_[l] - last_step_[l])) / last_step_[l]);
+        factors[j * width + l] =
+            last_step_[l] * methods_[l].weight(j, (t[l] - (time_[l] - last_step_[l])) / last_step_[l]);
   }
-  wide<combine_lanes<1>>(n_, before_.data(), factors.data(), k.data(), pair_.n_stages, within_.data());
+  wide<combine_lanes<1>>(n_, before_.data(), factors.data(), k.data(), shape_.n_stages, within_.data());
   std::copy(t.begin(), t.end(), within_time_.begin());
 }
 

@@ -63,13 +63,17 @@ class LaneIntegrator {
   }
   void start_begun();
   [[nodiscard]] bool have_all_stepped() const;
-  void combine(std::size_t n, const std::array<double, most_stages>& coefficients, int count);
+  /// Rates at the start of each lane's step.
+  [[nodiscard]] AlignedNumbers& at_start() { return k_[static_cast<std::size_t>(shape_.start)]; }
+  /// The state from which a stage is evaluated, of the first n numbers.
+  void combine(std::size_t n, int stage);
   [[nodiscard]] PerLane error_sizes();
   void finish(std::size_t lane, double size);
   [[noreturn]] void fail(std::size_t lane, double size) const;
 
   std::unique_ptr<LaneSystem> system_;
-  const EmbeddedTableau& pair_;
+  const EmbeddedTableau& shape_;                // what the lanes' methods have in common
+  std::array<EmbeddedTableau, width> methods_;  // each with the ratio of its own steps
   std::size_t n_, n_controlled_;
   std::vector<double> scale_;
   PerLane time_{}, end_time_{}, longest_{}, tolerance_{}, next_step_{}, tried_{}, target_{}, last_step_{};

@@ -1,33 +1,15 @@
 #pragma once
-// Explicit embedded Runge-Kutta pairs as numbers, and the control of their step: what the methods for one drop and for drops in lanes share.
+// Our own embedded methods and the control of their step: what the methods for one drop and for drops in lanes share.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
 #include "base/errors.h"
+#include "integrate/embedded_tableau.h"
 #include "integrate/methods.h"
+#include "integrate/two_step.h"
 
 namespace rotordrop {
-
-inline constexpr int most_stages = 7, most_powers = 4;
-
-/// y_i = y + h sum_j a_ij k_j, k_i = f(t + c_i h, y_i); the last stage is the new state. Error: h sum_i e_i k_i.
-/// Interpolant: y + h sum_i k_i sum_p polynomial_ip theta^p, p = 1, 2, ...
-struct EmbeddedTableau {
-  int n_stages, order, powers;
-  std::array<double, most_stages> c;
-  std::array<std::array<double, most_stages>, most_stages> a;
-  std::array<double, most_stages> e;
-  std::array<std::array<double, most_powers>, most_stages> polynomial;
-
-  /// What a stage's rate counts in the interpolant at a part of the step.
-  [[nodiscard]] double weight(std::size_t stage, double theta) const {
-    double value = 0.;
-    for (int p = powers; p-- > 0;) value = theta * (value + polynomial[stage][static_cast<std::size_t>(p)]);
-    return value;
-  }
-};
 
 /// Order 5(4). Source: Tsitouras, Computers and Mathematics with Applications 62 (2011) 770-775; interpolant of order 4 from the same.
 inline constexpr EmbeddedTableau tsitouras = {
@@ -53,31 +35,30 @@ inline constexpr EmbeddedTableau tsitouras = {
       {0., 1.5, -4., 2.5}}}};
 
 /// Order 3(2), with Hermite's cubic. Source: Bogacki & Shampine, Applied Mathematics Letters 2 (1989) 321-325.
-inline constexpr EmbeddedTableau bogacki_shampine = {
-    4,
-    3,
-    3,
-    {0., 0.5, 0.75, 1.},
-    {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
-    {-5. / 72., 1. / 12., 1. / 9., -1. / 8.},
-    {{{1., -4. / 3., 5. / 9.}, {0., 1., -2. / 3.}, {0., 4. / 3., -8. / 9.}, {0., -1., 1.}}}};
+inline constexpr EmbeddedTableau bogacki_shampine = [] {
+  EmbeddedTableau pair{4,
+                       3,
+                       3,
+                       {0., 0.5, 0.75, 1.},
+                       {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
+                       {-5. / 72., 1. / 12., 1. / 9., -1. / 8.}};
+  interpolate_by_hermite(pair);
+  return pair;
+}();
 
 /// Order 4(3), with Hermite's cubic. Source: Sofroniou & Spaletta, Journal of Computational and Applied Mathematics 164-165 (2004) 675-682
 /// ("ARKODE_SOFRONIOU_SPALETTA_5_3_4" of SUNDIALS); the weights are those of Kutta's 3/8 family with nodes 2/5 and 3/5.
 inline constexpr EmbeddedTableau sofroniou_spaletta = [] {
   constexpr double b_1 = 11. / 72., b_2 = 25. / 72.;
-  return EmbeddedTableau{
+  EmbeddedTableau pair{
       5,
       4,
       3,
       {0., 0.4, 0.6, 1., 1.},
       {{{}, {0.4}, {-0.15, 0.75}, {19. / 44., -15. / 44., 10. / 11.}, {b_1, b_2, b_2, b_1}}},
-      {119041. / 8970912., -595205. / 8970912., 595205. / 8970912., 1309451. / 8970912., -119041. / 747576.},
-      {{{1., 3. * b_1 - 2., 1. - 2. * b_1},
-        {0., 3. * b_2, -2. * b_2},
-        {0., 3. * b_2, -2. * b_2},
-        {0., 3. * b_1, -2. * b_1},
-        {0., -1., 1.}}}};
+      {119041. / 8970912., -595205. / 8970912., 595205. / 8970912., 1309451. / 8970912., -119041. / 747576.}};
+  interpolate_by_hermite(pair);
+  return pair;
 }();
 
 [[nodiscard]] inline const EmbeddedTableau& tableau_of(IntegrationMethod method) {
@@ -86,6 +67,8 @@ inline constexpr EmbeddedTableau sofroniou_spaletta = [] {
       return bogacki_shampine;
     case IntegrationMethod::sofroniou_spaletta:
       return sofroniou_spaletta;
+    case IntegrationMethod::two_step_runge_kutta:
+      return two_step_runge_kutta;
     default:
       return tsitouras;
   }
@@ -109,7 +92,7 @@ struct Trial {
 class StepControl {
  public:
   StepControl(const EmbeddedTableau& pair, double tolerance, double longest)
-      : order_(pair.order), tolerance_(tolerance), longest_(longest) {}
+      : order_(pair.order), beta_(pair.control_beta), tolerance_(tolerance), longest_(longest) {}
 
   /// A hundredth of the time in which the states change by their size, at a tolerance of 1e-6; longer and shorter as the method's error allows.
   /// Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.4.
@@ -137,19 +120,17 @@ class StepControl {
     return std::isfinite(size) ? std::max(0.2, 0.9 * std::pow(size, -1. / order_)) : 0.25;
   }
   /// What a step is to be multiplied by that was accepted with an error of so many times what is allowed.
-  /// PI control. Source: the same, IV.2, which has beta from 0.04 to 0.08. With 0.06 hardly any step of a rotor with all its modes is rejected, whose
-  /// steps stability bounds; with 0.04 every seventh was. 0.08 costs the pair of order five 8 % more right-hand sides of the reference drop.
+  /// PI control. Source: the same, IV.2.
   [[nodiscard]] double after_acceptance(double size, bool was_rejected) {
-    constexpr double beta = 0.06;
-    const double exponent = 1. / order_ - 0.75 * beta, logarithm = std::log(std::max(size, 1e-10));
-    const double factor = 0.9 * std::exp(beta * previous_logarithm_ - exponent * logarithm);
+    const double exponent = 1. / order_ - 0.75 * beta_, logarithm = std::log(std::max(size, 1e-10));
+    const double factor = 0.9 * std::exp(beta_ * previous_logarithm_ - exponent * logarithm);
     previous_logarithm_ = std::max(logarithm, smallest_previous);
     return std::clamp(factor, 0.2, was_rejected ? 1. : 5.);
   }
 
  private:
   static constexpr double smallest_previous = -9.210340371976182;  // log(1e-4)
-  double order_, tolerance_, longest_, previous_logarithm_ = smallest_previous;
+  double order_, beta_, tolerance_, longest_, previous_logarithm_ = smallest_previous;
 };
 
 }  // namespace rotordrop

@@ -532,6 +532,7 @@ class IntegrationMethods(ProgramTest):
         "tsitouras": {"integration__tolerance": "1e-8"},
         "bogacki-shampine": {"integration__tolerance": "1e-8"},
         "sofroniou-spaletta": {"integration__tolerance": "1e-8"},
+        "two-step-runge-kutta": {"integration__tolerance": "1e-8"},
         "adams": {"integration__tolerance": "1e-8"},
     }
 

@@ -68,8 +68,9 @@ class Witness final : public Observer {
   double last_time_ = 0;
 };
 
-const char* const methods[] = {"tsitouras",      "bogacki-shampine", "sofroniou-spaletta",
-                               "dormand-prince", "runge-kutta-4",    "adams"};
+const char* const methods[] = {
+    "tsitouras", "bogacki-shampine", "sofroniou-spaletta", "two-step-runge-kutta", "dormand-prince", "runge-kutta-4",
+    "adams"};
 
 TEST(DropLoop, ShowsEveryStepWithWhatWasFoundAtItsEnd) {
   for (const std::string method : methods) {
@@ -118,7 +119,8 @@ TEST(DropLoop, EvaluatesEndsOfStepsNoMoreThanTheMethodDoes) {
   for (const auto& [method, reads_details] : {std::pair<std::string, bool>{"tsitouras", false},
                                               {"tsitouras", true},
                                               {"bogacki-shampine", true},
-                                              {"sofroniou-spaletta", true}}) {
+                                              {"sofroniou-spaletta", true},
+                                              {"two-step-runge-kutta", true}}) {
     const auto e = reference_machine(
         {"integration.method=" + method, "run.end_time=10 ms", "output.interval=1 s", "output.detail_interval=1 s"});
     const auto& p = e.settings.parameters;

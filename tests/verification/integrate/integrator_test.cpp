@@ -110,8 +110,9 @@ TEST_P(ErrorControlled, StepsNoLongerThanTheBound) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, ErrorControlled,
                          testing::Values(IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine,
-                                         IntegrationMethod::sofroniou_spaletta, IntegrationMethod::dormand_prince,
-                                         IntegrationMethod::fehlberg_8, IntegrationMethod::adams));
+                                         IntegrationMethod::sofroniou_spaletta, IntegrationMethod::two_step_runge_kutta,
+                                         IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8,
+                                         IntegrationMethod::adams));
 
 class AnyMethod : public testing::TestWithParam<IntegrationMethod> {};
 
@@ -195,9 +196,9 @@ TEST_P(AnyMethod, ExceptionsComeOutOfTheIntegratorAsTheyWentIn) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, AnyMethod,
                          testing::Values(IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine,
-                                         IntegrationMethod::sofroniou_spaletta, IntegrationMethod::runge_kutta_4,
-                                         IntegrationMethod::dormand_prince, IntegrationMethod::fehlberg_8,
-                                         IntegrationMethod::adams));
+                                         IntegrationMethod::sofroniou_spaletta, IntegrationMethod::two_step_runge_kutta,
+                                         IntegrationMethod::runge_kutta_4, IntegrationMethod::dormand_prince,
+                                         IntegrationMethod::fehlberg_8, IntegrationMethod::adams));
 
 // With any error allowed every step but the first few is the longest one: a fixed step, whose halving shows the order. The interpolant's error in one step
 // of length h is of order h^(p + 1), p its own order: 4 of Tsitouras', 3 of Hermite's cubic.
@@ -279,7 +280,8 @@ TEST_P(EmbeddedPairs, EvaluateTheLastStageOfAStepOnceForTheNext) {
 INSTANTIATE_TEST_SUITE_P(Methods, EmbeddedPairs,
                          testing::Values(OwnPair{IntegrationMethod::tsitouras, 5., 4., 6},
                                          OwnPair{IntegrationMethod::bogacki_shampine, 3., 3., 3},
-                                         OwnPair{IntegrationMethod::sofroniou_spaletta, 4., 3., 4}));
+                                         OwnPair{IntegrationMethod::sofroniou_spaletta, 4., 3., 4},
+                                         OwnPair{IntegrationMethod::two_step_runge_kutta, 4., 3., 3}));
 
 /// y' = cos t is a quadrature after an oscillator that it does not act on.
 class WithQuadrature final : public OdeSystem {
@@ -322,8 +324,8 @@ TEST_P(EmbeddedPairs, IntegrateQuadraturesWithTheirOwnOrder) {
 
 // The error control does not see a quadrature.
 TEST(EmbeddedPair, NamesAQuadratureThatIsNoNumber) {
-  for (const auto method :
-       {IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine, IntegrationMethod::sofroniou_spaletta}) {
+  for (const auto method : {IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine,
+                            IntegrationMethod::sofroniou_spaletta, IntegrationMethod::two_step_runge_kutta}) {
     const WithQuadrature system(0.5);
     std::vector<double> y(3);
     system.initial_state(y);
@@ -340,8 +342,8 @@ TEST(EmbeddedPair, NamesAQuadratureThatIsNoNumber) {
 }
 
 TEST(EmbeddedPair, TriesAgainWhereAStageHadNoRate) {
-  for (const auto method :
-       {IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine, IntegrationMethod::sofroniou_spaletta}) {
+  for (const auto method : {IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine,
+                            IntegrationMethod::sofroniou_spaletta, IntegrationMethod::two_step_runge_kutta}) {
     const WithQuadrature system(1e9, 15);  // amid a step
     std::vector<double> y(3);
     system.initial_state(y);

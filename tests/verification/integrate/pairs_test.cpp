@@ -1,16 +1,19 @@
-// Tableaus of the own pairs against the conditions of their orders.
+// Tableaus of the own methods against the conditions of their orders.
 //
 // A method with weights b has order p if for every rooted tree of up to p vertices (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations
 // I, 2nd ed., II.2)
 //   sum_i b_i u_i(tree) = 1 / gamma(tree)
 //   u_i(tree) = product over the root's branches of sum_j a_ij u_j(branch),  gamma(tree) = vertices x product of gamma over the branches.
 // An interpolant of order q has theta^vertices / gamma on the right; the error e = b - b_embedded of a pair p(p - 1) gives zero up to p - 1 vertices.
+// The rate at the start of the step before is that of the exact solution at -1/ratio, in steps: there u_i(tree) is the product over the root's branches
+// of (-1/ratio)^vertices / gamma, each of the branch.
 #include "integrate/pairs.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace rotordrop {
@@ -29,12 +32,15 @@ struct Tree {
 
 using Stages = std::array<long double, most_stages>;
 
-Stages weights_of(const EmbeddedTableau& pair, const Tree& tree) {
+/// @param past  where the step before began, in steps
+Stages weights_of(const EmbeddedTableau& pair, long double past, const Tree& tree) {
+  const auto start = static_cast<std::size_t>(pair.start);
   Stages u;
   u.fill(1.L);
   for (const Tree& branch : tree.branches) {
-    const Stages inner = weights_of(pair, branch);
-    for (std::size_t i = 0; i < most_stages; ++i) {
+    const Stages inner = weights_of(pair, past, branch);
+    for (std::size_t i = 0; i < start; ++i) u[i] *= std::pow(past, branch.vertices()) / branch.gamma();
+    for (std::size_t i = start; i < most_stages; ++i) {
       long double sum = 0.L;
       for (std::size_t j = 0; j < i; ++j) sum += pair.a[i][j] * inner[j];
       u[i] *= sum;
@@ -82,18 +88,30 @@ TEST(RootedTrees, AreCompleteUpToSixVertices) {
 struct KnownPair {
   IntegrationMethod method;
   int order, interpolant_order;
-  double accuracy;  // of the sums
+  double accuracy;                   // of the sums
+  std::optional<double> ratio = {};  // of a two-step method
 };
 
 /// Coefficients that are fractions are good to roundoff; Tsitouras' are published with 16 digits, and numbers of up to 88 cancel in his interpolant.
 constexpr KnownPair known_pairs[] = {{IntegrationMethod::tsitouras, 5, 4, 2e-14},
                                      {IntegrationMethod::bogacki_shampine, 3, 3, 1e-15},
-                                     {IntegrationMethod::sofroniou_spaletta, 4, 3, 1e-15}};
+                                     {IntegrationMethod::sofroniou_spaletta, 4, 3, 1e-15},
+                                     {IntegrationMethod::two_step_runge_kutta, 3, 3, 1e-15, 0.},
+                                     {IntegrationMethod::two_step_runge_kutta, 4, 3, 1e-14, 0.2},
+                                     {IntegrationMethod::two_step_runge_kutta, 4, 3, 1e-15, 1.},
+                                     {IntegrationMethod::two_step_runge_kutta, 4, 3, 1e-15, 5.}};
 
 class Tableau : public testing::TestWithParam<KnownPair> {
  protected:
-  const EmbeddedTableau& pair = tableau_of(GetParam().method);
-  const std::size_t n = static_cast<std::size_t>(pair.n_stages);
+  Tableau() : pair(tableau_of(GetParam().method)) {
+    if (const auto ratio = GetParam().ratio) {
+      set_two_step(pair, *ratio);
+      past = *ratio > 0. ? -1. / *ratio : 0.;  // at zero nothing counts it
+    }
+  }
+  EmbeddedTableau pair;
+  double past = 0.;
+  const std::size_t n = static_cast<std::size_t>(pair.n_stages), start = static_cast<std::size_t>(pair.start);
 
   /// sum_i w_i u_i - right over all trees of so many vertices, the largest.
   template <class Weight>
@@ -101,7 +119,7 @@ class Tableau : public testing::TestWithParam<KnownPair> {
     double largest = 0.;
     const Forest trees = trees_up_to(vertices);
     for (const Tree& tree : trees.at(vertices)) {
-      const Stages u = weights_of(pair, tree);
+      const Stages u = weights_of(pair, past, tree);
       long double sum = -static_cast<long double>(right) / tree.gamma();
       for (std::size_t i = 0; i < n; ++i) sum += weight(i) * u[i];
       largest = std::max(largest, static_cast<double>(std::fabs(sum)));
@@ -118,13 +136,15 @@ TEST_P(Tableau, HasNodesThatAreTheSumsOfItsRows) {
 TEST_P(Tableau, IsExplicitAndEndsWithTheStep) {
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i; j < most_stages; ++j) EXPECT_EQ(pair.a[i][j], 0.) << i << " " << j;
-  EXPECT_EQ(pair.c[0], 0.);
+  EXPECT_EQ(pair.c[start], 0.);
   EXPECT_EQ(pair.c[n - 1], 1.) << "first same as last";
 }
 
 TEST_P(Tableau, FulfilsTheConditionsOfItsOrder) {
   const auto weight = [&](std::size_t i) { return pair.a[n - 1][i]; };
-  EXPECT_EQ(pair.order, GetParam().order);
+  if (GetParam().ratio != 0.) {
+    EXPECT_EQ(pair.order, GetParam().order);
+  }
   for (int order = 1; order <= GetParam().order; ++order)
     EXPECT_LT(largest_defect(order, weight, 1.), GetParam().accuracy) << order;
   EXPECT_GT(largest_defect(GetParam().order + 1, weight, 1.), 1e-4) << "the next order";
@@ -149,12 +169,18 @@ TEST_P(Tableau, InterpolatesSmoothlyFromStepToStep) {
     double slope = 0.;
     for (std::size_t p = 0; p < most_powers; ++p) slope += static_cast<double>(p + 1) * pair.polynomial[i][p];
     EXPECT_NEAR(pair.weight(i, 1.), pair.a[n - 1][i], GetParam().accuracy) << i;
-    EXPECT_EQ(pair.polynomial[i][0], i == 0 ? 1. : 0.) << "begins with the first rate " << i;
+    EXPECT_EQ(pair.polynomial[i][0], i == start ? 1. : 0.) << "begins with the first rate " << i;
     EXPECT_NEAR(slope, i == n - 1 ? 1. : 0., 2. * GetParam().accuracy) << "ends with the last rate " << i;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(OwnPairs, Tableau, testing::ValuesIn(known_pairs));
+
+TEST(TwoStepMethod, BeginsAsOneWithoutAStepBefore) {
+  const EmbeddedTableau& begins = tableau_of(IntegrationMethod::two_step_runge_kutta);
+  EXPECT_TRUE(sees_past(begins));
+  for (const auto& row : begins.a) EXPECT_EQ(row[0], 0.);
+}
 
 TEST(OwnPairs, AreAllTested) {
   for (const auto& kind : integration_methods)
