@@ -144,8 +144,6 @@ void LaneIntegrator::start_begun() {
   if (std::all_of(begun_.begin(), begun_.end(), [](double flag) { return flag == 0.; })) return;
   system_->rates(time_, y_, k_.back());
   wide<take>(n_, begun_.data(), k_.back().data(), at_start().data());
-  // What a drop before left there may not be finite; the first step counts it as nothing.
-  if (sees_past(shape_)) wide<take>(n_, begun_.data(), k_.back().data(), k_.front().data());
   for (std::size_t l = 0; l < width; ++l) {
     if (begun_[l] == 0.) continue;
     begun_[l] = 0.;

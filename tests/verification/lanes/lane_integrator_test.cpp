@@ -1,0 +1,124 @@
+// The integrator of eight lanes against that of one drop, on oscillators whose steps differ from lane to lane.
+#include "integrate/lane_integrator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace rotordrop {
+namespace {
+
+/// A Duffing oscillator x'' = -w^2 (x + x^3) that is pushed at t = 1, and the quadrature of its x'^2, which nothing depends on.
+StateLayout layout_of_oscillator() {
+  StateLayout layout;
+  layout.add_block("part", {{"place", "m", 1.}, {"velocity", "m/s", 10.}, {"work", "J", 1.}});
+  return layout;
+}
+void oscillate(double w, double t, double x, double v, double* rates, std::size_t stride) {
+  rates[0] = v;
+  rates[stride] = -w * w * (x + x * x * x) + 1000. * std::exp(-5000. * (t - 1.) * (t - 1.));
+  rates[2 * stride] = v * v;
+}
+double frequency(std::size_t lane) { return 3. + 2.5 * static_cast<double>(lane); }  // [rad/s]
+const std::vector<double> start_state = {1.2, 0., 0.};
+
+class OneOscillator final : public OdeSystem {
+ public:
+  explicit OneOscillator(double w) : w_(w), layout_(layout_of_oscillator()) {}
+  [[nodiscard]] const StateLayout& layout() const override { return layout_; }
+  [[nodiscard]] std::size_t first_quadrature() const override { return 2; }
+  void initial_state(std::span<double> y) const override { std::copy_n(start_state.begin(), 3, y.begin()); }
+  void rhs(double t, std::span<const double> y, std::span<double> dydt) const override {
+    oscillate(w_, t, y[0], y[1], dydt.data(), 1);
+  }
+
+ private:
+  double w_;
+  StateLayout layout_;
+};
+
+class EightOscillators final : public LaneSystem {
+ public:
+  [[nodiscard]] const StateLayout& layout() const override { return layout_; }
+  [[nodiscard]] std::size_t first_quadrature() const override { return 2; }
+  void rates(std::span<const double> t, std::span<const double> y, std::span<double> dydt) override {
+    for (std::size_t lane = 0; lane < width; ++lane)
+      oscillate(frequency(lane), t[lane], y[lane], y[width + lane], dydt.data() + lane, width);
+  }
+  void observe(std::span<const double> t, std::span<const double> y, std::span<double> dydt, std::span<double>,
+               std::span<double>) override {
+    rates(t, y, dydt);
+  }
+  void found(std::size_t, Evaluation&) const override {}
+
+ private:
+  StateLayout layout_ = layout_of_oscillator();
+};
+
+class LanesOf : public testing::TestWithParam<IntegrationMethod> {};
+
+TEST_P(LanesOf, StepInterpolateAndCountAsOneDropDoes) {
+  const IntegrationParameters parameters{GetParam(), 0.5, 1e-5};
+  const double end = 2.;
+  const LaneIntegrator::Lane start{parameters, 0., end, start_state, 0};
+  LaneIntegrator lanes(std::make_unique<EightOscillators>(), start, 0);
+  constexpr std::size_t n_drops = 7;  // one lane stays free
+  std::vector<std::unique_ptr<OneOscillator>> systems;
+  std::vector<std::unique_ptr<Integrator>> alone;
+  for (std::size_t l = 0; l < n_drops; ++l) {
+    systems.push_back(std::make_unique<OneOscillator>(frequency(l)));
+    alone.push_back(make_integrator(*systems.back(), parameters, 0., start_state, end));
+    lanes.begin(l, start);
+  }
+  const double roundoff = 1e-11;  // of some thousand steps of a stable oscillator
+  std::vector<double> y(3), expected(3), t(LaneIntegrator::width);
+  const auto expect_equal = [&](std::size_t lane, const char* what) {
+    for (std::size_t i = 0; i < y.size(); ++i)
+      ASSERT_NEAR(y[i], expected[i], roundoff) << what << " of lane " << lane << ", state " << i;
+  };
+  std::vector<double> before(n_drops, 0.);
+  for (bool does_any_run = true; does_any_run;) {
+    lanes.advance();
+    does_any_run = false;
+    for (std::size_t l = 0; l < n_drops; ++l) t[l] = 0.7 * before[l] + 0.3 * lanes.time(l);
+    for (std::size_t l = 0; l < n_drops; ++l) {
+      does_any_run = does_any_run || lanes.runs(l);
+      if (!lanes.has_stepped(l)) continue;
+      alone[l]->advance();
+      ASSERT_NEAR(alone[l]->time(), lanes.time(l), roundoff) << "lane " << l;
+      lanes.state(l, y);
+      std::copy_n(alone[l]->state().begin(), 3, expected.begin());
+      expect_equal(l, "state");
+      alone[l]->interpolate(t[l], expected);
+      lanes.interpolate(l, t[l], y);
+      expect_equal(l, "state within a step");
+    }
+    lanes.interpolate_all(t);
+    for (std::size_t l = 0; l < n_drops; ++l) {
+      if (!lanes.has_stepped(l)) continue;
+      alone[l]->interpolate(t[l], expected);
+      lanes.interpolate(l, t[l], y);
+      expect_equal(l, "state within a step, found for all");
+      before[l] = lanes.time(l);
+    }
+  }
+  for (std::size_t l = 0; l < n_drops; ++l) {
+    EXPECT_EQ(lanes.time(l), end);
+    EXPECT_EQ(lanes.statistics(l).steps, alone[l]->statistics().steps);
+    EXPECT_EQ(lanes.statistics(l).rejected_steps, alone[l]->statistics().rejected_steps);
+    EXPECT_EQ(lanes.statistics(l).rhs_evaluations, alone[l]->statistics().rhs_evaluations);
+    EXPECT_GT(lanes.statistics(l).steps, 10);
+  }
+  EXPECT_GT(lanes.statistics(6).steps, 2 * lanes.statistics(0).steps) << "all lanes step alike: this shows nothing";
+  EXPECT_GT(lanes.statistics(6).rejected_steps, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(OwnMethods, LanesOf,
+                         testing::Values(IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine,
+                                         IntegrationMethod::sofroniou_spaletta,
+                                         IntegrationMethod::two_step_runge_kutta));
+
+}  // namespace
+}  // namespace rotordrop
