@@ -8,7 +8,8 @@ namespace rotordrop {
 inline constexpr int most_stages = 7, most_powers = 4;
 
 /// y_i = y + h sum_j a_ij k_j, k_i = f(t + c_i h, y_i); the last stage is the new state. Error: h sum_i e_i k_i.
-/// Interpolant: y + h sum_i k_i sum_p polynomial_ip theta^p, p = 1, 2, ...
+/// Interpolant: y + h sum_i k_i sum_p polynomial_ip theta^p, p = 1 ... powers; without powers the cubic that has the states and rates of the step's ends
+/// (Hermite's).
 struct EmbeddedTableau {
   int n_stages, order, powers;
   std::array<double, most_stages> c;
@@ -23,7 +24,14 @@ struct EmbeddedTableau {
 
   /// What a stage's rate counts in the interpolant at a part of the step.
   [[nodiscard]] double weight(std::size_t stage, double theta) const {
+    const auto last = static_cast<std::size_t>(n_stages) - 1;
     double value = 0.;
+    if (powers == 0) {
+      value = theta * theta * (3. - 2. * theta) * a[last][stage];
+      if (stage == static_cast<std::size_t>(start)) value += theta * (1. - theta) * (1. - theta);
+      if (stage == last) value -= theta * theta * (1. - theta);
+      return value;
+    }
     for (int p = powers; p-- > 0;) value = theta * (value + polynomial[stage][static_cast<std::size_t>(p)]);
     return value;
   }
@@ -31,15 +39,5 @@ struct EmbeddedTableau {
 
 /// Whether its steps see the rate at the start of the one before.
 constexpr bool sees_past(const EmbeddedTableau& method) { return method.start > 0; }
-
-/// The interpolant that has the states and rates of the step's ends: Hermite's cubic.
-constexpr void interpolate_by_hermite(EmbeddedTableau& method) {
-  const auto n = static_cast<std::size_t>(method.n_stages);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double weight = method.a[n - 1][i], first = i == static_cast<std::size_t>(method.start) ? 1. : 0.,
-                 last = i == n - 1 ? 1. : 0.;
-    method.polynomial[i] = {first, 3. * weight - 2. * first - last, first + last - 2. * weight};
-  }
-}
 
 }  // namespace rotordrop

@@ -35,31 +35,22 @@ inline constexpr EmbeddedTableau tsitouras = {
       {0., 1.5, -4., 2.5}}}};
 
 /// Order 3(2), with Hermite's cubic. Source: Bogacki & Shampine, Applied Mathematics Letters 2 (1989) 321-325.
-inline constexpr EmbeddedTableau bogacki_shampine = [] {
-  EmbeddedTableau pair{4,
-                       3,
-                       3,
-                       {0., 0.5, 0.75, 1.},
-                       {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
-                       {-5. / 72., 1. / 12., 1. / 9., -1. / 8.}};
-  interpolate_by_hermite(pair);
-  return pair;
-}();
+inline constexpr EmbeddedTableau bogacki_shampine = {4,
+                                                     3,
+                                                     0,
+                                                     {0., 0.5, 0.75, 1.},
+                                                     {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
+                                                     {-5. / 72., 1. / 12., 1. / 9., -1. / 8.}};
 
 /// Order 4(3), with Hermite's cubic. Source: Sofroniou & Spaletta, Journal of Computational and Applied Mathematics 164-165 (2004) 675-682
 /// ("ARKODE_SOFRONIOU_SPALETTA_5_3_4" of SUNDIALS); the weights are those of Kutta's 3/8 family with nodes 2/5 and 3/5.
-inline constexpr EmbeddedTableau sofroniou_spaletta = [] {
-  constexpr double b_1 = 11. / 72., b_2 = 25. / 72.;
-  EmbeddedTableau pair{
-      5,
-      4,
-      3,
-      {0., 0.4, 0.6, 1., 1.},
-      {{{}, {0.4}, {-0.15, 0.75}, {19. / 44., -15. / 44., 10. / 11.}, {b_1, b_2, b_2, b_1}}},
-      {119041. / 8970912., -595205. / 8970912., 595205. / 8970912., 1309451. / 8970912., -119041. / 747576.}};
-  interpolate_by_hermite(pair);
-  return pair;
-}();
+inline constexpr EmbeddedTableau sofroniou_spaletta = {
+    5,
+    4,
+    0,
+    {0., 0.4, 0.6, 1., 1.},
+    {{{}, {0.4}, {-0.15, 0.75}, {19. / 44., -15. / 44., 10. / 11.}, {11. / 72., 25. / 72., 25. / 72., 11. / 72.}}},
+    {119041. / 8970912., -595205. / 8970912., 595205. / 8970912., 1309451. / 8970912., -119041. / 747576.}};
 
 [[nodiscard]] inline const EmbeddedTableau& tableau_of(IntegrationMethod method) {
   switch (method) {
