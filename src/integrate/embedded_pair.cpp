@@ -47,18 +47,26 @@ ROTORDROP_KERNEL void combine(std::size_t from, std::size_t to, const double* y,
   combine_all<n>(from, to, y, factor, k, out);
 }
 
-/// Sum of (error / (tolerance (scale + largest magnitude of both states)))^2, with the error sum_j factor_j k_j.
+/// What the error of a step is measured by.
+struct StepEnds {
+  std::size_t n_controlled, n;
+  const double *before, *after, *rates;  // [n]
+  const double* scale;                   // [n_controlled]
+  double tolerance;
+};
+/// Sum of (error / (tolerance (scale + largest magnitude of both states)))^2, with the error sum_j factor_j k_j; not a number if a new state or a rate is
+/// not finite.
 template <int n>
-ROTORDROP_KERNEL double squared_error_of_all(std::size_t size, const double* factors, const double* const* list,
-                                             const double* before, const double* after, const double* scale,
-                                             double tolerance) {
+ROTORDROP_KERNEL double squared_error_of_all(const StepEnds& ends, const double* factors, const double* const* list) {
+  const double *before = ends.before, *after = ends.after, *rates = ends.rates, *scale = ends.scale;
+  const double tolerance = ends.tolerance;
   const double* k[n];
   double factor[n];
   std::copy_n(list, n, k);
   std::copy_n(factors, n, factor);
   double sum = 0.;
 #pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < ends.n_controlled; ++i) {
     double error = 0.;
 #pragma GCC unroll 8
     for (int j = 0; j < n; ++j) error += factor[j] * k[j][i];
@@ -66,15 +74,15 @@ ROTORDROP_KERNEL double squared_error_of_all(std::size_t size, const double* fac
     const double part = error / (tolerance * (scale[i] + (a > b ? a : b)));
     sum += part * part;
   }
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < ends.n; ++i) sum += (after[i] - after[i]) + (rates[i] - rates[i]);
   return sum;
 }
 template <int n = 1>
-ROTORDROP_KERNEL double squared_error(std::size_t size, const double* factor, const double* const* k, int count,
-                                      const double* before, const double* after, const double* scale,
-                                      double tolerance) {
+ROTORDROP_KERNEL double squared_error(const StepEnds& ends, const double* factor, const double* const* k, int count) {
   if constexpr (n < most_stages)
-    if (count > n) return squared_error<n + 1>(size, factor, k, count, before, after, scale, tolerance);
-  return squared_error_of_all<n>(size, factor, k, before, after, scale, tolerance);
+    if (count > n) return squared_error<n + 1>(ends, factor, k, count);
+  return squared_error_of_all<n>(ends, factor, k);
 }
 
 class EmbeddedPair final : public Integrator {
@@ -160,7 +168,7 @@ class EmbeddedPair final : public Integrator {
     return k;
   }
 
-  /// Leaves the new state in stage_. @returns the error over what is allowed; not finite if a rate is not
+  /// Leaves the new state in stage_. @returns the error over what is allowed; not a number if a new state or a rate is not finite
   double try_step(double step, double target) {
     if (sees_past(method_)) set_two_step(method_, last_step_ > 0. ? step / last_step_ : 0.);
     const auto k = stage_rates();
@@ -185,9 +193,8 @@ class EmbeddedPair final : public Integrator {
       evaluate(target, stage_, at(k_, last));
     }
     // A rate that is not finite makes the new state so.
-    if (!all_finite(stage_) || !all_finite(at(k_, last))) return HUGE_VAL;
-    const double sum = wide<squared_error<1>>(n_controlled_, scaled(method_.e), k.data(), method_.n_stages, y_.data(),
-                                              stage_.data(), scale_.data(), tolerance_);
+    const StepEnds ends{n_controlled_, n_, y_.data(), stage_.data(), at(k_, last).data(), scale_.data(), tolerance_};
+    const double sum = wide<squared_error<1>>(ends, scaled(method_.e), k.data(), method_.n_stages);
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
   }
 
