@@ -14,6 +14,7 @@ import os
 import pathlib
 import platform
 import re
+import shutil
 import statistics
 import subprocess
 import sys
@@ -97,9 +98,10 @@ def lanes(program):
 
 
 def drop(program, case, folder, settings):
-    """CPU of a drop and of its whole process [s]."""
+    """CPU of a drop and of its whole process [s], into a new folder: what stands there would be removed in the drop's time."""
     out = pathlib.Path(folder, "drop")
-    process = cpu_of([program, "run", case, *settings, "--quiet", "--force", "-o", out])
+    shutil.rmtree(out, ignore_errors=True)
+    process = cpu_of([program, "run", case, *settings, "--quiet", "-o", out])
     run = json.loads((out / "summary.json").read_text(encoding="utf-8"))["run"]
     return run["cpu_time"], process
 
