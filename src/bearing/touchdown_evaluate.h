@@ -257,8 +257,8 @@ void TouchdownBearing::observe(const TouchdownNumbers<Real>& q, std::span<const 
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& race = rows[i].numbers();
-    put({cbrt(larger(race.inner.cubed_pressure(balls.row[i].largest_load),
-                     race.outer.cubed_pressure(balls.row[i].largest_outer_load)))});
+    put({larger(race.inner.largest_pressure(balls.row[i].largest_load),
+                race.outer.largest_pressure(balls.row[i].largest_outer_load))});
   }
   const Real spin_torque =
       spin_moment(q.race_friction_coefficient, largest, q.spin_axis_factor * cbrt(largest), q.spin_elliptic_integral);

@@ -39,12 +39,10 @@ struct RaceContactOf {
   /// Part of the contact ellipse's length that lies beyond the edge, 0 to 1. The ellipse is that of an endless groove.
   /// @param load [N]; @param sine, cosine  of the contact angle
   [[nodiscard]] double truncation(double load, double sine, double cosine) const;
-  /// Largest pressure in the contact ellipse under a load [N], p = 3 Q / (2 pi a b) [Pa]; 0 without load.
-  [[nodiscard]] Real largest_pressure(const Real& load) const { return cbrt(cubed_pressure(load)); }
-  /// p^3, which is proportional to the load: the ellipse grows as Q^(1/3).
-  [[nodiscard]] Real cubed_pressure(const Real& load) const {
-    const Real per_root = 1.5 * ellipticity / (std::numbers::pi * axis_factor * axis_factor);
-    return per_root * per_root * per_root * larger(load, Real(0.));
+  /// Largest pressure in the contact ellipse under a load [N], 3 Q / (2 pi a b) [Pa]; 0 without load.
+  [[nodiscard]] Real largest_pressure(const Real& load) const {
+    const Real major = axis_factor * cbrt(load);
+    return select(load <= 0., Real(0.), 1.5 * load * ellipticity / (std::numbers::pi * major * major));
   }
 };
 using RaceContact = RaceContactOf<double>;
