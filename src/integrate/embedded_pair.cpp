@@ -170,7 +170,7 @@ class EmbeddedPair final : public Integrator {
 
   /// Leaves the new state in stage_. @returns the error over what is allowed; not a number if a new state or a rate is not finite
   double try_step(double step, double target) {
-    if (sees_past(method_)) set_two_step(method_, last_step_ > 0. ? step / last_step_ : 0.);
+    fit_to_step(method_, step, last_step_);
     const auto k = stage_rates();
     std::array<double, most_stages> factor{};
     const auto scaled = [&](const std::array<double, most_stages>& coefficients) {

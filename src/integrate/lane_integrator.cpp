@@ -200,7 +200,7 @@ void LaneIntegrator::advance() {
     ends_[l] = trial.ends;
     if (!runs_[l]) continue;
     statistics_[l].rhs_evaluations += shape_.n_stages - 1 - shape_.start;
-    if (sees_past(shape_)) set_two_step(methods_[l], last_step_[l] > 0. ? trial.size / last_step_[l] : 0.);
+    fit_to_step(methods_[l], trial.size, last_step_[l]);
   }
   // Nothing depends on quadratures: the stages before the last leave them as they are.
   const int last = shape_.n_stages - 1;

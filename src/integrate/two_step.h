@@ -29,6 +29,11 @@ constexpr void set_two_step(EmbeddedTableau& method, double ratio) {
   method.a[3] = {a_past_3, c_3 - a_past_3 - a_2, a_2};
 }
 
+/// Sets a method for a step; only one that sees the step before it depends on either. @param before  [s]; 0: there is none
+constexpr void fit_to_step(EmbeddedTableau& method, double step, double before) {
+  if (sees_past(method)) set_two_step(method, before > 0. ? step / before : 0.);
+}
+
 /// As it starts.
 inline constexpr EmbeddedTableau two_step_runge_kutta = [] {
   // The error is a third difference of the rates at 0, 2/5, 4/5 and 1. Its size is set so that a tolerance of 1e-6 keeps the orbit of the reference drop
