@@ -1,6 +1,9 @@
 #include "base/trial.h"
 
 #include <fcntl.h>
+#if defined(__linux__)
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,6 +28,17 @@ void limit_memory(std::uint64_t more) {
   ::setrlimit(RLIMIT_AS, &limit);
 }
 
+/// Ends this copy when the thread that made it ends. Otherwise it would hold on to a lock of a run that was killed, and whoever resumes that run would be
+/// told that another one writes there.
+void end_with(pid_t parent) {
+#if defined(__linux__)
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(0);  // it ended before
+#else
+  static_cast<void>(parent);
+#endif
+}
+
 [[noreturn]] void work_and_leave(const std::function<void()>& work, const Trial::Limits& limits) {
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -47,8 +61,11 @@ void limit_memory(std::uint64_t more) {
 }  // namespace
 
 void Trial::start(const std::function<void()>& work) {
+  const pid_t parent = ::getpid();
   child_ = ::fork();
-  if (child_ == 0) work_and_leave(work, limits_);
+  if (child_ != 0) return;
+  end_with(parent);
+  work_and_leave(work, limits_);
 }
 
 Trial::End Trial::wait() const {

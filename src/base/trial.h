@@ -24,7 +24,7 @@ class Trial {
     std::uint64_t memory = 0;  ///< that it may have besides this process's own [bytes]; 0: what there is
   };
   explicit Trial(const Limits& limits) : limits_(limits) {}
-  /// Begins the work as a copy of this thread. A lock that another thread holds stays locked there: take the library's own before.
+  /// Begins the work as a copy of this thread, which ends with it. A lock that another thread holds stays locked there: take the library's own before.
   void start(const std::function<void()>& work);
   /// Waits for the end of what was started.
   [[nodiscard]] End wait() const;

@@ -1,6 +1,9 @@
 #include "base/trial.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -55,6 +58,31 @@ TEST(Trial, EndsWhatWantsTooMuchMemory) {
   take(std::size_t{128} << 20u);  // the limit is the trial's only
 }
 #endif
+
+// The lock of a killed run is free as soon as it is dead.
+TEST(Trial, EndsWithTheProcessThatBeganIt) {
+  const auto open_here = [] { return ::open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); };
+  const pid_t run = ::fork();
+  if (run == 0) {
+    const int lock = open_here();
+    if (::flock(lock, LOCK_EX | LOCK_NB) != 0) ::_exit(1);
+    Trial trial({.seconds = 20});
+    trial.start([] { ::sleep(10); });
+    ::usleep(100'000);
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(run, &status, 0), run);
+  ASSERT_TRUE(WIFSIGNALED(status)) << "it did not get the lock";
+  const int lock = open_here();
+  int tries = 0;  // of ten milliseconds
+  while (::flock(lock, LOCK_EX | LOCK_NB) != 0 && tries < 100) {
+    ::usleep(10'000);
+    ++tries;
+  }
+  ::close(lock);
+  EXPECT_LT(tries, 100) << "the copy holds it";
+}
 
 TEST(Trial, WhatWasNotBegunWasNotTried) { EXPECT_EQ(Trial({}).wait(), Trial::End::not_tried); }
 
