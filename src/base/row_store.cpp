@@ -6,7 +6,7 @@
 namespace rotordrop {
 namespace {
 
-/// Rows of a block: below the size from which malloc() takes fresh memory of the system for every block, whose first touch costs more than the rows.
+/// Rows of a block that stays in the processor's cache.
 std::size_t rows_of_block(std::size_t row_size, std::size_t tile_rows) {
   constexpr std::size_t block_bytes = 100'000, most_rows = 1024;
   const std::size_t fit = block_bytes / (sizeof(double) * std::max<std::size_t>(row_size, 1));
@@ -28,8 +28,8 @@ void RowStore::append(std::span<const double> row) {
 
 void RowStore::store_tile() {
   const std::size_t first = n_rows_ - tile_rows, block = first / block_rows_;
-  if (block == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<double[]>(row_size_ * stride()));
-  double* column = blocks_[block].get() + first % block_rows_;
+  if (block == blocks_.size()) blocks_.push_back(pool_.take(row_size_ * stride()));
+  double* column = blocks_[block] + first % block_rows_;
   const double* from = tile_.data();
   for (std::size_t k = 0; k < row_size_; ++k, column += stride(), ++from)
     for (std::size_t r = 0; r < tile_rows; ++r) column[r] = from[r * row_size_];
@@ -40,7 +40,7 @@ void RowStore::copy(std::size_t first, std::size_t size, double* out) const {
   for (std::size_t k = 0; k < size; ++k) {
     double* to = out + k;
     for (std::size_t done = 0; done < in_blocks; done += block_rows_) {
-      const double* column = blocks_[done / block_rows_].get() + (first + k) * stride();
+      const double* column = blocks_[done / block_rows_] + (first + k) * stride();
       const std::size_t n = std::min(block_rows_, in_blocks - done);
       if (size == 1) {
         to = std::copy_n(column, n, to);

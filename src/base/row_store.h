@@ -1,8 +1,9 @@
 #pragma once
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
+
+#include "base/number_pool.h"
 
 namespace rotordrop {
 
@@ -28,8 +29,9 @@ class RowStore {
   void store_tile();
 
   std::size_t row_size_ = 0, block_rows_ = 0, n_rows_ = 0;
-  std::vector<double> tile_;                       // rows that are in no block yet [tile_rows, row_size]
-  std::vector<std::unique_ptr<double[]>> blocks_;  // [row_size, stride()]
+  std::vector<double> tile_;  // rows that are in no block yet [tile_rows, row_size]
+  NumberPool pool_;
+  std::vector<double*> blocks_;  // [row_size, stride()]
 };
 
 }  // namespace rotordrop
