@@ -247,6 +247,7 @@ Handle access_for_writing() {
   // Rows are written once, in order, many at a time: a chunk goes to the file at once, and those of a dataset follow on each other. For the file, not
   // for a dataset: H5Fstart_swmr_write() opens all datasets anew with the file's cache, a megabyte each (HDF5 1.10.8).
   require(H5Pset_cache(access.id(), 0, 17, 0, 1.0), "set chunk cache");
+  require(H5Pset_sieve_buf_size(access.id(), 0), "set buffer");  // the driver has one
   return access;
 }
 

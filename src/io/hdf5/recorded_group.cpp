@@ -55,4 +55,20 @@ void RecordedGroup::write_times() {
   times.clear();
 }
 
+void RecordedGroup::write_whole(const SeriesGroup& description, ColumnMaker& maker) {
+  const std::size_t n = rows.n_rows();
+  write_all_rows(maker.make(description.times(), description.time_path, n), times);
+  std::vector<double> values;
+  std::size_t first = 0;
+  for (const Channel& channel : description.channels) {
+    values.resize(n * channel.size);
+    rows.copy(first, channel.size, values.data());
+    write_all_rows(maker.make(channel, description.time_path, n), values);
+    first += channel.size;
+  }
+  rows.clear();
+  n_told += times.size();
+  times.clear();
+}
+
 }  // namespace rotordrop

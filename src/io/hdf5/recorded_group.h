@@ -26,6 +26,8 @@ struct RecordedGroup {
   void write_columns();
   /// Tells of all rows that are in the columns. @throws SolverError
   void write_times();
+  /// Makes datasets of all rows, which were in no column so far, and closes them. @throws SolverError
+  void write_whole(const SeriesGroup& description, ColumnMaker& maker);
 };
 
 }  // namespace rotordrop

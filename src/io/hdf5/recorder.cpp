@@ -85,7 +85,10 @@ struct Recorder::Implementation {
   void require_absent() const;
   /// @param goes_on  rows will follow, which readers may follow, too; else it is closed, with all rows in it
   void make_file(bool goes_on = true);
-  void make_datasets(bool goes_on);
+  void write_header();
+  void make_datasets();
+  /// One after the other, so that HDF5 has one in memory at a time.
+  void write_whole_datasets();
   void close_datasets();
   void flush();
   /// Calls what writes. @throws SolverError, after which the recorder only says so again
@@ -123,16 +126,14 @@ void Recorder::Implementation::make_file(bool goes_on) {
   HalfMadeFile half_made(beside);
   try {
     file = Handle(H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "cannot create it");
-    make_datasets(goes_on);
+    write_header();
     if (goes_on) {
+      make_datasets();
       hdf5::require(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "cannot write it");
       hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
     } else {
-      for (auto& group : groups) {
-        group.write_columns();
-        group.write_times();
-      }
-      close_datasets();
+      write_whole_datasets();
+      if (!file.reset()) throw SolverError(hdf5::last_error());
     }
     hdf5::know_readable(beside);
   } catch (const SolverError& error) {
@@ -150,19 +151,23 @@ void Recorder::Implementation::make_file(bool goes_on) {
   half_made.keep();
 }
 
-void Recorder::Implementation::make_datasets(bool goes_on) {
+void Recorder::Implementation::write_header() {
   for (const auto& [name, text] : header.attributes) hdf5::write_attribute(file.id(), name, text);
   for (const auto& [name, text] : header.texts) hdf5::write_text(file.id(), name, text);
+}
+
+void Recorder::Implementation::make_datasets() {
+  ColumnMaker maker(file.id(), options.rows_per_chunk);
   for (std::size_t i = 0; i < series.size(); ++i) {
-    const SeriesGroup& description = series[i];
-    // A whole series is one chunk: sooner written than several, and no longer than its rows.
-    const bool is_whole = !goes_on && groups[i].n_rows() > 0;
-    ColumnMaker maker(file.id(), is_whole ? groups[i].n_rows() : options.rows_per_chunk);
-    groups[i].time =
-        maker.make({description.time_path, description.unit, description.long_name, 1, {}}, description.time_path);
-    for (const auto& channel : description.channels)
-      groups[i].columns.push_back(maker.make(channel, description.time_path));
+    groups[i].time = maker.make(series[i].times(), series[i].time_path);
+    for (const auto& channel : series[i].channels)
+      groups[i].columns.push_back(maker.make(channel, series[i].time_path));
   }
+}
+
+void Recorder::Implementation::write_whole_datasets() {
+  ColumnMaker maker(file.id(), options.rows_per_chunk);
+  for (std::size_t i = 0; i < series.size(); ++i) groups[i].write_whole(series[i], maker);
 }
 
 template <class Work>

@@ -27,6 +27,8 @@ struct SeriesGroup {
   std::vector<Channel> channels;
   std::string unit = "s";          ///< of the axis, if it is not time
   std::string long_name = "time";  ///< likewise
+
+  [[nodiscard]] Channel times() const { return {time_path, unit, long_name, 1, {}}; }
 };
 
 /// What a result file says about itself.

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "base/errors.h"
+
 namespace rotordrop {
 
 using hdf5::Handle;
@@ -30,17 +32,19 @@ hid_t ColumnMaker::chunked(const SeriesColumn& column) {
   return found->second.id();
 }
 
-SeriesColumn ColumnMaker::make(const Channel& channel, const std::string& time_path) {
+SeriesColumn ColumnMaker::make(const Channel& channel, const std::string& time_path,
+                               std::optional<std::size_t> n_rows) {
   SeriesColumn column;
   column.path = channel.path;
   column.size = channel.size;
   column.is_flat = channel.size == 1;
-  const hsize_t now[2] = {0, channel.size};
-  const hsize_t at_most[2] = {H5S_UNLIMITED, channel.size};
+  const hsize_t now[2] = {n_rows.value_or(0), channel.size};
+  const hsize_t at_most[2] = {n_rows ? *n_rows : H5S_UNLIMITED, channel.size};
   const Handle space(H5Screate_simple(column.rank(), now, at_most), H5Sclose, "make data space");
-  column.dataset = Handle(
-      H5Dcreate2(file_, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), links_.id(), chunked(column), H5P_DEFAULT),
-      H5Dclose, "cannot make dataset " + channel.path);
+  const hid_t how = n_rows ? H5P_DEFAULT : chunked(column);
+  column.dataset =
+      Handle(H5Dcreate2(file_, channel.path.c_str(), H5T_IEEE_F64LE, space.id(), links_.id(), how, H5P_DEFAULT),
+             H5Dclose, "cannot make dataset " + channel.path);
   attributes_.write(column.dataset.id(), "units", channel.unit);
   attributes_.write(column.dataset.id(), "long_name", channel.long_name);
   if (channel.path != time_path) attributes_.write(column.dataset.id(), "time", time_path);
@@ -60,6 +64,14 @@ void write_rows(const SeriesColumn& column, std::size_t from, std::span<const do
   const Handle in_memory(H5Screate_simple(column.rank(), count, nullptr), H5Sclose, what);
   hdf5::require(
       H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()), what);
+}
+
+void write_all_rows(SeriesColumn column, std::span<const double> values) {
+  if (H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0 &&
+      column.dataset.reset())
+    return;
+  column.dataset.leak();  // to close it after a failed write crashes HDF5 1.10.8
+  throw SolverError("dataset " + column.path + ": " + hdf5::last_error());
 }
 
 }  // namespace rotordrop

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -9,7 +10,7 @@
 
 namespace rotordrop {
 
-/// Extendible dataset to whose end rows are added.
+/// Dataset to whose end rows are added, or which has all of them from the start.
 struct SeriesColumn {
   hdf5::Handle dataset;
   std::string path;
@@ -22,9 +23,11 @@ struct SeriesColumn {
 /// Makes datasets of channels, with their attributes. Lists of properties are made once: they take a good part of HDF5's time for a dataset.
 class ColumnMaker {
  public:
+  /// Of series that go on. @param chunk_rows  rows that lie together in the file
   ColumnMaker(hid_t file, std::size_t chunk_rows);
   /// @param time_path  dataset of its times
-  SeriesColumn make(const Channel& channel, const std::string& time_path);
+  /// @param n_rows     of a series that does not go on: it lies in the file in one piece, which takes HDF5 half the time
+  SeriesColumn make(const Channel& channel, const std::string& time_path, std::optional<std::size_t> n_rows = {});
 
  private:
   [[nodiscard]] hid_t chunked(const SeriesColumn& column);
@@ -37,5 +40,7 @@ class ColumnMaker {
 
 /// Writes rows behind the first `from`. @param values [n, size]
 void write_rows(const SeriesColumn& column, std::size_t from, std::span<const double> values);
+/// Writes all rows of a series that does not go on, and closes its dataset. @param values [n_rows, size]
+void write_all_rows(SeriesColumn column, std::span<const double> values);
 
 }  // namespace rotordrop
