@@ -8,26 +8,27 @@
 namespace rotordrop {
 namespace {
 
-/// At some vectors of points, from the first of them on.
+/// A radial motion less what the bore bends, at some vectors of points, from the first of them on: e_y cos + e_z sin - less - sum_k coefficient_k shape_k.
 template <std::size_t vectors>
-ROTORDROP_KERNEL void overlaps_at(const ArcPlace& in, std::size_t first, double* delta, double* rate) {
-  std::array<Octet, vectors> bend{}, bend_rate{};
+ROTORDROP_KERNEL void beyond_bore_at(const ArcPlace& in, double e_y, double e_z, double less,
+                                     const double* coefficients, std::size_t first, double* out) {
+  std::array<Octet, vectors> bend{};
   const double* shapes = in.shapes + first;
   for (std::size_t k = 0; k < in.n_shapes; ++k, shapes += in.stride)
-    for (std::size_t v = 0; v < vectors; ++v) {
-      add_product(bend[v], in.shape[k], shapes + v * vector_length);
-      add_product(bend_rate[v], in.rate[k], shapes + v * vector_length);
-    }
-  const double ey = in.ey, ez = in.ez, vy = in.vy, vz = in.vz, gap = in.gap;
+    for (std::size_t v = 0; v < vectors; ++v) add_product(bend[v], coefficients[k], shapes + v * vector_length);
   for (std::size_t v = 0; v < vectors; ++v) {
     const std::size_t at = first + v * vector_length;
     const double *cosine = in.cosine + at, *sine = in.sine + at;
 #pragma omp simd
-    for (std::size_t i = 0; i < vector_length; ++i) {
-      delta[at + i] = ey * cosine[i] + ez * sine[i] - gap - bend[v][i];
-      rate[at + i] = vy * cosine[i] + vz * sine[i] - bend_rate[v][i];
-    }
+    for (std::size_t i = 0; i < vector_length; ++i) out[at + i] = e_y * cosine[i] + e_z * sine[i] - less - bend[v][i];
   }
+}
+/// At whole vectors of points from `first` to `last` - 1. Four at a time share the coefficients and do not wait for each other.
+ROTORDROP_KERNEL void beyond_bore(const ArcPlace& in, double e_y, double e_z, double less, const double* coefficients,
+                                  std::size_t first, std::size_t last, double* out) {
+  constexpr std::size_t four = 4 * vector_length;
+  for (; first + four <= last; first += four) beyond_bore_at<4>(in, e_y, e_z, less, coefficients, first, out);
+  for (; first < last; first += vector_length) beyond_bore_at<1>(in, e_y, e_z, less, coefficients, first, out);
 }
 
 ROTORDROP_KERNEL double largest_of_vector(const double* values) {
@@ -37,25 +38,24 @@ ROTORDROP_KERNEL double largest_of_vector(const double* values) {
   return largest;
 }
 
-/// Overlaps and rates in one pass, since the tables are more than the nearest cache holds; two vectors at a time share the coefficients.
+/// Rates where surfaces overlap, which is a small part of where they might.
 ROTORDROP_KERNEL ArcOverlap arc_overlaps_kernel(const ArcPlace& given, ArcValues& overlap, ArcValues& overlap_rate) {
   const ArcPlace in = given;  // a copy that no store can change
-  double *delta = overlap.at.data(), *rate = overlap_rate.at.data();
+  double* delta = overlap.at.data();
   const std::size_t n = whole_vectors(in.n);
-  std::size_t j = 0;
-  for (; j + 2 * vector_length <= n; j += 2 * vector_length) overlaps_at<2>(in, j, delta, rate);
-  if (j < n) overlaps_at<1>(in, j, delta, rate);
+  beyond_bore(in, in.ey, in.ez, in.gap, in.shape, 0, n, delta);
   if (in.waves)
 #pragma omp simd
     for (std::size_t k = 0; k < n; ++k) delta[k] += in.waves[k];
   ArcOverlap found{delta[0], n, 0};
-  for (j = 0; j < n; j += vector_length) {
+  for (std::size_t j = 0; j < n; j += vector_length) {
     const double largest = largest_of_vector(delta + j);
     found.deepest = std::max(found.deepest, largest);
     if (largest <= 0.) continue;
     found.first = std::min(found.first, j);
     found.last = j + vector_length;
   }
+  beyond_bore(in, in.vy, in.vz, 0., in.rate, found.first, found.last, overlap_rate.at.data());
   return found;
 }
 
