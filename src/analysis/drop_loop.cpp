@@ -67,8 +67,10 @@ bool DropLoop::run(const std::function<bool()>& is_stopped) {
   if (is_at_end()) return true;
   const std::size_t n_integrated = machine_.integrated_layout().size();
   integrator_ = make_integrator(system_, integration_, time_, std::span(state_).first(n_integrated), end_time_);
-  has_end_rates_ = integrator_->evaluate_ends_with(
-      [this](double t, std::span<const double> y, std::span<double> dydt) { machine_.evaluate(t, y, dydt, found_); });
+  has_end_rates_ = integrator_->evaluate_ends_with([this](double t, std::span<const double> y, std::span<double> dydt) {
+    ask(is_to_be_observed(t));
+    machine_.evaluate(t, y, dydt, found_);
+  });
   show_start();
   while (!is_at_end()) {
     integrator_->advance();
@@ -88,8 +90,10 @@ bool DropLoop::follow_step() {
   const EndedStep step = ended_step();
   growth_->remember(step.time);
   show(step);
-  if (step.is_observed && growth_->has_changed(step.time)) evaluate_end(step.time, step.after);
+  if (step.is_observed && growth_->has_changed(step.time)) evaluate_end(step.time, step.after, true);
   time_ = step.time;
+  constexpr double memory = 16.;  // steps: one that is cut at a corner is none of those that stability keeps short
+  mean_step_ += (step.time - step.start - mean_step_) / memory;
   state_.swap(after_);
   followers_.follow(step.start, time_, state_, found_);
   return is_at_end();
@@ -122,8 +126,9 @@ DropLoop::EndedStep DropLoop::ended_step() {
   step.after = std::span(after_).first(integrated.size());
   step.found = &found_;
   step.is_observed = is_to_be_observed(step.time);
+  if (step.is_observed || integrator_->uses_offered_rates() || !followers_.empty())
+    evaluate_end(step.time, step.after, step.is_observed);
   if (step.is_observed) {
-    evaluate_end(step.time, step.after);
     end_.follow(step.time, found_.step, machine_.spin(step.after).speed);
     observed_time_ = step.time;
   }
@@ -131,15 +136,24 @@ DropLoop::EndedStep DropLoop::ended_step() {
   return step;
 }
 
-void DropLoop::evaluate_end(double t, std::span<const double> y) {
+void DropLoop::ask(bool is_observed) {
+  found_.wants_step = is_observed;
+  found_.wants_details = is_observed && wants_details_;
+}
+
+void DropLoop::evaluate_end(double t, std::span<const double> y, bool is_observed) {
   if (has_end_rates_) return;
+  ask(is_observed);
   machine_.evaluate(t, y, found_);
   integrator_->offer_rates(found_.rates);
 }
 
-/// Every step where that costs nothing, or followers need it; else as often as peaks need: 12 times in a period of the rings' fastest motion, 8 kHz.
+/// Every step, or as often as peaks need, 12 times in a period of the rings' fastest motion (8 kHz): where an evaluation comes on top of the method's own, and
+/// where stability keeps steps that short, since what is observed and who looks at it cost as much as the rates.
 bool DropLoop::is_to_be_observed(double t) const {
-  return integrator_->uses_offered_rates() || !followers_.empty() || t - observed_time_ >= 10e-6 || t >= end_time_ ||
+  constexpr double often_enough = 9.9e-6, short_step = 4.5e-6;  // [s]
+  const bool costs_little = integrator_->uses_offered_rates() && mean_step_ > short_step;
+  return costs_little || t - observed_time_ >= often_enough || t >= end_time_ ||
          std::any_of(observers_.begin(), observers_.end(),
                      [t](const Observer* observer) { return is_same_time(observer->due(), t); });
 }
@@ -160,7 +174,7 @@ IntegrationStatistics DropLoop::statistics() const {
 void DropLoop::pack(PackedValues& to) const {
   const auto s = statistics();
   to["loop"] = {static_cast<double>(s.steps), static_cast<double>(s.rhs_evaluations),
-                static_cast<double>(s.rejected_steps), observed_time_};
+                static_cast<double>(s.rejected_steps), observed_time_, mean_step_};
   to["end condition"] = end_.packed();
   if (!followers_.empty()) {
     auto& values = to["followers"] = {last_start_, followers_.time()};
@@ -171,7 +185,7 @@ void DropLoop::pack(PackedValues& to) const {
 
 void DropLoop::unpack(double time, std::span<const double> state, const PackedValues& from) {
   const auto& loop = from.at("loop");
-  if (loop.size() != 4 || state.size() != state_.size() || !(time >= 0. && time <= end_time_) ||
+  if (loop.size() != 5 || state.size() != state_.size() || !(time >= 0. && time <= end_time_) ||
       !std::all_of(state.begin(), state.end(), [](double y) { return std::isfinite(y); }))
     throw std::invalid_argument("a checkpoint of another kind");
   end_.unpack(from.at("end condition"));
@@ -192,6 +206,7 @@ void DropLoop::unpack(double time, std::span<const double> state, const PackedVa
   }
   earlier_ = {static_cast<long>(loop[0]), static_cast<long>(loop[1]), static_cast<long>(loop[2])};
   observed_time_ = loop[3];
+  mean_step_ = loop[4];
 }
 
 }  // namespace rotordrop

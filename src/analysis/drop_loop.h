@@ -25,7 +25,7 @@ class DropLoop {
   /// They see each step in the order in which they were added, and must outlive the loop.
   void add(Observer& observer) {
     observers_.push_back(&observer);
-    found_.wants_details |= observer.wants_details();
+    wants_details_ = found_.wants_details = wants_details_ || observer.wants_details();
   }
   /// From the start, or from where unpack() has put it, to the end. After an exception time() and state() are those of the last step that every
   /// observer has seen.
@@ -62,7 +62,9 @@ class DropLoop {
   void show_start();
   void show(const Step& step);
   EndedStep ended_step();
-  void evaluate_end(double t, std::span<const double> y);
+  /// What the next evaluation is asked for besides rates.
+  void ask(bool is_observed);
+  void evaluate_end(double t, std::span<const double> y, bool is_observed);
   [[nodiscard]] bool is_to_be_observed(double t) const;
 
   const Machine& machine_;
@@ -70,6 +72,7 @@ class DropLoop {
   RunEnd end_;
   double end_time_, time_ = 0, observed_time_ = 0;
   double last_start_ = 0;  ///< of the step that was shown last
+  double mean_step_ = 1.;  ///< of the last ones [s]
   MachineSystem system_;
   Evaluation found_;  ///< at ends of steps
   Followers followers_;
@@ -78,6 +81,7 @@ class DropLoop {
   std::vector<double> after_;
   std::vector<Observer*> observers_;
   std::unique_ptr<Integrator> integrator_;
+  bool wants_details_ = false;
   bool has_end_rates_ = false;  ///< the method evaluates ends of steps into found_
   std::unique_ptr<GrowthWatch> growth_;
   IntegrationStatistics earlier_;
