@@ -2,7 +2,6 @@
 
 #include <sys/mman.h>
 
-#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -27,13 +26,13 @@ double* NumberPool::take(std::size_t n) {
   }
   if (large_.empty() || n_taken_ + n > n_large_) {
     const std::size_t bytes = whole_pages(n);
-    auto* piece = static_cast<double*>(::operator new (bytes, std::align_val_t{large_page}));
-    large_.emplace_back(piece);
+    Large piece(static_cast<double*>(::operator new (bytes, std::align_val_t{large_page})));
+#if defined(MADV_HUGEPAGE)
+    ::madvise(piece.get(), bytes, MADV_HUGEPAGE);  // advice: without it small pages do
+#endif
+    large_.push_back(std::move(piece));
     n_large_ = bytes / sizeof(double);
     n_taken_ = 0;
-#if defined(MADV_HUGEPAGE)
-    ::madvise(piece, bytes, MADV_HUGEPAGE);  // advice: without it small pages do
-#endif
   }
   return large_.back().get() + std::exchange(n_taken_, n_taken_ + n);
 }

@@ -16,8 +16,9 @@ class NumberPool {
   struct Free {
     void operator()(double* numbers) const;
   };
+  using Large = std::unique_ptr<double[], Free>;
   std::vector<std::unique_ptr<double[]>> small_;
-  std::vector<std::unique_ptr<double[], Free>> large_;
+  std::vector<Large> large_;
   std::size_t n_small_ = 0;                // numbers in small pages
   std::size_t n_large_ = 0, n_taken_ = 0;  // in the last large piece
 };
