@@ -25,6 +25,19 @@ std::uint64_t mixed(std::uint64_t sum, double time, std::span<const double> row)
   return all;
 }
 
+/// Calls take(column, values [n_rows, size]) with the rows of each: of columns, or of channels that have none yet.
+template <class Columns, class Take>
+void for_each_column(const Columns& columns, const RowStore& rows, const Take& take) {
+  std::vector<double> values;
+  std::size_t first = 0;  // value of the column in a row
+  for (const auto& column : columns) {
+    values.resize(rows.n_rows() * column.size);
+    rows.copy(first, column.size, values.data());
+    take(column, values);
+    first += column.size;
+  }
+}
+
 }  // namespace
 
 void RecordedGroup::append(double t, std::span<const double> row) {
@@ -37,14 +50,9 @@ void RecordedGroup::append(double t, std::span<const double> row) {
 void RecordedGroup::write_columns() {
   const std::size_t n = rows.n_rows();
   if (n == 0) return;
-  std::vector<double> values;
-  std::size_t first = 0;  // value of the column in a row
-  for (const SeriesColumn& column : columns) {
-    values.resize(n * column.size);
-    rows.copy(first, column.size, values.data());
+  for_each_column(columns, rows, [&](const SeriesColumn& column, std::span<const double> values) {
     write_rows(column, n_rows() - n, values);
-    first += column.size;
-  }
+  });
   rows.clear();
 }
 
@@ -55,20 +63,12 @@ void RecordedGroup::write_times() {
   times.clear();
 }
 
-void RecordedGroup::write_whole(const SeriesGroup& description, ColumnMaker& maker) {
+void RecordedGroup::write_whole(const SeriesGroup& description, ColumnMaker& maker) const {
   const std::size_t n = rows.n_rows();
   write_all_rows(maker.make(description.times(), description.time_path, n), times);
-  std::vector<double> values;
-  std::size_t first = 0;
-  for (const Channel& channel : description.channels) {
-    values.resize(n * channel.size);
-    rows.copy(first, channel.size, values.data());
+  for_each_column(description.channels, rows, [&](const Channel& channel, std::span<const double> values) {
     write_all_rows(maker.make(channel, description.time_path, n), values);
-    first += channel.size;
-  }
-  rows.clear();
-  n_told += times.size();
-  times.clear();
+  });
 }
 
 }  // namespace rotordrop

@@ -27,7 +27,7 @@ struct RecordedGroup {
   /// Tells of all rows that are in the columns. @throws SolverError
   void write_times();
   /// Makes datasets of all rows, which were in no column so far, and closes them. @throws SolverError
-  void write_whole(const SeriesGroup& description, ColumnMaker& maker);
+  void write_whole(const SeriesGroup& description, ColumnMaker& maker) const;
 };
 
 }  // namespace rotordrop

@@ -88,7 +88,7 @@ struct Recorder::Implementation {
   void write_header();
   void make_datasets();
   /// One after the other, so that HDF5 has one in memory at a time.
-  void write_whole_datasets();
+  void write_whole_datasets() const;
   void close_datasets();
   void flush();
   /// Calls what writes. @throws SolverError, after which the recorder only says so again
@@ -133,7 +133,7 @@ void Recorder::Implementation::make_file(bool goes_on) {
       hdf5::require(H5Fstart_swmr_write(file.id()), "cannot make it readable while the run goes on");
     } else {
       write_whole_datasets();
-      if (!file.reset()) throw SolverError(hdf5::last_error());
+      close_datasets();
     }
     hdf5::know_readable(beside);
   } catch (const SolverError& error) {
@@ -165,7 +165,7 @@ void Recorder::Implementation::make_datasets() {
   }
 }
 
-void Recorder::Implementation::write_whole_datasets() {
+void Recorder::Implementation::write_whole_datasets() const {
   ColumnMaker maker(file.id(), options.rows_per_chunk);
   for (std::size_t i = 0; i < series.size(); ++i) groups[i].write_whole(series[i], maker);
 }

@@ -70,7 +70,7 @@ void write_all_rows(SeriesColumn column, std::span<const double> values) {
   if (H5Dwrite(column.dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0 &&
       column.dataset.reset())
     return;
-  column.dataset.leak();  // to close it after a failed write crashes HDF5 1.10.8
+  column.dataset.leak();  // as all of a file after a failed write: see Recorder's abandon()
   throw SolverError("dataset " + column.path + ": " + hdf5::last_error());
 }
 
