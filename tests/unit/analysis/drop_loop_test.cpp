@@ -89,6 +89,7 @@ TEST(DropLoop, ShowsEveryStepWithWhatWasFoundAtItsEnd) {
     EXPECT_TRUE(witness.is_over);
     EXPECT_EQ(witness.n_wrong, 0u) << method;
     EXPECT_EQ(witness.n_steps, static_cast<std::size_t>(drop.loop().statistics().steps) + 1) << method;
+    EXPECT_LT(witness.longest_unseen, 10e-6) << method;
     if (method != "adams" && method != "bogacki-shampine") {  // steps of the latter stay short with this tolerance
       EXPECT_EQ(witness.longest_unseen, 0.) << method << ": looking costs nothing";
     }

@@ -559,6 +559,34 @@ TEST_F(RecorderTest, ADiskThatIsFullAtTheStartLeavesNothingBehind) {
   EXPECT_EQ(n_files(), 0U);
 }
 
+TEST_F(RecorderTest, ADiskThatFillsUpWhileAllIsWrittenAtOnceLeavesNothingBehind) {
+  const fs::path screen = directory / "stderr.txt";
+  for (const rlim_t bytes : {20000, 50000, 90000}) {
+    Child writer([&] {
+      const int file = ::open(screen.c_str(), O_WRONLY | O_CREAT, 0600);
+      ::dup2(file, STDERR_FILENO);
+      ::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit{bytes, bytes};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      RecorderOptions options;
+      options.seconds_until_made = 1e9;
+      {
+        Recorder recorder(path, header, machine(), options);
+        append_rows(recorder, 0, 3000);
+        const auto message = message_of([&] { recorder.close(); });
+        if (message.find("results.h5 could not be made") == std::string::npos) return 1;
+        if (message.find("File too large") == std::string::npos) return 2;
+        if (message_of([&] { recorder.close(); }) != message) return 3;
+      }
+      std::exit(0);  // runs HDF5's own clean-up, which must neither print nor hang
+    });
+    EXPECT_EQ(writer.wait(), 0) << bytes;
+    EXPECT_EQ(content(screen), "") << bytes;
+    fs::remove(screen);
+    EXPECT_EQ(n_files(), 0U) << bytes;
+  }
+}
+
 TEST_F(RecorderTest, ADiskThatFillsUpKeepsTheEarlierRowsAndIsReportedQuietly) {
   const fs::path screen = directory / "stderr.txt";
   Child writer([&] {
