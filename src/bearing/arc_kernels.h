@@ -29,7 +29,7 @@ struct ArcOverlap {
   double deepest;           // the largest overlap [m]; none is positive: they are apart
   std::size_t first, last;  // whole vectors of points with all that overlap: first to last - 1
 };
-/// Overlap [m] at each point, negative where there is none, and its rate [m/s].
+/// Overlap [m] at each point, negative where there is none, and its rate [m/s] from `first` to `last` - 1 of what is returned, elsewhere unwritten.
 ArcOverlap arc_overlaps(const ArcPlace& place, ArcValues& overlap, ArcValues& rate);
 
 /// Force of a point over its overlap d: d^exponent (f_0 + f_1 d + f_2 d^2 + f_3 d^3), with Hunt and Crossley's damping.
