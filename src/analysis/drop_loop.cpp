@@ -148,8 +148,8 @@ void DropLoop::evaluate_end(double t, std::span<const double> y, bool is_observe
   integrator_->offer_rates(found_.rates);
 }
 
-/// Every step, or as often as peaks need, 12 times in a period of the rings' fastest motion (8 kHz): where an evaluation comes on top of the method's own, and
-/// where stability keeps steps that short, since what is observed and who looks at it cost as much as the rates.
+/// Every step, or as often as peaks need, 9 to 12 times in a period of the rings' fastest motion (8 kHz): where an evaluation comes on top of the method's own,
+/// and where stability keeps steps that short, since what is observed and who looks at it cost as much as the rates.
 bool DropLoop::is_to_be_observed(double t) const {
   constexpr double often_enough = 9.9e-6, short_step = 4.5e-6;  // [s]
   const bool costs_little = integrator_->uses_offered_rates() && mean_step_ > short_step;

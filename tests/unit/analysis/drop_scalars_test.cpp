@@ -3,8 +3,29 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 namespace rotordrop {
 namespace {
+
+// The farthest that looks lie apart where steps stay short, with the top of a half-wave of 1 midway between two of them: docs/reference/results.md.
+TEST(FollowedPeak, MeetsTheTopOfAHalfWaveBetweenLooks) {
+  constexpr double apart = 14.4e-6, top = 1.;  // [s]: looks, and when the top is
+  for (const auto& [frequency, allowed] : {std::pair{2e3, 3e-5}, {4e3, 4e-4}, {8e3, 6.5e-3}}) {
+    const auto wave = [f = frequency](double t) {
+      return std::fabs(t) < 0.25 / f ? std::cos(2. * std::numbers::pi * f * t) : 0.;
+    };
+    FollowedPeak peak;
+    for (int k = -20; k <= 20; ++k) peak.follow(top + (k + 0.5) * apart, wave((k + 0.5) * apart));
+    // The parabola through b, a, a has its vertex an eighth of a - b above a.
+    const double a = wave(0.5 * apart), b = wave(1.5 * apart);
+    EXPECT_NEAR(peak.value, a + (a - b) / 8., 1e-9) << frequency << " Hz: times near 1 s have 2e-16 s of roundoff";
+    EXPECT_NEAR(peak.value, 1., allowed) << frequency << " Hz";
+    EXPECT_NEAR(peak.time, top, 1e-10) << frequency << " Hz";
+  }
+}
 
 TEST(FollowedDemand, CountsTheTimeAboveOneByStraightLines) {
   // 0 - 2 - 0 - 0 - 3 - 3 - 0.5 at whole seconds, the ring's speed 0 10 30 30 24 20 0.
