@@ -134,6 +134,22 @@ def study_of_modes(runs, lines):
         print(lines[-1], flush=True)
 
 
+def study_of_fast_modes(runs, lines, gaps):
+    """The rotor with all its modes: fast ones by exponentials, and by steps that resolve them."""
+    full = dict(rotor__model="full")
+    references = {gap: runs.run("full-fine", "neisi2019-settling", contact__air_gap=gap, **full, **FINE) for gap in gaps}
+    lines += [f"| method, tolerance | fast modes | steps | right-hand sides | CPU [s] | settling, to 0.3 s: median, root mean square, worst of {len(gaps)} starts [um] | energy residual, worst [J] |", "|---|---|---|---|---|---|---|"]
+    for method, tolerance in (("two-step-runge-kutta", 3e-6), ("two-step-runge-kutta", 1e-6), ("two-step-runge-kutta", 3e-7), ("sofroniou-spaletta", 1e-6), ("tsitouras", 3e-7), ("bogacki-shampine", 1e-6)):
+        for words, above in (("exponentials", "20 kHz"), ("resolved", "1 MHz")):
+            settings = dict(integration__method=method, integration__tolerance=tolerance, integration__exponential_above=above)
+            of_all = [runs.run("full", "neisi2019-settling", contact__air_gap=gap, **full, **settings) for gap in gaps]
+            errors = np.array([largest_distance(run, references[gap]) for gap, run in zip(gaps, of_all)])
+            steps, evaluations, cpu = (np.median([run[2]["run"][key] for run in of_all]) for key in ("steps", "rhs_evaluations", "cpu_time"))
+            residual = max((run[2]["energy"]["residual"] for run in of_all), key=abs)
+            lines.append(f"| {method}, {tolerance:g} | {words} | {steps:.0f} | {evaluations:.0f} | {cpu:.3f} | {np.median(errors):.3f}, {np.sqrt(np.mean(errors**2)):.3f}, {errors.max():.3f} | {residual:.1e} |")
+            print(lines[-1], flush=True)
+
+
 def study_of_spread(runs, lines):
     """The table's damping lets the rotor bounce on, chaotically: runs that start nanometres apart tell what can be known at the end."""
     results = [runs.run("spread", "neisi2019", rotor__initial_offset=f"[{k * 1e-9}, 0]")[2] for k in range(8)]
@@ -181,7 +197,7 @@ def main():
     parser.add_argument("--shifts", type=float, nargs="+", help="of the air gaps of twelve starts each [m]; steps: 0, starts: 0 0.033e-6 0.067e-6")
     parser.add_argument("--first", type=float, default=250e-6, help="air gap of the first start [m]")
     parser.add_argument("--spacing", type=float, default=0.11e-6, help="of the air gaps [m]")
-    names = ("steps", "starts", "modes", "spread")
+    names = ("steps", "starts", "fast modes", "modes", "spread")
     parser.add_argument("--only", nargs="+", choices=names, default=names, help="these tables")
     options = parser.parse_args()
     gaps = air_gaps(options.shifts or [0.0], options.first, options.spacing)
@@ -190,6 +206,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         runs = Runs(options.program, options.work or scratch)
         studies = {"steps": lambda lines: study_of_steps(runs, lines, points, gaps), "starts": lambda lines: study_of_starts(runs, lines, many_gaps),
+                   "fast modes": lambda lines: study_of_fast_modes(runs, lines, gaps),
                    "modes": lambda lines: study_of_modes(runs, lines), "spread": lambda lines: study_of_spread(runs, lines)}
         for name, lines in tables.items():
             studies[name](lines)

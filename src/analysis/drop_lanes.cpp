@@ -6,13 +6,18 @@
 #include <array>
 #include <utility>
 
+#include "integrate/exponential_stages.h"
 #include "integrate/lane_integrator.h"
 #include "machine/lanes/machine_lanes.h"
 
 namespace rotordrop {
 
 std::string why_not_in_lanes(const Machine& machine, const IntegrationParameters& integration) {
-  if (runs_in_lanes(integration.method)) return why_not_in_lanes(machine);
+  if (runs_in_lanes(integration.method)) {
+    if (!fast_oscillators(machine.oscillators(), integration).empty())
+      return "its rotor has modes above integration.exponential_above";
+    return why_not_in_lanes(machine);
+  }
   std::string names;
   for (const auto& kind : integration_methods)
     if (runs_in_lanes(kind.method)) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", kind.name);

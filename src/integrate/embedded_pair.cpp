@@ -8,6 +8,7 @@
 #include "base/aligned_numbers.h"
 #include "base/errors.h"
 #include "base/wide_vectors.h"
+#include "integrate/exponential_stages.h"
 #include "integrate/failures.h"
 #include "integrate/integrator.h"
 #include "integrate/methods.h"
@@ -85,6 +86,12 @@ ROTORDROP_KERNEL double squared_error(const StepEnds& ends, const double* factor
   return squared_error_of_all<n>(ends, factor, k);
 }
 
+AlignedNumbers scales_of(const OdeSystem& system) {
+  AlignedNumbers scales;
+  for (const auto& entry : system.layout().entries()) scales.push_back(entry.scale);
+  return scales;
+}
+
 class EmbeddedPair final : public Integrator {
  public:
   EmbeddedPair(const EmbeddedTableau& method, const OdeSystem& system, const IntegrationParameters& parameters,
@@ -100,8 +107,11 @@ class EmbeddedPair final : public Integrator {
         control_(method, tolerance_, longest_),
         y_(state.begin(), state.end()),
         before_(y_),
-        stage_(y_) {
-    for (const auto& entry : system.layout().entries()) scale_.push_back(entry.scale);
+        stage_(y_),
+        scale_(scales_of(system)),
+        own_scale_(scale_),
+        exponentials_(fast_oscillators(system.oscillators(), parameters), scale_),
+        n_weighed_(std::max<std::size_t>(n_controlled_ - exponentials_.n_states(), 1)) {
     for (int i = 0; i < method_.n_stages; ++i) k_.emplace_back(n_);
   }
 
@@ -150,6 +160,7 @@ class EmbeddedPair final : public Integrator {
     for (int i = 0; i < method_.n_stages; ++i)
       at(factor, i) = last_step_ * method_.weight(static_cast<std::size_t>(i), theta);
     wide<combine<1>>(0, n_, before_.data(), factor.data(), k.data(), method_.n_stages, y.data());
+    exponentials_.interpolate(theta, y);
   }
 
   [[nodiscard]] IntegrationStatistics statistics() const override { return statistics_; }
@@ -181,21 +192,31 @@ class EmbeddedPair final : public Integrator {
     std::copy(y_.begin() + static_cast<std::ptrdiff_t>(n_controlled_), y_.end(),
               stage_.begin() + static_cast<std::ptrdiff_t>(n_controlled_));
     const int last = method_.n_stages - 1;
+    if (!exponentials_.empty()) {
+      exponentials_.begin(method_, step, last_step_, {y_, at_start(), before_, k_.front()});
+      exponentials_.hide(own_scale_);
+    }
     for (int i = method_.start + 1; i < last; ++i) {
       wide<combine<1>>(0, n_controlled_, y_.data(), scaled(at(method_.a, i)), k.data(), i, stage_.data());
+      exponentials_.place(i, stage_);
       evaluate(time_ + at(method_.c, i) * step, stage_, at(k_, i));
+      exponentials_.take(i, at(k_, i));
     }
     wide<combine<1>>(0, n_, y_.data(), scaled(at(method_.a, last)), k.data(), last, stage_.data());
+    exponentials_.place(last, stage_);
     if (is_observed()) {
       ++statistics_.rhs_evaluations;
       end_evaluation_(target, stage_, at(k_, last));
     } else {
       evaluate(target, stage_, at(k_, last));
     }
+    exponentials_.take(last, at(k_, last));
     // A rate that is not finite makes the new state so.
-    const StepEnds ends{n_controlled_, n_, y_.data(), stage_.data(), at(k_, last).data(), scale_.data(), tolerance_};
-    const double sum = wide<squared_error<1>>(ends, scaled(method_.e), k.data(), method_.n_stages);
-    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n_controlled_, 1)));
+    const StepEnds ends{n_controlled_,     n_,        y_.data(), stage_.data(), at(k_, last).data(),
+                        own_scale_.data(), tolerance_};
+    const double sum = wide<squared_error<1>>(ends, scaled(method_.e), k.data(), method_.n_stages) +
+                       exponentials_.squared_error(tolerance_);
+    return std::sqrt(sum / static_cast<double>(n_weighed_));
   }
 
   void accept(const Trial& trial, double size, bool was_rejected) {
@@ -235,6 +256,10 @@ class EmbeddedPair final : public Integrator {
   double next_step_ = 0, last_step_ = 0;
   bool has_rates_ = false;
   AlignedNumbers y_, before_, stage_, scale_;
+  AlignedNumbers own_scale_;  ///< infinite where exponentials are at work
+  ExponentialStages exponentials_;
+  /// States over which the mean of squared errors is taken: without fast oscillators, whose small errors would allow the others more.
+  std::size_t n_weighed_;
   std::vector<AlignedNumbers> k_;
   EndEvaluation end_evaluation_;
   IntegrationStatistics statistics_;

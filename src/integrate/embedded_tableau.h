@@ -21,6 +21,8 @@ struct EmbeddedTableau {
   /// its modes is rejected, whose steps stability bounds; with 0.04 every seventh was. 0.08 costs the pair of order five 8 % more right-hand sides of the
   /// reference drop; the two-step method rejects every eighth step of it with 0.06 and every nineteenth with 0.1, for the same errors and cost.
   double control_beta = 0.06;
+  /// Of each stage: rates (bit j) whose weights are fitted to exact integrals where oscillators are integrated by exponentials (ExponentialStages).
+  std::array<unsigned, most_stages> fitted{};
 
   /// What a stage's rate counts in the interpolant at a part of the step.
   [[nodiscard]] double weight(std::size_t stage, double theta) const {

@@ -11,6 +11,8 @@ struct IntegrationParameters {
   IntegrationMethod method = IntegrationMethod::tsitouras;
   std::optional<double> step;  ///< [s]: of the fixed-step method, or the longest of the others
   double tolerance = 0;        ///< relative; absolute is this times each state's scale
+  double exponential_above =
+      20e3;  ///< systems with an oscillator above this have all of them integrated by exponentials [Hz]
 };
 Section<IntegrationParameters> integration_section();
 

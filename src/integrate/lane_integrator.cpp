@@ -95,11 +95,7 @@ ROTORDROP_KERNEL void take(std::size_t size, const double* flags, const double* 
 
 }  // namespace
 
-bool runs_in_lanes(IntegrationMethod method) {
-  return std::any_of(integration_methods.begin(), integration_methods.end(), [method](const MethodKind& kind) {
-    return kind.method == method && kind.make == make_embedded_pair;
-  });
-}
+bool runs_in_lanes(IntegrationMethod method) { return is_own_pair(method); }
 
 void LaneView::advance() { throw std::logic_error("a lane is advanced with its neighbours"); }
 

@@ -45,7 +45,8 @@ inline constexpr EmbeddedTableau two_step_runge_kutta = [] {
                          .a = {},
                          .e = {0., -1. / 64., 5. / 96., -5. / 64., 1. / 24.},
                          .start = 1,
-                         .control_beta = 0.4 / 4.};
+                         .control_beta = 0.4 / 4.,
+                         .fitted = {0, 0, 0b11, 0b11, 0b1111}};
   set_two_step(method, 0.);
   return method;
 }();

@@ -88,6 +88,8 @@ class Machine final {
   /// Entries [from, integrated_layout().size()) are quadratures, the ledgers.
   [[nodiscard]] std::size_t first_quadrature() const { return first_ledger_; }
 
+  /// Modes of the rotor, which comes first in the state vector.
+  [[nodiscard]] std::vector<Oscillator> oscillators() const { return parts_.rotor->oscillators(); }
   [[nodiscard]] std::size_t n_supports() const { return parts_.supports.size(); }
   [[nodiscard]] const Support& support(std::size_t i) const { return *parts_.supports[i]; }
   [[nodiscard]] const RotorModel& rotor() const { return *parts_.rotor; }
@@ -231,6 +233,7 @@ class MachineSystem final : public OdeSystem {
     machine_.evaluate(t, y, dydt, found_);
   }
   [[nodiscard]] std::size_t first_quadrature() const override { return machine_.first_quadrature(); }
+  [[nodiscard]] std::vector<Oscillator> oscillators() const override { return machine_.oscillators(); }
 
  private:
   const Machine& machine_;

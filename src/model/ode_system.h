@@ -1,6 +1,8 @@
 #pragma once
 #include <span>
+#include <vector>
 
+#include "model/oscillator.h"
 #include "model/state_layout.h"
 
 namespace rotordrop {
@@ -20,6 +22,8 @@ class OdeSystem {
   virtual void rhs(double t, std::span<const double> y, std::span<double> dydt) const = 0;
   /// Entries [from, size) are quadratures: nothing depends on them, so they need no error control.
   [[nodiscard]] virtual std::size_t first_quadrature() const { return layout().size(); }
+  /// Pairs of entries that would oscillate freely without the rest: methods may integrate that exactly.
+  [[nodiscard]] virtual std::vector<Oscillator> oscillators() const { return {}; }
 };
 
 }  // namespace rotordrop

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "model/observable.h"
+#include "model/oscillator.h"
 #include "model/ports.h"
 #include "model/state_layout.h"
 
@@ -39,6 +40,8 @@ class RotorModel {
                            std::span<double> dydt) const = 0;
   /// Whether the gas around it brakes it; then rates() reports that power.
   [[nodiscard]] virtual bool has_windage() const { return false; }
+  /// Those of its own states that would oscillate freely without forces on the stations, by their places in its own part of the state vector.
+  [[nodiscard]] virtual std::vector<Oscillator> oscillators() const { return {}; }
   /// What it reports besides its spin; names are below /rotor/.
   [[nodiscard]] virtual std::vector<Observable> observables() const { return {}; }
   /// @param out  [sum of sizes of observables()]

@@ -163,6 +163,14 @@ double ModalRotor::mode_shape(int node, std::size_t mode) const {
   return node_shape_.deflection(static_cast<std::size_t>(node - 1), mode);
 }
 
+std::vector<Oscillator> ModalRotor::oscillators() const {
+  std::vector<Oscillator> list;
+  for (const std::size_t plane : {std::size_t{0}, n_modes_})
+    for (std::size_t k = 2; k < n_modes_; ++k)
+      list.push_back({plane + k, 2 * n_modes_ + plane + k, omega_squared_[k], damping_rate_[k]});
+  return list;
+}
+
 std::vector<Observable> ModalRotor::observables() const {
   if (n_modes_ <= 2) return {};
   std::vector<std::string> columns = {"translation", "tilt"};

@@ -112,7 +112,7 @@ Section<RotorParameters> rotor_section() {
                {"rigid", RotorRepresentation::rigid}},
               {.fallback = "modal",
                .source = "trial model: peak force +34 % rigid, +11 % with 1 kHz, 0.7 % with 5 kHz, all against full",
-               .help = "modal: free-free modes up to cut_off_frequency. full: all modes, exact, some five times "
+               .help = "modal: free-free modes up to cut_off_frequency. full: all modes, exact, some three times "
                        "slower. rigid: no bending modes."})
       .quantity("cut_off_frequency", &RotorParameters::cut_off_frequency,
                 {.unit = "Hz",
@@ -120,7 +120,7 @@ Section<RotorParameters> rotor_section() {
                  .usual = between(100, 1e5),
                  .fallback = "4500 Hz",
                  .help = "Highest mode frequency kept with model = \"modal\". More modes soften the first impact and "
-                         "shorten the time step."})
+                         "shorten the time step, up to integration.exponential_above."})
       .boolean(
           "residual_flexibility", &RotorParameters::residual_flexibility,
           {.fallback = false,

@@ -173,9 +173,8 @@ template <class Real>
   // A ball without load lies in the outer race by its centrifugal force alone.
   t.outer = select(b.delta > 0., o.load, with.F_c);
   t.gyroscopic = gyroscopic_traction(with.F_c, o.sine);
-  const Real inner_demand = with.inner_share * t.gyroscopic / (b.F + nothing);
-  const Real outer_demand = (1. - with.inner_share) * t.gyroscopic * o.per_load;
-  t.demand = larger(inner_demand, outer_demand);
+  t.demand = (1. - with.inner_share) * t.gyroscopic * o.per_load;
+  if (any(with.inner_share > 0.)) t.demand = larger(with.inner_share * t.gyroscopic / (b.F + nothing), t.demand);
   // Without damping, Q^(1/3) = K^(1/3) delta^(1/2).
   const auto &inner_edge = with.edges.inner, &outer_edge = with.edges.outer;
   const Real sine = abs(b.sin_phi), per_root = 1. / (b.root + 1e-30);

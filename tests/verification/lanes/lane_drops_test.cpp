@@ -171,6 +171,16 @@ TEST(DropsInLanes, AreOfTheMethodsThatTheReasonNames) {
               "\"two-step-runge-kutta\"");
 }
 
+TEST(DropsInLanes, AreNotThoseWhoseFastModesAreIntegratedByExponentials) {
+  const auto reason = [](const std::vector<std::string>& settings) {
+    const auto e = reference_machine(settings);
+    return why_not_in_lanes(*e, e.settings.parameters.integration);
+  };
+  EXPECT_EQ(reason({"rotor.cut_off_frequency=19 kHz"}), "");
+  EXPECT_NE(reason({"rotor.cut_off_frequency=30 kHz"}).find("integration.exponential_above"), std::string::npos);
+  EXPECT_EQ(reason({"rotor.model=full", "integration.exponential_above=90 kHz"}), "");
+}
+
 /// Ends its drop by a failure.
 class Trap final : public Observer {
  public:
