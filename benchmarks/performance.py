@@ -36,6 +36,7 @@ BESIDE = ["--set", 'thermal.models=["lumped", "fe"]']
 WINDOWS = ["--set", 'thermal.models=["fe"]', "--set", "thermal.fe.coupling=windowed"]
 DROPS_OF_STUDY = 64
 NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"]
+OTHER_DROPS = {"full": ["--set", "rotor.model=full"], "arc": ["--set", "bearings.ring_bending=arc"], "inertial": ["--set", "bearings.ball_model=inertial"]}
 
 KERNELS = [
     ("balls", "ball", "one ball, its forces and energies"),
@@ -159,6 +160,8 @@ def programs_table(programs, rounds):
                 add("beside", drop_with(program, case, folder, settings + BESIDE))
                 add("bare_beside", drop_with(program, case, folder, settings + BESIDE + NO_ROWS))
                 add("windows", drop_with(program, case, folder, settings + WINDOWS + NO_ROWS))
+                for what, other in OTHER_DROPS.items():
+                    add(what, drop_with(program, case, folder, settings + other + NO_ROWS))
                 add("drop", in_drop)
                 add("process", process)
                 add("bare", bare)
@@ -175,6 +178,9 @@ def programs_table(programs, rounds):
         ("beside", "the first with finite elements beside the circuit, and their 76 values in each row", "ms", 1e3),
         ("bare_beside", "the same, almost without rows", "ms", 1e3),
         ("windows", "the same, finite elements in windows instead of the circuit", "ms", 1e3),
+        ("full", "the same by the circuit, rotor with all its modes, up to 87 kHz (`rotor.model = \"full\"`)", "ms", 1e3),
+        ("arc", "the same, bent rings over the arc of contact", "ms", 1e3),
+        ("inertial", "the same, balls with inertia", "ms", 1e3),
         ("process", "the whole process of the first", "ms", 1e3),
         ("study", f"a drop of a study of {DROPS_OF_STUDY} over friction that keeps all results, by one job", "ms", 1e3),
         ("fixed", "a process of a drop of 1 ms, without the drop", "ms", 1e3),

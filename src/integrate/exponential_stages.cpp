@@ -1,111 +1,153 @@
 #include "integrate/exponential_stages.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <utility>
 
+#include "base/exponential_series.h"
 #include "base/rotation.h"
-#include "integrate/complex_vectors.h"
+#include "base/sine_cosine.h"
+#include "base/split_exponential.h"
 #include "integrate/pairs.h"
 
 namespace rotordrop {
 namespace {
 
-/// Largest number of fitted rates of a stage.
-constexpr std::size_t most_fitted = 5;
+/// exp(f z) of whole vectors from `first` to `last` - 1; Re(f z) <= 0 and |Im(f z)| up to a million radians.
+ROTORDROP_KERNEL void exponentials(std::size_t first, std::size_t last, double f, const double* z_re,
+                                   const double* z_im, double* __restrict re, double* __restrict im) {
+  constexpr double round = 6755399441055744.;  // adding 1.5 * 2^52 rounds to an integer
+#pragma omp simd
+  for (std::size_t i = first; i < last; ++i) {
+    const double decay = f * z_re[i], angle = f * z_im[i];
+    const SplitExponential e = split_exponential(decay > -700. ? decay : -700.);
+    const double size = e.power * (1. + (e.rest + e.rest * e.rest * exponential_tail(e.rest)));
+    const double shifted = angle * quarter_turns::per_radian + round;
+    const double rest = quarter_turns::rest(angle, shifted - round);
+    const double s = quarter_turns::sine(rest), c = quarter_turns::cosine(rest);
+    const auto k = std::bit_cast<std::uint64_t>(shifted);
+    const double sine = (k & 1U) != 0 ? c : s, cosine = (k & 1U) != 0 ? s : c;
+    im[i] = (k & 2U) != 0 ? -size * sine : size * sine;
+    re[i] = ((k + 1U) & 2U) != 0 ? -size * cosine : size * cosine;
+  }
+}
 
 }  // namespace
 
 struct ExponentialStages::Kernels {
-  ROTORDROP_KERNEL static ComplexOctet at(const Complexes& list, std::size_t i) {
-    return {octet_at(list.re.data() + i), octet_at(list.im.data() + i)};
-  }
-  ROTORDROP_KERNEL static void put(const ComplexOctet& a, std::size_t i, Complexes& list) {
-    store(a.re, list.re.data() + i);
-    store(a.im, list.im.data() + i);
-  }
-
-  /// Weights of a stage with n_fitted fitted rates for all kinds that are active. @param n  whole vectors
-  template <std::size_t n_fitted>
-  ROTORDROP_KERNEL static void weights_of(const Kinds& kinds, double step, const Fit& fit, std::size_t n,
-                                          Weights& weights) {
-    std::array<double, n_fitted> power;  // of the node
-    power[0] = 1.;
-    for (std::size_t k = 1; k < n_fitted; ++k) power[k] = power[k - 1] * fit.node;
-    for (std::size_t at = 0; at < n; at += vector_length) {
-      ComplexOctet z;
+  /// z of a step, and 1 / z. @param first  of whole vectors of kinds, from it on
+  ROTORDROP_KERNEL static void find_z(const Kinds& kinds, std::size_t first, double step, Complexes& z,
+                                      Complexes& inverse) {
+    const double *half_damping = kinds.half_damping.data(), *omega_damped = kinds.omega_damped.data(),
+                 *omega_squared = kinds.omega_squared.data();
+    double *re = z.re.data(), *im = z.im.data(), *inverse_re = inverse.re.data(), *inverse_im = inverse.im.data();
 #pragma omp simd
-      for (std::size_t i = 0; i < vector_length; ++i) {
-        z.re[i] = -step * kinds.half_damping[at + i];
-        z.im[i] = step * kinds.omega_damped[at + i];
-      }
-      const ComplexOctet own = exponential(fit.node, z), by_z = inverse(z);
-      put(own, at, weights.exponential);
-      // The integral of exp((c - s) z) s^k from 0 to c, by parts: (k times that of s^(k - 1), less c^k) / z.
-      std::array<ComplexOctet, n_fitted> integral;
-      integral[0] = product(scaled(1., own, -1.), by_z);
-      for (std::size_t k = 1; k < n_fitted; ++k)
-        integral[k] = product(scaled(static_cast<double>(k), integral[k - 1], -power[k]), by_z);
-      for (std::size_t j = 0; j < fit.n_others; ++j) {
-        const double c = fit.other_node[j];
-        const ComplexOctet weight = scaled(fit.other_weight[j], exponential(fit.node - c, z));
-        put(weight, at, weights.of_rate[fit.others[j]]);
-        double c_power = 1.;
-        for (std::size_t k = 0; k < n_fitted; ++k, c_power *= c) add(integral[k], -c_power, weight);
-      }
-      for (std::size_t j = 0; j < n_fitted; ++j) {
-        ComplexOctet weight = scaled(fit.polynomial[j][0], integral[0]);
-        for (std::size_t k = 1; k < n_fitted; ++k) add(weight, fit.polynomial[j][k], integral[k]);
-        put(weight, at, weights.of_rate[fit.fitted[j]]);
-      }
+    for (std::size_t i = first; i < kinds.omega.size(); ++i) {
+      re[i] = -step * half_damping[i];
+      im[i] = step * omega_damped[i];
+      const double by_square = 1. / (step * omega_squared[i]);
+      inverse_re[i] = -half_damping[i] * by_square;
+      inverse_im[i] = -omega_damped[i] * by_square;
     }
   }
-  template <std::size_t n_fitted = 1>
-  ROTORDROP_KERNEL static void find_weights(const Kinds& kinds, double step, const Fit& fit, std::size_t n,
-                                            Weights& weights) {
-    if constexpr (n_fitted < most_fitted)
-      if (fit.n_fitted > n_fitted) return find_weights<n_fitted + 1>(kinds, step, fit, n, weights);
-    weights_of<n_fitted>(kinds, step, fit, n, weights);
+
+  /// to = (f a + g) b
+  ROTORDROP_KERNEL static void multiply(std::size_t first, double f, const Complexes& a, double g, const Complexes& b,
+                                        Complexes& to) {
+    const double *a_re = a.re.data(), *a_im = a.im.data(), *b_re = b.re.data(), *b_im = b.im.data();
+    double* __restrict re = to.re.data(), * __restrict im = to.im.data();
+#pragma omp simd
+    for (std::size_t i = first; i < a.re.size(); ++i) {
+      const double x = f * a_re[i] + g, y = f * a_im[i];
+      re[i] = x * b_re[i] - y * b_im[i];
+      im[i] = x * b_im[i] + y * b_re[i];
+    }
+  }
+  /// to = g to + f a; with g = 0 whatever `to` was.
+  ROTORDROP_KERNEL static void add(std::size_t first, double f, const Complexes& a, double g, Complexes& to) {
+    const double *a_re = a.re.data(), *a_im = a.im.data();
+    double* __restrict re = to.re.data(), * __restrict im = to.im.data();
+#pragma omp simd
+    for (std::size_t i = first; i < a.re.size(); ++i) {
+      re[i] = (g == 0. ? 0. : g * re[i]) + f * a_re[i];
+      im[i] = (g == 0. ? 0. : g * im[i]) + f * a_im[i];
+    }
+  }
+
+  /// Weights of a stage.
+  ROTORDROP_KERNEL static void find_weights(std::size_t first, const Fit& fit, Exponents& exponents, Weights& weights) {
+    auto& [z, by_z, integrals] = exponents;
+    const std::size_t n = z.re.size();
+    Complexes& own = weights.exponential;
+    exponentials(first, n, fit.node, z.re.data(), z.im.data(), own.re.data(), own.im.data());
+    // The integral of exp((c - s) z) s^k from 0 to c, by parts: (k times that of s^(k - 1), less c^k) / z.
+    multiply(first, 1., own, -1., by_z, integrals[0]);
+    double power = 1.;
+    for (std::size_t k = 1; k < fit.n_fitted; ++k) {
+      power *= fit.node;
+      multiply(first, static_cast<double>(k), integrals[k - 1], -power, by_z, integrals[k]);
+    }
+    for (std::size_t j = 0; j < fit.n_others; ++j) {
+      const double c = fit.other_node[j];
+      Complexes& weight = weights.of_rate[fit.others[j]];
+      exponentials(first, n, fit.node - c, z.re.data(), z.im.data(), weight.re.data(), weight.im.data());
+      add(first, 0., z, fit.other_weight[j], weight);
+      double c_power = 1.;
+      for (std::size_t k = 0; k < fit.n_fitted; ++k, c_power *= c) add(first, -c_power, weight, 1., integrals[k]);
+    }
+    for (std::size_t j = 0; j < fit.n_fitted; ++j)
+      for (std::size_t k = 0; k < fit.n_fitted; ++k)
+        add(first, fit.polynomial[j][k], integrals[k], k == 0 ? 0. : 1., weights.of_rate[fit.fitted[j]]);
   }
 
   /// w of a stage, as coordinates and velocities. @param rates  which of them count
-  ROTORDROP_KERNEL static void combine(const Kinds& kinds, std::size_t n, double step, const Weights& weights,
-                                       const Plane& plane, std::span<const std::size_t> rates, double* coordinate,
-                                       double* velocity) {
-    for (std::size_t at = 0; at < n; at += vector_length) {
-      ComplexOctet w = product(Kernels::at(weights.exponential, at), Kernels::at(plane.start, at));
-      for (const std::size_t j : rates) {
-        const ComplexOctet weight = Kernels::at(weights.of_rate[j], at);
-        const double* N = plane.rest[j].data() + at;
+  ROTORDROP_KERNEL static void combine(const Kinds& kinds, std::size_t first, double step, const Weights& weights,
+                                       const Plane& plane, std::span<const std::size_t> rates,
+                                       double* __restrict coordinate, double* __restrict velocity) {
+    const std::size_t n = kinds.omega.size();
+    double *re = velocity, *im = coordinate;
+    const double *e_re = weights.exponential.re.data(), *e_im = weights.exponential.im.data();
+    const double *start_re = plane.start.re.data(), *start_im = plane.start.im.data();
 #pragma omp simd
-        for (std::size_t i = 0; i < vector_length; ++i) {
-          w.re[i] += step * (weight.re.value[i] * N[i]);
-          w.im[i] += step * (weight.im.value[i] * N[i]);
-        }
-      }
+    for (std::size_t i = first; i < n; ++i) {
+      re[i] = e_re[i] * start_re[i] - e_im[i] * start_im[i];
+      im[i] = e_re[i] * start_im[i] + e_im[i] * start_re[i];
+    }
+    for (const std::size_t j : rates) {
+      const double *w_re = weights.of_rate[j].re.data(), *w_im = weights.of_rate[j].im.data();
+      const double* N = plane.rest[j].data();
 #pragma omp simd
-      for (std::size_t i = 0; i < vector_length; ++i) {
-        const double q = w.im[i] * kinds.inverse_omega_damped[at + i];
-        coordinate[at + i] = q;
-        velocity[at + i] = w.re[i] - kinds.half_damping[at + i] * q;
+      for (std::size_t i = first; i < n; ++i) {
+        re[i] += step * N[i] * w_re[i];
+        im[i] += step * N[i] * w_im[i];
       }
+    }
+    const double *inverse = kinds.inverse_omega_damped.data(), *half_damping = kinds.half_damping.data();
+#pragma omp simd
+    for (std::size_t i = first; i < n; ++i) {
+      coordinate[i] *= inverse[i];
+      velocity[i] -= half_damping[i] * coordinate[i];
     }
   }
 
-  /// Makes what acts on each oscillator of its rate. @param N  [n], the rates of velocities
-  ROTORDROP_KERNEL static void take_off_free_motion(const Kinds& kinds, std::size_t n, const Plane& plane, double* N) {
+  /// Makes what acts on each oscillator of its rate. @param N  the rates of velocities
+  ROTORDROP_KERNEL static void take_off_free_motion(const Kinds& kinds, std::size_t first, const Plane& plane,
+                                                    double* N) {
     const double *q = plane.coordinate.data(), *v = plane.velocity.data();
     const double *c = kinds.damping_rate.data(), *omega_squared = kinds.omega_squared.data();
 #pragma omp simd
-    for (std::size_t i = 0; i < whole_vectors(n); ++i) N[i] += c[i] * v[i] + omega_squared[i] * q[i];
+    for (std::size_t i = first; i < kinds.omega.size(); ++i) N[i] += c[i] * v[i] + omega_squared[i] * q[i];
   }
 
-  ROTORDROP_KERNEL static double squared_error(const Kinds& kinds, std::size_t n, double step,
-                                               const EmbeddedTableau& method, const Plane& plane) {
+  /// @param first  whole vectors; @param from, to  what counts of them
+  ROTORDROP_KERNEL static double squared_error(const Kinds& kinds, std::size_t first, std::size_t from, std::size_t to,
+                                               double step, const EmbeddedTableau& method, const Plane& plane) {
     Octet sum;
-    for (std::size_t at = 0; at < n; at += vector_length) {
+    for (std::size_t at = first; at < kinds.omega.size(); at += vector_length) {
       Octet N;
       for (std::size_t j = 0; j < static_cast<std::size_t>(method.n_stages); ++j)
         if (method.e[j] != 0.) add_product(N, method.e[j], plane.rest[j].data() + at);
@@ -116,7 +158,7 @@ struct ExponentialStages::Kernels {
         const double velocity = time * N.value[i] / (plane.velocity_scale[at + i] + std::fabs(plane.velocity[at + i]));
         const double coordinate =
             time * time * N.value[i] / (plane.coordinate_scale[at + i] + std::fabs(plane.coordinate[at + i]));
-        sum[i] += at + i < n ? velocity * velocity + coordinate * coordinate : 0.;
+        sum[i] += at + i >= from && at + i < to ? velocity * velocity + coordinate * coordinate : 0.;
       }
     }
     return sum.sum();
@@ -134,21 +176,29 @@ std::vector<Oscillator> fast_oscillators(std::vector<Oscillator> all, const Inte
 ExponentialStages::ExponentialStages(std::vector<Oscillator> oscillators, std::span<const double> scale) {
   const auto kind = [](const Oscillator& o) { return std::pair(o.omega_squared, o.damping_rate); };
   std::stable_sort(oscillators.begin(), oscillators.end(),
-                   [kind](const Oscillator& a, const Oscillator& b) { return kind(a) > kind(b); });
+                   [kind](const Oscillator& a, const Oscillator& b) { return kind(a) < kind(b); });
   std::size_t plane = 0;
   for (std::size_t i = 0; i < oscillators.size(); ++i) {
-    const bool is_new = i == 0 || kind(oscillators[i]) != kind(oscillators[i - 1]);
+    const Oscillator& o = oscillators[i];
+    const bool is_new = i == 0 || kind(o) != kind(oscillators[i - 1]);
     plane = is_new ? 0 : plane + 1;
     if (is_new) {
-      kinds_.omega_squared.push_back(oscillators[i].omega_squared);
-      kinds_.damping_rate.push_back(oscillators[i].damping_rate);
+      kinds_.omega_squared.push_back(o.omega_squared);
+      kinds_.damping_rate.push_back(o.damping_rate);
     }
     if (plane == planes_.size()) planes_.emplace_back();
-    planes_[plane].members.push_back(
-        {oscillators[i].coordinate, oscillators[i].velocity, kinds_.omega_squared.size() - 1});
+    const std::size_t at = kinds_.omega_squared.size() - 1;
+    auto& runs = planes_[plane].runs;
+    if (!runs.empty() && at == runs.back().at + runs.back().size &&
+        o.coordinate == runs.back().coordinate + runs.back().size &&
+        o.velocity == runs.back().velocity + runs.back().size)
+      ++runs.back().size;
+    else
+      runs.push_back({o.coordinate, o.velocity, at, 1});
   }
   n_kinds_ = kinds_.omega_squared.size();
-  // What fills up a vector is as the slowest.
+  first_active_ = n_kinds_;
+  // What fills up a vector is as the fastest.
   const std::size_t n = filled_up(n_kinds_);
   for (auto* list : {&kinds_.omega_squared, &kinds_.damping_rate})
     if (n > 0) list->resize(n, list->back());
@@ -159,6 +209,7 @@ ExponentialStages::ExponentialStages(std::vector<Oscillator> oscillators, std::s
     kinds_.omega_damped.push_back(damped);
     kinds_.inverse_omega_damped.push_back(1. / damped);
   }
+  exponents_ = {Complexes(n), Complexes(n), std::vector<Complexes>(most_stages, Complexes(n))};
   within_.exponential = Complexes(n);
   within_.of_rate.assign(most_stages, Complexes(n));
   weights_.assign(most_stages, within_);
@@ -171,16 +222,17 @@ ExponentialStages::ExponentialStages(std::vector<Oscillator> oscillators, std::s
     p.rest.assign(most_stages, AlignedNumbers(n));
     p.coordinate_scale.assign(n, 1.);
     p.velocity_scale.assign(n, 1.);
-    for (const Member& m : p.members) {
-      p.coordinate_scale[m.at] = scale[m.coordinate];
-      p.velocity_scale[m.at] = scale[m.velocity];
+    for (const Run& r : p.runs) {
+      std::copy_n(scale.data() + r.coordinate, r.size, p.coordinate_scale.data() + r.at);
+      std::copy_n(scale.data() + r.velocity, r.size, p.velocity_scale.data() + r.at);
     }
   }
 }
 
 std::size_t ExponentialStages::n_states() const {
   std::size_t n = 0;
-  for (const Plane& plane : planes_) n += 2 * plane.members.size();
+  for (const Plane& plane : planes_)
+    for (const Run& r : plane.runs) n += 2 * r.size;
   return n;
 }
 
@@ -222,44 +274,52 @@ void ExponentialStages::begin(const EmbeddedTableau& method, double step, double
   step_ = step;
   ratio_ = before > 0. ? step / before : 0.;
   constexpr double least_turn = 0.5;  // [rad]
-  const auto end = std::partition_point(kinds_.omega.begin(), kinds_.omega.end(),
-                                        [step](double omega) { return omega * step >= least_turn; });
-  n_active_ = std::min(static_cast<std::size_t>(end - kinds_.omega.begin()), n_kinds_);
+  const auto first = std::partition_point(kinds_.omega.begin(), kinds_.omega.end(),
+                                          [step](double omega) { return omega * step < least_turn; });
+  first_active_ = std::min(static_cast<std::size_t>(first - kinds_.omega.begin()), n_kinds_);
+  first_vector_ = whole_vectors(first_active_);
   if (!is_active()) return;
+  wide<Kernels::find_z>(kinds_, first_vector_, step_, exponents_.z, exponents_.inverse);
   for (int i = method_.start + 1; i < method_.n_stages; ++i) {
     const auto at = static_cast<std::size_t>(i);
     fits_[at] = fit_of(i, method_.c[at], method_.a[at]);
-    wide<Kernels::find_weights<1>>(kinds_, step_, fits_[at], filled_up(n_active_), weights_[at]);
+    wide<Kernels::find_weights>(first_vector_, fits_[at], exponents_, weights_[at]);
   }
   for (Plane& plane : planes_) {
-    const auto last = std::partition_point(plane.members.begin(), plane.members.end(),
-                                           [this](const Member& m) { return m.at < n_active_; });
-    plane.n_active = static_cast<std::size_t>(last - plane.members.begin());
     if (ratio_ > 0.) {
       gather(plane, start.state_before);
       for (int i = 0; i < method_.start; ++i) take(plane, i, start.rates_before);
     }
     gather(plane, start.state);
     take(plane, method_.start, start.rates);
-    for (std::size_t i = 0; i < n_active_; ++i) {
+    for (std::size_t i = first_vector_; i < kinds_.omega.size(); ++i) {
       plane.start.re[i] = plane.velocity[i] + kinds_.half_damping[i] * plane.coordinate[i];
       plane.start.im[i] = kinds_.omega_damped[i] * plane.coordinate[i];
     }
   }
 }
 
-void ExponentialStages::gather(Plane& plane, std::span<const double> state) const {
-  for (std::size_t i = 0; i < plane.n_active; ++i) {
-    const Member& m = plane.members[i];
-    plane.coordinate[m.at] = state[m.coordinate];
-    plane.velocity[m.at] = state[m.velocity];
+/// Calls what(run) with those parts of a plane's runs that lie from a kind on.
+template <class Do>
+void ExponentialStages::for_runs(const Plane& plane, std::size_t from, Do&& what) {
+  for (const Run& r : plane.runs) {
+    if (r.at + r.size <= from) continue;
+    const std::size_t skipped = from > r.at ? from - r.at : 0;
+    what(Run{r.coordinate + skipped, r.velocity + skipped, r.at + skipped, r.size - skipped});
   }
+}
+
+void ExponentialStages::gather(Plane& plane, std::span<const double> state) const {
+  for_runs(plane, first_vector_, [&](const Run& r) {
+    std::copy_n(state.data() + r.coordinate, r.size, plane.coordinate.data() + r.at);
+    std::copy_n(state.data() + r.velocity, r.size, plane.velocity.data() + r.at);
+  });
 }
 
 void ExponentialStages::take(Plane& plane, int stage, std::span<const double> rates) const {
   double* N = plane.rest[static_cast<std::size_t>(stage)].data();
-  for (std::size_t i = 0; i < plane.n_active; ++i) N[plane.members[i].at] = rates[plane.members[i].velocity];
-  wide<Kernels::take_off_free_motion>(kinds_, filled_up(n_active_), plane, N);
+  for_runs(plane, first_vector_, [&](const Run& r) { std::copy_n(rates.data() + r.velocity, r.size, N + r.at); });
+  wide<Kernels::take_off_free_motion>(kinds_, first_vector_, plane, N);
 }
 
 void ExponentialStages::take(int stage, std::span<const double> rates) {
@@ -273,17 +333,16 @@ void ExponentialStages::combine(const Plane& plane, const Weights& weights, cons
   std::size_t n = 0;
   for (std::size_t j = 0; j < fit.n_fitted; ++j) rates[n++] = fit.fitted[j];
   for (std::size_t j = 0; j < fit.n_others; ++j) rates[n++] = fit.others[j];
-  wide<Kernels::combine>(kinds_, filled_up(n_active_), step_, weights, plane,
-                         std::span<const std::size_t>(rates).first(n), coordinate, velocity);
+  wide<Kernels::combine>(kinds_, first_vector_, step_, weights, plane, std::span<const std::size_t>(rates).first(n),
+                         coordinate, velocity);
 }
 
 void ExponentialStages::write(const Plane& plane, const double* coordinate, const double* velocity,
-                              std::span<double> y) {
-  for (std::size_t i = 0; i < plane.n_active; ++i) {
-    const Member& m = plane.members[i];
-    y[m.coordinate] = coordinate[m.at];
-    y[m.velocity] = velocity[m.at];
-  }
+                              std::span<double> y) const {
+  for_runs(plane, first_active_, [&](const Run& r) {
+    std::copy_n(coordinate + r.at, r.size, y.data() + r.coordinate);
+    std::copy_n(velocity + r.at, r.size, y.data() + r.velocity);
+  });
 }
 
 void ExponentialStages::place(int stage, std::span<double> y) {
@@ -299,17 +358,22 @@ double ExponentialStages::squared_error(double tolerance) const {
   double sum = 0.;
   if (!is_active()) return sum;
   // Kinds that a plane has none of are at rest.
-  for (const Plane& plane : planes_) sum += wide<Kernels::squared_error>(kinds_, n_active_, step_, method_, plane);
+  for (const Plane& plane : planes_)
+    sum += wide<Kernels::squared_error>(kinds_, first_vector_, first_active_, n_kinds_, step_, method_, plane);
   return sum / (tolerance * tolerance);
 }
 
 void ExponentialStages::hide(std::span<double> scale) const {
-  for (const Plane& plane : planes_)
-    for (const Member& m : plane.members) {
-      const bool is_hidden = m.at < n_active_;
-      scale[m.coordinate] = is_hidden ? std::numeric_limits<double>::infinity() : plane.coordinate_scale[m.at];
-      scale[m.velocity] = is_hidden ? std::numeric_limits<double>::infinity() : plane.velocity_scale[m.at];
+  for (const Plane& plane : planes_) {
+    for (const Run& r : plane.runs) {
+      std::copy_n(plane.coordinate_scale.data() + r.at, r.size, scale.data() + r.coordinate);
+      std::copy_n(plane.velocity_scale.data() + r.at, r.size, scale.data() + r.velocity);
     }
+    for_runs(plane, first_active_, [&](const Run& r) {
+      for (const std::size_t at : {r.coordinate, r.velocity})
+        std::fill_n(scale.data() + at, r.size, std::numeric_limits<double>::infinity());
+    });
+  }
 }
 
 void ExponentialStages::interpolate(double theta, std::span<double> y) const {
@@ -317,7 +381,7 @@ void ExponentialStages::interpolate(double theta, std::span<double> y) const {
   std::array<double, most_stages> own{};
   for (std::size_t j = 0; j < own.size(); ++j) own[j] = method_.weight(j, theta);
   const Fit fit = fit_of(method_.n_stages - 1, theta, own);
-  wide<Kernels::find_weights<1>>(kinds_, step_, fit, filled_up(n_active_), within_);
+  wide<Kernels::find_weights>(first_vector_, fit, exponents_, within_);
   for (const Plane& plane : planes_) {
     combine(plane, within_, fit, within_coordinate_.data(), within_velocity_.data());
     write(plane, within_coordinate_.data(), within_velocity_.data(), y);

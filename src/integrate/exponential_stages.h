@@ -24,7 +24,7 @@ namespace rotordrop {
 /// whose weights integrate exactly
 ///   sum_j W_ij p(c_j) = integral_0^c_i exp((c_i - s) z) p(s) ds
 /// for all polynomials p of as many coefficients as EmbeddedTableau::fitted has rates j; rates besides those count a_ij exp((c_i - c_j) z). For z = 0 these
-/// are the method's own weights where it has enough fitted rates for its stage orders.
+/// are the method's own weights, since no stage has more fitted rates than its order gives exactly.
 /// Source: exponential Runge-Kutta methods, Hochbruck & Ostermann, Acta Numerica 19 (2010) 209-286, sections 2.3 and 2.5.
 class ExponentialStages {
  public:
@@ -45,7 +45,7 @@ class ExponentialStages {
   /// @param step, before  [s]; before = 0: there is none
   void begin(const EmbeddedTableau& method, double step, double before, const Start& start);
   /// Whether an oscillator turns by more than half a radian in the step, where rounding in its weights is small; else all are left to the method.
-  [[nodiscard]] bool is_active() const { return n_active_ > 0; }
+  [[nodiscard]] bool is_active() const { return first_active_ < n_kinds_; }
   /// Writes oscillators that are too fast into a stage's state.
   void place(int stage, std::span<double> y);
   /// Takes what else acts on them at the stage that was placed last, from its rates [n_states].
@@ -63,19 +63,19 @@ class ExponentialStages {
     AlignedNumbers re, im;
     explicit Complexes(std::size_t n = 0) : re(n), im(n) {}
   };
-  /// Oscillators of one frequency and damping, fastest first, filled up to whole vectors.
+  /// Oscillators of one frequency and damping, slowest first, filled up to whole vectors.
   struct Kinds {
     AlignedNumbers omega, omega_squared, damping_rate;  // [n_kinds]
     AlignedNumbers half_damping, omega_damped, inverse_omega_damped;
   };
-  struct Member {
-    std::size_t coordinate, velocity;  // where in the state vector
-    std::size_t at;                    // its number among those of its plane
+  /// Oscillators that follow each other in the state vector as in a plane.
+  struct Run {
+    std::size_t coordinate, velocity;  // of the first, in the state vector
+    std::size_t at, size;              // of the first, among the kinds
   };
   /// One oscillator of each kind that has so many.
   struct Plane {
-    std::vector<Member> members;  // fastest first
-    std::size_t n_active = 0;     // of them
+    std::vector<Run> runs;
     AlignedNumbers coordinate_scale, velocity_scale;
     AlignedNumbers coordinate, velocity;  // of the stage that was placed last
     Complexes start;                      // w at the step's start
@@ -90,23 +90,32 @@ class ExponentialStages {
     std::array<std::array<double, most_stages>, most_stages>
         polynomial{};  // [fitted][power] which is 1 at one of them and 0 at the others
   };
+  /// z of a step, 1 / z, and room for integrals of powers times exponentials.
+  struct Exponents {
+    Complexes z, inverse;
+    std::vector<Complexes> integrals;  // [power]
+  };
   struct Weights {
     Complexes exponential;
     std::vector<Complexes> of_rate;  // [stage]
   };
   [[nodiscard]] Fit fit_of(int stage, double node, std::span<const double> own_weights) const;
+  template <class Do>
+  static void for_runs(const Plane& plane, std::size_t from, Do&& what);
   void gather(Plane& plane, std::span<const double> state) const;
   void take(Plane& plane, int stage, std::span<const double> rates) const;
   void combine(const Plane& plane, const Weights& weights, const Fit& fit, double* coordinate, double* velocity) const;
-  static void write(const Plane& plane, const double* coordinate, const double* velocity, std::span<double> y);
+  void write(const Plane& plane, const double* coordinate, const double* velocity, std::span<double> y) const;
 
   Kinds kinds_;
   std::vector<Plane> planes_;
   EmbeddedTableau method_{};
   double step_ = 0, ratio_ = 0;
-  std::size_t n_kinds_ = 0, n_active_ = 0;
+  std::size_t n_kinds_ = 0;
+  std::size_t first_active_ = 0, first_vector_ = 0;  // from it on kinds are active; the vector in which it is
   std::array<Fit, most_stages> fits_{};
-  std::vector<Weights> weights_;                                // [stage]
+  std::vector<Weights> weights_;  // [stage]
+  mutable Exponents exponents_;
   mutable Weights within_;                                      // of interpolate()
   mutable AlignedNumbers within_coordinate_, within_velocity_;  // of one plane
 };

@@ -42,7 +42,7 @@ inline constexpr EmbeddedTableau bogacki_shampine = {.n_stages = 4,
                                                      .c = {0., 0.5, 0.75, 1.},
                                                      .a = {{{}, {0.5}, {0., 0.75}, {2. / 9., 1. / 3., 4. / 9.}}},
                                                      .e = {-5. / 72., 1. / 12., 1. / 9., -1. / 8.},
-                                                     .fitted = {0, 0b1, 0b11, 0b111}};
+                                                     .fitted = {0, 0b1, 0b1, 0b111}};
 
 /// Order 4(3), with Hermite's cubic. Source: Sofroniou & Spaletta, Journal of Computational and Applied Mathematics 164-165 (2004) 675-682
 /// ("ARKODE_SOFRONIOU_SPALETTA_5_3_4" of SUNDIALS); the weights are those of Kutta's 3/8 family with nodes 2/5 and 3/5.
@@ -53,7 +53,7 @@ inline constexpr EmbeddedTableau sofroniou_spaletta = {
     .c = {0., 0.4, 0.6, 1., 1.},
     .a = {{{}, {0.4}, {-0.15, 0.75}, {19. / 44., -15. / 44., 10. / 11.}, {11. / 72., 25. / 72., 25. / 72., 11. / 72.}}},
     .e = {119041. / 8970912., -595205. / 8970912., 595205. / 8970912., 1309451. / 8970912., -119041. / 747576.},
-    .fitted = {0, 0b1, 0b11, 0b11, 0b1111}};
+    .fitted = {0, 0b1, 0b1, 0b1, 0b1111}};
 
 /// Whether a method is one of these.
 [[nodiscard]] inline bool is_own_pair(IntegrationMethod method) {

@@ -233,8 +233,8 @@ TEST_P(ExponentialStagesOf, FollowASlowMotionThroughFastOnesThatTurnSeveralTimes
     std::printf("%8.4g %12.4e   of the faster one %12.4e\n", step, errors.back(), std::fabs(found[2] - fine[2]));
     EXPECT_NEAR(found[2], fine[2], 5e-4) << "by itself it would be at some thousandth";
   }
-  // Errors do not fall smoothly while fast ones turn by so much; over three halvings the mean order is the method's, give or take one.
-  EXPECT_GT(std::log2(errors.front() / errors.back()) / 3., tableau_of(GetParam().method).order - 1.);
+  // Errors do not fall smoothly while fast ones turn by so much; over three halvings the mean order is the method's, give or take 0.7.
+  EXPECT_GT(std::log2(errors.front() / errors.back()) / 3., tableau_of(GetParam().method).order - 0.7);
 }
 
 TEST_P(ExponentialStagesOf, InterpolateFastOnesWithinTheLastStep) {
