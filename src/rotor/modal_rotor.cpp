@@ -164,10 +164,13 @@ double ModalRotor::mode_shape(int node, std::size_t mode) const {
 }
 
 std::vector<Oscillator> ModalRotor::oscillators() const {
+  constexpr double least_damping = 2e-4;  // of critical
   std::vector<Oscillator> list;
   for (const std::size_t plane : {std::size_t{0}, n_modes_})
-    for (std::size_t k = 2; k < n_modes_; ++k)
+    for (std::size_t k = 2; k < n_modes_; ++k) {
+      if (damping_rate_[k] < 2. * least_damping * std::sqrt(omega_squared_[k])) return {};
       list.push_back({plane + k, 2 * n_modes_ + plane + k, omega_squared_[k], damping_rate_[k]});
+    }
   return list;
 }
 

@@ -65,6 +65,17 @@ TEST_P(FastModes, ByExponentialsMoveAsByStepsThatResolveThem) {
   EXPECT_LT(fast.statistics.steps, 3 * slow.statistics.steps / 4);
 }
 
+TEST(FastModesOfARotor, WithoutDampingAreLeftToTheSteps) {
+  const auto n_oscillators = [](const std::string& damping) {
+    return reference_machine({"rotor.model=full", "rotor.modal_damping=" + damping}, "neisi2019-settling.toml")
+        ->oscillators()
+        .size();
+  };
+  EXPECT_EQ(n_oscillators("0.0003"), 2U * 60U);
+  EXPECT_EQ(n_oscillators("0.0001"), 0U);
+  EXPECT_EQ(n_oscillators("0"), 0U) << "mass-proportional damping is little for the fastest";
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, FastModes,
                          ::testing::Values(IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine,
                                            IntegrationMethod::sofroniou_spaletta,
