@@ -110,7 +110,7 @@ class EmbeddedPair final : public Integrator {
         stage_(y_),
         scale_(scales_of(system)),
         own_scale_(scale_),
-        exponentials_(fast_oscillators(system.oscillators(), parameters), scale_),
+        exponentials_(method_, fast_oscillators(system.oscillators(), parameters), scale_),
         n_weighed_(std::max<std::size_t>(n_controlled_ - exponentials_.n_states(), 1)) {
     for (int i = 0; i < method_.n_stages; ++i) k_.emplace_back(n_);
   }
@@ -193,7 +193,7 @@ class EmbeddedPair final : public Integrator {
               stage_.begin() + static_cast<std::ptrdiff_t>(n_controlled_));
     const int last = method_.n_stages - 1;
     if (!exponentials_.empty()) {
-      exponentials_.begin(method_, step, last_step_, {y_, at_start(), before_, k_.front()});
+      exponentials_.begin(step, last_step_, {y_, at_start(), before_, k_.front()});
       exponentials_.hide(own_scale_);
     }
     for (int i = method_.start + 1; i < last; ++i) {

@@ -1,9 +1,7 @@
 #include "integrate/exponential_stages.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -20,19 +18,14 @@ namespace {
 /// exp(f z) of whole vectors from `first` to `last` - 1; Re(f z) <= 0 and |Im(f z)| up to a million radians.
 ROTORDROP_KERNEL void exponentials(std::size_t first, std::size_t last, double f, const double* z_re,
                                    const double* z_im, double* __restrict re, double* __restrict im) {
-  constexpr double round = 6755399441055744.;  // adding 1.5 * 2^52 rounds to an integer
 #pragma omp simd
   for (std::size_t i = first; i < last; ++i) {
-    const double decay = f * z_re[i], angle = f * z_im[i];
+    const double decay = f * z_re[i];
     const SplitExponential e = split_exponential(decay > -700. ? decay : -700.);
     const double size = e.power * (1. + (e.rest + e.rest * e.rest * exponential_tail(e.rest)));
-    const double shifted = angle * quarter_turns::per_radian + round;
-    const double rest = quarter_turns::rest(angle, shifted - round);
-    const double s = quarter_turns::sine(rest), c = quarter_turns::cosine(rest);
-    const auto k = std::bit_cast<std::uint64_t>(shifted);
-    const double sine = (k & 1U) != 0 ? c : s, cosine = (k & 1U) != 0 ? s : c;
-    im[i] = (k & 2U) != 0 ? -size * sine : size * sine;
-    re[i] = ((k + 1U) & 2U) != 0 ? -size * cosine : size * cosine;
+    const auto [sine, cosine] = sine_cosine_within(f * z_im[i]);
+    re[i] = size * cosine;
+    im[i] = size * sine;
   }
 }
 
@@ -173,7 +166,9 @@ std::vector<Oscillator> fast_oscillators(std::vector<Oscillator> all, const Inte
   return all;
 }
 
-ExponentialStages::ExponentialStages(std::vector<Oscillator> oscillators, std::span<const double> scale) {
+ExponentialStages::ExponentialStages(const EmbeddedTableau& method, std::vector<Oscillator> oscillators,
+                                     std::span<const double> scale)
+    : method_(method) {
   const auto kind = [](const Oscillator& o) { return std::pair(o.omega_squared, o.damping_rate); };
   std::stable_sort(oscillators.begin(), oscillators.end(),
                    [kind](const Oscillator& a, const Oscillator& b) { return kind(a) < kind(b); });
@@ -269,8 +264,7 @@ ExponentialStages::Fit ExponentialStages::fit_of(int stage, double node, std::sp
   return fit;
 }
 
-void ExponentialStages::begin(const EmbeddedTableau& method, double step, double before, const Start& start) {
-  method_ = method;
+void ExponentialStages::begin(double step, double before, const Start& start) {
   step_ = step;
   ratio_ = before > 0. ? step / before : 0.;
   constexpr double least_turn = 0.5;  // [rad]

@@ -28,9 +28,10 @@ namespace rotordrop {
 /// Source: exponential Runge-Kutta methods, Hochbruck & Ostermann, Acta Numerica 19 (2010) 209-286, sections 2.3 and 2.5.
 class ExponentialStages {
  public:
+  /// @param method       fitted to each step (fit_to_step()) before begin(); must outlive this
   /// @param oscillators  those that are fast (fast_oscillators())
   /// @param scale        of all states [n_states]
-  ExponentialStages(std::vector<Oscillator> oscillators, std::span<const double> scale);
+  ExponentialStages(const EmbeddedTableau& method, std::vector<Oscillator> oscillators, std::span<const double> scale);
 
   [[nodiscard]] bool empty() const { return kinds_.omega.empty(); }
   /// How many states the oscillators are.
@@ -41,9 +42,8 @@ class ExponentialStages {
     std::span<const double> state, rates, state_before, rates_before;
   };
   /// Before the stages of a step.
-  /// @param method  fitted to the step (fit_to_step())
   /// @param step, before  [s]; before = 0: there is none
-  void begin(const EmbeddedTableau& method, double step, double before, const Start& start);
+  void begin(double step, double before, const Start& start);
   /// Whether an oscillator turns by more than half a radian in the step, where rounding in its weights is small; else all are left to the method.
   [[nodiscard]] bool is_active() const { return first_active_ < n_kinds_; }
   /// Writes oscillators that are too fast into a stage's state.
@@ -109,7 +109,7 @@ class ExponentialStages {
 
   Kinds kinds_;
   std::vector<Plane> planes_;
-  EmbeddedTableau method_{};
+  const EmbeddedTableau& method_;
   double step_ = 0, ratio_ = 0;
   std::size_t n_kinds_ = 0;
   std::size_t first_active_ = 0, first_vector_ = 0;  // from it on kinds are active; the vector in which it is

@@ -21,15 +21,17 @@ Section<IntegrationParameters> integration_section() {
               .source = "docs/theory/convergence.md",
               .help = "Fixed step of runge-kutta-4 (5 us if not given), or longest step of the other methods (50 us), "
                       "so that no impact is skipped."});
-  s.quantity("exponential_above", &P::exponential_above,
-             {.unit = "Hz",
-              .range = positive(),
-              .usual = between(3e3, 1e6),
-              .fallback = "20 kHz",
-              .source = "docs/theory/convergence.md",
-              .help = "Of a rotor with modes above this frequency none bounds the step: the program's own methods "
-                      "(tsitouras, bogacki-shampine, sofroniou-spaletta, two-step-runge-kutta) integrate them by "
-                      "exponentials where they turn by more than half a radian in a step."});
+  s.quantity(
+      "exponential_above", &P::exponential_above,
+      {.unit = "Hz",
+       .range = positive(),
+       .usual = between(3e3, 1e6),
+       .fallback = "20 kHz",
+       .source = "docs/theory/convergence.md",
+       .help = "Of a rotor with modes above this frequency none bounds the step: the program's own methods "
+               "(tsitouras, bogacki-shampine, sofroniou-spaletta, two-step-runge-kutta) integrate them by "
+               "exponentials where they turn by more than half a radian in a step. Not if a mode has less than 2e-4 "
+               "of critical damping."});
   s.quantity("tolerance", &P::tolerance,
              {.range = between(1e-13, 1e-2),
               .usual = at_most(1e-5),

@@ -76,7 +76,7 @@ class Steps {
   Steps(IntegrationMethod method, const Forced& system)
       : method_(tableau_of(method)),
         system_(system),
-        stages(system.oscillators(), std::vector<double>(system.layout().size(), 1e6)),
+        stages(method_, system.oscillators(), std::vector<double>(system.layout().size(), 1e6)),
         y(system.layout().size()),
         before_(y) {
     k_.assign(most_stages, y);
@@ -89,7 +89,7 @@ class Steps {
       k_[start()] = k_[last()];
     }
     fit_to_step(method_, step, last_step_);
-    stages.begin(method_, step, last_step_, {y, k_[start()], before_, k_[0]});
+    stages.begin(step, last_step_, {y, k_[start()], before_, k_[0]});
     before_ = y;
     for (std::size_t i = start() + 1; i <= last(); ++i) {
       stages.place(static_cast<int>(i), y);
