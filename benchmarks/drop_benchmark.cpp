@@ -16,12 +16,15 @@
 #include <unistd.h>
 
 #include "analysis/drop_lanes.h"
+#include "analysis/facts/thermal_report.h"
 #include "base/aligned_numbers.h"
 #include "case/case.h"
 #include "integrate/integrator.h"
 #include "io/hdf5/recorder.h"
 #include "machine/build_machine.h"
 #include "machine/lanes/machine_lanes.h"
+#include "study/drop/drop_run.h"
+#include "study/rub/bore_report.h"
 #include "yardstick.h"
 
 namespace {
@@ -233,6 +236,18 @@ void recorded_row(benchmark::State& state) {
   state.counters["values"] = static_cast<double>(n_values);
 }
 BENCHMARK(recorded_row)->Unit(benchmark::kMillisecond);
+
+/// Local temperatures and wear of the reference drop's first bearing, from its rows.
+void local_rub(benchmark::State& state) {
+  const auto machine = build_machine(settling().parameters, settling().tree);
+  const FinishedDrop finished = run_drop_in_memory(settling(), *machine, {});
+  const auto [name, bearing] = finished.recorded->bearings().front();
+  const RubRecord record = rub_record(*finished.recorded, name);
+  const LocalRubSettings settings = local_rub_settings(settling().parameters, name, bearing);
+  for (auto _ : state) benchmark::DoNotOptimize(local_rub(record, settings));
+  count_each(state, "row", static_cast<double>(record.times.size()));
+}
+BENCHMARK(local_rub)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 /// The reference drop, 0.3 s, without start-up and files. Counter "of_real_time": CPU time over simulated time.
 void drop(benchmark::State& state, IntegrationMethod method, double step_or_tolerance) {

@@ -1,68 +1,95 @@
 #include "laws/arc_cells.h"
 
+#include <numeric>
+
+#include "base/real.h"
+
 namespace rotordrop {
 namespace {
 
-/// (r(x - low)^2 - r(x - high)^2) / (2 way), r(x) = max(x, 0), without the difference of squares. A band at rest goes a ten-millionth of its length.
+/// Part of a piece's heat that falls below a cell's far edge if no piece ends: (r(u)^2 - r(u - way)^2) / (2 way length), r(x) = max(x, 0), without the difference of
+/// squares, u beyond the place where the heat begins. A band at rest goes a ten-millionth of its length.
 struct Ramp {
-  double low, way, high, per_way;
-  ROTORDROP_KERNEL explicit Ramp(const SweptBand& band) {
+  double start, length, way, scale;
+  ROTORDROP_KERNEL Ramp(const SweptBand& band, std::size_t n_pieces) {
+    length = 2. * band.half_angle / static_cast<double>(n_pieces);
     way = std::max(band.high - band.low, 1e-7 * band.half_angle);
-    low = 0.5 * (band.low + band.high - way);
-    high = low + way;
-    per_way = 0.5 / way;
+    start = 0.5 * (band.low + band.high - way) - band.half_angle;
+    scale = 0.5 / (way * length);
   }
-  ROTORDROP_KERNEL double operator()(double x) const {
-    const double at_low = std::max(x - low, 0.), at_high = std::max(x - high, 0.);
-    return std::min(at_low, way) * (at_low + at_high) * per_way;
+  ROTORDROP_KERNEL double operator()(double u) const {
+    const double within = smaller(larger(u, 0.), way);
+    return within * (u + (u - within)) * scale;
   }
 };
 
-/// What falls below the far edge of each cell, all of it below the last; then what falls on the cell. A piece's part is the difference of the ramps that
-/// start at its ends.
-ROTORDROP_KERNEL void spread(const SweptBand& band, const PiecesOfBand& pieces, double cell_angle, double first,
-                             std::size_t n, std::size_t stride, double* into) {
-  constexpr std::size_t at_once = 16;
-  const Ramp ramp(band);
-  const double b = band.half_angle, length = 2. * b / static_cast<double>(pieces.n_pieces), per_length = 1. / length;
-  for (std::size_t at = 0; at < n; at += vector_length) {
-    const double edge = first + static_cast<double>(at + 1);
-    Octet x, before;
+/// Far edges of cells.
+struct Edges {
+  double first, cell_angle;
+  [[nodiscard]] ROTORDROP_KERNEL double operator[](std::size_t i) const {
+    return (first + static_cast<double>(i + 1)) * cell_angle;
+  }
+};
+
+/// From what falls below the far edge of each cell to what falls on the cell; all of it below the last.
+ROTORDROP_KERNEL void take_differences(std::size_t n, double all, double* cells) {
+  cells[n - 1] = all;
+#pragma omp simd
+  for (std::size_t i = n - 1; i > 0; --i) cells[i] -= cells[i - 1];
+}
+
+/// A band in one piece: every list gets the same shares of its heat.
+ROTORDROP_KERNEL void spread_whole(const SweptBand& band, const PiecesOfBand& pieces, const Edges& given, std::size_t n,
+                                   std::size_t stride, double* into) {
+  const Edges edges = given;  // copies that no store can change
+  const PiecesOfBand lists = pieces;
+  const Ramp ramp(band, 1);
+#pragma omp simd
+  for (std::size_t i = 0; i < whole_vectors(stride); ++i) {
+    const double u = edges[i] - ramp.start;
+    into[i] = ramp(u) - ramp(u - ramp.length);
+  }
+  take_differences(n, 1., into);
+  for (std::size_t list = lists.n_lists; list-- > 0;) {
+    const double heat = lists.heat[list];
+    double* const cells = into + list * stride;
+#pragma omp simd
+    for (std::size_t i = 0; i < whole_vectors(stride); ++i) cells[i] = heat * into[i];
+  }
+}
+
+/// Some lists at once. A piece's part is the difference of the ramps that start at its ends.
+/// @param heat  [n_lists][n_pieces]
+template <std::size_t n_lists>
+ROTORDROP_KERNEL void spread_lists(const SweptBand& band, const double* heat, std::size_t n_pieces, const Edges& given,
+                                   std::size_t n, std::size_t stride, double* into) {
+  const Edges edges = given;
+  const Ramp ramp(band, n_pieces);
+  for (std::size_t at = 0; at < stride; at += vector_length) {
+    double u[vector_length], before[vector_length], sums[n_lists][vector_length] = {};
 #pragma omp simd
     for (std::size_t i = 0; i < vector_length; ++i) {
-      x[i] = (edge + static_cast<double>(i)) * cell_angle + b;
-      before[i] = ramp(x.value[i]) * per_length;
+      u[i] = edges[at + i] - ramp.start;
+      before[i] = ramp(u[i]);
     }
-    for (std::size_t done = 0; done < pieces.n_pieces; done += at_once) {
-      double shares[at_once][vector_length];
-      const std::size_t n_here = std::min(at_once, pieces.n_pieces - done);
-      for (std::size_t piece = 0; piece < n_here; ++piece) {
-        const double end = static_cast<double>(done + piece + 1) * length;
+    for (std::size_t k = 0; k < n_pieces; ++k) {
+      const double end = static_cast<double>(k + 1) * ramp.length;
 #pragma omp simd
-        for (std::size_t i = 0; i < vector_length; ++i) {
-          const double here = ramp(x.value[i] - end) * per_length;
-          shares[piece][i] = before.value[i] - here;
-          before[i] = here;
-        }
-      }
-      for (std::size_t list = 0; list < pieces.n_lists; ++list) {
-        Octet sum;
-        double* const cells = into + list * stride + at;
-        if (done > 0) add_product(sum, 1., cells);
-        for (std::size_t piece = 0; piece < n_here; ++piece)
-          add_product(sum, pieces.heat[list * pieces.n_pieces + done + piece], shares[piece]);
-#pragma omp simd
-        for (std::size_t i = 0; i < vector_length; ++i) cells[i] = sum.value[i];
+      for (std::size_t i = 0; i < vector_length; ++i) {
+        const double here = ramp(u[i] - end), share = before[i] - here;
+        before[i] = here;
+#pragma GCC unroll 4
+        for (std::size_t list = 0; list < n_lists; ++list) sums[list][i] += heat[list * n_pieces + k] * share;
       }
     }
+#pragma GCC unroll 4
+    for (std::size_t list = 0; list < n_lists; ++list)
+#pragma omp simd
+      for (std::size_t i = 0; i < vector_length; ++i) into[list * stride + at + i] = sums[list][i];
   }
-  for (std::size_t list = 0; list < pieces.n_lists; ++list) {
-    double* const cells = into + list * stride;
-    cells[n - 1] = 0.;
-    for (std::size_t piece = 0; piece < pieces.n_pieces; ++piece)
-      cells[n - 1] += pieces.heat[list * pieces.n_pieces + piece];
-    for (std::size_t i = n; --i > 0;) cells[i] -= cells[i - 1];
-  }
+  for (std::size_t list = 0; list < n_lists; ++list)
+    take_differences(n, std::accumulate(heat + list * n_pieces, heat + (list + 1) * n_pieces, 0.),
+                     into + list * stride);
 }
 
 }  // namespace
@@ -80,7 +107,23 @@ CellRange cells_under(const SweptBand& band, double cell_angle) {
 
 void spread_pieces(const SweptBand& band, const PiecesOfBand& pieces, double cell_angle, const CellRange& range,
                    std::size_t stride, double* into) {
-  wide<spread>(band, pieces, cell_angle, static_cast<double>(range.first), range.n, stride, into);
+  const Edges edges{static_cast<double>(range.first), cell_angle};
+  if (pieces.n_pieces == 1) return wide<spread_whole>(band, pieces, edges, range.n, stride, into);
+  constexpr std::size_t at_once = 3;
+  for (std::size_t list = 0; list < pieces.n_lists; list += at_once) {
+    const double* const heat = pieces.heat + list * pieces.n_pieces;
+    double* const cells = into + list * stride;
+    switch (pieces.n_lists - list) {
+      case 1:
+        wide<spread_lists<1>>(band, heat, pieces.n_pieces, edges, range.n, stride, cells);
+        break;
+      case 2:
+        wide<spread_lists<2>>(band, heat, pieces.n_pieces, edges, range.n, stride, cells);
+        break;
+      default:
+        wide<spread_lists<at_once>>(band, heat, pieces.n_pieces, edges, range.n, stride, cells);
+    }
+  }
 }
 
 }  // namespace rotordrop

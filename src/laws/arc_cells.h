@@ -1,6 +1,7 @@
 #pragma once
 // A circumference cut into cells, and what a moving band leaves in each.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numbers>
 #include <vector>
@@ -49,9 +50,13 @@ void spread_over_cells(std::size_t n_cells, double from, double to, double half_
   const double cell_angle = 2. * pi / static_cast<double>(n_cells), b = std::min(half_angle, pi);
   const SweptBand band{std::min(from, to), std::max(from, to), b};
   const CellRange range = cells_under(band, cell_angle);
-  std::vector<double> shares(filled_up(range.n));
+  std::array<double, 64> few;
+  std::vector<double> many;
+  const std::size_t stride = filled_up(range.n);
+  if (stride > few.size()) many.resize(stride);
+  double* const shares = many.empty() ? few.data() : many.data();
   const double whole = 1.;
-  spread_pieces(band, {&whole, 1, 1}, cell_angle, range, shares.size(), shares.data());
+  spread_pieces(band, {&whole, 1, 1}, cell_angle, range, stride, shares);
   std::size_t cell = range.first_of(n_cells);
   for (std::size_t i = 0; i < range.n; ++i, cell = cell + 1 == n_cells ? 0 : cell + 1)
     if (shares[i] > 0.) give(cell, shares[i]);

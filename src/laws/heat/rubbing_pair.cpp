@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 
 #include "base/real.h"
 #include "base/rotation.h"
@@ -24,6 +25,8 @@ struct BandPassage {
 };
 
 namespace {
+
+constexpr std::size_t many_pieces = 12;
 
 /// Time of the present interval for which a body's material has been under the band, whose edge it passed so far back.
 ROTORDROP_KERNEL double time_under_band(double way, double speed, double whole) {
@@ -87,16 +90,24 @@ ROTORDROP_KERNEL void share_out(std::size_t n, double given, double q_rotor, dou
 /// written so that little has to wait for the piece before.
 /// @param before    the rotor's rise ahead of the band
 /// @param on_rotor  the rise at each piece's middle
-ROTORDROP_KERNEL void meet(std::size_t n, double q, double before, const PieceResponses& by, const double* kept,
-                           double* q_ring, double* on_rotor) {
+template <std::size_t n>
+ROTORDROP_KERNEL void meet(double q, double before, const PieceResponses& by, const double* kept, double* q_ring,
+                           double* on_rotor) {
+  double rotor[n], alone[n],
+      kernel[n];  // alone: q_rotor of a piece if no other heated the rotor, and the rotor came cold
+  std::copy_n(by.kernel, n, kernel);
+#pragma omp simd
   for (std::size_t k = 0; k < n; ++k) {
-    q_ring[k] = (kept[k] + by.direct[k] * q) * by.inverse[k];
-    on_rotor[k] = before;
+    alone[k] = (kept[k] + by.direct[k] * q) * by.inverse[k];
+    rotor[k] = before;
   }
+#pragma GCC unroll 12
   for (std::size_t k = 0; k < n; ++k) {
-    const double q_rotor = q_ring[k] - on_rotor[k] * by.inverse[k];
+    const double q_rotor = alone[k] - rotor[k] * by.inverse[k];
     q_ring[k] = q - q_rotor;
-    for (std::size_t j = k; j < n; ++j) on_rotor[j] += by.kernel[j - k] * q_rotor;
+#pragma GCC unroll 12
+    for (std::size_t j = k; j < n; ++j) rotor[j] += kernel[j - k] * q_rotor;
+    on_rotor[k] = rotor[k];
   }
 }
 
@@ -115,10 +126,12 @@ RubbingPair::RubbingPair(const RubbedBody& ring, const RubbedBody& rotor, const 
       into_rotor_(options.divisions.size()),
       before_(options.divisions.size()),
       states_(options.divisions.size()) {
-  const std::size_t n = filled_up(options.n_nodes);
+  if (options.n_pieces != 1 && options.n_pieces != many_pieces)
+    throw std::invalid_argument("a rubbing band has 1 or 12 pieces");
+  const std::size_t n = filled_up(options.n_pieces);
   kept_.resize(n * options.divisions.size());
   for (auto* list : {&rotor_rise_, &direct_, &kernel_, &inverse_, &q_ring_, &on_rotor_}) list->resize(n);
-  ring_joules_.resize(options.n_nodes * options.divisions.size());
+  ring_joules_.resize(options.n_pieces * options.divisions.size());
   rotor_joules_.resize(options.divisions.size());
 }
 
@@ -135,7 +148,7 @@ BandPassage RubbingPair::passage(double time, const RubbingBand& band) {
   p.time = time;
   p.step = time - time_;
   p.b = std::min(band.half_width, pi * ring_.radius);
-  p.h = 2. * p.b / static_cast<double>(options_.n_nodes);
+  p.h = 2. * p.b / static_cast<double>(options_.n_pieces);
   if (!was_in_contact_) touched_at_ = time_;
   const double turned = was_in_contact_ ? shorter_way(band.contact_angle - last_contact_angle_) : 0.;
   p.ring_way = turned - (band.ring_angle - last_ring_angle_);
@@ -157,7 +170,7 @@ BandPassage RubbingPair::passage(double time, const RubbingBand& band) {
 }
 
 void RubbingPair::look_at_tracks(const BandPassage& p) {
-  const std::size_t n = options_.n_nodes, stride = direct_.size();
+  const std::size_t n = options_.n_pieces, stride = direct_.size();
   const double pieces = static_cast<double>(n), cell = 2. * pi / static_cast<double>(rotor_memory_.n_cells());
   // What comes under the band in an interval lies all along its way: each sample is of another part of it. What lies at its end alone would decide on
   // heat for all the way, and two surfaces that roll on each other in long intervals would heat each other without end.
@@ -179,14 +192,16 @@ void RubbingPair::look_at_tracks(const BandPassage& p) {
 }
 
 void RubbingPair::divide(const BandPassage& p, std::size_t division, double share_to_ring) {
-  const std::size_t n = options_.n_nodes;
+  const std::size_t n = options_.n_pieces;
   const double* kept = &kept_[division * direct_.size()];
   const double before = before_[division], q = p.flux;
   if (options_.divisions[division] == RubDivision::given)
     wide<share_out>(n, share_to_ring * q, q - share_to_ring * q, before, piece_responses(), q_ring_.data(),
                     on_rotor_.data());
+  else if (n == many_pieces)
+    wide<meet<many_pieces>>(q, before, piece_responses(), kept, q_ring_.data(), on_rotor_.data());
   else
-    wide<meet>(n, q, before, piece_responses(), kept, q_ring_.data(), on_rotor_.data());
+    wide<meet<1>>(q, before, piece_responses(), kept, q_ring_.data(), on_rotor_.data());
   const Hottest found = wide<hottest_of>(q_ring_.size(), q_ring_.data(), on_rotor_.data(), kept, direct_.data());
   const double area_time = p.h * options_.axial_width * p.step, into_ring = found.sum_of_fluxes * area_time;
   states_[division] = {found.ring, found.rotor, found.difference, p.heat > 0. ? into_ring / p.heat : 0.};
@@ -212,7 +227,7 @@ void RubbingPair::advance(double time, const RubbingBand& band, std::span<const 
   };
   // A band that has gone by more than half of its length smears what was under which piece.
   ring_memory_.add(swept(p.ring_place, p.ring_way, p.b / ring_.radius),
-                   {ring_joules_.data(), p.ring_is_slow() ? options_.n_nodes : 1, n_divisions}, time, p.step);
+                   {ring_joules_.data(), p.ring_is_slow() ? options_.n_pieces : 1, n_divisions}, time, p.step);
   rotor_memory_.add(swept(p.rotor_place, p.rotor_way, p.b / rotor_.radius), {rotor_joules_.data(), 1, n_divisions},
                     time, p.step);
   time_ = time;

@@ -38,7 +38,7 @@ struct PieceResponses {
 /// Bore and rotor under one rubbing band, from interval to interval. The same rub is followed for several divisions of its heat at once, which know
 /// nothing of each other.
 ///
-/// The heat is even over the band, q = H/(2 b w). The band is cut into n_nodes pieces across its length. The ring, slow against the rotor, keeps what each
+/// The heat is even over the band, q = H/(2 b w). The band is cut into n_pieces across its length. The ring, slow against the rotor, keeps what each
 /// piece of its surface got (TrackMemory), and takes up the present interval's flux like a half space for as long as it has been under the band. The
 /// rotor passes fast: its material enters at the edge that it meets first, with the rise that is left from earlier turns, and at the age tau under the band has
 ///   T = T_before + (1/(e sqrt(pi))) integral_0^tau q_rotor tau'^(-1/2) dtau'.
@@ -52,12 +52,13 @@ class RubbingPair {
  public:
   struct Options {
     std::vector<RubDivision> divisions = {RubDivision::one_temperature};
-    std::size_t n_nodes = 12;
+    std::size_t n_pieces = 12;        ///< of the band: as many, or 1
     double axial_width = 0;           ///< w [m], > 0
     double shortest_interval = 5e-5;  ///< [s]
     double duration = 1;              ///< [s]
     std::size_t ring_cells = 720, rotor_cells = 180;
   };
+  /// @throws std::invalid_argument for another number of pieces
   RubbingPair(const RubbedBody& ring, const RubbedBody& rotor, const Options& options, double start_time);
 
   /// Goes on to the time [s] with a band. The line of centres has turned the shorter way since the last interval; in the first one of a contact it is
@@ -95,8 +96,8 @@ class RubbingPair {
   bool was_in_contact_ = false;
   std::vector<double> into_ring_, into_rotor_;  // [divisions]
   std::vector<double> before_;                  // on the rotor, just ahead of the band [K] [divisions]
-  AlignedNumbers kept_;                         // on the ring [K] [divisions][n_nodes, filled up]
-  // Of the band's pieces [n_nodes, filled up]
+  AlignedNumbers kept_;                         // on the ring [K] [divisions][n_pieces, filled up]
+  // Of the band's pieces [n_pieces, filled up]
   AlignedNumbers direct_, rotor_rise_, kernel_, inverse_;  // how fluxes warm them
   AlignedNumbers q_ring_, on_rotor_;                       // [W/m2], [K]
   AlignedNumbers ring_joules_, rotor_joules_;              // [divisions][pieces that are told apart]

@@ -43,7 +43,7 @@ class TrackMemory {
   /// @param pieces  of the fluxes, one list for each
   void add(const SweptBand& band, const PiecesOfBand& pieces, double t, double step);
 
-  [[nodiscard]] std::size_t n_cells() const { return heated_at_.size(); }
+  [[nodiscard]] std::size_t n_cells() const { return n_cells_; }
   /// Heat of every cell by a flux so far [J] [n_cells].
   [[nodiscard]] std::span<const double> heat(std::size_t flux) const {
     return std::span(heat_).subspan(flux * n_cells(), n_cells());
@@ -53,28 +53,29 @@ class TrackMemory {
   void set_gain(double step);
   /// Of neighbouring cells. @param heat  [n_fluxes][stride] [J]
   void take(std::size_t first_cell, std::size_t n, const double* heat, std::size_t stride, double t, double step);
-  /// Decays of the terms over a lag [n_terms].
-  [[nodiscard]] const double* decay_over(double lag) const;
-  [[nodiscard]] std::size_t place_of_decay(double lag) const;
+  /// Finds where the decays of some cells to the time t stand (lags_), and computes those that are missing.
+  /// @param heated_at  [n, filled up] [s]
+  void find_decays(const double* heated_at, std::size_t n, double t) const;
+  void set_decay(std::size_t place, double lag) const;
+  void keep_decays_to(std::size_t lag) const;
 
   double scale_ = 0, cell_angle_ = 0, cell_area_ = 0;
-  std::size_t n_fluxes_ = 1;
+  std::size_t n_fluxes_ = 1, n_cells_;
   AlignedNumbers rate_, weight_;   ///< of the terms [1/s], [s^-1/2] [n_terms], whole vectors of them
   AlignedNumbers memory_;          ///< [n_cells][n_fluxes][n_terms]
-  std::vector<double> heated_at_;  ///< time of a cell's memory [s] [n_cells]; below all times: never
+  std::vector<double> heated_at_;  ///< time of a cell's memory [s] [n_cells, and a vector more]; below all times: never
   std::vector<double> heat_;       ///< [J] [n_fluxes][n_cells]
   AlignedNumbers fresh_;           ///< of the band that is being added [J] [n_fluxes][its cells, whole vectors]
   AlignedNumbers gain_;            ///< of the terms over the interval of gain_step_
   double gain_step_ = -1;
-  // Lags are mostly whole numbers of intervals: their decays are kept, and behind them that of one other lag.
-  static constexpr std::size_t n_kept = 512;
+  // Lags are mostly whole numbers of intervals: their decays are kept, and behind them those of other lags that are needed at once.
+  static constexpr std::uint32_t n_kept = 512;
   double interval_ = 0, per_interval_ = 0;
-  mutable AlignedNumbers decay_;              ///< [n_kept + 1][n_terms]
+  mutable AlignedNumbers decay_;              ///< [n_kept, and others][n_terms]
   mutable std::size_t n_filled_ = 0;          ///< of kept decays, each the one before times that of one interval
-  mutable double other_lag_ = -1;             ///< of the one behind them
-  mutable double found_lag_ = -1;             ///< that was asked for last
-  mutable std::size_t found_ = 0;             ///< place of its decays
+  mutable std::vector<std::uint32_t> lags_;   ///< places of decays of what is looked at or added to
   mutable std::vector<std::uint32_t> cells_;  ///< that are looked at
+  mutable std::vector<double> times_;         ///< at which these were heated [s]
 };
 
 }  // namespace rotordrop

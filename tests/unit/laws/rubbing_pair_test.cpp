@@ -25,9 +25,9 @@ using std::numbers::pi;
 const RubbedBody steel = {0.035, 45., 3.7e6};
 constexpr double width = 0.02, b = 0.003, step = 50e-6;
 
-RubbingPair::Options options(std::size_t n_nodes) {
+RubbingPair::Options options(std::size_t n_pieces) {
   RubbingPair::Options o;
-  o.n_nodes = n_nodes;
+  o.n_pieces = n_pieces;
   o.axial_width = width;
   o.shortest_interval = step;
   o.duration = 0.1;

@@ -39,6 +39,43 @@ TEST(TrackMemory, AnswersForTheTimeAndTheHeatOfEachQuestion) {
   EXPECT_NEAR(risen(t) - before, more, 1e-3 * (before + more));
 }
 
+// Cells that were heated at times of their own, the last two at once, no whole numbers of intervals apart, looked at and heated again all at once: after
+// some intervals, and after more than those whose decays are kept.
+TEST(TrackMemory, EachCellDecaysByItsOwnLag) {
+  const std::size_t n_cells = 90, n_heated = 13;
+  const double cell = 2. * pi / n_cells, joules = 0.5, both = 2. * joules;
+  const auto rise = [&](double t, double to) {
+    return 2. * joules / (step * cell * steel.radius * width * steel.effusivity() * std::sqrt(pi)) *
+           (std::sqrt(t - (to - step)) - std::sqrt(t - to));
+  };
+  for (const double later : {30.25, 300., 700.}) {
+    TrackMemory track(steel, n_cells, 1, width, step, 0.1);
+    std::vector<double> end;
+    for (std::size_t k = 0; k + 2 < n_heated; ++k) {
+      const double middle = (static_cast<double>(k) + 0.5) * cell;
+      end.push_back((1. + static_cast<double>(k) * (k % 2 == 0 ? 1. : 1.37)) * step);
+      track.add({middle, middle, 0.4999 * cell}, {&joules, 1, 1}, end.back(), step);
+    }
+    end.insert(end.end(), 2, 17.6 * step);
+    const double between = static_cast<double>(n_heated - 1) * cell;
+    track.add({between, between, 0.9999 * cell}, {&both, 1, 1}, end.back(), step);
+    std::vector<double> found(n_heated + 1);
+    const auto look = [&](double t) { track.rises({0.5 * cell, cell, n_heated + 1}, t, found.data(), n_heated + 1); };
+    const double t = later * step;
+    look(t);
+    for (std::size_t k = 0; k < n_heated; ++k)
+      EXPECT_NEAR(found[k], rise(t, end[k]), 1e-3 * rise(t, end[k])) << later << " " << k;
+    EXPECT_EQ(found[n_heated], 0.);  // never heated
+    const double all_round = n_cells * joules, now = t + 9.5 * step;
+    track.add({0., 0., pi}, {&all_round, 1, 1}, t, step);
+    look(now);
+    for (std::size_t k = 0; k <= n_heated; ++k) {
+      const double both_times = rise(now, t) + (k < n_heated ? rise(now, end[k]) : 0.);
+      EXPECT_NEAR(found[k], both_times, 1e-3 * both_times) << later << " " << k;
+    }
+  }
+}
+
 TEST(TrackMemory, KeepsWhatABandGivesOffInSeveralTurns) {
   const std::size_t n_cells = 90;
   for (const double way : {0.5, 6., 20.}) {
