@@ -50,7 +50,7 @@ HeatStepper::HeatStepper(HeatEquations& equations, const HeatConductionProblem& 
   T_ = T_0_;
   for (auto* family : {&stage_, &flow_})
     for (auto& v : *family) v = Vector::Zero(T_.size());
-  known_ = residual_ = Vector::Zero(T_.size());
+  known_ = residual_ = difference_ = Vector::Zero(T_.size());
   jump_to_held_temperatures();
   inverse_ = equations_.make_inverse();
 }
@@ -281,10 +281,15 @@ bool HeatStepper::step_window(double step) {
   Vector &first = stage_[1], &second = stage_[2];
   const double t_1 = time_ + g * step, t_2 = time_ + step;
   known_.setZero();
+  difference_.setZero();
   first = T_;
   equations_.heat_flow(first, t_1, flow_[1]);
   if (!solve_window_stage(step, t_1, first, flow_[1])) return false;
-  equations_.heat_flow(first, t_1, flow_[1]);
+  equations_.enthalpy_difference(first, T_, difference_);
+  if (equations_.is_linear() && equations_.held().empty())
+    flow_[1] = difference_ / (step * g);  // what the stage solved for
+  else
+    equations_.heat_flow(first, t_1, flow_[1]);
   known_ = step * (1. - g) * flow_[1];
   second = first;
   flow_[2] = flow_[1];
@@ -323,9 +328,11 @@ bool HeatStepper::solve_window_stage(double step, double t, Vector& T, Vector& f
   double last = 0.;
   bool is_fresh = false;
   for (int k = 0; k < most_window_iterations; ++k) {
-    if (k > 0) equations_.heat_flow(T, t, flow);
-    equations_.enthalpy_difference(T, T_, residual_);
-    residual_ = known_ + step * g * flow - residual_;
+    if (k > 0) {
+      equations_.heat_flow(T, t, flow);
+      equations_.enthalpy_difference(T, T_, difference_);
+    }
+    residual_ = known_ + step * g * flow - difference_;
     clear_held(residual_);
     found->second->solve(residual_);
     ++statistics_.solves;

@@ -61,7 +61,8 @@ class HeatStepper {
   [[nodiscard]] bool has_better_matrix(double rate, bool is_fresh);
   void advance_parts_of_window(double step, int most_parts);
   [[nodiscard]] bool step_window(double step);
-  /// @param flow  of T on entry; @return false if Newton's iteration fails
+  /// difference_ is the enthalpy of T on entry over that at the window's start. @param flow  of T on entry
+  /// @return false if Newton's iteration fails
   [[nodiscard]] bool solve_window_stage(double step, double t, Vector& T, Vector& flow);
 
   HeatEquations& equations_;
@@ -74,7 +75,7 @@ class HeatStepper {
   double scale_ = 0;             ///< [K] of errors, in this step
   Vector T_, T_0_;
   std::array<Vector, n_stages> stage_, flow_;
-  Vector known_, residual_;
+  Vector known_, residual_, difference_;
   std::unique_ptr<HeatInverse> inverse_;
   double factorised_step_ = 0;
   HeatMatrix kind_;        ///< of matrices: exact once slopes of conductivities turn out to matter

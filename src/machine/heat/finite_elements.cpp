@@ -25,6 +25,19 @@ double rise_per_joule(const FiniteElements::Section& s) {
                s.solver->port_area(bore_port));
 }
 
+/// Steps that a window of so many shortest ones is taken in: 1, 2, 3, 4, 6, 8, 12, ... of them, the largest first. Few lengths are few factorisations.
+std::vector<double> steps_of_few_lengths(double number) {
+  std::vector<double> steps;
+  while (number >= 1.) {
+    double size = 1.;
+    while (2. * size <= number) size *= 2.;
+    if (size > 1. && 1.5 * size <= number) size *= 1.5;
+    steps.push_back(size);
+    number -= size;
+  }
+  return steps;
+}
+
 double largest(const Expansion& e) {
   double value = 0.;
   for (const auto surface : growth_surfaces) value = std::max(value, std::fabs(e.*surface));
@@ -144,6 +157,12 @@ void WindowedSections::heat_raceways(std::size_t k, double length, const PlaceEn
     add({inner_raceway_port, outer_raceway_port}, given.inner - earlier.inner, given.outer - earlier.outer, balls.all);
 }
 
+void WindowedSections::advance_section(HeatConductionSolver& solver, double length) const {
+  const double number = std::round(length / shortest_);
+  if (std::fabs(length - number * shortest_) > 1e-9 * length) return solver.advance_window(length);  // the drop's last
+  for (const double step : steps_of_few_lengths(number)) solver.advance_window(step * shortest_);
+}
+
 void WindowedSections::step(double length, std::span<const PlaceEnergy> energy,
                             std::span<const PlaceConduction> balls) {
   const double start = cpu_seconds();
@@ -161,7 +180,7 @@ void WindowedSections::step(double length, std::span<const PlaceEnergy> energy,
     heat[housing_port] = -housing_convection(rise) * solver.port_area(housing_port) * rise;
     film_loss_ -= heat[housing_port] * length;
     solver.set_port_heat(heat);
-    solver.advance_window(length);
+    advance_section(solver, length);
     largest_rise_[k] =
         std::max(largest_rise_[k], solver.port_temperature(bore_port) - section.problem.initial_temperature);
     energy_[k] = given;
@@ -188,7 +207,7 @@ void WindowedSections::look(double now, std::span<const PlaceEnergy> energy) {
                  rise = joules * rise_per_joule_[k] / std::sqrt(std::max(elapsed, shortest_));
     if (rise > heating_of_a_window * std::max(largest_rise_[k], least_rise)) is_cut_ = true;
   }
-  // In whole shortest windows, so that few lengths need a factorisation.
+  // In whole shortest windows, see advance_section().
   if (is_cut_) length_ = std::min(length_, std::ceil(elapsed / shortest_) * shortest_);
 }
 

@@ -96,6 +96,8 @@ class WindowedSections {
 
  private:
   void step(double length, std::span<const PlaceEnergy> energy, std::span<const PlaceConduction> balls);
+  /// By a window under its ports' heat, in steps of few lengths.
+  void advance_section(HeatConductionSolver& solver, double length) const;
   /// Heat of friction and of rolling balls into the raceways and the balls.
   void heat_raceways(std::size_t place, double length, const PlaceEnergy& given, const PlaceConduction& balls);
 
