@@ -31,6 +31,8 @@ HeatOperator::HeatOperator(const HeatConductionProblem& problem)
   assemble_interfaces();
   assemble_boundaries();
   assemble_nodes_and_links();
+  capacity_rows_ = NonzeroRows(capacity_);
+  conductance_rows_ = NonzeroRows(conductance_);
   sources_ = make_sources();
 }
 
@@ -147,6 +149,13 @@ void HeatOperator::prepare_curved_cells() {
       for (const auto i : face_dofs_[number]) face_shape_[number].back().push_back(fe_.shape_value(i, p));
     }
   }
+  CellShapes shapes{n, {}, {}, {}};
+  for (unsigned int q = 0; q < cell_quadrature_.size(); ++q) {
+    shapes.value.insert(shapes.value.end(), shape_[q].begin(), shape_[q].end());
+    shapes.x.insert(shapes.x.end(), shape_x_[q].begin(), shape_x_[q].end());
+    shapes.r.insert(shapes.r.end(), shape_r_[q].begin(), shape_r_[q].end());
+  }
+  curved_ = CurvedCells(std::move(shapes));
   dealii::FEValues<2> fe(mapping_, fe_, cell_quadrature_, cell_flags | dealii::update_inverse_jacobians);
   Indices dofs(n);
   for (const auto& cell : cells_) {
@@ -161,6 +170,7 @@ void HeatOperator::prepare_curved_cells() {
       const auto& inverse = fe.inverse_jacobian(q);  // rows: directions of the unit cell
       prepared.metric.push_back({inverse[0] * inverse[0], inverse[0] * inverse[1], inverse[1] * inverse[1]});
     }
+    curved_.add(body, {prepared.dofs, prepared.weights, prepared.metric});
     curved_cells_.push_back(std::move(prepared));
   }
 }
@@ -200,45 +210,20 @@ bool HeatOperator::is_symmetric() const {
 void HeatOperator::enthalpy_difference(const Vector& T, const Vector& T_before, Vector& out) const {
   scratch_ = T;
   scratch_ -= T_before;
-  capacity_.vmult(out, scratch_);
-  for (const auto& cell : curved_cells_)
-    for (std::size_t q = 0; cell.has_capacity && q < cell.weights.size(); ++q) {
-      const double before = interpolated(T_before, cell.dofs, shape_[q]), now = interpolated(T, cell.dofs, shape_[q]);
-      const double gained = cell.body->density * cell.body->heat_capacity.integral(before, now) * cell.weights[q];
-      for (std::size_t i = 0; i < cell.dofs.size(); ++i) out(cell.dofs[i]) += gained * shape_[q][i];
-    }
+  capacity_rows_.multiply(scratch_, out);
+  curved_.add_enthalpy(T.begin(), T_before.begin(), out.begin());
 }
 
 void HeatOperator::heat_flow(const Vector& T, double t, Vector& out) const {
   scratch_ = T;
   scratch_.add(-problem_.initial_temperature);
-  conductance_.vmult(out, scratch_);
+  conductance_rows_.multiply(scratch_, out);
   out.sadd(-1., ambient_load_);
   for (std::size_t f = 0; f < loads_.size(); ++f) out.add(sources_.flux(f), loads_[f].unit);
   for (std::size_t p = 0; p < ports_.size(); ++p)
     if (!sources_.is_silent(p)) out.add(sources_.watts(p, t), ports_[p].weights);
 
-  const std::size_t n = fe_.dofs_per_cell;
-  std::vector<double> here(n), flow(n);
-  for (const auto& cell : curved_cells_) {
-    if (!cell.has_conductivity) continue;
-    for (std::size_t i = 0; i < n; ++i) here[i] = T(cell.dofs[i]);
-    std::fill(flow.begin(), flow.end(), 0.);
-    for (std::size_t q = 0; q < cell.weights.size(); ++q) {
-      const auto &shape = shape_[q], &shape_x = shape_x_[q], &shape_r = shape_r_[q];
-      double T_q = 0., T_x = 0., T_r = 0.;
-      for (std::size_t i = 0; i < n; ++i) {
-        T_q += here[i] * shape[i];
-        T_x += here[i] * shape_x[i];
-        T_r += here[i] * shape_r[i];
-      }
-      const double k = cell.body->conductivity.value(T_q) * cell.weights[q];
-      const auto& [xx, xr, rr] = cell.metric[q];
-      const double k_T_x = k * (xx * T_x + xr * T_r), k_T_r = k * (xr * T_x + rr * T_r);
-      for (std::size_t i = 0; i < n; ++i) flow[i] += k_T_x * shape_x[i] + k_T_r * shape_r[i];
-    }
-    for (std::size_t i = 0; i < n; ++i) out(cell.dofs[i]) -= flow[i];
-  }
+  curved_.subtract_conduction(T.begin(), out.begin());
   for (const auto& face : power_faces_)
     for (std::size_t q = 0; q < face.weights.size(); ++q) {
       const auto& shape = (*face.shape)[q];

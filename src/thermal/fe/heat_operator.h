@@ -14,7 +14,9 @@
 #include "conduction/heat_sources.h"
 #include "model/assembled_heat.h"
 #include "model/heat_conduction.h"
+#include "thermal/fe/curved_cells.h"
 #include "thermal/fe/heat_mesh.h"
+#include "thermal/fe/nonzero_rows.h"
 
 namespace rotordrop {
 
@@ -170,6 +172,7 @@ class HeatOperator {
   const unsigned int n_field_;
   std::vector<bool> is_covered_;          ///< edges of the section that an interface covers
   std::vector<CurvedCell> curved_cells_;  ///< of bodies whose k or c depends on temperature
+  CurvedCells curved_{{}};                ///< the same, for what is evaluated often
   std::vector<std::vector<double>> shape_, shape_x_,
       shape_r_;  ///< [n_points][n_dofs] of curved cells, on the unit cell
   std::array<std::vector<std::vector<double>>, 4> face_shape_;
@@ -182,7 +185,8 @@ class HeatOperator {
   std::vector<std::size_t> body_of_;  ///< [n_field_]
   dealii::SparsityPattern pattern_;
   Matrix capacity_, conductance_;  ///< of all that is linear
-  Vector capacity_weights_;        ///< stored energy of linear bodies = weights . (T - T_0)
+  NonzeroRows capacity_rows_, conductance_rows_;
+  Vector capacity_weights_;  ///< stored energy of linear bodies = weights . (T - T_0)
   Vector loss_weights_;
   Vector ambient_load_;  ///< coefficient (ambient - initial) v of linear convections
   HeatSources sources_;

@@ -1,0 +1,57 @@
+#pragma once
+// Cells whose conductivity or heat capacity depends on temperature: what a step of heat conduction spends its time on, eight cells at a time.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/aligned_numbers.h"
+#include "model/heat_conduction.h"
+
+namespace rotordrop {
+
+/// A property over temperature as lists: straight lines from point to point, constant outside.
+struct PropertyLists {
+  std::vector<double> T, value, slope;  ///< [n_points], [n_points], [n_points - 1]
+  explicit PropertyLists(const PropertyTable& table);
+};
+
+/// Shape functions and their gradients on the unit cell, at the points of its quadrature.
+struct CellShapes {
+  std::size_t n = 0;                ///< of functions, and of points
+  std::vector<double> value, x, r;  ///< [n points][n functions]
+};
+
+/// Integrals over such cells. One thread at a time.
+class CurvedCells {
+ public:
+  explicit CurvedCells(CellShapes shapes);
+
+  struct Cell {
+    std::span<const unsigned int> unknowns;          ///< [n]
+    std::span<const double> weights;                 ///< 2 pi r times the quadrature's weight [n]
+    std::span<const std::array<double, 3>> metrics;  ///< xx, xr, rr of J^-1 J^-T [n]
+  };
+  void add(const HeatBody& body, const Cell& cell);
+
+  /// out(v) += integral rho (H(T) - H(T_before)) v [J], over cells whose heat capacity depends on temperature.
+  void add_enthalpy(const double* T, const double* T_before, double* out) const;
+  /// out(v) -= integral k grad T . grad v [W], over cells whose conductivity does.
+  void subtract_conduction(const double* T, double* out) const;
+
+ private:
+  /// Of one body, in whole vectors: the last vector repeats its first cell with weights of zero.
+  struct Part {
+    const HeatBody* body;
+    PropertyLists k, c;
+    bool k_is_curved, c_is_curved;
+    std::size_t n_cells = 0;
+    std::vector<std::uint32_t> unknowns;  ///< [vectors][n][vector_length]
+    AlignedNumbers weights;               ///< the same; then xx, xr, rr of the metrics
+    AlignedNumbers xx, xr, rr;
+  };
+  CellShapes shapes_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace rotordrop
