@@ -93,8 +93,8 @@ ROTORDROP_KERNEL void share_out(std::size_t n, double given, double q_rotor, dou
 template <std::size_t n>
 ROTORDROP_KERNEL void meet(double q, double before, const PieceResponses& by, const double* kept, double* q_ring,
                            double* on_rotor) {
-  double rotor[n], alone[n],
-      kernel[n];  // alone: q_rotor of a piece if no other heated the rotor, and the rotor came cold
+  // alone: q_rotor of a piece if no other heated the rotor, and the rotor came cold.
+  double rotor[n], alone[n], kernel[n];
   std::copy_n(by.kernel, n, kernel);
 #pragma omp simd
   for (std::size_t k = 0; k < n; ++k) {
