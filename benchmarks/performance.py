@@ -48,7 +48,7 @@ KERNELS = [
     ("right_hand_side_of/bent_rings_and_inertial_balls", "call", "the same, bent rings and balls with inertia"),
     ("right_hand_side_in_lanes", "drop", "right-hand side of one of eight drops in lanes, rigid rings that translate"),
     ("recorded_row", "row", "one recorded row, written to the file"),
-    ("local_rub", "row", "local temperatures and wear where one bearing rubs, two bands and their shares, of one row"),
+    ("local_rub/process_time", "row", "local temperatures and wear where one bearing rubs, two bands and their shares, of one row"),
 ]
 
 
