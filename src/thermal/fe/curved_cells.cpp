@@ -171,22 +171,19 @@ PropertyLists::PropertyLists(const PropertyTable& table) {
   for (std::size_t k = 0; k + 1 < T.size(); ++k) slope.push_back((value[k + 1] - value[k]) / (T[k + 1] - T[k]));
 }
 
+CurvedCells::Part::Part(const HeatBody& of)
+    : body(&of),
+      k(of.conductivity),
+      c(of.heat_capacity),
+      k_is_curved(!of.conductivity.is_constant()),
+      c_is_curved(!of.heat_capacity.is_constant()) {}
+
 CurvedCells::CurvedCells(CellShapes shapes) : shapes_(std::move(shapes)) {}
 
 void CurvedCells::add(const HeatBody& body, const Cell& cell) {
   auto part = std::find_if(parts_.begin(), parts_.end(), [&](const Part& p) { return p.body == &body; });
   if (part == parts_.end()) {
-    parts_.push_back({&body,
-                      PropertyLists(body.conductivity),
-                      PropertyLists(body.heat_capacity),
-                      !body.conductivity.is_constant(),
-                      !body.heat_capacity.is_constant(),
-                      0,
-                      {},
-                      {},
-                      {},
-                      {},
-                      {}});
+    parts_.emplace_back(body);
     part = parts_.end() - 1;
   }
   const std::size_t n = shapes_.n, lane = part->n_cells++ % vector_length;
@@ -206,13 +203,19 @@ void CurvedCells::add(const HeatBody& body, const Cell& cell) {
   }
 }
 
+namespace {
+
+CellLists lists_of(const auto& part) {
+  return {part.n_cells, part.unknowns.data(), part.weights.data(), part.xx.data(), part.xr.data(), part.rr.data()};
+}
+
+}  // namespace
+
 void CurvedCells::add_enthalpy(const double* T, const double* T_before, double* out) const {
   for (const Part& p : parts_)
     if (p.c_is_curved)
       with_number(shapes_.n, [&](auto n) {
-        wide<add_enthalpies<n>>(
-            CellLists{p.n_cells, p.unknowns.data(), p.weights.data(), p.xx.data(), p.xr.data(), p.rr.data()},
-            shapes_.value.data(), Lines(p.c), p.body->density, T, T_before, out);
+        wide<add_enthalpies<n>>(lists_of(p), shapes_.value.data(), Lines(p.c), p.body->density, T, T_before, out);
       });
 }
 
@@ -220,9 +223,8 @@ void CurvedCells::subtract_conduction(const double* T, double* out) const {
   for (const Part& p : parts_)
     if (p.k_is_curved)
       with_number(shapes_.n, [&](auto n) {
-        wide<subtract_conductions<n>>(
-            CellLists{p.n_cells, p.unknowns.data(), p.weights.data(), p.xx.data(), p.xr.data(), p.rr.data()},
-            shapes_.value.data(), shapes_.x.data(), shapes_.r.data(), Lines(p.k), T, out);
+        wide<subtract_conductions<n>>(lists_of(p), shapes_.value.data(), shapes_.x.data(), shapes_.r.data(), Lines(p.k),
+                                      T, out);
       });
 }
 

@@ -42,6 +42,7 @@ class CurvedCells {
  private:
   /// Of one body, in whole vectors: the last vector repeats its first cell with weights of zero.
   struct Part {
+    explicit Part(const HeatBody& body);
     const HeatBody* body;
     PropertyLists k, c;
     bool k_is_curved, c_is_curved;
