@@ -7,8 +7,8 @@
 namespace rotordrop {
 namespace {
 
-/// Part of a piece's heat that falls below a cell's far edge if no piece ends: (r(u)^2 - r(u - way)^2) / (2 way length), r(x) = max(x, 0), without the difference of
-/// squares, u beyond the place where the heat begins. A band at rest goes a ten-millionth of its length.
+/// Part of a piece's heat that falls below a cell's far edge, as if the piece went on without end: (r(u)^2 - r(u - way)^2) / (2 way length), r(x) = max(x, 0). The
+/// edge lies u beyond where the piece begins. Written without the difference of squares. A band at rest goes a ten-millionth of its length.
 struct Ramp {
   double start, length, way, scale;
   ROTORDROP_KERNEL Ramp(const SweptBand& band, std::size_t n_pieces) {

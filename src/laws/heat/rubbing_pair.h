@@ -38,7 +38,7 @@ struct PieceResponses {
 /// Bore and rotor under one rubbing band, from interval to interval. The same rub is followed for several divisions of its heat at once, which know
 /// nothing of each other.
 ///
-/// The heat is even over the band, q = H/(2 b w). The band is cut into n_pieces across its length. The ring, slow against the rotor, keeps what each
+/// The heat is even over the band, q = H/(2 b w). The band is cut into n_pieces pieces across its length. The ring, slow against the rotor, keeps what each
 /// piece of its surface got (TrackMemory), and takes up the present interval's flux like a half space for as long as it has been under the band. The
 /// rotor passes fast: its material enters at the edge that it meets first, with the rise that is left from earlier turns, and at the age tau under the band has
 ///   T = T_before + (1/(e sqrt(pi))) integral_0^tau q_rotor tau'^(-1/2) dtau'.
@@ -52,7 +52,7 @@ class RubbingPair {
  public:
   struct Options {
     std::vector<RubDivision> divisions = {RubDivision::one_temperature};
-    std::size_t n_pieces = 12;        ///< of the band: as many, or 1
+    std::size_t n_pieces = 12;        ///< of the band: 12 or 1
     double axial_width = 0;           ///< w [m], > 0
     double shortest_interval = 5e-5;  ///< [s]
     double duration = 1;              ///< [s]

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/real.h"
 #include "base/wide_vectors.h"
 #include "laws/root_kernel.h"
 
@@ -66,7 +67,7 @@ ROTORDROP_KERNEL void cells_of(const EvenAngles& at, std::size_t n_cells, const 
     }
 }
 
-/// Lags since some times in whole intervals; `most` for those that are no whole number of them, or more.
+/// Lags since some times in whole intervals; `most` for those that are no whole number of intervals, or `most` of them and more.
 /// @param heated_at, lags  [n, filled up]; @return the largest
 ROTORDROP_KERNEL double whole_intervals(const double* heated_at, std::size_t n, double t, double per_interval,
                                         double most, std::uint32_t* lags) {
@@ -75,7 +76,8 @@ ROTORDROP_KERNEL double whole_intervals(const double* heated_at, std::size_t n, 
 #pragma omp simd
     for (std::size_t i = 0; i < vector_length; ++i) {
       const double count = (t - heated_at[at + i]) * per_interval, limited = count < most ? count : most;
-      const double whole = std::floor(limited + 0.5), lag = std::fabs(limited - whole) < 1e-6 ? whole : most;
+      const double whole = std::floor(limited + 0.5), distance = std::fabs(limited - whole);
+      const double lag = distance < 1e-6 ? larger(whole, 0.) : most;
       lags[at + i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(lag));
       largest[i] = largest.value[i] < lag ? lag : largest.value[i];
     }

@@ -96,14 +96,14 @@ class WindowedSections {
 
  private:
   void step(double length, std::span<const PlaceEnergy> energy, std::span<const PlaceConduction> balls);
-  /// By a window under its ports' heat, in steps of few lengths.
+  /// Advances a section to the end of a window under its ports' heat, in steps of few lengths.
   void advance_section(HeatConductionSolver& solver, double length) const;
   /// Heat of friction and of rolling balls into the raceways and the balls.
   void heat_raceways(std::size_t place, double length, const PlaceEnergy& given, const PlaceConduction& balls);
 
   FiniteElements& elements_;
   double tolerance_, shortest_, longest_;
-  double length_;  ///< of the window under way [s]: the longest, halved a few times
+  double length_;  ///< of the window under way [s]: the longest, halved a few times, or what is left of it after a cut
   double time_ = 0, last_error_ = 0, last_length_ = 0, film_loss_ = 0;
   bool is_cut_ = false;                         ///< the window under way ends before its time
   std::vector<double> rise_per_joule_;          ///< of a bore in a half space, times root of time [K s^0.5/J]

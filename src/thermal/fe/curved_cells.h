@@ -22,7 +22,7 @@ struct CellShapes {
   std::vector<double> value, x, r;  ///< [n points][n functions]
 };
 
-/// Integrals over such cells. One thread at a time.
+/// Integrals over such cells.
 class CurvedCells {
  public:
   explicit CurvedCells(CellShapes shapes);
@@ -32,6 +32,7 @@ class CurvedCells {
     std::span<const double> weights;                 ///< 2 pi r times the quadrature's weight [n]
     std::span<const std::array<double, 3>> metrics;  ///< xx, xr, rr of J^-1 J^-T [n]
   };
+  /// @param body  must outlive this, at its place
   void add(const HeatBody& body, const Cell& cell);
 
   /// out(v) += integral rho (H(T) - H(T_before)) v [J], over cells whose heat capacity depends on temperature.

@@ -5,7 +5,7 @@
 
 namespace rotordrop {
 
-/// The entries of a matrix that are not zero, row after row: of bodies whose properties depend on temperature the pattern has many that are.
+/// The entries of a matrix that are not zero, row after row. Bodies whose properties depend on temperature have a place in the pattern, but zeros there.
 class NonzeroRows {
  public:
   NonzeroRows() = default;
