@@ -57,12 +57,13 @@ Json local_json(const LocalSummary& local) {
                 {"share_to_ring", number(r.share_to_ring)}};
   };
   const LocalRise& s = rub.stated;
+  const double roundoff = 1e-12 * s.bore;  // all that is left where both surfaces have one temperature
   return {{"bore_rise", number(s.bore)},
           {"bore_rise_low", number(rub.bore_rise_low)},
           {"bore_rise_high", number(rub.bore_rise_high)},
           {"bore_rise_time", number(s.time)},
           {"rotor_rise", number(s.rotor)},
-          {"surface_difference", number(s.difference_then)},
+          {"surface_difference", number(s.difference_then <= roundoff ? 0. : s.difference_then)},
           {"share_to_ring", number(s.share_to_ring)},
           {"share_to_ring_then", number(s.share_then)},
           {"band_length_then", number(2. * s.half_width)},
