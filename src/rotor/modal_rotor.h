@@ -91,10 +91,10 @@ class ModalRotor final : public RotorModel {
                    std::span<double> dydt) const override;
   [[nodiscard]] bool has_windage() const override { return windage_.has_value(); }
   [[nodiscard]] double energy(std::span<const double> y) const override;
-  /// Of a rotor that bends: modal_y, modal_z, its modal coordinates [m].
   /// Its flexible modes, those of both planes; none if the damping of one is below 2e-4 of critical: what gyroscopic coupling to the others does, seen a few
   /// times in many turns, then adds up.
   [[nodiscard]] std::vector<Oscillator> oscillators() const override;
+  /// Of a rotor that bends: modal_y, modal_z, its modal coordinates [m].
   [[nodiscard]] std::vector<Observable> observables() const override;
   void observe(std::span<const double> y, std::span<double> out) const override;
 

@@ -47,10 +47,15 @@ struct Lines {
   }
 };
 
-/// Eight cells.
+/// Lists of a part's cells, or of those from one vector on.
 struct Cells {
-  const std::uint32_t* unknowns;  // [n][vector_length]
+  std::size_t n_cells;
+  const std::uint32_t* unknowns;  // [vectors][n][vector_length]
   const double *weights, *xx, *xr, *rr;
+  [[nodiscard]] ROTORDROP_KERNEL Cells from(std::size_t first, std::size_t n) const {
+    const std::size_t at = first * n;
+    return {n_cells - first, unknowns + at, weights + at, xx + at, xr + at, rr + at};
+  }
 };
 
 template <std::size_t n>
@@ -120,25 +125,14 @@ ROTORDROP_KERNEL void subtract_conduction_of(const Cells& cells, const double* s
   scatter<n>(flow, cells.unknowns, out);
 }
 
-/// All cells of a part.
-struct CellLists {
-  std::size_t n_cells;
-  const std::uint32_t* unknowns;
-  const double *weights, *xx, *xr, *rr;
-  [[nodiscard]] ROTORDROP_KERNEL Cells from(std::size_t first, std::size_t n) const {
-    const std::size_t at = first * n;
-    return {unknowns + at, weights + at, xx + at, xr + at, rr + at};
-  }
-};
-
 template <std::size_t n>
-ROTORDROP_KERNEL void add_enthalpies(const CellLists& cells, const double* shape, const Lines& c, double density,
+ROTORDROP_KERNEL void add_enthalpies(const Cells& cells, const double* shape, const Lines& c, double density,
                                      const double* T, const double* T_before, double* out) {
   for (std::size_t first = 0; first < cells.n_cells; first += vector_length)
     add_enthalpy_of<n>(cells.from(first, n), shape, c, density, T, T_before, out);
 }
 template <std::size_t n>
-ROTORDROP_KERNEL void subtract_conductions(const CellLists& cells, const double* shape, const double* shape_x,
+ROTORDROP_KERNEL void subtract_conductions(const Cells& cells, const double* shape, const double* shape_x,
                                            const double* shape_r, const Lines& k, const double* T, double* out) {
   for (std::size_t first = 0; first < cells.n_cells; first += vector_length)
     subtract_conduction_of<n>(cells.from(first, n), shape, shape_x, shape_r, k, T, out);
@@ -175,8 +169,8 @@ CurvedCells::Part::Part(const HeatBody& of)
     : body(&of),
       k(of.conductivity),
       c(of.heat_capacity),
-      k_is_curved(!of.conductivity.is_constant()),
-      c_is_curved(!of.heat_capacity.is_constant()) {}
+      has_conductivity(!of.conductivity.is_constant()),
+      has_capacity(!of.heat_capacity.is_constant()) {}
 
 CurvedCells::CurvedCells(CellShapes shapes) : shapes_(std::move(shapes)) {}
 
@@ -205,7 +199,7 @@ void CurvedCells::add(const HeatBody& body, const Cell& cell) {
 
 namespace {
 
-CellLists lists_of(const auto& part) {
+Cells lists_of(const auto& part) {
   return {part.n_cells, part.unknowns.data(), part.weights.data(), part.xx.data(), part.xr.data(), part.rr.data()};
 }
 
@@ -213,7 +207,7 @@ CellLists lists_of(const auto& part) {
 
 void CurvedCells::add_enthalpy(const double* T, const double* T_before, double* out) const {
   for (const Part& p : parts_)
-    if (p.c_is_curved)
+    if (p.has_capacity)
       with_number(shapes_.n, [&](auto n) {
         wide<add_enthalpies<n>>(lists_of(p), shapes_.value.data(), Lines(p.c), p.body->density, T, T_before, out);
       });
@@ -221,7 +215,7 @@ void CurvedCells::add_enthalpy(const double* T, const double* T_before, double* 
 
 void CurvedCells::subtract_conduction(const double* T, double* out) const {
   for (const Part& p : parts_)
-    if (p.k_is_curved)
+    if (p.has_conductivity)
       with_number(shapes_.n, [&](auto n) {
         wide<subtract_conductions<n>>(lists_of(p), shapes_.value.data(), shapes_.x.data(), shapes_.r.data(), Lines(p.k),
                                       T, out);

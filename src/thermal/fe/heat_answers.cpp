@@ -60,11 +60,18 @@ double HeatOperator::lost_power(const Vector& T) const {
 double HeatOperator::stored_energy(const Vector& T, const Vector& T_0) const {
   double energy = 0.;
   for (unsigned int i = 0; i < size(); ++i) energy += capacity_weights_(i) * (T(i) - T_0(i));
-  for (const auto& cell : curved_cells_)
-    for (std::size_t q = 0; cell.has_capacity && q < cell.weights.size(); ++q) {
-      const double before = interpolated(T_0, cell.dofs, shape_[q]), now = interpolated(T, cell.dofs, shape_[q]);
-      energy += cell.body->density * cell.body->heat_capacity.integral(before, now) * cell.weights[q];
+  const std::size_t n = fe_.dofs_per_cell;
+  curved_.for_each([&](const CurvedCells::View& cell) {
+    for (std::size_t q = 0; cell.has_capacity && q < n; ++q) {
+      double before = 0., now = 0.;
+      for (std::size_t i = 0; i < n; ++i) {
+        const double shape = curved_.shapes().value[q * n + i];
+        before += T_0(cell.unknown(i)) * shape;
+        now += T(cell.unknown(i)) * shape;
+      }
+      energy += cell.body.density * cell.body.heat_capacity.integral(before, now) * cell.weight(q);
     }
+  });
   return energy;
 }
 

@@ -1,6 +1,7 @@
 #include "thermal/fe/heat_operator.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/errors.h"
 #include "thermal/fe/heat_integrands.h"
@@ -130,15 +131,15 @@ void HeatOperator::find_held_unknowns() {
 
 void HeatOperator::prepare_curved_cells() {
   const unsigned int n = fe_.dofs_per_cell;
-  for (unsigned int q = 0; q < cell_quadrature_.size(); ++q) {
-    const auto& p = cell_quadrature_.point(q);
-    for (auto* table : {&shape_, &shape_x_, &shape_r_}) table->emplace_back(n);
+  CellShapes shapes{n, {}, {}, {}};
+  for (unsigned int q = 0; q < cell_quadrature_.size(); ++q)
     for (unsigned int i = 0; i < n; ++i) {
-      shape_[q][i] = fe_.shape_value(i, p);
-      shape_x_[q][i] = fe_.shape_grad(i, p)[0];
-      shape_r_[q][i] = fe_.shape_grad(i, p)[1];
+      const auto& p = cell_quadrature_.point(q);
+      shapes.value.push_back(fe_.shape_value(i, p));
+      shapes.x.push_back(fe_.shape_grad(i, p)[0]);
+      shapes.r.push_back(fe_.shape_grad(i, p)[1]);
     }
-  }
+  curved_ = CurvedCells(std::move(shapes));
   for (unsigned int number = 0; number < 4; ++number) {
     for (unsigned int i = 0; i < n; ++i)
       if (fe_.has_support_on_face(i, number)) face_dofs_[number].push_back(i);
@@ -149,29 +150,21 @@ void HeatOperator::prepare_curved_cells() {
       for (const auto i : face_dofs_[number]) face_shape_[number].back().push_back(fe_.shape_value(i, p));
     }
   }
-  CellShapes shapes{n, {}, {}, {}};
-  for (unsigned int q = 0; q < cell_quadrature_.size(); ++q) {
-    shapes.value.insert(shapes.value.end(), shape_[q].begin(), shape_[q].end());
-    shapes.x.insert(shapes.x.end(), shape_x_[q].begin(), shape_x_[q].end());
-    shapes.r.insert(shapes.r.end(), shape_r_[q].begin(), shape_r_[q].end());
-  }
-  curved_ = CurvedCells(std::move(shapes));
   dealii::FEValues<2> fe(mapping_, fe_, cell_quadrature_, cell_flags | dealii::update_inverse_jacobians);
   Indices dofs(n);
   for (const auto& cell : cells_) {
     if (!is_curved(body_of(cell))) continue;
     fe.reinit(cell);
     cell->get_dof_indices(dofs);
-    const HeatBody& body = body_of(cell);
-    CurvedCell prepared{
-        &body, !body.heat_capacity.is_constant(), !body.conductivity.is_constant(), {dofs.begin(), dofs.end()}, {}, {}};
+    const std::vector<unsigned int> unknowns(dofs.begin(), dofs.end());
+    std::vector<double> weights;
+    std::vector<std::array<double, 3>> metrics;
     for (unsigned int q = 0; q < fe.n_quadrature_points; ++q) {
-      prepared.weights.push_back(weight(fe, q));
+      weights.push_back(weight(fe, q));
       const auto& inverse = fe.inverse_jacobian(q);  // rows: directions of the unit cell
-      prepared.metric.push_back({inverse[0] * inverse[0], inverse[0] * inverse[1], inverse[1] * inverse[1]});
+      metrics.push_back({inverse[0] * inverse[0], inverse[0] * inverse[1], inverse[1] * inverse[1]});
     }
-    curved_.add(body, {prepared.dofs, prepared.weights, prepared.metric});
-    curved_cells_.push_back(std::move(prepared));
+    curved_.add(body_of(cell), {unknowns, weights, metrics});
   }
 }
 
@@ -274,29 +267,31 @@ void HeatOperator::jacobian(const Vector& T, double scaled_step, HeatMatrix kind
   out.copy_from(capacity_);
   out.add(scaled_step, conductance_);
   const std::size_t n = fe_.dofs_per_cell;
-  std::vector<double> local(n);
-  for (const auto& cell : curved_cells_) {
-    const auto& k_of = cell.body->conductivity;
+  const CellShapes& shapes = curved_.shapes();
+  std::vector<double> here(n), local(n);
+  curved_.for_each([&](const CurvedCells::View& cell) {
+    const auto& k_of = cell.body.conductivity;
+    for (std::size_t i = 0; i < n; ++i) here[i] = T(cell.unknown(i));
+    const auto at_point = [&](const double* shape) { return std::inner_product(here.begin(), here.end(), shape, 0.); };
     for (std::size_t i = 0; i < n; ++i) {
       std::fill(local.begin(), local.end(), 0.);
-      for (std::size_t q = 0; q < cell.weights.size(); ++q) {
-        const double now = interpolated(T, cell.dofs, shape_[q]), w = cell.weights[q];
-        const auto& [xx, xr, rr] = cell.metric[q];
+      for (std::size_t q = 0; q < n; ++q) {
+        const double *shape = &shapes.value[q * n], *shape_x = &shapes.x[q * n], *shape_r = &shapes.r[q * n];
+        const double now = at_point(shape), w = cell.weight(q);
+        const auto [xx, xr, rr] = cell.metric(q);
         const double k = cell.has_conductivity ? scaled_step * w * k_of.value(now) : 0.;
         const double steeper =
             cell.has_conductivity && kind == HeatMatrix::exact ? scaled_step * w * k_of.slope(now) : 0.;
-        const double rho_c = cell.has_capacity ? cell.body->density * cell.body->heat_capacity.value(now) : 0.;
+        const double rho_c = cell.has_capacity ? cell.body.density * cell.body.heat_capacity.value(now) : 0.;
         // Gradient of shape i raised by the metric.
-        const double i_x = xx * shape_x_[q][i] + xr * shape_r_[q][i], i_r = xr * shape_x_[q][i] + rr * shape_r_[q][i];
-        const double flow_i =
-            interpolated(T, cell.dofs, shape_x_[q]) * i_x + interpolated(T, cell.dofs, shape_r_[q]) * i_r;
-        const double by_value = rho_c * w * shape_[q][i] + steeper * flow_i;
-        for (std::size_t j = 0; j < n; ++j)
-          local[j] += by_value * shape_[q][j] + k * (i_x * shape_x_[q][j] + i_r * shape_r_[q][j]);
+        const double i_x = xx * shape_x[i] + xr * shape_r[i], i_r = xr * shape_x[i] + rr * shape_r[i];
+        const double flow_i = at_point(shape_x) * i_x + at_point(shape_r) * i_r;
+        const double by_value = rho_c * w * shape[i] + steeper * flow_i;
+        for (std::size_t j = 0; j < n; ++j) local[j] += by_value * shape[j] + k * (i_x * shape_x[j] + i_r * shape_r[j]);
       }
-      for (std::size_t j = 0; j < n; ++j) out.add(cell.dofs[i], cell.dofs[j], local[j]);
+      for (std::size_t j = 0; j < n; ++j) out.add(cell.unknown(i), cell.unknown(j), local[j]);
     }
-  }
+  });
   for (const auto& face : power_faces_)
     for (std::size_t q = 0; q < face.weights.size(); ++q) {
       const auto& shape = (*face.shape)[q];

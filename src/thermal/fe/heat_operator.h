@@ -39,7 +39,7 @@ class HeatOperator {
   [[nodiscard]] const HeatConductionProblem& problem() const { return problem_; }
   [[nodiscard]] const dealii::SparsityPattern& pattern() const { return pattern_; }
   /// No property depends on temperature, no convection is a power law: one Jacobian for all.
-  [[nodiscard]] bool is_linear() const { return curved_cells_.empty() && power_faces_.empty(); }
+  [[nodiscard]] bool is_linear() const { return curved_.empty() && power_faces_.empty(); }
   /// No conductivity depends on temperature: the Jacobian is symmetric, and positive definite.
   [[nodiscard]] bool is_symmetric() const;
   void initial_temperature(Vector& T) const;
@@ -99,16 +99,7 @@ class HeatOperator {
  private:
   using Cell = HeatMesh::Cell;
   using Face = HeatMesh::Face;
-  /// Of a cell with temperature-dependent properties, what its integrals need.
-  struct CurvedCell {
-    const HeatBody* body = nullptr;
-    bool has_capacity = false, has_conductivity = false;  ///< that depends on temperature; the matrices have the other
-    std::vector<unsigned int> dofs;
-    std::vector<double> weights;  ///< 2 pi r times the quadrature's weight [n_points]
-    std::vector<std::array<double, 3>>
-        metric;  ///< xx, xr, rr of J^-1 J^-T: gradients on the unit cell to those in space
-  };
-  /// The same of a face with convection.
+  /// Of a face with convection, what its integrals need.
   struct FilmFace {
     const HeatConvection* law = nullptr;
     std::vector<unsigned int> dofs;                           ///< of the shape functions that do not vanish there
@@ -170,11 +161,8 @@ class HeatOperator {
   dealii::QGauss<1> face_quadrature_;
   const std::vector<Cell>& cells_;
   const unsigned int n_field_;
-  std::vector<bool> is_covered_;          ///< edges of the section that an interface covers
-  std::vector<CurvedCell> curved_cells_;  ///< of bodies whose k or c depends on temperature
-  CurvedCells curved_{{}};                ///< the same, for what is evaluated often
-  std::vector<std::vector<double>> shape_, shape_x_,
-      shape_r_;  ///< [n_points][n_dofs] of curved cells, on the unit cell
+  std::vector<bool> is_covered_;  ///< edges of the section that an interface covers
+  CurvedCells curved_{{}};        ///< of bodies whose k or c depends on temperature
   std::array<std::vector<std::vector<double>>, 4> face_shape_;
   std::array<std::vector<unsigned int>, 4> face_dofs_;
   std::vector<FilmFace> power_faces_, linear_faces_;

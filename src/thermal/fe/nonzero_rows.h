@@ -5,11 +5,16 @@
 
 namespace rotordrop {
 
-/// The entries of a matrix that are not zero, row after row. Bodies whose properties depend on temperature have a place in the pattern, but zeros there.
+/// Multiplies by a matrix without its zeros, where it has many: bodies whose properties depend on temperature have a place in the pattern, but zeros there.
+/// Of a matrix with few nothing is copied.
 class NonzeroRows {
  public:
   NonzeroRows() = default;
-  explicit NonzeroRows(const dealii::SparseMatrix<double>& matrix) {
+  /// @param matrix  must outlive this, at its place
+  explicit NonzeroRows(const dealii::SparseMatrix<double>& matrix) : matrix_(&matrix) {
+    std::size_t n_zeros = 0;
+    for (const auto& entry : matrix) n_zeros += entry.value() == 0. ? 1 : 0;
+    if (2 * n_zeros < matrix.n_nonzero_elements()) return;
     for (unsigned int row = 0; row < matrix.m(); ++row) {
       for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
         if (entry->value() != 0.) {
@@ -21,6 +26,7 @@ class NonzeroRows {
   }
   /// out = matrix v
   void multiply(const dealii::Vector<double>& v, dealii::Vector<double>& out) const {
+    if (end_.empty()) return matrix_->vmult(out, v);
     std::size_t k = 0;
     for (unsigned int row = 0; row < end_.size(); ++row) {
       double sum = 0.;
@@ -30,7 +36,8 @@ class NonzeroRows {
   }
 
  private:
-  std::vector<std::size_t> end_;
+  const dealii::SparseMatrix<double>* matrix_ = nullptr;
+  std::vector<std::size_t> end_;  // empty: the matrix itself is asked
   std::vector<unsigned int> column_;
   std::vector<double> value_;
 };
