@@ -14,17 +14,26 @@ import urllib.request
 DRIVER, BROWSER = shutil.which("chromedriver"), shutil.which("chromium")
 
 
+def started_driver(command=(DRIVER, "--port=0"), trials=3):
+    """Driver's process and its port. It has ended before it listened (seen once in some hundred runs), which says nothing of the page asked for: begun anew, at most `trials` times."""
+    said = []
+    for _ in range(trials):
+        driver = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        for line in driver.stdout:
+            said.append(line)
+            if found := re.search(r"started successfully on port (\d+)", line):
+                return driver, found[1]
+        driver.stdout.close()
+        said.append(f"ended with exit code {driver.wait()}\n")
+    raise AssertionError(f"{command[0]} ended before it listened, {trials} times:\n" + "".join(said))
+
+
 class Browser:
     """Chromium without a window, by WebDriver."""
 
     def __init__(self):
+        self.driver, port = started_driver()
         self.folder = tempfile.TemporaryDirectory(prefix="rotordrop-browser-")
-        self.driver = subprocess.Popen([DRIVER, "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        port = None
-        for line in self.driver.stdout:
-            if found := re.search(r"started successfully on port (\d+)", line):
-                port = found[1]
-                break
         self.url = f"http://127.0.0.1:{port}"
         # Root has no sandbox in a container; /dev/shm may be small there.
         arguments = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--window-size=1366,900", f"--user-data-dir={self.folder.name}",
