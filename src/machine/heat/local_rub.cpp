@@ -32,6 +32,7 @@ struct Interval {
 std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
   const auto rows = rows_to_follow(r, most_rows);
   std::vector<Interval> list;
+  list.reserve(rows.size());
   double largest_heat = 0.;
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const std::size_t i = rows[k - 1], j = rows[k];
