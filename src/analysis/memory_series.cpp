@@ -37,6 +37,7 @@ MemorySeries::Group::Group(std::string times_path, std::initializer_list<const s
       at += o.size;
     }
   row_.resize(n_kept);
+  tile_.resize(n_kept * RowTile::width);
   rows_ = RowStore(n_kept);
 }
 
@@ -49,6 +50,15 @@ void MemorySeries::Group::row(double time, std::span<const double> values) {
     to = std::copy(from.begin(), from.end(), to);
   }
   rows_.append(row_);
+}
+
+void MemorySeries::Group::rows(const RowTile& tile) {
+  if (kept.empty()) return;
+  times.insert(times.end(), tile.times.begin(), tile.times.end());
+  double* to = tile_.data();
+  for (const auto& part : parts_)
+    to = std::copy_n(tile.values + part.first * RowTile::width, part.size * RowTile::width, to);
+  rows_.append(RowTile{tile.times, tile_.data(), row_.size()});
 }
 
 std::vector<double> MemorySeries::Group::values(std::size_t column, std::size_t size) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/drop.h"
+#include "base/aligned_numbers.h"
 #include "base/row_store.h"
 
 namespace rotordrop {
@@ -43,6 +44,8 @@ class MemorySeries {
    public:
     Group(std::string times_path, std::initializer_list<const std::vector<Observable>*> lists, const Choice& is_kept);
     void row(double time, std::span<const double> values) override;
+    [[nodiscard]] bool takes_tiles() const override { return true; }
+    void rows(const RowTile& tile) override;
     /// Of one that is kept, row after row.
     [[nodiscard]] std::vector<double> values(const Kept& k) const { return values(k.column, k.size); }
     /// Of neighbouring columns of what is kept, row after row.
@@ -59,6 +62,7 @@ class MemorySeries {
     };
     std::vector<Part> parts_;  // of a row, that are kept
     std::vector<double> row_;
+    AlignedNumbers tile_;  // [columns that are kept][RowTile::width]
     RowStore rows_;
   };
   [[nodiscard]] const std::deque<Group>& groups() const { return groups_; }

@@ -1,5 +1,6 @@
 #include "analysis/row_lanes.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "machine/lanes/machine_lanes.h"
@@ -7,34 +8,38 @@
 namespace rotordrop {
 
 RowLanes::RowLanes(const Machine& machine)
-    : y_(machine.layout().size() * LaneSystem::width), rates_(y_.size()), step_(machine.n_step() * LaneSystem::width) {
+    : n_step_(machine.n_step() * LaneSystem::width),
+      y_(machine.layout().size() * LaneSystem::width),
+      rates_(y_.size()),
+      values_(n_step_ + observed_size(machine.state_observables()) * LaneSystem::width) {
   const Machine* one = &machine;
   system_ = make_lanes({&one, 1});
-  found_.step.resize(machine.n_step());
 }
 
 void RowLanes::add(double t, std::span<const double> y) {
+  if (is_full()) throw std::logic_error("RowLanes: eight states wait to be evaluated");
   t_[n_] = t;
-  state_[n_].assign(y.begin(), y.end());
+  for (std::size_t i = 0; i < y.size(); ++i) y_[i * LaneSystem::width + n_] = y[i];
   ++n_;
 }
 
-void RowLanes::evaluate(const std::function<void(double t, std::span<const double> y, const Evaluation& found)>& take) {
+RowTile RowLanes::evaluate(bool is_whole) {
   const std::size_t n = std::exchange(n_, 0);  // if one of them cannot be taken, none is given again
-  if (n == 0) return;
-  // Lanes without a state repeat the first.
-  for (std::size_t lane = 0; lane < LaneSystem::width; ++lane) {
-    const std::size_t from = lane < n ? lane : 0;
-    t_[lane] = t_[from];
-    for (std::size_t i = 0; i < state_[from].size(); ++i) y_[i * LaneSystem::width + lane] = state_[from][i];
+  evaluated_ = t_;
+  const std::span times(evaluated_.data(), n), values(values_);
+  if (n > 0) {
+    // Lanes without a state repeat the first.
+    for (std::size_t lane = n; lane < LaneSystem::width; ++lane) {
+      evaluated_[lane] = evaluated_[0];
+      for (std::size_t i = 0; i < y_.size(); i += LaneSystem::width) y_[i + lane] = y_[i];
+    }
+    system_->observe(evaluated_, y_, rates_, values.first(n_step_), {});
+    if (is_whole)
+      system_->observe_state(y_, values.subspan(n_step_));
+    else
+      system_->observe_held(y_, values.subspan(n_step_));
   }
-  system_->observe(t_, y_, rates_, step_, {});
-  for (std::size_t lane = 0; lane < n; ++lane) {
-    for (std::size_t i = 0; i < found_.step.size(); ++i) found_.step[i] = step_[i * LaneSystem::width + lane];
-    system_->found(lane, found_);
-    take(t_[lane], state_[lane], found_);
-  }
-  n_ = 0;
+  return {times, values_.data(), values_.size() / LaneSystem::width};
 }
 
 }  // namespace rotordrop

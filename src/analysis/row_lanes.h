@@ -1,10 +1,10 @@
 #pragma once
 #include <array>
-#include <functional>
 #include <memory>
 #include <span>
 
 #include "base/aligned_numbers.h"
+#include "base/row_tile.h"
 #include "machine/machine.h"
 #include "model/lane_system.h"
 
@@ -17,20 +17,20 @@ class RowLanes {
   /// @param machine  evaluates_in_lanes(); must outlive this
   explicit RowLanes(const Machine& machine);
   static constexpr std::size_t most = LaneSystem::width;
+  static_assert(most == RowTile::width);
   [[nodiscard]] bool is_full() const { return n_ == most; }
   [[nodiscard]] std::size_t n_added() const { return n_; }
   void add(double t, std::span<const double> y);
-  /// Evaluates all that were added, gives them to `take` in their order, and is empty.
-  /// @param take  its evaluation holds what Machine::observe_state() and the step observables need, and no more
-  void evaluate(const std::function<void(double t, std::span<const double> y, const Evaluation& found)>& take);
+  /// Evaluates all that were added, and is empty.
+  /// @param is_whole  false: of the state observables only those of Machine::observe_held() are asked for
+  /// @returns rows of step and state observables in the order in which their states were added; they stay until the next call
+  [[nodiscard]] RowTile evaluate(bool is_whole = true);
 
  private:
   std::unique_ptr<LaneSystem> system_;
-  std::size_t n_ = 0;
-  std::array<double, LaneSystem::width> t_{};
-  std::array<std::vector<double>, LaneSystem::width> state_;
-  AlignedNumbers y_, rates_, step_;  // [n][width]
-  Evaluation found_;
+  std::size_t n_ = 0, n_step_ = 0;
+  std::array<double, LaneSystem::width> t_{}, evaluated_{};
+  AlignedNumbers y_, rates_, values_;  // [n][width]
 };
 
 }  // namespace rotordrop

@@ -29,8 +29,29 @@ bool ScheduledRows::is_needed(RowNeeds needs) const {
 }
 
 void ScheduledRows::tell(double t, std::span<const double> row, bool is_whole) {
+  ++n_given_;
   for (const auto& [sink, needs] : sinks_)
     if (is_whole || needs == RowNeeds::step) sink->row(t, row);
+}
+
+void ScheduledRows::tell(const RowTile& rows, std::span<double> row) {
+  n_given_ += rows.n_rows();
+  std::size_t n = 0;
+  const auto tell_takers_of_tiles = [&] {
+    for (const auto& reader : sinks_)
+      if (n > 0 && reader.sink->takes_tiles()) reader.sink->rows(rows.part(0, n));
+  };
+  try {
+    for (; n < rows.n_rows(); ++n) {
+      rows.copy_row(n, row);
+      for (const auto& reader : sinks_)
+        if (!reader.sink->takes_tiles()) reader.sink->row(rows.times[n], row);
+    }
+  } catch (...) {  // the rows before the one that somebody refuses are sound
+    tell_takers_of_tiles();
+    throw;
+  }
+  tell_takers_of_tiles();
 }
 
 SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const GrowthHistory* growth_in_force)
@@ -43,12 +64,14 @@ SeriesRows::SeriesRows(const Machine& machine, RowSchedule schedule, const Growt
 
 void SeriesRows::settle() {
   if (!lanes_) return;
-  std::size_t i = 0;
-  lanes_->evaluate([&](double t, std::span<const double> y, const Evaluation& found) {
-    const bool is_whole = whole_[i++];
-    fill(y, found, is_whole);
-    tell(t, row_, is_whole);
-  });
+  const std::span is_whole(whole_.data(), lanes_->n_added());
+  const auto n_whole = std::count(is_whole.begin(), is_whole.end(), true);
+  const RowTile rows = lanes_->evaluate(n_whole > 0);
+  if (static_cast<std::size_t>(n_whole) == rows.n_rows()) return tell(rows, row_);
+  for (std::size_t i = 0; i < rows.n_rows(); ++i) {
+    rows.copy_row(i, row_);
+    tell(rows.times[i], row_, is_whole[i]);
+  }
 }
 
 void SeriesRows::fill(std::span<const double> y, const Evaluation& found, bool is_whole) {
@@ -73,7 +96,7 @@ void SeriesRows::write(double t, std::span<const double> y) {
     whole_[lanes_->n_added()] = is_whole;
     lanes_->add(t, y);
     schedule_.written(t);
-    if (lanes_->is_full()) settle();
+    if (lanes_->is_full() || (n_given_ + lanes_->n_added()) % RowTile::width == 0) settle();
     return;
   }
   machine_.evaluate(t, y, found_);

@@ -50,12 +50,16 @@ class ScheduledRows : public Observer {
   }
   /// The same of a row that the schedule counts as written.
   void tell(double t, std::span<const double> row, bool is_whole = true);
+  /// The same of several, which hold all that sinks may need. @param row  space for one
+  void tell(const RowTile& rows, std::span<double> row);
   [[nodiscard]] bool is_needed(RowNeeds needs) const;
   [[nodiscard]] bool has_sinks() const { return !sinks_.empty(); }
 
   const Machine& machine_;
   RowSchedule schedule_;
   Evaluation found_;
+  std::size_t n_given_ =
+      0;  // rows; where it is a multiple of RowTile::width, a tile fills whole lines of the cache where rows are kept
 
  private:
   const char* name_;

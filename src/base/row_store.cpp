@@ -1,7 +1,9 @@
 #include "base/row_store.h"
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace rotordrop {
 namespace {
@@ -16,39 +18,60 @@ std::size_t rows_of_block(std::size_t row_size, std::size_t tile_rows) {
 }  // namespace
 
 RowStore::RowStore(std::size_t row_size)
-    : row_size_(row_size), block_rows_(rows_of_block(row_size, tile_rows)), tile_(tile_rows * row_size) {}
+    : row_size_(row_size), block_rows_(rows_of_block(row_size, tile_rows)), staged_(tile_rows * row_size) {}
 
 void RowStore::append(std::span<const double> row) {
   if (row.size() != row_size_) throw std::invalid_argument("RowStore: a row of another size");
-  const std::size_t in_tile = n_rows_ % tile_rows;
-  std::copy(row.begin(), row.end(), tile_.begin() + static_cast<std::ptrdiff_t>(in_tile * row_size_));
-  ++n_rows_;
-  if (in_tile + 1 == tile_rows) store_tile();
+  std::copy(row.begin(), row.end(), staged_.begin() + static_cast<std::ptrdiff_t>(n_staged_ * row_size_));
+  if (++n_staged_ == tile_rows) store_staged();
 }
 
-void RowStore::store_tile() {
-  const std::size_t first = n_rows_ - tile_rows, block = first / block_rows_;
-  if (block == blocks_.size()) blocks_.push_back(pool_.take(row_size_ * stride()));
-  double* column = blocks_[block] + first % block_rows_;
-  const double* from = tile_.data();
-  for (std::size_t k = 0; k < row_size_; ++k, column += stride(), ++from)
-    for (std::size_t r = 0; r < tile_rows; ++r) column[r] = from[r * row_size_];
+void RowStore::append(const RowTile& rows) {
+  if (rows.row_size != row_size_) throw std::invalid_argument("RowStore: rows of another size");
+  store_staged();
+  store(rows.n_rows(), [&](std::size_t column, std::size_t first, std::size_t n, double* to) {
+    const double* from = rows.values + column * RowTile::width + first;
+    if (n == tile_rows)
+      std::memcpy(to, from, tile_rows * sizeof(double));
+    else
+      std::copy_n(from, n, to);
+  });
+}
+
+void RowStore::store_staged() {
+  const std::size_t n_rows = std::exchange(n_staged_, 0);
+  store(n_rows, [&](std::size_t column, std::size_t first, std::size_t n, double* to) {
+    const double* from = staged_.data() + first * row_size_ + column;
+    for (std::size_t r = 0; r < n; ++r) to[r] = from[r * row_size_];
+  });
+}
+
+template <class Put>
+void RowStore::store(std::size_t n_rows, const Put& put) {
+  for (std::size_t done = 0; done < n_rows;) {
+    const std::size_t block = n_stored_ / block_rows_, at = n_stored_ % block_rows_;
+    if (block == blocks_.size()) blocks_.push_back(pool_.take(row_size_ * stride()));
+    const std::size_t n = std::min(n_rows - done, block_rows_ - at);
+    double* to = blocks_[block] + at;
+    for (std::size_t column = 0; column < row_size_; ++column, to += stride()) put(column, done, n, to);
+    n_stored_ += n;
+    done += n;
+  }
 }
 
 void RowStore::copy(std::size_t first, std::size_t size, double* out) const {
-  const std::size_t in_blocks = n_rows_ / tile_rows * tile_rows;
   for (std::size_t k = 0; k < size; ++k) {
     double* to = out + k;
-    for (std::size_t done = 0; done < in_blocks; done += block_rows_) {
+    for (std::size_t done = 0; done < n_stored_; done += block_rows_) {
       const double* column = blocks_[done / block_rows_] + (first + k) * stride();
-      const std::size_t n = std::min(block_rows_, in_blocks - done);
+      const std::size_t n = std::min(block_rows_, n_stored_ - done);
       if (size == 1) {
         to = std::copy_n(column, n, to);
         continue;
       }
       for (std::size_t r = 0; r < n; ++r, to += size) *to = column[r];
     }
-    for (std::size_t r = 0; r < n_rows_ - in_blocks; ++r, to += size) *to = tile_[r * row_size_ + first + k];
+    for (std::size_t r = 0; r < n_staged_; ++r, to += size) *to = staged_[r * row_size_ + first + k];
   }
 }
 

@@ -174,7 +174,7 @@ void TouchdownBearing::observe_support(const SupportAnswer& answer, std::span<co
                                        std::span<double> out) const {
   out[0] = answer.y;
   out[1] = answer.z;
-  out[2] = data_.support_law->energy(support_motion(y), y.subspan(support_states_at(), n_support_states_));
+  out[2] = stored_in_support(y);
 }
 
 double TouchdownBearing::turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt,
@@ -200,29 +200,12 @@ double TouchdownBearing::turn_cage(const BallForces& balls, std::span<const doub
   return inner + outer;
 }
 
+double TouchdownBearing::stored_in_support(std::span<const double> y) const {
+  return data_.support_law->energy(support_motion(y), y.subspan(support_states_at(), n_support_states_));
+}
+
 double TouchdownBearing::energy(const SupportInput& in, std::span<const double> y) const {
-  const auto& d = data_;
-  const auto square = [&](std::size_t i) { return y[i] * y[i]; };
-  const Expansion grown = growth(numbers_, in, y);
-  double U = 0.5 * d.ring_mass * (square(ring_vy) + square(ring_vz)) + 0.5 * d.ring_spin_inertia * square(ring_spin) -
-             d.ring_mass * (d.gravity_y * y[ring_y] + d.gravity_z * y[ring_z]);
-  U += 0.5 * d.support_mass * (square(support_vy) + square(support_vz));
-  U += d.support_law ? d.support_law->energy(support_motion(y), y.subspan(support_states_at(), n_support_states_))
-                     : 0.5 * (d.support_stiffness_y * square(support_y) + d.support_stiffness_z * square(support_z));
-  if (d.free_ring)
-    U += 0.5 * d.ring_mass * square(ring_vx) - d.ring_mass * d.free_ring->gravity_x * y[ring_x] +
-         0.5 * d.free_ring->diametral_inertia * (square(tilt_rate_y) + square(tilt_rate_z));
-  if (d.free_cage) U += d.free_cage->energy(y[free_cage_at()], y[free_cage_at() + 1]);
-  U += contact_energy(in, grown, y);
-  BallRowInput rows_in = row_input(numbers_, grown, y);
-  ShapeForces shapes;
-  if (d.bending) {
-    fill_ball_shapes(y, shapes);
-    lend_shapes(shapes, rows_in);
-    U += bending_energy(y);
-  }
-  for (const auto& row : rows_) U += row.energy(rows_in);
-  return U;
+  return energy_with<double>(*this, in, y);
 }
 
 }  // namespace rotordrop

@@ -188,14 +188,19 @@ class TouchdownBearing final : public Support {
   /// Whether two bearings differ in nothing but their numbers and those of their rows.
   [[nodiscard]] bool is_alike(const TouchdownBearing& other) const;
   /// evaluate() of this bearing, or of bearings alike side by side (touchdown_evaluate.h).
-  /// @tparam Of  has numbers(), rows(), carried() and observe_support(): TouchdownBearing, or TouchdownInLanes
+  /// @tparam Of  has numbers(), rows(), carried(), observe_support() and stored_in_support(): TouchdownBearing, or TouchdownInLanes
   template <class Real, class Of>
   void evaluate_with(const Of& of, const SupportInputOf<Real>& input, std::span<const Real> y, std::span<Real> dydt,
                      std::span<Real> ledger_rates, SupportOutputOf<Real>& out) const;
+  /// energy() likewise.
+  template <class Real, class Of>
+  [[nodiscard]] Real energy_with(const Of& of, const SupportInputOf<Real>& input, std::span<const Real> y) const;
   /// Force of the support's law on the outer ring, and loss; writes the rates of the law's states into dydt.
   SupportAnswer carried(std::span<const double> y, std::span<double> dydt) const;
   /// @param out  [3]
   void observe_support(const SupportAnswer& answer, std::span<const double> y, std::span<double> out) const;
+  /// Energy that the support's law stores [J].
+  [[nodiscard]] double stored_in_support(std::span<const double> y) const;
   [[nodiscard]] std::size_t n_support_states() const { return n_support_states_; }
 
  private:

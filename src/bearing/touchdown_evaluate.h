@@ -234,6 +234,38 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
   }
 }
 
+template <class Real, class Of>
+Real TouchdownBearing::energy_with(const Of& of, const SupportInputOf<Real>& in, std::span<const Real> y) const {
+  const TouchdownNumbers<Real>& q = of.numbers();
+  const auto square = [&](std::size_t i) { return y[i] * y[i]; };
+  const ExpansionOf<Real> grown = growth(q, in, y);
+  Real U = 0.5 * q.ring_mass * (square(ring_vy) + square(ring_vz)) + 0.5 * q.ring_spin_inertia * square(ring_spin) -
+           q.ring_mass * (q.gravity_y * y[ring_y] + q.gravity_z * y[ring_z]);
+  U += 0.5 * q.support_mass * (square(support_vy) + square(support_vz));
+  if (data_.support_law)
+    U += of.stored_in_support(y);
+  else
+    U += 0.5 * (q.support_stiffness_y * square(support_y) + q.support_stiffness_z * square(support_z));
+  BallRowInputOf<Real> rows_in = row_input(q, grown, y);
+  ShapeForces shapes;
+  if constexpr (has_all<Real>) {
+    if (data_.free_ring)
+      U += 0.5 * q.ring_mass * square(ring_vx) - q.ring_mass * data_.free_ring->gravity_x * y[ring_x] +
+           0.5 * data_.free_ring->diametral_inertia * (square(tilt_rate_y) + square(tilt_rate_z));
+    if (data_.free_cage) U += data_.free_cage->energy(y[free_cage_at()], y[free_cage_at() + 1]);
+    U += contact_energy(in, grown, y);
+    if (data_.bending) {
+      fill_ball_shapes(y, shapes);
+      lend_shapes(shapes, rows_in);
+      U += bending_energy(y);
+    }
+  } else {
+    U += q.contact.energy(contact<false>(q, in, grown, y, bodies<false>(in.journal, y, 0.)).penetration);
+  }
+  for (const auto& row : of.rows()) U += row.energy(rows_in);
+  return U;
+}
+
 template <class Real, class Row>
 void TouchdownBearing::observe(const TouchdownNumbers<Real>& q, std::span<const Row> rows,
                                const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth, std::span<const Real> y,

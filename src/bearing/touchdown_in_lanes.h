@@ -33,6 +33,10 @@ class TouchdownInLanes {
     bearings_.front()->evaluate_with<Real>(*this, in, y, dydt, ledger, out);
   }
 
+  [[nodiscard]] Real energy(const SupportInputOf<Real>& in, std::span<const Real> y) const {
+    return bearings_.front()->energy_with<Real>(*this, in, y);
+  }
+
   [[nodiscard]] const TouchdownNumbers<Real>& numbers() const { return numbers_; }
   [[nodiscard]] std::span<const RowInLanes<Real>> rows() const { return rows_; }
   SupportAnswerOf<Real> carried(std::span<const Real> y, std::span<Real> dydt) const {
@@ -53,6 +57,11 @@ class TouchdownInLanes {
       take(lane, y).observe_support({answer.y[lane], answer.z[lane], answer.loss[lane]}, y_, one);
       for (std::size_t i = 0; i < one.size(); ++i) out[i].set(lane, one[i]);
     }
+  }
+  [[nodiscard]] Real stored_in_support(std::span<const Real> y) const {
+    Real all;
+    for (int lane = 0; lane < n_lanes; ++lane) all.set(lane, take(lane, y).stored_in_support(y_));
+    return all;
   }
 
  private:

@@ -7,6 +7,8 @@
 #include "base/errors.h"
 #include "base/parameters/suggestion.h"
 #include "machine/evaluate_machine.h"
+#include "machine/observe_machine.h"
+#include "machine/own_parts.h"
 
 namespace rotordrop {
 namespace {
@@ -182,46 +184,12 @@ void Machine::rhs(double t, std::span<const double> y, std::span<double> rates) 
   evaluate(t, y, rates, found);
 }
 
-/// The machine's own parts, of one drop.
-struct Machine::OwnParts {
-  const Parts& parts;
-  [[nodiscard]] const RotorModel& rotor() const { return *parts.rotor; }
-  [[nodiscard]] const Support& support(std::size_t i) const { return *parts.supports[i]; }
-  [[nodiscard]] const ThermalModel& thermal(std::size_t i) const { return *parts.thermal[i].model; }
-  [[nodiscard]] const ThermalModel& immediate_growth() const { return *parts.immediate_growth; }
-  [[nodiscard]] const RubShare& rub_share(std::size_t place) const { return parts.rub_share[place]; }
-  [[nodiscard]] double rotor_growth_by_speed(std::size_t place) const { return parts.rotor_growth_by_speed[place]; }
-  /// Growth that is prescribed or comes from outside, and its rate; none: zeros.
-  void given_growth(double t, const Evaluation& e, std::span<Expansion> out) const {
-    if (const GrowthHistory* given = history(e))
-      given->at(t, out);
-    else
-      std::fill(out.begin(), out.end(), Expansion{});
-  }
-  void given_growth_rate(double t, const Evaluation& e, std::span<Expansion> out) const {
-    if (const GrowthHistory* given = history(e))
-      given->rate(t, out);
-    else
-      std::fill(out.begin(), out.end(), Expansion{});
-  }
-  [[nodiscard]] const GrowthHistory* history(const Evaluation& e) const {
-    return parts.takes_growth ? e.growth_in_force : parts.prescribed_growth.get();
-  }
-};
-
 void Machine::evaluate(double t, std::span<const double> y, std::span<double> dydt, Evaluation& e) const {
   evaluate_with<double>(OwnParts{parts_}, t, y, dydt, e);
 }
 
-double Machine::mechanical_energy(std::span<const double> y, std::span<const SupportInput> inputs) const {
-  double U = parts_.rotor->energy(rotor_part(y));
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    U += parts_.supports[i]->energy(inputs[i], y.subspan(places_[i].state, places_[i].n_state));
-  return U;
-}
-
 double Machine::mechanical_energy(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const {
-  return mechanical_energy(y, inputs_at(t, y, growth_in_force).inputs);
+  return mechanical_energy_of<double>(OwnParts{parts_}, y, inputs_at(t, y, growth_in_force).inputs);
 }
 
 Evaluation Machine::inputs_at(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const {
@@ -233,35 +201,7 @@ Evaluation Machine::inputs_at(double t, std::span<const double> y, const GrowthH
 }
 
 EnergyBalance Machine::energy_balance(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const {
-  return energy_balance(y, inputs_at(t, y, growth_in_force).inputs);
-}
-
-EnergyBalance Machine::energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const {
-  EnergyBalance b;
-  b.mechanical = mechanical_energy(y, inputs);
-  for (const auto& place : places_) {
-    const auto ledger = y.subspan(place.ledger, n_support_ledger);
-    b.heat_deposited += ledger[rub_heat] + ledger[inner_heat] + ledger[outer_heat];
-    b.dissipated += ledger[other_dissipation];
-    b.prescribed_work += ledger[prescribed_work];
-    b.growth_work += ledger[growth_work];
-  }
-  const auto ledger = y.subspan(machine_ledger_, n_machine_ledger);
-  if (parts_.rotor->has_windage()) b.windage = y[windage_ledger_];
-  b.dissipated += b.heat_deposited + ledger[rotor_damping] + b.windage;
-  b.unbalance_work = ledger[unbalance_work];
-  b.drive_work = ledger[drive_work];
-  b.residual = initial_mechanical_ - b.mechanical - b.dissipated + b.growth_work + b.prescribed_work +
-               b.unbalance_work + b.drive_work;
-  b.heat.reserve(thermal_.size());
-  for (std::size_t k = 0; k < thermal_.size(); ++k) {
-    const double stored = parts_.thermal[k].model->stored_energy(thermal_part(k, y)), lost = y[thermal_[k].lost];
-    double deposited = b.heat_deposited;
-    for (const auto& heated : heated_ports_)
-      if (heated.model == k) deposited += y[places_[heated.support].port_ledger()];
-    b.heat.push_back({stored, lost, deposited, deposited - stored - lost});
-  }
-  return b;
+  return energy_balance_of<double>(OwnParts{parts_, initial_mechanical_}, y, inputs_at(t, y, growth_in_force).inputs);
 }
 
 PlaceEnergy Machine::heat_given(std::size_t place, std::span<const double> y) const {

@@ -17,23 +17,25 @@
 namespace rotordrop {
 
 /// Where the joules are at one instant [J].
-struct EnergyBalance {
-  double mechanical = 0;       ///< kinetic, elastic, gravitational
-  double dissipated = 0;       ///< heat deposited and damping, since the start
-  double growth_work = 0;      ///< done on the machine by thermal growth
-  double prescribed_work = 0;  ///< by the prescribed motion of cages and waves
-  double unbalance_work = 0;
-  double drive_work = 0;  ///< by motor or brake
-  double windage = 0;     ///< dissipated by the gas around the rotor; part of `dissipated`
-  double residual = 0;    ///< initial - mechanical - dissipated + works: 0 if every joule is found
-  double heat_deposited = 0;
+template <class Real>
+struct EnergyBalanceOf {
+  Real mechanical = 0;       ///< kinetic, elastic, gravitational
+  Real dissipated = 0;       ///< heat deposited and damping, since the start
+  Real growth_work = 0;      ///< done on the machine by thermal growth
+  Real prescribed_work = 0;  ///< by the prescribed motion of cages and waves
+  Real unbalance_work = 0;
+  Real drive_work = 0;  ///< by motor or brake
+  Real windage = 0;     ///< dissipated by the gas around the rotor; part of `dissipated`
+  Real residual = 0;    ///< initial - mechanical - dissipated + works: 0 if every joule is found
+  Real heat_deposited = 0;
   struct Heat {
-    double stored = 0, lost = 0;
-    double deposited = 0;  ///< heat_deposited, and what supports gave into ports of this model
-    double residual = 0;   ///< deposited - stored - lost
+    Real stored = 0, lost = 0;
+    Real deposited = 0;  ///< heat_deposited, and what supports gave into ports of this model
+    Real residual = 0;   ///< deposited - stored - lost
   };
   std::vector<Heat> heat;  ///< of each thermal model in the state vector
 };
+using EnergyBalance = EnergyBalanceOf<double>;
 
 /// Rotor, supports and thermal models wired to one state vector with its energy ledgers:
 ///   y = [ rotor | each support | temperatures of each thermal model | ledgers | heat lost by each model that follows | its temperatures ].
@@ -121,6 +123,12 @@ class Machine final {
   [[nodiscard]] std::size_t n_rotor_states() const { return n_rotor_; }
   /// Those of them that need no evaluation, being the rotor's own and the ledgers; the others are left alone. @param out  as above
   void observe_held(std::span<const double> y, std::span<double> out) const;
+  /// The same of machines alike side by side (machine/observe_machine.h).
+  template <class Real, class PartsOf>
+  void observe_state_of(const PartsOf& parts, std::span<const Real> y, const EvaluationOf<Real>& found,
+                        std::span<Real> out) const;
+  template <class Real, class PartsOf>
+  void observe_held_of(const PartsOf& parts, std::span<const Real> y, std::span<Real> out) const;
   [[nodiscard]] static bool is_held(const std::string& state_observable) {
     return state_observable.starts_with("/rotor/") || state_observable.starts_with("/ledger/");
   }
@@ -188,8 +196,13 @@ class Machine final {
   template <class Real, class PartsOf>
   void prepare_inputs(const PartsOf& parts, const Real& t, std::span<const Real> y, EvaluationOf<Real>& found) const;
   [[nodiscard]] Evaluation inputs_at(double t, std::span<const double> y, const GrowthHistory* growth_in_force) const;
-  [[nodiscard]] double mechanical_energy(std::span<const double> y, std::span<const SupportInput> inputs) const;
-  [[nodiscard]] EnergyBalance energy_balance(std::span<const double> y, std::span<const SupportInput> inputs) const;
+  // machine/observe_machine.h:
+  template <class Real, class PartsOf>
+  [[nodiscard]] Real mechanical_energy_of(const PartsOf& parts, std::span<const Real> y,
+                                          std::span<const SupportInputOf<Real>> inputs) const;
+  template <class Real, class PartsOf>
+  [[nodiscard]] EnergyBalanceOf<Real> energy_balance_of(const PartsOf& parts, std::span<const Real> y,
+                                                        std::span<const SupportInputOf<Real>> inputs) const;
   void list_observables();
   void connect_heat_ports();
   void lay_out_states();

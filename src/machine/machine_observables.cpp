@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "machine/machine.h"
+#include "machine/observe_machine.h"
+#include "machine/own_parts.h"
 
 // What a machine reports: the lists of its observables, and their values.
 namespace rotordrop {
@@ -89,34 +91,11 @@ void Machine::observe_probes(std::span<const double> y, std::span<double> out) c
 }
 
 void Machine::observe_held(std::span<const double> y, std::span<double> out) const {
-  const Spin spin = parts_.rotor->spin(rotor_part(y));
-  out[0] = spin.speed;
-  out[1] = spin.angle;
-  parts_.rotor->observe(rotor_part(y), out.subspan(2, n_rotor_observed_));
-  const auto ledgers = y.subspan(first_ledger_, n_ledger_);
-  std::copy(ledgers.begin(), ledgers.end(), out.last(n_ledger_).begin());
+  observe_held_of<double>(OwnParts{parts_}, y, out);
 }
 
 void Machine::observe_state(std::span<const double> y, const Evaluation& found, std::span<double> out) const {
-  observe_held(y, out);
-  std::size_t at = 2 + n_rotor_observed_;
-  for (std::size_t k = 0; k < thermal_.size(); ++k) {
-    parts_.thermal[k].model->observe(thermal_part(k, y), found.heats, out.subspan(at, thermal_[k].n_observed));
-    at += thermal_[k].n_observed;
-  }
-  std::vector<Expansion> growth(found.heats.size());
-  for (std::size_t k = 0; k < thermal_.size(); ++k) {
-    parts_.thermal[k].model->growth(thermal_part(k, y), growth);
-    for (const auto& place : parts_.thermal_place)
-      if (place)
-        for (const double value : growth_values(growth[*place])) out[at++] = value;
-  }
-  const EnergyBalance b = energy_balance(y, found.inputs);
-  for (const double value : {b.mechanical, b.dissipated, b.growth_work, b.prescribed_work, b.unbalance_work,
-                             b.drive_work, b.residual, b.heat_deposited})
-    out[at++] = value;
-  for (const auto& heat : b.heat)
-    for (const double value : {heat.stored, heat.lost, heat.residual}) out[at++] = value;
+  observe_state_of<double>(OwnParts{parts_, initial_mechanical_}, y, found, out);
 }
 
 }  // namespace rotordrop

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/row_tile.h"
 #include "model/evaluation.h"
 
 namespace rotordrop {
@@ -54,6 +55,9 @@ class RowSink {
   RowSink& operator=(const RowSink&) = delete;
   virtual ~RowSink() = default;
   virtual void row(double time, std::span<const double> values) = 0;
+  /// Whether rows that were found side by side may come so.
+  [[nodiscard]] virtual bool takes_tiles() const { return false; }
+  virtual void rows(const RowTile&) {}
 };
 
 }  // namespace rotordrop

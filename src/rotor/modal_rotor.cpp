@@ -10,6 +10,7 @@
 #include "base/rotation.h"
 #include "base/wide_vectors.h"
 #include "rotor/modal_basis.h"
+#include "rotor/modal_energy.h"
 
 namespace rotordrop {
 
@@ -211,11 +212,7 @@ double ModalRotor::energy(std::span<const double> y) const {
   assert(y.size() == n_state());
   const std::size_t n = n_modes_;
   const double omega = y[4 * n + 1];
-  double twice_per_mass = -2 * (gravity_y_ * y[0] + gravity_z_ * y[n]);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double q_y = y[i], q_z = y[n + i], v_y = y[2 * n + i], v_z = y[3 * n + i];
-    twice_per_mass += v_y * v_y + v_z * v_z + omega_squared_[i] * (q_y * q_y + q_z * q_z);
-  }
+  double twice_per_mass = twice_energy_per_mass(y, n, omega_squared_.data(), gravity_y_, gravity_z_);
   if (axial_) twice_per_mass += y[axial_at() + 1] * y[axial_at() + 1] - 2 * axial_->gravity * y[axial_at()];
   return 0.5 * (body_.mass * twice_per_mass + body_.Ip * omega * omega);
 }

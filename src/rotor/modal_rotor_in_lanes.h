@@ -1,9 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "base/drops.h"
 #include "base/wide_vectors.h"
+#include "rotor/modal_energy.h"
 #include "rotor/modal_rotor.h"
 
 namespace rotordrop {
@@ -25,6 +27,14 @@ class ModalRotorInLanes {
   [[nodiscard]] SpinOf<Real> spin(std::span<const Real> y) const { return {y[4 * n_], y[4 * n_ + 1]}; }
   RotorPowerOf<Real> rates(const Real& t, std::span<const Real> y, std::span<const ForceOf<Real>> force_on_station,
                            std::span<Real> dydt) const;
+  void observe(std::span<const Real> y, std::span<Real> out) const {
+    if (n_ > 2) std::copy_n(y.begin(), 2 * n_, out.begin());
+  }
+  [[nodiscard]] Real energy(std::span<const Real> y) const {
+    const Real& omega = y[4 * n_ + 1];
+    return 0.5 *
+           (mass_ * twice_energy_per_mass(y, n_, omega_squared_.data(), gravity_y_, gravity_z_) + Ip_ * omega * omega);
+  }
 
  private:
   std::vector<const ModalRotor*> rotors_;  // [n_lanes]

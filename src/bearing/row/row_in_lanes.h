@@ -52,6 +52,16 @@ class RowInLanes {
       load[j] = b.F;
     }
   }
+  [[nodiscard]] Real energy(const BallRowInputOf<Real>& in) const {
+    const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
+    const auto travels = travelling(in);
+    Real sum = 0.;
+    for (std::size_t j = 0; j < cosine_.size(); ++j) {
+      const Real delta = penetration(place, waved(travels, j).added, j).delta;
+      sum += delta * delta * sqrt(delta);
+    }
+    return 0.4 * numbers_.stiffness * sum;
+  }
 
  private:
   struct Wave {

@@ -1,28 +1,24 @@
 #include "io/hdf5/recorded_group.h"
 
-#include <array>
 #include <bit>
 
 namespace rotordrop {
 namespace {
 
-std::uint64_t mixed(std::uint64_t sum, std::uint64_t bits) {
-  sum = (sum ^ bits) * 0x9e3779b97f4a7c15U;
-  return sum ^ (sum >> 32);
-}
-
-/// Mixes a row's bits into a check sum. Each multiplication waits for the one before it, so there are four sums.
-std::uint64_t mixed(std::uint64_t sum, double time, std::span<const double> row) {
-  constexpr std::size_t n_sums = 4;
-  std::array<std::uint64_t, n_sums> sums = {sum, 1, 2, 3};
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  std::size_t i = 0;
-  for (; i + n_sums <= row.size(); i += n_sums)
-    for (std::size_t k = 0; k < n_sums; ++k) sums[k] = mixed(sums[k], bits(row[i + k]));
-  for (; i < row.size(); ++i) sums[0] = mixed(sums[0], bits(row[i]));
-  std::uint64_t all = bits(time);
-  for (const std::uint64_t part : sums) all = mixed(all, part);
-  return all;
+/// Of values that stand in a column from a place on. Each value's part depends on itself and on where it stands, so that it does not matter how many came
+/// at a time.
+std::uint64_t sum_of(std::uint64_t column, std::uint64_t first, std::span<const double> values) {
+  constexpr std::uint64_t per_column = 0xbf58476d1ce4e5b9U, per_place = 0x94d049bb133111ebU,
+                          factor = 0x9e3779b97f4a7c15U;
+  std::uint64_t sum = 0, place = (column + 1) * per_column + first * per_place;
+  for (const double value : values) {
+    // What is round has its digits at the top: down with them, since a product carries upwards alone.
+    std::uint64_t bits = std::bit_cast<std::uint64_t>(value) ^ place;
+    bits = (bits ^ (bits >> 32)) * factor;
+    sum += bits ^ (bits >> 32);
+    place += per_place;
+  }
+  return sum;
 }
 
 /// Calls take(column, values [n_rows, size]) with the rows of each: of columns, or of channels that have none yet.
@@ -44,14 +40,21 @@ void RecordedGroup::append(double t, std::span<const double> row) {
   last_time = t;
   times.push_back(t);
   rows.append(row);
-  check_sum = mixed(check_sum, t, row);
+}
+
+void RecordedGroup::append(const RowTile& tile) {
+  last_time = tile.times.back();
+  times.insert(times.end(), tile.times.begin(), tile.times.end());
+  rows.append(tile);
 }
 
 void RecordedGroup::write_columns() {
-  const std::size_t n = rows.n_rows();
+  const std::size_t n = rows.n_rows(), from = n_rows() - n;
   if (n == 0) return;
+  std::uint64_t number = 0;
   for_each_column(columns, rows, [&](const SeriesColumn& column, std::span<const double> values) {
-    write_rows(column, n_rows() - n, values);
+    write_rows(column, from, values);
+    check_sum += sum_of(++number, from * column.size, values);
   });
   rows.clear();
 }
@@ -59,6 +62,7 @@ void RecordedGroup::write_columns() {
 void RecordedGroup::write_times() {
   if (times.empty()) return;
   write_rows(time, n_told, times);
+  check_sum += sum_of(0, n_told, times);
   n_told += times.size();
   times.clear();
 }

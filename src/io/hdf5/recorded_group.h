@@ -17,11 +17,13 @@ struct RecordedGroup {
   RowStore rows;              ///< the last of these, in no column yet
   std::size_t n_told = 0;
   double last_time = -std::numeric_limits<double>::infinity();
-  std::uint64_t check_sum = 0;  ///< of all rows so far, times included
+  std::uint64_t check_sum = 0;  ///< of all rows so far that are in the columns and told of, times included
 
   [[nodiscard]] std::size_t n_rows() const { return n_told + times.size(); }
   /// Keeps a row. @param row [rows.row_size()]
   void append(double time, std::span<const double> row);
+  /// Keeps several.
+  void append(const RowTile& tile);
   /// Writes the rows that are in no column yet. Nobody is told of them before write_times(). @throws SolverError
   void write_columns();
   /// Tells of all rows that are in the columns. @throws SolverError

@@ -91,6 +91,10 @@ struct Recorder::Implementation {
   void write_whole_datasets() const;
   void close_datasets();
   void flush();
+  /// That which rows of these times can be added to.
+  RecordedGroup& group_for(std::size_t index, std::size_t row_size, std::span<const double> times);
+  /// Writes what was added, where it is time for it.
+  void pass_on(RecordedGroup& group);
   /// Calls what writes. @throws SolverError, after which the recorder only says so again
   template <class Work>
   void write_with(const Work& work);
@@ -199,6 +203,36 @@ void Recorder::Implementation::flush() {
   });
 }
 
+RecordedGroup& Recorder::Implementation::group_for(std::size_t index, std::size_t row_size,
+                                                   std::span<const double> times) {
+  require_open();
+  RecordedGroup& group = groups.at(index);
+  if (row_size != group.rows.row_size())
+    throw std::invalid_argument("Recorder: a row of " + series[index].time_path + " has " +
+                                std::to_string(group.rows.row_size()) + " values, given were " +
+                                std::to_string(row_size));
+  double last = group.last_time;
+  for (const double time : times) {
+    if (!(time >= last))
+      throw std::invalid_argument("Recorder: times of " + series[index].time_path + " must not decrease");
+    last = time;
+  }
+  return group;
+}
+
+void Recorder::Implementation::pass_on(RecordedGroup& group) {
+  const std::chrono::duration<double> waited = Clock::now() - last_flush;
+  if (!file.is_open() && waited.count() >= options.seconds_until_made) make_file();
+  // Whole chunks go out as they are full: memory that was used before costs less than fresh memory for all rows.
+  if (file.is_open() && group.n_rows() % options.rows_per_chunk == 0) {
+    hdf5::be_quiet();
+    write_with([&] { group.write_columns(); });
+  }
+  if (group.times.size() >= options.rows_per_flush || group.rows.bytes() >= options.bytes_per_flush ||
+      waited.count() >= options.seconds_per_flush)
+    flush();
+}
+
 void Recorder::Implementation::close() {
   if (is_closed) return;
   require_open();
@@ -266,29 +300,21 @@ Recorder::~Recorder() {
   }
 }
 
-void Recorder::append(std::size_t group_index, double time, std::span<const double> row) {
-  implementation_->require_open();
-  RecordedGroup& group = implementation_->groups.at(group_index);
-  if (row.size() != group.rows.row_size())
-    throw std::invalid_argument("Recorder: a row of " + implementation_->series[group_index].time_path + " has " +
-                                std::to_string(group.rows.row_size()) + " values, given were " +
-                                std::to_string(row.size()));
-  if (!(time >= group.last_time))
-    throw std::invalid_argument("Recorder: times of " + implementation_->series[group_index].time_path +
-                                " must not decrease");
+void Recorder::append(std::size_t index, double time, std::span<const double> row) {
+  RecordedGroup& group = implementation_->group_for(index, row.size(), {&time, 1});
   group.append(time, row);
-  const std::chrono::duration<double> waited = Clock::now() - implementation_->last_flush;
-  if (!implementation_->file.is_open() && waited.count() >= implementation_->options.seconds_until_made)
-    implementation_->make_file();
-  // Whole chunks go out as they are full: memory that was used before costs less than fresh memory for all rows.
-  if (implementation_->file.is_open() && group.n_rows() % implementation_->options.rows_per_chunk == 0) {
-    hdf5::be_quiet();
-    implementation_->write_with([&] { group.write_columns(); });
+  implementation_->pass_on(group);
+}
+
+void Recorder::append(std::size_t index, const RowTile& rows) {
+  RecordedGroup& group = implementation_->group_for(index, rows.row_size, rows.times);
+  const std::size_t chunk = implementation_->options.rows_per_chunk;
+  for (std::size_t from = 0; from < rows.n_rows();) {
+    const std::size_t n = std::min(rows.n_rows() - from, chunk - group.n_rows() % chunk);
+    group.append(rows.part(from, n));
+    implementation_->pass_on(group);
+    from += n;
   }
-  if (group.times.size() >= implementation_->options.rows_per_flush ||
-      group.rows.bytes() >= implementation_->options.bytes_per_flush ||
-      waited.count() >= implementation_->options.seconds_per_flush)
-    implementation_->flush();
 }
 
 void Recorder::flush() {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/row_tile.h"
+
 namespace rotordrop {
 
 /// One recorded quantity: a dataset [time] or [time, size].
@@ -82,6 +84,8 @@ class Recorder {
   /// @param time  [s], not smaller than the group's last one
   /// @param row   the group's channels one after the other [row_size(group)], SI
   void append(std::size_t group, double time, std::span<const double> row);
+  /// Adds several.
+  void append(std::size_t group, const RowTile& rows);
   /// Writes what is buffered and makes it visible to readers. Call it before a checkpoint is written.
   void flush();
   /// Flushes, and has the system bring all of it to the disk: after a power cut the rows so far are there.

@@ -8,6 +8,7 @@
 #include "base/gather.h"
 #include "bearing/touchdown_in_lanes.h"
 #include "machine/evaluate_machine.h"
+#include "machine/observe_machine.h"
 #include "rotor/modal_rotor_in_lanes.h"
 #include "thermal/circuit/thermal_network_in_lanes.h"
 
@@ -23,6 +24,65 @@ std::vector<const Part*> parts_of(std::span<const Machine* const> machines, Of&&
   return parts;
 }
 
+/// Heat of one lane, but for what rows tell apart.
+template <class Real>
+HeatInput heat_of_lane(const HeatInputOf<Real>& h, int lane) {
+  return {h.rub[lane],
+          h.rub_into_ring[lane],
+          h.inner[lane],
+          h.outer[lane],
+          h.rotor_surface_speed[lane],
+          h.ring_surface_speed[lane],
+          h.is_in_contact[lane],
+          of_lane<BallConductionOf>(h.balls, lane),
+          {}};
+}
+
+/// A thermal model that follows and is of any kind: it is asked lane by lane for what is reported.
+template <class Real>
+class FollowerInLanes {
+ public:
+  /// @param models  those of the first lanes; the others repeat the last
+  explicit FollowerInLanes(std::vector<const ThermalModel*> models) : models_(std::move(models)) {}
+
+  void observe(std::span<const Real> T, std::span<const HeatInputOf<Real>> heat, std::span<Real> out) const {
+    std::vector<HeatInput> heat_of_one(heat.size());
+    std::vector<double> values(out.size());
+    for_each(T, [&](int lane, const ThermalModel& model, std::span<const double> T_of_one) {
+      for (std::size_t i = 0; i < heat.size(); ++i) heat_of_one[i] = heat_of_lane(heat[i], lane);
+      model.observe(T_of_one, heat_of_one, values);
+      for (std::size_t i = 0; i < out.size(); ++i) out[i].set(lane, values[i]);
+    });
+  }
+  void growth(std::span<const Real> T, std::span<ExpansionOf<Real>> out) const {
+    std::vector<Expansion> values(out.size());
+    for_each(T, [&](int lane, const ThermalModel& model, std::span<const double> T_of_one) {
+      model.growth(T_of_one, values);
+      for (std::size_t i = 0; i < out.size(); ++i)
+        for (std::size_t k = 0; k < growth_surfaces.size(); ++k)
+          (out[i].*growth_surfaces_of<Real>[k]).set(lane, values[i].*growth_surfaces[k]);
+    });
+  }
+  [[nodiscard]] Real stored_energy(std::span<const Real> T) const {
+    Real energy;
+    for_each(T, [&](int lane, const ThermalModel& model, std::span<const double> T_of_one) {
+      energy.set(lane, model.stored_energy(T_of_one));
+    });
+    return energy;
+  }
+
+ private:
+  template <class Act>
+  void for_each(std::span<const Real> T, const Act& act) const {
+    std::vector<double> one(T.size());
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      for (std::size_t i = 0; i < one.size(); ++i) one[i] = T[i][lane];
+      act(lane, *models_[std::min(static_cast<std::size_t>(lane), models_.size() - 1)], one);
+    }
+  }
+  std::vector<const ThermalModel*> models_;
+};
+
 /// Parts of machines alike, as Machine::evaluate_with() asks for them.
 template <class Real>
 class PartsInLanes {
@@ -35,11 +95,14 @@ class PartsInLanes {
       supports_.emplace_back(parts_of<TouchdownBearing>(
           machines, [&](const Machine& m) -> auto& { return m.support(i); }));
     for (std::size_t i = 0; i < form.thermal.size(); ++i) {
+      const auto model = [&](const Machine& m) -> auto& { return *m.thermal(i).model; };
       thermal_.emplace_back();
-      if (form.thermal[i].follows) continue;
-      thermal_.back().emplace(parts_of<ThermalNetwork>(
-          machines, [&](const Machine& m) -> auto& { return *m.thermal(i).model; }));
+      followers_.emplace_back(parts_of<ThermalModel>(machines, model));
+      if (!form.thermal[i].follows) thermal_.back().emplace(parts_of<ThermalNetwork>(machines, model));
     }
+    for (int lane = 0; lane < n_lanes; ++lane)
+      initial_mechanical_.set(
+          lane, machines[std::min(static_cast<std::size_t>(lane), machines.size() - 1)]->initial_mechanical_energy());
     for (std::size_t place = 0; place < form.rub_share.size(); ++place) {
       std::vector<RubNumbers<double>> rub;
       for (const Machine* machine : machines) rub.push_back(machine->parts().rub_share[place].numbers());
@@ -67,6 +130,15 @@ class PartsInLanes {
   [[nodiscard]] const ThermalNetworkInLanes<Real>& immediate_growth() const {
     return *thermal_.front();
   }  // there is none
+  /// One that follows is known by what it reports only.
+  template <class Act>
+  void with_thermal(std::size_t i, const Act& act) const {
+    if (thermal_[i])
+      act(*thermal_[i]);
+    else
+      act(followers_[i]);
+  }
+  [[nodiscard]] const Real& initial_mechanical() const { return initial_mechanical_; }
   [[nodiscard]] const Rub& rub_share(std::size_t place) const { return rub_[place]; }
   [[nodiscard]] const Real& rotor_growth_by_speed(std::size_t place) const { return growth_by_speed_[place]; }
   /// Without a thermal model that drives nothing grows.
@@ -81,6 +153,8 @@ class PartsInLanes {
   ModalRotorInLanes<Real> rotor_;
   std::vector<TouchdownInLanes<Real>> supports_;
   std::vector<std::optional<ThermalNetworkInLanes<Real>>> thermal_;  // of those that do not follow
+  std::vector<FollowerInLanes<Real>> followers_;                     // of all
+  Real initial_mechanical_;
   std::vector<Rub> rub_;
   std::vector<Real> growth_by_speed_;
 };
@@ -107,24 +181,11 @@ class MachineLanes final : public LaneSystem {
     store(observed_.step, step);
     store(observed_.details, details);
   }
-  void found(std::size_t lane, Evaluation& e) const override {
-    const int l = static_cast<int>(lane);
-    e.time = observed_.time[l];
-    e.inputs.clear();
-    for (const auto& input : observed_.inputs) e.inputs.push_back(of_lane<SupportInputOf>(input, l));
-    e.heats.resize(observed_.heats.size());
-    for (std::size_t place = 0; place < e.heats.size(); ++place) {
-      const HeatInputOf<Real>& h = observed_.heats[place];
-      e.heats[place] = {h.rub[l],
-                        h.rub_into_ring[l],
-                        h.inner[l],
-                        h.outer[l],
-                        h.rotor_surface_speed[l],
-                        h.ring_surface_speed[l],
-                        h.is_in_contact[l],
-                        of_lane<BallConductionOf>(h.balls, l),
-                        {}};
-    }
+  void observe_state(std::span<const double> y, std::span<double> out) override {
+    form_.observe_state_of<Real>(parts_, in_vectors(y), observed_, in_vectors(out));
+  }
+  void observe_held(std::span<const double> y, std::span<double> out) override {
+    form_.observe_held_of<Real>(parts_, in_vectors(y), in_vectors(out));
   }
 
  private:

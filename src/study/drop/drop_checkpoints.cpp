@@ -81,7 +81,7 @@ fs::path DropCheckpoints::written(const fs::path& directory, double time, std::s
   c.parameter_digest = digest_;
   c.entry_names = entry_names_;
   drop_.loop().pack(c.extras);
-  c.extras["recorded"] = recorded_.packed();
+  c.extras["recorded rows"] = recorded_.packed();
   c.extras["clocks"] = {wall_time(), cpu_time()};
   return write_checkpoint(directory, c);
 }
@@ -153,7 +153,8 @@ fs::path DropCheckpoints::read_newest(const fs::path& newer) {
     if (clocks.size() != 2) throw std::invalid_argument("a checkpoint of another kind");
     drop_.loop().unpack(c.time, c.state, c.extras);
     time_ = c.time;
-    recorded_ = c.extras.contains("recorded") ? RecordedRows::unpacked(c.extras.at("recorded")) : RecordedRows{};
+    recorded_ =
+        c.extras.contains("recorded rows") ? RecordedRows::unpacked(c.extras.at("recorded rows")) : RecordedRows{};
     earlier_wall_ = clocks[0];
     earlier_cpu_ = clocks[1];
   } catch (const std::logic_error&) {  // something is missing, or of another size

@@ -31,6 +31,8 @@ class DropRecord {
    public:
     Group(DropRecord& record, std::size_t index) : record_(record), index_(index) {}
     void row(double time, std::span<const double> values) override { record_.recorder_->append(index_, time, values); }
+    [[nodiscard]] bool takes_tiles() const override { return true; }
+    void rows(const RowTile& tile) override { record_.recorder_->append(index_, tile); }
 
    private:
     DropRecord& record_;

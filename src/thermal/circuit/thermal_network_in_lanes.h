@@ -23,11 +23,24 @@ class ThermalNetworkInLanes {
   void add_heat(std::size_t port, const Real& watts, std::span<Real> dydt) const {
     dydt[port] += watts * inverse_capacity_[port];
   }
+  void observe(std::span<const Real> T, std::span<const HeatInputOf<Real>> heat, std::span<Real> out) const;
+  [[nodiscard]] Real stored_energy(std::span<const Real> T) const {
+    Real sum = 0.;
+    for (std::size_t i = 0; i < n_; ++i) sum += capacity_[i] * (T[i] - ambient_);
+    return sum;
+  }
 
  private:
   using Term = CircuitTerm<Real>;
   using Terms = std::vector<Term>;
   void grow(std::span<const Real> T, const Real& above, std::span<ExpansionOf<Real>> out) const;
+  void list_shown();
+  void take_watts(std::span<const HeatInputOf<Real>> heat) const {
+    for (std::size_t place = 0; place < n_places_; ++place) {
+      const auto watts = heat_by_port(heat[place]);
+      std::copy(watts.begin(), watts.end(), watts_.begin() + static_cast<std::ptrdiff_t>(watts.size() * place));
+    }
+  }
   /// A number of every network.
   template <class F>
   Real of_all(F&& number) const {
@@ -39,7 +52,7 @@ class ThermalNetworkInLanes {
   std::vector<const ThermalNetwork*> networks_;  // [n_lanes]
   std::size_t n_ = 0, n_places_ = 0;
   Real ambient_;
-  std::vector<Real> inverse_capacity_;
+  std::vector<Real> capacity_, inverse_capacity_;
   mutable std::vector<Real> watts_;       // into the ports, while they are asked for
   std::vector<Terms> by_rise_, by_port_;  // of each row: the nodes, then the heat lost
   std::vector<LawLink<Real>> law_links_;
@@ -49,6 +62,11 @@ class ThermalNetworkInLanes {
     Terms terms;
   };
   std::vector<std::vector<Surface>> growths_;  // of each place: surfaces that grow
+  struct Shown {                               // of a node, massless ones too
+    Real by_ambient;                           // part of the temperature [K]
+    Terms by_temperature, by_port;
+  };
+  std::vector<Shown> shown_;  // of all nodes
 };
 
 template <class Real>
@@ -59,6 +77,9 @@ bool ThermalNetworkInLanes<Real>::is_alike(const ThermalNetwork& a, const Therma
   };
   return a.with_capacity_ == b.with_capacity_ && a.data_.places.size() == b.data_.places.size() &&
          a.growths_.size() == b.growths_.size() &&
+         std::ranges::equal(
+             a.shown_, b.shown_,
+             [&](const auto& p, const auto& q) { return same_terms(p.of_temperature, q.of_temperature); }) &&
          std::ranges::equal(a.law_links_, b.law_links_,
                             [](const auto& p, const auto& q) {
                               return p.a == q.a && p.b == q.b && p.law == q.law && p.place == q.place;
@@ -79,8 +100,10 @@ ThermalNetworkInLanes<Real>::ThermalNetworkInLanes(std::span<const ThermalNetwor
   n_places_ = first.data_.places.size();
   watts_.resize(4 * n_places_);
   ambient_ = of_all([](const ThermalNetwork& w) { return w.data_.ambient; });
-  for (std::size_t i = 0; i < n_; ++i)
+  for (std::size_t i = 0; i < n_; ++i) {
+    capacity_.push_back(of_all([&](const ThermalNetwork& w) { return w.data_.nodes[w.with_capacity_[i]].capacity; }));
     inverse_capacity_.push_back(of_all([&](const ThermalNetwork& w) { return w.inverse_capacity_[i]; }));
+  }
   const auto append = [&](Terms& to, std::size_t from, auto&& number) {
     const Real factor = of_all(number);
     if (any(factor != 0.)) to.push_back({from, factor});
@@ -127,6 +150,42 @@ ThermalNetworkInLanes<Real>::ThermalNetworkInLanes(std::span<const ThermalNetwor
       if (!terms.empty()) growths_.back().push_back({surface, std::move(terms)});
     }
   }
+  list_shown();
+}
+
+template <class Real>
+void ThermalNetworkInLanes<Real>::list_shown() {
+  const auto& first = networks_.front()->shown_;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    Shown shown{of_all([&](const ThermalNetwork& w) { return w.shown_[i].of_ambient * w.data_.ambient; }), {}, {}};
+    for (std::size_t k = 0; k < first[i].of_temperature.size(); ++k)
+      shown.by_temperature.push_back({first[i].of_temperature[k].node, of_all([&](const ThermalNetwork& w) {
+                                        return w.shown_[i].of_temperature[k].factor;
+                                      })});
+    for (std::size_t port = 0; port < first[i].of_heat.size(); ++port) {
+      const Real factor = of_all([&](const ThermalNetwork& w) { return w.shown_[i].of_heat[port]; });
+      if (any(factor != 0.)) shown.by_port.push_back({port, factor});
+    }
+    shown_.push_back(std::move(shown));
+  }
+}
+
+// What rolling balls give to contacts counts as heat there.
+template <class Real>
+void ThermalNetworkInLanes<Real>::observe(std::span<const Real> T, std::span<const HeatInputOf<Real>> heat,
+                                          std::span<Real> out) const {
+  take_watts(heat);
+  for (const auto& r : rolling_) {
+    const ContactHeatOf<Real> q = r.heat(T, ambient_, heat[r.place]);
+    watts_[4 * r.place + 2] += q.inner;
+    watts_[4 * r.place + 3] += q.outer;
+  }
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    Real value = shown_[i].by_ambient;
+    for (const Term& term : shown_[i].by_temperature) value += term.factor * T[term.node];
+    for (const Term& term : shown_[i].by_port) value += term.factor * watts_[term.node];
+    out[i] = value;
+  }
 }
 
 template <class Real>
@@ -146,10 +205,7 @@ void ThermalNetworkInLanes<Real>::grow(std::span<const Real> T, const Real& abov
 template <class Real>
 Real ThermalNetworkInLanes<Real>::rates(std::span<const Real> T, std::span<const HeatInputOf<Real>> heat,
                                         std::span<Real> dydt) const {
-  for (std::size_t place = 0; place < n_places_; ++place) {
-    const auto watts = heat_by_port(heat[place]);
-    std::copy(watts.begin(), watts.end(), watts_.begin() + static_cast<std::ptrdiff_t>(watts.size() * place));
-  }
+  take_watts(heat);
   Real lost = 0.;
   for (std::size_t row = 0; row <= n_; ++row) {
     Real sum = 0.;

@@ -10,6 +10,7 @@
 #include "../thermal/two_lumps.h"
 #include "analysis/drop.h"
 #include "analysis/row_lanes.h"
+#include "base/errors.h"
 #include "integrate/integrator.h"
 #include "machine/lanes/machine_lanes.h"
 
@@ -63,13 +64,11 @@ std::vector<std::vector<double>> in_lanes(const Machine& m, const std::vector<In
   std::vector<std::vector<double>> rows;
   RowLanes lanes(m);
   const auto evaluate = [&] {
-    lanes.evaluate([&](double t, std::span<const double> y, const Evaluation& found) {
-      EXPECT_EQ(t, list[rows.size()].t);
-      EXPECT_EQ(found.time, t);
-      auto& row = rows.emplace_back(found.step);
-      row.resize(m.n_step() + observed_size(m.state_observables()));
-      m.observe_state(y, found, std::span(row).subspan(m.n_step()));
-    });
+    const RowTile found = lanes.evaluate();
+    for (std::size_t i = 0; i < found.n_rows(); ++i) {
+      EXPECT_EQ(found.times[i], list[rows.size()].t);
+      found.copy_row(i, rows.emplace_back(found.row_size));
+    }
     EXPECT_EQ(lanes.n_added(), 0U);
   };
   for (std::size_t k = 0; k < list.size(); ++k) {
@@ -124,6 +123,59 @@ struct Kept final : RowSink {
     rows.emplace_back(values.begin(), values.end());
   }
 };
+
+/// Takes rows side by side where they come so.
+struct KeptByTiles final : RowSink {
+  Kept kept;
+  std::size_t n_tiles = 0;
+  void row(double t, std::span<const double> values) override { kept.row(t, values); }
+  [[nodiscard]] bool takes_tiles() const override { return true; }
+  void rows(const RowTile& tile) override {
+    ++n_tiles;
+    std::vector<double> one(tile.row_size);
+    for (std::size_t i = 0; i < tile.n_rows(); ++i) {
+      tile.copy_row(i, one);
+      kept.row(tile.times[i], one);
+    }
+  }
+};
+/// Refuses its n-th row.
+struct Refuses final : RowSink {
+  int n = 0;
+  explicit Refuses(int rows) : n(rows) {}
+  void row(double, std::span<const double>) override {
+    if (--n == 0) throw SolverError("no more");
+  }
+};
+
+TEST(SeriesRows, SideBySideAreThoseOneByOne) {
+  const Example e = machine_of(reference());
+  const auto& p = e.settings.parameters;
+  Drop drop(*e, p, p.integration, p.output);
+  Kept rows;
+  KeptByTiles tiles;
+  drop.rows().add(rows);
+  drop.rows().add(tiles);
+  drop.run();
+  EXPECT_GT(tiles.n_tiles, rows.times.size() / 10) << "nearly all come eight at a time";
+  EXPECT_EQ(tiles.kept.times, rows.times);
+  EXPECT_EQ(tiles.kept.rows, rows.rows);
+}
+
+TEST(SeriesRows, BeforeTheOneThatIsRefusedAreKept) {
+  const Example e = machine_of(reference());
+  const auto& p = e.settings.parameters;
+  for (const int n : {1, 2, 21, 24, 26}) {  // at either end of a tile and within
+    Drop drop(*e, p, p.integration, p.output);
+    Refuses refuses(n);
+    KeptByTiles tiles;
+    drop.rows().add(tiles);
+    drop.rows().add(refuses);
+    EXPECT_THROW(drop.run(), SolverError);
+    // A row that comes alone is told to all in their order.
+    EXPECT_EQ(tiles.kept.times.size(), n == 1 ? 1U : static_cast<std::size_t>(n - 1)) << n;
+  }
+}
 
 TEST(SeriesRows, OfAnInterruptedDropAreTheFirstOfTheWholeOne) {
   const Example e = machine_of(reference());

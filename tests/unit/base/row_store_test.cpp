@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -56,16 +58,67 @@ TEST(RowStore, GivesBackColumns) {
   }
 }
 
+/// The same rows side by side, in tiles of at most n rows.
+void fill_by_tiles(RowStore& store, std::size_t n_rows, std::size_t first, std::size_t n) {
+  const std::vector<double> times(RowTile::width);
+  std::vector<double> values(store.row_size() * RowTile::width);
+  for (std::size_t i = 0; i < n_rows; i += n) {
+    const std::size_t now = std::min(n, n_rows - i);
+    for (std::size_t k = 0; k < store.row_size(); ++k)
+      for (std::size_t r = 0; r < now; ++r) values[k * RowTile::width + r] = value(first + i + r, k);
+    store.append(RowTile{std::span(times).first(now), values.data(), store.row_size()});
+  }
+}
+
+TEST(RowStore, TakesRowsSideBySideAsOneByOne) {
+  for (const std::size_t row_size : {1U, 7U, 300U, 40000U}) {
+    RowStore store(row_size);
+    const std::size_t most = row_size > 1000 ? 30 : 2500;
+    std::size_t n = 0;
+    const auto add = [&](std::size_t more, std::size_t at_once) {
+      at_once == 1 ? fill(store, more, n) : fill_by_tiles(store, more, n, at_once);
+      n += more;
+      expect_rows(store, n, 0);
+    };
+    add(24, 8);  // whole lines
+    add(3, 1);   // rows that wait
+    add(8, 8);   // behind them, over the end of a line, and of a block
+    add(1, 1);
+    add(most, 8);
+    add(10, 5);
+    add(17, 1);
+    add(most, 3);
+    store.clear();
+    n = 0;
+    add(9, 8);
+  }
+}
+
+TEST(RowTile, IsCutAndReadByRows) {
+  const std::vector<double> times = {1., 2., 3., 4.};
+  std::vector<double> values(2 * RowTile::width), row(2);
+  for (std::size_t r = 0; r < times.size(); ++r) {
+    values[r] = 10. * times[r];
+    values[RowTile::width + r] = 100. * times[r];
+  }
+  const RowTile middle = RowTile{times, values.data(), 2}.part(1, 2);
+  EXPECT_EQ(middle.n_rows(), 2U);
+  EXPECT_EQ(middle.times[1], 3.);
+  middle.copy_row(1, row);
+  EXPECT_EQ(row, (std::vector<double>{30., 300.}));
+}
+
 TEST(RowStore, RefusesRowsOfAnotherSize) {
   RowStore store(3);
   const std::vector<double> row(2);
   EXPECT_THROW(store.append(row), std::invalid_argument);
+  EXPECT_THROW(store.append(RowTile{row, row.data(), 2}), std::invalid_argument);
   EXPECT_EQ(store.n_rows(), 0U);
 }
 
 TEST(RowStore, MayHaveNoColumns) {
   RowStore store;
-  store.append({});
+  store.append(std::span<const double>());
   EXPECT_EQ(store.n_rows(), 1U);
   EXPECT_EQ(store.bytes(), 0U);
 }

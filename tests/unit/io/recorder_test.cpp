@@ -311,8 +311,7 @@ TEST_F(RecorderTest, FilesWhoseSeriesCannotBeListedAreDamaged) {
 }
 
 TEST_F(RecorderTest, ChecksumsKnowEveryValueAndItsPlace) {
-  // Seven values: of four sums, the first has those that are left over, too.
-  const std::vector<SeriesGroup> groups = {{"/time", {{"/x", "1", "numbers", 7, {}}}}};
+  const std::vector<SeriesGroup> groups = {{"/time", {{"/x", "1", "numbers", 4, {}}, {"/y", "1", "numbers", 3, {}}}}};
   RecorderOptions options;
   options.overwrite = true;
   const auto sum = [&](const std::function<void(std::vector<double>&)>& change) {
@@ -328,8 +327,53 @@ TEST_F(RecorderTest, ChecksumsKnowEveryValueAndItsPlace) {
   std::set<std::uint64_t> others;
   for (std::size_t i = 0; i < 24; ++i) others.insert(sum([i](auto& all) { all[i] += 0.5; }));
   for (std::size_t i = 1; i < 7; ++i) others.insert(sum([i](auto& all) { std::swap(all[i], all[i + 1]); }));
-  EXPECT_EQ(others.size(), 30U) << "each change by itself";
+  for (std::size_t i = 1; i < 8; ++i) others.insert(sum([i](auto& all) { std::swap(all[i], all[i + 8]); }));
+  EXPECT_EQ(others.size(), 37U) << "each change by itself";
   EXPECT_FALSE(others.contains(whole));
+}
+
+TEST_F(RecorderTest, RowsSideBySideAreThoseOneByOne) {
+  constexpr std::size_t n_rows = 51;
+  const std::vector<SeriesGroup> groups = {{"/time", {{"/x", "1", "numbers", 2, {}}, {"/y", "1", "numbers", 1, {}}}}};
+  RecorderOptions options;
+  options.overwrite = true;
+  options.rows_per_chunk = 10;  // their ends lie within tiles
+  const auto value = [](std::size_t row, std::size_t k) { return static_cast<double>(100 * row + k); };
+  std::set<std::uint64_t> sums;
+  for (const std::size_t at_once : {1U, 3U, 8U})
+    for (const std::size_t rows_until_flush : {7U, 1000U}) {
+      Recorder recorder(path, header, groups, options);
+      for (std::size_t row = 0; row < n_rows; row += at_once) {
+        const std::size_t n = std::min(at_once, n_rows - row);
+        std::vector<double> times(n), values(3 * RowTile::width);
+        for (std::size_t i = 0; i < n; ++i) {
+          times[i] = static_cast<double>(row + i);
+          for (std::size_t k = 0; k < 3; ++k) values[k * RowTile::width + i] = value(row + i, k);
+        }
+        if (at_once == 1)
+          recorder.append(0, times[0], std::vector{value(row, 0), value(row, 1), value(row, 2)});
+        else
+          recorder.append(0, RowTile{times, values.data(), 3});
+        if (row % rows_until_flush == 0) recorder.flush();
+      }
+      EXPECT_EQ(recorder.n_rows(0), n_rows);
+      sums.insert(recorder.sync().check_sums.at(0));
+      recorder.close();
+      const auto x = read_series(path, "/x").values, y = read_series(path, "/y").values;
+      ASSERT_EQ(x.size(), 2 * n_rows);
+      ASSERT_EQ(y.size(), n_rows);
+      for (std::size_t row = 0; row < n_rows; ++row) {
+        EXPECT_EQ(x[2 * row], value(row, 0));
+        EXPECT_EQ(x[2 * row + 1], value(row, 1));
+        EXPECT_EQ(y[row], value(row, 2));
+      }
+    }
+  EXPECT_EQ(sums.size(), 1U) << "how many rows come at a time is no matter";
+  Recorder recorder(path, header, groups, options);
+  const std::vector<double> times = {1., 0.5}, values(3 * RowTile::width);
+  EXPECT_THROW(recorder.append(0, RowTile{times, values.data(), 3}), std::invalid_argument) << "times decrease";
+  EXPECT_THROW(recorder.append(0, RowTile{std::span(times).first(1), values.data(), 2}), std::invalid_argument);
+  EXPECT_EQ(recorder.n_rows(0), 0U);
 }
 
 TEST_F(RecorderTest, IsMadeLaterIfAsked) {

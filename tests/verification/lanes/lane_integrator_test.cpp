@@ -51,7 +51,8 @@ class EightOscillators final : public LaneSystem {
                std::span<double>) override {
     rates(t, y, dydt);
   }
-  void found(std::size_t, Evaluation&) const override {}
+  void observe_state(std::span<const double>, std::span<double>) override {}
+  void observe_held(std::span<const double>, std::span<double>) override {}
 
  private:
   StateLayout layout_ = layout_of_oscillator();
