@@ -24,26 +24,21 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-std::map<std::string, std::string> read_values(const fs::path& file) {
-  std::string text;
-  try {
-    text = read_input_file(file, {}, folder_limit);
-  } catch (const InputError&) {
-    return {};
-  }
-  std::map<std::string, std::string> values;
+/// @returns values in the text of a file; none of a damaged one
+std::map<std::string, std::string_view> values_in(std::string_view text) {
+  std::map<std::string, std::string_view> values;
   if (!text.starts_with(mark)) return values;
   try {
-    plain::Reader reader(std::string_view(text).substr(mark.size()));
+    plain::Reader reader(text.substr(mark.size()));
     std::uint32_t sum = 0;
     reader.get(sum);
-    const std::string_view content = std::string_view(text).substr(mark.size() + sizeof sum);
-    if (sum != checksum(content)) return values;
-    std::vector<std::string> names, bytes;
+    if (sum != checksum(text.substr(mark.size() + sizeof sum))) return values;
+    std::vector<std::string> names;
+    std::vector<std::string_view> bytes;
     reader.get(names);
     reader.get(bytes);
     if (names.size() != bytes.size()) return {};
-    for (std::size_t i = 0; i < names.size(); ++i) values.emplace(std::move(names[i]), std::move(bytes[i]));
+    for (std::size_t i = 0; i < names.size(); ++i) values.emplace(std::move(names[i]), bytes[i]);
   } catch (const std::out_of_range&) {
     values.clear();
   }
@@ -93,7 +88,11 @@ void shrink_cache(const fs::path& folder, std::uintmax_t limit) {
 KeptValues::KeptValues(const fs::path& folder, const std::string& content) {
   if (folder.empty()) return;
   file_ = folder / (content + std::string(ending));
-  values_ = read_values(file_);
+  try {
+    text_ = read_input_file(file_, {}, folder_limit);
+  } catch (const InputError&) {  // there is none yet, or it cannot be read
+  }
+  values_ = values_in(text_);
   std::error_code error;
   if (!values_.empty()) fs::last_write_time(file_, fs::file_time_type::clock::now(), error);  // used last
 }
@@ -106,7 +105,7 @@ KeptValues::~KeptValues() {
 }
 
 void KeptValues::keep(const std::string& name, std::string bytes) {
-  values_[name] = std::move(bytes);
+  values_[name] = added_.emplace_back(std::move(bytes));
   is_changed_ = true;
 }
 
@@ -116,7 +115,7 @@ void KeptValues::save() {
   std::vector<std::string> names, bytes;
   for (const auto& [name, value] : values_) {
     names.push_back(name);
-    bytes.push_back(value);
+    bytes.emplace_back(value);
   }
   plain::Writer content;
   content.add(names);

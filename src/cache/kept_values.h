@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -53,7 +54,9 @@ class KeptValues {
   void keep(const std::string& name, std::string bytes);
 
   std::filesystem::path file_;
-  std::map<std::string, std::string> values_;
+  std::string text_;                                // of the file
+  std::deque<std::string> added_;                   // values that were found since
+  std::map<std::string, std::string_view> values_;  // in the one or the other
   bool is_changed_ = false;
 };
 

@@ -167,7 +167,11 @@ class Reader {
       raw(&x, sizeof(T));
     else if constexpr (std::is_same_v<T, std::string>)
       x.resize(count(1)), raw(x.data(), x.size());
-    else if constexpr (IsList<T>::value) {
+    else if constexpr (std::is_same_v<T, std::string_view>) {  // of a text, into the bytes
+      const std::size_t n = count(1);
+      x = rest_.substr(0, n);
+      rest_.remove_prefix(n);
+    } else if constexpr (IsList<T>::value) {
       if constexpr (IsNumeric<typename T::value_type>::value) {
         x.resize(count(sizeof(typename T::value_type)));
         raw(x.data(), x.size() * sizeof(typename T::value_type));
