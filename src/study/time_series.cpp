@@ -1,31 +1,34 @@
 #include "study/time_series.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace rotordrop {
 namespace {
 
-/// Parts of a straight line from a to b on which its magnitude exceeds a tolerance that goes from p to q, as fractions of its length.
+/// Part of a straight line, as fractions of its length.
 struct Part {
   double from, to;
 };
-std::vector<Part> parts_beyond(double a, double b, double p, double q) {
-  if (std::fabs(a) <= p && std::fabs(b) <= q) return {};  // so is the line between
-  std::vector<double> cuts = {0.};
+/// Calls take(part) for each part of a line from a to b on which its magnitude exceeds a tolerance that goes from p to q.
+template <class Take>
+void for_each_part_beyond(double a, double b, double p, double q, const Take& take) {
+  if (std::fabs(a) <= p && std::fabs(b) <= q) return;  // so is the line between
+  std::array<double, 4> cuts = {0.};
+  std::size_t n = 1;
   for (const double sign : {-1., 1.}) {
     const double before = a - sign * p, after = b - sign * q;
-    if (before * after < 0.) cuts.push_back(before / (before - after));
+    if (before * after < 0.) cuts[n++] = before / (before - after);
   }
-  cuts.push_back(1.);
-  std::sort(cuts.begin(), cuts.end());
-  std::vector<Part> parts;
-  for (std::size_t i = 1; i < cuts.size(); ++i) {
+  cuts[n++] = 1.;
+  if (n == cuts.size() && cuts[1] > cuts[2]) std::swap(cuts[1], cuts[2]);
+  for (std::size_t i = 1; i < n; ++i) {
     const double middle = 0.5 * (cuts[i - 1] + cuts[i]);
-    if (std::fabs(a + middle * (b - a)) > p + middle * (q - p)) parts.push_back({cuts[i - 1], cuts[i]});
+    if (std::fabs(a + middle * (b - a)) > p + middle * (q - p)) take(Part{cuts[i - 1], cuts[i]});
   }
-  return parts;
 }
 
 std::size_t samples_within(const TimeSeries& s, double from, double to) {
@@ -61,9 +64,12 @@ TimeSeries subtract(const TimeSeries& first, const TimeSeries& second) {
   const double from = std::max(first.times.front(), second.times.front()),
                to = std::min(first.times.back(), second.times.back());
   const bool take_second = samples_within(second, from, to) < samples_within(first, from, to);
+  const std::vector<double>& times = take_second ? second.times : first.times;
   TimeSeries result;
+  result.times.reserve(times.size());
+  result.values.reserve(times.size());
   Following of_first(first), of_second(second);
-  for (const double t : take_second ? second.times : first.times) {
+  for (const double t : times) {
     if (t < from || t > to) continue;
     result.times.push_back(t);
     result.values.push_back(of_second.at(t) - of_first.at(t));
@@ -89,6 +95,7 @@ Difference difference_of(const TimeSeries& first, const TimeSeries& second, cons
   d.series = subtract(first, second);
   const auto& [t, v] = d.series;
   Following of_first(first), of_second(second);
+  d.allowed.reserve(t.size());
   for (const double time : t) d.allowed.push_back(tolerance.at(of_first.at(time), of_second.at(time)));
   for (std::size_t i = 0; i < v.size(); ++i)
     if (i == 0 || std::fabs(v[i]) > std::fabs(d.largest)) {
@@ -98,12 +105,12 @@ Difference difference_of(const TimeSeries& first, const TimeSeries& second, cons
   d.within = t.front();
   if (std::fabs(v.front()) > d.allowed.front()) d.beyond = t.front();
   for (std::size_t i = 1; i < v.size(); ++i)
-    for (const auto& [from, to] : parts_beyond(v[i - 1], v[i], d.allowed[i - 1], d.allowed[i])) {
+    for_each_part_beyond(v[i - 1], v[i], d.allowed[i - 1], d.allowed[i], [&](const Part& part) {
       const double step = t[i] - t[i - 1];
-      if (!d.beyond) d.beyond = t[i - 1] + from * step;
-      d.within = t[i - 1] + to * step;
-      d.time_beyond += (to - from) * step;
-    }
+      if (!d.beyond) d.beyond = t[i - 1] + part.from * step;
+      d.within = t[i - 1] + part.to * step;
+      d.time_beyond += (part.to - part.from) * step;
+    });
   if (std::fabs(v.back()) > d.allowed.back()) d.within.reset();
   return d;
 }
