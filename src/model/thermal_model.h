@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/row_tile.h"
 #include "model/observable.h"
 #include "model/ports.h"
 #include "model/state_layout.h"
@@ -47,6 +48,18 @@ class ThermalModel {
   [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
   virtual void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                        std::span<double> out) const = 0;
+  /// The same of eight states side by side, each as if it were alone but for roundoff.
+  /// @param temperature, out  number i of state l at [i * RowTile::width + l]; @param heat  of one state after the other
+  virtual void observe_tile(std::span<const double> temperature, std::span<const HeatInput> heat,
+                            std::span<double> out) const {
+    const std::size_t n_heats = heat.size() / RowTile::width;
+    std::vector<double> T(temperature.size() / RowTile::width), values(out.size() / RowTile::width);
+    for (std::size_t l = 0; l < RowTile::width; ++l) {
+      for (std::size_t i = 0; i < T.size(); ++i) T[i] = temperature[i * RowTile::width + l];
+      observe(T, heat.subspan(l * n_heats, n_heats), values);
+      for (std::size_t i = 0; i < values.size(); ++i) out[i * RowTile::width + l] = values[i];
+    }
+  }
   /// States that are the mean temperatures of the inner rings [n_places]; empty if there are none such.
   [[nodiscard]] virtual std::vector<std::size_t> ring_states() const { return {}; }
   /// Heat stored over ambient [J].

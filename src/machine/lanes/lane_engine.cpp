@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "base/gather.h"
@@ -38,26 +39,25 @@ HeatInput heat_of_lane(const HeatInputOf<Real>& h, int lane) {
           {}};
 }
 
-/// A thermal model that follows and is of any kind: it is asked lane by lane for what is reported.
+/// A thermal model of any kind that follows one drop, asked for what rows of that drop report.
 template <class Real>
 class FollowerInLanes {
  public:
-  /// @param models  those of the first lanes; the others repeat the last
-  explicit FollowerInLanes(std::vector<const ThermalModel*> models) : models_(std::move(models)) {}
+  explicit FollowerInLanes(const ThermalModel& model) : model_(&model) {}
 
   void observe(std::span<const Real> T, std::span<const HeatInputOf<Real>> heat, std::span<Real> out) const {
-    std::vector<HeatInput> heat_of_one(heat.size());
-    std::vector<double> values(out.size());
-    for_each(T, [&](int lane, const ThermalModel& model, std::span<const double> T_of_one) {
-      for (std::size_t i = 0; i < heat.size(); ++i) heat_of_one[i] = heat_of_lane(heat[i], lane);
-      model.observe(T_of_one, heat_of_one, values);
-      for (std::size_t i = 0; i < out.size(); ++i) out[i].set(lane, values[i]);
-    });
+    std::vector<HeatInput> heats;
+    for (int lane = 0; lane < n_lanes; ++lane)
+      for (const auto& h : heat) heats.push_back(heat_of_lane(h, lane));
+    std::vector<double> temperatures(T.size() * RowTile::width), values(out.size() * RowTile::width);
+    for (std::size_t i = 0; i < T.size(); ++i) T[i].store(temperatures.data() + i * RowTile::width);
+    model_->observe_tile(temperatures, heats, values);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = Real::load(values.data() + i * RowTile::width);
   }
   void growth(std::span<const Real> T, std::span<ExpansionOf<Real>> out) const {
     std::vector<Expansion> values(out.size());
-    for_each(T, [&](int lane, const ThermalModel& model, std::span<const double> T_of_one) {
-      model.growth(T_of_one, values);
+    for_each(T, [&](int lane, std::span<const double> T_of_one) {
+      model_->growth(T_of_one, values);
       for (std::size_t i = 0; i < out.size(); ++i)
         for (std::size_t k = 0; k < growth_surfaces.size(); ++k)
           (out[i].*growth_surfaces_of<Real>[k]).set(lane, values[i].*growth_surfaces[k]);
@@ -65,22 +65,20 @@ class FollowerInLanes {
   }
   [[nodiscard]] Real stored_energy(std::span<const Real> T) const {
     Real energy;
-    for_each(T, [&](int lane, const ThermalModel& model, std::span<const double> T_of_one) {
-      energy.set(lane, model.stored_energy(T_of_one));
-    });
+    for_each(T, [&](int lane, std::span<const double> T_of_one) { energy.set(lane, model_->stored_energy(T_of_one)); });
     return energy;
   }
 
  private:
   template <class Act>
-  void for_each(std::span<const Real> T, const Act& act) const {
+  static void for_each(std::span<const Real> T, const Act& act) {
     std::vector<double> one(T.size());
     for (int lane = 0; lane < n_lanes; ++lane) {
       for (std::size_t i = 0; i < one.size(); ++i) one[i] = T[i][lane];
-      act(lane, *models_[std::min(static_cast<std::size_t>(lane), models_.size() - 1)], one);
+      act(lane, one);
     }
   }
-  std::vector<const ThermalModel*> models_;
+  const ThermalModel* model_;
 };
 
 /// Parts of machines alike, as Machine::evaluate_with() asks for them.
@@ -95,14 +93,13 @@ class PartsInLanes {
       supports_.emplace_back(parts_of<TouchdownBearing>(
           machines, [&](const Machine& m) -> auto& { return m.support(i); }));
     for (std::size_t i = 0; i < form.thermal.size(); ++i) {
-      const auto model = [&](const Machine& m) -> auto& { return *m.thermal(i).model; };
       thermal_.emplace_back();
-      followers_.emplace_back(parts_of<ThermalModel>(machines, model));
-      if (!form.thermal[i].follows) thermal_.back().emplace(parts_of<ThermalNetwork>(machines, model));
+      followers_.emplace_back(*form.thermal[i].model);
+      if (form.thermal[i].follows) continue;
+      thermal_.back().emplace(parts_of<ThermalNetwork>(
+          machines, [&](const Machine& m) -> auto& { return *m.thermal(i).model; }));
     }
-    for (int lane = 0; lane < n_lanes; ++lane)
-      initial_mechanical_.set(
-          lane, machines[std::min(static_cast<std::size_t>(lane), machines.size() - 1)]->initial_mechanical_energy());
+    initial_mechanical_ = machines.front()->initial_mechanical_energy();
     for (std::size_t place = 0; place < form.rub_share.size(); ++place) {
       std::vector<RubNumbers<double>> rub;
       for (const Machine* machine : machines) rub.push_back(machine->parts().rub_share[place].numbers());
@@ -130,7 +127,7 @@ class PartsInLanes {
   [[nodiscard]] const ThermalNetworkInLanes<Real>& immediate_growth() const {
     return *thermal_.front();
   }  // there is none
-  /// One that follows is known by what it reports only.
+  /// One that follows is known by what it reports of the first machine's drop only.
   template <class Act>
   void with_thermal(std::size_t i, const Act& act) const {
     if (thermal_[i])
@@ -153,8 +150,8 @@ class PartsInLanes {
   ModalRotorInLanes<Real> rotor_;
   std::vector<TouchdownInLanes<Real>> supports_;
   std::vector<std::optional<ThermalNetworkInLanes<Real>>> thermal_;  // of those that do not follow
-  std::vector<FollowerInLanes<Real>> followers_;                     // of all
-  Real initial_mechanical_;
+  std::vector<FollowerInLanes<Real>> followers_;                     // all models, as if they followed
+  Real initial_mechanical_;                                          // of the first machine
   std::vector<Rub> rub_;
   std::vector<Real> growth_by_speed_;
 };
@@ -182,6 +179,8 @@ class MachineLanes final : public LaneSystem {
     store(observed_.details, details);
   }
   void observe_state(std::span<const double> y, std::span<double> out) override {
+    if (std::ranges::any_of(machines_, [&](const Machine* machine) { return machine != &form_; }))
+      throw std::logic_error("rows of several machines side by side");
     form_.observe_state_of<Real>(parts_, in_vectors(y), observed_, in_vectors(out));
   }
   void observe_held(std::span<const double> y, std::span<double> out) override {

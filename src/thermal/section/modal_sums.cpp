@@ -1,6 +1,7 @@
 #include "thermal/section/modal_sums.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/exponential_series.h"
 #include "base/split_exponential.h"
@@ -75,6 +76,53 @@ ROTORDROP_KERNEL double advance_kernel(const double* y, double zero, const doubl
   return sum.sum();
 }
 
+/// States of a tile that are summed at a time: their sums stay in registers, and each vector of shapes is read for all of them.
+constexpr std::size_t at_a_time = 4;
+static_assert(RowTile::width % at_a_time == 0);
+using Sums = std::array<Octet, at_a_time>;
+
+/// @param rises  of the first of these states, mode after mode of a tile
+ROTORDROP_KERNEL void add_modes_of_tile(Sums& sum, const double* rises, const double* column, std::size_t n_modes) {
+  for (std::size_t i = 0; i < n_modes; ++i, column += vector_length, rises += RowTile::width)
+    for (std::size_t l = 0; l < at_a_time; ++l) add_product(sum[l], rises[l], column);
+}
+
+ROTORDROP_KERNEL void tile_sums_kernel(const double* rises, const double* column, std::size_t n_modes,
+                                       std::size_t n_vectors, double* out) {
+  for (std::size_t v = 0; v < n_vectors; ++v, column += n_modes * vector_length, out += vector_length)
+    for (std::size_t first = 0; first < RowTile::width; first += at_a_time) {
+      Sums sum;
+      add_modes_of_tile(sum, rises + first, column, n_modes);
+      for (std::size_t l = 0; l < at_a_time; ++l)
+        store_first(sum[l], vector_length, out + (first + l) * n_vectors * vector_length);
+    }
+}
+
+ROTORDROP_KERNEL void take_extremes(const Octet& sum, Octet& lowest, Octet& highest) {
+#pragma omp simd
+  for (std::size_t l = 0; l < vector_length; ++l) {
+    lowest[l] = sum.value[l] < lowest.value[l] ? sum.value[l] : lowest.value[l];
+    highest[l] = sum.value[l] > highest.value[l] ? sum.value[l] : highest.value[l];
+  }
+}
+
+ROTORDROP_KERNEL void tile_extremes_kernel(const double* rises, const double* columns, std::size_t n_modes,
+                                           const double* at_once, const double* watts, std::size_t n_vectors,
+                                           RiseRange* out) {
+  for (std::size_t first = 0; first < RowTile::width; first += at_a_time) {
+    Sums lowest, highest;
+    for (std::size_t v = 0; v < n_vectors; ++v) {
+      Sums sum;
+      for (std::size_t l = 0; l < at_a_time; ++l) add_product(sum[l], watts[first + l], at_once + v * vector_length);
+      add_modes_of_tile(sum, rises + first, columns + v * n_modes * vector_length, n_modes);
+      if (v == 0) lowest = highest = sum;
+      for (std::size_t l = 0; l < at_a_time; ++l) take_extremes(sum[l], lowest[l], highest[l]);
+    }
+    for (std::size_t l = 0; l < at_a_time; ++l)
+      out[first + l] = {*std::min_element(lowest[l].value.begin(), lowest[l].value.end()), highest[l].largest()};
+  }
+}
+
 ROTORDROP_KERNEL RiseRange extremes_kernel(const double* y, double zero, const double* column, std::size_t n_modes,
                                            const double* at_once, double watts, std::size_t n_vectors) {
   Octet lowest, highest;
@@ -84,11 +132,7 @@ ROTORDROP_KERNEL RiseRange extremes_kernel(const double* y, double zero, const d
     add_modes(even, odd, y, zero, column, n_modes);
     add_product(even, 1., odd.value.data());
     if (v == 0) lowest = highest = even;
-#pragma omp simd
-    for (std::size_t l = 0; l < vector_length; ++l) {
-      lowest[l] = even.value[l] < lowest.value[l] ? even.value[l] : lowest.value[l];
-      highest[l] = even.value[l] > highest.value[l] ? even.value[l] : highest.value[l];
-    }
+    take_extremes(even, lowest, highest);
   }
   return {*std::min_element(lowest.value.begin(), lowest.value.end()), highest.largest()};
 }
@@ -109,6 +153,10 @@ void ModalShapes::sums(const double* y, double zero, double* out) const {
 void ModalShapes::sums(const double* y, double zero, std::vector<double>& out) const {
   out.resize(filled_up(n_));
   sums(y, zero, out.data());
+}
+
+void ModalShapes::sums_of_tile(const double* rises, double* out) const {
+  wide<tile_sums_kernel>(rises, values_.data(), n_modes_, filled_up(n_) / vector_length, out);
 }
 
 ModalRates::ModalRates(std::span<const double> rate) : n_modes_(rate.size()), decay_(filled_up(rate.size()), 0.) {
@@ -147,6 +195,11 @@ SurfacePoints::SurfacePoints(std::size_t n_modes, std::span<const double> by_poi
 RiseRange SurfacePoints::extremes(const double* y, double zero, double watts) const {
   return wide<extremes_kernel>(y, zero, values_.data(), n_modes_, at_once_.data(), watts,
                                at_once_.size() / vector_length);
+}
+
+void SurfacePoints::extremes_of_tile(const double* rises, const double* watts, RiseRange* out) const {
+  wide<tile_extremes_kernel>(rises, values_.data(), n_modes_, at_once_.data(), watts, at_once_.size() / vector_length,
+                             out);
 }
 
 }  // namespace rotordrop

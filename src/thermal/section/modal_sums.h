@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/aligned_numbers.h"
+#include "base/row_tile.h"
 #include "base/wide_vectors.h"
 
 namespace rotordrop {
@@ -22,6 +23,8 @@ class ModalShapes {
   /// Sums shape . (y - zero) of all shapes, and zeros up to a whole vector. @param out  [filled_up(size())]
   void sums(const double* y, double zero, double* out) const;
   void sums(const double* y, double zero, std::vector<double>& out) const;
+  /// Those of eight states. @param rises  y - zero of mode i and state l at [i * RowTile::width + l]; @param out  [RowTile::width][filled_up(size())]
+  void sums_of_tile(const double* rises, double* out) const;
 
  private:
   std::size_t n_ = 0, n_modes_ = 0;
@@ -60,6 +63,8 @@ class SurfacePoints {
   SurfacePoints(std::size_t n_modes, std::span<const double> by_point, std::span<const double> at_once);
   /// Of at least one point.
   [[nodiscard]] RiseRange extremes(const double* y, double zero, double watts) const;
+  /// Those of eight states. @param rises  as for ModalShapes::sums_of_tile(); @param watts, out  [RowTile::width]
+  void extremes_of_tile(const double* rises, const double* watts, RiseRange* out) const;
 
  private:
   std::size_t n_modes_;

@@ -261,19 +261,20 @@ std::vector<Observable> ReducedSections::observables() const {
   return list;
 }
 
-void ReducedSections::observe_surfaces(std::size_t k, const double* y, const HeatInput& heat, double* out) const {
-  const Place& p = places_[k];
-  HeatedPorts rises, watts;
-  p.means.sums(y, ambient_, rises.data());
-  std::fill_n(watts.begin(), p.at_once.size(), 0.);
+void ReducedSections::surface_heats(std::size_t k, const double* rises, const HeatInput& heat,
+                                    HeatedPorts& watts) const {
+  std::fill_n(watts.begin(), places_[k].at_once.size(), 0.);
   watts[bore_port] = heat.rub_into_ring;
-  heat_raceways(k, rises.data(), heat, watts);
+  heat_raceways(k, rises, heat, watts);
+}
+
+void ReducedSections::put_surfaces(std::size_t k, const HeatedPorts& watts, const RiseRange* ranges,
+                                   double* out) const {
+  const Place& p = places_[k];
   for (std::size_t i = 0; i < p.surface_ports.size(); ++i) {
-    const double into = watts[p.surface_ports[i]];
-    const RiseRange range = p.surfaces[i].extremes(y, ambient_, into);
-    out[3 * i] += sections_[k].heat.ports[p.surface_ports[i]].at_once * into;
-    out[3 * i + 1] = ambient_ + range.lowest;
-    out[3 * i + 2] = ambient_ + range.highest;
+    out[3 * i] += sections_[k].heat.ports[p.surface_ports[i]].at_once * watts[p.surface_ports[i]];
+    out[3 * i + 1] = ambient_ + ranges[i].lowest;
+    out[3 * i + 2] = ambient_ + ranges[i].highest;
   }
   // A raceway is its rows' strips together.
   for (std::size_t race = 0; race < 2 && !p.rows.empty(); ++race) {
@@ -288,37 +289,86 @@ void ReducedSections::observe_surfaces(std::size_t k, const double* y, const Hea
   }
 }
 
+double* ReducedSections::put_observed(std::size_t k, const double* sum, const HeatedPorts& watts,
+                                      const RiseRange* ranges, double* to) const {
+  const Place& p = places_[k];
+  for (const auto* outputs : {&sections_[k].heat.bodies, &sections_[k].heat.nodes})
+    for (std::size_t i = 0; i < outputs->size(); ++i) *to++ = ambient_ + *sum++;
+  for (std::size_t i = 0; i < p.surfaces.size(); ++i) to[3 * i] = ambient_ + *sum++;
+  put_surfaces(k, watts, ranges, to);
+  to += 3 * p.surfaces.size();
+  const auto& elastic = sections_[k].elastic;
+  if (!elastic) return to;
+  if (elastic->drives) {
+    *to++ = elastic->mean_pressure.at_rest + *sum++;
+    double lowest = std::numeric_limits<double>::infinity(), pulling = 0.;
+    for (std::size_t i = 0; i < elastic->node_pressure.size(); ++i) {
+      const double pressure = elastic->node_pressure[i].at_rest + *sum++;
+      lowest = std::min(lowest, pressure);
+      if (pressure < -no_pressure) pulling += elastic->node_share[i];
+    }
+    *to++ = lowest;
+    *to++ = pulling;
+  } else {
+    to = std::copy_n(sum, elastic->growth.size(), to);
+    sum += elastic->growth.size();
+  }
+  return std::copy_n(sum, elastic->rows.size(), to);
+}
+
 void ReducedSections::observe(std::span<const double> state, std::span<const HeatInput> heats,
                               std::span<double> out) const {
   std::vector<double> sums;
+  std::vector<RiseRange> ranges;
   double* to = out.data();
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const Place& p = places_[k];
     const double* y = state.data() + p.first;
+    HeatedPorts rises, watts;
+    p.means.sums(y, ambient_, rises.data());
+    surface_heats(k, rises.data(), heats[k], watts);
+    ranges.clear();
+    for (std::size_t i = 0; i < p.surfaces.size(); ++i)
+      ranges.push_back(p.surfaces[i].extremes(y, ambient_, watts[p.surface_ports[i]]));
     p.observed.sums(y, ambient_, sums);
-    const double* sum = sums.data();
-    for (const auto* outputs : {&sections_[k].heat.bodies, &sections_[k].heat.nodes})
-      for (std::size_t i = 0; i < outputs->size(); ++i) *to++ = ambient_ + *sum++;
-    for (std::size_t i = 0; i < p.surfaces.size(); ++i) to[3 * i] = ambient_ + *sum++;
-    observe_surfaces(k, y, heats[k], to);
-    to += 3 * p.surfaces.size();
-    const auto& elastic = sections_[k].elastic;
-    if (!elastic) continue;
-    if (elastic->drives) {
-      *to++ = elastic->mean_pressure.at_rest + *sum++;
-      double lowest = std::numeric_limits<double>::infinity(), pulling = 0.;
-      for (std::size_t i = 0; i < elastic->node_pressure.size(); ++i) {
-        const double pressure = elastic->node_pressure[i].at_rest + *sum++;
-        lowest = std::min(lowest, pressure);
-        if (pressure < -no_pressure) pulling += elastic->node_share[i];
-      }
-      *to++ = lowest;
-      *to++ = pulling;
-    } else {
-      to = std::copy_n(sum, elastic->growth.size(), to);
-      sum += elastic->growth.size();
+    to = put_observed(k, sums.data(), watts, ranges.data(), to);
+  }
+}
+
+void ReducedSections::observe_tile(std::span<const double> state, std::span<const HeatInput> heats,
+                                   std::span<double> out) const {
+  constexpr std::size_t width = RowTile::width;
+  std::vector<double> rises(state.size()), means, sums, of_one(out.size() / width);
+  std::transform(state.begin(), state.end(), rises.begin(), [this](double T) { return T - ambient_; });
+  std::array<HeatedPorts, width> watts;
+  std::vector<std::array<RiseRange, width>> ranges;  // of each surface
+  std::vector<RiseRange> ranges_of_one;
+  std::size_t first = 0;  // of what is observed
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const Place& p = places_[k];
+    const double* of_place = rises.data() + p.first * width;
+    const std::size_t n_means = filled_up(p.means.size()), n_sums = filled_up(p.observed.size());
+    means.resize(width * n_means);
+    sums.resize(width * n_sums);
+    p.means.sums_of_tile(of_place, means.data());
+    p.observed.sums_of_tile(of_place, sums.data());
+    for (std::size_t l = 0; l < width; ++l)
+      surface_heats(k, means.data() + l * n_means, heats[l * places_.size() + k], watts[l]);
+    ranges.resize(p.surfaces.size());
+    ranges_of_one.resize(p.surfaces.size());
+    for (std::size_t i = 0; i < p.surfaces.size(); ++i) {
+      std::array<double, width> into;
+      for (std::size_t l = 0; l < width; ++l) into[l] = watts[l][p.surface_ports[i]];
+      p.surfaces[i].extremes_of_tile(of_place, into.data(), ranges[i].data());
     }
-    to = std::copy_n(sum, elastic->rows.size(), to);
+    std::size_t end = first;
+    for (std::size_t l = 0; l < width; ++l) {
+      for (std::size_t i = 0; i < ranges.size(); ++i) ranges_of_one[i] = ranges[i][l];
+      const double* behind = put_observed(k, sums.data() + l * n_sums, watts[l], ranges_of_one.data(), of_one.data());
+      end = first + static_cast<std::size_t>(behind - of_one.data());
+      for (std::size_t i = first; i < end; ++i) out[i * width + l] = of_one[i - first];
+    }
+    first = end;
   }
 }
 

@@ -53,6 +53,8 @@ class ReducedSections final : public ThermalModel {
                  std::span<double> to) const override;
   [[nodiscard]] std::vector<Observable> observables() const override;
   void observe(std::span<const double> state, std::span<const HeatInput> heat, std::span<double> out) const override;
+  void observe_tile(std::span<const double> state, std::span<const HeatInput> heat,
+                    std::span<double> out) const override;
   [[nodiscard]] double stored_energy(std::span<const double> state) const override;
 
  private:
@@ -86,8 +88,14 @@ class ReducedSections final : public ThermalModel {
   /// Heat of friction and of rolling balls into the raceways, or their rows, and out of the balls.
   /// @param rises  of the heated ports by conduction
   void heat_raceways(std::size_t k, const double* rises, const HeatInput& heat, HeatedPorts& watts) const;
-  /// @param out  [3] of each observed port; its mean by conduction is there already
-  void observe_surfaces(std::size_t k, const double* states, const HeatInput& heat, double* out) const;
+  /// Heats into the observed surfaces. @param rises  of the heated ports by conduction
+  void surface_heats(std::size_t k, const double* rises, const HeatInput& heat, HeatedPorts& watts) const;
+  /// @param ranges  of each observed port
+  /// @param out     [3] of each; its mean by conduction is there already
+  void put_surfaces(std::size_t k, const HeatedPorts& watts, const RiseRange* ranges, double* out) const;
+  /// All that is observed of a section. @param sums  of its observed shapes @returns behind it
+  double* put_observed(std::size_t k, const double* sums, const HeatedPorts& watts, const RiseRange* ranges,
+                       double* out) const;
   void add_growth(std::size_t k, std::span<const double> values, double zero, Expansion& out) const;
 
   std::vector<ReducedSection> sections_;

@@ -51,6 +51,37 @@ TEST(ModalShapes, SumsEachShape) {
   }
 }
 
+/// Rises of eight states side by side, and each by itself.
+struct Tile {
+  std::vector<double> rises;
+  std::vector<std::vector<double>> y;
+  explicit Tile(std::size_t n_modes) : rises(n_modes * RowTile::width) {
+    for (std::size_t l = 0; l < RowTile::width; ++l) {
+      y.push_back(numbers(n_modes, 0.1 * static_cast<double>(l)));
+      for (std::size_t i = 0; i < n_modes; ++i) {
+        rises[i * RowTile::width + l] = y[l][i];
+        y[l][i] += zero;
+      }
+    }
+  }
+};
+
+TEST(ModalShapes, SumEightStatesAsOne) {
+  for (const std::size_t n_modes : {1U, 5U, 28U}) {
+    ModalShapes shapes(n_modes);
+    for (std::size_t k = 0; k < 11; ++k) shapes.add(numbers(n_modes, static_cast<double>(k)));
+    const Tile tile(n_modes);
+    std::vector<double> out(16 * RowTile::width + 1, -1.), alone;
+    shapes.sums_of_tile(tile.rises.data(), out.data());
+    EXPECT_EQ(out.back(), -1.) << "nothing behind";
+    for (std::size_t l = 0; l < RowTile::width; ++l) {
+      shapes.sums(tile.y[l].data(), zero, alone);
+      for (std::size_t k = 0; k < 11; ++k)
+        EXPECT_NEAR(out[16 * l + k], alone[k], roundoff) << n_modes << " modes, state " << l << ", " << k;
+    }
+  }
+}
+
 TEST(ModalRates, DecayAndTakeHeatAndTouchNothingBehind) {
   for (const std::size_t n : {1U, 8U, 13U}) {
     std::vector<double> rate(n);
@@ -98,6 +129,22 @@ TEST(ModalRates, AdvanceExactlyWhateverTheStepIs) {
     EXPECT_NEAR(found, static_cast<double>(mean), 10. * roundoff);
     for (std::size_t i = rate.size(); i < to.size(); ++i) EXPECT_EQ(to[i], 99.);
   }
+}
+
+TEST(SurfacePoints, FindThoseOfEightStatesAsOfOne) {
+  for (const std::size_t n_modes : {1U, 5U, 28U})
+    for (const std::size_t n_points : {1U, 8U, 13U}) {
+      const SurfacePoints points(n_modes, numbers(n_modes * n_points, 3.), numbers(n_points, 4.));
+      const Tile tile(n_modes);
+      const std::vector<double> watts = numbers(RowTile::width, 5.);
+      std::vector<RiseRange> found(RowTile::width);
+      points.extremes_of_tile(tile.rises.data(), watts.data(), found.data());
+      for (std::size_t l = 0; l < RowTile::width; ++l) {
+        const RiseRange alone = points.extremes(tile.y[l].data(), zero, watts[l]);
+        EXPECT_NEAR(found[l].lowest, alone.lowest, roundoff) << n_modes << " modes, " << n_points << " points, " << l;
+        EXPECT_NEAR(found[l].highest, alone.highest, roundoff);
+      }
+    }
 }
 
 TEST(SurfacePoints, FindTheColdestAndTheHottest) {

@@ -88,6 +88,47 @@ TEST(ReducedSections, HeatsTheStripsOfEachRow) {
   EXPECT_NEAR(growth[0].outer_race, 3e-6 * 11. / 70., 1e-17);
 }
 
+TEST(ReducedSections, ShowEightStatesSideBySideAsOneByOne) {
+  auto plain = two_lumps(), by_rows = two_lumps(500.);
+  by_rows.heat.ports[bore_port].points = {1., 0.7, 0.5, -0.2, 2., 0.1};  // three points of two modes
+  by_rows.heat.ports[bore_port].points_at_once = {0.25, 0.5, 0.};
+  for (const std::size_t like : {inner_raceway_port, outer_raceway_port, inner_raceway_port, outer_raceway_port})
+    by_rows.heat.ports.push_back(ReducedHeat::Output(by_rows.heat.ports[like]));
+  for (const std::size_t port : {6U, 7U, 8U, 9U}) by_rows.heat.ports[port].area = port < 8 ? 0.004 : 0.006;
+  by_rows.heat.ports[6].at_once = 0.3;
+  by_rows.rows = {{6, 7}, {8, 9}};
+  ReducedSection::Elastic elastic;
+  for (std::size_t i = 0; i < elastic.growth.size(); ++i) elastic.growth[i] = {1e-6 * static_cast<double>(i), 2e-6};
+  elastic.mean_pressure = {5e6, {1e5, -2e5}};
+  elastic.node_pressure = {{1e6, {-1e6, 0.}}, {2e6, {0., 3e6}}};
+  elastic.node_share = {0.4, 0.6};
+  elastic.rows = {{1e-6, 0.}, {0., 1e-6}, {2e-6, 1e-6}, {3e-6, 0.}};
+  by_rows.elastic = elastic;
+  plain.elastic = elastic;
+  plain.elastic->drives = false;
+  plain.elastic->rows.clear();
+  plain.name = "TA";
+  const ReducedSections model({plain, by_rows}, ambient);
+  const std::size_t n_out = observed_size(model.observables()), n_places = 2;
+  std::vector<double> states(4 * RowTile::width), out(n_out * RowTile::width), alone(n_out), y(4);
+  std::vector<HeatInput> heats(n_places * RowTile::width);
+  auto number = [n = 0]() mutable { return 5. * std::sin(++n); };
+  for (double& T : states) T = ambient + number();
+  for (auto& heat : heats) {
+    heat.rub = number();
+    heat.rub_into_ring = number();
+    heat.rows = {{number(), number(), {}}, {number(), number(), {}}};
+  }
+  model.observe_tile(states, heats, out);
+  for (std::size_t l = 0; l < RowTile::width; ++l) {
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = states[i * RowTile::width + l];
+    model.observe(y, {&heats[l * n_places], n_places}, alone);
+    for (std::size_t i = 0; i < n_out; ++i)
+      EXPECT_NEAR(out[i * RowTile::width + l], alone[i], 1e-12 * std::fabs(alone[i]) + 1e-16)
+          << "state " << l << ", " << i << ": roundoff of sums in another order";
+  }
+}
+
 TEST(ReducedSections, TellsWhatTheModesLeftOutLoseAtOnce) {
   auto section = two_lumps();
   section.heat.ports[bore_port].shape[0] = 0.9;  // of the uniform mode, which alone stores heat
