@@ -57,7 +57,8 @@ void MemorySeries::Group::rows(const RowTile& tile) {
   times.insert(times.end(), tile.times.begin(), tile.times.end());
   double* to = tile_.data();
   for (const auto& part : parts_)
-    to = std::copy_n(tile.values + part.first * RowTile::width, part.size * RowTile::width, to);
+    for (std::size_t k = part.first; k < part.first + part.size; ++k, to += RowTile::width)
+      std::copy_n(tile.values + k * RowTile::width, tile.n_rows(), to);
   rows_.append(RowTile{tile.times, tile_.data(), row_.size()});
 }
 

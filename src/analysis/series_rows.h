@@ -19,7 +19,7 @@ enum class RowNeeds {
 /// Rows at the times of a schedule: between steps by the integrator's own interpolation.
 class ScheduledRows : public Observer {
  public:
-  /// @param sink  takes every row, in the order in which sinks were added; must outlive this
+  /// @param sink  takes every row; of rows that come side by side, sinks that take them one by one have all of them first; must outlive this
   void add(RowSink& sink, RowNeeds needs = RowNeeds::all) { sinks_.push_back({&sink, needs}); }
   void step(const Step& step) override;
   [[nodiscard]] double due() const override { return schedule_.due(); }

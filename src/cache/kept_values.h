@@ -56,7 +56,7 @@ class KeptValues {
   std::filesystem::path file_;
   std::string text_;                                // of the file
   std::deque<std::string> added_;                   // values that were found since
-  std::map<std::string, std::string_view> values_;  // in the one or the other
+  std::map<std::string, std::string_view> values_;  // views into text_ or added_
   bool is_changed_ = false;
 };
 

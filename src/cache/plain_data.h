@@ -167,7 +167,7 @@ class Reader {
       raw(&x, sizeof(T));
     else if constexpr (std::is_same_v<T, std::string>)
       x.resize(count(1)), raw(x.data(), x.size());
-    else if constexpr (std::is_same_v<T, std::string_view>) {  // of a text, into the bytes
+    else if constexpr (std::is_same_v<T, std::string_view>) {  // a view into the bytes, which must outlive it
       const std::size_t n = count(1);
       x = rest_.substr(0, n);
       rest_.remove_prefix(n);

@@ -123,7 +123,7 @@ class Machine final {
   [[nodiscard]] std::size_t n_rotor_states() const { return n_rotor_; }
   /// Those of them that need no evaluation, being the rotor's own and the ledgers; the others are left alone. @param out  as above
   void observe_held(std::span<const double> y, std::span<double> out) const;
-  /// The same of machines alike side by side (machine/observe_machine.h).
+  /// The same of states side by side (machine/observe_machine.h); observe_state_of() only of one machine.
   template <class Real, class PartsOf>
   void observe_state_of(const PartsOf& parts, std::span<const Real> y, const EvaluationOf<Real>& found,
                         std::span<Real> out) const;

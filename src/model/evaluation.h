@@ -18,7 +18,7 @@ struct EvaluationOf {
 
   // Found:
   bool is_whole = true;  ///< false: of a drop in lanes, of which time and what is wanted are all that is known
-  Real time = 0;  ///< [s]
+  Real time = 0;         ///< [s]
   std::vector<Real>
       rates;  ///< of the state vector with its ledgers [n_states], unless the caller gave another place for them
   std::vector<Real> step;                           ///< values of the step observables, if they are wanted

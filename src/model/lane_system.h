@@ -26,9 +26,9 @@ class LaneSystem {
   /// The same with what is observed on the way. @param step, details  [number of values][width]; empty: not
   virtual void observe(std::span<const double> t, std::span<const double> y, std::span<double> dydt,
                        std::span<double> step, std::span<double> details) = 0;
-  /// Of one machine in all lanes: state observables of what the last observe() evaluated. @param y  whole states; @param out  [number of values][width]
+  /// State observables of the states that the last observe() evaluated; only with one machine in all lanes. @param y  whole states; @param out  [number of values][width]
   virtual void observe_state(std::span<const double> y, std::span<double> out) = 0;
-  /// Those of them that need no evaluation; the others are left alone.
+  /// Only those that need no evaluation; the others are left alone.
   virtual void observe_held(std::span<const double> y, std::span<double> out) = 0;
 };
 

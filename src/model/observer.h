@@ -55,9 +55,15 @@ class RowSink {
   RowSink& operator=(const RowSink&) = delete;
   virtual ~RowSink() = default;
   virtual void row(double time, std::span<const double> values) = 0;
-  /// Whether rows that were found side by side may come so.
+  /// Whether rows() is called for rows that were evaluated side by side; else row() is, for each.
   [[nodiscard]] virtual bool takes_tiles() const { return false; }
-  virtual void rows(const RowTile&) {}
+  virtual void rows(const RowTile& tile) {
+    std::vector<double> values(tile.row_size);
+    for (std::size_t i = 0; i < tile.n_rows(); ++i) {
+      tile.copy_row(i, values);
+      row(tile.times[i], values);
+    }
+  }
 };
 
 }  // namespace rotordrop

@@ -48,7 +48,11 @@ class ThermalModel {
   [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
   virtual void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                        std::span<double> out) const = 0;
-  /// The same of eight states side by side, each as if it were alone but for roundoff.
+  /// States that are the mean temperatures of the inner rings [n_places]; empty if there are none such.
+  [[nodiscard]] virtual std::vector<std::size_t> ring_states() const { return {}; }
+  /// Heat stored over ambient [J].
+  [[nodiscard]] virtual double stored_energy(std::span<const double> temperature) const = 0;
+  /// observe() of eight states side by side: each as if it were alone, but for roundoff.
   /// @param temperature, out  number i of state l at [i * RowTile::width + l]; @param heat  of one state after the other
   virtual void observe_tile(std::span<const double> temperature, std::span<const HeatInput> heat,
                             std::span<double> out) const {
@@ -60,10 +64,6 @@ class ThermalModel {
       for (std::size_t i = 0; i < values.size(); ++i) out[i * RowTile::width + l] = values[i];
     }
   }
-  /// States that are the mean temperatures of the inner rings [n_places]; empty if there are none such.
-  [[nodiscard]] virtual std::vector<std::size_t> ring_states() const { return {}; }
-  /// Heat stored over ambient [J].
-  [[nodiscard]] virtual double stored_energy(std::span<const double> temperature) const = 0;
 };
 
 }  // namespace rotordrop

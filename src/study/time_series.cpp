@@ -93,7 +93,7 @@ double Tolerance::at(double first, double second) const {
 Difference difference_of(const TimeSeries& first, const TimeSeries& second, const Tolerance& tolerance) {
   Difference d;
   d.series = subtract(first, second);
-  const auto& [t, v] = d.series;
+  const std::vector<double>&t = d.series.times, &v = d.series.values;
   Following of_first(first), of_second(second);
   d.allowed.reserve(t.size());
   for (const double time : t) d.allowed.push_back(tolerance.at(of_first.at(time), of_second.at(time)));

@@ -15,7 +15,7 @@ DRIVER, BROWSER = shutil.which("chromedriver"), shutil.which("chromium")
 
 
 def started_driver(command=(DRIVER, "--port=0"), trials=3):
-    """Driver's process and its port. It has ended before it listened (seen once in some hundred runs), which says nothing of the page asked for: begun anew, at most `trials` times."""
+    """Starts the driver; its process and port. It has ended before it listened (seen once in some hundred runs, and never because of a page): then it is started again, `trials` times at most."""
     said = []
     for _ in range(trials):
         driver = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -5,14 +5,14 @@
 namespace rotordrop {
 namespace {
 
-/// Of values that stand in a column from a place on. Each value's part depends on itself and on where it stands, so that it does not matter how many came
-/// at a time.
+/// Check sum of consecutive values of a column, the first of them at the place `first`. Each value's part depends only on the value and its place, so it does
+/// not matter how many come at a time.
 std::uint64_t sum_of(std::uint64_t column, std::uint64_t first, std::span<const double> values) {
   constexpr std::uint64_t per_column = 0xbf58476d1ce4e5b9U, per_place = 0x94d049bb133111ebU,
                           factor = 0x9e3779b97f4a7c15U;
   std::uint64_t sum = 0, place = (column + 1) * per_column + first * per_place;
   for (const double value : values) {
-    // What is round has its digits at the top: down with them, since a product carries upwards alone.
+    // Round numbers have only high bits, and a product carries only upwards: the upper half is folded into the lower one first.
     std::uint64_t bits = std::bit_cast<std::uint64_t>(value) ^ place;
     bits = (bits ^ (bits >> 32)) * factor;
     sum += bits ^ (bits >> 32);

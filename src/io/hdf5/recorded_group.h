@@ -17,7 +17,7 @@ struct RecordedGroup {
   RowStore rows;              ///< the last of these, in no column yet
   std::size_t n_told = 0;
   double last_time = -std::numeric_limits<double>::infinity();
-  std::uint64_t check_sum = 0;  ///< of all rows so far that are in the columns and told of, times included
+  std::uint64_t check_sum = 0;  ///< of all values and times that were written; after write_times() of all rows
 
   [[nodiscard]] std::size_t n_rows() const { return n_told + times.size(); }
   /// Keeps a row. @param row [rows.row_size()]

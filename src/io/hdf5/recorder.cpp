@@ -91,9 +91,9 @@ struct Recorder::Implementation {
   void write_whole_datasets() const;
   void close_datasets();
   void flush();
-  /// That which rows of these times can be added to.
+  /// The group, if rows of this size and these times can be added to it. @throws std::invalid_argument
   RecordedGroup& group_for(std::size_t index, std::size_t row_size, std::span<const double> times);
-  /// Writes what was added, where it is time for it.
+  /// Writes the group if a chunk is full or a flush is due.
   void pass_on(RecordedGroup& group);
   /// Calls what writes. @throws SolverError, after which the recorder only says so again
   template <class Work>

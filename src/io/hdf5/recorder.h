@@ -84,7 +84,7 @@ class Recorder {
   /// @param time  [s], not smaller than the group's last one
   /// @param row   the group's channels one after the other [row_size(group)], SI
   void append(std::size_t group, double time, std::span<const double> row);
-  /// Adds several.
+  /// Adds the rows of a tile; none of them if a time decreases or their size is wrong.
   void append(std::size_t group, const RowTile& rows);
   /// Writes what is buffered and makes it visible to readers. Call it before a checkpoint is written.
   void flush();

@@ -25,7 +25,7 @@ std::vector<const Part*> parts_of(std::span<const Machine* const> machines, Of&&
   return parts;
 }
 
-/// Heat of one lane, but for what rows tell apart.
+/// Heat of one lane, without that of single rows, which do not run in lanes.
 template <class Real>
 HeatInput heat_of_lane(const HeatInputOf<Real>& h, int lane) {
   return {h.rub[lane],
@@ -127,7 +127,7 @@ class PartsInLanes {
   [[nodiscard]] const ThermalNetworkInLanes<Real>& immediate_growth() const {
     return *thermal_.front();
   }  // there is none
-  /// One that follows is known by what it reports of the first machine's drop only.
+  /// A model that follows is that of the first machine: rows are of one machine.
   template <class Act>
   void with_thermal(std::size_t i, const Act& act) const {
     if (thermal_[i])

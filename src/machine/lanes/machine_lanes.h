@@ -13,7 +13,8 @@ namespace rotordrop {
 /// that TouchdownBearing::runs_in_lanes() names, and lumped circuits.
 [[nodiscard]] std::string why_not_in_lanes(const Machine& machine);
 
-/// Whether states of one machine can be evaluated side by side. Its thermal models that follow may be of any kind: nothing asks them.
+/// Whether states of one machine can be evaluated side by side. Its thermal models that follow may be of any kind: rates do not
+/// depend on them, and for rows they are asked as they are.
 [[nodiscard]] bool evaluates_in_lanes(const Machine& machine);
 
 /// Whether two machines that run in lanes differ in nothing but numbers, so that they can run side by side.

@@ -14,7 +14,8 @@ class ThermalNetworkInLanes {
   /// @param networks  alike (is_alike()); lanes without one repeat the first
   explicit ThermalNetworkInLanes(std::span<const ThermalNetwork* const> networks);
 
-  /// Whether two networks differ in nothing but their numbers: the same nodes with capacity, links and contacts of rolling balls.
+  /// Whether two networks differ in nothing but their numbers: the same nodes with capacity, links, contacts of rolling balls,
+  /// and temperatures behind what each node shows.
   [[nodiscard]] static bool is_alike(const ThermalNetwork& a, const ThermalNetwork& b);
 
   void growth(std::span<const Real> T, std::span<ExpansionOf<Real>> out) const { grow(T, ambient_, out); }

@@ -343,6 +343,7 @@ void ReducedSections::observe_tile(std::span<const double> state, std::span<cons
   std::array<HeatedPorts, width> watts;
   std::vector<std::array<RiseRange, width>> ranges;  // of each surface
   std::vector<RiseRange> ranges_of_one;
+  const std::size_t n_heats = heats.size() / width;
   std::size_t first = 0;  // of what is observed
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const Place& p = places_[k];
@@ -353,7 +354,7 @@ void ReducedSections::observe_tile(std::span<const double> state, std::span<cons
     p.means.sums_of_tile(of_place, means.data());
     p.observed.sums_of_tile(of_place, sums.data());
     for (std::size_t l = 0; l < width; ++l)
-      surface_heats(k, means.data() + l * n_means, heats[l * places_.size() + k], watts[l]);
+      surface_heats(k, means.data() + l * n_means, heats[l * n_heats + k], watts[l]);
     ranges.resize(p.surfaces.size());
     ranges_of_one.resize(p.surfaces.size());
     for (std::size_t i = 0; i < p.surfaces.size(); ++i) {

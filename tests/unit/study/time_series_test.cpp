@@ -65,6 +65,8 @@ TEST(Difference, SeesBothCrossingsBetweenTwoSamples) {
   EXPECT_NEAR(d.time_beyond, 0.25 + 0.25 + 0.5, 1e-14);
   ASSERT_TRUE(d.within);
   EXPECT_NEAR(*d.within, 1.5, 1e-14);
+  const TimeSeries fall{{0., 1., 2.}, {2., -2., 0.}};
+  EXPECT_NEAR(difference_of(zero, fall, {1.}).time_beyond, 0.25 + 0.25 + 0.5, 1e-14) << "downwards";
 }
 
 TEST(Difference, WithinThroughoutIsWithinFromTheBeginning) {

@@ -108,6 +108,7 @@ TEST(ReducedSections, ShowEightStatesSideBySideAsOneByOne) {
   plain.elastic->drives = false;
   plain.elastic->rows.clear();
   plain.name = "TA";
+  plain.balls_roll = by_rows.balls_roll = true;
   const ReducedSections model({plain, by_rows}, ambient);
   const std::size_t n_out = observed_size(model.observables()), n_places = 2;
   std::vector<double> states(4 * RowTile::width), out(n_out * RowTile::width), alone(n_out), y(4);
@@ -117,15 +118,24 @@ TEST(ReducedSections, ShowEightStatesSideBySideAsOneByOne) {
   for (auto& heat : heats) {
     heat.rub = number();
     heat.rub_into_ring = number();
-    heat.rows = {{number(), number(), {}}, {number(), number(), {}}};
+    heat.inner = number();
+    heat.outer = number();
+    const auto conductance = [&] { return std::fabs(number()); };
+    heat.balls = {conductance(), conductance(), conductance()};
+    heat.rows = {{number(), number(), {conductance(), conductance(), conductance()}},
+                 {number(), number(), {conductance(), conductance(), conductance()}}};
   }
   model.observe_tile(states, heats, out);
+  std::vector<double> one_by_one(out.size());
+  model.ThermalModel::observe_tile(states, heats, one_by_one);
   for (std::size_t l = 0; l < RowTile::width; ++l) {
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = states[i * RowTile::width + l];
     model.observe(y, {&heats[l * n_places], n_places}, alone);
-    for (std::size_t i = 0; i < n_out; ++i)
+    for (std::size_t i = 0; i < n_out; ++i) {
+      EXPECT_EQ(one_by_one[i * RowTile::width + l], alone[i]);
       EXPECT_NEAR(out[i * RowTile::width + l], alone[i], 1e-12 * std::fabs(alone[i]) + 1e-16)
           << "state " << l << ", " << i << ": roundoff of sums in another order";
+    }
   }
 }
 
