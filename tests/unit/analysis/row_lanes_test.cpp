@@ -89,7 +89,7 @@ std::vector<double> roundoff(const Machine& m) {
   return list;
 }
 
-class RowLanesOf : public testing::TestWithParam<std::vector<std::string>> {};
+class RowLanesOf : public ::testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(RowLanesOf, FindWhatAnEvaluationOfAStateAloneFinds) {
   for (const bool with_follower : {false, true}) {
@@ -117,16 +117,16 @@ TEST_P(RowLanesOf, FindWhatAnEvaluationOfAStateAloneFinds) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, RowLanesOf,
-    testing::Values(std::vector<std::string>{},
-                    std::vector<std::string>{"thermal.contact_conduction=rolling", "bearings.load_law=equivalent"},
-                    std::vector<std::string>{"bearings.TB2.waviness=[{surface=\"inner\",order=14,amplitude=\"0.2 um\"},"
-                                             "{surface=\"outer\",order=15,amplitude=\"0.1 um\",phase=1}]"},
-                    std::vector<std::string>{
-                        "bearings.TB1.support={type=\"ribbon\",mass=\"3 kg\",ribbon={stiffness=\"4e7 N/m\","
-                        "slip_force=\"2 kN\",stick_stiffness=\"3e8 N/m\"}}"},
-                    std::vector<std::string>{"rotor.windage={law=\"geometry\",factor=1}",
-                                             "rotor.probes.seal={node=10,clearance=\"0.3 mm\"}"},
-                    std::vector<std::string>{"rotor.model=rigid"}));
+    ::testing::Values(
+        std::vector<std::string>{},
+        std::vector<std::string>{"thermal.contact_conduction=rolling", "bearings.load_law=equivalent"},
+        std::vector<std::string>{"bearings.TB2.waviness=[{surface=\"inner\",order=14,amplitude=\"0.2 um\"},"
+                                 "{surface=\"outer\",order=15,amplitude=\"0.1 um\",phase=1}]"},
+        std::vector<std::string>{"bearings.TB1.support={type=\"ribbon\",mass=\"3 kg\",ribbon={stiffness=\"4e7 N/m\","
+                                 "slip_force=\"2 kN\",stick_stiffness=\"3e8 N/m\"}}"},
+        std::vector<std::string>{"rotor.windage={law=\"geometry\",factor=1}",
+                                 "rotor.probes.seal={node=10,clearance=\"0.3 mm\"}"},
+        std::vector<std::string>{"rotor.model=rigid"}));
 
 TEST(RowLanes, DoNotDependOnTheRowsBeside) {
   for (const bool with_follower : {false, true}) {
