@@ -336,9 +336,9 @@ class DamagedResults(ProgramTest):
         self.killed()
         newest = sorted((self.folder / "out/checkpoints").glob("*.h5"))
         with h5py.File(newest[0], "r") as file:
-            kept = int(file["extras/recorded"][0])
+            kept = int(file["extras/recorded rows"][0])
         with h5py.File(newest[-1], "r") as file:
-            self.assertGreater(int(file["extras/recorded"][0]), kept)
+            self.assertGreater(int(file["extras/recorded rows"][0]), kept)
         with h5py.File(self.folder / "out/results.h5", "r+") as file:
             file["time"].resize(kept, axis=0)
         done = self.resumed()
