@@ -25,15 +25,14 @@ void RowLanes::add(double t, std::span<const double> y) {
 
 RowTile RowLanes::evaluate(bool is_whole) {
   const std::size_t n = std::exchange(n_, 0);  // if one of them cannot be taken, none is given again
-  evaluated_ = t_;
-  const std::span times(evaluated_.data(), n), values(values_);
+  const std::span times(t_.data(), n), values(values_);
   if (n > 0) {
     // Lanes without a state repeat the first.
     for (std::size_t lane = n; lane < LaneSystem::width; ++lane) {
-      evaluated_[lane] = evaluated_[0];
+      t_[lane] = t_[0];
       for (std::size_t i = 0; i < y_.size(); i += LaneSystem::width) y_[i + lane] = y_[i];
     }
-    system_->observe(evaluated_, y_, rates_, values.first(n_step_), {});
+    system_->observe(t_, y_, rates_, values.first(n_step_), {});
     if (is_whole)
       system_->observe_state(y_, values.subspan(n_step_));
     else

@@ -23,13 +23,13 @@ class RowLanes {
   void add(double t, std::span<const double> y);
   /// Evaluates all that were added, and is empty.
   /// @param is_whole  false: of the state observables only those of Machine::observe_held() are asked for
-  /// @returns rows of step and state observables in the order in which their states were added; they stay until the next call
+  /// @returns rows of step and state observables in the order in which their states were added; they stay until the next add()
   [[nodiscard]] RowTile evaluate(bool is_whole = true);
 
  private:
   std::unique_ptr<LaneSystem> system_;
   std::size_t n_ = 0, n_step_ = 0;
-  std::array<double, LaneSystem::width> t_{}, evaluated_{};
+  std::array<double, LaneSystem::width> t_{};
   AlignedNumbers y_, rates_, values_;  // [n][width]
 };
 

@@ -29,13 +29,11 @@ bool ScheduledRows::is_needed(RowNeeds needs) const {
 }
 
 void ScheduledRows::tell(double t, std::span<const double> row, bool is_whole) {
-  ++n_given_;
   for (const auto& [sink, needs] : sinks_)
     if (is_whole || needs == RowNeeds::step) sink->row(t, row);
 }
 
 void ScheduledRows::tell(const RowTile& rows, std::span<double> row) {
-  n_given_ += rows.n_rows();
   std::size_t n = 0;
   const auto tell_takers_of_tiles = [&] {
     for (const auto& reader : sinks_)
@@ -96,7 +94,7 @@ void SeriesRows::write(double t, std::span<const double> y) {
     whole_[lanes_->n_added()] = is_whole;
     lanes_->add(t, y);
     schedule_.written(t);
-    if (lanes_->is_full() || (n_given_ + lanes_->n_added()) % RowTile::width == 0) settle();
+    if (lanes_->is_full()) settle();
     return;
   }
   machine_.evaluate(t, y, found_);

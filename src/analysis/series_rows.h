@@ -58,8 +58,6 @@ class ScheduledRows : public Observer {
   const Machine& machine_;
   RowSchedule schedule_;
   Evaluation found_;
-  std::size_t n_given_ =
-      0;  // rows; where it is a multiple of RowTile::width, a tile fills whole lines of the cache where rows are kept
 
  private:
   const char* name_;
