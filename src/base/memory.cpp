@@ -1,10 +1,12 @@
 #include "base/memory.h"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 
@@ -37,6 +39,23 @@ std::uint64_t most_memory() {
   const auto machine =
       static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
   return std::min(machine, address_limit());
+}
+
+void make_heap_ready(std::size_t bytes) {
+#if defined(MADV_POPULATE_WRITE)
+  // glibc takes what is smaller than the largest block that was given back from its heap, and keeps twice that much of it.
+  void* volatile larger = std::malloc(2 * bytes);  // volatile: else compilers leave both calls out
+  std::free(larger);
+  void* const room = std::malloc(bytes);
+  if (!room) return;
+  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+  const auto first = (reinterpret_cast<std::uintptr_t>(room) + page - 1) / page * page;
+  const auto last = (reinterpret_cast<std::uintptr_t>(room) + bytes) / page * page;
+  if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+  std::free(room);
+#else
+  static_cast<void>(bytes);
+#endif
 }
 
 std::string bytes_in_words(double bytes) {

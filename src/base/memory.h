@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -14,6 +15,10 @@ inline constexpr std::uint64_t memory_of_libraries = 64'000'000;
 
 /// What the process can have at most: the machine's memory, or less if `ulimit -v` says so [bytes].
 [[nodiscard]] std::uint64_t most_memory();
+
+/// Touches room that the next allocations take, all of it at once: a first touch of each page alone costs several times as much, on virtual machines ten times.
+/// A hint: does nothing where the system cannot, or has no room.
+void make_heap_ready(std::size_t bytes);
 
 /// "463 kB", "2.1 GB".
 [[nodiscard]] std::string bytes_in_words(double bytes);

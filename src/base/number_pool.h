@@ -14,9 +14,11 @@ class NumberPool {
 
  private:
   struct Free {
+    std::size_t bytes = 0;
     void operator()(double* numbers) const;
   };
   using Large = std::unique_ptr<double[], Free>;
+  [[nodiscard]] static Large large_piece(std::size_t bytes);
   std::vector<std::unique_ptr<double[]>> small_;
   std::vector<Large> large_;
   std::size_t n_small_ = 0;                // numbers in small pages
