@@ -42,16 +42,20 @@ std::uint64_t most_memory() {
 }
 
 void make_heap_ready(std::size_t bytes) {
-#if defined(MADV_POPULATE_WRITE)
-  // glibc takes what is smaller than the largest block that was given back from its heap, and keeps twice that much of it.
-  void* volatile larger = std::malloc(2 * bytes);  // volatile: else compilers leave both calls out
+#if defined(MADV_POPULATE_WRITE) && defined(MADV_HUGEPAGE)
+  constexpr std::uintptr_t large_page = std::uintptr_t{2} << 20;
+  // glibc takes from its heap, and keeps there, what is smaller than the largest block that was ever given back.
+  void* volatile larger = std::malloc(bytes + large_page);  // volatile: else compilers leave both calls out
   std::free(larger);
   void* const room = std::malloc(bytes);
   if (!room) return;
-  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  const auto first = (reinterpret_cast<std::uintptr_t>(room) + page - 1) / page * page;
-  const auto last = (reinterpret_cast<std::uintptr_t>(room) + bytes) / page * page;
-  if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+  const auto begin = reinterpret_cast<std::uintptr_t>(room), end = begin + bytes;
+  const auto advise = [begin, end](std::uintptr_t page, int advice) {
+    const std::uintptr_t first = (begin + page - 1) / page * page, last = end / page * page;
+    if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, advice);
+  };
+  advise(large_page, MADV_HUGEPAGE);
+  advise(static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE)), MADV_POPULATE_WRITE);
   std::free(room);
 #else
   static_cast<void>(bytes);

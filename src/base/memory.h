@@ -16,8 +16,9 @@ inline constexpr std::uint64_t memory_of_libraries = 64'000'000;
 /// What the process can have at most: the machine's memory, or less if `ulimit -v` says so [bytes].
 [[nodiscard]] std::uint64_t most_memory();
 
-/// Touches room that the next allocations take, all of it at once: a first touch of each page alone costs several times as much, on virtual machines ten times.
-/// A hint: does nothing where the system cannot, or has no room.
+/// Touches room that the next allocations take, all of it at once and in large pages where the system has them: a first touch of each small page alone costs
+/// several times as much, on virtual machines ten times. A hint: does nothing where the system cannot, or has no room.
+/// @param bytes  at most 30 MB: the heap of glibc gives out no larger block
 void make_heap_ready(std::size_t bytes);
 
 /// "463 kB", "2.1 GB".
