@@ -115,6 +115,9 @@ struct PreloadCommand {
 };
 int preload_command(const PreloadCommand& command);
 
+/// What the reference drop takes from the heap, and with finite elements beside the circuit and the comparison of both [bytes].
+inline constexpr std::size_t heap_of_a_drop = 10'000'000, heap_of_a_comparison = 26'000'000;
+
 /// "rotordrop 0.2.0 (revision ...; SUNDIALS ..., HDF5 ...)".
 std::string version_text();
 

@@ -32,9 +32,6 @@ namespace {
 
 enum ExitCode { done = 0, run_failed = 1, bad_input = 2 };
 
-/// The reference drop takes 8 MB from the heap, rows aside; with finite elements beside the circuit and the comparison of both 27 MB [bytes].
-constexpr std::size_t room_of_a_drop = 28'000'000;
-
 // Options that several commands have.
 template <class File>
 void add_case(CLI::App& command, File& file) {
@@ -289,7 +286,6 @@ int run_program(int argc, char** argv) {
     return of_heat ? InputKind::heat : of_study ? InputKind::study : InputKind::drop;
   };
   const auto run_chosen = [&]() -> int {
-    if (*run_app || *rerun_app) make_heap_ready(room_of_a_drop);
     if (*run_app) return run_command(run);
     if (*rerun_app) return rerun_command(rerun);
     if (*check) return check_command(check_file, check_overrides, check_strict);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "base/memory.h"
 #include "case/built_machine.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
@@ -10,8 +11,10 @@
 namespace rotordrop {
 
 int rerun_command(const RerunCommand& command) {
+  make_heap_ready(heap_of_a_drop);
   RecordedInput input = read_recorded_input(command.file);
   Case& c = input.drop_case;
+  if (c.parameters.thermal.models.size() > 1) make_heap_ready(heap_of_a_comparison);
   c.parameters.run.second_opinion = false;  // of the same drop it would be the same
   RunOptions options;
   options.directory =

@@ -6,6 +6,7 @@
 #include "analysis/facts/first_touch.h"
 #include "analysis/facts/rotor_report.h"
 #include "base/errors.h"
+#include "base/memory.h"
 #include "base/rotation.h"
 #include "base/version.h"
 #include "case/built_machine.h"
@@ -112,7 +113,9 @@ Case read_case_and_tell(const std::filesystem::path& file, const std::vector<std
 }
 
 int run_command(const RunCommand& command) {
+  make_heap_ready(heap_of_a_drop);
   const Case drop_case = read_case_and_tell(command.file, command.overrides, command.strict);
+  if (drop_case.parameters.thermal.models.size() > 1) make_heap_ready(heap_of_a_comparison);
   if (command.accept && drop_case.parameters.limits.empty())
     throw InputError({"--accept", 0, 0}, "the case has no [limits] that a run could meet.",
                      "For example: --set 'limits.bearings.TB1.peak_contact_force.max=\"6 kN\"'");

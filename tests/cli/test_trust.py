@@ -349,17 +349,38 @@ class DamagedResults(ProgramTest):
         self.assertEqual(len(times), 1201)
         self.assertTrue(numpy.all(numpy.diff(times) > 0))
 
-    def test_a_checkpoint_with_a_valid_sum_and_other_content_is_refused(self):
-        self.killed()
+    def alter_checkpoints(self, change):
+        """Their content, and their own check sums with it."""
         for file in (self.folder / "out/checkpoints").iterdir():
             body = file.read_bytes()[:-len("\nrotordrop check sum 0123456789abcdef\n")]
             with open(file, "wb") as out:
                 out.write(body)
             with h5py.File(file, "r+") as content:
-                del content["extras/loop"]
-                content["extras/loop"] = [1.0]
+                change(content)
             body = file.read_bytes()
             file.write_bytes(body + f"\nrotordrop check sum {hashlib.sha256(body).hexdigest()[:16]}\n".encode())
+
+    def test_rows_are_not_compared_with_sums_of_an_earlier_form(self):
+        self.killed()
+
+        def name_as_before(content):
+            content.move("extras/recorded rows", "extras/recorded")
+            content["extras/recorded"][1:] = 1.0
+
+        self.alter_checkpoints(name_as_before)
+        done = self.resumed()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with h5py.File(self.folder / "out/results.h5", "r") as file:
+            self.assertEqual(len(file["time"]), 1201)
+
+    def test_a_checkpoint_with_a_valid_sum_and_other_content_is_refused(self):
+        self.killed()
+
+        def spoil(content):
+            del content["extras/loop"]
+            content["extras/loop"] = [1.0]
+
+        self.alter_checkpoints(spoil)
         done = self.resumed()
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertRegex(done.stderr, "does not hold what this version of the program needs")
