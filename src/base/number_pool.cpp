@@ -28,7 +28,7 @@ NumberPool::Large NumberPool::large_piece(std::size_t bytes) {
   std::byte* const begin = static_cast<std::byte*>(room);
   const std::size_t before = (large_page - reinterpret_cast<std::uintptr_t>(begin) % large_page) % large_page;
   if (before > 0) ::munmap(begin, before);
-  if (before < large_page) ::munmap(begin + before + bytes, large_page - before);
+  ::munmap(begin + before + bytes, large_page - before);
 #if defined(MADV_HUGEPAGE)
   ::madvise(begin + before, bytes, MADV_HUGEPAGE);  // advice: without it small pages do
 #endif
