@@ -34,8 +34,9 @@ long faults_of_writing(std::size_t bytes) {
   return faults() - before;
 }
 
-bool can_touch_ahead(std::size_t page) {
+bool can_touch_ahead() {
 #if defined(MADV_POPULATE_WRITE) && defined(__GLIBC__)
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   void* const room = ::mmap(nullptr, page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   const bool can = ::madvise(room, page, MADV_POPULATE_WRITE) == 0;
   ::munmap(room, page);
@@ -46,14 +47,13 @@ bool can_touch_ahead(std::size_t page) {
 }
 
 TEST(Memory, IsTakenFromWhatWasMadeReady) {
-  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  if (!can_touch_ahead(page)) GTEST_SKIP() << "the system cannot touch pages ahead";
+  if (!can_touch_ahead()) GTEST_SKIP() << "the system cannot touch pages ahead";
   constexpr std::size_t bytes = 4'000'000;
-  constexpr long pages = 1000;  // of 4 kB
+  constexpr long pages = 900;  // of 4 kB that are written
   make_heap_ready(bytes);
-  EXPECT_LT(faults_of_writing(bytes * 9 / 10), pages / 10);
-  if (page != 4096) return;
-  EXPECT_GT(faults_of_writing(3 * bytes), pages);  // for what was not made ready each page is one
+  const long ready = faults_of_writing(bytes * 9 / 10), fresh = faults_of_writing(4 * bytes);
+  if (fresh < pages) GTEST_SKIP() << "the system gives large pages unasked, or counts no faults";
+  EXPECT_LT(ready, pages / 10);
 }
 
 TEST(Memory, ThatTheSystemRefusesIsNotMissed) {
