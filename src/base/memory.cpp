@@ -43,7 +43,6 @@ std::uint64_t most_memory() {
 
 void make_heap_ready(std::size_t bytes) {
 #if defined(MADV_POPULATE_WRITE) && defined(MADV_HUGEPAGE)
-  constexpr std::uintptr_t large_page = std::uintptr_t{2} << 20;
   // glibc takes from its heap, and keeps there, what is smaller than the largest block that was ever given back.
   void* volatile larger = std::malloc(bytes + large_page);  // volatile: else compilers leave both calls out
   std::free(larger);

@@ -7,11 +7,11 @@
 #include <new>
 #include <utility>
 
+#include "base/memory.h"
+
 namespace rotordrop {
 namespace {
 
-/// Large pages of x86-64, and of 64-bit ARM with small pages of 4 kB [bytes].
-constexpr std::size_t large_page = std::size_t{2} << 20;
 /// A large page costs as much as some hundred kilobytes in small ones [numbers].
 constexpr std::size_t most_small = (std::size_t{512} << 10) / sizeof(double);
 
