@@ -150,16 +150,18 @@ struct Rows {
 constexpr double lean = -10e-6;  // [m]
 double displaced(double force) { return lean + 1e-13 * force; }
 
-void balls(benchmark::State& state) {
+/// @param tractions  null: without them
+void sum_balls(benchmark::State& state, RowTractions* tractions) {
   const Rows all;
   BallRowInput in;
   in.displacement.y = lean;
   in.rate.y = -0.01;
+  in.cage_speed = 300.;
   BallRowOutput out;
   for (auto _ : state) {
     double force = 0.;
     for (const auto& row : all.rows) {
-      row.evaluate_translations(in, out);
+      row.evaluate_translations(in, out, tractions);
       force += out.force_y;
     }
     in.displacement.y = displaced(force);
@@ -167,7 +169,15 @@ void balls(benchmark::State& state) {
   count_each(state, "ball", all.n_balls);
   state.counters["force"] = in.displacement.y;
 }
+void balls(benchmark::State& state) { sum_balls(state, nullptr); }
 BENCHMARK(balls);
+/// As at the end of every step.
+void balls_and_their_tractions(benchmark::State& state) {
+  RowTractions tractions{};
+  sum_balls(state, &tractions);
+  state.counters["outer_load"] = tractions.outer_load;
+}
+BENCHMARK(balls_and_their_tractions);
 
 void balls_of_the_yardstick(benchmark::State& state) {
   const Rows all;

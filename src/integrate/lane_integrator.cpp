@@ -93,7 +93,30 @@ ROTORDROP_KERNEL void take(std::size_t size, const double* flags, const double* 
     for (std::size_t l = 0; l < width; ++l) to[at + l] = flags[l] != 0. ? from[at + l] : to[at + l];
 }
 
+/// Numbers that stand side by side by lanes, one lane after the other: all lanes at once, so that vectors are turned instead of numbers picked.
+ROTORDROP_KERNEL void turn(std::size_t size, const double* from, double* to) {
+  double *a = to, *b = a + size, *c = b + size, *d = c + size, *e = d + size, *f = e + size, *g = f + size,
+         *h = g + size;
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) {
+    const double* of = from + i * width;
+    a[i] = of[0];
+    b[i] = of[1];
+    c[i] = of[2];
+    d[i] = of[3];
+    e[i] = of[4];
+    f[i] = of[5];
+    g[i] = of[6];
+    h[i] = of[7];
+  }
+}
+static_assert(width == 8);
+
 }  // namespace
+
+void LaneIntegrator::ByLane::lay_out(const AlignedNumbers& side_by_side) {
+  wide<turn>(length, side_by_side.data(), numbers.data());
+}
 
 bool runs_in_lanes(IntegrationMethod method) { return is_own_pair(method); }
 
@@ -105,7 +128,9 @@ LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, const Lane& l
       n_(system_->layout().size()),
       n_controlled_(system_->first_quadrature()),
       y_(n_ * width),
-      step_(n_step * width) {
+      step_(n_step * width),
+      y_by_lane_(n_),
+      step_by_lane_(n_step) {
   for (const auto& entry : system_->layout().entries()) scale_.push_back(entry.scale);
   for (int i = 0; i < shape_.n_stages; ++i) k_.emplace_back(n_ * width);
   before_ = stage_ = y_;
@@ -120,7 +145,7 @@ void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
   if (&tableau_of(drop.parameters.method) != &shape_)
     throw std::invalid_argument("drops in lanes are integrated by one method");
   for (std::size_t i = 0; i < n_; ++i)
-    y_[i * width + l] = before_[i * width + l] = stage_[i * width + l] = drop.state[i];
+    y_[i * width + l] = before_[i * width + l] = stage_[i * width + l] = y_by_lane_.numbers[l * n_ + i] = drop.state[i];
   if (details_.size() < drop.n_details * width) details_.resize(drop.n_details * width);
   time_[l] = drop.start_time;
   end_time_[l] = drop.end_time;
@@ -214,10 +239,12 @@ void LaneIntegrator::advance() {
   if (have_all_stepped()) {
     before_.swap(y_);
     y_.swap(stage_);
-    return;
+  } else {
+    wide<take>(n_, stepped_.data(), y_.data(), before_.data());
+    wide<take>(n_, stepped_.data(), stage_.data(), y_.data());
   }
-  wide<take>(n_, stepped_.data(), y_.data(), before_.data());
-  wide<take>(n_, stepped_.data(), stage_.data(), y_.data());
+  y_by_lane_.lay_out(y_);
+  step_by_lane_.lay_out(step_);
 }
 
 void LaneIntegrator::finish(std::size_t l, double size) {

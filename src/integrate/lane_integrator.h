@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <memory>
@@ -45,9 +46,9 @@ class LaneIntegrator {
   [[nodiscard]] const std::exception_ptr& failure(std::size_t lane) const { return failures_[lane]; }
 
   [[nodiscard]] double time(std::size_t lane) const { return time_[lane]; }
-  void state(std::size_t lane, std::span<double> y) const { column(y_, lane, y); }
+  void state(std::size_t lane, std::span<double> y) const { y_by_lane_.copy(lane, y); }
   /// What was observed at the end of the lane's last step.
-  void step_values(std::size_t lane, std::span<double> values) const { column(step_, lane, values); }
+  void step_values(std::size_t lane, std::span<double> values) const { step_by_lane_.copy(lane, values); }
   void details(std::size_t lane, std::span<double> values) const { column(details_, lane, values); }
   /// State at a time within the lane's last step.
   void interpolate(std::size_t lane, double t, std::span<double> y) const;
@@ -61,6 +62,16 @@ class LaneIntegrator {
   static void column(const AlignedNumbers& from, std::size_t lane, std::span<double> to) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i * width + lane];
   }
+  /// Numbers of all lanes, those of each one after the other.
+  struct ByLane {
+    explicit ByLane(std::size_t n) : length(n), numbers(n * width) {}
+    void lay_out(const AlignedNumbers& side_by_side);
+    void copy(std::size_t lane, std::span<double> to) const {
+      std::copy_n(numbers.data() + lane * length, to.size(), to.data());
+    }
+    std::size_t length;
+    AlignedNumbers numbers;  // [width][length]
+  };
   void start_begun();
   [[nodiscard]] bool have_all_stepped() const;
   /// Rates at the start of each lane's step.
@@ -81,8 +92,9 @@ class LaneIntegrator {
   std::array<bool, width> runs_{}, was_rejected_{}, ends_{};
   std::vector<StepControl> control_;
   AlignedNumbers y_, before_, stage_, step_, details_;  // [n][width]
-  PerLane within_time_{};                               // of within_ [s]
-  AlignedNumbers within_;                               // [n][width], made when it is asked for
+  ByLane y_by_lane_, step_by_lane_;
+  PerLane within_time_{};  // of within_ [s]
+  AlignedNumbers within_;  // [n][width], made when it is asked for
   std::vector<AlignedNumbers> k_;
   std::array<IntegrationStatistics, width> statistics_{};
   std::array<std::exception_ptr, width> failures_{};

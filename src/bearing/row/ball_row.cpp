@@ -78,6 +78,7 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   numbers_.inner_gyroscopic_share = g.inner_gyroscopic_share;
   numbers_.inner = g.inner;
   numbers_.outer = g.outer;
+  numbers_.edges = {{g.inner, numbers_.stiffness_root}, {g.outer, numbers_.stiffness_root}};
   inertial_ = {std::pow(g.inner.stiffness, -2. / 3.),        std::pow(g.outer.stiffness, -2. / 3.),
                (g.inner_conformity - 0.5) * g.ball_diameter, (g.outer_conformity - 0.5) * g.ball_diameter,
                g.ball_diameter / g.pitch_diameter,           g.inner_gyroscopic_share};
@@ -161,9 +162,7 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   const KernelInput balls = kernel_input(in, waved.data(), bent);
   if (tractions) {
     const double F_c = numbers_.centrifugal_force(in);
-    const TractionInput with{F_c,
-                             geometry_.inner_gyroscopic_share,
-                             {{geometry_.inner, numbers_.stiffness_root}, {geometry_.outer, numbers_.stiffness_root}}};
+    const TractionInput with{F_c, geometry_.inner_gyroscopic_share, numbers_.edges};
     kernel(balls, out, &with, tractions);
     tractions->outer_load -= static_cast<double>(n_padded_ - static_cast<std::size_t>(geometry_.n_balls)) * F_c;
   } else {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/aligned_numbers.h"
+#include "base/real.h"
 #include "bearing/row/inertial_balls.h"
 #include "laws/skidding.h"
 
@@ -147,6 +148,28 @@ struct GroovesOf {
   Real A, radial, axial, arm;  ///< A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
 };
 
+/// Raceways' edges as the tractions' sums need them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.
+template <class Real>
+struct RaceEdgeOf {
+  Real sine, cosine;  // times r / (2 factor K^(1/3))
+  RaceEdgeOf() = default;
+  /// @param stiffness_root  K^(1/3)
+  RaceEdgeOf(const RaceContactOf<Real>& race, const Real& stiffness_root) {
+    const Real per_axis = 0.5 * race.groove_radius / (race.axis_factor * stiffness_root);
+    const auto has_edge = race.groove_radius > 0.;
+    sine = select(has_edge, per_axis * race.edge_sine, Real(1e30));
+    cosine = select(has_edge, per_axis * race.edge_cosine, Real(-1e30));
+  }
+  /// What lies beyond the edge, below 0 if nothing does; with stiffness_root = 1 root is that of the load, Q^(1/3).
+  [[nodiscard, gnu::always_inline]] inline Real beyond(Real sin_phi, Real cos_phi, Real root) const {
+    return 0.5 - (sine * cos_phi - cosine * abs(sin_phi)) / (root + 1e-30);
+  }
+};
+template <class Real>
+struct RaceEdgesOf {
+  RaceEdgeOf<Real> inner, outer;
+};
+
 /// What a row is, as numbers: nothing but these, so that those of several drops can be laid side by side.
 template <class Real>
 struct RowNumbers {
@@ -156,6 +179,7 @@ struct RowNumbers {
   Real stiffness, damping, stiffness_root;                 ///< K, 1.5 beta, K^(1/3)
   Real ball_mass, pitch_diameter, inner_gyroscopic_share;  ///< as in BallRowGeometry
   RaceContactOf<Real> inner, outer;
+  RaceEdgesOf<Real> edges;
 
   [[nodiscard]] GroovesOf<Real> grown(const BallRowInputOf<Real>& in) const {
     const auto& [of_inner, of_outer] = strains;

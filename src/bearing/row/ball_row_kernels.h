@@ -20,7 +20,6 @@ struct KernelInput {
   std::size_t n;        // a multiple of vector_length
   Widening* bent;       // of bent rings; of rigid ones none
 };
-using RaceEdge = RaceEdgeOf<double>;
 using TractionInput = TractionInputOf<double>;
 
 /// The hot loops of a row, compiled for one level of vectors.

@@ -129,28 +129,6 @@ template <class Real>
   b.cage = b.elastic * b.turn;
 }
 
-/// Raceways' edges as the tractions' sums need them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.
-template <class Real>
-struct RaceEdgeOf {
-  Real sine, cosine;  // times r / (2 factor K^(1/3))
-  RaceEdgeOf() = default;
-  /// @param stiffness_root  K^(1/3)
-  RaceEdgeOf(const RaceContactOf<Real>& race, const Real& stiffness_root) {
-    const Real per_axis = 0.5 * race.groove_radius / (race.axis_factor * stiffness_root);
-    const auto has_edge = race.groove_radius > 0.;
-    sine = select(has_edge, per_axis * race.edge_sine, Real(1e30));
-    cosine = select(has_edge, per_axis * race.edge_cosine, Real(-1e30));
-  }
-  /// What lies beyond the edge, below 0 if nothing does; with stiffness_root = 1 root is that of the load, Q^(1/3).
-  [[nodiscard, gnu::always_inline]] inline Real beyond(Real sin_phi, Real cos_phi, Real root) const {
-    return 0.5 - (sine * cos_phi - cosine * abs(sin_phi)) / (root + 1e-30);
-  }
-};
-template <class Real>
-struct RaceEdgesOf {
-  RaceEdgeOf<Real> inner, outer;
-};
-
 /// What the tractions of a row depend on besides.
 template <class Real>
 struct TractionInputOf {

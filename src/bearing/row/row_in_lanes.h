@@ -30,7 +30,6 @@ class RowInLanes {
       }
       waves_.push_back(std::move(wave));
     }
-    edges_ = {{numbers_.inner, numbers_.stiffness_root}, {numbers_.outer, numbers_.stiffness_root}};
   }
   [[nodiscard]] const RowNumbers<Real>& numbers() const { return numbers_; }
   [[nodiscard]] std::size_t n_balls() const { return cosine_.size(); }
@@ -107,7 +106,7 @@ class RowInLanes {
   template <bool with_tractions, bool is_wavy>
   void sum(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out, RowTractionsOf<Real>* tractions) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
-    const TractionInputOf<Real> with{numbers_.centrifugal_force(in), numbers_.inner_gyroscopic_share, edges_};
+    const TractionInputOf<Real> with{numbers_.centrifugal_force(in), numbers_.inner_gyroscopic_share, numbers_.edges};
     const Real zero = 0.;
     ForceSumsOf<Real> forces;
     [[maybe_unused]] TractionSumsOf<Real> traction_sums;
@@ -134,7 +133,6 @@ class RowInLanes {
   }
 
   RowNumbers<Real> numbers_;
-  RaceEdgesOf<Real> edges_;
   std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero
   std::vector<Wave> waves_;
 };
