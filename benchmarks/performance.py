@@ -41,15 +41,22 @@ OTHER_DROPS = {"full": ["--set", "rotor.model=full"], "arc": ["--set", "bearings
 KERNELS = [
     ("balls", "ball", "one ball, its forces and energies"),
     ("balls_of_the_yardstick", "ball", "the same by the yardstick of `benchmarks/yardstick.h`"),
+    ("balls_and_their_tractions", "ball", "one ball, its forces, energies and tractions, as at the ends of steps"),
     ("right_hand_side_of/rigid_rings", "call", "right-hand side, rigid rings that translate"),
-    ("right_hand_side_of/free_rings", "call", "the same, rings that also tilt and move along the axis"),
-    ("right_hand_side_of/inertial_balls", "call", "the same, balls with inertia"),
-    ("right_hand_side_of/bent_rings", "call", "the same, bent rings over the arc of contact"),
-    ("right_hand_side_of/bent_rings_and_inertial_balls", "call", "the same, bent rings and balls with inertia"),
+    ("right_hand_side_of/free_rings", "call", "right-hand side, rigid rings that also tilt and move along the axis"),
+    ("right_hand_side_of/inertial_balls", "call", "right-hand side, rigid rings that translate, balls with inertia"),
+    ("right_hand_side_of/bent_rings", "call", "right-hand side, bent rings over the arc of contact"),
+    ("right_hand_side_of/bent_rings_and_inertial_balls", "call", "right-hand side, bent rings over the arc of contact, balls with inertia"),
     ("right_hand_side_in_lanes", "drop", "right-hand side of one of eight drops in lanes, rigid rings that translate"),
     ("recorded_row", "row", "one recorded row, written to the file"),
     ("local_rub/process_time", "row", "local temperatures and wear where one bearing rubs, two bands and their shares, of one row"),
 ]
+
+
+def three_digits(number):
+    """As text, without an exponent where it is large."""
+    text = f"{number:.3g}"
+    return f"{float(text):.0f}" if "e+" in text else text
 
 
 class Samples(list):
@@ -59,7 +66,7 @@ class Samples(list):
         if not self:
             return "-"
         least, middle = min(self), statistics.median(self)
-        return f"{least * per_second:.3g} {unit} (+{(middle / least - 1.0) * 100.0:.0f} %)" if least > 0 else f"0 {unit}"
+        return f"{three_digits(least * per_second)} {unit} (+{(middle / least - 1.0) * 100.0:.0f} %)" if least > 0 else f"0 {unit}"
 
 
 def cpu_of(command, **options):
@@ -177,18 +184,18 @@ def programs_table(programs, rounds):
                 print(f"round {turn + 1} of {rounds}: {name}", flush=True)
     texts = [
         ("drop", "reference drop of 0.3 s with its records (`run.cpu_time`)", "ms", 1e3),
-        ("bare", "the same, almost without rows", "ms", 1e3),
-        ("beside", "the first with finite elements beside the circuit, and their 76 values in each row", "ms", 1e3),
-        ("bare_beside", "the same, almost without rows", "ms", 1e3),
-        ("windows", "the same, finite elements in windows instead of the circuit", "ms", 1e3),
-        ("full", "the same by the circuit, rotor with all its modes, up to 87 kHz (`rotor.model = \"full\"`)", "ms", 1e3),
-        ("arc", "the same, bent rings over the arc of contact", "ms", 1e3),
-        ("inertial", "the same, balls with inertia", "ms", 1e3),
-        ("process", "the whole process of the first", "ms", 1e3),
+        ("bare", "reference drop almost without rows", "ms", 1e3),
+        ("beside", "reference drop with its records and finite elements beside the circuit: 76 more values in each row", "ms", 1e3),
+        ("bare_beside", "almost without rows, finite elements beside the circuit", "ms", 1e3),
+        ("windows", "almost without rows, finite elements in windows instead of the circuit", "ms", 1e3),
+        ("full", "almost without rows, rotor with all its modes, up to 87 kHz (`rotor.model = \"full\"`)", "ms", 1e3),
+        ("arc", "almost without rows, bent rings over the arc of contact", "ms", 1e3),
+        ("inertial", "almost without rows, balls with inertia", "ms", 1e3),
+        ("process", "the whole process of the reference drop with its records", "ms", 1e3),
         ("study", f"a drop of a study of {DROPS_OF_STUDY} over friction that keeps all results, by one job", "ms", 1e3),
         ("fixed", "a process of a drop of 1 ms, without the drop", "ms", 1e3),
         ("start", "`rotordrop --version`", "ms", 1e3),
-        ("heat", "finite elements of `rotordrop heat` with k and c over temperature, per step and unknown", "ns", 1e9),
+        ("heat", "finite elements of `rotordrop heat` with k and c over temperature, per step and unknown", "us", 1e6),
         ("heat_process", "a process of `rotordrop heat`, linear, 128 unknowns, of a section that it has met before", "ms", 1e3),
     ]
     return [(what, [samples.get(key, {}).get(name, Samples()).text(unit, scale) for name in programs])
@@ -199,7 +206,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
     parser.add_argument("--previous", type=pathlib.Path, help="program of the previous release, to run by turns with this one")
-    parser.add_argument("--previous-case", type=pathlib.Path, default=CASE, help="the reference case as that release has it")
+    parser.add_argument("--previous-case", type=pathlib.Path, default=CASE, help="the reference case as that release has it, if that program does not know this one's keys")
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--update", action="store_true", help=f"put the tables into {DOCUMENT.relative_to(ROOT)}")
     a = parser.parse_args()
@@ -209,7 +216,7 @@ def main():
     for name, _, what in KERNELS:
         times, cycles = Samples(t for t, _ in found[name]), min(c for _, c in found[name])
         unit, scale = ("us", 1e6) if min(times) > 1e-6 else ("ns", 1e9)
-        lines.append(f"| {what} | {times.text(unit, scale)} | {cycles:.3g} |")
+        lines.append(f"| {what} | {times.text(unit, scale)} | {three_digits(cycles)} |")
 
     lines += ["", "| drops in memory, without series | in lanes | one by one | times as many |", "|---|---|---|---|"]
     for level, of in lanes(a.build / "rotordrop_benchmarks").items():

@@ -2,9 +2,10 @@
 """How far results depend on the integration: steps and tolerances against a fine reference, full against modal rotor, and the spread of
 slightly perturbed runs of the chaotic case.
 
-    /usr/bin/python3 validation/convergence.py [--program build/release/rotordrop] [--work DIR] [--write DIR] [--only steps starts modes spread]
+    /usr/bin/python3 validation/convergence.py [--program build/release/rotordrop] [--work DIR] [--write DIR] [--only steps starts "fast modes" modes spread]
 
-Writes the tables of docs/theory/convergence.md (between its markers) and docs/images/convergence.png. Takes about four minutes.
+Writes the tables of docs/theory/convergence.md (between its markers) and docs/images/convergence.png. From other starts (--shifts, --first, --spacing) it
+only prints them, unless --write names a folder.
 """
 import argparse
 import json
@@ -150,6 +151,9 @@ def study_of_fast_modes(runs, lines, gaps):
 
 def study_of_spread(runs, lines):
     """The table's damping lets the rotor bounce on, chaotically: runs that start nanometres apart tell what can be known at the end."""
+    units = {"time": "s", "force": "N", "apex": "m", "heat": "J", "speed": "rad/s", "rate": "W"}
+    def unit_of(key):
+        return next(unit for word in reversed(key.split("_")) for name, unit in units.items() if word == name)
     results = [runs.run("spread", "neisi2019", rotor__initial_offset=f"[{k * 1e-9}, 0]")[2] for k in range(8)]
     lines += ["| \"table\" case, 8 runs | bearing | lowest | highest |", "|---|---|---|---|"]
     for key in ("first_contact_time", "peak_contact_force", "first_bounce_apex", "friction_heat", "catch_up_time", "ring_speed_end",
@@ -158,7 +162,7 @@ def study_of_spread(runs, lines):
             values = [r["bearings"][b][key] for r in results]
             known = [v for v in values if v is not None]
             text = [f"{f(known):.6g}" if known else "never" for f in (min, max)]
-            lines.append(f"| {key} | {b} | {text[0]} | {text[1]}{' (some never)' if known and len(known) < len(values) else ''} |")
+            lines.append(f"| {key} [{unit_of(key)}] | {b} | {text[0]} | {text[1]}{' (some never)' if known and len(known) < len(values) else ''} |")
     for node in ("shaft", "inner_ring", "inner_contact", "ball", "outer_contact", "outer_ring", "housing"):
         for b in BEARINGS:
             values = [r["bearings"][b]["temperature_rise_end"][node] for r in results]
@@ -190,7 +194,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=str(ROOT / "build/release/rotordrop"))
     parser.add_argument("--work", default=None)
-    parser.add_argument("--write", default=str(ROOT / "docs/theory"), help="folder of convergence.md")
+    parser.add_argument("--write", type=pathlib.Path, help="folder of convergence.md (docs/theory; from other starts: none)")
     parser.add_argument("--images", default=str(ROOT / "docs/images"), help="folder of the figure")
     parser.add_argument("--shifts", type=float, nargs="+", help="of the air gaps of twelve starts each [m]; steps: 0, starts: 0 0.033e-6 0.067e-6")
     parser.add_argument("--first", type=float, default=250e-6, help="air gap of the first start [m]")
@@ -198,6 +202,9 @@ def main():
     names = ("steps", "starts", "fast modes", "modes", "spread")
     parser.add_argument("--only", nargs="+", choices=names, default=names, help="these tables")
     options = parser.parse_args()
+    starts = ("shifts", "first", "spacing")
+    if options.write is None and all(getattr(options, name) == parser.get_default(name) for name in starts):
+        options.write = ROOT / "docs/theory"
     gaps = air_gaps(options.shifts or [0.0], options.first, options.spacing)
     many_gaps = air_gaps(options.shifts or [0.0, 0.033e-6, 0.067e-6], options.first, options.spacing)
     points, tables = [], {name: [] for name in names if name in options.only}
@@ -208,9 +215,11 @@ def main():
                    "modes": lambda lines: study_of_modes(runs, lines), "spread": lambda lines: study_of_spread(runs, lines)}
         for name, lines in tables.items():
             studies[name](lines)
+    if options.write is None:
+        return  # what was printed is all
     images = pathlib.Path(options.images)
     images.mkdir(parents=True, exist_ok=True)
-    page = pathlib.Path(options.write) / "convergence.md"
+    page = options.write / "convergence.md"
     text = page.read_text()
     for name, lines in tables.items():
         begin, end = f"<!-- {name}: written by validation/convergence.py -->\n", f"<!-- end of {name} -->"

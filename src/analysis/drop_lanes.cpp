@@ -163,8 +163,14 @@ class LaneRun {
   void end(std::size_t l) {
     const Lane lane = std::exchange(lanes_[l], {});
     lane.view->update();
-    const std::exception_ptr failure = integrator_->failure(l) ? integrator_->failure(l) : failures_[l];
-    if (!failure) lane.drop->finish();
+    std::exception_ptr failure = integrator_->failure(l) ? integrator_->failure(l) : failures_[l];
+    if (!failure) {
+      try {
+        lane.drop->finish();
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    }
     feed_.over(*lane.drop, failure);
   }
 

@@ -90,7 +90,11 @@ bool DropLoop::follow_step() {
   const EndedStep step = ended_step();
   growth_->remember(step.time);
   show(step);
-  if (step.is_observed && growth_->has_changed(step.time)) evaluate_end(step.time, step.after, true);
+  if (step.is_observed && growth_->has_changed(step.time)) {
+    ask(true);
+    machine_.evaluate(step.time, step.after, found_);
+    integrator_->replace_rates(found_.rates);
+  }
   time_ = step.time;
   constexpr double memory = 16.;  // steps: one that is cut at a corner is none of those that stability keeps short
   mean_step_ += (step.time - step.start - mean_step_) / memory;

@@ -22,12 +22,14 @@ RowStore::RowStore(std::size_t row_size)
 
 void RowStore::append(std::span<const double> row) {
   if (row.size() != row_size_) throw std::invalid_argument("RowStore: a row of another size");
+  if (n_staged_ + 1 == tile_rows) reserve(tile_rows);
   std::copy(row.begin(), row.end(), staged_.begin() + static_cast<std::ptrdiff_t>(n_staged_ * row_size_));
   if (++n_staged_ == tile_rows) store_staged();
 }
 
 void RowStore::append(const RowTile& rows) {
   if (rows.row_size != row_size_) throw std::invalid_argument("RowStore: rows of another size");
+  reserve(n_staged_ + rows.n_rows());
   store_staged();
   store(rows.n_rows(), [&](std::size_t column, std::size_t first, std::size_t n, double* to) {
     const double* from = rows.values + column * RowTile::width + first;
@@ -46,11 +48,14 @@ void RowStore::store_staged() {
   });
 }
 
+void RowStore::reserve(std::size_t n_rows) {
+  while (blocks_.size() * block_rows_ < n_stored_ + n_rows) blocks_.push_back(pool_.take(row_size_ * stride()));
+}
+
 template <class Put>
 void RowStore::store(std::size_t n_rows, const Put& put) {
   for (std::size_t done = 0; done < n_rows;) {
     const std::size_t block = n_stored_ / block_rows_, at = n_stored_ % block_rows_;
-    if (block == blocks_.size()) blocks_.push_back(pool_.take(row_size_ * stride()));
     const std::size_t n = std::min(n_rows - done, block_rows_ - at);
     double* to = blocks_[block] + at;
     for (std::size_t column = 0; column < row_size_; ++column, to += stride()) put(column, done, n, to);

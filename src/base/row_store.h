@@ -14,6 +14,7 @@ class RowStore {
   explicit RowStore(std::size_t row_size = 0);
 
   /// @param row [row_size()]
+  /// Where there is no room left, the store stays as it was. @throws std::bad_alloc
   void append(std::span<const double> row);
   void append(const RowTile& rows);
   [[nodiscard]] std::size_t row_size() const { return row_size_; }
@@ -29,6 +30,8 @@ class RowStore {
   /// Of columns in a block. Multiples of a page would put all lines of a tile into the same few places of the cache.
   [[nodiscard]] std::size_t stride() const { return block_rows_ % 64 == 0 ? block_rows_ + tile_rows : block_rows_; }
   void store_staged();
+  /// Has blocks for so many more rows.
+  void reserve(std::size_t n_rows);
   /// Puts rows into blocks. @param put  (column, first, n, to): n of its values from row `first` on
   template <class Put>
   void store(std::size_t n_rows, const Put& put);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "base/errors.h"
@@ -153,6 +154,7 @@ void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
   longest_[l] = step_or_bound(drop.parameters);
   control_[l] = StepControl(shape_, tolerance_[l], longest_[l]);
   last_step_[l] = stepped_[l] = 0.;
+  within_time_[l] = std::numeric_limits<double>::quiet_NaN();  // what lies in within_ is of the drop before
   was_rejected_[l] = false;
   statistics_[l] = {};
   failures_[l] = nullptr;

@@ -37,15 +37,23 @@ void for_each_column(const Columns& columns, const RowStore& rows, const Take& t
 }  // namespace
 
 void RecordedGroup::append(double t, std::span<const double> row) {
-  last_time = t;
-  times.push_back(t);
-  rows.append(row);
+  append_with({&t, 1}, [&] { rows.append(row); });
 }
 
 void RecordedGroup::append(const RowTile& tile) {
-  last_time = tile.times.back();
-  times.insert(times.end(), tile.times.begin(), tile.times.end());
-  rows.append(tile);
+  append_with(tile.times, [&] { rows.append(tile); });
+}
+
+template <class Append>
+void RecordedGroup::append_with(std::span<const double> of_rows, const Append& append_rows) {
+  times.insert(times.end(), of_rows.begin(), of_rows.end());
+  try {
+    append_rows();
+  } catch (...) {  // a time without its row would shift all that follow
+    times.resize(times.size() - of_rows.size());
+    throw;
+  }
+  last_time = of_rows.back();
 }
 
 void RecordedGroup::write_columns() {

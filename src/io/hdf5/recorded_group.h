@@ -20,7 +20,7 @@ struct RecordedGroup {
   std::uint64_t check_sum = 0;  ///< of all values and times that were written; after write_times() of all rows
 
   [[nodiscard]] std::size_t n_rows() const { return n_told + times.size(); }
-  /// Keeps a row. @param row [rows.row_size()]
+  /// Keeps a row, or nothing where there is no room for it. @param row [rows.row_size()]
   void append(double time, std::span<const double> row);
   /// Keeps several.
   void append(const RowTile& tile);
@@ -30,6 +30,10 @@ struct RecordedGroup {
   void write_times();
   /// Makes datasets of all rows, which were in no column so far, and closes them. @throws SolverError
   void write_whole(const SeriesGroup& description, ColumnMaker& maker) const;
+
+ private:
+  template <class Append>
+  void append_with(std::span<const double> of_rows, const Append& append_rows);
 };
 
 }  // namespace rotordrop

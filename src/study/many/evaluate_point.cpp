@@ -135,7 +135,8 @@ class PointsInLanes final : public LaneFeed {
     try {
       const Case& c = request.drop_case;
       auto built = std::make_unique<BuiltMachine>(c);
-      if (why_not_in_lanes(built->machine(), c.parameters.integration).empty()) {
+      const bool is_meshed = c.parameters.thermal.runs_sections();  // as choose_lanes() has it
+      if (!is_meshed && why_not_in_lanes(built->machine(), c.parameters.integration).empty()) {
         auto run = std::make_unique<MemoryDrop>(c, built->machine(), options_of(request, *built));
         waiting_.push_back({&request, std::move(built), std::move(run)});
         return;

@@ -104,8 +104,8 @@ TEST(RunGuards, AreSilentInASoundRun) {
 
 TEST(RunGuards, FindEnergyThatCoarseStepsLose) {
   // Far too loose a tolerance, and no bound on the step: the impacts cost some thousandths of the energy.
-  const auto machine = reference_machine({"integration.method=tsitouras", "integration.tolerance=1e-2",
-                                          "integration.step=1 ms", "run.end_time=20 ms"});
+  const auto machine = reference_machine(
+      {"integration.method=tsitouras", "integration.tolerance=1e-2", "integration.step=1 ms", "run.end_time=20 ms"});
   Drop drop = drop_of(machine);
   drop.run();
   const auto result = drop.result();
@@ -181,6 +181,74 @@ class GivenStep final : public Step {
  public:
   void interpolate(double, std::span<double>) const override {}
 };
+
+/// Puts observed steps by hand before guards: of the step observables nothing but one number is not zero.
+class ObservedSteps {
+ public:
+  ObservedSteps(RunGuards& guards, const Machine& machine, const std::string& name) : guards_(guards) {
+    found_.step.assign(observed_size(machine.step_observables()), 1.);  // clearances are open
+    column_ = column_of(machine.step_observables(), name).value();
+    step_.is_observed = true;
+    step_.found = &found_;
+  }
+  void take(double value) {
+    step_.start = step_.time;
+    step_.time += 1e-3;
+    found_.step[column_] = value;
+    guards_.step(step_);
+  }
+
+ private:
+  RunGuards& guards_;
+  Evaluation found_;
+  GivenStep step_;
+  std::size_t column_ = 0;
+};
+
+TEST(RunGuards, FindAGapThatCloses) {
+  const auto machine = reference_machine();
+  const auto& p = machine.settings.parameters;
+  RunGuards guards(*machine, p, p.integration);
+  ObservedSteps steps(guards, *machine, "/bearings/TB2/clearance");
+  for (const double gap : {2e-6, -1e-6, -3e-6, 0., 1e-6, -2e-6}) steps.take(gap);
+  const auto warnings = guards.found(DropScalars(*machine));
+  const RunWarning* found = warning_of(warnings, "gap-closed", "TB2");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->count, 2);
+  EXPECT_EQ(found->worst, -3e-6);
+  EXPECT_EQ(found->time, 3e-3);
+  EXPECT_NEAR(found->duration, 1e-3, 1e-12);
+}
+
+// The checkpoint lies between a step that is beyond and one that is not.
+TEST(RunGuards, SeeAValueComeBackAfterTheyWerePacked) {
+  const auto machine = reference_machine();
+  const auto& p = machine.settings.parameters;
+  RunGuards whole(*machine, p, p.integration), first(*machine, p, p.integration), second(*machine, p, p.integration);
+  ObservedSteps all(whole, *machine, "/bearings/TB1/clearance"), before(first, *machine, "/bearings/TB1/clearance"),
+      after(second, *machine, "/bearings/TB1/clearance");
+  for (const double gap : {1e-6, -1e-6}) {
+    all.take(gap);
+    before.take(gap);
+    after.take(1e-6);  // its time goes on, too
+  }
+  PackedValues packed;
+  first.pack(packed);
+  second.unpack(packed);
+  for (const double gap : {1e-6, -2e-6, -2e-6}) {
+    all.take(gap);
+    after.take(gap);
+  }
+  const DropScalars scalars(*machine);
+  const auto expected = whole.found(scalars), found = second.found(scalars);
+  const RunWarning *a = warning_of(expected, "gap-closed", "TB1"), *b = warning_of(found, "gap-closed", "TB1");
+  ASSERT_NE(a, nullptr);
+  ASSERT_NE(b, nullptr);
+  EXPECT_EQ(a->count, 2);
+  EXPECT_EQ(b->count, 2);
+  EXPECT_EQ(b->duration, a->duration);
+  EXPECT_EQ(b->worst, -2e-6);
+}
 
 TEST(RunGuards, FindStepsThatCollapse) {
   const auto machine = reference_machine({"integration.step=50 us"});

@@ -2,11 +2,16 @@
 #include "base/row_store.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <vector>
+
+#include "base/memory.h"
 
 namespace rotordrop {
 namespace {
@@ -107,6 +112,45 @@ TEST(RowTile, IsCutAndReadByRows) {
   middle.copy_row(1, row);
   EXPECT_EQ(row, (std::vector<double>{30., 300.}));
 }
+
+#if !defined(__SANITIZE_ADDRESS__)
+/// The process may have so many bytes more; then as many as before.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(std::uint64_t more) {
+    ::getrlimit(RLIMIT_AS, &before_);
+    rlimit tight = before_;
+    tight.rlim_cur = own_memory() + more;
+    ::setrlimit(RLIMIT_AS, &tight);
+  }
+  ~MemoryLimit() { ::setrlimit(RLIMIT_AS, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST(RowStore, KeepsWhatItHasWhereThereIsNoRoomForMore) {
+  for (const std::size_t at_once : {1U, 3U, 8U}) {
+    RowStore store(3000);  // blocks of a tile, 192 kB
+    std::size_t n = 0;
+    bool is_refused = false;
+    {
+      const MemoryLimit limit(20'000'000);
+      while (!is_refused && n < 100'000) try {
+          at_once == 1 ? fill(store, 1, n) : fill_by_tiles(store, at_once, n, at_once);
+          n += at_once;
+        } catch (const std::bad_alloc&) {
+          is_refused = true;
+        }
+    }
+    ASSERT_TRUE(is_refused);
+    ASSERT_GT(n, 24U);
+    expect_rows(store, n, 0);
+    fill(store, 20, n);
+    expect_rows(store, n + 20, 0);
+  }
+}
+#endif
 
 TEST(RowStore, RefusesRowsOfAnotherSize) {
   RowStore store(3);

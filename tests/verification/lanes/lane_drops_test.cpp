@@ -262,5 +262,32 @@ TEST(DropsInLanes, AreAllOverWhenTheyAreStopped) {
   for (std::size_t k = 0; k < 8; ++k) EXPECT_GT(queue.steps[k], 0) << k;
 }
 
+/// Refuses its n-th row.
+class Refuses final : public RowSink {
+ public:
+  explicit Refuses(int n) : n_(n) {}
+  void row(double, std::span<const double>) override {
+    if (--n_ == 0) throw SolverError("no more");
+  }
+
+ private:
+  int n_;
+};
+
+// Rows wait until there are eight of them; what waits when all are stopped is refused when its drop is over.
+TEST(DropsInLanes, AreOverOneByOneWhereTheLastRowsAreRefused) {
+  const auto list = runs(std::vector<std::size_t>{0, 1, 2}, "5 ms");
+  Refuses second(2);
+  list[1]->drop.rows().add(second);
+  std::vector<Drop*> drops;
+  for (const auto& run : list) drops.push_back(&run->drop);
+  std::vector<std::exception_ptr> failures;
+  ASSERT_NO_THROW(failures = run_in_lanes(drops, [&] { return drops[1]->loop().time() > 0.2e-3; }));
+  EXPECT_FALSE(failures[0]);
+  EXPECT_TRUE(failures[1]);
+  EXPECT_FALSE(failures[2]);
+  EXPECT_LT(drops[1]->loop().time(), 0.4e-3) << "eight rows would have been told before";
+}
+
 }  // namespace
 }  // namespace rotordrop

@@ -5,7 +5,10 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
+
+#include "base/errors.h"
 
 namespace rotordrop {
 namespace {
@@ -41,11 +44,14 @@ class OneOscillator final : public OdeSystem {
 
 class EightOscillators final : public LaneSystem {
  public:
+  std::size_t broken_lane = width;  ///< its rates are no numbers from a time on
+  double broken_time = 0.;
   [[nodiscard]] const StateLayout& layout() const override { return layout_; }
   [[nodiscard]] std::size_t first_quadrature() const override { return 2; }
   void rates(std::span<const double> t, std::span<const double> y, std::span<double> dydt) override {
     for (std::size_t lane = 0; lane < width; ++lane)
       oscillate(frequency(lane), t[lane], y[lane], y[width + lane], dydt.data() + lane, width);
+    if (broken_lane < width && t[broken_lane] > broken_time) dydt[width + broken_lane] = std::nan("");
   }
   void observe(std::span<const double> t, std::span<const double> y, std::span<double> dydt, std::span<double>,
                std::span<double>) override {
@@ -114,6 +120,70 @@ TEST_P(LanesOf, StepInterpolateAndCountAsOneDropDoes) {
   }
   EXPECT_GT(lanes.statistics(6).steps, 2 * lanes.statistics(0).steps) << "all lanes step alike: this shows nothing";
   EXPECT_GT(lanes.statistics(6).rejected_steps, 0);
+}
+
+TEST_P(LanesOf, FailAloneWhereRatesAreNoNumbers) {
+  const LaneIntegrator::Lane start{{GetParam(), 0.5, 1e-5}, 0., 2., start_state, 0};
+  auto system = std::make_unique<EightOscillators>();
+  constexpr std::size_t broken = 2;
+  system->broken_lane = broken;
+  system->broken_time = 0.7;
+  LaneIntegrator lanes(std::move(system), start, 0), sound(std::make_unique<EightOscillators>(), start, 0);
+  for (std::size_t l = 0; l < LaneIntegrator::width; ++l) {
+    lanes.begin(l, start);
+    sound.begin(l, start);
+  }
+  const auto run = [](LaneIntegrator& all) {
+    const auto any = [&] {
+      for (std::size_t l = 0; l < LaneIntegrator::width; ++l)
+        if (all.runs(l)) return true;
+      return false;
+    };
+    while (any()) all.advance();
+  };
+  run(lanes);
+  run(sound);
+  std::vector<double> y(3), expected(3);
+  for (std::size_t l = 0; l < LaneIntegrator::width; ++l) {
+    EXPECT_FALSE(sound.failure(l));
+    if (l == broken) continue;
+    EXPECT_FALSE(lanes.failure(l)) << l;
+    lanes.state(l, y);
+    sound.state(l, expected);
+    EXPECT_EQ(y, expected) << l;
+  }
+  ASSERT_TRUE(lanes.failure(broken));
+  EXPECT_LE(lanes.time(broken), 0.7);
+  try {
+    std::rethrow_exception(lanes.failure(broken));
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("velocity"), std::string::npos) << error.what();
+  }
+}
+
+// The times of rows are the same for all drops: what was interpolated for the drop before in a lane must not be taken for the next one's.
+TEST_P(LanesOf, InterpolateTheDropThatIsThere) {
+  const LaneIntegrator::Lane start{{GetParam(), 0.5, 1e-5}, 0., 2., start_state, 0};
+  const std::vector<double> other_state = {-0.4, 2., 0.};
+  const LaneIntegrator::Lane other{start.parameters, 0., 2., other_state, 0};
+  LaneIntegrator lanes(std::make_unique<EightOscillators>(), start, 0);
+  LaneIntegrator fresh(std::make_unique<EightOscillators>(), other, 0);
+  const auto step_over = [](LaneIntegrator& all, double t) {
+    while (all.time(0) <= t) all.advance();
+  };
+  constexpr double t = 0.11;
+  lanes.begin(0, start);
+  step_over(lanes, t);
+  lanes.interpolate_all(std::vector<double>(LaneIntegrator::width, t));
+  lanes.stop(0);
+  lanes.begin(0, other);
+  fresh.begin(0, other);
+  step_over(lanes, t);
+  step_over(fresh, t);
+  std::vector<double> y(3), expected(3);
+  lanes.interpolate(0, t, y);
+  fresh.interpolate(0, t, expected);
+  EXPECT_EQ(y, expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(OwnMethods, LanesOf,
