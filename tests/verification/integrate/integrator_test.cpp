@@ -362,5 +362,40 @@ TEST(WorstComponents, AreNamedWithTheirSharesOfTheSquaredNorm) {
   EXPECT_EQ(worst_components(layout, error), "\"TB1/inner ring y [m]\" (64 %), \"rotor/spin speed [rad/s]\" (36 %)");
 }
 
+/// A quadrature under a power that changes where a step ends, beside a state that rests.
+class ChangedPower final : public OdeSystem {
+ public:
+  ChangedPower() { layout_.add_block("part", {{"place", "m", 1.}, {"work", "J", 1.}}); }
+  [[nodiscard]] const StateLayout& layout() const override { return layout_; }
+  [[nodiscard]] std::size_t first_quadrature() const override { return 1; }
+  void initial_state(std::span<double> y) const override { std::fill(y.begin(), y.end(), 0.); }
+  void rhs(double, std::span<const double>, std::span<double> dydt) const override {
+    dydt[0] = 0.;
+    dydt[1] = power;
+  }
+  double power = 1.;
+
+ private:
+  StateLayout layout_;
+};
+
+// Methods that take the last stage's rates for those of the next step's start are told where they changed. That with two steps keeps the rate at the
+// start of the step before as it was.
+TEST(OwnPairs, TakeRatesThatChangedAtAStepsEnd) {
+  for (const IntegrationMethod method :
+       {IntegrationMethod::tsitouras, IntegrationMethod::bogacki_shampine, IntegrationMethod::sofroniou_spaletta}) {
+    ChangedPower system;
+    const std::vector<double> rest(2, 0.);
+    const auto integrator = make_integrator(system, {method, 0.01, 1e-6}, 0., rest, 1.);
+    for (int k = 0; k < 5; ++k) integrator->advance();
+    const double changed = integrator->time();
+    system.power = 3.;
+    integrator->replace_rates(std::vector<double>{0., 3.});
+    integrator->advance();
+    EXPECT_NEAR(integrator->state()[1], changed + 3. * (integrator->time() - changed), 1e-14)
+        << static_cast<int>(method);
+  }
+}
+
 }  // namespace
 }  // namespace rotordrop
