@@ -153,7 +153,7 @@ def study_of_spread(runs, lines):
     """The table's damping lets the rotor bounce on, chaotically: runs that start nanometres apart tell what can be known at the end."""
     units = {"time": "s", "force": "N", "apex": "m", "heat": "J", "speed": "rad/s", "rate": "W"}
     def unit_of(key):
-        return next(unit for word in reversed(key.split("_")) for name, unit in units.items() if word == name)
+        return next(units[word] for word in reversed(key.split("_")) if word in units)
     results = [runs.run("spread", "neisi2019", rotor__initial_offset=f"[{k * 1e-9}, 0]")[2] for k in range(8)]
     lines += ["| \"table\" case, 8 runs | bearing | lowest | highest |", "|---|---|---|---|"]
     for key in ("first_contact_time", "peak_contact_force", "first_bounce_apex", "friction_heat", "catch_up_time", "ring_speed_end",

@@ -90,11 +90,7 @@ bool DropLoop::follow_step() {
   const EndedStep step = ended_step();
   growth_->remember(step.time);
   show(step);
-  if (step.is_observed && growth_->has_changed(step.time)) {
-    ask(true);
-    machine_.evaluate(step.time, step.after, found_);
-    integrator_->replace_rates(found_.rates);
-  }
+  if (step.is_observed && growth_->has_changed(step.time)) evaluate_end(step.time, step.after, true);
   time_ = step.time;
   constexpr double memory = 16.;  // steps: one that is cut at a corner is none of those that stability keeps short
   mean_step_ += (step.time - step.start - mean_step_) / memory;
@@ -130,7 +126,7 @@ DropLoop::EndedStep DropLoop::ended_step() {
   step.after = std::span(after_).first(integrated.size());
   step.found = &found_;
   step.is_observed = is_to_be_observed(step.time);
-  if (step.is_observed || integrator_->uses_offered_rates() || !followers_.empty())
+  if (!has_end_rates_ && (step.is_observed || integrator_->uses_offered_rates() || !followers_.empty()))
     evaluate_end(step.time, step.after, step.is_observed);
   if (step.is_observed) {
     end_.follow(step.time, found_.step, machine_.spin(step.after).speed);
@@ -146,7 +142,6 @@ void DropLoop::ask(bool is_observed) {
 }
 
 void DropLoop::evaluate_end(double t, std::span<const double> y, bool is_observed) {
-  if (has_end_rates_) return;
   ask(is_observed);
   machine_.evaluate(t, y, found_);
   integrator_->offer_rates(found_.rates);

@@ -13,8 +13,7 @@ class RowStore {
  public:
   explicit RowStore(std::size_t row_size = 0);
 
-  /// @param row [row_size()]
-  /// Where there is no room left, the store stays as it was. @throws std::bad_alloc
+  /// Where there is no room left, the store stays as it was. @param row [row_size()] @throws std::bad_alloc
   void append(std::span<const double> row);
   void append(const RowTile& rows);
   [[nodiscard]] std::size_t row_size() const { return row_size_; }

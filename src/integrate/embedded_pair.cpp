@@ -146,10 +146,8 @@ class EmbeddedPair final : public Integrator {
     }
   }
 
-  void offer_rates(std::span<const double>) override {}  // they are the last stage's
-  void replace_rates(std::span<const double> rates) override {
-    std::copy(rates.begin(), rates.end(), k_.back().begin());
-  }
+  /// Those of the last stage, unless the system has changed since.
+  void offer_rates(std::span<const double> rates) override { std::copy(rates.begin(), rates.end(), k_.back().begin()); }
   [[nodiscard]] bool uses_offered_rates() const override { return is_observed(); }
   bool evaluate_ends_with(const EndEvaluation& evaluation) override {
     end_evaluation_ = evaluation;

@@ -30,10 +30,9 @@ class Integrator {
   [[nodiscard]] virtual std::span<const double> state() const = 0;
   /// One step, not beyond the end time given at construction. @throws SolverError naming the worst components
   virtual void advance() = 0;
-  /// Tells the rates at time(), state() that the caller has evaluated anyway, so that the next step need not.
+  /// Tells the rates at time(), state() that the caller has evaluated anyway, so that the next step need not: after a change of the system the only ones
+  /// that are right.
   virtual void offer_rates(std::span<const double> rates) = 0;
-  /// The same of a system that has changed just now: a method that keeps rates of its own for the next step takes these instead.
-  virtual void replace_rates(std::span<const double> rates) { offer_rates(rates); }
   /// Whether it makes use of them: then looking at the rates after every step costs nothing.
   [[nodiscard]] virtual bool uses_offered_rates() const = 0;
   /// Evaluation of a system at the end of a step, with whatever else the caller wants to know of it; the rates are the system's.

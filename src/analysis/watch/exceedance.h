@@ -17,8 +17,10 @@ struct Exceedance {
   bool follow(double t, double value, double limit) {
     const bool is_above = value > limit;
     if (is_above) {
-      if (was_above_ == 0.) ++count;
-      if (was_above_ != 0.) duration += t - last_time_;
+      if (was_above())
+        duration += t - last_time_;
+      else
+        ++count;
       if (std::isnan(first_time)) first_time = t;
       if (value > worst) {
         worst = value;
@@ -29,6 +31,8 @@ struct Exceedance {
     was_above_ = is_above ? 1. : 0.;
     return is_above;
   }
+  /// At the last instant. Else one that is not above either changes nothing.
+  [[nodiscard]] bool was_above() const { return was_above_ != 0.; }
   /// All that decides about what follows.
   [[nodiscard]] auto numbers() {
     return std::array{&count, &worst, &time, &first_time, &duration, &last_time_, &was_above_};

@@ -80,19 +80,19 @@ void RunGuards::look_at_bearings(const Machine& machine, const MachineParameters
   const auto& list = machine.step_observables();
   for (const auto& pressure : columns_of(list, Observed::contact_pressure))
     for (std::size_t row = 0; row < pressure.size; ++row)
-      steps_.push_back(look(add("ball-load", pressure.place, fmt::format("row {}", row + 1), static_pressure_limit),
-                            pressure.first + row));
+      steps_.push_back({add("ball-load", pressure.place, fmt::format("row {}", row + 1), static_pressure_limit),
+                        pressure.first + row});
   for (const auto& truncation : columns_of(list, Observed::ellipse_truncation))
     for (std::size_t row = 0; row < truncation.size; ++row)
       steps_.push_back(
-          look(add("ellipse-truncated", truncation.place, fmt::format("row {}", row + 1), 0.), truncation.first + row));
+          {add("ellipse-truncated", truncation.place, fmt::format("row {}", row + 1), 0.), truncation.first + row});
   for (const auto& clearance : columns_of(list, Observed::clearance))
-    steps_.push_back(look(add("gap-closed", clearance.place, "", 0., -1.), clearance.first));
+    steps_.push_back({add("gap-closed", clearance.place, "", 0., -1.), clearance.first});
   for (const auto& penetration : columns_of(list, Observed::penetration))
     for (const auto& entry : p.bearings)
       if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == penetration.place)
-        steps_.push_back(look(add("penetration", entry.name, "", penetration_limit * air_gap(*touchdown, p.contact)),
-                              penetration.first));
+        steps_.push_back({add("penetration", entry.name, "", penetration_limit * air_gap(*touchdown, p.contact)),
+                          penetration.first});
 }
 
 void RunGuards::look_at_supports_and_probes(const Machine& machine, const MachineParameters& p) {
@@ -101,10 +101,10 @@ void RunGuards::look_at_supports_and_probes(const Machine& machine, const Machin
     for (const auto& entry : p.bearings)
       if (const auto* b = entry.touchdown();
           b && b->support.travel_limit && o.name == "/bearings/" + entry.name + "/support_position")
-        steps_.push_back(look(add("support-travel", entry.name, "", *b->support.travel_limit), at, 2, true));
+        steps_.push_back({add("support-travel", entry.name, "", *b->support.travel_limit), at, 2, true});
     for (const Probe& probe : machine.probes())
       if (o.name == "/probes/" + probe.name + "/clearance")
-        steps_.push_back(look(add("probe-touched", probe.name, "", 0., -1.), at));
+        steps_.push_back({add("probe-touched", probe.name, "", 0., -1.), at});
     at += o.size;
   }
 }
@@ -112,16 +112,16 @@ void RunGuards::look_at_supports_and_probes(const Machine& machine, const Machin
 void RunGuards::look_at_temperatures(const std::vector<Observable>& observables, std::size_t first, Rows& rows) {
   for (const auto& o : observables) {
     if (o.kind == Observed::housing_fit_open)
-      rows.looks.push_back(look(add("fit-open", o.place, "", 0.), first));
+      rows.looks.push_back({add("fit-open", o.place, "", 0.), first});
     else if (const auto path = parts_of(o.name); o.unit == "K" && is_of_bearing(path.part))
       for (const auto& entry : parameters_.bearings)
         if (const auto* b = entry.touchdown(); b && entry.name == path.bearing)
           if (const auto* material = find_material(parameters_, path.part.starts_with("ball") ? b->ball : b->ring);
               material && material->temperature_limit)
-            rows.looks.push_back(look(add("temperature", entry.name,
-                                          fmt::format("{} ({})", path.part, mark_of(path.model, parameters_.thermal)),
-                                          *material->temperature_limit),
-                                      first, o.size));
+            rows.looks.push_back({add("temperature", entry.name,
+                                      fmt::format("{} ({})", path.part, mark_of(path.model, parameters_.thermal)),
+                                      *material->temperature_limit),
+                                  first, o.size});
     first += o.size;
   }
 }
@@ -152,27 +152,24 @@ RowSink& RunGuards::windows(const std::vector<Observable>& observables) {
   return rows;
 }
 
-bool RunGuards::follow(std::size_t index, double time, double value) {
+void RunGuards::follow(std::size_t index, double time, double value) {
   Guard& guard = guards_[index];
-  const bool is_beyond = guard.seen.follow(time, guard.sign * value, guard.sign * guard.limit);
-  if (!is_beyond || !guard.is_fatal) return is_beyond;
+  if (!guard.seen.follow(time, guard.sign * value, guard.sign * guard.limit) || !guard.is_fatal) return;
   throw SolverError(fmt::format("run.fatal_warnings: {}{}{} at t = {:.6g} ms: {:.4g}, limit {:.4g} {}. It counts {}.",
                                 guard.kind->code, guard.place.empty() ? "" : " of " + guard.place,
                                 guard.part.empty() ? "" : ", " + guard.part, time * 1e3, value, guard.limit,
                                 guard.kind->unit, guard.kind->meaning));
 }
 
-double RunGuards::Look::value(std::span<const double> values) const {
-  double value = values[first];
-  if (is_vector) return std::hypot(value, values[first + 1]);
-  for (std::size_t k = 1; k < size; ++k) value = std::max(value, values[first + k]);
-  return value;
-}
-
-void RunGuards::follow(std::span<Look> looks, double time, std::span<const double> values) {
-  for (Look& look : looks) {
-    const double value = look.value(values);
-    if (look.is_beyond || look.sign * value > look.sign * look.limit) look.is_beyond = follow(look.guard, time, value);
+void RunGuards::follow(std::span<const Look> looks, double time, std::span<const double> values) {
+  for (const Look& look : looks) {
+    double value = values[look.first];
+    if (look.is_vector)
+      value = std::hypot(value, values[look.first + 1]);
+    else
+      for (std::size_t k = 1; k < look.size; ++k) value = std::max(value, values[look.first + k]);
+    const Guard& guard = guards_[look.guard];
+    if (guard.seen.was_above() || guard.sign * value > guard.sign * guard.limit) follow(look.guard, time, value);
   }
 }
 
@@ -206,12 +203,6 @@ void RunGuards::unpack(const PackedValues& from) {
     if (values.size() != numbers.size()) throw std::invalid_argument("guards of another kind");
     for (std::size_t k = 0; k < values.size(); ++k) *numbers[k] = values[k];
   }
-  const auto may_be_beyond = [](std::vector<Look>& looks) {
-    for (Look& look : looks) look.is_beyond = true;
-  };
-  may_be_beyond(steps_);
-  may_be_beyond(rows_.looks);
-  for (Rows& rows : windows_) may_be_beyond(rows.looks);
 }
 
 std::vector<RunWarning> RunGuards::found(const DropScalars& scalars) const {

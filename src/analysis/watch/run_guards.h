@@ -47,14 +47,7 @@ class RunGuards final : public Observer {
   struct Look {
     std::size_t guard = 0, first = 0, size = 1;
     bool is_vector = false;
-    double sign = 1, limit = 0;  ///< the guard's
-    bool is_beyond = false;      ///< at the last look it was, or may have been
-
-    [[nodiscard]] double value(std::span<const double> values) const;
   };
-  [[nodiscard]] Look look(std::size_t guard, std::size_t first, std::size_t size = 1, bool is_vector = false) const {
-    return {guard, first, size, is_vector, guards_[guard].sign, guards_[guard].limit};
-  }
   class Rows final : public RowSink {
    public:
     explicit Rows(RunGuards& guards) : guards_(guards) {}
@@ -76,9 +69,8 @@ class RunGuards final : public Observer {
   void look_at_supports_and_probes(const Machine& machine, const MachineParameters& parameters);
   void look_at_temperatures(const std::vector<Observable>& observables, std::size_t first, Rows& rows);
   void look_at_balances(const Machine& machine, std::size_t first);
-  /// @returns whether it is beyond the limit
-  bool follow(std::size_t guard, double time, double value);
-  void follow(std::span<Look> looks, double time, std::span<const double> values);
+  void follow(std::size_t guard, double time, double value);
+  void follow(std::span<const Look> looks, double time, std::span<const double> values);
 
   const MachineParameters& parameters_;
   std::vector<Guard> guards_;

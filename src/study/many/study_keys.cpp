@@ -90,10 +90,11 @@ Section<StudyFile> study_section() {
                        "retry: once more with a tenth of integration.tolerance and integration.step, then go on."})
       .boolean(
           "lanes", &P::lanes,
-          {.help = "Drops that differ in numbers alone run eight side by side in the lanes of vectors, with AVX-512 "
-                   "about twice as many per second, if the first point's drop can; others (docs/how-to/studies.md) "
-                   "run one by one. In lanes a drop is, within what rounding does to it, what `rotordrop run` makes of the "
-                   "point; false: the same bits. true: a note tells why, if drops do not run in lanes."})
+          {.help =
+               "Drops that differ in numbers alone run eight side by side in the lanes of vectors, with AVX-512 "
+               "about twice as many per second, if the first point's drop can; others (docs/how-to/studies.md) "
+               "run one by one. In lanes a drop is, within what rounding does to it, what `rotordrop run` makes of the "
+               "point; false: the same bits. true: a note tells why, if drops do not run in lanes."})
       .custom(
           "vary",
           {.accepts = "keys of the case, each with values or a distribution",

@@ -390,7 +390,7 @@ TEST(OwnPairs, TakeRatesThatChangedAtAStepsEnd) {
     for (int k = 0; k < 5; ++k) integrator->advance();
     const double changed = integrator->time();
     system.power = 3.;
-    integrator->replace_rates(std::vector<double>{0., 3.});
+    integrator->offer_rates(std::vector<double>{0., 3.});
     integrator->advance();
     EXPECT_NEAR(integrator->state()[1], changed + 3. * (integrator->time() - changed), 1e-14)
         << static_cast<int>(method);
