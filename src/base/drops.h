@@ -1,12 +1,10 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
+#include "base/drop_mask.h"
 #include "base/exponential_series.h"
 #include "base/real.h"
 #include "base/sine_cosine.h"
@@ -16,83 +14,6 @@
 
 namespace rotordrop {
 
-/// Drops that run in lanes.
-inline constexpr int n_lanes = 8;
-
-/// Numbers in a register of what this source is compiled for.
-#if defined(__AVX512F__)
-inline constexpr int register_width = 8;
-#elif defined(__AVX__)
-inline constexpr int register_width = 4;
-#else
-inline constexpr int register_width = 2;
-#endif
-
-#define ROTORDROP_LANE_WORD [[gnu::always_inline]] friend inline
-
-namespace lane_words {
-/// Vector types of a width.
-template <int width>
-struct Vector;
-#define ROTORDROP_VECTOR(W)                                                  \
-  template <>                                                                \
-  struct Vector<W> {                                                         \
-    typedef double Numbers __attribute__((vector_size(8 * W)));              \
-    typedef long long Bits __attribute__((vector_size(8 * W)));              \
-    typedef unsigned long long Unsigned __attribute__((vector_size(8 * W))); \
-  };
-ROTORDROP_VECTOR(2)
-ROTORDROP_VECTOR(4)
-ROTORDROP_VECTOR(8)
-#undef ROTORDROP_VECTOR
-}  // namespace lane_words
-
-/// Truth of each lane: all bits or none.
-template <int width, int lanes = n_lanes>
-struct DropMask {
-  static constexpr int n = lanes / width;
-  using Bits = typename lane_words::Vector<width>::Bits;
-  Bits part[n];
-  DropMask() = default;
-  [[gnu::always_inline]] inline DropMask(bool value) {
-    for (Bits& p : part) p = Bits{} - static_cast<long long>(value);
-  }
-  [[nodiscard]] bool operator[](int lane) const { return part[lane / width][lane % width] != 0; }
-  ROTORDROP_LANE_WORD DropMask operator&(const DropMask& a, const DropMask& b) {
-    DropMask r;
-    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] & b.part[i];
-    return r;
-  }
-  ROTORDROP_LANE_WORD DropMask operator|(const DropMask& a, const DropMask& b) {
-    DropMask r;
-    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] | b.part[i];
-    return r;
-  }
-  ROTORDROP_LANE_WORD DropMask operator!(const DropMask& a) {
-    DropMask r;
-    for (int i = 0; i < n; ++i) r.part[i] = ~a.part[i];
-    return r;
-  }
-  DropMask& operator|=(const DropMask& b) { return *this = *this | b; }
-  // By one instruction where there is one: GCC would take the lanes out of a register one by one.
-  ROTORDROP_LANE_WORD bool any(const DropMask& a) {
-    Bits all = a.part[0];
-    for (int i = 1; i < n; ++i) all |= a.part[i];
-#if defined(__AVX512DQ__)
-    if constexpr (width == 8) return _mm512_movepi64_mask(reinterpret_cast<__m512i>(all)) != 0;
-#endif
-#if defined(__AVX__)
-    if constexpr (width == 4) return _mm256_movemask_pd(reinterpret_cast<__m256d>(all)) != 0;
-#endif
-#if defined(__SSE2__)
-    if constexpr (width == 2) return _mm_movemask_pd(reinterpret_cast<__m128d>(all)) != 0;
-#endif
-    long long sum = 0;
-    for (int i = 0; i < width; ++i) sum |= all[i];
-    return sum != 0;
-  }
-};
-
 /// A number of each lane.
 /// @tparam lanes  how many: those of drops, or as many as one register holds
 template <int width, int lanes = n_lanes>
@@ -101,7 +22,9 @@ struct Drops {
   using Numbers = typename lane_words::Vector<width>::Numbers;
   using Bits = typename lane_words::Vector<width>::Bits;
   using Unsigned = typename lane_words::Vector<width>::Unsigned;
+  using Floats = typename lane_words::Vector<width>::Floats;  // twice as many
   using Mask = DropMask<width, lanes>;
+  static constexpr int n_numbers = lanes;
   Numbers part[n];
 
   Drops() = default;
@@ -117,6 +40,49 @@ struct Drops {
   }
   /// @param to  [lanes]
   [[gnu::always_inline]] inline void store(double* to) const { std::memcpy(to, &part, sizeof part); }
+  /// A table of each lane.
+  struct Tables {
+    Bits part[n];
+    Tables() = default;
+    [[gnu::always_inline]] inline explicit Tables(const float* of_all) {
+      for (Bits& p : part) p = Bits{} + static_cast<long long>(reinterpret_cast<std::intptr_t>(of_all));
+    }
+    void set(int lane, const float* table) {
+      part[lane / width][lane % width] = static_cast<long long>(reinterpret_cast<std::intptr_t>(table));
+    }
+  };
+  /// Tables' straight lines between entries, each at its own place, from 0 to less than the number of the last entry.
+  /// @param first  entry of the tables that counts as their first
+  ROTORDROP_LANE_WORD Drops between_entries(const Tables& tables, const Drops& at, std::size_t first) {
+    const auto offset = static_cast<long long>(first * sizeof(float));
+    Drops r;
+    for (int i = 0; i < n; ++i) {
+#if defined(__AVX512F__)
+      const __m256i entry = _mm512_maskz_cvttpd_epi32(0xff, at.part[i]);
+      const Bits address = tables.part[i] + offset + ((Bits)_mm512_maskz_cvtepi32_epi64(0xff, entry) << 2);
+      const auto both = (Floats)_mm512_mask_i64gather_epi64(__m512i{}, 0xff, (__m512i)address, nullptr, 1);
+      const Numbers whole = _mm512_maskz_cvtepi32_pd(0xff, entry);
+#elif defined(__AVX2__)
+      const __m128i entry = _mm256_cvttpd_epi32(at.part[i]);
+      const Bits address = tables.part[i] + offset + ((Bits)_mm256_cvtepi32_epi64(entry) << 2);
+      const auto both = (Floats)_mm256_i64gather_epi64(nullptr, (__m256i)address, 1);
+      const Numbers whole = _mm256_cvtepi32_pd(entry);
+#else
+      Floats both;
+      Numbers whole;
+      for (int l = 0; l < width; ++l) {
+        const int entry = static_cast<int>(at.part[i][l]);
+        const auto* table = reinterpret_cast<const float*>(static_cast<std::intptr_t>(tables.part[i][l] + offset));
+        whole[l] = entry;
+        both[2 * l] = table[entry];
+        both[2 * l + 1] = table[entry + 1];
+      }
+#endif
+      const Numbers here = every_second<0>(both), next = every_second<1>(both);
+      r.part[i] = here + (at.part[i] - whole) * (next - here);
+    }
+    return r;
+  }
   /// Sums over the lanes of eight numbers, each in the order ((0 + 4) + (2 + 6)) + ((1 + 5) + (3 + 7)) at every width: the eight are transposed
   /// on the way, so that all take few more additions than one.
   /// @param sums  [8]
@@ -263,6 +229,19 @@ struct Drops {
       return __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
     else
       return __builtin_shufflevector(a, b, 0, 2) + __builtin_shufflevector(a, b, 1, 3);
+  }
+
+  /// Every second of twice as many numbers, from the first (0) or the second (1) on.
+  template <int first>
+  [[gnu::always_inline]] static inline Numbers every_second(Floats a) {
+    constexpr int f = first;
+    if constexpr (width == 8)
+      return __builtin_convertvector(
+          __builtin_shufflevector(a, a, f, f + 2, f + 4, f + 6, f + 8, f + 10, f + 12, f + 14), Numbers);
+    else if constexpr (width == 4)
+      return __builtin_convertvector(__builtin_shufflevector(a, a, f, f + 2, f + 4, f + 6), Numbers);
+    else
+      return Numbers{a[f], a[f + 2]};
   }
 
   // SSE2 and AVX have both in one instruction, which gives the second of its numbers where one of them is not a number.

@@ -37,4 +37,15 @@ Numbers<double> of_lane(const Numbers<Real>& all, int lane) {
   return std::bit_cast<Numbers<double>>(one);
 }
 
+/// Number by number, those of a where a condition holds, else those of b.
+template <template <class> class Numbers, class Real>
+Numbers<Real> select_all(const MaskOf<Real>& condition, const Numbers<Real>& a, const Numbers<Real>& b) {
+  using Columns = std::array<Real, sizeof(Numbers<Real>) / sizeof(Real)>;
+  static_assert(std::is_trivially_copyable_v<Numbers<Real>> && sizeof(Columns) == sizeof(Numbers<Real>));
+  auto chosen = std::bit_cast<Columns>(a);
+  const auto others = std::bit_cast<Columns>(b);
+  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = select(condition, chosen[i], others[i]);
+  return std::bit_cast<Numbers<Real>>(chosen);
+}
+
 }  // namespace rotordrop

@@ -66,9 +66,8 @@ void TouchdownBearing::set_numbers() {
 
 bool TouchdownBearing::runs_in_lanes() const {
   const auto& d = data_;
-  const auto has_inertia = [](const BallRow& row) { return row.geometry().has_inertia; };
   return !d.free_ring && !d.sticking && !d.bending && !d.free_cage && !d.heats_rows_apart && !d.add_spin_heat &&
-         !d.friction.has_tables && d.bore_waves.empty() && std::none_of(rows_.begin(), rows_.end(), has_inertia);
+         !d.friction.has_tables && d.bore_waves.empty();
 }
 
 bool TouchdownBearing::is_alike(const TouchdownBearing& other) const {
@@ -78,7 +77,9 @@ bool TouchdownBearing::is_alike(const TouchdownBearing& other) const {
          (a.support_law != nullptr) == (b.support_law != nullptr) && n_support_states_ == other.n_support_states_ &&
          a.friction.has_stribeck == b.friction.has_stribeck &&
          std::equal(rows_.begin(), rows_.end(), other.rows_.begin(), [](const BallRow& r, const BallRow& s) {
-           return std::ranges::equal(r.cosines(), s.cosines()) && std::ranges::equal(r.sines(), s.sines()) &&
+           const auto has_split = [](const BallRow& row) { return row.geometry().inner_gyroscopic_share != 0.; };
+           return r.geometry().has_inertia == s.geometry().has_inertia && has_split(r) == has_split(s) &&
+                  std::ranges::equal(r.cosines(), s.cosines()) && std::ranges::equal(r.sines(), s.sines()) &&
                   std::ranges::equal(r.waves(), s.waves(), [](const BallRow::Wave& v, const BallRow::Wave& w) {
                     return v.wave.order == w.wave.order && v.wave.on_inner_race == w.wave.on_inner_race;
                   });

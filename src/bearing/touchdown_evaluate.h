@@ -1,6 +1,6 @@
 #pragma once
 // The motion of a touchdown bearing: rotor against bore, balls, torques and heat, of one drop or of eight in lanes. What runs in lanes are rigid rings that
-// translate, in rolling balls without inertia, on any support, under regularised friction without tables
+// translate, in rolling balls, on any support, under regularised friction without tables
 // (TouchdownBearing::runs_in_lanes); what is beyond that stands under `has_all`, and is called for one drop only.
 #include <span>
 

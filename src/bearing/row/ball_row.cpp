@@ -79,12 +79,11 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   numbers_.inner = g.inner;
   numbers_.outer = g.outer;
   numbers_.edges = {{g.inner, numbers_.stiffness_root}, {g.outer, numbers_.stiffness_root}};
-  inertial_ = {std::pow(g.inner.stiffness, -2. / 3.),        std::pow(g.outer.stiffness, -2. / 3.),
-               (g.inner_conformity - 0.5) * g.ball_diameter, (g.outer_conformity - 0.5) * g.ball_diameter,
-               g.ball_diameter / g.pitch_diameter,           g.inner_gyroscopic_share};
-  if (g.has_inertia)
-    starts_ = std::make_shared<InertialStarts>(inertial_, numbers_.grooves.axial, numbers_.grooves.radial,
-                                               0.5 * g.ball_mass * g.pitch_diameter);
+  numbers_.inertial = inertial_row(g.inner.stiffness, g.outer.stiffness, (g.inner_conformity - 0.5) * g.ball_diameter,
+                                   (g.outer_conformity - 0.5) * g.ball_diameter, g.ball_diameter / g.pitch_diameter,
+                                   g.inner_gyroscopic_share, grooves.axial, grooves.radial);
+  numbers_.load_edges = {{g.inner, 1.}, {g.outer, 1.}};
+  if (g.has_inertia) starts_ = shared_starts(numbers_.inertial, 0.5 * g.ball_mass * g.pitch_diameter);
   const auto azimuth = [&](int j) { return g.phase + 2. * std::numbers::pi * j / g.n_balls; };
   for (int j = 0; j < g.n_balls; ++j) {
     cosine_.push_back(std::cos(azimuth(j)));
@@ -183,13 +182,7 @@ void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions*
 }
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
-  if (const double F_0 = inertia_force(in); F_0 > 0.) {
-    InertialBalls w;
-    Widening bent;
-    balance(in, F_0, row_place(numbers_, in, 0.), true, w, bent);
-    for (std::size_t j = 0; j < load.size(); ++j) load[j] = w.u_i[j] * w.u_i[j] * w.u_i[j];
-    return;
-  }
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return inertial_loads(in, F_0, load);
   std::array<double, max_balls> added;
   fill_added(in, added.data());
   Widening bent;
@@ -210,15 +203,7 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
 }
 
 double BallRow::energy(const BallRowInput& in) const {
-  if (const double F_0 = inertia_force(in); F_0 > 0.) {
-    InertialBalls w;
-    Widening bent;
-    balance(in, F_0, row_place(numbers_, in, 0.), true, w, bent);
-    double both = 0.;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(geometry_.n_balls); ++j)
-      both += inertial_.c_i * std::pow(w.u_i[j], 5) + inertial_.c_o * std::pow(w.Q_o[j], 5. / 3.);
-    return 0.4 * both;
-  }
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return inertial_energy(in, F_0);
   Widening bent;
   std::array<double, max_balls> waved;
   return 0.4 * geometry_.stiffness * row_kernels().sum_deflections(kernel_input(in, waved.data(), bent));

@@ -12,7 +12,9 @@
 
 namespace rotordrop {
 
-struct KernelInput;  // bearing/row/ball_row_kernels.h
+struct KernelInput;    // bearing/row/ball_row_kernels.h
+struct InertialInput;  // bearing/row/inertial_kernels.h
+struct WavesAtBalls;
 template <class Real>
 struct RowPlaceOf;  // bearing/row/ball_terms.h
 struct Widening;    // bearing/row/ball_row_bending.h
@@ -180,7 +182,23 @@ struct RowNumbers {
   Real ball_mass, pitch_diameter, inner_gyroscopic_share;  ///< as in BallRowGeometry
   RaceContactOf<Real> inner, outer;
   RaceEdgesOf<Real> edges;
+  InertialRowOf<Real> inertial;  ///< balls with inertia
+  RaceEdgesOf<Real> load_edges;  ///< and the edges for roots of their loads
 
+  /// F_0 = m d_m omega^2 / 2 [N]: the centrifugal force of a ball that would go round as fast as the ring.
+  [[nodiscard]] Real inertia_force(const Real& ring_speed) const {
+    return 0.5 * ball_mass * pitch_diameter * ring_speed * ring_speed;
+  }
+  /// Below, the closed form of balls without inertia has the same digits; the balance would have none to work on [N].
+  static constexpr double negligible_inertia_force = 1e-9;
+  /// What adds to the deflections of both contacts, waves left out [m].
+  struct Added {
+    Real inner, outer;
+  };
+  [[nodiscard]] Added added(const BallRowInputOf<Real>& in) const {
+    return {in.ball_growth - in.inner_strain * strains.inner.groove,
+            in.ball_growth - in.outer_strain * strains.outer.groove};
+  }
   [[nodiscard]] GroovesOf<Real> grown(const BallRowInputOf<Real>& in) const {
     const auto& [of_inner, of_outer] = strains;
     GroovesOf<Real> g = grooves;
@@ -242,6 +260,8 @@ class BallRow {
   [[nodiscard]] std::span<const double> cosines() const { return {cosine_.data(), n_balls()}; }
   [[nodiscard]] std::span<const double> sines() const { return {sine_.data(), n_balls()}; }
   [[nodiscard]] std::span<const Wave> waves() const { return waves_; }
+  /// Of a row whose balls have inertia, else nullptr.
+  [[nodiscard]] const InertialStarts* starts() const { return starts_.get(); }
 
  private:
   using Grooves = GroovesOf<double>;
@@ -254,11 +274,12 @@ class BallRow {
   void widen(const BallRowInput& input, Widening& widening) const;
   void press_shapes(const BallRowInput& input, Widening& widening) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
-  void place_balls(const BallRowInput& input, const RowPlaceOf<double>& place, bool tilts, InertialBalls& balls,
-                   Widening& widening) const;
-  /// @param tilts  false for a ring that only translates
-  BallWork balance(const BallRowInput& input, double F_0, const RowPlaceOf<double>& place, bool tilts,
-                   InertialBalls& balls, Widening& widening) const;
+  void fill_waves(const BallRowInput& input, WavesAtBalls& at) const;
+  /// @param tilts  false for a ring that only translates; @param waves, bent  space that what is returned may refer to
+  [[nodiscard]] InertialInput inertial_input(const BallRowInput& input, double F_0, bool tilts, WavesAtBalls& waves,
+                                             Widening& bent) const;
+  void inertial_loads(const BallRowInput& input, double F_0, std::span<double> load) const;
+  [[nodiscard]] double inertial_energy(const BallRowInput& input, double F_0) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, bool tilts, BallRowOutput& out,
                          RowTractions* tractions) const;
   [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added, const double* widening) const;
@@ -266,6 +287,7 @@ class BallRow {
   BallRowGeometry geometry_;
   RowNumbers<double> numbers_{};
   InertialRow inertial_;
+  RaceEdgesOf<double> load_edges_;                // for roots of loads
   std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
   AlignedNumbers cosine_, sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;

@@ -1,43 +1,11 @@
 #include "bearing/row/ball_row_kernels.h"
 
-#include <cstring>
-
-#include "base/drops.h"
-#include "base/wide_vectors.h"
 #include "bearing/row/ball_row_bending.h"
+#include "bearing/row/row_vectors.h"
 
 // Compiled for every level of vectors, with ROTORDROP_LANE_FACTORY the name of the function that gives the kernels.
 namespace rotordrop {
 namespace {
-
-/// Balls of a row in one register: more of them at a time would not leave room for their sums. Every eighth ball adds to the same element of a sum, at
-/// every level, so that all levels add in the same order.
-using Balls = OneRegister;
-using Sum = EightDrops;
-static_assert(n_lanes == vector_length);
-constexpr std::size_t at_once = register_width;
-
-ROTORDROP_KERNEL RowPlaceOf<Balls> in_all_lanes(const RowPlaceOf<double>& p) {
-  const auto all = [](const RingDisplacementOf<double>& d) {
-    return RingDisplacementOf<Balls>{d.x, d.y, d.z, d.psi_y, d.psi_z};
-  };
-  return {p.grown, p.A,       p.radial,      p.axial,     p.arm,    p.position,
-          p.K,     p.damping, p.cage_cosine, p.cage_sine, all(p.e), all(p.v)};
-}
-ROTORDROP_KERNEL TractionInputOf<Balls> in_all_lanes(const TractionInput& with) {
-  TractionInputOf<Balls> all{with.F_c, with.inner_share, {}};
-  all.edges.inner.sine = with.edges.inner.sine;
-  all.edges.inner.cosine = with.edges.inner.cosine;
-  all.edges.outer.sine = with.edges.outer.sine;
-  all.edges.outer.cosine = with.edges.outer.cosine;
-  return all;
-}
-
-ROTORDROP_KERNEL double largest(const Sum& of) {
-  Octet values;
-  of.store(values.value.data());
-  return values.largest();
-}
 
 /// What is summed by balls, over all of them.
 template <bool tilts>
@@ -63,9 +31,6 @@ ROTORDROP_KERNEL ForceSumsOf<double> over_lanes(const ForceSumsOf<Sum>& sum) {
   all.largest = largest(sum.largest);
   return all;
 }
-ROTORDROP_KERNEL TractionSumsOf<double> over_lanes(const TractionSumsOf<Sum>& sum) {
-  return {sum.inner.sum(), sum.outer.sum(), sum.gyroscopic.sum(), largest(sum.demand), largest(sum.truncation)};
-}
 
 template <bool tilts, bool is_bent>
 ROTORDROP_KERNEL BallTerms<Balls> penetration(const KernelInput& in, const RowPlaceOf<Balls>& place,
@@ -74,16 +39,6 @@ ROTORDROP_KERNEL BallTerms<Balls> penetration(const KernelInput& in, const RowPl
   if constexpr (is_bent)
     bent = {Balls::load(&in.bent->width[j]), Balls::load(&in.bent->rate[j]), Balls::load(&in.bent->slope[j])};
   return ball_penetration<tilts, is_bent>(place, cosine, sine, Balls::load(in.added + j), bent);
-}
-
-/// The sums of some lanes among those of all. @tparam Sums  a struct of nothing but its scalar
-template <template <class> class Sums>
-ROTORDROP_KERNEL void put_part(const Sums<Balls>& part, std::size_t first_lane, Sums<Sum>& all) {
-  constexpr std::size_t n = sizeof part / sizeof(Balls);
-  static_assert(sizeof all == n * sizeof(Sum));
-  for (std::size_t k = 0; k < n; ++k)
-    std::memcpy(reinterpret_cast<unsigned char*>(&all) + k * sizeof(Sum) + first_lane * sizeof(double),
-                reinterpret_cast<const unsigned char*>(&part) + k * sizeof(Balls), sizeof(Balls));
 }
 
 template <bool tilts, bool is_bent, bool with_tractions>

@@ -1,77 +1,110 @@
 #pragma once
-// A row of balls with inertia, all at once: the balance of laws/ball_balance.h for vectors of balls.
+// A row of balls with inertia, all at once: the balance of laws/ball_balance.h for vectors of balls (inertial_terms.h, inertial_kernels.h).
 //
-// Unknowns of a ball are its place, in polar coordinates about the outer groove's centre: the deflection of the outer contact and the outer
-// normal. The inner contact follows, and two equations say that the forces on the ball cancel; a ball that the inner race does not reach is one
-// without an inner load. Newton's method starts from a function of the state alone: a table made once, or a closed guess between the ball without
-// inertia and the one that lies in the bottom of the outer groove. The last step squares what was left, at most 2e-5 of the load; the matrix that
-// it solves gives the work of the forces of inertia too.
+// Newton's method starts from a function of the state alone: a table made once, or a closed guess between the ball without inertia and the one that
+// lies in the bottom of the outer groove. Every ball takes its own steps until at most 2e-5 of its load is left, and the last one squares that.
 #include <array>
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace rotordrop {
 
 /// Constants of a row.
-struct InertialRow {
-  double c_i = 0, c_o = 0;            ///< K^(-2/3) of each contact [m/N^(2/3)]
-  double l_i = 0, l_o = 0;            ///< groove radius less ball radius [m]
-  double g = 0;                       ///< ball over pitch diameter
-  double inner_gyroscopic_share = 0;  ///< sigma of laws/ball_balance.h
+template <class Real>
+struct InertialRowOf {
+  Real K_i, K_o;                ///< of each contact [N/m^1.5]
+  Real l_i, l_o;                ///< groove radius less ball radius [m]
+  Real g;                       ///< ball over pitch diameter
+  Real inner_gyroscopic_share;  ///< sigma of laws/ball_balance.h
+  Real c_i, c_o;                ///< K^(-2/3) of each contact [m/N^(2/3)]
+  Real root_K_i, root_K_o;      ///< K^(1/3) of each contact
+  Real hardness;                ///< K^(2/3) of both in series
+  Real B_x, B_r;                ///< of the undisplaced row [m]
+  // How places move with what tables of starts do not have, to first order: shifts of B_r by growth of B_x and of the deflections, and relative
+  // growth of the outer normal's part along the axis.
+  Real shift_by_axial, shift_by_added;  ///< B_x / B_r, 1 / cos of the angle of B
+  Real turn_by_axial, turn_by_added;    ///< 1 / B_x, 1 / |B| [1/m]
+};
+using InertialRow = InertialRowOf<double>;
+InertialRow inertial_row(double K_i, double K_o, double l_i, double l_o, double g, double inner_gyroscopic_share,
+                         double B_x, double B_r);
+
+/// How many steps of Newton's method the balls of a row took.
+struct NewtonSteps {
+  int most = 0;                ///< of a vector of balls, the last one included
+  bool by_scalar_law = false;  ///< some did not arrive: each of them by laws/ball_balance.h
 };
 
-/// Arrays of a row; those of the input are filled by the caller, up to n, a multiple of 8.
+/// Balls in balance, as arrays; those of the input are filled by the caller, up to n, a multiple of 8.
 struct InertialBalls {
   static constexpr std::size_t capacity = 256;
-  /// A little longer than a row can be, lest all arrays fall on the same lines of the cache.
-  using Array = std::array<double, capacity + 8>;
+  using Array = std::array<double, capacity>;
   InertialBalls() {}  // leaves everything unwritten: only what is used is
   std::size_t n;
-  // In: groove centres' distance B; what adds to the deflection of each contact; their rates; 0 for balls that fill up the row, else 1.
-  alignas(64) Array B_x, B_r, added_i, added_o, B_x_rate, B_r_rate, added_i_rate, added_o_rate, is_ball;
-  // Out: cubic root of the inner load, 0 for a ball that the inner race does not reach; inner normal; outer load and deflection; with a share of the gyroscopic
-  // traction at the inner race, that traction on the ball along (i_r, -i_x), else unwritten.
-  alignas(64) Array u_i, i_x, i_r, Q_o, deflection_o, T_i;
-  // The ball's place before the last step.
-  alignas(64) Array delta_o, o_x, o_r;
-  int steps;              ///< of Newton's method, the last one included
-  bool is_by_scalar_law;  ///< the steps did not arrive: each ball by laws/ball_balance.h
+  // In: groove centres' distance B; what adds to the deflection of each contact.
+  alignas(64) Array B_x, B_r, added_i, added_o;
+  // Out: inner and outer load; the ball's place: outer deflection, outer normal along the axis.
+  alignas(64) Array Q_i, Q_o, delta_o, o_x;
+  NewtonSteps steps;
 };
 
-/// What a row's forces of inertia do as balls move with their surroundings.
-struct BallWork {
-  double power = 0;            ///< of the forces of inertia on the balls as they move [W]
-  double per_radial = 0;       ///< work per growth of B_r [N]
-  double per_axial = 0;        ///< work per growth of B_x [N]
-  double per_ball_growth = 0;  ///< work per growth of the balls' radius [N]
-  double per_outer = 0;        ///< the outer contacts' part of that [N]
-  double per_force = 0;        ///< work per relative change of F_0 [J]
+/// Places of a row's balls over B_r at two speeds: by straight lines between entries, which lie InertialStarts::per_step apart, and between the speeds.
+struct InertialStartLine {
+  const float* slower;  ///< delta_o, then o_x behind them
+  double part;          ///< of the way to the faster one, which stands InertialStarts::line_length behind
+  double last;          ///< entry up to which the line may be asked; minus infinity: nowhere
+};
+/// The same of several balls, each with its own.
+template <class Real>
+struct InertialStartOf {
+  typename Real::Tables slower;
+  Real part, last;
+  void set(int lane, const InertialStartLine& line) {
+    slower.set(lane, line.slower);
+    part.set(lane, line.part);
+    last.set(lane, line.last);
+  }
 };
 
 /// Places of a row's balls at one B_x over B_r and the ring's speed, made once: a start that is near without any memory of what was before.
 class InertialStarts {
  public:
-  /// @param B_x, B_r  of the undisplaced row [m]; @param force_per_speed2  F_0 / omega^2 [N s^2/rad^2]
-  InertialStarts(const InertialRow& row, double B_x, double B_r, double force_per_speed2);
-  /// Sets the balls' places at about this speed. @return false if the table does not have them
-  bool place(double F_0, InertialBalls& balls) const;
+  /// @param force_per_speed2  F_0 / omega^2 [N s^2/rad^2]
+  InertialStarts(const InertialRow& row, double force_per_speed2);
+  /// Places at about this speed.
+  [[nodiscard]] InertialStartLine at(double F_0) const;
+  /// No places at all.
+  [[nodiscard]] static InertialStartLine nowhere();
 
  private:
   // 50 um to either side, more than rings move in their balls; speeds to 2500 rad/s. Beyond, the closed guess serves.
-  static constexpr std::size_t n_radii = InertialBalls::capacity, n_speeds = 768;
-  static constexpr double reach = 50e-6, last_speed = 2500.;
-  static constexpr double radius_step = 2. * reach / (n_radii - 1), speed_step = last_speed / (n_speeds - 1);
-  /// delta_o and the outer normal's o_x, both as float, in one number: what is looked up together lies together.
-  using Place = std::uint64_t;
-  double first_radius_, force_per_speed2_;
-  std::vector<Place> places_;  // [n_speeds][n_radii]
+  static constexpr std::size_t n_radii = 512, n_speeds = 193;
+  static constexpr double last_speed = 2500.;
+  static constexpr double radius_step = 2. * 50e-6 / (n_radii - 1), speed_step = last_speed / (n_speeds - 1);
+
+ public:
+  static constexpr double per_step = 1. / radius_step;  ///< entries per metre
+  static constexpr double reach = 50e-6;                ///< of the first entry below the undisplaced row's B_r [m]
+  static constexpr std::size_t o_x_at = n_radii, line_length = 2 * n_radii;
+
+ private:
+  double force_per_speed2_;
+  std::vector<float> places_;  // [n_speeds][delta_o, o_x][n_radii]
 };
+
+/// The same: those of an earlier call with these numbers, as long as anything holds them. Rows of many drops share them.
+std::shared_ptr<const InertialStarts> shared_starts(const InertialRow& row, double force_per_speed2);
 
 /// Brings all balls into balance.
 /// @param F_0     m d_m omega^2 / 2, > 0 [N]
 /// @param starts  those of this row if all balls have its B_x; else nullptr
-BallWork balance_balls(const InertialRow& row, double F_0, InertialBalls& balls,
-                       const InertialStarts* starts = nullptr);
+void balance_balls(const InertialRow& row, double F_0, InertialBalls& balls, const InertialStarts* starts = nullptr);
+
+/// A ball's place by the careful scalar law: where contacts carry next to nothing, the vectors' start is too far off now and then.
+struct CarefulPlace {
+  double delta_o, o_x, o_r;
+};
+CarefulPlace careful_place(const InertialRow& row, double F_0, double B_x, double B_r, double added_i, double added_o);
 
 }  // namespace rotordrop

@@ -5,17 +5,19 @@
 #include "base/gather.h"
 #include "base/sine_cosine.h"
 #include "bearing/row/ball_terms.h"
+#include "bearing/row/inertial_in_lanes.h"
 
 namespace rotordrop {
 
-/// A row of balls of several drops side by side: rings that translate, balls without inertia. As BallRow otherwise.
+/// A row of balls of several drops side by side: rings that translate. As BallRow otherwise.
 template <class Real>
 class RowInLanes {
  public:
   /// @param rows  alike but for their numbers
   explicit RowInLanes(std::span<const BallRow* const> rows)
       : cosine_(rows.front()->cosines().begin(), rows.front()->cosines().end()),
-        sine_(rows.front()->sines().begin(), rows.front()->sines().end()) {
+        sine_(rows.front()->sines().begin(), rows.front()->sines().end()),
+        inertial_(rows) {
     std::vector<const RowNumbers<double>*> numbers;
     for (const BallRow* row : rows) numbers.push_back(&row->numbers());
     numbers_ = gathered<RowNumbers, Real>(numbers);
@@ -36,33 +38,34 @@ class RowInLanes {
 
   void evaluate_translations(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out,
                              RowTractionsOf<Real>* tractions) const {
-    if (waves_.empty())
-      tractions ? sum<true, false>(in, out, tractions) : sum<false, false>(in, out, tractions);
-    else
-      tractions ? sum<true, true>(in, out, tractions) : sum<false, true>(in, out, tractions);
+    if (!inertial_.has_inertia()) return evaluate_massless(in, out, tractions);
+    const Turning turning(numbers_, in);
+    if (any(turning.is)) inertial_.evaluate(numbers_, in, turning, waves_at(in), !waves_.empty(), out, tractions);
+    const MaskOf<Real> stands = !turning.is;
+    if (!any(stands)) return;
+    BallRowOutputOf<Real> still;
+    RowTractionsOf<Real> still_tractions;
+    evaluate_massless(in, still, tractions ? &still_tractions : nullptr);
+    out = select_all(stands, still, out);
+    if (tractions) *tractions = select_all(stands, still_tractions, *tractions);
   }
-
   void ball_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
-    const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
-    const auto travels = travelling(in);
-    for (std::size_t j = 0; j < cosine_.size(); ++j) {
-      BallTerms<Real> b = penetration(place, waved(travels, j).added, j);
-      press_ball(place, b);
-      load[j] = b.F;
-    }
+    if (!inertial_.has_inertia()) return massless_loads(in, load);
+    const Turning turning(numbers_, in);
+    std::vector<Real> still(load.size());
+    massless_loads(in, still);
+    inertial_.ball_loads(numbers_, in, turning, waves_at(in), !waves_.empty(), load);
+    for (std::size_t j = 0; j < load.size(); ++j) load[j] = select(turning.is, load[j], still[j]);
   }
   [[nodiscard]] Real energy(const BallRowInputOf<Real>& in) const {
-    const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
-    const auto travels = travelling(in);
-    Real sum = 0.;
-    for (std::size_t j = 0; j < cosine_.size(); ++j) {
-      const Real delta = penetration(place, waved(travels, j).added, j).delta;
-      sum += delta * delta * sqrt(delta);
-    }
-    return 0.4 * numbers_.stiffness * sum;
+    if (!inertial_.has_inertia()) return massless_energy(in);
+    const Turning turning(numbers_, in);
+    return select(turning.is, inertial_.energy(numbers_, in, turning, waves_at(in), !waves_.empty()),
+                  massless_energy(in));
   }
 
  private:
+  using Turning = typename InertialRowInLanes<Real>::Turning;
   struct Wave {
     bool on_inner_race;
     double order;
@@ -91,18 +94,60 @@ class RowInLanes {
   [[nodiscard]] Waved waved(const Travels& travels, std::size_t j) const {
     Waved sum{Real(0.), Real(0.)};
     for (std::size_t k = 0; k < travels.size(); ++k) {
-      const Travel& t = travels[k];
-      const double c = waves_[k].cosine[j], s = waves_[k].sine[j];
-      sum.added += s * t.cosine + c * t.sine;
-      sum.rate += t.speed * (c * t.cosine - s * t.sine);
+      const Waved one = waved_by(travels, k, j);
+      sum.added += one.added;
+      sum.rate += one.rate;
     }
     return sum;
+  }
+  [[nodiscard]] Waved waved_by(const Travels& travels, std::size_t k, std::size_t j) const {
+    const Travel& t = travels[k];
+    const double c = waves_[k].cosine[j], s = waves_[k].sine[j];
+    return {s * t.cosine + c * t.sine, t.speed * (c * t.cosine - s * t.sine)};
+  }
+  /// By ball, what the waves add on either race, and the rates of that.
+  [[nodiscard]] auto waves_at(const BallRowInputOf<Real>& in) const {
+    return [this, travels = travelling(in)](std::size_t j) {
+      BallWavesOf<Real> at{Real(0.), Real(0.), Real(0.), Real(0.)};
+      for (std::size_t k = 0; k < travels.size(); ++k) {
+        const Waved one = waved_by(travels, k, j);
+        (waves_[k].on_inner_race ? at.inner : at.outer) += one.added;
+        (waves_[k].on_inner_race ? at.inner_rate : at.outer_rate) += one.rate;
+      }
+      return at;
+    };
   }
   [[nodiscard, gnu::always_inline]] inline BallTerms<Real> penetration(const RowPlaceOf<Real>& place, const Real& added,
                                                                        std::size_t j) const {
     return ball_penetration<false, false>(place, Real(cosine_[j]), Real(sine_[j]), added, BallWidening<Real>{});
   }
 
+  void evaluate_massless(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out,
+                         RowTractionsOf<Real>* tractions) const {
+    if (waves_.empty())
+      tractions ? sum<true, false>(in, out, tractions) : sum<false, false>(in, out, tractions);
+    else
+      tractions ? sum<true, true>(in, out, tractions) : sum<false, true>(in, out, tractions);
+  }
+  void massless_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
+    const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
+    const auto travels = travelling(in);
+    for (std::size_t j = 0; j < cosine_.size(); ++j) {
+      BallTerms<Real> b = penetration(place, waved(travels, j).added, j);
+      press_ball(place, b);
+      load[j] = b.F;
+    }
+  }
+  [[nodiscard]] Real massless_energy(const BallRowInputOf<Real>& in) const {
+    const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
+    const auto travels = travelling(in);
+    Real sum = 0.;
+    for (std::size_t j = 0; j < cosine_.size(); ++j) {
+      const Real delta = penetration(place, waved(travels, j).added, j).delta;
+      sum += delta * delta * sqrt(delta);
+    }
+    return 0.4 * numbers_.stiffness * sum;
+  }
   template <bool with_tractions, bool is_wavy>
   void sum(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out, RowTractionsOf<Real>* tractions) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
@@ -135,6 +180,7 @@ class RowInLanes {
   RowNumbers<Real> numbers_;
   std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero
   std::vector<Wave> waves_;
+  InertialRowInLanes<Real> inertial_;
 };
 
 }  // namespace rotordrop

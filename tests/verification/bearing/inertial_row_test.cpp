@@ -103,35 +103,29 @@ TEST(InertialRow, NewtonStepsArriveInTheStatesOfADrop) {
     const auto s = sample(random, 10 * um, 1e-4, 1600.);
     for (const auto& g : s.rows) {
       const double A = 0.04 * g.ball_diameter, F_per_speed2 = 0.5 * g.ball_mass * g.pitch_diameter;
-      const InertialRow row{std::pow(g.inner.stiffness, -2. / 3.),
-                            std::pow(g.outer.stiffness, -2. / 3.),
-                            0.5 * A,
-                            0.5 * A,
-                            g.ball_diameter / g.pitch_diameter,
-                            g.inner_gyroscopic_share};
       const double B_x = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset),
                    B_r = A * std::cos(g.contact_angle) - g.radial_clearance;
+      const InertialRow row = inertial_row(g.inner.stiffness, g.outer.stiffness, 0.5 * A, 0.5 * A,
+                                           g.ball_diameter / g.pitch_diameter, g.inner_gyroscopic_share, B_x, B_r);
       InertialBalls w;
       w.n = 24;
       for (std::size_t j = 0; j < w.n; ++j) {
         const double b = 2. * pi * static_cast<double>(j) / 24.;
-        w.is_ball[j] = 1.;
         w.added_i[j] = w.added_o[j] = s.in.ball_growth;
-        w.B_x_rate[j] = w.B_r_rate[j] = w.added_i_rate[j] = w.added_o_rate[j] = 0.;
         w.B_x[j] = B_x;
         w.B_r[j] = B_r + s.in.displacement.y * std::cos(b) + s.in.displacement.z * std::sin(b);
       }
       const double F_0 = F_per_speed2 * s.in.ring_speed * s.in.ring_speed;
       // A table takes 0.4 ms: every tenth row.
       if (i % 10 == 0) {
-        const InertialStarts starts(row, B_x, B_r, F_per_speed2);
+        const InertialStarts starts(row, F_per_speed2);
         balance_balls(row, F_0, w, &starts);
-        steps[0] += 10. * w.steps;
-        by_scalar[0] += 10 * w.is_by_scalar_law;
+        steps[0] += 10. * w.steps.most;
+        by_scalar[0] += 10 * w.steps.by_scalar_law;
       }
       balance_balls(row, F_0, w);
-      steps[1] += w.steps;
-      by_scalar[1] += w.is_by_scalar_law;
+      steps[1] += w.steps.most;
+      by_scalar[1] += w.steps.by_scalar_law;
       ++n;
     }
   }
@@ -141,6 +135,38 @@ TEST(InertialRow, NewtonStepsArriveInTheStatesOfADrop) {
   EXPECT_LT(steps[0] / n, 4.);
   EXPECT_LT(by_scalar[1], 0.01 * n);
   EXPECT_LT(steps[1] / n, 8.);
+}
+
+TEST(InertialRow, BallsThatNewtonsMethodDoesNotBringToBalanceTakeTheScalarLaw) {
+  // Grooves up to 0.2 mm from where they belong, ten times as far as rings get in a drop.
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> one(-1, 1);
+  const double A = 0.04 * 12.7e-3, reach = 200 * um;
+  int n_by_scalar = 0;
+  double worst = 0.;
+  for (int i = 0; i < 600; ++i) {
+    const double speed = i % 2 ? 30. : 1600., F_0 = 0.5 * 8e-3 * 90e-3 * speed * speed;
+    const InertialRow row = inertial_row(2.8e10, 2.4e10, 0.5 * A, 0.5 * A, 0.14, i % 3 ? 0. : 0.5,
+                                         A * std::sin(15 * deg), A * std::cos(15 * deg));
+    InertialBalls w;
+    w.n = 8;
+    for (std::size_t j = 0; j < w.n; ++j) {
+      w.B_x[j] = A * std::sin(15 * deg) + reach * one(random);
+      w.B_r[j] = A * std::cos(15 * deg) + reach * one(random);
+      w.added_i[j] = w.added_o[j] = 0.1 * reach * one(random);
+    }
+    balance_balls(row, F_0, w);
+    n_by_scalar += w.steps.by_scalar_law;
+    for (std::size_t j = 0; j < w.n; ++j) {
+      const BallContacts contacts{row.K_i, row.K_o, row.l_i - w.added_i[j],    row.l_o - w.added_o[j], 2. * F_0,
+                                  row.g,   1.,      row.inner_gyroscopic_share};
+      const BallBalance b = ball_balance(contacts, w.B_x[j], w.B_r[j], 0., 1.);
+      worst = std::max(worst, std::fabs(w.Q_i[j] - b.load_i) / (b.load_o + 1e-6));
+    }
+  }
+  printf("%d of 600 vectors by the scalar law; worst load off by %.1e of its ball's\n", n_by_scalar, worst);
+  EXPECT_GT(n_by_scalar, 100);
+  EXPECT_LT(worst, 1e-6) << "the last step squares what is left, 2e-5 at most";
 }
 
 TEST(InertialRow, StandingRingsHaveBallsWithoutInertia) {

@@ -1,0 +1,129 @@
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "bearing/row/inertial_sums.h"
+
+namespace rotordrop {
+
+/// Balls with inertia of a row of several drops side by side: rings that translate. As BallRow otherwise.
+template <class Real>
+class InertialRowInLanes {
+ public:
+  /// @param rows  alike but for their numbers
+  explicit InertialRowInLanes(std::span<const BallRow* const> rows)
+      : is_split_(rows.front()->geometry().inner_gyroscopic_share != 0.),
+        sums_roots_(rows.front()->geometry().conducts),
+        cosine_(rows.front()->cosines()),
+        sine_(rows.front()->sines()) {
+    for (int lane = 0; lane < n_lanes; ++lane)
+      starts_.push_back(rows[std::min(static_cast<std::size_t>(lane), rows.size() - 1)]->starts());
+  }
+  [[nodiscard]] bool has_inertia() const { return starts_.front() != nullptr; }
+
+  /// Where rings turn and forces of inertia: what is not turning is a row of balls without inertia, whatever stands here for it.
+  struct Turning {
+    Real F_0;
+    MaskOf<Real> is;
+    Turning(const RowNumbers<Real>& numbers, const BallRowInputOf<Real>& in)
+        : F_0(numbers.inertia_force(in.ring_speed)), is(F_0 > RowNumbers<Real>::negligible_inertia_force) {}
+  };
+
+  /// @param waves_at  by ball, what waves add; @param is_wavy  whether there are any
+  template <class WavesAt>
+  void evaluate(const RowNumbers<Real>& numbers, const BallRowInputOf<Real>& in, const Turning& turning,
+                const WavesAt& waves_at, bool is_wavy, BallRowOutputOf<Real>& out,
+                RowTractionsOf<Real>* tractions) const {
+    const RowPlaceOf<Real> place = row_place(numbers, in, Real(0.));
+    const Row row = at_instant(numbers, in, place, is_wavy);
+    const TractionInputOf<Real> with{numbers.centrifugal_force(in), numbers.inner_gyroscopic_share, numbers.load_edges};
+    InertialSums<Real> forces;
+    TractionSumsOf<Real> traction_sums;
+    for_balls(numbers, turning, row, waves_at, false,
+              [&](const BallInRow<Real>& ball, const BallInBalance<Real>& balanced) {
+                is_split_ ? row.template add_forces<true>(ball, balanced, forces)
+                          : row.template add_forces<false>(ball, balanced, forces);
+                if (tractions) row.add_tractions(with, balanced, traction_sums);
+              });
+    row.put(forces, place, out);
+    out.inertia_per_speed = out.inertia_per_speed * 2. / in.ring_speed;  // F_0 goes with the square of the speed
+    if (tractions) put(traction_sums, with, *tractions);
+  }
+  template <class WavesAt>
+  [[nodiscard]] Real energy(const RowNumbers<Real>& numbers, const BallRowInputOf<Real>& in, const Turning& turning,
+                            const WavesAt& waves_at, bool is_wavy) const {
+    const RowPlaceOf<Real> place = row_place(numbers, in, Real(0.));
+    Real sum = 0.;
+    for_balls(numbers, turning, at_instant(numbers, in, place, is_wavy), waves_at, true,
+              [&](const BallInRow<Real>&, const BallInBalance<Real>& balanced) {
+                sum += elastic_work(numbers.inertial, balanced.ball);
+              });
+    return 0.4 * sum;
+  }
+  /// @param load  on the inner race, without damping [n_balls]
+  template <class WavesAt>
+  void ball_loads(const RowNumbers<Real>& numbers, const BallRowInputOf<Real>& in, const Turning& turning,
+                  const WavesAt& waves_at, bool is_wavy, std::span<Real> load) const {
+    const RowPlaceOf<Real> place = row_place(numbers, in, Real(0.));
+    std::size_t j = 0;
+    for_balls(numbers, turning, at_instant(numbers, in, place, is_wavy), waves_at, true,
+              [&](const BallInRow<Real>&, const BallInBalance<Real>& balanced) {
+                const Real& u = balanced.ball.u;
+                load[j++] = u * u * u;
+              });
+  }
+
+ private:
+  using Row = RowAtInstant<false, false, Real>;
+  [[nodiscard]] Row at_instant(const RowNumbers<Real>& numbers, const BallRowInputOf<Real>& in,
+                               const RowPlaceOf<Real>& place, bool is_wavy) const {
+    const auto added = numbers.added(in);
+    return {place,
+            at_row<false>(place),
+            added.inner,
+            added.outer,
+            in.cage_speed,
+            place.damping * numbers.inertial.hardness,
+            numbers.inertial.root_K_o,
+            is_wavy,
+            sums_roots_};
+  }
+  /// Calls act(ball in its row, the same in its balance) for all balls. @param refines  by one step more than forces need
+  template <class WavesAt, class Act>
+  void for_balls(const RowNumbers<Real>& numbers, const Turning& turning, const Row& row, const WavesAt& waves_at,
+                 bool refines, const Act& act) const {
+    is_split_ ? balance<true>(numbers, turning, row, waves_at, refines, act)
+              : balance<false>(numbers, turning, row, waves_at, refines, act);
+  }
+  template <bool is_split, class WavesAt, class Act>
+  void balance(const RowNumbers<Real>& numbers, const Turning& turning, const Row& row, const WavesAt& waves_at,
+               bool refines, const Act& act) const {
+    InertialStartOf<Real> starts;
+    for (int lane = 0; lane < n_lanes; ++lane)
+      starts.set(lane, turning.is[lane] ? starts_[static_cast<std::size_t>(lane)]->at(turning.F_0[lane])
+                                        : InertialStarts::nowhere());
+    const Newton<is_split, Real> newton(numbers.inertial, turning.F_0, starts, turning.is);
+    constexpr std::size_t at_a_time = 4;  // balls that a processor has in work
+    BallInRow<Real> in_row[at_a_time];
+    BallInBalance<Real> balanced[at_a_time];
+    for (std::size_t first = 0; first < cosine_.size(); first += at_a_time) {
+      const std::size_t n = std::min(at_a_time, cosine_.size() - first);
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t j = first + k;
+        in_row[k] = {Real(cosine_[j]), Real(sine_[j]), {}, waves_at(j)};
+        balanced[k].at = row.surroundings(in_row[k]);
+        newton.start(balanced[k]);
+        balanced[k].is_ball = 1.;
+      }
+      newton.balance(balanced, n);
+      if (refines) newton.refine(balanced, n);
+      for (std::size_t k = 0; k < n; ++k) act(in_row[k], balanced[k]);
+    }
+  }
+
+  bool is_split_, sums_roots_;
+  std::span<const double> cosine_, sine_;      // of the first row
+  std::vector<const InertialStarts*> starts_;  // [n_lanes]
+};
+
+}  // namespace rotordrop

@@ -1,0 +1,209 @@
+#include "bearing/row/inertial_kernels.h"
+
+#include "bearing/row/ball_row_bending.h"
+#include "bearing/row/inertial_sums.h"
+#include "bearing/row/row_vectors.h"
+
+// Compiled for every level of vectors, with ROTORDROP_LANE_FACTORY the name of the function that gives the kernels.
+namespace rotordrop {
+namespace {
+
+constexpr std::size_t most_vectors = BallRow::max_balls / at_once;
+
+ROTORDROP_KERNEL InertialRowOf<Balls> in_all_lanes(const InertialRow& r) {
+  return {r.K_i,
+          r.K_o,
+          r.l_i,
+          r.l_o,
+          r.g,
+          r.inner_gyroscopic_share,
+          r.c_i,
+          r.c_o,
+          r.root_K_i,
+          r.root_K_o,
+          r.hardness,
+          r.B_x,
+          r.B_r,
+          r.shift_by_axial,
+          r.shift_by_added,
+          r.turn_by_axial,
+          r.turn_by_added};
+}
+ROTORDROP_KERNEL InertialStartOf<Balls> in_all_lanes(const InertialStartLine& line) {
+  return {Balls::Tables(line.slower), line.part, line.last};
+}
+
+template <bool tilts, bool is_bent>
+ROTORDROP_KERNEL RowAtInstant<tilts, is_bent, Balls> at_instant(const InertialInput& in,
+                                                                const RowPlaceOf<Balls>& place) {
+  return {place,
+          at_row<tilts>(place),
+          in.added_i,
+          in.added_o,
+          in.cage_speed,
+          in.place.damping * in.row->hardness,
+          in.row->root_K_o,
+          in.waves != nullptr,
+          in.sums_roots};
+}
+
+template <bool is_bent>
+ROTORDROP_KERNEL BallInRow<Balls> in_row(const InertialInput& in, std::size_t j) {
+  BallInRow<Balls> ball;
+  ball.cosine = Balls::load(in.cosine + j);
+  ball.sine = Balls::load(in.sine + j);
+  if constexpr (is_bent)
+    ball.bent = {Balls::load(&in.bent->width[j]), Balls::load(&in.bent->rate[j]), Balls::load(&in.bent->slope[j])};
+  if (in.waves)
+    ball.waves = {Balls::load(&in.waves->inner[j]), Balls::load(&in.waves->outer[j]),
+                  Balls::load(&in.waves->inner_rate[j]), Balls::load(&in.waves->outer_rate[j])};
+  return ball;
+}
+
+/// Brings a row's balls into balance. @param balls  [most_vectors]
+template <bool tilts, bool is_bent, bool is_split>
+ROTORDROP_KERNEL Newton<is_split, Balls> balance_row(const InertialInput& in,
+                                                     const RowAtInstant<tilts, is_bent, Balls>& row,
+                                                     BallInBalance<Balls>* balls) {
+  const Newton<is_split, Balls> newton(in_all_lanes(*in.row), in.F_0, in_all_lanes(in.starts), true);
+  for (std::size_t j = 0; j < in.n; j += at_once) {
+    auto& ball = balls[j / at_once];
+    ball.at = row.surroundings(in_row<is_bent>(in, j));
+    newton.start(ball);
+    ball.is_ball = Balls::load(in.is_ball + j);
+  }
+  newton.balance(balls, in.n / at_once);
+  return newton;
+}
+
+ROTORDROP_KERNEL InertialSums<double> over_lanes(const InertialSums<Sum>& sum, bool sums_roots) {
+  double a[8], b[8];
+  Sum::sum_lanes({sum.fx, sum.fy, sum.fz, sum.dissipated, sum.radial, sum.axial, sum.inner, sum.outer}, a);
+  Sum::sum_lanes({sum.cage, sum.power, sum.by_inner, sum.by_outer, sum.per_force, sum.waviness, sum.my, sum.mz}, b);
+  return {a[0],
+          a[1],
+          a[2],
+          a[3],
+          a[4],
+          a[5],
+          a[6],
+          a[7],
+          b[0],
+          b[1],
+          b[2],
+          b[3],
+          b[4],
+          b[5],
+          b[6],
+          b[7],
+          sums_roots ? sum.inner_roots.sum() : 0.,
+          sums_roots ? sum.outer_roots.sum() : 0.,
+          largest(sum.largest),
+          largest(sum.largest_outer)};
+}
+
+template <bool tilts, bool is_bent, bool is_split>
+void sum_balls(const InertialInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  const RowPlaceOf<Balls> place = in_all_lanes(in.place);
+  const auto row = at_instant<tilts, is_bent>(in, place);
+  BallInBalance<Balls> balls[most_vectors];
+  balance_row<tilts, is_bent, is_split>(in, row, balls);
+  InertialSums<Sum> all_forces;
+  TractionSumsOf<Sum> all_tractions;
+  TractionInputOf<Balls> traction_input;
+  if (with) traction_input = in_all_lanes(*with);
+  for (std::size_t first = 0; first < vector_length; first += at_once) {
+    InertialSums<Balls> forces;
+    TractionSumsOf<Balls> traction_sums;
+    for (std::size_t j = first; j < in.n; j += vector_length) {
+      const auto& ball = balls[j / at_once];
+      const Balls F_radial = row.template add_forces<is_split>(in_row<is_bent>(in, j), ball, forces);
+      if constexpr (is_bent) F_radial.store(&in.bent->force[j]);
+      if (with) row.add_tractions(traction_input, ball, traction_sums);
+    }
+    put_part(forces, first, all_forces);
+    if (with) put_part(traction_sums, first, all_tractions);
+  }
+  row.put(over_lanes(all_forces, in.sums_roots), in.place, out);
+  if (with) put(over_lanes(all_tractions), *with, *tractions);
+}
+
+template <bool tilts, bool is_bent>
+void sum_chosen(const InertialInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  in.row->inner_gyroscopic_share != 0. ? sum_balls<tilts, is_bent, true>(in, out, with, tractions)
+                                       : sum_balls<tilts, is_bent, false>(in, out, with, tractions);
+}
+template <bool tilts>
+void sum_chosen(const InertialInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  in.bent ? sum_chosen<tilts, true>(in, out, with, tractions) : sum_chosen<tilts, false>(in, out, with, tractions);
+}
+
+Balls inner_load(const BalancedBall<Balls>& ball) { return ball.u * ball.u * ball.u; }
+
+/// @param use  is called with the balls in their balance
+template <bool is_bent, bool is_split, class Use>
+void with_balanced(const InertialInput& in, const Use& use) {
+  BallInBalance<Balls> balls[most_vectors];
+  const RowPlaceOf<Balls> place = in_all_lanes(in.place);
+  const auto newton = balance_row<true, is_bent, is_split>(in, at_instant<true, is_bent>(in, place), balls);
+  newton.refine(balls, in.n / at_once);
+  use(balls);
+}
+template <class Use>
+void with_balanced(const InertialInput& in, const Use& use) {
+  if (in.row->inner_gyroscopic_share != 0.)
+    in.bent ? with_balanced<true, true>(in, use) : with_balanced<false, true>(in, use);
+  else
+    in.bent ? with_balanced<true, false>(in, use) : with_balanced<false, false>(in, use);
+}
+
+void loads(const InertialInput& in, double* Q_i) {
+  with_balanced(in, [&](const BallInBalance<Balls>* balls) {
+    for (std::size_t j = 0; j < in.n; j += at_once) inner_load(balls[j / at_once].ball).store(Q_i + j);
+  });
+}
+
+double energy(const InertialInput& in) {
+  Octet all;
+  const InertialRowOf<Balls> row = in_all_lanes(*in.row);
+  with_balanced(in, [&](const BallInBalance<Balls>* balls) {
+    for (std::size_t first = 0; first < vector_length; first += at_once) {
+      Balls sum = 0.;
+      for (std::size_t j = first; j < in.n; j += vector_length) sum += elastic_work(row, balls[j / at_once].ball);
+      sum.store(&all[first]);
+    }
+  });
+  return 0.4 * all.sum();
+}
+
+template <bool is_split>
+void balance_all(const InertialRow& row, double F_0, const InertialStartLine& starts, InertialBalls& w) {
+  const Newton<is_split, Balls> newton(in_all_lanes(row), F_0, in_all_lanes(starts), true);
+  BallInBalance<Balls> balls[most_vectors];
+  for (std::size_t j = 0; j < w.n; j += at_once) {
+    auto& v = balls[j / at_once];
+    v.at = {Balls::load(&w.B_x[j]), Balls::load(&w.B_r[j]), Balls::load(&w.added_i[j]), Balls::load(&w.added_o[j])};
+    newton.start(v);
+    v.is_ball = 1.;
+  }
+  w.steps = newton.balance(balls, w.n / at_once);
+  for (std::size_t j = 0; j < w.n; j += at_once) {
+    const auto& v = balls[j / at_once];
+    inner_load(v.ball).store(&w.Q_i[j]);
+    v.ball.Q_o.store(&w.Q_o[j]);
+    v.place.delta_o.store(&w.delta_o[j]);
+    v.place.x.store(&w.o_x[j]);
+  }
+}
+void balance(const InertialRow& row, double F_0, const InertialStartLine& starts, InertialBalls& balls) {
+  row.inner_gyroscopic_share != 0. ? balance_all<true>(row, F_0, starts, balls)
+                                   : balance_all<false>(row, F_0, starts, balls);
+}
+
+constexpr InertialKernels kernels{sum_chosen<false>, sum_chosen<true>, loads, energy, balance};
+
+}  // namespace
+
+const InertialKernels& ROTORDROP_LANE_FACTORY() { return kernels; }
+
+}  // namespace rotordrop
