@@ -166,6 +166,7 @@ TEST(InertialRow, BallsThatNewtonsMethodDoesNotBringToBalanceTakeTheScalarLaw) {
   }
   printf("%d of 600 vectors by the scalar law; worst load off by %.1e of its ball's\n", n_by_scalar, worst);
   EXPECT_GT(n_by_scalar, 100);
+  EXPECT_LT(n_by_scalar, 300) << "from the closed guess, wherever the grooves lie, most arrive";
   EXPECT_LT(worst, 1e-6) << "the last step squares what is left, 2e-5 at most";
 }
 
