@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "base/wide_vectors.h"
+#include "base/level_choice.h"
 #include "bearing/row/ball_row_bending.h"
 #include "bearing/row/ball_row_kernels.h"
 
@@ -40,13 +40,7 @@ double RaceContact::truncation(double load, double sine, double cosine) const {
 }
 
 const RowKernels& row_kernels() {
-  static const RowKernels& chosen = []() -> const RowKernels& {
-#if defined(__x86_64__)
-    if (vector_level == VectorLevel::v4) return row_kernels_v4();
-    if (vector_level == VectorLevel::v3) return row_kernels_v3();
-#endif
-    return row_kernels_base();
-  }();
+  static const RowKernels& chosen = ROTORDROP_OF_LEVEL(row_kernels)();
   return chosen;
 }
 

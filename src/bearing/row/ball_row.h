@@ -286,8 +286,6 @@ class BallRow {
 
   BallRowGeometry geometry_;
   RowNumbers<double> numbers_{};
-  InertialRow inertial_;
-  RaceEdgesOf<double> load_edges_;                // for roots of loads
   std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
   AlignedNumbers cosine_, sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;

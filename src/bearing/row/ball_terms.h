@@ -202,11 +202,11 @@ struct TractionSumsOf {
   }
 };
 
-/// What a row without inertia of its balls does, from its sums; its waves' power is left to the caller.
-/// @param stiffness_root  K^(1/3)
-template <bool tilts, class Real>
-[[gnu::always_inline]] inline void put(const ForceSumsOf<Real>& sum, const RowPlaceOf<Real>& place,
-                                       const Real& stiffness_root, BallRowOutputOf<Real>& out) {
+/// Forces on the inner ring and what goes with them, from sums over the balls of a row in the cage's frame.
+/// @tparam Sums  with or without inertia of the balls
+template <bool tilts, class Sums, class Real>
+[[gnu::always_inline]] inline void put_forces(const Sums& sum, const RowPlaceOf<Real>& place,
+                                              BallRowOutputOf<Real>& out) {
   out.force_x = sum.fx;
   out.force_y = sum.fy;
   out.force_z = sum.fz;
@@ -215,11 +215,19 @@ template <bool tilts, class Real>
   place.turn_back(out.force_y, out.force_z);
   if constexpr (tilts) place.turn_back(out.moment_y, out.moment_z);
   out.damping_power = sum.dissipated;
+  out.cage_torque = sum.cage;
+}
+
+/// What a row without inertia of its balls does, from its sums; its waves' power is left to the caller.
+/// @param stiffness_root  K^(1/3)
+template <bool tilts, class Real>
+[[gnu::always_inline]] inline void put(const ForceSumsOf<Real>& sum, const RowPlaceOf<Real>& place,
+                                       const Real& stiffness_root, BallRowOutputOf<Real>& out) {
+  put_forces<tilts>(sum, place, out);
   out.elastic_radial = sum.elastic_radial;
   out.elastic_axial = sum.elastic_axial;
   out.elastic_normal = sum.elastic_normal;
   out.elastic_outer_surplus = 0.;
-  out.cage_torque = sum.cage;
   out.largest_load = out.largest_outer_load = sum.largest;
   out.inner_load_roots = out.outer_load_roots = stiffness_root * sum.roots;
   out.inner_loads = out.outer_loads = sum.elastic_normal;

@@ -8,7 +8,7 @@
 #include <map>
 #include <mutex>
 
-#include "base/wide_vectors.h"
+#include "base/level_choice.h"
 #include "bearing/row/inertial_kernels.h"
 #include "laws/ball_balance.h"
 
@@ -37,13 +37,7 @@ InertialRow inertial_row(double K_i, double K_o, double l_i, double l_o, double 
 }
 
 const InertialKernels& inertial_kernels() {
-  static const InertialKernels& chosen = []() -> const InertialKernels& {
-#if defined(__x86_64__)
-    if (vector_level == VectorLevel::v4) return inertial_kernels_v4();
-    if (vector_level == VectorLevel::v3) return inertial_kernels_v3();
-#endif
-    return inertial_kernels_base();
-  }();
+  static const InertialKernels& chosen = ROTORDROP_OF_LEVEL(inertial_kernels)();
   return chosen;
 }
 

@@ -45,7 +45,7 @@ class InertialRowInLanes {
                           : row.template add_forces<false>(ball, balanced, forces);
                 if (tractions) row.add_tractions(with, balanced, traction_sums);
               });
-    row.put(forces, place, out);
+    put<false>(forces, place, out);
     out.inertia_per_speed = out.inertia_per_speed * 2. / in.ring_speed;  // F_0 goes with the square of the speed
     if (tractions) put(traction_sums, with, *tractions);
   }
@@ -78,15 +78,7 @@ class InertialRowInLanes {
   [[nodiscard]] Row at_instant(const RowNumbers<Real>& numbers, const BallRowInputOf<Real>& in,
                                const RowPlaceOf<Real>& place, bool is_wavy) const {
     const auto added = numbers.added(in);
-    return {place,
-            at_row<false>(place),
-            added.inner,
-            added.outer,
-            in.cage_speed,
-            place.damping * numbers.inertial.hardness,
-            numbers.inertial.root_K_o,
-            is_wavy,
-            sums_roots_};
+    return {place, numbers.inertial, added.inner, added.outer, in.cage_speed, is_wavy, sums_roots_};
   }
   /// Calls act(ball in its row, the same in its balance) for all balls. @param refines  by one step more than forces need
   template <class WavesAt, class Act>

@@ -36,15 +36,7 @@ ROTORDROP_KERNEL InertialStartOf<Balls> in_all_lanes(const InertialStartLine& li
 template <bool tilts, bool is_bent>
 ROTORDROP_KERNEL RowAtInstant<tilts, is_bent, Balls> at_instant(const InertialInput& in,
                                                                 const RowPlaceOf<Balls>& place) {
-  return {place,
-          at_row<tilts>(place),
-          in.added_i,
-          in.added_o,
-          in.cage_speed,
-          in.place.damping * in.row->hardness,
-          in.row->root_K_o,
-          in.waves != nullptr,
-          in.sums_roots};
+  return {place, in_all_lanes(*in.row), in.added_i, in.added_o, in.cage_speed, in.waves != nullptr, in.sums_roots};
 }
 
 template <bool is_bent>
@@ -124,7 +116,7 @@ void sum_balls(const InertialInput& in, BallRowOutput& out, const TractionInput*
     put_part(forces, first, all_forces);
     if (with) put_part(traction_sums, first, all_tractions);
   }
-  row.put(over_lanes(all_forces, in.sums_roots), in.place, out);
+  put<tilts>(over_lanes(all_forces, in.sums_roots), in.place, out);
   if (with) put(over_lanes(all_tractions), *with, *tractions);
 }
 

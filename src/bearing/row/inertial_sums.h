@@ -36,10 +36,24 @@ struct RowAtInstant {
   AtRow<Real> at;
   Real added_i, added_o;  // to the contacts' deflections [m]
   Real cage_speed;
-  Real
-      damping;  // 1.5 beta K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is K^(2/3) u
+  // 1.5 beta K^(2/3) of both contacts in series: K delta^0.5 of the ball without inertia that has the same load is K^(2/3) u.
+  Real damping;
   Real root_K_o;
   bool is_wavy, sums_roots;
+
+  /// @param in_place  kept; its damping is 1.5 beta
+  [[gnu::always_inline]] inline RowAtInstant(const RowPlaceOf<Real>& in_place, const InertialRowOf<Real>& row,
+                                             const Real& to_inner, const Real& to_outer, const Real& speed_of_cage,
+                                             bool has_waves, bool with_roots)
+      : place(in_place),
+        at(at_row<tilts>(in_place)),
+        added_i(to_inner),
+        added_o(to_outer),
+        cage_speed(speed_of_cage),
+        damping(in_place.damping * row.hardness),
+        root_K_o(row.root_K_o),
+        is_wavy(has_waves),
+        sums_roots(with_roots) {}
 
   [[nodiscard, gnu::always_inline]] inline BallSurroundings<Real> surroundings(const BallInRow<Real>& ball) const {
     const Real &c = ball.cosine, &s = ball.sine;
@@ -137,34 +151,27 @@ struct RowAtInstant {
     const Real outer_beyond = with.edges.outer.beyond(centre.x, centre.r, root_K_o * sqrt(ball.delta_o));
     sum.truncation = larger(sum.truncation, select(is_ball > 0., larger(inner_beyond, outer_beyond), zero));
   }
-
-  /// What the row does, but for what F_0 changes with: that is left as work per relative change of F_0.
-  template <class One>
-  static void put(const InertialSums<One>& sum, const RowPlaceOf<One>& place, BallRowOutputOf<One>& out) {
-    out.force_x = sum.fx;
-    out.force_y = sum.fy;
-    out.force_z = sum.fz;
-    out.moment_y = sum.my;
-    out.moment_z = sum.mz;
-    place.turn_back(out.force_y, out.force_z);
-    if constexpr (tilts) place.turn_back(out.moment_y, out.moment_z);
-    out.damping_power = sum.dissipated;
-    out.elastic_radial = sum.radial;
-    out.elastic_axial = sum.axial;
-    out.inner_loads = sum.inner;
-    out.outer_loads = sum.outer;
-    out.elastic_normal = 0.5 * ((sum.inner + sum.outer) + (sum.by_inner + sum.by_outer));
-    out.elastic_outer_surplus = 0.5 * ((sum.outer - sum.inner) + (sum.by_outer - sum.by_inner));
-    out.cage_torque = sum.cage;
-    out.waviness_power = sum.waviness;
-    out.inertia_power = sum.power;
-    out.inertia_per_speed = sum.per_force;
-    out.inner_load_roots = sum.inner_roots;
-    out.outer_load_roots = sum.outer_roots;
-    out.largest_load = sum.largest;
-    out.largest_outer_load = sum.largest_outer;
-  }
 };
+
+/// What a row does, from its sums; what changes with F_0 is left as work per relative change of it.
+template <bool tilts, class Real>
+[[gnu::always_inline]] inline void put(const InertialSums<Real>& sum, const RowPlaceOf<Real>& place,
+                                       BallRowOutputOf<Real>& out) {
+  put_forces<tilts>(sum, place, out);
+  out.elastic_radial = sum.radial;
+  out.elastic_axial = sum.axial;
+  out.inner_loads = sum.inner;
+  out.outer_loads = sum.outer;
+  out.elastic_normal = 0.5 * ((sum.inner + sum.outer) + (sum.by_inner + sum.by_outer));
+  out.elastic_outer_surplus = 0.5 * ((sum.outer - sum.inner) + (sum.by_outer - sum.by_inner));
+  out.waviness_power = sum.waviness;
+  out.inertia_power = sum.power;
+  out.inertia_per_speed = sum.per_force;
+  out.inner_load_roots = sum.inner_roots;
+  out.outer_load_roots = sum.outer_roots;
+  out.largest_load = sum.largest;
+  out.largest_outer_load = sum.largest_outer;
+}
 
 /// Q delta of both contacts of a ball: 5/2 of its elastic energy [J].
 template <class Real>

@@ -52,16 +52,20 @@ class RowInLanes {
   void ball_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
     if (!inertial_.has_inertia()) return massless_loads(in, load);
     const Turning turning(numbers_, in);
+    if (any(turning.is)) inertial_.ball_loads(numbers_, in, turning, waves_at(in), !waves_.empty(), load);
+    const MaskOf<Real> stands = !turning.is;
+    if (!any(stands)) return;
     std::vector<Real> still(load.size());
     massless_loads(in, still);
-    inertial_.ball_loads(numbers_, in, turning, waves_at(in), !waves_.empty(), load);
-    for (std::size_t j = 0; j < load.size(); ++j) load[j] = select(turning.is, load[j], still[j]);
+    for (std::size_t j = 0; j < load.size(); ++j) load[j] = select(stands, still[j], load[j]);
   }
   [[nodiscard]] Real energy(const BallRowInputOf<Real>& in) const {
     if (!inertial_.has_inertia()) return massless_energy(in);
     const Turning turning(numbers_, in);
-    return select(turning.is, inertial_.energy(numbers_, in, turning, waves_at(in), !waves_.empty()),
-                  massless_energy(in));
+    Real energy = 0.;
+    if (any(turning.is)) energy = inertial_.energy(numbers_, in, turning, waves_at(in), !waves_.empty());
+    const MaskOf<Real> stands = !turning.is;
+    return any(stands) ? select(stands, massless_energy(in), energy) : energy;
   }
 
  private:

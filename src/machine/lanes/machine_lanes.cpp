@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "base/wide_vectors.h"
+#include "base/level_choice.h"
 #include "bearing/touchdown_bearing.h"
 #include "machine/lanes/lane_engine.h"
 #include "rotor/modal_rotor_in_lanes.h"
@@ -77,11 +77,7 @@ std::unique_ptr<LaneSystem> make_lanes(std::span<const Machine* const> machines)
   for (const Machine* machine : machines)
     if (is_one ? !evaluates_in_lanes(*machine) : !are_alike(*machines.front(), *machine))
       throw std::invalid_argument("machines side by side must be alike");
-#if defined(__x86_64__)
-  if (vector_level == VectorLevel::v4) return make_lanes_v4(machines);
-  if (vector_level == VectorLevel::v3) return make_lanes_v3(machines);
-#endif
-  return make_lanes_base(machines);
+  return ROTORDROP_OF_LEVEL(make_lanes)(machines);
 }
 
 }  // namespace rotordrop
