@@ -62,16 +62,6 @@ struct Drops {
       const Bits address = tables.part[i] + offset + ((Bits)_mm512_maskz_cvtepi32_epi64(0xff, entry) << 2);
       const auto both = (Floats)_mm512_mask_i64gather_epi64(__m512i{}, 0xff, (__m512i)address, nullptr, 1);
       const Numbers whole = _mm512_maskz_cvtepi32_pd(0xff, entry);
-#elif defined(__AVX2__)
-      // Gathers of AVX2 are slow on many processors.
-      const __m128i entry = _mm256_cvttpd_epi32(at.part[i]);
-      const Bits address = tables.part[i] + offset + ((Bits)_mm256_cvtepi32_epi64(entry) << 2);
-      Bits both_bits;
-      for (int l = 0; l < width; ++l)
-        std::memcpy(&both_bits[l], reinterpret_cast<const void*>(static_cast<std::intptr_t>(address[l])),
-                    sizeof(long long));
-      const auto both = (Floats)both_bits;
-      const Numbers whole = _mm256_cvtepi32_pd(entry);
 #else
       Floats both;
       Numbers whole;
