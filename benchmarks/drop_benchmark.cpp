@@ -18,6 +18,7 @@
 #include "analysis/drop_lanes.h"
 #include "analysis/facts/thermal_report.h"
 #include "base/aligned_numbers.h"
+#include "base/exponent.h"
 #include "case/case.h"
 #include "integrate/integrator.h"
 #include "io/hdf5/recorder.h"
@@ -194,6 +195,22 @@ void balls_of_the_yardstick(benchmark::State& state) {
   state.counters["force"] = m.y;
 }
 BENCHMARK(balls_of_the_yardstick);
+
+/// A contact's power, each argument following from the power before, as penetrations do from forces.
+template <class Exponent>
+void contact_power(benchmark::State& state, const Exponent& n) {
+  using std::pow;
+  double delta = 1e-6;
+  for (auto _ : state) {
+    delta = 1e-6 + 1e-9 * pow(delta, n);
+    benchmark::DoNotOptimize(delta);
+  }
+  count_each(state, "power", 1.);
+}
+void power_from_tables(benchmark::State& state) { contact_power(state, ExponentOf<double>(10. / 9.)); }
+BENCHMARK(power_from_tables);
+void power_of_the_library(benchmark::State& state) { contact_power(state, 10. / 9.); }
+BENCHMARK(power_of_the_library);
 
 /// A right-hand side in the first contact, by kind of rings and balls.
 void right_hand_side_of(benchmark::State& state, const std::vector<std::string>& settings) {

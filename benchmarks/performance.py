@@ -42,6 +42,8 @@ KERNELS = [
     ("balls", "ball", "one ball, its forces and energies"),
     ("balls_of_the_yardstick", "ball", "the same by the yardstick of `benchmarks/yardstick.h`"),
     ("balls_and_their_tractions", "ball", "one ball, its forces, energies and tractions, as at the ends of steps"),
+    ("power_from_tables", "power", "a power of a penetration with the contact's exponent, waited for"),
+    ("power_of_the_library", "power", "the same by the C library"),
     ("right_hand_side_of/rigid_rings", "call", "right-hand side, rigid rings that translate"),
     ("right_hand_side_of/free_rings", "call", "right-hand side, rigid rings that also tilt and move along the axis"),
     ("right_hand_side_of/inertial_balls", "call", "right-hand side, rigid rings that translate, balls with inertia"),

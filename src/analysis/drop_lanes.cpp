@@ -118,7 +118,7 @@ class LaneRun {
   void show(std::size_t l) {
     ++n_begun_;
     Drop& drop = *lanes_[l].drop;
-    auto view = std::make_unique<LaneView>(integrator_, l, drop.loop().state());
+    auto view = std::make_unique<LaneView>(integrator_, l);
     lanes_[l].view = view.get();
     failures_[l] = nullptr;
     drop.rows().thin_out();

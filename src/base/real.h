@@ -1,13 +1,14 @@
 #pragma once
 #include <cmath>
 
+#include "base/power_table.h"
+
 // Words of formulas that are written once for one drop (Real = double) and for eight in lanes (Real = Drops<width>, base/drops.h). A formula
 // that chooses says select(condition, a, b) and has both at hand; whole parts of it may be left out where no lane needs them: if (any(condition)).
 
 namespace rotordrop {
 
 using std::abs;
-using std::cbrt;
 using std::exp;
 using std::pow;
 using std::sqrt;

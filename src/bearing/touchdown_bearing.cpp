@@ -12,7 +12,7 @@
 
 namespace rotordrop {
 
-TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)) {
+TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)), numbers_(numbers_of(data_)) {
   for (auto& geometry : data_.rows) geometry.conducts = data_.conduction.has_value();
   if (data_.bending)
     for (auto& geometry : data_.rows) geometry.highest_harmonic = data_.bending->inner.back().n;
@@ -20,13 +20,11 @@ TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(
   if (data_.bending && data_.bending->model == RingBendingModel::arc) arc_table_ = make_arc_table();
   for (const auto& geometry : data_.rows) rows_.emplace_back(geometry, data_.race_waves);
   if (data_.support_law) n_support_states_ = data_.support_law->n_states();
-  set_numbers();
 }
 
-void TouchdownBearing::set_numbers() {
-  const auto& d = data_;
+TouchdownNumbers<double> TouchdownBearing::numbers_of(const TouchdownBearingData& d) {
   const auto& g = d.rows.front();
-  auto& q = numbers_;
+  TouchdownNumbers<double> q{};
   q.ring_mass = d.ring_mass;
   q.ring_spin_inertia = d.ring_spin_inertia;
   q.bore_radius = d.bore_radius;
@@ -62,6 +60,7 @@ void TouchdownBearing::set_numbers() {
   const double theta = pitch_angle_outer_race_control(g.contact_angle, g.ball_diameter, g.pitch_diameter);
   const auto spin = spin_speeds(1., g.contact_angle, g.contact_angle, theta, g.ball_diameter, g.pitch_diameter);
   q.spin_speed_sum_ratio = std::fabs(spin.inner) + std::fabs(spin.outer);
+  return q;
 }
 
 bool TouchdownBearing::runs_in_lanes() const {

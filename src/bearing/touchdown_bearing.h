@@ -181,7 +181,7 @@ class TouchdownBearing final : public Support {
                 std::span<double> ledger_rates, SupportOutput& out) const override;
   [[nodiscard]] double energy(const SupportInput& input, std::span<const double> y) const override;
 
-  [[nodiscard]] const TouchdownNumbers<double>& numbers() const { return numbers_; }
+  [[nodiscard]] const TouchdownFormulas<double>& numbers() const { return numbers_; }
   [[nodiscard]] std::span<const BallRow> rows() const { return rows_; }
   /// Whether evaluate_with() in lanes knows all that this bearing has.
   [[nodiscard]] bool runs_in_lanes() const;
@@ -227,7 +227,7 @@ class TouchdownBearing final : public Support {
   struct Arc;          // of points where rotor and bore may overlap
   /// Thermal and centrifugal.
   template <class Real>
-  [[nodiscard]] static ExpansionOf<Real> growth(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+  [[nodiscard]] static ExpansionOf<Real> growth(const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& input,
                                                 std::span<const Real> y);
   /// @tparam tilts  of a free ring; another one only translates
   /// @param x       along the bore, from the ring's middle [m]
@@ -235,14 +235,14 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] BodiesOf<Real> bodies(const MotionOf<Real>& journal, std::span<const Real> y, double x) const;
   /// Sliding friction of a contact whose normal force and slip around the bore are known; none where a bristle holds it.
   template <bool tilts, class Real>
-  void slide(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input, const BodiesOf<Real>& at,
+  void slide(const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& input, const BodiesOf<Real>& at,
              ContactOf<Real>& c) const;
   template <bool tilts, class Real>
-  [[nodiscard]] ContactOf<Real> contact(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+  [[nodiscard]] ContactOf<Real> contact(const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& input,
                                         const ExpansionOf<Real>& growth, std::span<const Real> y,
                                         const BodiesOf<Real>& at) const;
   template <bool tilts, class Real>
-  [[nodiscard]] ContactOf<Real> contact_in_slice(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+  [[nodiscard]] ContactOf<Real> contact_in_slice(const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& input,
                                                  const ExpansionOf<Real>& growth, std::span<const Real> y,
                                                  const BoreSlice& slice, std::span<Real> bristle_rates,
                                                  std::span<Real> shape_forces) const;
@@ -252,7 +252,7 @@ class TouchdownBearing final : public Support {
                                                  std::span<const double> y, Bodies at, const BoreSlice& slice,
                                                  std::span<double> bristle_rates, std::span<double> shape_forces) const;
   template <bool tilts, class Real>
-  [[nodiscard]] static TouchOf<Real> touch_in_slice(const TouchdownNumbers<Real>& q, const ContactOf<Real>& c,
+  [[nodiscard]] static TouchOf<Real> touch_in_slice(const TouchdownFormulas<Real>& q, const ContactOf<Real>& c,
                                                     const BoreSlice& slice);
   struct BoreWavesAtPoint {
     double height = 0, rate = 0;  // [m], [m/s]
@@ -261,7 +261,7 @@ class TouchdownBearing final : public Support {
   /// @param bristle_rates  [n_bristles()]
   /// @param shape_forces   on the inner ring's shapes, added to [BentRings::n_inner()] [N]
   template <class Real>
-  [[nodiscard]] TouchOf<Real> touch(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& input,
+  [[nodiscard]] TouchOf<Real> touch(const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& input,
                                     const ExpansionOf<Real>& growth, std::span<const Real> y,
                                     std::span<Real> bristle_rates, std::span<Real> shape_forces) const;
   [[nodiscard]] Touch touch_of_free_ring(const SupportInput& input, const Expansion& growth, std::span<const double> y,
@@ -303,40 +303,40 @@ class TouchdownBearing final : public Support {
   /// Turns a free cage and brakes the inner ring by it. @return heat of the balls' slip, which is added to `heat` [W]
   double turn_cage(const BallForces& balls, std::span<const double> y, std::span<double> dydt, HeatInput& heat) const;
   template <class Real>
-  [[nodiscard]] BallRowInputOf<Real> row_input(const TouchdownNumbers<Real>& q, const ExpansionOf<Real>& growth,
+  [[nodiscard]] BallRowInputOf<Real> row_input(const TouchdownFormulas<Real>& q, const ExpansionOf<Real>& growth,
                                                std::span<const Real> y) const;
   template <class Real, class Row>
   [[nodiscard]] BallForcesOf<Real> ball_forces(std::span<const Row> rows, const BallRowInputOf<Real>& input,
                                                bool with_tractions) const;
   template <class Real>
-  [[nodiscard]] Real load_torque_of(const TouchdownNumbers<Real>& q, const BallForcesOf<Real>& forces) const;
+  [[nodiscard]] Real load_torque_of(const TouchdownFormulas<Real>& q, const BallForcesOf<Real>& forces) const;
   template <class Real>
-  [[nodiscard]] Real row_load_torque(const TouchdownNumbers<Real>& q, const BallRowOutputOf<Real>& row) const;
+  [[nodiscard]] Real row_load_torque(const TouchdownFormulas<Real>& q, const BallRowOutputOf<Real>& row) const;
   [[nodiscard]] double spin_drag(const BallRowInput& input) const;
   [[nodiscard]] double row_spin_drag(const BallRow& row, const BallRowInput& input) const;
   /// @param turning  tanh of the ring's speed over its regularisation
   void divide_among_rows(const BallForces& forces, const BallRowInput& input, double load_torque, double drag_torque,
                          double turning, double ring_speed, std::span<RowHeat> out) const;
   template <class Real>
-  [[nodiscard]] static BallConductancesOf<Real> row_conduction(const TouchdownNumbers<Real>& q,
+  [[nodiscard]] static BallConductancesOf<Real> row_conduction(const TouchdownFormulas<Real>& q,
                                                                const BallRowOutputOf<Real>& row,
                                                                const Real& ring_speed);
   template <class Real>
-  [[nodiscard]] BallConductionOf<Real> conduction(const TouchdownNumbers<Real>& q, const BallForcesOf<Real>& forces,
+  [[nodiscard]] BallConductionOf<Real> conduction(const TouchdownFormulas<Real>& q, const BallForcesOf<Real>& forces,
                                                   const Real& ring_speed) const;
   template <class Real, class Row>
-  void observe(const TouchdownNumbers<Real>& q, std::span<const Row> rows, const SupportInputOf<Real>& input,
+  void observe(const TouchdownFormulas<Real>& q, std::span<const Row> rows, const SupportInputOf<Real>& input,
                const ExpansionOf<Real>& growth, std::span<const Real> y, const ObservedTouchOf<Real>& touch,
                const BallForcesOf<Real>& balls, const Real& load_torque, const Real& drag_torque,
                const Real& ring_acceleration, const HeatInputOf<Real>& heat, std::span<Real> out) const;
-  void set_numbers();
+  [[nodiscard]] static TouchdownNumbers<double> numbers_of(const TouchdownBearingData& data);
 
   TouchdownBearingData data_;
   std::vector<BallRow> rows_;
   std::vector<ShapeMotion> shape_motions_;
   std::shared_ptr<const ArcTable> arc_table_;  // of bent rings that are touched over an arc
   std::size_t n_support_states_ = 0;
-  TouchdownNumbers<double> numbers_{};
+  TouchdownFormulas<double> numbers_;
 };
 
 }  // namespace rotordrop

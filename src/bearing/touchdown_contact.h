@@ -16,7 +16,7 @@ void add_moments(ForceOf<Real>& to, double x, const Real& y, const Real& z, cons
 }
 
 template <class Real>
-ExpansionOf<Real> TouchdownBearing::growth(const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in,
+ExpansionOf<Real> TouchdownBearing::growth(const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& in,
                                            std::span<const Real> y) {
   return combined(1., in.growth, y[ring_spin] * y[ring_spin], q.centrifugal_growth);
 }
@@ -39,7 +39,7 @@ TouchdownBearing::BodiesOf<Real> TouchdownBearing::bodies(const MotionOf<Real>& 
 }
 
 template <bool tilts, class Real>
-[[gnu::always_inline]] inline void TouchdownBearing::slide(const TouchdownNumbers<Real>& q,
+[[gnu::always_inline]] inline void TouchdownBearing::slide(const TouchdownFormulas<Real>& q,
                                                            const SupportInputOf<Real>& in, const BodiesOf<Real>& at,
                                                            ContactOf<Real>& c) const {
   if constexpr (tilts) c.slip_x = at.vx + at.rolling_y * c.n_z - at.rolling_z * c.n_y;
@@ -56,7 +56,7 @@ template <bool tilts, class Real>
 
 template <bool tilts, class Real>
 [[gnu::always_inline]] inline TouchdownBearing::ContactOf<Real> TouchdownBearing::contact(
-    const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
+    const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
     std::span<const Real> y, const BodiesOf<Real>& at) const {
   ContactOf<Real> c;
   const Real distance = sqrt(at.y * at.y + at.z * at.z);
@@ -88,7 +88,7 @@ template <bool tilts, class Real>
   // Written so that a penetration that is not a number goes on into the force and is found.
   const auto is_touching = !(c.penetration <= 0.);
   if (!any(is_touching)) return c;
-  c.elastic = q.contact.elastic(c.penetration);
+  c.elastic = q.contact.elastic(c.penetration, q.contact_exponent);
   c.normal = q.contact.total(c.elastic, c.rate);
   c.damping = (c.normal - c.elastic) * c.rate;
   c.wave_power = c.elastic * c.wave_rate;
@@ -110,7 +110,7 @@ template <bool tilts>
 
 template <bool tilts, class Real>
 [[gnu::always_inline]] inline TouchdownBearing::ContactOf<Real> TouchdownBearing::contact_in_slice(
-    const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
+    const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
     std::span<const Real> y, const BoreSlice& slice, [[maybe_unused]] std::span<Real> bristle_rates,
     [[maybe_unused]] std::span<Real> shape_forces) const {
   BodiesOf<Real> at = bodies<tilts>(in.journal, y, slice.x);
@@ -122,7 +122,7 @@ template <bool tilts, class Real>
 
 template <bool tilts, class Real>
 [[gnu::always_inline]] inline TouchdownBearing::TouchOf<Real> TouchdownBearing::touch_in_slice(
-    const TouchdownNumbers<Real>& q, const ContactOf<Real>& c, const BoreSlice& slice) {
+    const TouchdownFormulas<Real>& q, const ContactOf<Real>& c, const BoreSlice& slice) {
   // On the ring: N n + F_t t, with t = x cross n = (-n_z, n_y).
   const Real normal = slice.share * c.normal, friction = slice.share * c.friction;
   const Real along = friction + slice.share * c.lateral;
@@ -153,7 +153,7 @@ template <bool tilts, class Real>
 // What is not const here and in evaluate_with() would stay in memory with GCC if it were.
 template <class Real>
 [[gnu::always_inline]] inline TouchdownBearing::TouchOf<Real> TouchdownBearing::touch(
-    const TouchdownNumbers<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
+    const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
     std::span<const Real> y, std::span<Real> bristle_rates, std::span<Real> shape_forces) const {
   if constexpr (has_all<Real>)
     if (data_.free_ring) {

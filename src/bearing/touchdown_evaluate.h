@@ -11,7 +11,7 @@
 namespace rotordrop {
 
 template <class Real>
-BallRowInputOf<Real> TouchdownBearing::row_input(const TouchdownNumbers<Real>& q, const ExpansionOf<Real>& growth,
+BallRowInputOf<Real> TouchdownBearing::row_input(const TouchdownFormulas<Real>& q, const ExpansionOf<Real>& growth,
                                                  std::span<const Real> y) const {
   RingDisplacementOf<Real> displacement{0., y[ring_y] - y[support_y], y[ring_z] - y[support_z], 0., 0.};
   RingDisplacementOf<Real> rate{0., y[ring_vy] - y[support_vy], y[ring_vz] - y[support_vz], 0., 0.};
@@ -85,10 +85,10 @@ TouchdownBearing::BallForcesOf<Real> TouchdownBearing::ball_forces(std::span<con
 }
 
 template <class Real>
-Real TouchdownBearing::load_torque_of(const TouchdownNumbers<Real>& q, const BallForcesOf<Real>& forces) const {
+Real TouchdownBearing::load_torque_of(const TouchdownFormulas<Real>& q, const BallForcesOf<Real>& forces) const {
   if (data_.load_law == FrictionLoadLaw::radial) {
     const Real P = sqrt(forces.force_y * forces.force_y + forces.force_z * forces.force_z);
-    return load_torque(FrictionLoadsOf<Real>{P, P}, q.f1_z, q.f1_y, q.static_rating, q.pitch_diameter);
+    return load_torque(FrictionLoadsOf<Real>{P, P}, q.f1_z, q.load_exponent, q.static_rating, q.pitch_diameter);
   }
   Real torque = 0.;
   for (std::size_t i = 0; i < rows_.size(); ++i) torque += row_load_torque(q, forces.row[i]);
@@ -96,21 +96,21 @@ Real TouchdownBearing::load_torque_of(const TouchdownNumbers<Real>& q, const Bal
 }
 
 template <class Real>
-Real TouchdownBearing::row_load_torque(const TouchdownNumbers<Real>& q, const BallRowOutputOf<Real>& row) const {
+Real TouchdownBearing::row_load_torque(const TouchdownFormulas<Real>& q, const BallRowOutputOf<Real>& row) const {
   const Real radial = sqrt(row.force_y * row.force_y + row.force_z * row.force_z);
-  return load_torque(q.friction_load_factors.loads(radial, abs(row.force_x)), q.f1_z, q.f1_y,
+  return load_torque(q.friction_load_factors.loads(radial, abs(row.force_x)), q.f1_z, q.load_exponent,
                      q.static_rating / static_cast<double>(rows_.size()), q.pitch_diameter);
 }
 
 template <class Real>
-BallConductancesOf<Real> TouchdownBearing::row_conduction(const TouchdownNumbers<Real>& q,
+BallConductancesOf<Real> TouchdownBearing::row_conduction(const TouchdownFormulas<Real>& q,
                                                           const BallRowOutputOf<Real>& row, const Real& ring_speed) {
   return q.conduction.of_row(row.inner_load_roots, row.inner_loads, row.outer_load_roots, row.outer_loads,
                              q.rolling_speed_ratio * abs(ring_speed));
 }
 
 template <class Real>
-BallConductionOf<Real> TouchdownBearing::conduction(const TouchdownNumbers<Real>& q, const BallForcesOf<Real>& forces,
+BallConductionOf<Real> TouchdownBearing::conduction(const TouchdownFormulas<Real>& q, const BallForcesOf<Real>& forces,
                                                     const Real& ring_speed) const {
   BallConductancesOf<Real> sum;
   for (std::size_t i = 0; i < rows_.size(); ++i) sum.add(row_conduction(q, forces.row[i], ring_speed));
@@ -120,7 +120,7 @@ BallConductionOf<Real> TouchdownBearing::conduction(const TouchdownNumbers<Real>
 template <class Real, class Of>
 void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& in, std::span<const Real> y,
                                      std::span<Real> dydt, std::span<Real> ledger, SupportOutputOf<Real>& out) const {
-  const TouchdownNumbers<Real>& q = of.numbers();
+  const TouchdownFormulas<Real>& q = of.numbers();
   auto rows = of.rows();
   const ExpansionOf<Real> grown = growth(q, in, y);
   BallRowInputOf<Real> rows_in = row_input(q, grown, y);
@@ -236,7 +236,7 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
 
 template <class Real, class Of>
 Real TouchdownBearing::energy_with(const Of& of, const SupportInputOf<Real>& in, std::span<const Real> y) const {
-  const TouchdownNumbers<Real>& q = of.numbers();
+  const TouchdownFormulas<Real>& q = of.numbers();
   const auto square = [&](std::size_t i) { return y[i] * y[i]; };
   const ExpansionOf<Real> grown = growth(q, in, y);
   Real U = 0.5 * q.ring_mass * (square(ring_vy) + square(ring_vz)) + 0.5 * q.ring_spin_inertia * square(ring_spin) -
@@ -267,7 +267,7 @@ Real TouchdownBearing::energy_with(const Of& of, const SupportInputOf<Real>& in,
 }
 
 template <class Real, class Row>
-void TouchdownBearing::observe(const TouchdownNumbers<Real>& q, std::span<const Row> rows,
+void TouchdownBearing::observe(const TouchdownFormulas<Real>& q, std::span<const Row> rows,
                                const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth, std::span<const Real> y,
                                const ObservedTouchOf<Real>& touch, const BallForcesOf<Real>& balls,
                                const Real& load_torque, const Real& drag_torque, const Real& ring_acceleration,

@@ -13,10 +13,7 @@ template <class Real>
 class TouchdownInLanes {
  public:
   /// @param bearings  alike (TouchdownBearing::is_alike()); lanes without one repeat the first
-  explicit TouchdownInLanes(std::span<const TouchdownBearing* const> bearings) {
-    std::vector<const TouchdownNumbers<double>*> numbers;
-    for (const auto* bearing : bearings) numbers.push_back(&bearing->numbers());
-    numbers_ = gathered<TouchdownNumbers, Real>(numbers);
+  explicit TouchdownInLanes(std::span<const TouchdownBearing* const> bearings) : numbers_(numbers_of(bearings)) {
     for (std::size_t i = 0; i < bearings.front()->rows().size(); ++i) {
       std::vector<const BallRow*> rows;
       for (const auto* bearing : bearings) rows.push_back(&bearing->rows()[i]);
@@ -37,7 +34,7 @@ class TouchdownInLanes {
     return bearings_.front()->energy_with<Real>(*this, in, y);
   }
 
-  [[nodiscard]] const TouchdownNumbers<Real>& numbers() const { return numbers_; }
+  [[nodiscard]] const TouchdownFormulas<Real>& numbers() const { return numbers_; }
   [[nodiscard]] std::span<const RowInLanes<Real>> rows() const { return rows_; }
   SupportAnswerOf<Real> carried(std::span<const Real> y, std::span<Real> dydt) const {
     SupportAnswerOf<Real> all;
@@ -65,6 +62,11 @@ class TouchdownInLanes {
   }
 
  private:
+  [[nodiscard]] static TouchdownNumbers<Real> numbers_of(std::span<const TouchdownBearing* const> bearings) {
+    std::vector<const TouchdownNumbers<double>*> numbers;
+    for (const auto* bearing : bearings) numbers.push_back(&bearing->numbers());
+    return gathered<TouchdownNumbers, Real>(numbers);
+  }
   /// A lane's bearing, with its states up to the support's in y_.
   const TouchdownBearing& take(int lane, std::span<const Real> y) const {
     for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = y[i][lane];
@@ -72,7 +74,7 @@ class TouchdownInLanes {
   }
 
   std::vector<const TouchdownBearing*> bearings_;  // [n_lanes]
-  TouchdownNumbers<Real> numbers_;
+  TouchdownFormulas<Real> numbers_;
   std::vector<RowInLanes<Real>> rows_;
   mutable std::vector<double> y_, dydt_;  // of one lane
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/exponent.h"
 #include "laws/bearing_friction.h"
 #include "laws/contact.h"
 #include "laws/heat/rolling_conduction.h"
@@ -26,6 +27,14 @@ struct TouchdownNumbers {
   Real rolling_speed_ratio;  ///< speed of the contacts over the surfaces, over omega_i [m]
   Real inner_heat_share;
   Real spin_speed_sum_ratio;  ///< (|omega_si| + |omega_so|) / omega_i
+};
+
+/// The same with what powers with their exponents need.
+template <class Real>
+struct TouchdownFormulas : TouchdownNumbers<Real> {
+  explicit TouchdownFormulas(const TouchdownNumbers<Real>& numbers)
+      : TouchdownNumbers<Real>(numbers), contact_exponent(numbers.contact.n), load_exponent(numbers.f1_y) {}
+  ExponentOf<Real> contact_exponent, load_exponent;
 };
 
 }  // namespace rotordrop

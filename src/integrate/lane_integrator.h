@@ -46,9 +46,13 @@ class LaneIntegrator {
   [[nodiscard]] const std::exception_ptr& failure(std::size_t lane) const { return failures_[lane]; }
 
   [[nodiscard]] double time(std::size_t lane) const { return time_[lane]; }
-  void state(std::size_t lane, std::span<double> y) const { y_by_lane_.copy(lane, y); }
+  /// Until the next advance(), or another drop begins there.
+  [[nodiscard]] std::span<const double> state(std::size_t lane) const { return y_by_lane_.of(lane); }
   /// What was observed at the end of the lane's last step.
-  void step_values(std::size_t lane, std::span<double> values) const { step_by_lane_.copy(lane, values); }
+  void step_values(std::size_t lane, std::span<double> values) const {
+    const auto of_lane = step_by_lane_.of(lane);
+    std::copy(of_lane.begin(), of_lane.end(), values.begin());
+  }
   void details(std::size_t lane, std::span<double> values) const { column(details_, lane, values); }
   /// State at a time within the lane's last step.
   void interpolate(std::size_t lane, double t, std::span<double> y) const;
@@ -66,8 +70,8 @@ class LaneIntegrator {
   struct ByLane {
     explicit ByLane(std::size_t n) : length(n), numbers(n * width) {}
     void lay_out(const AlignedNumbers& side_by_side);
-    void copy(std::size_t lane, std::span<double> to) const {
-      std::copy_n(numbers.data() + lane * length, to.size(), to.data());
+    [[nodiscard]] std::span<const double> of(std::size_t lane) const {
+      return {numbers.data() + lane * length, length};
     }
     std::size_t length;
     AlignedNumbers numbers;  // [width][length]
@@ -103,16 +107,15 @@ class LaneIntegrator {
 /// One lane as an integrator that somebody else advances.
 class LaneView final : public Integrator {
  public:
-  LaneView(std::shared_ptr<const LaneIntegrator> lanes, std::size_t lane, std::span<const double> state)
-      : lanes_(std::move(lanes)), lane_(lane), state_(state.begin(), state.end()), time_(lanes_->time(lane)) {}
+  LaneView(std::shared_ptr<const LaneIntegrator> lanes, std::size_t lane)
+      : lanes_(std::move(lanes)), lane_(lane), time_(lanes_->time(lane)) {}
   /// After the lane has stepped, and before another drop begins there.
   void update() {
-    lanes_->state(lane_, state_);
     time_ = lanes_->time(lane_);
     statistics_ = lanes_->statistics(lane_);
   }
   [[nodiscard]] double time() const override { return time_; }
-  [[nodiscard]] std::span<const double> state() const override { return state_; }
+  [[nodiscard]] std::span<const double> state() const override { return lanes_->state(lane_); }
   /// @throws std::logic_error always
   void advance() override;
   void offer_rates(std::span<const double>) override {}
@@ -124,7 +127,6 @@ class LaneView final : public Integrator {
  private:
   std::shared_ptr<const LaneIntegrator> lanes_;
   std::size_t lane_;
-  std::vector<double> state_;
   double time_;
   IntegrationStatistics statistics_{};
 };

@@ -36,23 +36,16 @@ using FrictionLoadFactors = FrictionLoadFactorsOf<double>;
 /// @param contact_angle  nominal [rad], >= 0
 FrictionLoadFactors friction_load_factors(double contact_angle);
 
-/// x^y. Deep-groove bearings have the exponent 0.5 or 0.55.
-template <class Real>
-Real friction_power(const Real& x, const Real& y) {
-  const auto is_root = y == 0.5;
-  const Real root = sqrt(x);
-  return any(!is_root) ? select(is_root, root, pow(x, y)) : root;
-}
-
 /// Load-dependent friction torque M_L = f1 P1 d_m with f1 = z (P0/C0)^y [N m].
 /// Source: Neisi, Heikkinen & Sopanen (2019), eq. (21), after Palmgren.
 /// @param loads           P1 and P0 [N], >= 0
 /// @param static_rating   C0 of what carries the load [N], > 0
+/// @param y               as a number or with what its powers need
 /// @param pitch_diameter  d_m [m]
-template <class Real>
-Real load_torque(const FrictionLoadsOf<Real>& loads, const Real& z, const Real& y, const Real& static_rating,
+template <class Real, class Exponent>
+Real load_torque(const FrictionLoadsOf<Real>& loads, const Real& z, const Exponent& y, const Real& static_rating,
                  const Real& pitch_diameter) {
-  return z * friction_power(loads.static_equivalent / static_rating, y) * loads.torque * pitch_diameter;
+  return z * pow(loads.static_equivalent / static_rating, y) * loads.torque * pitch_diameter;
 }
 
 /// Friction torque of an unloaded ball bearing from lubricant or air drag [N m], >= 0.

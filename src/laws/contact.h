@@ -17,7 +17,12 @@ struct HuntCrossleyOf {
   Real lambda = 0;  ///< damping [s/m], >= 0; for small impact speed v the restitution is 1 - lambda v
 
   /// Elastic part K delta^n [N]; 0 without penetration.
-  [[nodiscard]] Real elastic(const Real& delta) const { return K * pow(larger(delta, Real(0.)), n); }
+  [[nodiscard]] Real elastic(const Real& delta) const { return elastic(delta, n); }
+  /// @param exponent  n, as a number or with what its powers need
+  template <class Exponent>
+  [[nodiscard]] Real elastic(const Real& delta, const Exponent& exponent) const {
+    return K * pow(larger(delta, Real(0.)), exponent);
+  }
   /// Whole force from its elastic part [N]. A separating rotor must not be pulled back: clamp at zero.
   [[nodiscard]] Real total(const Real& elastic_force, const Real& delta_rate) const {
     // Unlike fmax, this lets a force that is not a number go on and be found.
