@@ -19,6 +19,7 @@
 #include "analysis/facts/thermal_report.h"
 #include "base/aligned_numbers.h"
 #include "base/exponent.h"
+#include "case/built_machine.h"
 #include "case/case.h"
 #include "integrate/integrator.h"
 #include "io/hdf5/recorder.h"
@@ -361,6 +362,56 @@ void lanes(benchmark::State& state) {
   state.counters["times_largest"] = ratios.back();
 }
 BENCHMARK(lanes)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// The settling drop of a machine, in memory with all that is watched in a drop, almost without rows.
+class OneDrop {
+ public:
+  explicit OneDrop(std::vector<std::string> settings) : case_(with_few_rows(std::move(settings))), built_(case_) {}
+  /// CPU time of a drop [s].
+  double cpu_time() {
+    const auto& p = case_.parameters;
+    Drop drop(built_.machine(), p, p.integration, p.output, &built_.elements());
+    const std::clock_t start = std::clock();
+    drop.run();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  static Case with_few_rows(std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"output.interval=0.1", "output.detail_interval=0.1"});
+    return read_case(ROTORDROP_SOURCE_DIR "/params/neisi2019-settling.toml", settings);
+  }
+  Case case_;
+  BuiltMachine built_;
+};
+
+/// Drops with more than the reference case has, by turns with it. Counters: milliseconds of each, and by how much one takes longer.
+void drop_with(benchmark::State& state, const std::vector<std::string>& settings) {
+  OneDrop plain({}), with(settings);
+  std::vector<double> of_plain, of_with, ratios;
+  for (auto _ : state)
+    for (int turn = 0; turn < 15; ++turn) {
+      of_plain.push_back(plain.cpu_time());
+      of_with.push_back(with.cpu_time());
+      ratios.push_back(of_with.back() / of_plain.back());
+    }
+  for (auto* list : {&of_plain, &of_with, &ratios}) std::sort(list->begin(), list->end());
+  state.counters["drop_ms"] = 1e3 * of_with.front();
+  state.counters["plain_drop_ms"] = 1e3 * of_plain.front();
+  state.counters["times"] = ratios[ratios.size() / 2];
+  state.counters["times_low"] = ratios[ratios.size() / 4];
+  state.counters["times_high"] = ratios[3 * ratios.size() / 4];
+}
+BENCHMARK_CAPTURE(drop_with, finite_elements_beside, std::vector<std::string>{"thermal.models=[\"lumped\", \"fe\"]"})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(drop_with, inertial_balls, std::vector<std::string>{inertial})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(drop_with, bent_rings, std::vector<std::string>{bent})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(drop_with, all_modes, std::vector<std::string>{"rotor.model=full"})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 /// A right-hand side in lanes, of all eight.
 void right_hand_side_in_lanes(benchmark::State& state) {

@@ -38,6 +38,10 @@ DROPS_OF_STUDY = 64
 NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"]
 OTHER_DROPS = {"full": ["--set", "rotor.model=full"], "arc": ["--set", "bearings.ring_bending=arc"], "inertial": ["--set", "bearings.ball_model=inertial"]}
 
+#: what drop_with/KIND of the benchmarks has more than the reference drop
+MORE = {"finite_elements_beside": "finite elements beside the circuit", "inertial_balls": "balls with inertia", "bent_rings": "bent rings over the arc of contact",
+        "all_modes": "rotor with all its modes, up to 87 kHz"}
+
 KERNELS = [
     ("balls", "ball", "one ball, its forces and energies"),
     ("balls_of_the_yardstick", "ball", "the same by the yardstick of `benchmarks/yardstick.h`"),
@@ -105,6 +109,17 @@ def lanes(program):
                               env={**os.environ, "ROTORDROP_ISA": level})
         if done.returncode == 0:
             found[level] = json.loads(done.stdout)["benchmarks"][0]
+    return found
+
+
+def drops_with_more(program):
+    """Counters of drop_with/KIND by (kind, instruction set): the benchmark's turns with the plain drop."""
+    found = {}
+    for level in ("v4", "v3"):
+        done = subprocess.run([program, "--benchmark_format=json", "--benchmark_filter=^drop_with"], capture_output=True, text=True,
+                              env={**os.environ, "ROTORDROP_ISA": level})
+        if done.returncode == 0:
+            found.update({(run["run_name"].split("/")[1], level): run for run in json.loads(done.stdout)["benchmarks"] if "times" in run})
     return found
 
 
@@ -224,6 +239,11 @@ def main():
     for level, of in lanes(a.build / "rotordrop_benchmarks").items():
         lines.append(f"| eight at once, instruction set {level} | {of['lane_drop_ms']:.3g} ms a drop | {of['single_drop_ms']:.3g} ms | "
                      f"{of['times']:.3g} ({of['times_least']:.3g} to {of['times_largest']:.3g}) |")
+
+    lines += ["", "| drops with more, in memory, almost without rows | a drop | reference drop | times as long |", "|---|---|---|---|"]
+    for (kind, level), of in drops_with_more(a.build / "rotordrop_benchmarks").items():
+        lines.append(f"| {MORE[kind]}, instruction set {level} | {of['drop_ms']:.3g} ms | {of['plain_drop_ms']:.3g} ms | "
+                     f"{of['times']:.3g} ({of['times_low']:.3g} to {of['times_high']:.3g}) |")
 
     programs = {"this": (a.build / "rotordrop", CASE, [])}
     if a.previous:

@@ -10,10 +10,15 @@ PowerTable::PowerTable(long double n) : n_(static_cast<double>(n)), n_rows_(n >=
     binomial_[k] = factor *= (n_ - static_cast<double>(k)) / static_cast<double>(k + 1);
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const double c = 1. + (static_cast<double>(k) + 0.5) / static_cast<double>(pieces_.size());
-    pieces_[k] = {1. / c, static_cast<double>(std::pow(static_cast<long double>(c), n))};
+    pieces_[k] = {1. / c, std::pow(c, n_)};
   }
-  for (std::size_t k = 0; k < binary_.size(); ++k)
-    binary_[k] = static_cast<double>(std::exp2(n * static_cast<long double>(smallest + static_cast<int>(k))));
+  // By products, in long double: a function there takes 0.3 us.
+  const long double twice = std::exp2(n);
+  long double power = std::exp2(n * smallest);
+  for (double& number : binary_) {
+    number = static_cast<double>(power);
+    power *= twice;
+  }
 }
 
 }  // namespace rotordrop
