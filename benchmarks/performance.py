@@ -39,7 +39,7 @@ NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"
 OTHER_DROPS = {"full": ["--set", "rotor.model=full"], "arc": ["--set", "bearings.ring_bending=arc"], "inertial": ["--set", "bearings.ball_model=inertial"]}
 
 #: what drop_with/KIND of the benchmarks has more than the reference drop
-MORE = {"finite_elements_beside": "finite elements beside the circuit", "inertial_balls": "balls with inertia", "bent_rings": "bent rings over the arc of contact",
+MORE = {"nothing": "nothing more: what the turns leave", "finite_elements_beside": "finite elements beside the circuit", "inertial_balls": "balls with inertia", "bent_rings": "bent rings over the arc of contact",
         "all_modes": "rotor with all its modes, up to 87 kHz"}
 
 KERNELS = [
@@ -102,26 +102,26 @@ def kernels(program, rounds):
     return found, cycle
 
 
-def lanes(program):
-    """Milliseconds of a drop in lanes and of a single one, and how many times as many drops, by instruction set: the median of the benchmark's turns."""
+def by_level(program, pattern, levels):
+    """Runs of benchmarks, for each instruction set that the machine has."""
     found = {}
-    for level in ("v4", "v3", "base"):
-        done = subprocess.run([program, "--benchmark_format=json", "--benchmark_filter=^lanes"], capture_output=True, text=True,
+    for level in levels:
+        done = subprocess.run([program, "--benchmark_format=json", f"--benchmark_filter={pattern}"], capture_output=True, text=True,
                               env={**os.environ, "ROTORDROP_ISA": level})
         if done.returncode == 0:
-            found[level] = json.loads(done.stdout)["benchmarks"][0]
+            found[level] = json.loads(done.stdout)["benchmarks"]
     return found
+
+
+def lanes(program):
+    """Milliseconds of a drop in lanes and of a single one, and how many times as many drops, by instruction set: the median of the benchmark's turns."""
+    return {level: runs[0] for level, runs in by_level(program, "^lanes", ("v4", "v3", "base")).items()}
 
 
 def drops_with_more(program):
     """Counters of drop_with/KIND by (kind, instruction set): the benchmark's turns with the plain drop."""
-    found = {}
-    for level in ("v4", "v3"):
-        done = subprocess.run([program, "--benchmark_format=json", "--benchmark_filter=^drop_with"], capture_output=True, text=True,
-                              env={**os.environ, "ROTORDROP_ISA": level})
-        if done.returncode == 0:
-            found.update({(run["run_name"].split("/")[1], level): run for run in json.loads(done.stdout)["benchmarks"] if "times" in run})
-    return found
+    return {(run["run_name"].split("/")[1], level): run
+            for level, runs in by_level(program, "^drop_with", ("v4", "v3")).items() for run in runs if "times" in run}
 
 
 def drop(program, case, folder, settings):

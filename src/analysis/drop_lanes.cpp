@@ -132,7 +132,7 @@ class LaneRun {
       Evaluation& found = lane.loop().found();
       found.time = integrator_->time(l);
       found.is_whole = false;
-      integrator_->step_values(l, found.step);
+      std::ranges::copy(integrator_->step_values(l), found.step.begin());
       if (found.wants_details) integrator_->details(l, found.details);
       if (lane.loop().follow_step()) integrator_->stop(l);
     });

@@ -48,11 +48,8 @@ class LaneIntegrator {
   [[nodiscard]] double time(std::size_t lane) const { return time_[lane]; }
   /// Until the next advance(), or another drop begins there.
   [[nodiscard]] std::span<const double> state(std::size_t lane) const { return y_by_lane_.of(lane); }
-  /// What was observed at the end of the lane's last step.
-  void step_values(std::size_t lane, std::span<double> values) const {
-    const auto of_lane = step_by_lane_.of(lane);
-    std::copy(of_lane.begin(), of_lane.end(), values.begin());
-  }
+  /// What was observed at the end of the lane's last step, for as long.
+  [[nodiscard]] std::span<const double> step_values(std::size_t lane) const { return step_by_lane_.of(lane); }
   void details(std::size_t lane, std::span<double> values) const { column(details_, lane, values); }
   /// State at a time within the lane's last step.
   void interpolate(std::size_t lane, double t, std::span<double> y) const;
@@ -107,14 +104,11 @@ class LaneIntegrator {
 /// One lane as an integrator that somebody else advances.
 class LaneView final : public Integrator {
  public:
-  LaneView(std::shared_ptr<const LaneIntegrator> lanes, std::size_t lane)
-      : lanes_(std::move(lanes)), lane_(lane), time_(lanes_->time(lane)) {}
-  /// After the lane has stepped, and before another drop begins there.
-  void update() {
-    time_ = lanes_->time(lane_);
-    statistics_ = lanes_->statistics(lane_);
-  }
-  [[nodiscard]] double time() const override { return time_; }
+  LaneView(std::shared_ptr<const LaneIntegrator> lanes, std::size_t lane) : lanes_(std::move(lanes)), lane_(lane) {}
+  /// Keeps the statistics. After the lane has stepped, and before another drop begins there.
+  void update() { statistics_ = lanes_->statistics(lane_); }
+  /// Time and state are the drop's until another one begins there.
+  [[nodiscard]] double time() const override { return lanes_->time(lane_); }
   [[nodiscard]] std::span<const double> state() const override { return lanes_->state(lane_); }
   /// @throws std::logic_error always
   void advance() override;
@@ -127,7 +121,6 @@ class LaneView final : public Integrator {
  private:
   std::shared_ptr<const LaneIntegrator> lanes_;
   std::size_t lane_;
-  double time_;
   IntegrationStatistics statistics_{};
 };
 

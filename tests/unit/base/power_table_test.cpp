@@ -14,7 +14,7 @@ namespace rotordrop {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-/// What the tables promise, and a magnitude less than any other rounding that a force meets on its way into a state.
+/// What the tables promise; four roundings, of both entries, of their product and of the sum, make 4.5e-16.
 constexpr double promised = 1e-15;
 
 double error(double found, long double right) {
@@ -76,7 +76,7 @@ TEST(CubeRoot, IsRightToFourUnitsOfTheLastDigitOnBothSidesOfZero) {
   EXPECT_TRUE(std::isnan(cbrt(nan)));
 }
 
-TEST(Exponent, IsAPowersOfOneDropAndOfEight) {
+TEST(Exponent, GivesThePowersOfOneDropAndOfEight) {
   using Real = EightDrops;
   const double x[] = {1e-9, 3e-6, 0.2, 0.7, 1., 1.3, 40., 5e3};
   for (const double y : {0.33, 0.5, 10. / 9.}) {
