@@ -228,8 +228,13 @@ void right_hand_side_of(benchmark::State& state, const std::vector<std::string>&
 }
 const std::string free_rings = "bearings.ring_motion=free", inertial = "bearings.ball_model=inertial",
                   bent = "bearings.ring_bending=arc";
+// The third order of Neisi 2019, table 4: on both races and in the bore.
+const std::string wavy =
+    "bearings.waviness=[{surface=\"inner\",order=3,amplitude=\"1 um\"},"
+    "{surface=\"outer\",order=3,amplitude=\"1 um\"},{surface=\"bore\",order=3,amplitude=\"1 um\"}]";
 BENCHMARK_CAPTURE(right_hand_side_of, rigid_rings, std::vector<std::string>{});
 BENCHMARK_CAPTURE(right_hand_side_of, free_rings, std::vector<std::string>{free_rings});
+BENCHMARK_CAPTURE(right_hand_side_of, wavy_races_and_bores, std::vector<std::string>{wavy});
 BENCHMARK_CAPTURE(right_hand_side_of, inertial_balls, std::vector<std::string>{inertial});
 BENCHMARK_CAPTURE(right_hand_side_of, bent_rings, std::vector<std::string>{bent});
 BENCHMARK_CAPTURE(right_hand_side_of, bent_rings_and_inertial_balls, std::vector<std::string>{bent, inertial});
@@ -406,6 +411,7 @@ BENCHMARK_CAPTURE(drop_with, nothing, std::vector<std::string>{})->Unit(benchmar
 BENCHMARK_CAPTURE(drop_with, finite_elements_beside, std::vector<std::string>{"thermal.models=[\"lumped\", \"fe\"]"})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
+BENCHMARK_CAPTURE(drop_with, waves, std::vector<std::string>{wavy})->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(drop_with, inertial_balls, std::vector<std::string>{inertial})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);

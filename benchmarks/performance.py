@@ -36,10 +36,13 @@ BESIDE = ["--set", 'thermal.models=["lumped", "fe"]']
 WINDOWS = ["--set", 'thermal.models=["fe"]', "--set", "thermal.fe.coupling=windowed"]
 DROPS_OF_STUDY = 64
 NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"]
-OTHER_DROPS = {"full": ["--set", "rotor.model=full"], "arc": ["--set", "bearings.ring_bending=arc"], "inertial": ["--set", "bearings.ball_model=inertial"]}
+#: the third order of Neisi 2019, table 4
+WAVES = "bearings.waviness=[" + ", ".join(f'{{surface="{surface}", order=3, amplitude="1 um"}}' for surface in ("inner", "outer", "bore")) + "]"
+OTHER_DROPS = {kind: ["--set", setting]
+               for kind, setting in {"waves": WAVES, "full": "rotor.model=full", "arc": "bearings.ring_bending=arc", "inertial": "bearings.ball_model=inertial"}.items()}
 
 #: what drop_with/KIND of the benchmarks has more than the reference drop
-MORE = {"nothing": "nothing more: what the turns leave", "finite_elements_beside": "finite elements beside the circuit", "inertial_balls": "balls with inertia", "bent_rings": "bent rings over the arc of contact",
+MORE = {"nothing": "nothing more: what the turns leave", "finite_elements_beside": "finite elements beside the circuit", "inertial_balls": "balls with inertia", "waves": "waves of the third order on races and bores, 1 um", "bent_rings": "bent rings over the arc of contact",
         "all_modes": "rotor with all its modes, up to 87 kHz"}
 
 KERNELS = [
@@ -50,6 +53,7 @@ KERNELS = [
     ("power_of_the_library", "power", "the same by the C library"),
     ("right_hand_side_of/rigid_rings", "call", "right-hand side, rigid rings that translate"),
     ("right_hand_side_of/free_rings", "call", "right-hand side, rigid rings that also tilt and move along the axis"),
+    ("right_hand_side_of/wavy_races_and_bores", "call", "right-hand side, rigid rings that translate, a wave on each race and in the bore"),
     ("right_hand_side_of/inertial_balls", "call", "right-hand side, rigid rings that translate, balls with inertia"),
     ("right_hand_side_of/bent_rings", "call", "right-hand side, bent rings over the arc of contact"),
     ("right_hand_side_of/bent_rings_and_inertial_balls", "call", "right-hand side, bent rings over the arc of contact, balls with inertia"),
@@ -207,6 +211,7 @@ def programs_table(programs, rounds):
         ("bare_beside", "almost without rows, finite elements beside the circuit", "ms", 1e3),
         ("windows", "almost without rows, finite elements in windows instead of the circuit", "ms", 1e3),
         ("full", "almost without rows, rotor with all its modes, up to 87 kHz (`rotor.model = \"full\"`)", "ms", 1e3),
+        ("waves", "almost without rows, waves of the third order on races and bores, 1 um", "ms", 1e3),
         ("arc", "almost without rows, bent rings over the arc of contact", "ms", 1e3),
         ("inertial", "almost without rows, balls with inertia", "ms", 1e3),
         ("process", "the whole process of the reference drop with its records", "ms", 1e3),

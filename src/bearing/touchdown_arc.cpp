@@ -58,14 +58,6 @@ Window window(double ey, double ez, double distance, double gap, double bound) {
   return {static_cast<std::size_t>(around) % n_arc_points, n};
 }
 
-/// A wave of the bore where the ring stands.
-struct TurnedWave {
-  double cosine, sine;
-  TurnedWave(const BoreWave& wave, double ring_angle)
-      : cosine(wave.amplitude * std::cos(wave.phase - wave.order * ring_angle)),
-        sine(wave.amplitude * std::sin(wave.phase - wave.order * ring_angle)) {}
-};
-
 /// The most that a bent bore leaves its circle.
 double bound_of(std::span<const double> shape) {
   double sum = 0.;
@@ -115,9 +107,9 @@ void TouchdownBearing::find_arc(std::span<const double> y, const Bodies& at, dou
   if (!data_.bore_waves.empty()) {
     std::fill_n(arc.waves.begin(), w.n, 0.);
     for (std::size_t k = 0; k < data_.bore_waves.size(); ++k) {
-      const TurnedWave p(data_.bore_waves[k], y[ring_angle]);
-      for (std::size_t i = 0; i < w.n; ++i)
-        arc.waves[i] += table.waves[k][1][w.first + i] * p.cosine + table.waves[k][0][w.first + i] * p.sine;
+      const TurnedWave wave = data_.bore_waves[k].turned(y[ring_angle]);
+      const auto& [cosine, sine] = table.waves[k];
+      for (std::size_t i = 0; i < w.n; ++i) arc.waves[i] += wave.height(sine[w.first + i], cosine[w.first + i]);
     }
   }
   const auto shape = inner_shape(y), rate = inner_shape_rate(y);
@@ -190,13 +182,12 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
                    where.last - where.first, table.row, on_shapes.data());
   for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += share * on_shapes[k];
   for (std::size_t k = 0; k < data_.bore_waves.size(); ++k) {
-    const BoreWave& wave = data_.bore_waves[k];
-    const TurnedWave p(wave, y[ring_angle]);
+    const TurnedWave wave = data_.bore_waves[k].turned(y[ring_angle]);
+    const auto& [cosine, sine] = table.waves[k];
     double sum = 0.;
     for (std::size_t i = where.first; i < where.last; ++i)
-      sum += elastic.at[i] *
-             (table.waves[k][0][arc.window.first + i] * p.cosine - table.waves[k][1][arc.window.first + i] * p.sine);
-    c.wave_power -= sum * wave.order * y[ring_spin];
+      sum += elastic.at[i] * wave.slope(sine[arc.window.first + i], cosine[arc.window.first + i]);
+    c.wave_power -= sum * data_.bore_waves[k].order * y[ring_spin];
   }
   // The mean normal by force: shorter than one, as forces that spread over an arc hold each other in part.
   c.n_y = sums.y / sums.normal;

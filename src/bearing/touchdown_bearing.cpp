@@ -12,7 +12,8 @@
 
 namespace rotordrop {
 
-TouchdownBearing::TouchdownBearing(TouchdownBearingData data) : data_(std::move(data)), numbers_(numbers_of(data_)) {
+TouchdownBearing::TouchdownBearing(TouchdownBearingData data)
+    : data_(std::move(data)), numbers_(numbers_of(data_), data_.bore_waves) {
   for (auto& geometry : data_.rows) geometry.conducts = data_.conduction.has_value();
   if (data_.bending)
     for (auto& geometry : data_.rows) geometry.highest_harmonic = data_.bending->inner.back().n;
@@ -66,7 +67,7 @@ TouchdownNumbers<double> TouchdownBearing::numbers_of(const TouchdownBearingData
 bool TouchdownBearing::runs_in_lanes() const {
   const auto& d = data_;
   return !d.free_ring && !d.sticking && !d.bending && !d.free_cage && !d.heats_rows_apart && !d.add_spin_heat &&
-         !d.friction.has_tables && d.bore_waves.empty();
+         !d.friction.has_tables;
 }
 
 bool TouchdownBearing::is_alike(const TouchdownBearing& other) const {
@@ -75,13 +76,15 @@ bool TouchdownBearing::is_alike(const TouchdownBearing& other) const {
          a.conduction.has_value() == b.conduction.has_value() &&
          (a.support_law != nullptr) == (b.support_law != nullptr) && n_support_states_ == other.n_support_states_ &&
          a.friction.has_stribeck == b.friction.has_stribeck &&
+         std::ranges::equal(a.bore_waves, b.bore_waves, {}, &BoreWave::order, &BoreWave::order) &&
          std::equal(rows_.begin(), rows_.end(), other.rows_.begin(), [](const BallRow& r, const BallRow& s) {
            const auto has_split = [](const BallRow& row) { return row.geometry().inner_gyroscopic_share != 0.; };
            return r.geometry().has_inertia == s.geometry().has_inertia && has_split(r) == has_split(s) &&
                   std::ranges::equal(r.cosines(), s.cosines()) && std::ranges::equal(r.sines(), s.sines()) &&
-                  std::ranges::equal(r.waves(), s.waves(), [](const BallRow::Wave& v, const BallRow::Wave& w) {
-                    return v.wave.order == w.wave.order && v.wave.on_inner_race == w.wave.on_inner_race;
-                  });
+                  std::ranges::equal(
+                      r.waves().list(), s.waves().list(), [](const RaceWaves::Wave& v, const RaceWaves::Wave& w) {
+                        return v.form.order == w.form.order && v.form.on_inner_race == w.form.on_inner_race;
+                      });
          });
 }
 

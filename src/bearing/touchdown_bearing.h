@@ -41,13 +41,6 @@ enum class GyroscopicSplit {
   equal   ///< half at each race
 };
 
-/// A wave on the bore: sin(order * (contact angle - ring angle) + phase).
-struct BoreWave {
-  int order = 1;
-  double amplitude = 0;  ///< [m]; positive means more penetration
-  double phase = 0;      ///< [rad]
-};
-
 /// Shoulder of the rotor beside one face of the inner ring.
 struct Shoulder {
   double side = 1;                                       ///< of the ring's face: +1 at +x, -1 at -x
@@ -254,10 +247,14 @@ class TouchdownBearing final : public Support {
   template <bool tilts, class Real>
   [[nodiscard]] static TouchOf<Real> touch_in_slice(const TouchdownFormulas<Real>& q, const ContactOf<Real>& c,
                                                     const BoreSlice& slice);
-  struct BoreWavesAtPoint {
-    double height = 0, rate = 0;  // [m], [m/s]
+  template <class Real>
+  struct BoreWavesAtPointOf {
+    Real height = 0, rate = 0;  // [m], [m/s]
   };
-  [[nodiscard]] BoreWavesAtPoint bore_waves_at(std::span<const double> y, Bodies at, double centres_turning) const;
+  /// On the line of centres, where rotor and bore are nearest.
+  template <class Real>
+  [[nodiscard]] static BoreWavesAtPointOf<Real> bore_waves_at(const TouchdownFormulas<Real>& q, std::span<const Real> y,
+                                                              Real n_y, Real n_z, Real centres_turning);
   /// @param bristle_rates  [n_bristles()]
   /// @param shape_forces   on the inner ring's shapes, added to [BentRings::n_inner()] [N]
   template <class Real>

@@ -54,6 +54,21 @@ template <bool tilts, class Real>
   if constexpr (tilts) c.friction_x = per_slip * c.slip_x;
 }
 
+// Takes its numbers by value: GCC would keep a contact in memory whose address goes to a function.
+template <class Real>
+[[gnu::noinline]] TouchdownBearing::BoreWavesAtPointOf<Real> TouchdownBearing::bore_waves_at(
+    const TouchdownFormulas<Real>& q, std::span<const Real> y, Real n_y, Real n_z, Real centres_turning) {
+  const Real passing = centres_turning - y[ring_spin];
+  BoreWavesAtPointOf<Real> waves;
+  for (const auto& wave : q.bore_waves) {
+    const SineCosineOf<Real> at = multiple_of(wave.order, SineCosineOf<Real>{n_z, n_y});
+    const TurnedWaveOf<Real> turned = wave.turned(y[ring_angle]);
+    waves.height += turned.height(at.sine, at.cosine);
+    waves.rate += static_cast<double>(wave.order) * passing * turned.slope(at.sine, at.cosine);
+  }
+  return waves;
+}
+
 template <bool tilts, class Real>
 [[gnu::always_inline]] inline TouchdownBearing::ContactOf<Real> TouchdownBearing::contact(
     const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
@@ -70,12 +85,12 @@ template <bool tilts, class Real>
   c.centres_turning = select(is_apart, c.tangential_speed / distance, Real(0.));
   c.slip_speed = in.rotor_spin.speed * q.rotor_radius - y[ring_spin] * q.bore_radius + c.tangential_speed;
   c.penetration = distance - (q.air_gap + growth.bore - growth.shaft);
+  if (!q.bore_waves.empty()) {
+    const BoreWavesAtPointOf<Real> waves = bore_waves_at(q, y, c.n_y, c.n_z, c.centres_turning);
+    c.penetration += select(is_apart, waves.height, Real(0.));
+    c.wave_rate = select(is_apart, waves.rate, Real(0.));
+  }
   if constexpr (has_all<Real>) {
-    if (!data_.bore_waves.empty() && distance > 0.) {
-      const BoreWavesAtPoint waves = bore_waves_at(y, at, c.centres_turning);
-      c.penetration += waves.height;
-      c.wave_rate = waves.rate;
-    }
     if (data_.bending) {
       const BendAtPoint bend = bend_at_point(y, c.n_y, c.n_z);
       c.penetration -= bend.u;

@@ -13,7 +13,8 @@ template <class Real>
 class TouchdownInLanes {
  public:
   /// @param bearings  alike (TouchdownBearing::is_alike()); lanes without one repeat the first
-  explicit TouchdownInLanes(std::span<const TouchdownBearing* const> bearings) : numbers_(numbers_of(bearings)) {
+  explicit TouchdownInLanes(std::span<const TouchdownBearing* const> bearings)
+      : numbers_(numbers_of(bearings), bore_waves_of(bearings)) {
     for (std::size_t i = 0; i < bearings.front()->rows().size(); ++i) {
       std::vector<const BallRow*> rows;
       for (const auto* bearing : bearings) rows.push_back(&bearing->rows()[i]);
@@ -66,6 +67,19 @@ class TouchdownInLanes {
     std::vector<const TouchdownNumbers<double>*> numbers;
     for (const auto* bearing : bearings) numbers.push_back(&bearing->numbers());
     return gathered<TouchdownNumbers, Real>(numbers);
+  }
+  [[nodiscard]] static std::vector<BoreWaveOf<Real>> bore_waves_of(std::span<const TouchdownBearing* const> bearings) {
+    std::vector<BoreWaveOf<Real>> waves;
+    for (std::size_t k = 0; k < bearings.front()->data().bore_waves.size(); ++k) {
+      waves.push_back({bearings.front()->data().bore_waves[k].order, Real(0.), Real(0.)});
+      for (int lane = 0; lane < n_lanes; ++lane) {
+        const auto at = static_cast<std::size_t>(lane) < bearings.size() ? static_cast<std::size_t>(lane) : 0;
+        const BoreWave& of_lane = bearings[at]->data().bore_waves[k];
+        waves.back().amplitude.set(lane, of_lane.amplitude);
+        waves.back().phase.set(lane, of_lane.phase);
+      }
+    }
+    return waves;
   }
   /// A lane's bearing, with its states up to the support's in y_.
   const TouchdownBearing& take(int lane, std::span<const Real> y) const {

@@ -1,5 +1,9 @@
 #pragma once
+#include <utility>
+#include <vector>
+
 #include "base/exponent.h"
+#include "bearing/turned_wave.h"
 #include "laws/bearing_friction.h"
 #include "laws/contact.h"
 #include "laws/heat/rolling_conduction.h"
@@ -29,12 +33,28 @@ struct TouchdownNumbers {
   Real spin_speed_sum_ratio;  ///< (|omega_si| + |omega_so|) / omega_i
 };
 
-/// The same with what powers with their exponents need.
+/// A wave on the bore: sin(order * (contact angle - ring angle) + phase).
+template <class Real>
+struct BoreWaveOf {
+  int order = 1;
+  Real amplitude = 0;  ///< [m]; positive means more penetration
+  Real phase = 0;      ///< [rad]
+  [[nodiscard]] TurnedWaveOf<Real> turned(const Real& ring_angle) const {
+    return {static_cast<double>(order), amplitude, phase, ring_angle};
+  }
+};
+using BoreWave = BoreWaveOf<double>;
+
+/// The same with what powers with their exponents need, and with lists.
 template <class Real>
 struct TouchdownFormulas : TouchdownNumbers<Real> {
-  explicit TouchdownFormulas(const TouchdownNumbers<Real>& numbers)
-      : TouchdownNumbers<Real>(numbers), contact_exponent(numbers.contact.n), load_exponent(numbers.f1_y) {}
+  TouchdownFormulas(const TouchdownNumbers<Real>& numbers, std::vector<BoreWaveOf<Real>> waves)
+      : TouchdownNumbers<Real>(numbers),
+        contact_exponent(numbers.contact.n),
+        load_exponent(numbers.f1_y),
+        bore_waves(std::move(waves)) {}
   ExponentOf<Real> contact_exponent, load_exponent;
+  std::vector<BoreWaveOf<Real>> bore_waves;
 };
 
 }  // namespace rotordrop

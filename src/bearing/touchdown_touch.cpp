@@ -39,18 +39,6 @@ std::size_t TouchdownBearing::n_bristles() const {
   return data_.free_ring ? 2 * n_slices : 1;
 }
 
-TouchdownBearing::BoreWavesAtPoint TouchdownBearing::bore_waves_at(std::span<const double> y, Bodies at,
-                                                                   double centres_turning) const {
-  const double angle = std::atan2(at.z, at.y) - y[ring_angle];
-  const double angle_rate = centres_turning - y[ring_spin];
-  BoreWavesAtPoint waves;
-  for (const auto& w : data_.bore_waves) {
-    waves.height += w.amplitude * std::sin(w.order * angle + w.phase);
-    waves.rate += w.amplitude * w.order * angle_rate * std::cos(w.order * angle + w.phase);
-  }
-  return waves;
-}
-
 StickingFriction::Vector TouchdownBearing::bristle(std::span<const double> y, std::size_t slice) const {
   const std::size_t at = bristles_at();
   if (!data_.free_ring) return {y[at], 0.};

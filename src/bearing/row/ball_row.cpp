@@ -14,7 +14,7 @@
 namespace rotordrop {
 namespace {
 
-/// Added to the penetrations of a row without waves: nothing, but idle_penetration behind its balls.
+/// Added to the penetrations of a row: nothing, but idle_penetration behind its balls.
 const double* only_idle(int n_balls) {
   static constexpr auto list = [] {
     std::array<double, BallRow::max_balls + vector_length> values{};
@@ -79,80 +79,46 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   numbers_.load_edges = {{g.inner, 1.}, {g.outer, 1.}};
   if (g.has_inertia) starts_ = shared_starts(numbers_.inertial, 0.5 * g.ball_mass * g.pitch_diameter);
   const auto azimuth = [&](int j) { return g.phase + 2. * std::numbers::pi * j / g.n_balls; };
+  std::vector<double> azimuths;
   for (int j = 0; j < g.n_balls; ++j) {
+    azimuths.push_back(azimuth(j));
     cosine_.push_back(std::cos(azimuth(j)));
     sine_.push_back(std::sin(azimuth(j)));
   }
   n_padded_ = filled_up(cosine_.size());
   cosine_.resize(n_padded_, 1.);
   sine_.resize(n_padded_, 0.);
-  for (const auto& wave : waves) {
-    Wave w{wave, {}, {}};
-    for (int j = 0; j < g.n_balls; ++j) {
-      w.cosine.push_back(std::cos(wave.order * azimuth(j)));
-      w.sine.push_back(std::sin(wave.order * azimuth(j)));
-    }
-    w.cosine.resize(n_padded_, 0.);
-    w.sine.resize(n_padded_, 0.);
-    waves_.push_back(std::move(w));
-  }
-  if (g.highest_harmonic > 0) {
-    std::vector<double> azimuths;
-    for (int j = 0; j < g.n_balls; ++j) azimuths.push_back(azimuth(j));
-    tabulate_shapes(azimuths);
-  }
+  waves_ = {waves, azimuths};
+  if (g.highest_harmonic > 0) tabulate_shapes(azimuths);
 }
 
-// What is added to every penetration besides the races' approach: 2 eps_b and the waves. One sine and cosine per wave.
-void BallRow::fill_added(const BallRowInput& in, double* added) const {
-  const auto n = static_cast<std::size_t>(geometry_.n_balls);
-  std::fill_n(added, n, 2. * in.ball_growth);
-  std::fill_n(added + n, n_padded_ - n, idle_penetration);
-  for (const auto& w : waves_) {
-    const double ring = w.wave.on_inner_race ? in.ring_angle : 0.;
-    const double argument = w.wave.order * (in.cage_angle - ring) + w.wave.phase;
-    const double c = w.wave.amplitude * std::cos(argument), s = w.wave.amplitude * std::sin(argument);
-    for (std::size_t j = 0; j < n; ++j) added[j] += w.sine[j] * c + w.cosine[j] * s;
-  }
-}
-
-double BallRow::waviness_power(const BallRowInput& in, const double* added, const double* widening) const {
-  const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
-  std::array<double, max_balls> load;
-  for (std::size_t k = 0; k < n_balls(); ++k) {
-    const BallWidening<double> bent{widening ? widening[k] : 0., 0., 0.};
-    const double delta = ball_penetration<true, true>(place, cosine_[k], sine_[k], added[k], bent).delta;
-    load[k] = geometry_.stiffness * delta * std::sqrt(delta);
-  }
-  double power = 0.;
-  for (const auto& w : waves_) {
-    const double on_ring = w.wave.on_inner_race ? 1. : 0.;
-    const double argument = w.wave.order * (in.cage_angle - on_ring * in.ring_angle) + w.wave.phase;
-    const double travel = w.wave.amplitude * w.wave.order * (in.cage_speed - on_ring * in.ring_speed);
-    const double c = std::cos(argument), s = std::sin(argument);
-    for (std::size_t k = 0; k < n_balls(); ++k) power += load[k] * travel * (w.cosine[k] * c - w.sine[k] * s);
-  }
-  return power;
-}
-
-KernelInput BallRow::kernel_input(const BallRowInput& in, double* waved, Widening& bent) const {
-  const bool is_bent = !in.shape.empty();
-  if (is_bent) widen(in, bent);
-  if (!waves_.empty()) fill_added(in, waved);
-  return {row_place(numbers_, in, waves_.empty() ? 2. * in.ball_growth : 0.),
+KernelInput BallRow::smooth_input(const BallRowInput& in) const {
+  return {row_place(numbers_, in, 2. * in.ball_growth),
           numbers_.stiffness_root,
           cosine_.data(),
           sine_.data(),
-          waves_.empty() ? only_idle(geometry_.n_balls) : waved,
+          only_idle(geometry_.n_balls),
           n_padded_,
-          is_bent ? &bent : nullptr};
+          nullptr,
+          nullptr};
+}
+
+KernelInput BallRow::kernel_input(const BallRowInput& in, WavesAtBalls& waves, Widening& bent) const {
+  KernelInput balls = smooth_input(in);
+  if (!waves_.empty()) {
+    waves_.at_balls(in, waves);
+    balls.waves = &waves;
+  }
+  if (!in.shape.empty()) {
+    widen(in, bent);
+    balls.bent = &bent;
+  }
+  return balls;
 }
 
 template <class Kernel>
-void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
-  Widening bent;
-  std::array<double, max_balls> waved;
-  const KernelInput balls = kernel_input(in, waved.data(), bent);
+void BallRow::press(Kernel kernel, const KernelInput& balls, const BallRowInput& in, BallRowOutput& out,
+                    RowTractions* tractions) const {
   if (tractions) {
     const double F_c = numbers_.centrifugal_force(in);
     const TractionInput with{F_c, geometry_.inner_gyroscopic_share, numbers_.edges};
@@ -161,8 +127,25 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
   } else {
     kernel(balls, out, nullptr, nullptr);
   }
+}
+
+/// Apart from run(), lest a smooth row between rigid rings pays for the space.
+template <class Kernel>
+[[gnu::noinline]] void BallRow::run_with_space(Kernel kernel, const BallRowInput& in, BallRowOutput& out,
+                                               RowTractions* tractions) const {
+  Widening bent;
+  WavesAtBalls waves;
+  const KernelInput balls = kernel_input(in, waves, bent);
+  press(kernel, balls, in, out, tractions);
   if (balls.bent) press_shapes(in, bent);
-  out.waviness_power = waves_.empty() ? 0. : waviness_power(in, waved.data(), balls.bent ? bent.width.data() : nullptr);
+}
+
+template <class Kernel>
+void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
+  if (waves_.empty() && in.shape.empty())
+    press(kernel, smooth_input(in), in, out, tractions);
+  else
+    run_with_space(kernel, in, out, tractions);
 }
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
@@ -177,21 +160,15 @@ void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions*
 
 void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return inertial_loads(in, F_0, load);
-  std::array<double, max_balls> added;
-  fill_added(in, added.data());
   Widening bent;
-  const double *width = nullptr, *width_rate = nullptr;  // of bent rings
-  if (!in.shape.empty()) {
-    widen(in, bent);
-    width = bent.width.data();
-    width_rate = bent.rate.data();
-  }
-  const RowPlaceOf<double> place = row_place(numbers_, in, 0.);
+  WavesAtBalls waves;
+  const KernelInput balls = kernel_input(in, waves, bent);
   for (std::size_t k = 0; k < n_balls(); ++k) {
     BallWidening<double> bent_here{};
-    if (width) bent_here = {width[k], width_rate[k], 0.};
-    BallTerms<double> b = ball_penetration<true, true>(place, cosine_[k], sine_[k], added[k], bent_here);
-    press_ball(place, b);
+    if (balls.bent) bent_here = {bent.width[k], bent.rate[k], 0.};
+    const double added = balls.waves ? waves.inner[k] + waves.outer[k] : 0.;
+    BallTerms<double> b = ball_penetration<true, true>(balls.place, cosine_[k], sine_[k], added, bent_here);
+    press_ball(balls.place, b);
     load[k] = b.F;
   }
 }
@@ -199,8 +176,8 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
 double BallRow::energy(const BallRowInput& in) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return inertial_energy(in, F_0);
   Widening bent;
-  std::array<double, max_balls> waved;
-  return 0.4 * geometry_.stiffness * row_kernels().sum_deflections(kernel_input(in, waved.data(), bent));
+  WavesAtBalls waves;
+  return 0.4 * geometry_.stiffness * row_kernels().sum_deflections(kernel_input(in, waves, bent));
 }
 
 double BallRow::offset_for_axial_load(const BallRowGeometry& g, double axial_load) {

@@ -7,25 +7,18 @@
 
 #include "base/aligned_numbers.h"
 #include "base/real.h"
+#include "bearing/row/ball_row_ports.h"
 #include "bearing/row/inertial_balls.h"
+#include "bearing/row/race_waves.h"
 #include "laws/skidding.h"
 
 namespace rotordrop {
 
 struct KernelInput;    // bearing/row/ball_row_kernels.h
 struct InertialInput;  // bearing/row/inertial_kernels.h
-struct WavesAtBalls;
 template <class Real>
 struct RowPlaceOf;  // bearing/row/ball_terms.h
 struct Widening;    // bearing/row/ball_row_bending.h
-
-/// Displacement (or its rate) of the inner ring relative to the outer one. Tilts about y and z.
-template <class Real>
-struct RingDisplacementOf {
-  Real x = 0, y = 0, z = 0;   ///< [m] ([m/s])
-  Real psi_y = 0, psi_z = 0;  ///< [rad] ([rad/s])
-};
-using RingDisplacement = RingDisplacementOf<double>;
 
 /// Hertz constants of the balls on one race.
 template <class Real>
@@ -92,57 +85,6 @@ struct RowStrainsOf {
 };
 using RowStrains = RowStrainsOf<double>;
 RowStrains row_strains(const BallRowGeometry& geometry);
-
-/// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (eqs. 11, 12).
-struct RaceWave {
-  bool on_inner_race = true;  ///< argument b_j - theta_i; on the outer race b_j
-  int order = 1;              ///< m, >= 1
-  double amplitude = 0;       ///< A [m]
-  double phase = 0;           ///< [rad]
-};
-
-/// Instantaneous input of a row.
-template <class Real>
-struct BallRowInputOf {
-  RingDisplacementOf<Real> displacement;
-  RingDisplacementOf<Real> rate;
-  Real cage_angle = 0, cage_cosine = 1, cage_sine = 0;
-  Real cage_speed = 0;      ///< [rad/s], for the work of the prescribed cage
-  Real ring_angle = 0;      ///< theta_i [rad]
-  Real ring_speed = 0;      ///< omega_i [rad/s]
-  Real radial_growth = 0;   ///< eps_in - eps_out, radial displacements of the contact points [m]
-  Real row_difference = 0;  ///< of it, last row less first [m]
-  Real ball_growth = 0;     ///< eps_b, growth of a ball's radius [m]
-  Real inner_strain = 0;    ///< axial strain of the inner ring
-  Real outer_strain = 0;    ///< of the outer ring
-  /// Bent rings: coefficients a_2, b_2, a_3, b_3, ... of u_r of the inner raceway less the outer one [m], and their rates [m/s]; empty: rigid rings.
-  std::span<const Real> shape, shape_rate;
-  std::span<Real> shape_force;  ///< the balls' forces on the inner ring's shapes are added here [N]
-};
-using BallRowInput = BallRowInputOf<double>;
-
-/// What a row does to the inner ring, and the sums that energy and heat need. Evaluation writes every member.
-template <class Real>
-struct BallRowOutputOf {
-  Real force_x, force_y, force_z;  ///< on the inner ring [N]
-  Real moment_y, moment_z;         ///< on the inner ring [N m]
-  Real damping_power;              ///< dissipated in the contacts [W]
-  Real elastic_radial;             ///< sum of K delta^1.5 cos phi: dU/d(eps_in - eps_out) [N]
-  Real elastic_axial;              ///< sum of K delta^1.5 sin phi: dU/d(B_x) [N]
-  Real elastic_normal;             ///< sum of K delta^1.5: half of dU/d(eps_b) [N]
-  Real
-      elastic_outer_surplus;  ///< by how much that of the outer contacts exceeds it; the inner ones fall short by as much [N]
-  Real cage_torque;  ///< dU/d(cage angle) with the waves kept: times the cage's speed the work rate of its motion [N m]
-  Real waviness_power;      ///< work rate of the prescribed travel of the waves [W]
-  Real largest_load;        ///< of the row's balls on the inner race [N]
-  Real largest_outer_load;  ///< on the outer race [N]; the same without inertia
-  /// Sums of the loads and of their cube roots on either race, without damping [N], [N^(1/3)]: what conducts heat. Loads of balls without inertia are
-  /// the same on both.
-  Real inner_load_roots, outer_load_roots, inner_loads, outer_loads;
-  Real inertia_power;      ///< work rate of the balls' forces of inertia on the balls, at constant speed [W]
-  Real inertia_per_speed;  ///< and more per acceleration of the ring [W s^2/rad]
-};
-using BallRowOutput = BallRowOutputOf<double>;
 
 /// Where the grooves' centres are, B_r and B_x of an undisplaced ring [m].
 template <class Real>
@@ -232,12 +174,7 @@ struct RowNumbers {
 /// Corrects Neisi 2019, eqs. (2)-(6), (12); see docs/theory/model.md.
 class BallRow {
  public:
-  static constexpr int max_balls = 256;
-
-  struct Wave {
-    RaceWave wave;
-    std::vector<double> cosine, sine;  ///< of order * azimuth at cage angle zero, [n_padded]
-  };
+  static constexpr int max_balls = most_balls;
 
   /// @throws std::invalid_argument for more than max_balls balls
   BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves);
@@ -259,22 +196,26 @@ class BallRow {
   /// Of the balls' azimuths at cage angle zero [n_balls].
   [[nodiscard]] std::span<const double> cosines() const { return {cosine_.data(), n_balls()}; }
   [[nodiscard]] std::span<const double> sines() const { return {sine_.data(), n_balls()}; }
-  [[nodiscard]] std::span<const Wave> waves() const { return waves_; }
+  [[nodiscard]] const RaceWaves& waves() const { return waves_; }
   /// Of a row whose balls have inertia, else nullptr.
   [[nodiscard]] const InertialStarts* starts() const { return starts_.get(); }
 
  private:
   using Grooves = GroovesOf<double>;
-  /// @param waved [max_balls], @param bent  space that what is returned may refer to
-  [[nodiscard]] KernelInput kernel_input(const BallRowInput& input, double* waved, Widening& bent) const;
+  /// @param waves, bent  space that what is returned may refer to
+  [[nodiscard]] KernelInput kernel_input(const BallRowInput& input, WavesAtBalls& waves, Widening& bent) const;
+  [[nodiscard]] KernelInput smooth_input(const BallRowInput& input) const;
+  template <class Kernel>
+  void press(Kernel kernel, const KernelInput& balls, const BallRowInput& input, BallRowOutput& out,
+             RowTractions* tractions) const;
+  template <class Kernel>
+  void run_with_space(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
   template <class Kernel>
   void run(Kernel kernel, const BallRowInput& input, BallRowOutput& out, RowTractions* tractions) const;
-  void fill_added(const BallRowInput& input, double* added) const;
   void tabulate_shapes(const std::vector<double>& azimuth);
   void widen(const BallRowInput& input, Widening& widening) const;
   void press_shapes(const BallRowInput& input, Widening& widening) const;
   [[nodiscard]] double inertia_force(const BallRowInput& input) const;
-  void fill_waves(const BallRowInput& input, WavesAtBalls& at) const;
   /// @param tilts  false for a ring that only translates; @param waves, bent  space that what is returned may refer to
   [[nodiscard]] InertialInput inertial_input(const BallRowInput& input, double F_0, bool tilts, WavesAtBalls& waves,
                                              Widening& bent) const;
@@ -282,14 +223,13 @@ class BallRow {
   [[nodiscard]] double inertial_energy(const BallRowInput& input, double F_0) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, bool tilts, BallRowOutput& out,
                          RowTractions* tractions) const;
-  [[nodiscard]] double waviness_power(const BallRowInput& input, const double* added, const double* widening) const;
 
   BallRowGeometry geometry_;
   RowNumbers<double> numbers_{};
   std::shared_ptr<const InertialStarts> starts_;  // of a row with inertia
   AlignedNumbers cosine_, sine_;  // of the balls' azimuths at cage angle zero, [n_padded]: filled up with idle balls
   std::size_t n_padded_ = 0;
-  std::vector<Wave> waves_;
+  RaceWaves waves_;
   AlignedNumbers
       shapes_;  // cos, sin of n times the azimuths at cage angle zero, n = 2 ...: [2 (highest - 1)][n_padded]
   AlignedNumbers shapes_by_ball_;  // the same, [n_padded][2 (highest - 1), filled up to whole vectors]

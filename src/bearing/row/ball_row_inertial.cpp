@@ -29,27 +29,11 @@ double BallRow::inertia_force(const BallRowInput& in) const {
   return F_0 > numbers_.negligible_inertia_force ? F_0 : 0.;
 }
 
-void BallRow::fill_waves(const BallRowInput& in, WavesAtBalls& at) const {
-  for (auto* list : {&at.inner, &at.outer, &at.inner_rate, &at.outer_rate}) std::fill_n(list->begin(), n_padded_, 0.);
-  for (const auto& wave : waves_) {
-    const bool inner = wave.wave.on_inner_race;
-    const double argument = wave.wave.order * (in.cage_angle - (inner ? in.ring_angle : 0.)) + wave.wave.phase;
-    const double travel = wave.wave.order * (in.cage_speed - (inner ? in.ring_speed : 0.));
-    const double c = wave.wave.amplitude * std::cos(argument), s = wave.wave.amplitude * std::sin(argument);
-    auto& added = inner ? at.inner : at.outer;
-    auto& rate = inner ? at.inner_rate : at.outer_rate;
-    for (std::size_t j = 0; j < n_balls(); ++j) {
-      added[j] += wave.sine[j] * c + wave.cosine[j] * s;
-      rate[j] += travel * (wave.cosine[j] * c - wave.sine[j] * s);
-    }
-  }
-}
-
 InertialInput BallRow::inertial_input(const BallRowInput& in, double F_0, bool tilts, WavesAtBalls& waves,
                                       Widening& bent) const {
   const bool is_bent = !in.shape.empty();
   if (is_bent) widen(in, bent);
-  if (!waves_.empty()) fill_waves(in, waves);
+  if (!waves_.empty()) waves_.at_balls(in, waves);
   const auto& e = in.displacement;
   const bool has_one_axial = !tilts || (e.x == 0. && e.psi_y == 0. && e.psi_z == 0.);
   const auto added = numbers_.added(in);

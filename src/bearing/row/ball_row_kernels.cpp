@@ -34,46 +34,61 @@ ROTORDROP_KERNEL ForceSumsOf<double> over_lanes(const ForceSumsOf<Sum>& sum) {
 
 template <bool tilts, bool is_bent>
 ROTORDROP_KERNEL BallTerms<Balls> penetration(const KernelInput& in, const RowPlaceOf<Balls>& place,
-                                              const Balls& cosine, const Balls& sine, std::size_t j) {
+                                              const Balls& cosine, const Balls& sine, const Balls& added,
+                                              std::size_t j) {
   BallWidening<Balls> bent{0., 0., 0.};
   if constexpr (is_bent)
     bent = {Balls::load(&in.bent->width[j]), Balls::load(&in.bent->rate[j]), Balls::load(&in.bent->slope[j])};
-  return ball_penetration<tilts, is_bent>(place, cosine, sine, Balls::load(in.added + j), bent);
+  return ball_penetration<tilts, is_bent>(place, cosine, sine, added, bent);
 }
 
-template <bool tilts, bool is_bent, bool with_tractions>
+template <bool tilts, bool is_bent, bool is_wavy, bool with_tractions>
 void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
   const RowPlaceOf<Balls> place = in_all_lanes(in.place);
   ForceSumsOf<Sum> all_forces;
   [[maybe_unused]] TractionSumsOf<Sum> all_tractions;
   [[maybe_unused]] TractionInputOf<Balls> traction_input;
+  [[maybe_unused]] Octet all_waviness;
   if constexpr (with_tractions) traction_input = in_all_lanes(*with);
   for (std::size_t first = 0; first < vector_length; first += at_once) {
     ForceSumsOf<Balls> forces;
     [[maybe_unused]] TractionSumsOf<Balls> traction_sums;
+    [[maybe_unused]] Balls waviness = 0.;
     for (std::size_t j = first; j < in.n; j += vector_length) {
       const Balls cosine = Balls::load(in.cosine + j), sine = Balls::load(in.sine + j);
-      BallTerms<Balls> b = penetration<tilts, is_bent>(in, place, cosine, sine, j);
+      Balls added = Balls::load(in.idle + j);
+      if constexpr (is_wavy) added += some_of(*in.waves, j).added();
+      BallTerms<Balls> b = penetration<tilts, is_bent>(in, place, cosine, sine, added, j);
       press_ball(place, b);
       forces.add<tilts>(place, b, cosine, sine);
+      if constexpr (is_wavy) waviness += b.elastic * some_of(*in.waves, j).rate();
       if constexpr (is_bent) (b.F * b.cos_phi).store(&in.bent->force[j]);
       if constexpr (with_tractions) traction_sums.add(traction_input, b);
     }
     put_part(forces, first, all_forces);
     if constexpr (with_tractions) put_part(traction_sums, first, all_tractions);
+    if constexpr (is_wavy) waviness.store(&all_waviness[first]);
   }
   put<tilts>(over_lanes<tilts>(all_forces), in.place, in.stiffness_root, out);
   if constexpr (with_tractions) put(over_lanes(all_tractions), *with, *tractions);
+  out.waviness_power = is_wavy ? all_waviness.sum() : 0.;
 }
 
+template <bool tilts, bool is_bent, bool is_wavy>
+void sum_with_or_without(const KernelInput& in, BallRowOutput& out, const TractionInput* with,
+                         RowTractions* tractions) {
+  with ? sum_balls<tilts, is_bent, is_wavy, true>(in, out, with, tractions)
+       : sum_balls<tilts, is_bent, is_wavy, false>(in, out, with, tractions);
+}
+template <bool tilts, bool is_bent>
+void sum_wavy_or_smooth(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  in.waves ? sum_with_or_without<tilts, is_bent, true>(in, out, with, tractions)
+           : sum_with_or_without<tilts, is_bent, false>(in, out, with, tractions);
+}
 template <bool tilts>
 void sum_chosen(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
-  if (in.bent)
-    with ? sum_balls<tilts, true, true>(in, out, with, tractions)
-         : sum_balls<tilts, true, false>(in, out, with, tractions);
-  else
-    with ? sum_balls<tilts, false, true>(in, out, with, tractions)
-         : sum_balls<tilts, false, false>(in, out, with, tractions);
+  in.bent ? sum_wavy_or_smooth<tilts, true>(in, out, with, tractions)
+          : sum_wavy_or_smooth<tilts, false>(in, out, with, tractions);
 }
 
 template <bool is_bent>
@@ -83,8 +98,10 @@ double deflections(const KernelInput& in) {
   for (std::size_t first = 0; first < vector_length; first += at_once) {
     Balls sum = 0.;
     for (std::size_t j = first; j < in.n; j += vector_length) {
+      Balls added = Balls::load(in.idle + j);
+      if (in.waves) added += some_of(*in.waves, j).added();
       const Balls delta =
-          penetration<true, is_bent>(in, place, Balls::load(in.cosine + j), Balls::load(in.sine + j), j).delta;
+          penetration<true, is_bent>(in, place, Balls::load(in.cosine + j), Balls::load(in.sine + j), added, j).delta;
       sum += delta * delta * sqrt(delta);
     }
     sum.store(&all[first]);

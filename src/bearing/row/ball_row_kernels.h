@@ -16,9 +16,10 @@ struct KernelInput {
   double stiffness_root;  // K^(1/3)
   const double* cosine;
   const double* sine;
-  const double* added;  // to every delta, by ball: waviness, or idle_penetration [n]
-  std::size_t n;        // a multiple of vector_length
-  Widening* bent;       // of bent rings; of rigid ones none
+  const double* idle;         // added to every delta: nothing, or idle_penetration [n]
+  std::size_t n;              // a multiple of vector_length
+  const WavesAtBalls* waves;  // of a row without them none
+  Widening* bent;             // of bent rings; of rigid ones none
 };
 using TractionInput = TractionInputOf<double>;
 

@@ -46,9 +46,7 @@ ROTORDROP_KERNEL BallInRow<Balls> in_row(const InertialInput& in, std::size_t j)
   ball.sine = Balls::load(in.sine + j);
   if constexpr (is_bent)
     ball.bent = {Balls::load(&in.bent->width[j]), Balls::load(&in.bent->rate[j]), Balls::load(&in.bent->slope[j])};
-  if (in.waves)
-    ball.waves = {Balls::load(&in.waves->inner[j]), Balls::load(&in.waves->outer[j]),
-                  Balls::load(&in.waves->inner_rate[j]), Balls::load(&in.waves->outer_rate[j])};
+  if (in.waves) ball.waves = some_of(*in.waves, j);
   return ball;
 }
 

@@ -8,14 +8,6 @@
 
 namespace rotordrop {
 
-/// By ball: what waves add to the deflections of a row's contacts [m], and the rates of that by their travel [m/s].
-struct WavesAtBalls {
-  WavesAtBalls() {}  // leaves everything unwritten: only rows with waves use it
-  /// A little longer than a row can be, lest all arrays fall on the same lines of the cache.
-  using Array = std::array<double, BallRow::max_balls + 8>;
-  alignas(64) Array inner, outer, inner_rate, outer_rate;
-};
-
 /// Balls, races and displacement of a row as its kernels take them.
 struct InertialInput {
   RowPlaceOf<double> place;

@@ -5,12 +5,6 @@
 
 namespace rotordrop {
 
-/// What waves add to the deflections of a ball's contacts [m], and the rates of that by their travel [m/s].
-template <class Real>
-struct BallWavesOf {
-  Real inner, outer, inner_rate, outer_rate;
-};
-
 /// A ball among those of its row.
 template <class Real>
 struct BallInRow {

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "base/gather.h"
-#include "base/sine_cosine.h"
 #include "bearing/row/ball_terms.h"
 #include "bearing/row/inertial_in_lanes.h"
 
@@ -21,16 +20,15 @@ class RowInLanes {
     std::vector<const RowNumbers<double>*> numbers;
     for (const BallRow* row : rows) numbers.push_back(&row->numbers());
     numbers_ = gathered<RowNumbers, Real>(numbers);
-    for (std::size_t k = 0; k < rows.front()->waves().size(); ++k) {
-      const BallRow::Wave& form = rows.front()->waves()[k];
-      Wave wave{
-          form.wave.on_inner_race, static_cast<double>(form.wave.order), Real(0.), Real(0.), form.cosine, form.sine};
+    for (const RaceWaves::Wave& wave : rows.front()->waves().list()) {
+      waves_.push_back({wave.form, Real(0.), Real(0.), wave.sine, wave.cosine, {}});
+      const std::size_t k = waves_.size() - 1;
       for (int lane = 0; lane < n_lanes; ++lane) {
-        const auto at = std::min(static_cast<std::size_t>(lane), rows.size() - 1);
-        wave.amplitude.set(lane, rows[at]->waves()[k].wave.amplitude);
-        wave.phase.set(lane, rows[at]->waves()[k].wave.phase);
+        const auto at = static_cast<std::size_t>(lane) < rows.size() ? static_cast<std::size_t>(lane) : 0;
+        const RaceWave& of_lane = rows[at]->waves().list()[k].form;
+        waves_[k].amplitude.set(lane, of_lane.amplitude);
+        waves_[k].phase.set(lane, of_lane.phase);
       }
-      waves_.push_back(std::move(wave));
     }
   }
   [[nodiscard]] const RowNumbers<Real>& numbers() const { return numbers_; }
@@ -40,7 +38,7 @@ class RowInLanes {
                              RowTractionsOf<Real>* tractions) const {
     if (!inertial_.has_inertia()) return evaluate_massless(in, out, tractions);
     const Turning turning(numbers_, in);
-    if (any(turning.is)) inertial_.evaluate(numbers_, in, turning, waves_at(in), !waves_.empty(), out, tractions);
+    if (any(turning.is)) inertial_.evaluate(numbers_, in, turning, passed_waves(in), !waves_.empty(), out, tractions);
     const MaskOf<Real> stands = !turning.is;
     if (!any(stands)) return;
     BallRowOutputOf<Real> still;
@@ -52,7 +50,7 @@ class RowInLanes {
   void ball_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
     if (!inertial_.has_inertia()) return massless_loads(in, load);
     const Turning turning(numbers_, in);
-    if (any(turning.is)) inertial_.ball_loads(numbers_, in, turning, waves_at(in), !waves_.empty(), load);
+    if (any(turning.is)) inertial_.ball_loads(numbers_, in, turning, passed_waves(in), !waves_.empty(), load);
     const MaskOf<Real> stands = !turning.is;
     if (!any(stands)) return;
     std::vector<Real> still(load.size());
@@ -63,7 +61,7 @@ class RowInLanes {
     if (!inertial_.has_inertia()) return massless_energy(in);
     const Turning turning(numbers_, in);
     Real energy = 0.;
-    if (any(turning.is)) energy = inertial_.energy(numbers_, in, turning, waves_at(in), !waves_.empty());
+    if (any(turning.is)) energy = inertial_.energy(numbers_, in, turning, passed_waves(in), !waves_.empty());
     const MaskOf<Real> stands = !turning.is;
     return any(stands) ? select(stands, massless_energy(in), energy) : energy;
   }
@@ -71,55 +69,27 @@ class RowInLanes {
  private:
   using Turning = typename InertialRowInLanes<Real>::Turning;
   struct Wave {
-    bool on_inner_race;
-    double order;
+    RaceWave form;  // of the first drop
     Real amplitude, phase;
-    std::vector<double> cosine, sine;  // of order * azimuth at cage angle zero
+    AlignedNumbers sine, cosine;  // as in RaceWaves
+    PassedWaveOf<Real> now;       // at the instant that is being evaluated
   };
-  /// A wave at an instant: amplitude times cosine and sine of how far it has turned, and its speed of travel [rad/s].
-  struct Travel {
-    Real cosine, sine, speed;
-  };
-  using Travels = std::vector<Travel>;
-  [[nodiscard]] Travels travelling(const BallRowInputOf<Real>& in) const {
-    Travels travels;
+  /// Brings the waves to an instant.
+  void pass(const BallRowInputOf<Real>& in) const {
+    for (Wave& w : waves_) w.now = {w.form, w.amplitude, w.phase, in};
+  }
+  /// What they add there at a ball.
+  [[nodiscard, gnu::always_inline]] inline BallWavesOf<Real> waves_at(std::size_t j) const {
+    BallWavesOf<Real> at{Real(0.), Real(0.), Real(0.), Real(0.)};
     for (const Wave& w : waves_) {
-      const Real angle = w.on_inner_race ? in.cage_angle - in.ring_angle : in.cage_angle;
-      const Real speed = w.on_inner_race ? in.cage_speed - in.ring_speed : in.cage_speed;
-      const auto turned = sine_cosine(w.order * angle + w.phase);
-      travels.push_back({w.amplitude * turned.cosine, w.amplitude * turned.sine, w.order * speed});
+      (w.form.on_inner_race ? at.inner : at.outer) += w.now.wave.height(w.sine[j], w.cosine[j]);
+      (w.form.on_inner_race ? at.inner_rate : at.outer_rate) += w.now.speed * w.now.wave.slope(w.sine[j], w.cosine[j]);
     }
-    return travels;
+    return at;
   }
-  /// What the waves add to a ball's penetration [m], and the rate of that by their travel [m/s].
-  struct Waved {
-    Real added, rate;
-  };
-  [[nodiscard]] Waved waved(const Travels& travels, std::size_t j) const {
-    Waved sum{Real(0.), Real(0.)};
-    for (std::size_t k = 0; k < travels.size(); ++k) {
-      const Waved one = waved_by(travels, k, j);
-      sum.added += one.added;
-      sum.rate += one.rate;
-    }
-    return sum;
-  }
-  [[nodiscard]] Waved waved_by(const Travels& travels, std::size_t k, std::size_t j) const {
-    const Travel& t = travels[k];
-    const double c = waves_[k].cosine[j], s = waves_[k].sine[j];
-    return {s * t.cosine + c * t.sine, t.speed * (c * t.cosine - s * t.sine)};
-  }
-  /// By ball, what the waves add on either race, and the rates of that.
-  [[nodiscard]] auto waves_at(const BallRowInputOf<Real>& in) const {
-    return [this, travels = travelling(in)](std::size_t j) {
-      BallWavesOf<Real> at{Real(0.), Real(0.), Real(0.), Real(0.)};
-      for (std::size_t k = 0; k < travels.size(); ++k) {
-        const Waved one = waved_by(travels, k, j);
-        (waves_[k].on_inner_race ? at.inner : at.outer) += one.added;
-        (waves_[k].on_inner_race ? at.inner_rate : at.outer_rate) += one.rate;
-      }
-      return at;
-    };
+  [[nodiscard]] auto passed_waves(const BallRowInputOf<Real>& in) const {
+    pass(in);
+    return [this](std::size_t j) { return waves_at(j); };
   }
   [[nodiscard, gnu::always_inline]] inline BallTerms<Real> penetration(const RowPlaceOf<Real>& place, const Real& added,
                                                                        std::size_t j) const {
@@ -135,19 +105,19 @@ class RowInLanes {
   }
   void massless_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
-    const auto travels = travelling(in);
+    pass(in);
     for (std::size_t j = 0; j < cosine_.size(); ++j) {
-      BallTerms<Real> b = penetration(place, waved(travels, j).added, j);
+      BallTerms<Real> b = penetration(place, waves_at(j).added(), j);
       press_ball(place, b);
       load[j] = b.F;
     }
   }
   [[nodiscard]] Real massless_energy(const BallRowInputOf<Real>& in) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
-    const auto travels = travelling(in);
+    pass(in);
     Real sum = 0.;
     for (std::size_t j = 0; j < cosine_.size(); ++j) {
-      const Real delta = penetration(place, waved(travels, j).added, j).delta;
+      const Real delta = penetration(place, waves_at(j).added(), j).delta;
       sum += delta * delta * sqrt(delta);
     }
     return 0.4 * numbers_.stiffness * sum;
@@ -160,19 +130,18 @@ class RowInLanes {
     ForceSumsOf<Real> forces;
     [[maybe_unused]] TractionSumsOf<Real> traction_sums;
     Real waviness = zero;
-    [[maybe_unused]] Travels travels;
-    if constexpr (is_wavy) travels = travelling(in);
+    if constexpr (is_wavy) pass(in);
     for (std::size_t j = 0; j < cosine_.size(); ++j) {
-      Waved by_waves{zero, zero};
-      if constexpr (is_wavy) by_waves = waved(travels, j);
-      BallTerms<Real> b = penetration(place, by_waves.added, j);
+      BallWavesOf<Real> by_waves{zero, zero, zero, zero};
+      if constexpr (is_wavy) by_waves = waves_at(j);
+      BallTerms<Real> b = penetration(place, by_waves.added(), j);
       // Where no drop's ball is pressed it adds nothing but the centrifugal force in its outer contact. What is not a number goes on.
       if (!any(!(b.delta <= 0.))) {
         if constexpr (with_tractions) traction_sums.outer += with.F_c;
         continue;
       }
       press_ball(place, b);
-      if constexpr (is_wavy) waviness += b.elastic * by_waves.rate;
+      if constexpr (is_wavy) waviness += b.elastic * by_waves.rate();
       if constexpr (with_tractions) traction_sums.add(with, b);
       forces.template add<false>(place, b, Real(cosine_[j]), Real(sine_[j]));
     }
@@ -183,7 +152,7 @@ class RowInLanes {
 
   RowNumbers<Real> numbers_;
   std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero
-  std::vector<Wave> waves_;
+  mutable std::vector<Wave> waves_;
   InertialRowInLanes<Real> inertial_;
 };
 

@@ -31,6 +31,12 @@ ROTORDROP_KERNEL TractionInputOf<Balls> in_all_lanes(const TractionInput& with) 
   return all;
 }
 
+/// Those of the balls from j on.
+ROTORDROP_KERNEL BallWavesOf<Balls> some_of(const WavesAtBalls& waves, std::size_t j) {
+  return {Balls::load(&waves.inner[j]), Balls::load(&waves.outer[j]), Balls::load(&waves.inner_rate[j]),
+          Balls::load(&waves.outer_rate[j])};
+}
+
 ROTORDROP_KERNEL double largest(const Sum& of) {
   Octet values;
   of.store(values.value.data());

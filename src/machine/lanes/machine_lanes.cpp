@@ -29,7 +29,7 @@ std::string why_not_in_lanes(const Machine& m, bool with_followers) {
     if (!bearing) return m.support(i).name() + " is no touchdown bearing";
     if (!bearing->runs_in_lanes())
       return "bearing " + bearing->name() +
-             " has more than rigid rings that translate, with a smooth bore, rolling balls, and regularised "
+             " has more than rigid rings that translate, with rolling balls, and regularised "
              "friction";
   }
   for (std::size_t i = 0; i < m.n_thermal_models(); ++i)
