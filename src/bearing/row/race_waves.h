@@ -54,8 +54,8 @@ class RaceWaves {
  public:
   struct Wave {
     RaceWave form;
-    AlignedNumbers sine,
-        cosine;  ///< of order * azimuth at cage angle zero [n_balls, filled up to whole vectors by zeros]
+    /// Of order * azimuth at cage angle zero [n_balls, filled up to whole vectors by zeros].
+    AlignedNumbers sine, cosine;
   };
 
   RaceWaves() = default;
