@@ -26,6 +26,16 @@ Numbers<Real> gathered(std::span<const Numbers<double>* const> of) {
   return std::bit_cast<Numbers<Real>>(columns);
 }
 
+/// A number of several drops side by side. Lanes without a drop repeat the first one.
+/// @param n_drops  1 to n_lanes; @param of  the number of a drop, by its place
+template <class Real, class Of>
+Real side_by_side(std::size_t n_drops, const Of& of) {
+  Real all = 0.;
+  for (int lane = 0; lane < n_lanes; ++lane)
+    all.set(lane, of(static_cast<std::size_t>(lane) < n_drops ? static_cast<std::size_t>(lane) : 0));
+  return all;
+}
+
 /// The numbers of one lane, as they were before they were gathered.
 template <template <class> class Numbers, class Real>
 Numbers<double> of_lane(const Numbers<Real>& all, int lane) {

@@ -70,14 +70,12 @@ class TouchdownInLanes {
   }
   [[nodiscard]] static std::vector<BoreWaveOf<Real>> bore_waves_of(std::span<const TouchdownBearing* const> bearings) {
     std::vector<BoreWaveOf<Real>> waves;
-    for (std::size_t k = 0; k < bearings.front()->data().bore_waves.size(); ++k) {
-      waves.push_back({bearings.front()->data().bore_waves[k].order, Real(0.), Real(0.)});
-      for (int lane = 0; lane < n_lanes; ++lane) {
-        const auto at = static_cast<std::size_t>(lane) < bearings.size() ? static_cast<std::size_t>(lane) : 0;
-        const BoreWave& of_lane = bearings[at]->data().bore_waves[k];
-        waves.back().amplitude.set(lane, of_lane.amplitude);
-        waves.back().phase.set(lane, of_lane.phase);
-      }
+    for (const BoreWave& wave : bearings.front()->data().bore_waves) {
+      const auto of_all = [&, k = waves.size()](double BoreWave::*number) {
+        return side_by_side<Real>(bearings.size(),
+                                  [&](std::size_t i) { return bearings[i]->data().bore_waves[k].*number; });
+      };
+      waves.push_back({wave.order, of_all(&BoreWave::amplitude), of_all(&BoreWave::phase)});
     }
     return waves;
   }

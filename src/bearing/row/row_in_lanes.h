@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <vector>
 
 #include "base/gather.h"
@@ -21,14 +20,10 @@ class RowInLanes {
     for (const BallRow* row : rows) numbers.push_back(&row->numbers());
     numbers_ = gathered<RowNumbers, Real>(numbers);
     for (const RaceWaves::Wave& wave : rows.front()->waves().list()) {
-      waves_.push_back({wave.form, Real(0.), Real(0.), wave.sine, wave.cosine, {}});
-      const std::size_t k = waves_.size() - 1;
-      for (int lane = 0; lane < n_lanes; ++lane) {
-        const auto at = static_cast<std::size_t>(lane) < rows.size() ? static_cast<std::size_t>(lane) : 0;
-        const RaceWave& of_lane = rows[at]->waves().list()[k].form;
-        waves_[k].amplitude.set(lane, of_lane.amplitude);
-        waves_[k].phase.set(lane, of_lane.phase);
-      }
+      const auto of_all = [&, k = waves_.size()](double RaceWave::*number) {
+        return side_by_side<Real>(rows.size(), [&](std::size_t i) { return rows[i]->waves().list()[k].form.*number; });
+      };
+      waves_.push_back({wave.form, of_all(&RaceWave::amplitude), of_all(&RaceWave::phase), wave.sine, wave.cosine, {}});
     }
   }
   [[nodiscard]] const RowNumbers<Real>& numbers() const { return numbers_; }

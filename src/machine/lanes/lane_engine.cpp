@@ -106,11 +106,8 @@ class PartsInLanes {
       std::vector<const RubNumbers<double>*> of;
       for (const auto& numbers : rub) of.push_back(&numbers);
       rub_.push_back({gathered<RubNumbers, Real>(of), form.rub_share[place].by_jaeger});
-      growth_by_speed_.emplace_back();
-      for (int lane = 0; lane < n_lanes; ++lane) {
-        const auto at = std::min(static_cast<std::size_t>(lane), machines.size() - 1);
-        growth_by_speed_.back().set(lane, machines[at]->parts().rotor_growth_by_speed[place]);
-      }
+      growth_by_speed_.push_back(side_by_side<Real>(
+          machines.size(), [&](std::size_t i) { return machines[i]->parts().rotor_growth_by_speed[place]; }));
     }
   }
 
