@@ -5,11 +5,12 @@
 //   z_max = L / k                                     where the bristle slips fully
 //   w     = v kappa z_max / sqrt((kappa z_max)^2 + v^2)       slip that bends the bristle: v itself while slow
 //   z'    = w - a max(w . e, 0) e - kappa max(|z| - z_max, 0) e - (1 - a) (V / l) z,        e = z / |z|
-//   a     = 0 up to 0.8 z_max, ((|z|/z_max - 0.8) / 0.2)^2 above, 1 from z_max on
+//   a     = 0 up to 0.8 z_max, s^2 (3 - 2 s) with s = (|z|/z_max - 0.8) / 0.2 above, 1 from z_max on
 //   F     = k min(|z|, z_max) f e + (k / 2 kappa) (w - a max(w . e, 0) e),          f = 1, but |w|/|v| while v bends the bristle back
 // Below 0.8 L the bristle is a spring: what rests stays, without drift (Dupont, Hayward, Armstrong & Altpeter, IEEE Trans. Autom. Control 47
 // (2002) 787). In sliding |z| = z_max along v and F = L: the regularised law's. The rate kappa bounds how fast a bristle yields, so that slip at tens
-// of metres per second is no stiffer than slip near rest. In surfaces that roll through the contact with the speed V the bristles leave it
+// of metres per second is no stiffer than slip near rest; a has no slope at either end, as Dupont's sine: with one at z_max a bristle that slides
+// would be stiff (10 kappa for s^2) and bound an integrator's steps. In surfaces that roll through the contact with the speed V the bristles leave it
 // after its length l: then a lasting force creeps, as in rolling contact (Carter 1926).
 // Passive: F . v - k z . z' >= 0 at every instant, term by term, whatever N does; that is the heat, and k z^2 / 2 is stored.
 #include <algorithm>
@@ -43,7 +44,7 @@ struct StickingFriction {
     double a = 1.;
     if (length < z_max) {
       const double beyond = std::max(length / z_max - elastic_share, 0.) / (1. - elastic_share);
-      a = beyond * beyond;
+      a = beyond * beyond * (3. - 2. * beyond);
     }
     const double along = w_t * e_t + w_x * e_x;
     const double plastic = a * std::max(along, 0.), over = rate * std::max(length - z_max, 0.);
