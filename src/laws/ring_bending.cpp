@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 namespace rotordrop {
@@ -55,6 +56,10 @@ class BandMatrix {
   double& at(std::size_t i, std::size_t j) { return a_[i * w_ + (j + w_ - 1 - i)]; }  // j <= i
   [[nodiscard]] double at(std::size_t i, std::size_t j) const { return a_[i * w_ + (j + w_ - 1 - i)]; }
   [[nodiscard]] std::size_t first(std::size_t i) const { return i < w_ ? 0 : i - w_ + 1; }
+  /// Adds a multiple of one of the same size.
+  void add(double factor, const BandMatrix& other) {
+    for (std::size_t i = 0; i < a_.size(); ++i) a_[i] += factor * other.a_[i];
+  }
   [[nodiscard]] std::vector<double> times(const std::vector<double>& x) const {
     std::vector<double> y(n_, 0.);
     for (std::size_t i = 0; i < n_; ++i)
@@ -154,37 +159,60 @@ struct SectionMesh {
   }
 };
 
+/// Of unit angle: integrals over the circle are these times pi. Strains are linear in the number of waves, so stiffness is K_0 + n K_1 + n^2 K_2.
 struct Matrices {
-  BandMatrix K, M;
+  std::array<BandMatrix, 3> K;
+  BandMatrix M;
+
+  [[nodiscard]] BandMatrix stiffness(int n) const {
+    BandMatrix sum = K[0];
+    sum.add(n, K[1]);
+    sum.add(n * n, K[2]);
+    return sum;
+  }
 };
 
-/// Of unit angle: integrals over the circle are these times pi.
-Matrices assemble(const RingSection& s, const SectionMesh& mesh, int n) {
-  Matrices m{{mesh.n_unknowns(), mesh.band()}, {mesh.n_unknowns(), mesh.band()}};
+using Strain = std::array<double, 6>;  // x, r, theta, x-r, x-theta, r-theta; stresses likewise
+
+Matrices assemble(const RingSection& s, const SectionMesh& mesh) {
+  const BandMatrix empty(mesh.n_unknowns(), mesh.band());
+  Matrices m{{empty, empty, empty}, empty};
   const double G = 0.5 * s.E / (1. + s.nu), lame = s.E * s.nu / ((1. + s.nu) * (1. - 2. * s.nu));
+  const auto stress_of = [&](const Strain& e) -> Strain {
+    const double volume = lame * (e[0] + e[1] + e[2]);
+    return {volume + 2. * G * e[0], volume + 2. * G * e[1], volume + 2. * G * e[2], G * e[3], G * e[4], G * e[5]};
+  };
+  const auto product = [](const Strain& a, const Strain& b) {
+    double sum = 0.;
+    for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
+    return sum;
+  };
   mesh.at_points([&](const auto& nodes, const auto& N, const auto& N_x, const auto& N_r, double r, double area) {
-    // Strains x, r, theta, x-r, x-theta, r-theta of every unknown at the point.
-    std::array<std::array<double, 6>, 27> strain{}, stress{};
+    // Of every unknown at the point: what is there without waves, and what each wave adds.
+    std::array<Strain, 27> plain, by_wave, plain_stress, stress_by_wave;
     for (std::size_t k = 0; k < 9; ++k) {
-      const double over_r = N[k] / r, around = n * over_r;
-      strain[3 * k] = {N_x[k], 0., 0., N_r[k], -around, 0.};
-      strain[3 * k + 1] = {0., N_r[k], over_r, N_x[k], 0., -around};
-      strain[3 * k + 2] = {0., 0., around, 0., N_x[k], N_r[k] - over_r};
+      const double over_r = N[k] / r;
+      plain[3 * k] = {N_x[k], 0., 0., N_r[k], 0., 0.};
+      plain[3 * k + 1] = {0., N_r[k], over_r, N_x[k], 0., 0.};
+      plain[3 * k + 2] = {0., 0., 0., 0., N_x[k], N_r[k] - over_r};
+      by_wave[3 * k] = {0., 0., 0., 0., -over_r, 0.};
+      by_wave[3 * k + 1] = {0., 0., 0., 0., 0., -over_r};
+      by_wave[3 * k + 2] = {0., 0., over_r, 0., 0., 0.};
     }
     for (std::size_t p = 0; p < 27; ++p) {
-      const auto& e = strain[p];
-      const double volume = lame * (e[0] + e[1] + e[2]);
-      stress[p] = {
-          volume + 2. * G * e[0], volume + 2. * G * e[1], volume + 2. * G * e[2], G * e[3], G * e[4], G * e[5]};
+      plain_stress[p] = stress_of(plain[p]);
+      stress_by_wave[p] = stress_of(by_wave[p]);
     }
     for (std::size_t p = 0; p < 27; ++p)
       for (std::size_t q = 0; q < 27; ++q) {
         const std::size_t row = 3 * nodes[p / 3] + p % 3, column = 3 * nodes[q / 3] + q % 3;
         if (column > row) continue;
-        double sum = 0.;
-        for (std::size_t i = 0; i < 6; ++i) sum += stress[p][i] * strain[q][i];
-        m.K.at(row, column) += sum * r * area;
-        if (p % 3 == q % 3) m.M.at(row, column) += s.rho * N[p / 3] * N[q / 3] * r * area;
+        const double weight = r * area;
+        m.K[0].at(row, column) += product(plain_stress[p], plain[q]) * weight;
+        m.K[1].at(row, column) +=
+            (product(plain_stress[p], by_wave[q]) + product(stress_by_wave[p], plain[q])) * weight;
+        m.K[2].at(row, column) += product(stress_by_wave[p], by_wave[q]) * weight;
+        if (p % 3 == q % 3) m.M.at(row, column) += s.rho * N[p / 3] * N[q / 3] * weight;
       }
   });
   return m;
@@ -207,20 +235,19 @@ std::vector<RingHarmonic> ring_harmonics(const RingSection& section, int highest
   if (highest < 2) throw std::invalid_argument("a ring bends in harmonics 2 and above");
   if (!(section.least_wall() > 0.)) throw std::invalid_argument("a groove breaks through the wall of its ring");
   const SectionMesh mesh(section, refinement);
+  const Matrices of_section = assemble(section, mesh);
+  const BandMatrix& M = of_section.M;
+  std::vector<double> radial(mesh.n_unknowns(), 0.);
+  for (std::size_t k = 1; k < radial.size(); k += 3) radial[k] = 1.;
+  std::vector<double> load = M.times(radial);
+  const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+  };
+  const double whole = dot(load, radial);
+  for (double& f : load) f /= whole;
   std::vector<RingHarmonic> harmonics;
   for (int n = 2; n <= highest; ++n) {
-    auto [K, M] = assemble(section, mesh, n);
-    std::vector<double> radial(mesh.n_unknowns(), 0.);
-    for (std::size_t k = 1; k < radial.size(); k += 3) radial[k] = 1.;
-    std::vector<double> load = M.times(radial);
-    const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
-      double sum = 0.;
-      for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-      return sum;
-    };
-    const double whole = dot(load, radial);
-    for (double& f : load) f /= whole;
-    std::vector<double> shape = K.solve(load);
+    std::vector<double> shape = of_section.stiffness(n).solve(load);
     const double mean = dot(load, shape);
     for (double& u : shape) u /= mean;
     harmonics.push_back({n, std::numbers::pi / mean, std::numbers::pi * dot(shape, M.times(shape))});
