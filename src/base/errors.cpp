@@ -47,9 +47,9 @@ std::string shortened(std::string text) {
 /// Files in the order in which they were first named, each by line and column.
 std::vector<Fault> sorted(std::vector<Fault> faults) {
   std::map<std::string, std::size_t> files;
-  for (const Fault& fault : faults) files.emplace(fault.where.file, files.size());
+  for (const Fault& fault : faults) files.emplace(fault.where.file.text(), files.size());
   const auto place = [&](const Fault& fault) {
-    return std::tuple(files.at(fault.where.file), fault.where.line, fault.where.column);
+    return std::tuple(files.at(fault.where.file.text()), fault.where.line, fault.where.column);
   };
   std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
   return faults;
@@ -67,8 +67,8 @@ std::string rendered_all(const std::vector<Fault>& faults) {
 }  // namespace
 
 std::string to_string(const SourcePosition& where) {
-  if (where.line == 0) return where.file;
-  return fmt::format("{}:{}:{}", where.file, where.line, where.column);
+  if (where.line == 0) return where.file.text();
+  return fmt::format("{}:{}:{}", where.file.text(), where.line, where.column);
 }
 
 void Faults::add(Fault fault) {

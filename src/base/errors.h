@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "base/shared_text.h"
+
 namespace rotordrop {
 
 /// A place in an input: a file with line and column (both from 1), or an option of the command line such as
 /// "--set contact.air_gap" with line 0.
 struct SourcePosition {
-  std::string file;
+  SharedText file;
   int line = 0;
   int column = 0;
 

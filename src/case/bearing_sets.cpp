@@ -13,7 +13,7 @@
 namespace rotordrop {
 
 bool is_from_catalogue(const Node& value, const std::string& entry) {
-  const auto file = std::filesystem::path(value.where().file).lexically_normal();
+  const auto file = std::filesystem::path(value.where().file.text()).lexically_normal();
   const auto end = (std::filesystem::path("/bearings") / (entry + ".toml")).lexically_normal();
   return ("/" + file.generic_string()).ends_with(end.generic_string());  // also of a path that begins in the folder
 }
@@ -135,7 +135,7 @@ void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
     for (const char* key : {"width", "ring_mass", "ring_spin_inertia", "C0"})
       if (const Node* value = bearing.find(key); value && is_from_catalogue(*value, entry)) {
         of_one += (of_one.empty() ? "" : ", ") + std::string(key);
-        file = value->where().file;
+        file = value->where().file.text();
       }
     if (of_one.empty()) continue;
     const Node read = read_toml(file);

@@ -128,7 +128,7 @@ fs::path resolve_path(const Node& text) {
   const fs::path given = text.text();
   const auto& where = text.where();
   if (given.is_absolute() || where.line == 0) return given;
-  return fs::path(where.file).parent_path() / given;
+  return fs::path(where.file.text()).parent_path() / given;
 }
 
 /// Stands for a geometry that cannot be read, so that the faults of everything else are found, too: it has every node that a case may name.
@@ -225,7 +225,7 @@ void add_keys(std::vector<Fault>& faults, const Node& tree) {
   for (Fault& fault : faults)
     // Tables that a setting has made stand at its place, too.
     if (fault.key.empty())
-      fault.key = fault.where.file.starts_with(set)         ? fault.where.file.substr(set.size())
+      fault.key = fault.where.file.text().starts_with(set)  ? fault.where.file.text().substr(set.size())
                   : places.contains(to_string(fault.where)) ? places.at(to_string(fault.where))
                                                             : "";
 }

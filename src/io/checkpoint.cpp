@@ -327,7 +327,7 @@ FoundCheckpoint newest_valid_checkpoint(const fs::path& directory, const fs::pat
       return found;
     } catch (const InputError& error) {
       const auto& fault = error.faults().front();
-      found.skipped.push_back(fault.where.file + ": " + fault.message);
+      found.skipped.push_back(fault.where.file.text() + ": " + fault.message);
     }
   }
   return found;

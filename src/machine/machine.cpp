@@ -47,9 +47,8 @@ Machine::Machine(Parts parts) : parts_(std::move(parts)) {
   n_step_ = observed_size(step_observables_);
   n_detail_ = observed_size(detail_observables_);
 
-  std::vector<double> y(layout_.size());
-  initial_state(y);
-  initial_mechanical_ = mechanical_energy(0., y);
+  initial_state_ = find_initial_state();
+  initial_mechanical_ = mechanical_energy(0., initial_state_);
 }
 
 void Machine::lay_out_temperatures(std::size_t k) {
@@ -163,16 +162,19 @@ void Machine::connect_heat_ports() {
   }
 }
 
-void Machine::initial_state(std::span<double> y) const {
-  std::fill(y.begin(), y.end(), 0.);
+std::vector<double> Machine::find_initial_state() const {
+  std::vector<double> all(layout_.size(), 0.);
+  const std::span<double> y = all;
   std::copy(parts_.initial_rotor_state.begin(), parts_.initial_rotor_state.end(), y.begin());
   for (std::size_t i = 0; i < places_.size(); ++i)
     parts_.supports[i]->initial_state(y.subspan(places_[i].state, places_[i].n_state));
   for (std::size_t i = 0; i < thermal_.size(); ++i)
-    if (!parts_.thermal[i].follows || y.size() == layout_.size())
-      parts_.thermal[i].model->initial_state(y.subspan(thermal_[i].state, thermal_[i].n_state));
+    parts_.thermal[i].model->initial_state(y.subspan(thermal_[i].state, thermal_[i].n_state));
   if (parts_.immediate_growth) parts_.immediate_growth->initial_state(y.subspan(immediate_.state, immediate_.n_state));
+  return all;
 }
+
+void Machine::initial_state(std::span<double> y) const { std::copy_n(initial_state_.begin(), y.size(), y.begin()); }
 
 void Machine::evaluate(double t, std::span<const double> y, Evaluation& found) const {
   found.rates.resize(integrated_.size());

@@ -207,6 +207,7 @@ class Machine final {
   void connect_heat_ports();
   void lay_out_states();
   void lay_out_temperatures(std::size_t model);
+  [[nodiscard]] std::vector<double> find_initial_state() const;
   void lay_out_ledgers();
   void lay_out_followers();
 
@@ -230,6 +231,7 @@ class Machine final {
   std::vector<Observable> step_observables_, detail_observables_, state_observables_;
   std::size_t n_step_ = 0, n_detail_ = 0;  ///< sizes of the first two
   std::size_t n_rotor_observed_ = 0;       ///< of the rotor besides its spin
+  std::vector<double> initial_state_;      ///< of all states: rings at rest in their balls take a while to find
   double initial_mechanical_ = 0;
 };
 

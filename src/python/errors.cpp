@@ -14,10 +14,10 @@ namespace {
 
 /// Fault of the package. A value that a program has given is in no file.
 py::object to_python(const Fault& fault) {
-  const bool is_given = std::string_view(fault.where.file).starts_with(given_mark);
-  const std::string key = is_given ? fault.where.file.substr(std::string_view(given_mark).size()) : fault.key;
+  const bool is_given = fault.where.file.text().starts_with(given_mark);
+  const std::string key = is_given ? fault.where.file.text().substr(std::string_view(given_mark).size()) : fault.key;
   return py::module_::import("rotordrop.errors")
-      .attr("Fault")(key, is_given ? "" : fault.where.file, fault.where.line, fault.where.column, fault.message,
+      .attr("Fault")(key, is_given ? "" : fault.where.file.text(), fault.where.line, fault.where.column, fault.message,
                      fault.advice);
 }
 

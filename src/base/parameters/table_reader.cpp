@@ -175,16 +175,24 @@ void report_missing_keys(const Node& table, const std::vector<const Declaration*
 }
 
 void report_unknown_defaults(const Node& table, const Declaration& d, const ReadContext& here, Faults& faults) {
-  SectionDeclaration known{.name = here.path, .help = "", .declarations = {}, .if_incomplete = {}};
-  for (const VariantDeclaration& variant : d.variants)
-    if (variant.takes_defaults)
-      for (const Declaration& declaration : variant.section->declarations)
-        if (!known.find(declaration.key)) known.declarations.push_back(declaration);
+  const auto is_known = [&](const std::string& key) {
+    return std::any_of(d.variants.begin(), d.variants.end(), [&](const VariantDeclaration& variant) {
+      return variant.takes_defaults && variant.section->find(key);
+    });
+  };
+  const auto known = [&] {
+    std::vector<std::string> keys;
+    for (const VariantDeclaration& variant : d.variants)
+      if (variant.takes_defaults)
+        for (std::string& key : keys_of(*variant.section))
+          if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
+    return keys;
+  };
   for (const Node::Entry& entry : table.entries())
-    if (is_variant_default(d, entry) && !known.find(entry.key))
+    if (is_variant_default(d, entry) && !is_known(entry.key))
       faults.add(entry.where, fmt::format("unknown key \"{}\" {}.", entry.key, name_of_table(here.path)),
-                 known.declarations.empty() ? fmt::format("[{}] holds only tables: [{}.NAME].", here.path, here.path)
-                                            : advice_on_unknown(entry.key, keys_of(known), here));
+                 known().empty() ? fmt::format("[{}] holds only tables: [{}.NAME].", here.path, here.path)
+                                 : advice_on_unknown(entry.key, known(), here));
 }
 
 void report_unknown_variant(const Node::Entry& entry, const Node& among, const Declaration& d, const ReadContext& here,

@@ -94,14 +94,14 @@ std::optional<bool> read_boolean(const Node& node, const std::string& name, Faul
 }
 
 std::optional<std::string> read_text(const Node& node, const Declaration& d, const std::string& name, Faults& faults) {
-  const std::string needs = d.choices.empty() ? "a text in quotes" : "one of " + quoted(d.choices, ", ");
+  const auto needs = [&] { return d.choices.empty() ? "a text in quotes" : "one of " + quoted(d.choices, ", "); };
   if (!node.is_text()) {
-    add_type_fault(node, name, needs, faults);
+    add_type_fault(node, name, needs(), faults);
     return {};
   }
   if (!d.choices.empty() && std::find(d.choices.begin(), d.choices.end(), node.text()) == d.choices.end()) {
     const std::string close = suggestion(node.text(), d.choices, "");
-    faults.add(node.where(), fmt::format("{} = \"{}\" is not known; it must be {}.", name, node.text(), needs),
+    faults.add(node.where(), fmt::format("{} = \"{}\" is not known; it must be {}.", name, node.text(), needs()),
                close.empty() ? d.help : close);
     return {};
   }
@@ -110,13 +110,13 @@ std::optional<std::string> read_text(const Node& node, const Declaration& d, con
 
 std::optional<std::vector<double>> read_quantities(const Node& node, const Declaration& d, const std::string& name,
                                                    Faults& faults) {
-  const std::string needs = fmt::format("a list of {} values, each {}", count_text(d), needed_quantity(d));
+  const auto needs = [&] { return fmt::format("a list of {} values, each {}", count_text(d), needed_quantity(d)); };
   if (!node.is_array()) {
-    add_type_fault(node, name, needs, faults);
+    add_type_fault(node, name, needs(), faults);
     return {};
   }
   if (node.items().size() < d.min_count || node.items().size() > d.max_count) {
-    faults.add(node.where(), fmt::format("{} has {} entries; it must be {}.", name, node.items().size(), needs));
+    faults.add(node.where(), fmt::format("{} has {} entries; it must be {}.", name, node.items().size(), needs()));
     return {};
   }
   std::vector<double> values;
@@ -156,18 +156,20 @@ std::optional<std::vector<std::array<double, 2>>> read_function(const Node& node
     return std::vector<std::array<double, 2>>{{0.0, *constant}};
   }
   const Declaration argument = as_declaration({.unit = d.argument_unit});
-  const std::string needs =
-      fmt::format("{}, or a list of pairs such as [[\"{}\", \"{}\"], ...]", needed_quantity(d),
-                  example_of(d.argument_unit, argument.quantity_kind), example_of(d.unit, d.quantity_kind));
+  const auto needs = [&] {
+    return fmt::format("{}, or a list of pairs such as [[\"{}\", \"{}\"], ...]", needed_quantity(d),
+                       example_of(d.argument_unit, argument.quantity_kind), example_of(d.unit, d.quantity_kind));
+  };
   if (!node.is_array()) {
-    add_type_fault(node, name, needs, faults);
+    add_type_fault(node, name, needs(), faults);
     return {};
   }
   std::vector<std::array<double, 2>> points;
   for (const Node& pair : node.items()) {
     const std::string point = fmt::format("{}#{}", name, &pair - node.items().data() + 1);
     if (!pair.is_array() || pair.items().size() != 2) {
-      faults.add(pair.where(), fmt::format("{} = {} is not a pair; {} must be {}.", point, to_text(pair), name, needs));
+      faults.add(pair.where(),
+                 fmt::format("{} = {} is not a pair; {} must be {}.", point, to_text(pair), name, needs()));
       continue;
     }
     const auto x = read_quantity(pair.items()[0], argument, point, faults);
@@ -179,7 +181,7 @@ std::optional<std::vector<std::array<double, 2>>> read_function(const Node& node
                              to_text(pair.items()[0])));
     points.push_back({*x, *y});
   }
-  if (node.items().empty()) faults.add(node.where(), fmt::format("{} is empty; it must be {}.", name, needs));
+  if (node.items().empty()) faults.add(node.where(), fmt::format("{} is empty; it must be {}.", name, needs()));
   if (points.empty() || points.size() < node.items().size()) return {};
   return points;
 }

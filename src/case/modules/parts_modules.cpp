@@ -104,7 +104,7 @@ void load_parts_of_case(Node& tree) {
   for (Node& name : parts->items()) {
     if (!name.is_text() || name.text().empty()) continue;
     const SourcePosition where = name.where();
-    const fs::path folder = where.line == 0 ? fs::path() : fs::path(where.file).parent_path();
+    const fs::path folder = where.line == 0 ? fs::path() : fs::path(where.file.text()).parent_path();
     const auto file = found(name.text(), folder);
     if (!file)
       throw InputError(

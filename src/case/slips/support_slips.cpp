@@ -17,7 +17,7 @@ std::string origin_of(const Node& table, const char* key) {
   const Node::Entry* entry = table.entry(key);
   if (!entry) return "";
   const auto at = entry->comment.find(from);
-  if (at == std::string::npos) return entry->value.where().file;
+  if (at == std::string::npos) return entry->value.where().file.text();
   return entry->comment.substr(at + from.size(), entry->comment.find(':', at) - at - from.size());
 }
 
@@ -53,7 +53,7 @@ void look_at_support(const std::string& name, const SupportParameters& support, 
   const Node* type = own.find("type");
   const auto is_meant = [&](const char* key) {
     const std::string file = origin_of(own, key);
-    return !type || file == origin_of(own, "type") || file == tree.where().file || file.starts_with("--set");
+    return !type || file == origin_of(own, "type") || file == tree.where().file.text() || file.starts_with("--set");
   };
   const auto without_effect = [&](const char* key) {
     if (!is_meant(key)) return;

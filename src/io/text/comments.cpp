@@ -40,9 +40,10 @@ std::string without_comments(std::string_view text) {
 std::string origin_text(const Node::Entry& entry) {
   const SourcePosition& where = entry.where;
   if (!where.is_known()) return "the program";
-  if (where.line == 0) return where.file.starts_with("--set") ? "--set" : where.file;
+  if (where.line == 0) return where.file.text().starts_with("--set") ? "--set" : where.file.text();
   if (entry.comment.starts_with(origin_mark)) return entry.comment.substr(origin_mark.size());
-  const std::string place = fmt::format("{}:{}", std::filesystem::path(where.file).filename().string(), where.line);
+  const std::string place =
+      fmt::format("{}:{}", std::filesystem::path(where.file.text()).filename().string(), where.line);
   return entry.comment.empty() ? place : fmt::format("{}: {}", place, entry.comment);
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 /// How positions are made from toml++'s: in a file as they are, for an option of the command line all the same.
 struct PositionsOf {
-  std::string file;
+  SharedText file;
   bool has_lines = true;
 
   SourcePosition operator()(const toml::source_region& region) const {
@@ -137,8 +137,8 @@ void require_toml(std::string_view text, const std::string& file) {
 }
 
 Node parsed_toml(std::string_view text, const PositionsOf& position) {
-  require_shallow_toml(text, position.file);
-  Node tree = converted_table(toml::parse(text, position.file), position);
+  require_shallow_toml(text, position.file.text());
+  Node tree = converted_table(toml::parse(text, position.file.text()), position);
   if (position.has_lines) add_comments(tree, comments_of_lines(text));
   return tree;
 }
@@ -258,7 +258,7 @@ void apply_setting(Node& tree, const Setting& setting) {
   if (!keys)
     throw InputError(
         where, fmt::format("\"{}\" is not the name of a parameter.", path),
-        where.file.starts_with("--set") ? example_of_set : "Write names such as contact.friction_coefficient.");
+        where.file.text().starts_with("--set") ? example_of_set : "Write names such as contact.friction_coefficient.");
 
   Node* table = &tree;
   for (std::size_t i = 0; i + 1 < keys->size(); ++i) {

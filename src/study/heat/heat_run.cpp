@@ -72,7 +72,7 @@ void complete_recorded_paths(Node& tree) {
     if (!file || !file->is_text()) continue;
     const SourcePosition where = file->where(), key = position_of(flux, "recorded");
     fs::path path = file->text();
-    if (path.is_relative() && where.line != 0) path = fs::path(where.file).parent_path() / path;
+    if (path.is_relative() && where.line != 0) path = fs::path(where.file.text()).parent_path() / path;
     std::error_code ignored;
     flux.set("recorded", Node(fs::absolute(path, ignored).lexically_normal().string(), where), key);
   }
