@@ -180,19 +180,17 @@ void report_unknown_defaults(const Node& table, const Declaration& d, const Read
       return variant.takes_defaults && variant.section->find(key);
     });
   };
-  const auto known = [&] {
-    std::vector<std::string> keys;
+  for (const Node::Entry& entry : table.entries()) {
+    if (!is_variant_default(d, entry) || is_known(entry.key)) continue;
+    std::vector<std::string> known;
     for (const VariantDeclaration& variant : d.variants)
       if (variant.takes_defaults)
         for (std::string& key : keys_of(*variant.section))
-          if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
-    return keys;
-  };
-  for (const Node::Entry& entry : table.entries())
-    if (is_variant_default(d, entry) && !is_known(entry.key))
-      faults.add(entry.where, fmt::format("unknown key \"{}\" {}.", entry.key, name_of_table(here.path)),
-                 known().empty() ? fmt::format("[{}] holds only tables: [{}.NAME].", here.path, here.path)
-                                 : advice_on_unknown(entry.key, known(), here));
+          if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(std::move(key));
+    faults.add(entry.where, fmt::format("unknown key \"{}\" {}.", entry.key, name_of_table(here.path)),
+               known.empty() ? fmt::format("[{}] holds only tables: [{}.NAME].", here.path, here.path)
+                             : advice_on_unknown(entry.key, std::move(known), here));
+  }
 }
 
 void report_unknown_variant(const Node::Entry& entry, const Node& among, const Declaration& d, const ReadContext& here,
