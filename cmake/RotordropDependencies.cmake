@@ -10,6 +10,9 @@ target_compile_options(rotordrop_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize> $<$<CXX_COMPILER_ID:Clang>:-fno-slp-vectorize>
   # Small structures are set to zero by stores: "rep stos" takes some 30 cycles to begin. 5 % of a right-hand side.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<STREQUAL:${CMAKE_SYSTEM_PROCESSOR},x86_64>>:-mstringop-strategy=unrolled_loop>
+  # Structures are copied and set to zero by the widest vectors that a level has: what was stored in pieces and is then loaded as a whole waits for the
+  # stores. Left to itself, GCC takes pieces of 16 bytes for level v3.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<STREQUAL:${CMAKE_SYSTEM_PROCESSOR},x86_64>>:-mmove-max=512 -mstore-max=512>
   # Lets sqrt and min/max vectorise; NaN keeps its meaning (unlike -ffast-math), and only loops marked "omp simd" are reordered.
   -fno-math-errno -fno-trapping-math -fopenmp-simd)
 if(ROTORDROP_SANITIZE)
