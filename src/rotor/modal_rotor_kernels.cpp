@@ -56,6 +56,7 @@ struct ModalRotor::Kernels {
     const std::size_t n = rotor.n_modes_, stride = filled_up(n);
     const double *q_y = y, *q_z = y + n, *v_y = y + 2 * n, *v_z = y + 3 * n;
     const double omega = turning.omega, along_cos = turning.along_cos, along_sin = turning.along_sin;
+    const double gravity_y = rotor.gravity_y_, gravity_z = rotor.gravity_z_;
     const double *u_cos = rotor.unbalance_cos_.data(), *u_sin = rotor.unbalance_sin_.data();
     const double *c = rotor.damping_rate_.data(), *k = rotor.omega_squared_.data();
     std::array<Octet, n_vectors> a_y, a_z;
@@ -71,16 +72,12 @@ struct ModalRotor::Kernels {
         const double unbalance_z = along_sin * u_cos[m] + along_cos * u_sin[m];
         turning.unbalance_work[i] += unbalance_y * vy + unbalance_z * vz;
         turning.damping[i] += c[m] * (vy * vy + vz * vz);
-        a_y[b][i] = unbalance_y - c[m] * vy - k[m] * displacement_y.value[i];
-        a_z[b][i] = unbalance_z - c[m] * vz - k[m] * displacement_z.value[i];
+        // Uniform gravity moves the centre of gravity alone.
+        a_y[b][i] = unbalance_y - c[m] * vy - k[m] * displacement_y.value[i] + (m == 0 ? gravity_y : 0.);
+        a_z[b][i] = unbalance_z - c[m] * vz - k[m] * displacement_z.value[i] + (m == 0 ? gravity_z : 0.);
       }
       store_first(velocity_y, count, dydt + from);
       store_first(velocity_z, count, dydt + n + from);
-    }
-    // Uniform gravity moves the centre of gravity alone.
-    if (first == 0) {
-      a_y[0][0] += rotor.gravity_y_;
-      a_z[0][0] += rotor.gravity_z_;
     }
     const auto add = [](std::array<Octet, n_vectors>& to, double factor, const double* column) {
       for (std::size_t b = 0; b < n_vectors; ++b) add_product(to[b], factor, column + b * vector_length);
