@@ -164,7 +164,13 @@ struct Drops {
   }
   ROTORDROP_LANE_WORD Drops sqrt(const Drops& a) {
     Drops r;
-    for (int i = 0; i < n; ++i) r.part[i] = sqrt_of(a.part[i]);
+    // GCC makes one instruction of a register's roots, but not of two.
+    for (int i = 0; i < n; ++i)
+#if defined(__SSE2__) && !defined(__AVX__)
+      r.part[i] = _mm_sqrt_pd(a.part[i]);
+#else
+      for (int l = 0; l < width; ++l) r.part[i][l] = __builtin_sqrt(a.part[i][l]);
+#endif
     return r;
   }
   ROTORDROP_LANE_WORD Drops exp(const Drops& a) {
@@ -259,21 +265,6 @@ struct Drops {
     return _mm_min_pd(b, a);
 #else
     return b < a ? b : a;
-#endif
-  }
-
-  // Left to themselves, compilers take the roots of two numbers one by one.
-  [[gnu::always_inline]] static inline Numbers sqrt_of(Numbers a) {
-#if defined(__AVX512F__)
-    return _mm512_maskz_sqrt_pd(0xff, a);
-#elif defined(__AVX__)
-    return _mm256_sqrt_pd(a);
-#elif defined(__SSE2__)
-    return _mm_sqrt_pd(a);
-#else
-    Numbers r;
-    for (int l = 0; l < width; ++l) r[l] = __builtin_sqrt(a[l]);
-    return r;
 #endif
   }
 
