@@ -12,7 +12,10 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PARAMS = SOURCE / "params"
 PROGRAM = str(pathlib.Path(os.environ.get("ROTORDROP_PROGRAM", SOURCE / "build/release/rotordrop")).resolve())
-HAS_MESH_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_mesh.so").is_file()
+BUILD = pathlib.Path(PROGRAM).parent
+HAS_MESH_ROOM = (BUILD / "rotordrop_mesh.so").is_file()
+CACHE = (BUILD / "CMakeCache.txt").read_text() if (BUILD / "CMakeCache.txt").is_file() else ""  # how the program was built
+IS_SANITIZED = "ROTORDROP_SANITIZE:BOOL=ON" in CACHE
 
 
 # A disc that is heated at its outside: a case of `rotordrop heat`; times come before it.

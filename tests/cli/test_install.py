@@ -17,14 +17,11 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, SOURCE, page_data  # noqa: E402
+from program import BUILD, CACHE, IS_SANITIZED, PROGRAM, SOURCE, page_data  # noqa: E402
 
 sys.path.insert(0, str(SOURCE / "examples"))
 from rotordrop_results import Results  # noqa: E402
 
-BUILD = pathlib.Path(PROGRAM).parent
-CACHE = (BUILD / "CMakeCache.txt").read_text() if (BUILD / "CMakeCache.txt").is_file() else ""
-IS_SANITIZED = "ROTORDROP_SANITIZE:BOOL=ON" in CACHE
 EXAMPLE = SOURCE / "examples/own-parts"
 AMBIENT = 293.15
 

@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tests.cli.program import PARAMS, PROGRAM, ProgramTest
+from tests.cli.program import IS_SANITIZED, PARAMS, PROGRAM, ProgramTest
 
 X86 = platform.machine() == "x86_64"
 
@@ -73,6 +73,7 @@ class InstructionSets(ProgramTest):
             self.assertIn(path.stem.removeprefix("rotordrop_"), named[0])
 
     @unittest.skipUnless(X86 and shutil.which("qemu-x86_64"), "takes an emulator of old processors (qemu-user)")
+    @unittest.skipIf(IS_SANITIZED, "sanitizers find no room in an emulator")
     def test_runs_on_a_processor_without_avx(self):
         """Nehalem (2008) ends with an illegal instruction at the first one of a higher level."""
         def emulated(processor, *arguments, **environment):

@@ -5,9 +5,10 @@ import sys
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import HAS_MESH_ROOM, PROGRAM, ProgramTest, content_of, settings  # noqa: E402
+from program import HAS_MESH_ROOM, IS_SANITIZED, PROGRAM, ProgramTest, content_of, settings  # noqa: E402
 
 
+@unittest.skipIf(IS_SANITIZED, "sanitizers reserve more addresses than a limit leaves")
 class Short(ProgramTest):
     def limited(self, limit, *arguments):
         return subprocess.run(["bash", "-c", f'ulimit {limit}; ulimit -c 0; exec "$@"', "-", PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=120)

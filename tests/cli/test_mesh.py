@@ -12,7 +12,7 @@ import unittest
 import unittest.mock
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import HAS_MESH_ROOM, PARAMS, SOURCE, ProgramTest, content_of  # noqa: E402
+from program import HAS_MESH_ROOM, IS_SANITIZED, PARAMS, SOURCE, ProgramTest, content_of  # noqa: E402
 
 sys.path.insert(0, str(SOURCE / "docs"))
 
@@ -174,8 +174,9 @@ class WithTheRoom(ProgramTest):
         self.assertIn("strip_2", refusal((self.folder / "pair.msh").read_text()))
 
     def test_an_own_mesh_on_which_gmsh_itself_fails_is_refused(self):
-        for name, why in (("found-crash-2.2", "gmsh crashes on this file"), ("found-crash-4.1", "gmsh crashes on this file"),
-                          ("found-memory-4.1", "gmsh wants far more memory")):
+        crashes = "gmsh crashes on this file"
+        wants = crashes if IS_SANITIZED else "gmsh wants far more memory"  # sanitizers end a process that asks for so much
+        for name, why in (("found-crash-2.2", crashes), ("found-crash-4.1", crashes), ("found-memory-4.1", wants)):
             case = self.case(f'[thermal.fe]\nmesh = "{SOURCE}/tests/fuzz/seeds/mesh/{name}.msh"\n')
             done = self.call("mesh", case, "-o", "m.msh", "--bearing", "TB1")
             self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
