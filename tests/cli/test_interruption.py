@@ -165,7 +165,7 @@ class Interruption(ProgramTest):
             code, _, err = self.stop(process, signal.SIGINT)
             if code == 0:
                 break
-            self.assertEqual(code, 130, err)
+            self.assertIn(code, (130, -signal.SIGINT), err)  # by the signal itself where it comes before the program waits for it
         else:
             self.resume(*odd)
         # Places differ by 1e-16 of themselves; balls of 100 um displacement are pressed by a hundredth of that, so their loads by some 1e-14, and by how much
