@@ -33,7 +33,9 @@ RowSchedule::RowSchedule(double interval, double longest, double change, std::ve
 
 double RowSchedule::due() const {
   if (stride_ == 1 || is_changed_ || !has_rows_) return time_of(next_);
-  return time_of(std::max(next_, last_multiple_ + stride_));
+  // From the multiple at or before the last row.
+  const auto last = static_cast<std::size_t>(last_row_ / interval_ * (1. + 1e-9));
+  return time_of(std::max(next_, last + stride_));
 }
 
 void RowSchedule::follow(double t, std::span<const double> step) {
@@ -52,13 +54,8 @@ void RowSchedule::follow(double t, std::span<const double> step) {
 
 bool RowSchedule::is_awoken(double before) const { return is_first_change_ && before - last_row_ > interval_; }
 
-void RowSchedule::set_last_row(double t) {
-  last_row_ = t;
-  last_multiple_ = static_cast<std::size_t>(t / interval_ * (1. + 1e-9));
-}
-
 void RowSchedule::written(double t) {
-  set_last_row(t);
+  last_row_ = t;
   has_rows_ = true;
   is_first_change_ = false;
   if (t < followed_) return;  // before the change, which the next multiple still has to show
@@ -89,7 +86,7 @@ void RowSchedule::unpack(std::span<const double> values) {
       !is_before_next(values[1]) || !is_before_next(values[2]))
     throw std::invalid_argument("a schedule of rows of another kind");
   next_ = static_cast<std::size_t>(values[0]);
-  set_last_row(values[1]);
+  last_row_ = values[1];
   followed_ = values[2];
   has_rows_ = values[3] != 0.;
   is_changed_ = values[4] != 0.;

@@ -38,16 +38,14 @@ class RowSchedule {
   void unpack(std::span<const double> values);
 
  private:
-  void set_last_row(double t);
   [[nodiscard]] double time_of(std::size_t index) const { return static_cast<double>(index) * interval_; }
 
   double interval_, change_;
   std::size_t stride_;
   std::vector<std::size_t> watched_;
-  std::size_t next_ = 0;           // first multiple not passed
-  double last_row_ = 0;            // [s]
-  std::size_t last_multiple_ = 0;  // at or before the last row
-  double followed_ = 0;            // time of the last step [s]
+  std::size_t next_ = 0;  // first multiple not passed
+  double last_row_ = 0;   // [s]
+  double followed_ = 0;   // time of the last step [s]
   bool has_rows_ = false, is_changed_ = false, is_first_change_ = false;
   std::vector<double> latest_, reference_, largest_;  // of each watched column
 };

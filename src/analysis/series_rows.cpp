@@ -24,6 +24,10 @@ void ScheduledRows::step(const Step& step) {
   if (is_same_time(schedule_.due(), step.time) || step.is_last) write_end(step);
 }
 
+bool ScheduledRows::is_needed(RowNeeds needs) const {
+  return std::any_of(sinks_.begin(), sinks_.end(), [needs](const Reader& reader) { return reader.needs == needs; });
+}
+
 void ScheduledRows::tell(double t, std::span<const double> row, bool is_whole) {
   for (const auto& [sink, needs] : sinks_)
     if (is_whole || needs == RowNeeds::step) sink->row(t, row);

@@ -20,10 +20,7 @@ enum class RowNeeds {
 class ScheduledRows : public Observer {
  public:
   /// @param sink  takes every row; of rows that come side by side, sinks that take them one by one have all of them first; must outlive this
-  void add(RowSink& sink, RowNeeds needs = RowNeeds::all) {
-    sinks_.push_back({&sink, needs});
-    is_needed_[static_cast<std::size_t>(needs)] = true;
-  }
+  void add(RowSink& sink, RowNeeds needs = RowNeeds::all) { sinks_.push_back({&sink, needs}); }
   void step(const Step& step) override;
   [[nodiscard]] double due() const override { return schedule_.due(); }
   void pack(PackedValues& to) const override { to[name_] = schedule_.packed(); }
@@ -55,7 +52,7 @@ class ScheduledRows : public Observer {
   void tell(double t, std::span<const double> row, bool is_whole = true);
   /// The same of several, which hold all that sinks may need. @param row  space for one
   void tell(const RowTile& rows, std::span<double> row);
-  [[nodiscard]] bool is_needed(RowNeeds needs) const { return is_needed_[static_cast<std::size_t>(needs)]; }
+  [[nodiscard]] bool is_needed(RowNeeds needs) const;
   [[nodiscard]] bool has_sinks() const { return !sinks_.empty(); }
 
   const Machine& machine_;
@@ -70,7 +67,6 @@ class ScheduledRows : public Observer {
     RowNeeds needs;
   };
   std::vector<Reader> sinks_;
-  std::array<bool, 3> is_needed_{};  // by some sink, in the order of RowNeeds
 };
 
 /// Rows of step and state observables. Where the machine can, rows between steps are evaluated several at a time, and reach their sinks when there are
