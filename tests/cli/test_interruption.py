@@ -16,7 +16,7 @@ import numpy
 sys.path.insert(0, __file__.rpartition("/")[0])
 from program import HAS_MESH_ROOM, ProgramTest, content_of, settings, start  # noqa: E402
 
-# Some 160000 steps: half a second or more, so that the file is there and a signal finds the program at work.
+# Some 160000 steps: a third of a second on the quickest machine so far, so that the file is there and a signal finds the program at work.
 LONG = settings(run__end_time="80 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__detail_interval="0.1 ms")
 
 
