@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "base/errors.h"
+#include "conduction/supernodes.h"
 
 namespace rotordrop {
 namespace {
@@ -40,28 +42,14 @@ struct OrderedMatrices {
       }
   }
   Eigen::PermutationMatrix<Eigen::Dynamic> order;
-  Matrix capacity, conductance;  ///< of one pattern
-  std::vector<int> left_out;     ///< entries in rows and columns of held unknowns
+  Matrix capacity, conductance;                          ///< of one pattern
+  std::vector<int> left_out;                             ///< entries in rows and columns of held unknowns
+  mutable std::unique_ptr<const Supernodes> supernodes;  ///< of all factors, found with the first
 };
 
 namespace {
 
-/// v <- L^-T v, L with ones on its diagonal that it does not store. Four sums at a time do not wait for each other, as the one of Eigen's would.
-void substitute_back(const Matrix& L, Vector& v) {
-  const int* const row = L.innerIndexPtr();
-  const double* const value = L.valuePtr();
-  for (Eigen::Index column = L.outerSize(); column-- > 0;) {
-    const int end = L.outerIndexPtr()[column + 1];
-    int k = L.outerIndexPtr()[column];
-    double sums[4] = {};
-    for (; k + 4 <= end; k += 4)
-      for (int i = 0; i < 4; ++i) sums[i] += value[k + i] * v[row[k + i]];
-    for (; k < end; ++k) sums[0] += value[k] * v[row[k]];
-    v[column] -= (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  }
-}
-
-/// L D L^T factors, column by column.
+/// L D L^T factors.
 class CholeskyInverse final : public HeatInverse {
  public:
   explicit CholeskyInverse(const OrderedMatrices& ordered) : ordered_(ordered), matrix_(ordered.capacity) {
@@ -75,13 +63,24 @@ class CholeskyInverse final : public HeatInverse {
     factors_.factorize(matrix_);
     if (factors_.info() != Eigen::Success)
       throw SolverError("the matrix of the finite elements could not be factorised.");
+    const Matrix& L = factors_.matrixL().nestedExpression();
+    const auto n_entries = static_cast<std::size_t>(L.nonZeros());
+    if (!ordered_.supernodes)
+      ordered_.supernodes =
+          std::make_unique<const Supernodes>(std::span(L.outerIndexPtr(), static_cast<std::size_t>(L.outerSize()) + 1),
+                                             std::span(L.innerIndexPtr(), n_entries));
+    if (!L_) L_.emplace(*ordered_.supernodes);
+    L_->set({L.valuePtr(), n_entries});
   }
   void solve(Vector& v) override {
-    in_order_ = ordered_.order * v;
-    factors_.matrixL().solveInPlace(in_order_);
-    in_order_.array() /= factors_.vectorD().array();
-    substitute_back(factors_.matrixL().nestedExpression(), in_order_);
-    v = ordered_.order.inverse() * in_order_;
+    in_order_.resize(v.size() + 1);
+    const std::span<double> with_one_more(in_order_.data(), static_cast<std::size_t>(in_order_.size()));
+    auto in_order = in_order_.head(v.size());
+    in_order = ordered_.order * v;
+    L_->solve(with_one_more);
+    in_order.array() /= factors_.vectorD().array();
+    L_->solve_transposed(with_one_more);
+    v = ordered_.order.inverse() * in_order;
   }
 
  private:
@@ -89,6 +88,7 @@ class CholeskyInverse final : public HeatInverse {
   const OrderedMatrices& ordered_;
   Matrix matrix_;
   Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factors_;
+  std::optional<SupernodalTriangle> L_;
   Vector in_order_;
 };
 
