@@ -123,7 +123,7 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
   // The module first: where it is missing, nothing is written.
   const double start_0 = cpu_seconds();
   const auto solver = make_heat_solver(study.problem);
-  static_cast<void>(solver->statistics());
+  static_cast<void>(solver->energy());  // sets it up, if it kept what it is asked first
   std::optional<HeatDisplacements> displacements;
   if (study.elastic) displacements.emplace(*study.elastic, *solver);
   std::optional<Recorder> recorder;

@@ -50,7 +50,7 @@ double HeatSolver::difference(const std::function<double(std::size_t, double, do
 
 // Of large sections the libraries' factors are worth their loading.
 std::optional<AssembledHeat> HeatSolver::assembled() const {
-  constexpr unsigned int most_unknowns = 5000;
+  constexpr unsigned int most_unknowns = 25000;
   if (solver_ != HeatLinearSolver::direct || has_several_ranks() || operator_.size() > most_unknowns)
     return std::nullopt;
   return operator_.assembled();
