@@ -80,8 +80,8 @@ class LaneRun {
   using Lanes = std::array<Lane, width>;
   [[nodiscard]] static LaneIntegrator::Lane start_of(const Drop& drop) {
     const DropLoop& loop = drop.loop();
-    return {loop.integration(), loop.time(), loop.end_time(), loop.state(),
-            loop.found().wants_details ? loop.machine().n_details() : 0};
+    return {loop.integration(),       loop.time(),  loop.end_time(),
+            &loop.machine().layout(), loop.state(), loop.found().wants_details ? loop.machine().n_details() : 0};
   }
 
   /// A lane that is not free; the end of lanes_ if all are.
@@ -91,6 +91,7 @@ class LaneRun {
 
   /// Begins drops in the lanes that are free. Those that stay so repeat the machine of another lane.
   void fill() {
+    if (busy() == lanes_.end()) integrator_ = nullptr;  // the next ones may be of another kind
     std::vector<std::size_t> begun;
     for (std::size_t l = 0; l < width; ++l) {
       if (lanes_[l].drop) continue;

@@ -47,7 +47,7 @@ ROTORDROP_KERNEL void combine_lanes(std::size_t size, const double* y, const dou
 /// What the errors of a step are measured by.
 struct StepEnds {
   const double *before, *after, *rates;  // [n][width]
-  const double *scale, *tolerance;       // [n], [width]
+  const double *scale, *tolerance;       // [n_controlled][width], [width]
 };
 /// Sums of (error / (tolerance (scale + largest magnitude of both states)))^2 with the errors sum_j factor_j k_j; not a number for a lane with a rate
 /// or a new state that is not finite.
@@ -63,14 +63,14 @@ ROTORDROP_KERNEL void squared_errors_of_all(std::size_t n_controlled, std::size_
   Octet sum;
   for (std::size_t i = 0; i < n_controlled; ++i) {
     const std::size_t at = i * width;
-    const double scale = ends.scale[i];
+    const double* scale = ends.scale + at;
 #pragma omp simd
     for (std::size_t l = 0; l < width; ++l) {
       double error = 0.;
 #pragma GCC unroll 8
       for (int j = 0; j < n; ++j) error += factor[static_cast<std::size_t>(j) * width + l] * k[j][at + l];
       const double a = std::fabs(before[at + l]), b = std::fabs(after[at + l]);
-      const double part = error / (tolerance[l] * (scale + (a > b ? a : b)));
+      const double part = error / (tolerance[l] * (scale[l] + (a > b ? a : b)));
       sum[l] += part * part;
     }
   }
@@ -128,11 +128,11 @@ LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, const Lane& l
       shape_(tableau_of(like.parameters.method)),
       n_(system_->layout().size()),
       n_controlled_(system_->first_quadrature()),
+      scale_(n_controlled_ * width),
       y_(n_ * width),
       step_(n_step * width),
       y_by_lane_(n_),
       step_by_lane_(n_step) {
-  for (const auto& entry : system_->layout().entries()) scale_.push_back(entry.scale);
   for (int i = 0; i < shape_.n_stages; ++i) k_.emplace_back(n_ * width);
   before_ = stage_ = y_;
   methods_.fill(shape_);
@@ -143,8 +143,9 @@ LaneIntegrator::LaneIntegrator(std::unique_ptr<LaneSystem> system, const Lane& l
 }
 
 void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
-  if (&tableau_of(drop.parameters.method) != &shape_)
-    throw std::invalid_argument("drops in lanes are integrated by one method");
+  if (&tableau_of(drop.parameters.method) != &shape_ || drop.state.size() != n_ || drop.layout->size() != n_)
+    throw std::invalid_argument("drops in lanes are of one kind, integrated by one method");
+  for (std::size_t i = 0; i < n_controlled_; ++i) scale_[i * width + l] = drop.layout->entries()[i].scale;
   for (std::size_t i = 0; i < n_; ++i)
     y_[i * width + l] = before_[i * width + l] = stage_[i * width + l] = y_by_lane_.numbers[l * n_ + i] = drop.state[i];
   if (details_.size() < drop.n_details * width) details_.resize(drop.n_details * width);
@@ -171,8 +172,10 @@ void LaneIntegrator::start_begun() {
     if (begun_[l] == 0.) continue;
     begun_[l] = 0.;
     ++statistics_[l].rhs_evaluations;
+    std::vector<double> scale(n_controlled_);
+    column(scale_, l, scale);
     next_step_[l] = control_[l].first(
-        std::span(scale_).first(n_controlled_), [&](std::size_t i) { return y_[i * width + l]; },
+        scale, [&](std::size_t i) { return y_[i * width + l]; },
         [&](std::size_t i) { return at_start()[i * width + l]; });
   }
 }
@@ -289,7 +292,7 @@ void LaneIntegrator::fail(std::size_t l, double size) const {
     const std::size_t at = i * width + l;
     double error = 0.;
     for (std::size_t j = 0; j < k_.size(); ++j) error += tried_[l] * shape_.e[j] * k_[j][at];
-    weighted[i] = error / (tolerance_[l] * (scale_[i] + std::max(std::fabs(y_[at]), std::fabs(stage_[at]))));
+    weighted[i] = error / (tolerance_[l] * (scale_[at] + std::max(std::fabs(y_[at]), std::fabs(stage_[at]))));
   }
   throw_no_step(system_->layout(), time_[l], tried_[l], weighted);
 }

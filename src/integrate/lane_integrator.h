@@ -24,17 +24,18 @@ class LaneIntegrator {
   struct Lane {
     IntegrationParameters parameters;  ///< methods of all lanes are the same
     double start_time = 0, end_time = 0;
-    std::span<const double> state;  ///< [layout().size()]
-    std::size_t n_details = 0;      ///< that are observed at the end of every step
+    const StateLayout* layout = nullptr;  ///< as long as that of the system
+    std::span<const double> state;        ///< [layout->size()]
+    std::size_t n_details = 0;            ///< that are observed at the end of every step
   };
   /// All lanes are free, and stand where a drop starts.
   /// @param n_step  of what is observed at the end of every step
   LaneIntegrator(std::unique_ptr<LaneSystem> system, const Lane& like, std::size_t n_step);
 
-  /// The same drops but for lanes that do not run: another drop begins there, or none.
+  /// The same drops but for lanes that do not run: another drop of their kind begins there, or none.
   /// @param system  as before, with the new drops in their lanes
   void exchange(std::unique_ptr<LaneSystem> system) { system_ = std::move(system); }
-  /// Begins a drop of the system in a lane that does not run.
+  /// Begins a drop of the system in a lane that does not run. @throws std::invalid_argument for one of another kind
   void begin(std::size_t lane, const Lane& drop);
 
   /// Tries a step of every lane that runs; has_stepped() tells which of them took theirs.
@@ -87,7 +88,7 @@ class LaneIntegrator {
   const EmbeddedTableau& shape_;                // what the lanes' methods have in common
   std::array<EmbeddedTableau, width> methods_;  // each with the ratio of its own steps
   std::size_t n_, n_controlled_;
-  std::vector<double> scale_;
+  AlignedNumbers scale_;  // [n_controlled][width]
   PerLane time_{}, end_time_{}, longest_{}, tolerance_{}, next_step_{}, tried_{}, target_{}, last_step_{};
   PerLane stepped_{}, begun_{};  // 1 or 0: the last step was taken; the first one is still to come
   std::array<bool, width> runs_{}, was_rejected_{}, ends_{};

@@ -114,6 +114,53 @@ TEST(DropsInLanes, DoNotDependOnLaneOrNeighbours) {
   EXPECT_EQ(eight[5]->drop.scalars().of(1).contact_force.value, one[0]->drop.scalars().of(1).contact_force.value);
 }
 
+/// Drops of one kind after those of another, which wait until the first are over.
+class KindAfterKind final : public LaneFeed {
+ public:
+  explicit KindAfterKind(std::vector<std::vector<Drop*>> kinds) : kinds_(std::move(kinds)) {}
+  Drop* next() override {
+    if (n_running_ == 0 && !kinds_.empty() && kinds_.front().empty()) kinds_.erase(kinds_.begin());
+    if (kinds_.empty() || kinds_.front().empty()) return nullptr;
+    Drop* const drop = kinds_.front().back();
+    kinds_.front().pop_back();
+    ++n_running_;
+    return drop;
+  }
+  void over(Drop&, const std::exception_ptr& failure) override {
+    --n_running_;
+    EXPECT_FALSE(failure);
+  }
+
+ private:
+  std::vector<std::vector<Drop*>> kinds_;
+  int n_running_ = 0;
+};
+
+// Numbers of modes, of thermal nodes and of the method's stages differ.
+TEST(DropsInLanes, OfAnotherKindBeginWhereTheLastOfAKindIsOver) {
+  std::vector<std::vector<std::string>> kinds(4, settings(1, "9 ms"));
+  kinds[1].push_back("rotor.cut_off_frequency=900 Hz");
+  kinds[2].push_back("integration.method=bogacki-shampine");
+  kinds[3].push_back("rotor.cut_off_frequency=7 kHz");
+  std::vector<std::unique_ptr<OneDrop>> by_turns, alone;
+  std::vector<std::vector<Drop*>> drops;
+  for (const auto& kind : kinds) {
+    by_turns.push_back(std::make_unique<OneDrop>(kind));
+    drops.push_back({&by_turns.back()->drop});
+    alone.push_back(std::make_unique<OneDrop>(kind));
+    Drop* const one = &alone.back()->drop;
+    ASSERT_FALSE(run_in_lanes(std::span(&one, 1)).front());
+  }
+  KindAfterKind feed(drops);
+  EXPECT_EQ(run_in_lanes(feed), kinds.size());
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    EXPECT_TRUE(by_turns[k]->drop.result().completed) << k;
+    EXPECT_EQ(by_turns[k]->drop.result().state, alone[k]->drop.result().state) << k;
+  }
+  EXPECT_NE(alone[0]->drop.result().state.size(), alone[1]->drop.result().state.size());
+  EXPECT_NE(alone[0]->drop.result().state.size(), alone[3]->drop.result().state.size());
+}
+
 TEST(DropsInLanes, EndEachAtItsOwnTime) {
   std::vector<std::unique_ptr<OneDrop>> list;
   for (const char* end : {"9 ms", "3 ms", "12 ms"}) list.push_back(std::make_unique<OneDrop>(settings(1, end)));

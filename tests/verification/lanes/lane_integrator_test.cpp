@@ -64,12 +64,14 @@ class EightOscillators final : public LaneSystem {
   StateLayout layout_ = layout_of_oscillator();
 };
 
+const StateLayout oscillator_layout = layout_of_oscillator();
+
 class LanesOf : public testing::TestWithParam<IntegrationMethod> {};
 
 TEST_P(LanesOf, StepInterpolateAndCountAsOneDropDoes) {
   const IntegrationParameters parameters{GetParam(), 0.5, 1e-5};
   const double end = 2.;
-  const LaneIntegrator::Lane start{parameters, 0., end, start_state, 0};
+  const LaneIntegrator::Lane start{parameters, 0., end, &oscillator_layout, start_state, 0};
   LaneIntegrator lanes(std::make_unique<EightOscillators>(), start, 0);
   constexpr std::size_t n_drops = 7;  // one lane stays free
   std::vector<std::unique_ptr<OneOscillator>> systems;
@@ -123,7 +125,7 @@ TEST_P(LanesOf, StepInterpolateAndCountAsOneDropDoes) {
 }
 
 TEST_P(LanesOf, FailAloneWhereRatesAreNoNumbers) {
-  const LaneIntegrator::Lane start{{GetParam(), 0.5, 1e-5}, 0., 2., start_state, 0};
+  const LaneIntegrator::Lane start{{GetParam(), 0.5, 1e-5}, 0., 2., &oscillator_layout, start_state, 0};
   auto system = std::make_unique<EightOscillators>();
   constexpr std::size_t broken = 2;
   system->broken_lane = broken;
@@ -158,11 +160,43 @@ TEST_P(LanesOf, FailAloneWhereRatesAreNoNumbers) {
   }
 }
 
+// Sizes by which errors are judged may differ from drop to drop: those of a drop are its own, whichever was there first.
+TEST_P(LanesOf, JudgeErrorsByTheirOwnScales) {
+  StateLayout coarse;
+  coarse.add_block("part", {{"place", "m", 1e3}, {"velocity", "m/s", 1e4}, {"work", "J", 1.}});
+  const IntegrationParameters parameters{GetParam(), 0.5, 1e-5};
+  const LaneIntegrator::Lane fine_drop{parameters, 0., 2., &oscillator_layout, start_state, 0},
+      coarse_drop{parameters, 0., 2., &coarse, start_state, 0};
+  LaneIntegrator fine_first(std::make_unique<EightOscillators>(), fine_drop, 0),
+      coarse_first(std::make_unique<EightOscillators>(), coarse_drop, 0);
+  for (LaneIntegrator* lanes : {&fine_first, &coarse_first}) {
+    lanes->begin(4, fine_drop);
+    lanes->begin(5, coarse_drop);
+    while (lanes->runs(4) || lanes->runs(5)) lanes->advance();
+  }
+  for (const std::size_t l : {4, 5}) {
+    EXPECT_TRUE(std::ranges::equal(fine_first.state(l), coarse_first.state(l))) << l;
+    EXPECT_EQ(fine_first.statistics(l).steps, coarse_first.statistics(l).steps) << l;
+  }
+  EXPECT_GT(fine_first.statistics(4).steps, fine_first.statistics(5).steps)
+      << "scales are no matter: this shows nothing";
+}
+
+TEST_P(LanesOf, RefuseADropOfAnotherKind) {
+  const IntegrationParameters parameters{GetParam(), 0.5, 1e-5};
+  const LaneIntegrator::Lane start{parameters, 0., 2., &oscillator_layout, start_state, 0};
+  LaneIntegrator lanes(std::make_unique<EightOscillators>(), start, 0);
+  StateLayout longer = oscillator_layout;
+  longer.add_block("one more", {{"place", "m", 1.}});
+  const std::vector<double> state(4, 0.);
+  EXPECT_THROW(lanes.begin(0, {parameters, 0., 2., &longer, state, 0}), std::invalid_argument);
+}
+
 // The times of rows are the same for all drops: what was interpolated for the drop before in a lane must not be taken for the next one's.
 TEST_P(LanesOf, InterpolateTheDropThatIsThere) {
-  const LaneIntegrator::Lane start{{GetParam(), 0.5, 1e-5}, 0., 2., start_state, 0};
+  const LaneIntegrator::Lane start{{GetParam(), 0.5, 1e-5}, 0., 2., &oscillator_layout, start_state, 0};
   const std::vector<double> other_state = {-0.4, 2., 0.};
-  const LaneIntegrator::Lane other{start.parameters, 0., 2., other_state, 0};
+  const LaneIntegrator::Lane other{start.parameters, 0., 2., &oscillator_layout, other_state, 0};
   LaneIntegrator lanes(std::make_unique<EightOscillators>(), start, 0);
   LaneIntegrator fresh(std::make_unique<EightOscillators>(), other, 0);
   const auto step_over = [](LaneIntegrator& all, double t) {
