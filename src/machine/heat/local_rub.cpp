@@ -29,11 +29,21 @@ struct Interval {
   double turned = 0, ring_turned = 0, rotor_turned = 0;       // in it: line of centres, ring, rotor
 };
 
+/// Whether there is friction heat: a coefficient of friction of 1e-12 is none.
+bool rubs(const std::vector<Interval>& list) {
+  double heat = 0., sliding_work = 0.;
+  for (const auto& v : list) {
+    heat += v.heat;
+    sliding_work += v.sliding_work;
+  }
+  return heat > 1e-12 * sliding_work;
+}
+
 std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
   const auto rows = rows_to_follow(r, most_rows);
   std::vector<Interval> list;
   list.reserve(rows.size());
-  double largest_heat = 0.;
+  double largest_heat = 0., largest_force = 0.;
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const std::size_t i = rows[k - 1], j = rows[k];
     Interval v;
@@ -53,11 +63,13 @@ std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
     v.ring_turned = r.ring_angle[j] - r.ring_angle[i];
     v.rotor_turned = r.rotor_angle[j] - r.rotor_angle[i];
     largest_heat = std::max(largest_heat, v.heat);
+    largest_force = std::max(largest_force, v.force);
     list.push_back(v);
   }
   // What a ledger gains by rounding is no contact.
+  const bool has_heat = rubs(list);
   for (auto& v : list)
-    if (v.heat <= 1e-9 * largest_heat || !(v.force > 0.)) v.force = 0.;
+    if (has_heat ? v.heat <= 1e-9 * largest_heat || !(v.force > 0.) : v.force <= 1e-9 * largest_force) v.force = 0.;
   return list;
 }
 
@@ -188,7 +200,7 @@ LocalRub local_rub(const RubRecord& r, const LocalRubSettings& s, std::size_t mo
   const auto list = intervals_of(r, most_rows);
   const Replay replay(r, list, s);
   result.wear = replay.wear();
-  if (largest_force(list) == 0.) return result;
+  if (largest_force(list) == 0. || !rubs(list)) return result;
   const Share stated = s.is_one_temperature ? Share::one_temperature : Share::recorded;
   const Share other = s.is_one_temperature ? Share::recorded : Share::one_temperature;
   // The two bands know nothing of each other, and run at the same time where there are threads for them.

@@ -106,6 +106,23 @@ TEST(LocalRub, WearsByArchardsLawAndLosesItsVolume) {
   EXPECT_NEAR(r.wear.rotor_mean_depth, 3e-14 * work / (2. * pi * 0.03475 * 0.02), 1e-9 * r.wear.rotor_mean_depth);
 }
 
+// Archard's law does not know friction.
+TEST(LocalRub, WithoutFrictionWearsAsMuchAndStaysCold) {
+  const auto s = steel();
+  const auto with = rub(5000., 55., 0.66, at_rest, at_rest, 55. / 0.03475);
+  const LocalRub expected = local_rub(with, s);
+  for (const double friction : {0., 1e-300, 1e-20}) {  // times that of the record
+    auto without = with;
+    for (auto* ledger : {&without.joules_into_ring, &without.joules_into_rotor})
+      for (double& joules : *ledger) joules *= friction;
+    const LocalRub r = local_rub(without, s);
+    EXPECT_EQ(r.wear.bore_depth, expected.wear.bore_depth) << friction;
+    EXPECT_EQ(r.wear.rotor_depth, expected.wear.rotor_depth) << friction;
+    EXPECT_EQ(r.stated.bore, 0.) << friction;
+    EXPECT_EQ(r.stated.share_to_ring, 0.) << friction;
+  }
+}
+
 TEST(LocalRub, ARingThatTurnsSpreadsItsWear) {
   const auto s = steel();
   const LocalRub r = local_rub(rub(
