@@ -195,6 +195,34 @@ class Studies(ProgramTest):
         self.assertEqual(again["bearings"]["TB1"]["peak_contact_force"], forces[7])
         self.assertTrue((self.folder / "out/point-7/report.html").is_file())
 
+    def test_a_rerun_takes_what_was_varied_for_all_bearings(self):
+        # TB2 keeps its own value in each point; TB1 takes that of [bearings].
+        self.write("own.toml", 'base = "reference.toml"\n[bearings.TB2]\nball_damping_beta = "4e-5 s"\n')
+        self.write("s.toml", 'case = "own.toml"\n[vary]\nbearings.ball_damping_beta = [1e-5, 1e-4]\nbearings.ball_model = ["quasi-static", "inertial"]\n[design]\nkind = "grid"\n')
+        self.study("out", "--set", "run.end_time=9 ms")
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            forces = {b: h5[f"/results/bearings.{b}.peak_contact_force"][:] for b in ("TB1", "TB2")}
+        self.assertEqual(len(set(forces["TB1"])), 4)
+        for point in range(4):
+            self.succeed("study", "rerun", "out", "--point", str(point))
+            again = json.loads((self.folder / f"out/point-{point}/summary.json").read_text())
+            for bearing, force in forces.items():
+                self.assertEqual(again["bearings"][bearing]["peak_contact_force"], force[point], (bearing, point))
+            self.assertRegex((self.folder / f"out/point-{point}/parameters.toml").read_text().split("[bearings.TB2]")[1], r'ball_damping_beta = "4e-5 s"')
+        self.study("out", "--set", "run.end_time=9 ms", "--resume")
+
+    def test_points_of_several_kinds_run_one_kind_after_the_other(self):
+        # Two numbers of modes, and methods of two numbers of stages: four kinds that cannot run side by side.
+        self.write("s.toml", 'case = "reference.toml"\nlanes = true\n[vary]\nrotor.cut_off_frequency = [900.0, 7000.0]\nintegration.method = ["two-step-runge-kutta", "bogacki-shampine"]\ncontact.friction_coefficient = [0.1, 0.2]\n[design]\nkind = "grid"\n')
+        found = []
+        for jobs in ("1", "2"):
+            self.study(f"out-{jobs}", "--jobs", jobs, "--set", "run.end_time=9 ms")
+            with h5py.File(self.folder / f"out-{jobs}/study.h5") as h5:
+                self.assertEqual(set(h5["/status"][:]), {0})
+                found.append(h5["/results/bearings.TB1.peak_contact_force"][:])
+        numpy.testing.assert_array_equal(*found)
+        self.assertEqual(len(set(found[0])), 8)
+
     def test_points_have_the_bits_of_single_runs(self):
         self.write("s.toml", "lanes = false\n" + STUDY.replace("values = [2e3, 4e3, 8e3] }", 'values = [2e3, 4e3, 8e3] }\nbearings.TB1.balls_per_row = [18, 20, 22]\n"rotor.unbalance[0].me" = { range = ["1 g mm", "3 g mm"] }'))
         self.study("out", "--jobs", "2")

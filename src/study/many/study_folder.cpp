@@ -12,6 +12,7 @@
 #include "io/sha256.h"
 #include "io/text/comments.h"
 #include "study/many/answers/study_summary.h"
+#include "study/many/common_values.h"
 #include "study/many/search/fit_evaluation.h"
 #include "study/many/study_table.h"
 
@@ -125,7 +126,10 @@ void take_journals_of_ranks(const fs::path& directory, const std::string& header
 
 void write_inputs(const Study& study, const fs::path& directory) {
   write_text_atomically(directory / "study.toml", study.text);
-  write_text_atomically(directory / "case.toml", study.base.resolved.text);
+  std::vector<std::string> varied;
+  for (const auto& parameter : study.parameters)
+    for (const auto& key : parameter.keys) varied.push_back(key.name);
+  write_text_atomically(directory / "case.toml", text_with_common_values(study.base, varied));
   if (study.fit) write_measured(study.fit->measured, directory);
 }
 
