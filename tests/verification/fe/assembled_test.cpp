@@ -94,9 +94,9 @@ TEST_F(Assembled, StepsInWindows) {
 TEST(AssembledOnly, OfLinearSectionsThatAreSteppedDirectlyAndAreNotLarge) {
   auto p = ring_in_housing();
   EXPECT_TRUE(make_solver(p)->assembled());
-  p.numerics.cells = 30;
+  p.numerics.cells = 70;
   p.numerics.grading = 1.;
-  EXPECT_GT(make_solver(p)->statistics().unknowns, 5000U);
+  EXPECT_GT(make_solver(p)->statistics().unknowns, 25000U);
   EXPECT_FALSE(make_solver(p)->assembled());
   p = ring_in_housing();
   p.bodies[0].conductivity = PropertyTable({{293., 46.}, {600., 36.}});
