@@ -231,7 +231,9 @@ int study_join_command(const StudyJoinCommand& command) {
 
 int study_rerun_command(const StudyRerunCommand& command) {
   const Study study = read_study_of(command.directory);
-  auto content = study.is_search() ? Journal::read(command.directory / "study.journal") : Journal::Content{};
+  const bool may_have_second_tries = study.on_failure == FailurePolicy::retry;
+  auto content = study.is_search() || may_have_second_tries ? Journal::read(command.directory / "study.journal")
+                                                            : Journal::Content{};
   const Design design = design_of(study, content);
   const std::size_t n = n_points(study, design);
   if (command.point >= n)
@@ -240,10 +242,14 @@ int study_rerun_command(const StudyRerunCommand& command) {
   RunCommand run;
   run.file = command.directory / "case.toml";
   run.directory = command.output.empty() ? command.directory / fmt::format("point-{}", command.point) : command.output;
-  run.overrides = point_of(study, design, command.point).overrides;
+  const auto found = content.records.find(command.point);
+  const bool is_second_try =
+      may_have_second_tries && found != content.records.end() && found->second.is_done && !found->second.reason.empty();
+  const StudyPoint point = point_of(study, design, command.point);
+  run.overrides = is_second_try ? overrides_of_second_try(study, point) : point.overrides;
   run.force = command.force;
   run.quiet = command.quiet;
-  run.in_lanes = study.lanes && !study.is_search();
+  run.in_lanes = study.lanes && !study.is_search() && !is_second_try;
   const int code = run_command(run);
   if (code != 0) return code;
   ReportCommand report;

@@ -134,8 +134,15 @@ void add_drops(py::module_& core) {
     const auto m = meaning_of(name);
     return py::make_tuple(m.unit, m.long_name);
   });
-  core.def("summary_text",
-           [](const std::string& json) { return summary_text(recorded_summary(nlohmann::ordered_json::parse(json))); });
+  core.def("summary_text", [](const std::string& json) {
+    try {
+      return summary_text(recorded_summary(nlohmann::ordered_json::parse(json)));
+    } catch (const nlohmann::json::exception& error) {
+      throw InputError({"summary.json", 0, 0},
+                       std::string("this summary is not what the program wrote: ") + error.what() + ".",
+                       "Run the case again.");
+    }
+  });
   core.def("write_report", [](const std::filesystem::path& directory, const std::filesystem::path& file) {
     const py::gil_scoped_release others_may_run;
     const RecordedDrop drop(directory);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "io/text/input_file.h"
+
 namespace rotordrop::python {
 namespace py = pybind11;
 
@@ -32,7 +34,10 @@ py::object to_python(const nlohmann::ordered_json& value) {
   }
 }
 
-Node to_node(const py::handle& value, const std::string& key) {
+Node to_node(const py::handle& value, const std::string& key, std::size_t depth) {
+  if (depth > deepest_input)  // its key is as long
+    throw InputError(
+        {}, fmt::format("lists or dictionaries are nested more than {} deep, or in themselves.", deepest_input));
   const SourcePosition where{given_mark + key, 0, 0};
   if (PyBool_Check(value.ptr())) return {value.cast<bool>(), where};
   if (PyLong_Check(value.ptr())) {
@@ -56,14 +61,14 @@ Node to_node(const py::handle& value, const std::string& key) {
                          "Names of parameters are texts, such as \"contact\".");
       const auto name = entry.first.cast<std::string>();
       const std::string path = key.empty() ? name : key + "." + name;
-      table.set(name, to_node(entry.second, path), {given_mark + path, 0, 0});
+      table.set(name, to_node(entry.second, path, depth + 1), {given_mark + path, 0, 0});
     }
     return table;
   }
-  if (py::hasattr(value, "tolist")) return to_node(value.attr("tolist")(), key);  // of NumPy, pandas, xarray
+  if (py::hasattr(value, "tolist")) return to_node(value.attr("tolist")(), key, depth + 1);  // of NumPy, pandas, xarray
   if (py::isinstance<py::sequence>(value) && !PyBytes_Check(value.ptr())) {
     Node::Array items;
-    for (const auto& item : value) items.push_back(to_node(item, fmt::format("{}[{}]", key, items.size())));
+    for (const auto& item : value) items.push_back(to_node(item, fmt::format("{}[{}]", key, items.size()), depth + 1));
     return Node::array(std::move(items), where);
   }
   if (py::hasattr(value, "__fspath__")) return {value.attr("__fspath__")().cast<std::string>(), where};

@@ -16,8 +16,9 @@ pybind11::object to_python(const nlohmann::ordered_json& value);
 
 /// Numbers, texts, booleans, lists, arrays of NumPy and dictionaries as values of a case. Their place is "given KEY", line 0.
 /// @param key  of the value, such as "contact.air_gap"; empty for a whole case
-/// @throws InputError for anything else
-Node to_node(const pybind11::handle& value, const std::string& key);
+/// @param depth  levels of lists and dictionaries above it
+/// @throws InputError for anything else, and for lists and dictionaries that nest as deep as no file may
+Node to_node(const pybind11::handle& value, const std::string& key, std::size_t depth = 0);
 
 /// A dictionary of parameters, such as {"contact.friction_coefficient": 0.05}.
 std::vector<Setting> to_settings(const pybind11::dict& overrides);

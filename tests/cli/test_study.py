@@ -336,6 +336,16 @@ kind = "list"
         with h5py.File(self.folder / "retry/study.h5") as h5:
             self.assertIn("second", h5["/reason"][1].decode())
 
+    def test_a_rerun_of_a_point_that_was_done_in_a_second_try_is_that_try(self):
+        self.write("s.toml", 'case = "reference.toml"\non_failure = "retry"\n[vary]\nintegration.tolerance = [1e-6, 1e-2]\n[design]\nkind = "list"\n')
+        self.study("out", "--set", "run.end_time=9 ms", "--set", 'run.fatal_warnings=["energy-residual"]', "--set", "integration.step=1 ms", "--set", "integration.method=tsitouras")
+        with h5py.File(self.folder / "out/study.h5") as h5:
+            self.assertEqual([reason.decode()[:20] for reason in h5["/reason"][:]], ["", "done in a second try"])
+            force = h5["/results/bearings.TB1.peak_contact_force"][1]
+        self.succeed("study", "rerun", "out", "--point", "1")
+        again = json.loads((self.folder / "out/point-1/summary.json").read_text())
+        self.assertEqual(again["bearings"]["TB1"]["peak_contact_force"], force)
+
     def test_series_are_kept_by_choice(self):
         self.write("s.toml", STUDY.replace("size = 12", "size = 2") + '[keep]\nresults = ["bearings.*.friction_heat"]\nseries = ["/bearings/TB1/contact_force"]\n')
         self.study("out")

@@ -89,6 +89,17 @@ class Faults(PackageTest):
         (fault,) = self.faults_of('[contact]\nair_gap = 5 um\n')
         self.assertEqual(fault.line, 2)
 
+    def test_what_nests_in_itself_is_refused(self):
+        endless_list, endless_table, deep = [], {}, {}
+        endless_list.append(endless_list)
+        endless_table["a"] = endless_table
+        at = deep
+        for _ in range(20000):
+            at = at.setdefault("a", {})
+        for given in ((SETTLING, {"rotor.initial_offset": endless_list}), (endless_table,), (deep,)):
+            with self.assertRaisesRegex(rd.InputError, "nested"):
+                rd.Case(*given)
+
     def test_errors_are_pickled_with_their_faults(self):
         with self.assertRaises(rd.InputError) as caught:
             rd.Case(SETTLING, {"contact.air_gpa": 1})

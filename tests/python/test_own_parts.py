@@ -48,11 +48,19 @@ class Maxwell(rd.Support):
         return 0.5 * self.values["stiffness"] * ((seen.journal.y - state[0]) ** 2 + (seen.journal.z - state[1]) ** 2)
 
 
+class SpringOfUnknownEnergy(Spring):
+    type = "python-spring-of-unknown-energy"
+
+    def energy(self, seen, state):
+        return float("nan")
+
+
 class Supports(PackageTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
         rd.add_support(Spring)
+        rd.add_support(SpringOfUnknownEnergy)
         rd.add_support(Maxwell)
 
     def case(self, support, overrides=None):
@@ -94,6 +102,14 @@ class Supports(PackageTest):
         rd.add_support(Forgetful)
         energy = self.case({"type": "python-forgetful", "stiffness": STIFFNESS, "damping": DAMPING}).run().summary["energy"]
         self.assertGreater(abs(energy["residual"]), 1e-3)
+
+    def test_a_balance_that_is_no_number_is_told(self):
+        unknown = {"type": "python-spring-of-unknown-energy", "stiffness": STIFFNESS, "damping": DAMPING}
+        result = self.case(unknown, {"run.end_time": "1 ms"}).run()
+        self.assertIn("energy-residual", [warning["code"] for warning in result.summary["warnings"]])
+        self.assertIn("energy-residual", result.text)
+        with self.assertRaisesRegex(rd.SolverError, "energy-residual"):
+            self.case(unknown, {"run.end_time": "1 ms", "run.fatal_warnings": ["energy-residual"]}).run()
 
     def test_keys_are_checked_like_all_others(self):
         with self.assertRaises(rd.InputError) as caught:

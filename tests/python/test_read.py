@@ -28,6 +28,13 @@ class Directory(PackageTest):
         self.assertIsNone(here.directory)
         self.assertEqual(result.text.splitlines()[0], here.text.splitlines()[0])
 
+    def test_a_summary_that_the_program_did_not_write_has_no_text(self):
+        rd.Case(SETTLING, {"run.end_time": "1 ms"}).run(self.folder / "out")
+        for summary in ("{}", "[]", "no JSON", '{"run": {"completed": true}}', '{"run": {"completed": true}, "bearings": {"TB1": 1}}'):
+            (self.folder / "out/summary.json").write_text(summary)
+            with self.assertRaisesRegex(rd.InputError, "not what the program wrote"):
+                rd.read(self.folder / "out").text
+
     def test_python_writes_what_the_program_writes(self):
         result = rd.Case(SETTLING, {"run.end_time": "10 ms"}).run(self.folder / "out")
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()}, {"results.h5", "summary.json", "parameters.toml"})

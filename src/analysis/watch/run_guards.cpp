@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 
@@ -184,7 +185,8 @@ void RunGuards::Rows::row(double time, std::span<const double> values) {
   for (const Balance& balance : balances) {
     double moved = 0.;
     for (const std::size_t column : balance.moved) moved += std::fabs(values[column]);
-    guards_.follow(balance.guard, time, std::fabs(values[balance.residual]) / std::max(moved, guards_.least_energy_));
+    const double part = std::fabs(values[balance.residual]) / std::max(moved, guards_.least_energy_);
+    guards_.follow(balance.guard, time, std::isnan(part) ? std::numeric_limits<double>::infinity() : part);
   }
 }
 
@@ -273,7 +275,7 @@ std::vector<RunWarning> warnings_at_end(const EndedRun& run) {
     list.back().count = run.windows->beyond_tolerance;
   }
   if (const double input = std::max(std::fabs(run.windows_energy.input), 1e-3);
-      run.windows && std::fabs(run.windows_energy.residual()) > residual_limit * input)
+      run.windows && !(std::fabs(run.windows_energy.residual()) <= residual_limit * input))
     warn("heat-residual", "", "windows", std::fabs(run.windows_energy.residual()) / input, residual_limit);
   if (run.elements && run.elements->coupling != FeCoupling::windowed)
     for (const auto& section : run.elements->sections)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import functools
 import json
+import math
 import os
 import pathlib
 import typing
 from collections.abc import Iterator, Mapping
 
-from . import _core, series
+from . import _core, errors, series
 
 if typing.TYPE_CHECKING:
     import pandas
@@ -57,7 +58,7 @@ class Result:
             assert directory is not None
             self.recorded = _core.open_results(directory)
             file = directory / "summary.json"
-            self._summary = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else None
+            self._summary = _read_summary(file) if file.is_file() else None
             self.notes = ()
         self.completed: bool = bool(run.completed if run is not None else self._summary and self._summary["run"].get("completed", True))
 
@@ -144,7 +145,7 @@ class Result:
     @property
     def text(self) -> str:
         """The main results as a few lines, as `rotordrop run` prints them."""
-        return _core.summary_text(json.dumps(self.summary))
+        return _core.summary_text(json.dumps(_finite(self.summary)))
 
     def to_mat(self, file: str | os.PathLike[str]) -> None:
         """Writes everything into a file for MATLAB or Octave: `load FILE`, then `results.bearings.TB1.contact_force`.
@@ -185,6 +186,26 @@ class Result:
 def read(directory: str | os.PathLike[str]) -> Result:
     """The result that `rotordrop run` or `case.run(directory)` wrote, also of a run that goes on or was killed. InputError if the directory holds none."""
     return Result(None, directory=pathlib.Path(directory))
+
+
+def _read_summary(file: pathlib.Path) -> dict[str, typing.Any]:
+    """InputError for a file that the program did not write."""
+    try:
+        summary = json.loads(file.read_text(encoding="utf-8"))
+    except ValueError:
+        summary = None
+    if not isinstance(summary, dict) or not isinstance(summary.get("run"), dict):
+        raise errors.InputError(f"error: {file}: this summary is not what the program wrote.\n       Remove the file, or run the case again.")
+    return summary
+
+
+def _finite(value: typing.Any) -> typing.Any:
+    """The same with None for numbers that are none, as in summary.json."""
+    if isinstance(value, dict):
+        return {key: _finite(inner) for key, inner in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(inner) for inner in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _numbers(value: typing.Any, path: str) -> Iterator[tuple[str, float | bool]]:

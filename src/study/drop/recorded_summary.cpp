@@ -15,7 +15,7 @@ double number(const Json& j, const char* key) {
 NamedValues rises_in(const Json& j) {
   NamedValues rises;
   if (j.contains("temperature_rise_end"))
-    for (const auto& [node, rise] : j["temperature_rise_end"].items()) rises.emplace_back(node, rise.get<double>());
+    for (const auto& [node, rise] : j.at("temperature_rise_end").items()) rises.emplace_back(node, rise.get<double>());
   return rises;
 }
 
@@ -28,9 +28,9 @@ FeSummary section_of(const Json& j) {
                            number(s, "highest_time")});
   if (j.contains("worst_response")) {
     FeSummary::Reduction r;
-    r.modes = j["modes"].get<std::size_t>();
+    r.modes = j.at("modes").get<std::size_t>();
     r.largest_error = number(j, "largest_response_error");
-    r.worst = j["worst_response"].get<std::string>();
+    r.worst = j.at("worst_response").get<std::string>();
     fe.reduction = r;
   }
   return fe;
@@ -52,13 +52,13 @@ LocalSummary local_of(const Json& local, const Json& wear) {
 ShoulderReport shoulder_of(const Json& j) {
   ShoulderReport report;
   report.stiffness = number(j, "stiffness");
-  report.is_given = j["stiffness_from"] == "given";
+  report.is_given = j.at("stiffness_from") == "given";
   report.rotor_stiffness = number(j, "rotor_stiffness");
   report.ring_stiffness = number(j, "ring_stiffness");
-  for (const auto& side : j["sides"]) {
-    const Json& force = side["force_by_energy"];
+  for (const auto& side : j.at("sides")) {
+    const Json& force = side.at("force_by_energy");
     report.sides.push_back(
-        {side["push"] == "+x" ? 1. : -1.,
+        {side.at("push") == "+x" ? 1. : -1.,
          number(side, "gap"),
          number(side, "thrust"),
          number(side, "approach_speed"),
@@ -69,20 +69,20 @@ ShoulderReport shoulder_of(const Json& j) {
 
 SupportSummary support_of(const Json& j) {
   SupportSummary s;
-  s.type = j["type"].get<std::string>();
+  s.type = j.at("type").get<std::string>();
   s.largest_travel = number(j, "largest_travel");
   s.loss = number(j, "loss");
   if (j.contains("largest_stored_energy")) s.largest_stored_energy = number(j, "largest_stored_energy");
-  if (j.contains("meets_stop")) s.meets_stop = j["meets_stop"].get<bool>();
+  if (j.contains("meets_stop")) s.meets_stop = j.at("meets_stop").get<bool>();
   return s;
 }
 
 WhirlSummary whirl_of(const Json& j) {
   WhirlSummary w;
-  if (j["largest_backward_speed"].is_number()) w.largest_backward_speed = number(j, "largest_backward_speed");
+  if (j.at("largest_backward_speed").is_number()) w.largest_backward_speed = number(j, "largest_backward_speed");
   w.contact_time = number(j, "contact_time");
   w.backward_whirl_time = number(j, "backward_whirl_share") * w.contact_time;
-  w.has_full_rub = j["full_rub"] == "yes";
+  w.has_full_rub = j.at("full_rub") == "yes";
   return w;
 }
 
@@ -103,37 +103,37 @@ BearingSummary bearing_of(const std::string& name, const Json& j) {
     else
       b.rises.push_back({kind, rises_in(of)});
   }
-  if (j.contains("local")) b.local = local_of(j["local"], j["wear"]);
-  if (j.contains("damage")) b.damage = j["damage"];
+  if (j.contains("local")) b.local = local_of(j.at("local"), j.at("wear"));
+  if (j.contains("damage")) b.damage = j.at("damage");
   b.is_free = j.contains("axial");
   if (b.is_free) {
-    b.scalars.axial_force.smallest = number(j["axial"]["force"], "smallest");
-    b.scalars.axial_force.largest = number(j["axial"]["force"], "largest");
+    b.scalars.axial_force.smallest = number(j.at("axial").at("force"), "smallest");
+    b.scalars.axial_force.largest = number(j.at("axial").at("force"), "largest");
   }
-  if (j.contains("shoulder")) b.shoulder = shoulder_of(j["shoulder"]);
-  if (j.contains("support") && j["support"].is_object()) b.support = support_of(j["support"]);
-  b.whirl = whirl_of(j["whirl"]);
+  if (j.contains("shoulder")) b.shoulder = shoulder_of(j.at("shoulder"));
+  if (j.contains("support") && j.at("support").is_object()) b.support = support_of(j.at("support"));
+  b.whirl = whirl_of(j.at("whirl"));
   return b;
 }
 
 ProbeSummary probe_of(const std::string& name, const Json& j) {
   ProbeSummary p;
   p.name = name;
-  p.node = j["node"].get<int>();
+  p.node = j.at("node").get<int>();
   p.clearance = number(j, "clearance");
   p.scalars.smallest_clearance = number(j, "smallest_clearance");
   p.scalars.smallest_clearance_time = number(j, "smallest_clearance_time");
   p.scalars.first_touch_time = number(j, "first_touch_time");
   if (j.contains("contact")) {
-    p.contact = {number(j["contact"], "friction_heat"), number(j["contact"], "damping")};
-    p.scalars.largest_force = number(j["contact"], "peak_contact_force");
+    p.contact = {number(j.at("contact"), "friction_heat"), number(j.at("contact"), "damping")};
+    p.scalars.largest_force = number(j.at("contact"), "peak_contact_force");
   }
   return p;
 }
 
 DropSummary::Windows windows_of(const Json& j) {
   DropSummary::Windows w;
-  w.report.windows = j["count"].get<long>();
+  w.report.windows = j.at("count").get<long>();
   w.report.shortest = number(j, "shortest");
   w.report.longest = number(j, "longest");
   w.report.largest_error = number(j, "largest_growth_error");
@@ -143,10 +143,10 @@ DropSummary::Windows windows_of(const Json& j) {
 }
 
 RunWarning warning_of(const Json& j) {
-  return {find_warning_kind(j["code"].get<std::string>()),
-          j["place"].get<std::string>(),
-          j["part"].get<std::string>(),
-          j["count"].get<long>(),
+  return {find_warning_kind(j.at("code").get<std::string>()),
+          j.at("place").get<std::string>(),
+          j.at("part").get<std::string>(),
+          j.at("count").get<long>(),
           number(j, "worst"),
           number(j, "limit"),
           number(j, "time"),
@@ -161,11 +161,11 @@ DropSummary recorded_summary(const Json& j) {
   s.case_name = j.value("case", "");
   s.title = j.value("title", "");
   s.note = j.value("note", "");
-  for (const auto& [name, b] : j["bearings"].items()) s.bearings.push_back(bearing_of(name, b));
+  for (const auto& [name, b] : j.at("bearings").items()) s.bearings.push_back(bearing_of(name, b));
   const Json probes = j.value("probes", Json::object());
   for (const auto& [name, probe] : probes.items()) s.probes.push_back(probe_of(name, probe));
   s.rotor_speed_end = number(j, "rotor_speed_end");
-  const Json& energy = j["energy"];
+  const Json& energy = j.at("energy");
   s.energy.dissipated = number(energy, "dissipated");
   s.energy.residual = number(energy, "residual");
   s.energy.heat_deposited = number(energy, "heat_deposited");
@@ -177,17 +177,17 @@ DropSummary recorded_summary(const Json& j) {
       s.heat_prefixes.push_back(kind->prefix());
       s.energy.heat.emplace_back().residual = number(energy, key.c_str());
     }
-  if (j.contains("windows")) s.windows = windows_of(j["windows"]);
-  const Json& run = j["run"];
-  s.completed = run["completed"].get<bool>();
+  if (j.contains("windows")) s.windows = windows_of(j.at("windows"));
+  const Json& run = j.at("run");
+  s.completed = run.at("completed").get<bool>();
   s.end_time = number(run, "end_time");
   s.ambient = run.value("ambient", 0.);
-  s.until = run["until"].get<std::string>();
-  s.ended_by = run["ended_by"].get<std::string>();
+  s.until = run.at("until").get<std::string>();
+  s.ended_by = run.at("ended_by").get<std::string>();
   for (const auto& warning : j.value("warnings", Json::array()))
     if (const RunWarning w = warning_of(warning); w.kind) s.warnings.push_back(w);
-  if (j.contains("limits")) s.limits = j["limits"];
-  if (j.contains("second_opinion")) s.second_opinion = j["second_opinion"];
+  if (j.contains("limits")) s.limits = j.at("limits");
+  if (j.contains("second_opinion")) s.second_opinion = j.at("second_opinion");
   return s;
 }
 

@@ -34,14 +34,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Second try of a failed drop.
-std::vector<std::string> with_smaller_step(const Case& c, std::vector<std::string> overrides) {
-  const auto& integration = c.parameters.integration;
-  overrides.push_back(fmt::format("integration.tolerance={}", std::max(1e-13, 0.1 * integration.tolerance)));
-  overrides.push_back(fmt::format("integration.step={}", std::max(1e-9, 0.1 * step_or_bound(integration))));
-  return overrides;
-}
-
 PointResult evaluated(const Study& study, const std::vector<std::string>& overrides, const StudyOptions& options) {
   try {
     const Case c = study.cases->read(overrides);
@@ -58,9 +50,7 @@ PointResult completed(const Study& study, const StudyPoint& point, const StudyOp
   if (!result.is_interrupted && !result.is_done && study.on_failure == FailurePolicy::retry &&
       !(options.stop && *options.stop)) {
     const std::string reason = result.reason;
-    const auto overrides = overrides_of(study, point);
-    const Case c = study.cases->read(overrides);
-    result = evaluated(study, with_smaller_step(c, overrides), options);
+    result = evaluated(study, overrides_of_second_try(study, point), options);
     result.reason = result.is_done ? "done in a second try with a tenth of the tolerance; the first one: " + reason
                                    : "failed twice, the second time with a tenth of the tolerance: " + result.reason;
   }
@@ -270,6 +260,14 @@ PointResult run_point(const Study& study, const StudyPoint& point, const StudyOp
 std::vector<std::string> overrides_of(const Study& study, const StudyPoint& point) {
   auto overrides = study.set;
   overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
+  return overrides;
+}
+
+std::vector<std::string> overrides_of_second_try(const Study& study, const StudyPoint& point) {
+  auto overrides = overrides_of(study, point);
+  const auto integration = study.cases->read(overrides).parameters.integration;
+  overrides.push_back(fmt::format("integration.tolerance={}", std::max(1e-13, 0.1 * integration.tolerance)));
+  overrides.push_back(fmt::format("integration.step={}", std::max(1e-9, 0.1 * step_or_bound(integration))));
   return overrides;
 }
 

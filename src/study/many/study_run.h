@@ -45,6 +45,8 @@ struct StudyOutcome {
 
 /// Overrides of the study and of a point.
 std::vector<std::string> overrides_of(const Study& study, const StudyPoint& point);
+/// The same where the point failed and is tried once more: a tenth of the tolerance and of the longest step.
+std::vector<std::string> overrides_of_second_try(const Study& study, const StudyPoint& point);
 
 /// Number of threads for so many tasks. @param asked  0: one per core
 unsigned workers_of(unsigned asked, std::size_t n_tasks);
