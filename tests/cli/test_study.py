@@ -336,6 +336,12 @@ kind = "list"
         with h5py.File(self.folder / "retry/study.h5") as h5:
             self.assertIn("second", h5["/reason"][1].decode())
 
+    def test_a_key_of_all_bearings_that_none_takes_is_told(self):
+        self.write("s.toml", 'case = "reference.toml"\n[vary]\nbearings.contact_stiffness = [1e9, 2e9]\nbearings.ball_model = ["quasi-static", "inertial"]\n[design]\nkind = "list"\n')
+        told = self.succeed("study", "s.toml", "-o", "out", "--dry-run").stderr
+        self.assertRegex(told, r"s.toml:3:\d+: bearings.contact_stiffness has no effect: every touchdown bearing has a value of its own.\n +Vary bearings.TB1.contact_stiffness")
+        self.assertNotIn("ball_model", told)
+
     def test_a_rerun_of_a_point_that_was_done_in_a_second_try_is_that_try(self):
         self.write("s.toml", 'case = "reference.toml"\non_failure = "retry"\n[vary]\nintegration.tolerance = [1e-6, 1e-2]\n[design]\nkind = "list"\n')
         self.study("out", "--set", "run.end_time=9 ms", "--set", 'run.fatal_warnings=["energy-residual"]', "--set", "integration.step=1 ms", "--set", "integration.method=tsitouras")

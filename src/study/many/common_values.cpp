@@ -64,4 +64,18 @@ std::string text_with_common_values(const Case& c, const std::vector<std::string
   return text;
 }
 
+std::vector<Fault> common_values_without_effect(const Case& c, const std::vector<std::string>& keys,
+                                                const SourcePosition& where) {
+  const auto touchdowns = touchdown_names(c.parameters);
+  std::vector<Fault> warnings;
+  for (const auto& key : common_keys(c, keys))
+    if (!touchdowns.empty() && std::none_of(touchdowns.begin(), touchdowns.end(), [&](const std::string& bearing) {
+          return takes_common_value(c, bearing, key);
+        }))
+      warnings.push_back(
+          {where, fmt::format("bearings.{} has no effect: every touchdown bearing has a value of its own.", key),
+           fmt::format("Vary bearings.{}.{}, or one name for that of every bearing.", touchdowns.front(), key)});
+  return warnings;
+}
+
 }  // namespace rotordrop

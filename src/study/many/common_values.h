@@ -11,4 +11,9 @@ namespace rotordrop {
 /// @param keys  of the case; others than those of all bearings change nothing
 [[nodiscard]] std::string text_with_common_values(const Case& c, const std::vector<std::string>& keys);
 
+/// A warning for each of these keys that is one of all bearings, and that every touchdown bearing, or its catalogue entry, sets again.
+/// @param where  the keys stand
+[[nodiscard]] std::vector<Fault> common_values_without_effect(const Case& c, const std::vector<std::string>& keys,
+                                                              const SourcePosition& where);
+
 }  // namespace rotordrop

@@ -1,4 +1,5 @@
 #include "study/many/study_file.h"
+#include "study/many/common_values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -221,6 +222,12 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   study.minimise = raw.minimise;
   if (raw.fit) study.fit = Fit{*raw.fit, {}};
   faults.throw_if_any();
+  for (const auto& parameter : study.parameters) {
+    std::vector<std::string> keys;
+    for (const auto& key : parameter.keys) keys.push_back(key.name);
+    for (auto& warning : common_values_without_effect(study.base, keys, parameter.where))
+      study.base.warnings.push_back(std::move(warning));
+  }
   read_search(study, tree, faults);
   // The directory of a study holds what was measured; the files that the study names may be elsewhere by then.
   if (study.fit) read_measured_series(*study.fit, tree, file.parent_path(), !case_file.empty());
