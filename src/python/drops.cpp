@@ -2,9 +2,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
+#include "base/parameters/suggestion.h"
 #include "case/built_machine.h"
 #include "io/checkpoint.h"
 #include "python/bindings.h"
@@ -38,6 +40,17 @@ std::function<void(const Progress&)> report_to(const py::object& progress) {
   };
 }
 
+/// @throws InputError for a path that no series of the case's drop has; windows' are known to the drop alone
+void require_known_series(const Machine& machine, const std::set<std::string>& paths) {
+  std::vector<std::string> known;
+  for (const auto* list : {&machine.step_observables(), &machine.state_observables(), &machine.detail_observables()})
+    for (const Observable& o : *list) known.push_back(o.name);
+  for (const auto& path : paths)
+    if (!path.starts_with("/windows/") && std::find(known.begin(), known.end(), path) == known.end())
+      throw InputError({"keep", 0, 0}, "a drop of this case has no series " + path + ".",
+                       suggestion(path, known, "docs/reference/results.md lists them."));
+}
+
 PythonRun run_in_memory(const Case& c, const std::optional<std::set<std::string>>& kept, const py::object& progress) {
   const ActiveRun active;
   PythonRun drop;
@@ -49,6 +62,7 @@ PythonRun run_in_memory(const Case& c, const std::optional<std::set<std::string>
   options.tell = [&](const std::string& note) { drop.notes.push_back(note); };
   const py::gil_scoped_release others_may_run;
   BuiltMachine built(c);
+  if (kept) require_known_series(built.machine(), *kept);
   options.elements = &built.elements();
   FinishedDrop run = run_drop_in_memory(c, built.machine(), options);
   drop.recorded = std::move(run.recorded);

@@ -113,6 +113,10 @@ class Drop(PackageTest):
             self.result.bearings["TB3"]
 
     def test_only_what_is_asked_for_is_kept(self):
+        result = rd.Case(SETTLING, SHORT).run(keep="bearings.TB1.contact_force")
+        self.assertGreater(float(result["bearings.TB1.contact_force"].max()), 0)
+        with self.assertRaisesRegex(rd.InputError, "contact_forc.*\n.*contact_force"):
+            rd.Case(SETTLING, SHORT).run(keep=["bearings.TB1.contact_forc"])
         result = rd.Case(SETTLING, SHORT).run(keep=["bearings.TB1.contact_force"])
         self.assertTrue(np.array_equal(result["bearings.TB1.contact_force"], self.result["bearings.TB1.contact_force"]))
         self.assertNotIn("/bearings/TB2/contact_force", result.recorded.datasets)

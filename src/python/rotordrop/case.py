@@ -119,7 +119,7 @@ class Case:
         directory: str | os.PathLike[str] | None = None,
         *,
         progress: Callable[[Progress], object] | bool | None = None,
-        keep: Iterable[str] | None = None,
+        keep: Iterable[str] | str | None = None,
         force: bool = False,
         resume: bool = False,
     ) -> Result:
@@ -128,7 +128,7 @@ class Case:
         directory   where it writes what `rotordrop run` writes, with checkpoints and temperature fields; without one it stays in memory
         progress    called about five times a second with a Progress; True: a line on standard error. What it raises ends the run
         keep        in memory: paths of the series to keep, such as "/bearings/TB1/contact_force", beside those that the summary needs;
-                    without it all are kept
+                    without it all are kept; InputError for one that the drop does not have
         force       replaces results that are in the directory
         resume      continues an interrupted run in the directory
 
@@ -138,7 +138,8 @@ class Case:
         if directory is None:
             if force or resume:
                 raise ValueError("force and resume are about a directory, and none is given")
-            kept = None if keep is None else {"/" + path.lstrip("/").replace(".", "/") for path in keep}
+            paths = [keep] if isinstance(keep, str) else keep
+            kept = None if paths is None else {"/" + path.lstrip("/").replace(".", "/") for path in paths}
             return Result(_core.run_in_memory(self._case, kept, told), self)
         if keep is not None:
             raise ValueError("a run in a directory keeps all series; leave out keep")
