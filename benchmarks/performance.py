@@ -36,7 +36,7 @@ BESIDE = ["--set", 'thermal.models=["lumped", "fe"]']
 WINDOWS = ["--set", 'thermal.models=["fe"]', "--set", "thermal.fe.coupling=windowed"]
 DROPS_OF_STUDY = 64
 NO_ROWS = ["--set", "output.interval=0.1", "--set", "output.detail_interval=0.1"]
-#: the largest tolerance whose energy closes to 1e-5 J and whose orbits all stay within 0.2 um (docs/theory/convergence.md)
+#: with it energy closed to 1e-5 J and orbits stayed within 0.2 um in 72 of 72 starts (docs/theory/convergence.md)
 LOOSER = ["--set", "integration.tolerance=2.5e-6"]
 #: the third order of Neisi 2019, table 4
 WAVES = "bearings.waviness=[" + ", ".join(f'{{surface="{surface}", order=3, amplitude="1 um"}}' for surface in ("inner", "outer", "bore")) + "]"

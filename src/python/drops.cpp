@@ -42,9 +42,7 @@ std::function<void(const Progress&)> report_to(const py::object& progress) {
 
 /// @throws InputError for a path that no series of the case's drop has; windows' are known to the drop alone
 void require_known_series(const Machine& machine, const std::set<std::string>& paths) {
-  std::vector<std::string> known;
-  for (const auto* list : {&machine.step_observables(), &machine.state_observables(), &machine.detail_observables()})
-    for (const Observable& o : *list) known.push_back(o.name);
+  const auto known = series_of(machine);
   for (const auto& path : paths)
     if (!path.starts_with("/windows/") && std::find(known.begin(), known.end(), path) == known.end())
       throw InputError({"keep", 0, 0}, "a drop of this case has no series " + path + ".",

@@ -39,11 +39,17 @@ bool rubs(const std::vector<Interval>& list) {
   return heat > 1e-12 * sliding_work;
 }
 
+double largest_force(const std::vector<Interval>& list) {
+  double largest = 0.;
+  for (const auto& v : list) largest = std::max(largest, v.force);
+  return largest;
+}
+
 std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
   const auto rows = rows_to_follow(r, most_rows);
   std::vector<Interval> list;
   list.reserve(rows.size());
-  double largest_heat = 0., largest_force = 0.;
+  double largest_heat = 0.;
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const std::size_t i = rows[k - 1], j = rows[k];
     Interval v;
@@ -63,20 +69,14 @@ std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
     v.ring_turned = r.ring_angle[j] - r.ring_angle[i];
     v.rotor_turned = r.rotor_angle[j] - r.rotor_angle[i];
     largest_heat = std::max(largest_heat, v.heat);
-    largest_force = std::max(largest_force, v.force);
     list.push_back(v);
   }
   // What a ledger gains by rounding is no contact.
   const bool has_heat = rubs(list);
+  const double least_force = has_heat ? 0. : 1e-9 * largest_force(list);
   for (auto& v : list)
-    if (has_heat ? v.heat <= 1e-9 * largest_heat || !(v.force > 0.) : v.force <= 1e-9 * largest_force) v.force = 0.;
+    if ((has_heat && v.heat <= 1e-9 * largest_heat) || !(v.force > least_force)) v.force = 0.;
   return list;
-}
-
-double largest_force(const std::vector<Interval>& list) {
-  double largest = 0.;
-  for (const auto& v : list) largest = std::max(largest, v.force);
-  return largest;
 }
 
 enum class Share { one_temperature, recorded, by_speeds };

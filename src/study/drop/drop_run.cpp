@@ -84,6 +84,13 @@ void run_in_lane(Drop& drop, const std::function<bool()>& is_stopped) {
 
 }  // namespace
 
+std::vector<std::string> series_of(const Machine& machine) {
+  std::vector<std::string> paths = {"/time", "/detail/time"};
+  for (const auto* list : {&machine.step_observables(), &machine.state_observables(), &machine.detail_observables()})
+    for (const Observable& o : *list) paths.push_back(o.name);
+  return paths;
+}
+
 MemoryDrop::MemoryDrop(const Case& c, const Machine& machine, MemoryRunOptions options)
     : case_(c),
       machine_(machine),

@@ -50,6 +50,9 @@ struct MemoryRunOptions {
   FitWatch::Tell tell;                          ///< called with what a user should know
 };
 
+/// Paths of all series that drops of a machine have, those of times among them; windows' are known to the drop alone.
+[[nodiscard]] std::vector<std::string> series_of(const Machine& machine);
+
 /// A drop in memory, in parts: for drops that run side by side.
 class MemoryDrop {
  public:

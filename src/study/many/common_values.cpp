@@ -29,10 +29,7 @@ std::vector<std::string> common_keys(const Case& c, const std::vector<std::strin
 
 /// Whether a bearing has the value from elsewhere than its own table and its catalogue entry.
 bool takes_common_value(const Case& c, const std::string& bearing, const std::string& key) {
-  const std::string name = "bearings." + bearing + "." + key;
-  return std::none_of(c.resolved.given.begin(), c.resolved.given.end(), [&](const GivenParameter& given) {
-    return given.name == name && !given.origin.starts_with("[bearings], ");
-  });
+  return !c.tree.find("bearings")->find(bearing)->has(key);
 }
 
 }  // namespace

@@ -26,9 +26,8 @@ PointSeries series_of(const Machine& machine, const RecordedDrop& drop, const st
     const auto& meaning = table.meaning;
     return {path, meaning.unit, meaning.long_name, table.n_columns, drop.table(meaning.time_path).values, table.values};
   }
-  std::vector<std::string> known = drop.datasets();
-  for (const auto* list : {&machine.step_observables(), &machine.state_observables(), &machine.detail_observables()})
-    for (const Observable& o : *list) known.push_back(o.name);
+  std::vector<std::string> known = drop.datasets(), others = series_of(machine);
+  known.insert(known.end(), others.begin(), others.end());
   throw InputError({"keep.series", 0, 0}, fmt::format("a drop of this case has no series {}.", path),
                    suggestion(path, known, "docs/reference/results.md lists them."));
 }

@@ -1,5 +1,4 @@
 #include "study/many/study_file.h"
-#include "study/many/common_values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +13,7 @@
 #include "case/slips/kinds_of_files.h"
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"
+#include "study/many/common_values.h"
 #include "study/many/search/search_check.h"
 #include "study/many/study_keys.h"
 #include "study/many/vary_reader.h"

@@ -48,7 +48,7 @@ double HeatSolver::difference(const std::function<double(std::size_t, double, do
   return operator_.difference(temperatures(), f);
 }
 
-// Of large sections the libraries' factors are worth their loading.
+// They take 0.35 kB an unknown of what is kept (256 MB). Up to here stepping by them takes half the time of stepping by the libraries, their loading not counted.
 std::optional<AssembledHeat> HeatSolver::assembled() const {
   constexpr unsigned int most_unknowns = 25000;
   if (solver_ != HeatLinearSolver::direct || has_several_ranks() || operator_.size() > most_unknowns)
