@@ -23,6 +23,7 @@ inline constexpr int register_width = 2;
 #define ROTORDROP_LANE_WORD [[gnu::always_inline]] friend inline
 
 namespace lane_words {
+typedef float FourFloats __attribute__((vector_size(16)));
 /// Vector types of a width.
 template <int width>
 struct Vector;
@@ -32,7 +33,8 @@ struct Vector;
     typedef double Numbers __attribute__((vector_size(8 * W)));              \
     typedef long long Bits __attribute__((vector_size(8 * W)));              \
     typedef unsigned long long Unsigned __attribute__((vector_size(8 * W))); \
-    typedef float Floats __attribute__((vector_size(8 * W)));                \
+    typedef int Entries __attribute__((vector_size(4 * W)));                 \
+    typedef float Singles __attribute__((vector_size(4 * W)));               \
   };
 ROTORDROP_VECTOR(2)
 ROTORDROP_VECTOR(4)

@@ -6,6 +6,7 @@
 
 #include "base/drop_mask.h"
 #include "base/exponential_series.h"
+#include "base/pair_lines.h"
 #include "base/real.h"
 #include "base/sine_cosine.h"
 
@@ -22,7 +23,9 @@ struct Drops {
   using Numbers = typename lane_words::Vector<width>::Numbers;
   using Bits = typename lane_words::Vector<width>::Bits;
   using Unsigned = typename lane_words::Vector<width>::Unsigned;
-  using Floats = typename lane_words::Vector<width>::Floats;  // twice as many
+  using Entries = typename lane_words::Vector<width>::Entries;
+  using Singles = typename lane_words::Vector<width>::Singles;
+  using FourFloats = lane_words::FourFloats;
   using Mask = DropMask<width, lanes>;
   static constexpr int n_numbers = lanes;
   Numbers part[n];
@@ -40,41 +43,28 @@ struct Drops {
   }
   /// @param to  [lanes]
   [[gnu::always_inline]] inline void store(double* to) const { std::memcpy(to, &part, sizeof part); }
-  /// A table of each lane.
-  struct Tables {
-    Bits part[n];
-    Tables() = default;
-    [[gnu::always_inline]] inline explicit Tables(const float* of_all) {
-      for (Bits& p : part) p = Bits{} + static_cast<long long>(reinterpret_cast<std::intptr_t>(of_all));
-    }
-    void set(int lane, const float* table) {
-      part[lane / width][lane % width] = static_cast<long long>(reinterpret_cast<std::intptr_t>(table));
-    }
+  struct Pair {
+    Drops first, second;
   };
-  /// Tables' straight lines between entries, each at its own place, from 0 to less than the number of the last entry.
-  /// @param first  entry of the tables that counts as their first
-  ROTORDROP_LANE_WORD Drops between_entries(const Tables& tables, const Drops& at, std::size_t first) {
-    const auto offset = static_cast<long long>(first * sizeof(float));
-    Drops r;
+  /// The weighted sum of two lines' pairs between entries by straight lines, of each lane at its own place, from 0 to less than the number of the last
+  /// entry. Loads from each lane's address take less time than instructions that gather.
+  /// @param lines  of all lanes, or PairLinesOf<lanes>
+  template <class Lines>
+  ROTORDROP_LANE_WORD Pair between_entries(const Lines& lines, const Drops& at) {
+    Pair r;
     for (int i = 0; i < n; ++i) {
-#if defined(__AVX512F__)
-      const __m256i entry = _mm512_maskz_cvttpd_epi32(0xff, at.part[i]);
-      const Bits address = tables.part[i] + offset + ((Bits)_mm512_maskz_cvtepi32_epi64(0xff, entry) << 2);
-      const auto both = (Floats)_mm512_mask_i64gather_epi64(__m512i{}, 0xff, (__m512i)address, nullptr, 1);
-      const Numbers whole = _mm512_maskz_cvtepi32_pd(0xff, entry);
-#else
-      Floats both;
-      Numbers whole;
+      const auto entries = __builtin_convertvector(at.part[i], Entries);
+      const Singles t = __builtin_convertvector(at.part[i] - __builtin_convertvector(entries, Numbers), Singles);
+      FourFloats around[width];  // two pairs
       for (int l = 0; l < width; ++l) {
-        const int entry = static_cast<int>(at.part[i][l]);
-        const auto* table = reinterpret_cast<const float*>(static_cast<std::intptr_t>(tables.part[i][l] + offset));
-        whole[l] = entry;
-        both[2 * l] = table[entry];
-        both[2 * l + 1] = table[entry + 1];
+        const PairLines& line = lines.of_lane(i * width + l);
+        const float* from = line.first + 2 * static_cast<std::ptrdiff_t>(entries[l]);
+        around[l] = line.weight[0] * loaded(from) + line.weight[1] * loaded(from + line.length);
       }
-#endif
-      const Numbers here = every_second<0>(both), next = every_second<1>(both);
-      r.part[i] = here + (at.part[i] - whole) * (next - here);
+      Singles of[4];
+      turn_fours(around, of);
+      r.first.part[i] = __builtin_convertvector(of[0] + t * (of[2] - of[0]), Numbers);
+      r.second.part[i] = __builtin_convertvector(of[1] + t * (of[3] - of[1]), Numbers);
     }
     return r;
   }
@@ -231,17 +221,34 @@ struct Drops {
       return __builtin_shufflevector(a, b, 0, 2) + __builtin_shufflevector(a, b, 1, 3);
   }
 
-  /// Every second of twice as many numbers, from the first (0) or the second (1) on.
-  template <int first>
-  [[gnu::always_inline]] static inline Numbers every_second(Floats a) {
-    constexpr int f = first;
-    if constexpr (width == 8)
-      return __builtin_convertvector(
-          __builtin_shufflevector(a, a, f, f + 2, f + 4, f + 6, f + 8, f + 10, f + 12, f + 14), Numbers);
-    else if constexpr (width == 4)
-      return __builtin_convertvector(__builtin_shufflevector(a, a, f, f + 2, f + 4, f + 6), Numbers);
-    else
-      return Numbers{a[f], a[f + 2]};
+  [[gnu::always_inline]] static inline FourFloats loaded(const float* from) {
+    FourFloats four;
+    std::memcpy(&four, from, sizeof four);
+    return four;
+  }
+  /// The first numbers of all fours, their second ones, and so on.
+  [[gnu::always_inline]] static inline void turn_fours(const FourFloats (&fours)[width], Singles (&of)[4]) {
+    if constexpr (width == 2) {
+      for (int k = 0; k < 4; ++k) of[k] = Singles{fours[0][k], fours[1][k]};
+    } else {
+      FourFloats turned[4][width / 4];
+      for (int i = 0; i < width / 4; ++i) {
+        const FourFloats* f = fours + 4 * i;
+        const FourFloats low_0 = __builtin_shufflevector(f[0], f[1], 0, 4, 1, 5);
+        const FourFloats low_2 = __builtin_shufflevector(f[2], f[3], 0, 4, 1, 5);
+        const FourFloats high_0 = __builtin_shufflevector(f[0], f[1], 2, 6, 3, 7);
+        const FourFloats high_2 = __builtin_shufflevector(f[2], f[3], 2, 6, 3, 7);
+        turned[0][i] = __builtin_shufflevector(low_0, low_2, 0, 1, 4, 5);
+        turned[1][i] = __builtin_shufflevector(low_0, low_2, 2, 3, 6, 7);
+        turned[2][i] = __builtin_shufflevector(high_0, high_2, 0, 1, 4, 5);
+        turned[3][i] = __builtin_shufflevector(high_0, high_2, 2, 3, 6, 7);
+      }
+      for (int k = 0; k < 4; ++k)
+        if constexpr (width == 8)
+          of[k] = __builtin_shufflevector(turned[k][0], turned[k][1], 0, 1, 2, 3, 4, 5, 6, 7);
+        else
+          of[k] = turned[k][0];
+    }
   }
 
   // SSE2 and AVX have both in one instruction, which gives the second of its numbers where one of them is not a number.

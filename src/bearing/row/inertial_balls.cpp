@@ -42,9 +42,9 @@ const InertialKernels& inertial_kernels() {
 }
 
 InertialStarts::InertialStarts(const InertialRow& row, double force_per_speed2)
-    : force_per_speed2_(force_per_speed2), places_(n_speeds * line_length) {
-  // At some speeds by the balance; centrifugal forces go with the square of the speed, so a parabola through three of them tells the speeds between.
-  constexpr std::size_t n_known = 33, between = (n_speeds - 1) / (n_known - 1);
+    : per_force_(1. / (force_per_speed2 * speed_step * speed_step)), places_(n_speeds * line_length) {
+  // At some speeds by the balance; places go with the force, that is with the square of the speed: a cubic through four of them tells the speeds between.
+  constexpr std::size_t n_known = 65, between = (n_speeds - 1) / (n_known - 1);
   static_assert(between * (n_known - 1) == n_speeds - 1);
   using Line = std::array<double, line_length>;
   std::vector<Line> known(n_known);
@@ -59,30 +59,46 @@ InertialStarts::InertialStarts(const InertialRow& row, double force_per_speed2)
     for (std::size_t first = 0; first < n_radii; first += w.n) {
       for (std::size_t j = 0; j < w.n; ++j) w.B_r[j] = row.B_r - reach + radius_step * static_cast<double>(first + j);
       balance_balls(row, force_per_speed2 * speed * speed, w);
-      std::copy(w.delta_o.begin(), w.delta_o.end(), known[s].begin() + static_cast<std::ptrdiff_t>(first));
-      std::copy(w.o_x.begin(), w.o_x.end(), known[s].begin() + static_cast<std::ptrdiff_t>(o_x_at + first));
+      for (std::size_t j = 0; j < w.n; ++j) {
+        known[s][2 * (first + j)] = w.delta_o[j];
+        known[s][2 * (first + j) + 1] = w.o_x[j];
+      }
     }
   }
   float* place = places_.data();
   for (std::size_t s = 0; s < n_speeds; ++s) {
-    const std::size_t k = std::min(s / between, n_known - 3);
-    const double part = static_cast<double>(s) / static_cast<double>(between) - static_cast<double>(k);
-    const double w_0 = 0.5 * (1. - part) * (2. - part), w_1 = part * (2. - part), w_2 = 0.5 * part * (part - 1.);
-    for (std::size_t j = 0; j < line_length; ++j)
-      *place++ = static_cast<float>(w_0 * known[k][j] + w_1 * known[k + 1][j] + w_2 * known[k + 2][j]);
+    const std::size_t first = std::clamp<std::size_t>(s / between, 1, n_known - 3) - 1;
+    std::array<double, 4> weights;
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      const auto square = [](std::size_t of) { return static_cast<double>(of * of); };
+      const double node = square((first + k) * between);
+      weights[k] = 1.;
+      for (std::size_t other = 0; other < weights.size(); ++other) {
+        const double at = square((first + other) * between);
+        if (other != k) weights[k] *= (square(s) - at) / (node - at);
+      }
+    }
+    for (std::size_t j = 0; j < line_length; ++j) {
+      double sum = 0.;
+      for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * known[first + k][j];
+      *place++ = static_cast<float>(sum);
+    }
   }
 }
 
-InertialStartLine InertialStarts::at(double F_0) const {
-  const double speed = std::sqrt(F_0 / force_per_speed2_) * (1. / speed_step);
+InertialStart InertialStarts::at(double F_0) const {
+  const double square = F_0 * per_force_, speed = std::sqrt(square);
   if (!(speed < static_cast<double>(n_speeds - 1))) return nowhere();
   const auto slower = static_cast<std::size_t>(speed);
-  return {&places_[slower * line_length], speed - static_cast<double>(slower), n_radii - 1.001};
+  const double s = static_cast<double>(slower);
+  // Places go with the force, that is with the square of the speed.
+  const auto part = static_cast<float>((square - s * s) / (2. * s + 1.));
+  return {{&places_[slower * line_length], line_length, {1.f - part, part}}, n_radii - 1.001};
 }
 
-InertialStartLine InertialStarts::nowhere() {
+InertialStart InertialStarts::nowhere() {
   static constexpr std::array<float, 2 * line_length> none{};
-  return {none.data(), 0., -std::numeric_limits<double>::infinity()};
+  return {{none.data(), line_length, {}}, -std::numeric_limits<double>::infinity()};
 }
 
 std::shared_ptr<const InertialStarts> shared_starts(const InertialRow& row, double force_per_speed2) {

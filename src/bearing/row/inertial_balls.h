@@ -8,6 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/pair_lines.h"
+
 namespace rotordrop {
 
 /// Constants of a row.
@@ -49,21 +51,20 @@ struct InertialBalls {
   NewtonSteps steps;
 };
 
-/// Places of a row's balls over B_r at two speeds: by straight lines between entries, which lie InertialStarts::per_step apart, and between the speeds.
-struct InertialStartLine {
-  const float* slower;  ///< delta_o, then o_x behind them
-  double part;          ///< of the way to the faster one, which stands InertialStarts::line_length behind
-  double last;          ///< entry up to which the line may be asked; minus infinity: nowhere
+/// Places (delta_o, o_x) of a row's balls over B_r at two speeds: by straight lines between entries, which lie InertialStarts::per_step apart, and between
+/// the speeds' forces of inertia.
+struct InertialStart {
+  PairLines lines;
+  double last;  ///< entry up to which the lines may be asked; minus infinity: nowhere
 };
-/// The same of several balls, each with its own.
+/// Of each lane its own.
 template <class Real>
-struct InertialStartOf {
-  typename Real::Tables slower;
-  Real part, last;
-  void set(int lane, const InertialStartLine& line) {
-    slower.set(lane, line.slower);
-    part.set(lane, line.part);
-    last.set(lane, line.last);
+struct InertialStartsOf {
+  PairLinesOf<Real::n_numbers> lines;
+  Real last;
+  void set(int lane, const InertialStart& start) {
+    lines.lane[lane] = start.lines;
+    last.set(lane, start.last);
   }
 };
 
@@ -73,9 +74,9 @@ class InertialStarts {
   /// @param force_per_speed2  F_0 / omega^2 [N s^2/rad^2]
   InertialStarts(const InertialRow& row, double force_per_speed2);
   /// Places at about this speed.
-  [[nodiscard]] InertialStartLine at(double F_0) const;
+  [[nodiscard]] InertialStart at(double F_0) const;
   /// No places at all.
-  [[nodiscard]] static InertialStartLine nowhere();
+  [[nodiscard]] static InertialStart nowhere();
 
  private:
   // 50 um to either side, more than rings move in their balls; speeds to 2500 rad/s. Beyond, the closed guess serves.
@@ -84,13 +85,13 @@ class InertialStarts {
   static constexpr double radius_step = 2. * 50e-6 / (n_radii - 1), speed_step = last_speed / (n_speeds - 1);
 
  public:
-  static constexpr double per_step = 1. / radius_step;  ///< entries per metre
-  static constexpr double reach = 50e-6;                ///< of the first entry below the undisplaced row's B_r [m]
-  static constexpr std::size_t o_x_at = n_radii, line_length = 2 * n_radii;
+  static constexpr double per_step = 1. / radius_step;     ///< entries per metre
+  static constexpr double reach = 50e-6;                   ///< of the first entry below the undisplaced row's B_r [m]
+  static constexpr std::size_t line_length = 2 * n_radii;  ///< numbers
 
  private:
-  double force_per_speed2_;
-  std::vector<float> places_;  // [n_speeds][delta_o, o_x][n_radii]
+  double per_force_;           // square of the speed, in lines, per F_0 [1/N]
+  std::vector<float> places_;  // [n_speeds][n_radii][delta_o, o_x]
 };
 
 /// The same: those of an earlier call with these numbers, as long as anything holds them. Rows of many drops share them.

@@ -90,11 +90,11 @@ class InertialRowInLanes {
   template <bool is_split, class WavesAt, class Act>
   void balance(const RowNumbers<Real>& numbers, const Turning& turning, const Row& row, const WavesAt& waves_at,
                bool refines, const Act& act) const {
-    InertialStartOf<Real> starts;
+    InertialStartsOf<Real> starts;
     for (int lane = 0; lane < n_lanes; ++lane)
       starts.set(lane, turning.is[lane] ? starts_[static_cast<std::size_t>(lane)]->at(turning.F_0[lane])
                                         : InertialStarts::nowhere());
-    const Newton<is_split, Real> newton(numbers.inertial, turning.F_0, starts, turning.is);
+    const Newton<is_split, Real, InertialStartsOf<Real>> newton(numbers.inertial, turning.F_0, starts, turning.is);
     constexpr std::size_t at_a_time = 4;  // balls that a processor has in work
     BallInRow<Real> in_row[at_a_time];
     BallInBalance<Real> balanced[at_a_time];

@@ -29,10 +29,6 @@ ROTORDROP_KERNEL InertialRowOf<Balls> in_all_lanes(const InertialRow& r) {
           r.turn_by_axial,
           r.turn_by_added};
 }
-ROTORDROP_KERNEL InertialStartOf<Balls> in_all_lanes(const InertialStartLine& line) {
-  return {Balls::Tables(line.slower), line.part, line.last};
-}
-
 template <bool tilts, bool is_bent>
 ROTORDROP_KERNEL RowAtInstant<tilts, is_bent, Balls> at_instant(const InertialInput& in,
                                                                 const RowPlaceOf<Balls>& place) {
@@ -52,10 +48,10 @@ ROTORDROP_KERNEL BallInRow<Balls> in_row(const InertialInput& in, std::size_t j)
 
 /// Brings a row's balls into balance. @param balls  [most_vectors]
 template <bool tilts, bool is_bent, bool is_split>
-ROTORDROP_KERNEL Newton<is_split, Balls> balance_row(const InertialInput& in,
-                                                     const RowAtInstant<tilts, is_bent, Balls>& row,
-                                                     BallInBalance<Balls>* balls) {
-  const Newton<is_split, Balls> newton(in_all_lanes(*in.row), in.F_0, in_all_lanes(in.starts), true);
+ROTORDROP_KERNEL Newton<is_split, Balls, InertialStart> balance_row(const InertialInput& in,
+                                                                    const RowAtInstant<tilts, is_bent, Balls>& row,
+                                                                    BallInBalance<Balls>* balls) {
+  const Newton<is_split, Balls, InertialStart> newton(in_all_lanes(*in.row), in.F_0, in.starts, true);
   for (std::size_t j = 0; j < in.n; j += at_once) {
     auto& ball = balls[j / at_once];
     ball.at = row.surroundings(in_row<is_bent>(in, j));
@@ -167,8 +163,8 @@ double energy(const InertialInput& in) {
 }
 
 template <bool is_split>
-void balance_all(const InertialRow& row, double F_0, const InertialStartLine& starts, InertialBalls& w) {
-  const Newton<is_split, Balls> newton(in_all_lanes(row), F_0, in_all_lanes(starts), true);
+void balance_all(const InertialRow& row, double F_0, const InertialStart& starts, InertialBalls& w) {
+  const Newton<is_split, Balls, InertialStart> newton(in_all_lanes(row), F_0, starts, true);
   BallInBalance<Balls> balls[most_vectors];
   for (std::size_t j = 0; j < w.n; j += at_once) {
     auto& v = balls[j / at_once];
@@ -185,7 +181,7 @@ void balance_all(const InertialRow& row, double F_0, const InertialStartLine& st
     v.place.x.store(&w.o_x[j]);
   }
 }
-void balance(const InertialRow& row, double F_0, const InertialStartLine& starts, InertialBalls& balls) {
+void balance(const InertialRow& row, double F_0, const InertialStart& starts, InertialBalls& balls) {
   row.inner_gyroscopic_share != 0. ? balance_all<true>(row, F_0, starts, balls)
                                    : balance_all<false>(row, F_0, starts, balls);
 }

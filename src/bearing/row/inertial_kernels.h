@@ -15,7 +15,7 @@ struct InertialInput {
   double F_0;               // m d_m omega^2 / 2, > 0 [N]
   double added_i, added_o;  // to the contacts' deflections [m]
   double cage_speed;
-  InertialStartLine starts;
+  InertialStart starts;
   const double *cosine, *sine;
   const double* is_ball;      // 0 for balls that fill up the row, else 1
   std::size_t n;              // a multiple of vector_length
@@ -34,7 +34,7 @@ struct InertialKernels {
   void (*loads)(const InertialInput& in, double* Q_i);
   /// Elastic energy of both contacts [J], of such a ring.
   double (*energy)(const InertialInput& in);
-  void (*balance)(const InertialRow& row, double F_0, const InertialStartLine& starts, InertialBalls& balls);
+  void (*balance)(const InertialRow& row, double F_0, const InertialStart& starts, InertialBalls& balls);
 };
 // Nothing but these leaves the objects that inertial_kernels.cpp is compiled to (cmake/LaneEngine.cmake).
 const InertialKernels& inertial_kernels_base();

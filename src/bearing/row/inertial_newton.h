@@ -22,14 +22,14 @@ struct BallInBalance {
 /// One loop over the balls for each part of a step, so that processors have several in work at a time. What a ball does depends on its own state
 /// alone: its neighbours in a vector may take more steps, not it.
 /// @tparam is_split  part of the gyroscopic traction acts at the inner race
-template <bool is_split, class Real>
+/// @tparam Starts    InertialStart for all balls, or InertialStartsOf<Real>
+template <bool is_split, class Real, class Starts>
 class Newton {
  public:
   using Balls = BallInBalance<Real>;
   using Forces = BallForces<is_split, Real>;
   /// @param force   F_0 of the row [N]; @param is_turning  whether there is any: who stands is left alone
-  Newton(const InertialRowOf<Real>& row, const Real& force, const InertialStartOf<Real>& starts,
-         const MaskOf<Real>& is_turning)
+  Newton(const InertialRowOf<Real>& row, const Real& force, const Starts& starts, const MaskOf<Real>& is_turning)
       : row_{row, select(is_turning, force, Real(1.))}, starts_(starts), is_turning_(is_turning) {}
 
   /// A place near the balance, from the surroundings alone.
@@ -39,7 +39,7 @@ class Newton {
     const Real axial = at.B_x - row.B_x, added = at.added_i + at.added_o;
     const Real B_r = at.B_r + axial * row.shift_by_axial + added * row.shift_by_added;
     const Real asked = (B_r - row.B_r + InertialStarts::reach) * InertialStarts::per_step;
-    const MaskOf<Real> is_known = asked <= starts_.last, is_beyond = !is_known;
+    const MaskOf<Real> is_known = asked <= Real(starts_.last), is_beyond = !is_known;
     ball.nearly = select(is_known, Real(nearly_from_table), Real(nearly_from_guess));
     if (!any(is_known)) {
       ball.place = guess(at);
@@ -47,14 +47,10 @@ class Newton {
     }
     // Below the first entry balls are free, or nearly so.
     const Real within = select(is_known, larger(asked, Real(0.)), Real(0.));
-    const auto between_speeds = [&](std::size_t first) {
-      const Real slower = between_entries(starts_.slower, within, first);
-      return slower +
-             starts_.part * (between_entries(starts_.slower, within, first + InertialStarts::line_length) - slower);
-    };
+    const auto [delta_o, o_x] = between_entries(starts_.lines, within);
     BallPlace<Real>& p = ball.place;
-    p.delta_o = between_speeds(0);
-    p.x = between_speeds(InertialStarts::o_x_at) * (1. + axial * row.turn_by_axial + added * row.turn_by_added);
+    p.delta_o = delta_o;
+    p.x = o_x * (1. + axial * row.turn_by_axial + added * row.turn_by_added);
     p.x = limited(p.x, -0.95, 0.95);
     p.r = sqrt(1. - p.x * p.x);
     if (any(is_beyond)) p = select_place(is_known, p, guess(at));
@@ -138,7 +134,7 @@ class Newton {
   }
 
   BalancedRowOf<Real> row_;
-  InertialStartOf<Real> starts_;
+  Starts starts_;
   MaskOf<Real> is_turning_;
 };
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "base/drops.h"
 #include "base/gather.h"
@@ -118,6 +119,47 @@ struct Pair {
     Scalar second, third;
   } inner;
 };
+
+TEST(Drops, FindPairsBetweenTheEntriesAndTheLinesOfTheirOwnTables) {
+  // Bilinear numbers, which straight lines have but for the rounding of tables and sums: four of single precision, of numbers up to 50.
+  constexpr int n_entries = 7, n_lines = 3;
+  constexpr std::ptrdiff_t length = 2 * n_entries;
+  const auto first = [](double table, double entry, double line) {
+    return table + 2. * entry + 3. * line + entry * line;
+  };
+  const auto second = [](double table, double entry, double line) {
+    return -table + entry - 5. * line + 0.5 * entry * line;
+  };
+  std::vector<float> tables;
+  for (int table = 0; table < n_lanes; ++table)
+    for (int line = 0; line < n_lines; ++line)
+      for (int entry = 0; entry < n_entries; ++entry) {
+        tables.push_back(static_cast<float>(first(table, entry, line)));
+        tables.push_back(static_cast<float>(second(table, entry, line)));
+      }
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 1000; ++i) {
+    PairLinesOf<n_lanes> lines;
+    double at[n_lanes], line_at[n_lanes];
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const int from = i % (n_lines - 1);
+      const double part = even(random, 0., 1.);
+      at[lane] = i == 0 ? 0. : even(random, 0., n_entries - 1.001);
+      line_at[lane] = from + part;
+      lines.lane[lane] = {&tables[static_cast<std::size_t>(lane * n_lines + from) * length],
+                          length,
+                          {static_cast<float>(1. - part), static_cast<float>(part)}};
+    }
+    const auto own = between_entries(lines, Real::load(at)), of_all = between_entries(lines.lane[2], Real::load(at));
+    constexpr double rounding = 4. * 50. * 6e-8;
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      EXPECT_NEAR(own.first[lane], first(lane, at[lane], line_at[lane]), rounding);
+      EXPECT_NEAR(own.second[lane], second(lane, at[lane], line_at[lane]), rounding);
+      EXPECT_NEAR(of_all.first[lane], first(2., at[lane], line_at[2]), rounding);
+      EXPECT_NEAR(of_all.second[lane], second(2., at[lane], line_at[2]), rounding);
+    }
+  }
+}
 
 TEST(Drops, AreGatheredNumberByNumber) {
   const Pair<double> a{1., {2., 3.}}, b{4., {5., 6.}};

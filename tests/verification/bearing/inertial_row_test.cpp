@@ -116,7 +116,7 @@ TEST(InertialRow, NewtonStepsArriveInTheStatesOfADrop) {
         w.B_r[j] = B_r + s.in.displacement.y * std::cos(b) + s.in.displacement.z * std::sin(b);
       }
       const double F_0 = F_per_speed2 * s.in.ring_speed * s.in.ring_speed;
-      // A table takes 0.5 ms: every tenth row.
+      // A table takes a millisecond: every tenth row.
       if (i % 10 == 0) {
         const InertialStarts starts(row, F_per_speed2);
         balance_balls(row, F_0, w, &starts);
