@@ -5,6 +5,7 @@
 
 #include "python/bindings.h"
 #include "python/faults.h"
+#include "python/own_parts.h"
 #include "python/values.h"
 
 namespace rotordrop::python {
@@ -45,6 +46,12 @@ void add_errors(py::module_& core) {
       raise("InputError", error.what(), py::make_tuple(faults_to_python(error.faults())));
     } catch (const SolverError& error) {
       raise("SolverError", error.what(), py::tuple());
+    } catch (const Interruption& interruption) {
+      try {
+        std::rethrow_exception(interruption.raised);
+      } catch (py::error_already_set& error) {
+        error.restore();
+      }
     } catch (const std::filesystem::filesystem_error& error) {
       py::object os_error = py::reinterpret_borrow<py::object>(PyExc_OSError);
       const py::object made = os_error(error.code().value(), error.code().message(), py::str(error.path1().string()));

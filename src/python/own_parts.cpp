@@ -4,6 +4,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
+#include <set>
+
 #include "python/values.h"
 
 namespace rotordrop::python {
@@ -36,20 +39,51 @@ bool replace_class(const KnownClasses& known, const std::string& type, const std
   return true;
 }
 
-std::vector<StateEntry> state_entries_of(const py::handle& states) {
+namespace {
+
+/// Names of what a part brings along, each once.
+class Names {
+ public:
+  explicit Names(std::string of) : of_(std::move(of)) {}
+  void add(const std::string& name) {
+    if (name.empty()) throw py::value_error(of_ + ": a name is empty");
+    if (!known_.insert(name).second) throw py::value_error(fmt::format("{}: \"{}\" stands twice", of_, name));
+  }
+  /// Of a dataset.
+  void add_path(const std::string& name) {
+    add(name);
+    if (("/" + name + "/").find("//") != std::string::npos)
+      throw py::value_error(
+          fmt::format("{}: \"{}\" cannot be the name of a dataset: a part of it is empty", of_, name));
+  }
+
+ private:
+  std::string of_;
+  std::set<std::string> known_;
+};
+
+}  // namespace
+
+std::vector<StateEntry> state_entries_of(const py::handle& states, const std::string& of) {
   std::vector<StateEntry> entries;
+  Names names(of);
   for (const auto& one : states) {
     const auto [name, unit, scale] = one.cast<std::tuple<std::string, std::string, double>>();
+    names.add(name);
+    if (!(scale > 0. && std::isfinite(scale)))
+      throw py::value_error(fmt::format("{}: the scale of \"{}\" must be larger than 0 and is {}", of, name, scale));
     entries.push_back({name, unit, scale});
   }
   return entries;
 }
 
-std::vector<Observable> observables_of(const py::handle& series) {
+std::vector<Observable> observables_of(const py::handle& series, const std::string& of) {
   std::vector<Observable> list;
+  Names names(of);
   for (const auto& one : series) {
     const auto [name, unit, meaning, columns] =
         one.cast<std::tuple<std::string, std::string, std::string, std::vector<std::string>>>();
+    names.add_path(name);
     list.push_back({name, unit, meaning, std::max<std::size_t>(1, columns.size()), columns});
   }
   return list;
@@ -59,17 +93,33 @@ py::object array_of(std::span<const double> values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-std::vector<double> numbers_of(const py::handle& values, std::size_t n, const std::string& what) {
-  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(values);
-  if (!array || array.ndim() != 1) {
+void refuse_returned(const std::string& function, const std::string& expected, const py::handle& returned) {
+  throw py::value_error(fmt::format("{} must return {}, and returned {}", function, expected,
+                                    py::repr(returned).cast<std::string>().substr(0, 60)));
+}
+
+std::vector<double> numbers_of(const py::handle& values, std::size_t n, const std::string& function) {
+  const std::string expected = fmt::format("{} {}", n, n == 1 ? "number" : "numbers");
+  const auto given = py::array::ensure(values);
+  if (!given) PyErr_Clear();
+  if (!given || given.ndim() != 1 || given.dtype().kind() == 'c') refuse_returned(function, expected, values);
+  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
+  if (!array) {
     PyErr_Clear();
-    throw py::value_error(fmt::format("{} must return {} numbers, and returned {}", what, n,
-                                      py::repr(values).cast<std::string>().substr(0, 60)));
+    refuse_returned(function, expected, values);
   }
   std::vector<double> numbers(array.data(), array.data() + array.size());
   if (numbers.size() != n)
-    throw py::value_error(fmt::format("{} must return {} numbers, and returned {}", what, n, numbers.size()));
+    throw py::value_error(fmt::format("{} must return {}, and returned {}", function, expected, numbers.size()));
   return numbers;
+}
+
+double number_of(const py::handle& value, const std::string& function) {
+  try {
+    return value.cast<double>();
+  } catch (const py::cast_error&) {
+    refuse_returned(function, "a number", value);
+  }
 }
 
 }  // namespace rotordrop::python

@@ -2,6 +2,7 @@
 // What supports and thermal models written in Python share.
 #include <pybind11/pybind11.h>
 
+#include <exception>
 #include <map>
 #include <optional>
 #include <span>
@@ -49,14 +50,35 @@ using KnownClasses = std::map<std::string, KnownClass>;
 bool replace_class(const KnownClasses& known, const std::string& type, const std::vector<KeyOfPart>& keys,
                    const pybind11::object& part);
 
-/// From rotordrop.State: name, unit, scale.
-std::vector<StateEntry> state_entries_of(const pybind11::handle& states);
-/// From rotordrop.Series: name, unit, meaning, columns.
-std::vector<Observable> observables_of(const pybind11::handle& series);
+/// From rotordrop.State: name, unit, scale. @param of  "NAME.states" in messages @throws ValueError for names that are empty or stand twice, and for scales
+std::vector<StateEntry> state_entries_of(const pybind11::handle& states, const std::string& of);
+/// From rotordrop.Series: name, unit, meaning, columns. @throws ValueError for names that can be none of a dataset
+std::vector<Observable> observables_of(const pybind11::handle& series, const std::string& of);
 
 /// A copy for Python.
 pybind11::object array_of(std::span<const double> values);
-/// Numbers that a Python function has returned. @throws ValueError unless there are n of them
-std::vector<double> numbers_of(const pybind11::handle& values, std::size_t n, const std::string& what);
+/// @throws ValueError: `function` must return what is expected, and returned something else
+[[noreturn]] void refuse_returned(const std::string& function, const std::string& expected,
+                                  const pybind11::handle& returned);
+/// Numbers that a Python function has returned. @throws ValueError unless there are n real ones
+std::vector<double> numbers_of(const pybind11::handle& values, std::size_t n, const std::string& function);
+/// Likewise one number.
+double number_of(const pybind11::handle& value, const std::string& function);
+
+/// Ctrl-C while a part written in Python was running: no fault of the part, so nothing that goes on after faults catches it.
+struct Interruption {
+  std::exception_ptr raised;  ///< pybind11::error_already_set
+};
+/// Calls a part with Python's lock.
+template <class Call>
+auto with_python(const Call& call) {
+  const pybind11::gil_scoped_acquire lock;
+  try {
+    return call();
+  } catch (const pybind11::error_already_set& error) {
+    if (error.matches(PyExc_KeyboardInterrupt)) throw Interruption{std::current_exception()};
+    throw;
+  }
+}
 
 }  // namespace rotordrop::python

@@ -32,8 +32,8 @@ class PythonSupport final : public Support {
  public:
   /// With Python's lock.
   PythonSupport(std::string name, py::object part) : name_(std::move(name)), part_(std::move(part)) {
-    states_ = state_entries_of(part_.attr("states"));
-    observables_ = observables_of(part_.attr("series"));
+    states_ = state_entries_of(part_.attr("states"), name_ + ".states");
+    observables_ = observables_of(part_.attr("series"), name_ + ".series");
     initial_ = numbers_of(part_.attr("initial_state")(), states_.size(), name_ + ".initial_state()");
   }
   ~PythonSupport() override {
@@ -48,24 +48,26 @@ class PythonSupport final : public Support {
 
   void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,
                 std::span<double> /*ledger_rates*/, SupportOutput& out) const override {
-    const py::gil_scoped_acquire lock;
-    const py::object returned = part_.attr("evaluate")(input, array_of(y));
-    const auto& r = returned.cast<const SupportResponse&>();
-    if (r.rates.size() != dydt.size()) refuse("rates", dydt.size(), r.rates.size());
-    if (!out.observed.empty() && r.observed.size() != out.observed.size())
-      refuse("observed", out.observed.size(), r.observed.size());
-    out.force_on_rotor = r.force;
-    out.heat = {};
-    out.energy_gradient = {};
-    out.other_dissipation = r.dissipation;
-    out.prescribed_work = r.prescribed_work;
-    std::copy(r.rates.begin(), r.rates.end(), dydt.begin());
-    if (!out.observed.empty()) std::copy(r.observed.begin(), r.observed.end(), out.observed.begin());
+    with_python([&] {
+      const py::object returned = part_.attr("evaluate")(input, array_of(y));
+      if (!py::isinstance<SupportResponse>(returned))
+        refuse_returned(name_ + ".evaluate()", "a SupportResponse", returned);
+      const auto& r = returned.cast<const SupportResponse&>();
+      if (r.rates.size() != dydt.size()) refuse("rates", dydt.size(), r.rates.size());
+      if (!out.observed.empty() && r.observed.size() != out.observed.size())
+        refuse("observed", out.observed.size(), r.observed.size());
+      out.force_on_rotor = r.force;
+      out.heat = {};
+      out.energy_gradient = {};
+      out.other_dissipation = r.dissipation;
+      out.prescribed_work = r.prescribed_work;
+      std::copy(r.rates.begin(), r.rates.end(), dydt.begin());
+      if (!out.observed.empty()) std::copy(r.observed.begin(), r.observed.end(), out.observed.begin());
+    });
   }
 
   [[nodiscard]] double energy(const SupportInput& input, std::span<const double> y) const override {
-    const py::gil_scoped_acquire lock;
-    return part_.attr("energy")(input, array_of(y)).cast<double>();
+    return with_python([&] { return number_of(part_.attr("energy")(input, array_of(y)), name_ + ".energy()"); });
   }
 
  private:

@@ -31,8 +31,8 @@ class PythonThermalModel final : public ThermalModel {
   /// With Python's lock.
   PythonThermalModel(std::string name, py::object part, const std::vector<BearingCircuitData>& bearings)
       : name_(std::move(name)), part_(std::move(part)), n_places_(bearings.size()) {
-    states_ = state_entries_of(part_.attr("states"));
-    observables_ = observables_of(part_.attr("reported")());
+    states_ = state_entries_of(part_.attr("states"), name_ + ".states");
+    observables_ = observables_of(part_.attr("reported")(), name_ + ".series");
     for (Observable& o : observables_)
       for (const auto& b : bearings)
         if (o.name == b.name + "/inner_ring" && o.unit == "K") {
@@ -60,29 +60,31 @@ class PythonThermalModel final : public ThermalModel {
 
   double rates(std::span<const double> temperature, std::span<const HeatInput> heat,
                std::span<double> dydt) const override {
-    const py::gil_scoped_acquire lock;
-    const py::object returned = part_.attr("rates")(array_of(temperature), list_of(heat));
-    if (!py::isinstance<py::tuple>(returned) || py::len(returned) != 2)
-      throw py::value_error(
-          fmt::format("{}.rates() must return a pair: the rates of its states, and the heat lost to ambient", name_));
-    const py::tuple pair = returned;
-    const auto rates = numbers_of(pair[0], dydt.size(), name_ + ".rates()");
-    std::copy(rates.begin(), rates.end(), dydt.begin());
-    return pair[1].cast<double>();
+    return with_python([&] {
+      const py::object returned = part_.attr("rates")(array_of(temperature), list_of(heat));
+      if (!py::isinstance<py::tuple>(returned) || py::len(returned) != 2)
+        throw py::value_error(
+            fmt::format("{}.rates() must return a pair: the rates of its states, and the heat lost to ambient", name_));
+      const py::tuple pair = returned;
+      const auto rates = numbers_of(pair[0], dydt.size(), name_ + ".rates()");
+      std::copy(rates.begin(), rates.end(), dydt.begin());
+      return number_of(pair[1], name_ + ".rates(), as the heat lost,");
+    });
   }
 
   [[nodiscard]] std::vector<Observable> observables() const override { return observables_; }
   void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                std::span<double> out) const override {
     if (out.empty()) return;
-    const py::gil_scoped_acquire lock;
-    const auto observed =
-        numbers_of(part_.attr("observe")(array_of(temperature), list_of(heat)), out.size(), name_ + ".observe()");
-    std::copy(observed.begin(), observed.end(), out.begin());
+    with_python([&] {
+      const auto observed =
+          numbers_of(part_.attr("observe")(array_of(temperature), list_of(heat)), out.size(), name_ + ".observe()");
+      std::copy(observed.begin(), observed.end(), out.begin());
+    });
   }
   [[nodiscard]] double stored_energy(std::span<const double> temperature) const override {
-    const py::gil_scoped_acquire lock;
-    return part_.attr("stored_energy")(array_of(temperature)).cast<double>();
+    return with_python(
+        [&] { return number_of(part_.attr("stored_energy")(array_of(temperature)), name_ + ".stored_energy()"); });
   }
 
  private:

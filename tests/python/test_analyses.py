@@ -63,6 +63,20 @@ class ShaftOnSprings(PackageTest):
         mapped = self.case.critical_speeds("3000 rpm", stiffness_map=["5e3 N/m", 1e4])["map"]
         self.assertAlmostEqual(mapped[1]["speeds"][0] / mapped[0]["speeds"][0], math.sqrt(2), delta=2e-3)
 
+    def test_numbers_without_meaning_are_refused(self):
+        for call, message in (
+            (lambda: self.case.critical_speeds(float("nan")), "up_to: nan is not a finite number"),
+            (lambda: self.case.critical_speeds(-1), "up_to: must be larger than 0 and is -1"),
+            (lambda: self.case.critical_speeds("3000 rpm", stiffness=float("inf")), "stiffness: inf is not a finite number"),
+            (lambda: self.case.critical_speeds("3000 rpm", stiffness_map=[1e6, 0]), "stiffness_map: must be larger than 0 and is 0"),
+            (lambda: self.case.modes([0.0, float("nan")]), "speeds: nan is not a finite number"),
+            (lambda: self.case.modes(n_modes=-1), "n_modes: must be at least 0 and is -1"),
+        ):
+            with self.subTest(message), self.assertRaises(rd.InputError) as caught:
+                call()
+            self.assertIn(message, str(caught.exception))
+            self.assertEqual(caught.exception.faults[0].key, message.partition(":")[0])
+
     def test_statics_carry_the_weight(self):
         found = self.case.statics()["shaft"]
         self.assertAlmostEqual(found["weight"], self.mass * GRAVITY, delta=1e-3 * self.mass * GRAVITY)

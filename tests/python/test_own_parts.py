@@ -142,6 +142,42 @@ class Supports(PackageTest):
         with self.assertRaisesRegex(ValueError, "return 4 observed, and returned 0"):
             case.run()
 
+    def test_wrong_returns_and_wrong_names_are_explained(self):
+        state, series = rd.State("stretch", "m", 1e-5), rd.Series("position", "m", "position", ("y",))
+        for name, attributes, message in (
+            ("python-none", {"evaluate": lambda self, seen, state: None}, r"A\.evaluate\(\) must return a SupportResponse, and returned None"),
+            ("python-energy", {"energy": lambda self, seen, state: 1j}, r"A\.energy\(\) must return a number, and returned 1j"),
+            ("python-start", {"states": [state], "initial_state": lambda self: [1j]}, r"initial_state\(\) must return 1 number, and returned \[1j\]"),
+            ("python-scale", {"states": [state._replace(scale=0.0)]}, r'A\.states: the scale of "stretch" must be larger than 0 and is 0'),
+            ("python-no-scale", {"states": [state._replace(scale=float("nan"))]}, r"must be larger than 0 and is nan"),
+            ("python-states", {"states": [state, state]}, r'A\.states: "stretch" stands twice'),
+            ("python-series", {"series": [series, series]}, r'A\.series: "position" stands twice'),
+            ("python-nameless", {"series": [series._replace(name="")]}, r"A\.series: a name is empty"),
+            ("python-path", {"series": [series._replace(name="a//b")]}, r'"a//b" cannot be the name of a dataset'),
+        ):
+            with self.subTest(name), self.assertRaisesRegex(ValueError, message):
+                rd.add_support(type("Wrong", (Spring,), {"type": name, **attributes}))
+                self.case({"type": name, "stiffness": 1e6}).run()
+
+    def test_ctrl_c_within_a_part_ends_a_study(self):
+        class Interrupted(Spring):
+            type = "python-interrupted"
+
+            def evaluate(self, seen, state):
+                if seen.time > 1e-3:
+                    raise KeyboardInterrupt
+                return super().evaluate(seen, state)
+
+        rd.add_support(Interrupted)
+        case = self.case({"type": "python-interrupted", "stiffness": STIFFNESS})
+        with self.assertRaises(KeyboardInterrupt):
+            case.run()
+        (self.folder / "case.toml").write_text(case.text, encoding="utf-8")
+        study = self.folder / "study.toml"
+        study.write_text('case = "case.toml"\n[vary]\nrun.initial_speed = ["5000 rpm", "6000 rpm"]\n[design]\nkind = "list"\n', encoding="utf-8")
+        with self.assertRaises(KeyboardInterrupt):
+            rd.study(study, self.folder / "study", jobs=1)
+
     def test_a_class_can_be_replaced_by_one_with_the_same_keys(self):
         class Again(Spring):
             """The same keys."""

@@ -174,6 +174,9 @@ class ThermalModels(PackageTest):
         for name, methods, message in (
             ("python-pair", {"rates": lambda self, T, heat: [0.0, 0.0]}, r"python-pair\.rates\(\) must return a pair"),
             ("python-number", {"rates": lambda self, T, heat: ([0.0], 0.0)}, r"rates\(\) must return 2 numbers, and returned 1"),
+            ("python-complex", {"rates": lambda self, T, heat: (1j * T, 0.0)}, r"rates\(\) must return 2 numbers, and returned array"),
+            ("python-lost", {"rates": lambda self, T, heat: ([0.0, 0.0], "much")}, r"as the heat lost, must return a number, and returned 'much'"),
+            ("python-stored", {"stored_energy": lambda self, T: None}, r"stored_energy\(\) must return a number, and returned None"),
             ("python-text", {"rates": lambda self, T, heat: ("ab", 0.0)}, r"rates\(\) must return 2 numbers, and returned 'ab'"),
             ("python-start", {"initial_state": lambda self: [293.15]}, r"initial_state\(\) must return 2 numbers, and returned 1"),
             ("python-seen", {"observe": lambda self, T, heat: T[:1]}, r"observe\(\) must return 2 numbers, and returned 1"),

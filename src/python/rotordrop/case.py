@@ -11,9 +11,9 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from . import _core, modes, preload
-from .errors import CaseWarning, Fault
+from .errors import CaseWarning, Fault, refused
 from .result import Result
-from .units import si
+from .units import positive_si, si
 
 if typing.TYPE_CHECKING:
     import xarray
@@ -158,6 +158,8 @@ class Case:
             given = [0.0, self._case.initial_speed]
         else:
             given = [speeds] if isinstance(speeds, (str, float, int)) else speeds
+        if n_modes < 0:
+            raise refused("n_modes", f"must be at least 0 and is {n_modes}")
         return modes.dataset(self._case, [si(speed, "rad/s", "speeds") for speed in given], n_modes)
 
     def critical_speeds(
@@ -174,11 +176,11 @@ class Case:
 
         "critical_speeds" is a list of {speed [rad/s], frequency [Hz], whirl, damping_ratio, separation}; "map" one of {stiffness, speeds}.
         """
-        limit = 2 * abs(self._case.initial_speed) if up_to is None else si(up_to, "rad/s", "up_to")
+        limit = 2 * abs(self._case.initial_speed) if up_to is None else positive_si(up_to, "rad/s", "up_to")
         if not limit > 0:
             raise ValueError("the case's run.initial_speed is 0: give up_to, such as \"20000 rpm\"")
-        spring = None if stiffness is None else si(stiffness, "N/m", "stiffness")
-        return _core.critical_speeds(self._case, limit, spring, [si(one, "N/m", "stiffness_map") for one in stiffness_map])
+        spring = None if stiffness is None else positive_si(stiffness, "N/m", "stiffness")
+        return _core.critical_speeds(self._case, limit, spring, [positive_si(one, "N/m", "stiffness_map") for one in stiffness_map])
 
     def statics(self, bearing: str | None = None) -> dict[str, typing.Any]:
         """Static equilibrium of the rotor or of its bearings, as `rotordrop statics --json` has it (docs/how-to/statics.md).

@@ -40,6 +40,11 @@ class InputError(Error, ValueError):
         return str(self.args[0])
 
 
+def refused(argument: str, message: str) -> InputError:
+    """The error of one argument."""
+    return InputError(f"error: {argument}: {message}", (Fault(argument, "", 0, 0, message, ""),))
+
+
 class SolverError(Error, RuntimeError):
     """The numerics failed: the step size became too small, no equilibrium was found, a file cannot be written."""
 

@@ -2,18 +2,31 @@
 
 from __future__ import annotations
 
+import math
 import pathlib
 
 from . import _core
+from .errors import refused
 
 
 def si(quantity: float | str, unit: str, name: str = "quantity") -> float:
     """A quantity in an SI unit: `si("15200 rpm", "rad/s")` is 1591.74; a number is one already.
 
     unit    "m", "N", "rad/s", "K" ...; what is given must have its dimension
-    name    how an InputError calls it
+    name    how an InputError calls it: one is raised for another dimension, and for what is not a finite number
     """
-    return _core.to_si(quantity, unit, name) if isinstance(quantity, str) else float(quantity)
+    value = _core.to_si(quantity, unit, name) if isinstance(quantity, str) else float(quantity)
+    if not math.isfinite(value):
+        raise refused(name, f"{value} is not a finite number")
+    return value
+
+
+def positive_si(quantity: float | str, unit: str, name: str) -> float:
+    """Likewise, of what must be larger than 0."""
+    value = si(quantity, unit, name)
+    if not value > 0:
+        raise refused(name, f"must be larger than 0 and is {quantity}")
+    return value
 
 
 def params_folder() -> pathlib.Path:
