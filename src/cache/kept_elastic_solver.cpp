@@ -34,6 +34,10 @@ class KeptElasticSolver final : public ElasticSolver {
     return values_.get<std::vector<ElasticInfluence>>(fmt::format("node pressures {}", fit),
                                                       [&] { return real().node_pressure_influences(fit); });
   }
+  [[nodiscard]] FitOpenings openings(std::size_t fit) const override {
+    if (is_solved_) return real().openings(fit);
+    return values_.get<FitOpenings>(fmt::format("openings {}", fit), [&] { return real().openings(fit); });
+  }
   [[nodiscard]] std::vector<double> node_shares(std::size_t fit) const override {
     if (is_solved_) return real().node_shares(fit);
     return values_.get<std::vector<double>>(fmt::format("node shares {}", fit),

@@ -89,7 +89,7 @@ auto members(T& x) {
   } else if constexpr (std::is_same_v<S, ElasticFit>) {
     auto& [a, b, c, d, e] = x;
     return std::tie(a, b, c, d, e);
-  } else if constexpr (std::is_same_v<S, ElasticHold>) {
+  } else if constexpr (std::is_same_v<S, ElasticHold> || std::is_same_v<S, FitOpenings>) {
     auto& [a, b, c, d] = x;
     return std::tie(a, b, c, d);
   } else if constexpr (std::is_same_v<S, ElasticTraction> || std::is_same_v<S, ElasticOutput> ||

@@ -102,6 +102,14 @@ struct ElasticInfluence {
   std::vector<double> weights;   ///< per kelvin of each of the mesh's unknowns of temperature [n_nodes]
 };
 
+/// What a fit that was closed everywhere does when nodes of it open: linear in their gaps, whichever of them open.
+struct FitOpenings {
+  std::vector<std::vector<double>> force;   ///< pressing each node, per metre of another's gap [n][n] [N/m]
+  std::vector<std::vector<double>> output;  ///< per metre of each node's gap [n_outputs][n]
+  std::vector<std::vector<double>> mass;    ///< integral of the product of two nodes' functions [n][n] [m2]
+  std::vector<double> share;                ///< integral of a node's function [n] [m2]
+};
+
 class ElasticSolver {
  public:
   ElasticSolver() = default;
@@ -139,6 +147,9 @@ class ElasticSolver {
   [[nodiscard]] virtual ElasticInfluence pressure_influence(std::size_t fit) const = 0;  ///< on the mean pressure [Pa]
   /// On the force of each closed node over its share of the area [Pa]: an opening begins where one of these turns negative.
   [[nodiscard]] virtual std::vector<ElasticInfluence> node_pressure_influences(std::size_t fit) const = 0;
+
+  /// Of a frictionless fit between cylinders that no hold touches and the last solve() left closed everywhere; of others it is empty.
+  [[nodiscard]] virtual FitOpenings openings(std::size_t fit) const = 0;
 
   /// Those nodes' shares of the fit's area.
   [[nodiscard]] virtual std::vector<double> node_shares(std::size_t fit) const = 0;

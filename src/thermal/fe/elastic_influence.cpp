@@ -45,6 +45,40 @@ std::vector<ElasticInfluence> ElasticStatics::node_pressure_influences(std::size
   return list;
 }
 
+// With a gap g of a pair, u = C v + d + g E; E moves the second side alone, and the first follows by C v = -K_joined^-1 C^T K E g.
+FitOpenings ElasticStatics::openings(std::size_t k) const {
+  const Fit& fit = fits_.at(k);
+  for (const std::size_t at : fit.pairs) {
+    const Pair& pair = pairs_[at];
+    const bool is_axial = pair.first % 2 == 0;  // then a body may come free
+    if (!pair.is_closed || is_axial || is_held_[pair.first] || is_held_[pair.second] ||
+        operator_.problem().fits[k].kind == FitKind::bonded)
+      return {};
+  }
+  const std::size_t n = fit.nodes.size();
+  const std::vector<double> none(n, 0.);
+  FitOpenings found{{n, none}, {outputs_.size(), none}, {n, none}, {}};
+  Vector u(operator_.size()), forces(operator_.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Pair& opened = pairs_[fit.pairs[i]];
+    u = 0.;
+    u(opened.second) = opened.sign;
+    operator_.stiffness().vmult(forces, u);
+    forces *= -1.;
+    u += solve_joined(forces);
+    operator_.stiffness().vmult(forces, u);
+    centre(u);
+    for (std::size_t j = 0; j < n; ++j) found.force[j][i] = press(pairs_[fit.pairs[j]], forces);
+    for (std::size_t o = 0; o < outputs_.size(); ++o) found.output[o][i] = outputs_[o] * u;
+    found.share.push_back(fit.share(fit.nodes[i]));
+  }
+  std::vector<std::size_t> place(operator_.n_nodes(), n);
+  for (std::size_t i = 0; i < n; ++i) place[fit.nodes[i]] = i;
+  for (const auto& entry : operator_.face_mass(fit.faces))
+    if (place[entry.i] < n && place[entry.j] < n) found.mass[place[entry.i]][place[entry.j]] += entry.value;
+  return found;
+}
+
 std::vector<double> ElasticStatics::node_shares(std::size_t k) const {
   const Fit& fit = fits_.at(k);
   std::vector<double> shares;

@@ -34,6 +34,7 @@ class ElasticStatics final : public ElasticSolver {
   [[nodiscard]] ElasticInfluence influence(std::size_t output) const override;
   [[nodiscard]] ElasticInfluence pressure_influence(std::size_t fit) const override;
   [[nodiscard]] std::vector<ElasticInfluence> node_pressure_influences(std::size_t fit) const override;
+  [[nodiscard]] FitOpenings openings(std::size_t fit) const override;
   [[nodiscard]] std::vector<double> node_shares(std::size_t fit) const override;
   [[nodiscard]] double difference(const ElasticFunction& f) const override { return operator_.difference(u_, f); }
 

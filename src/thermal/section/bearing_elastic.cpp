@@ -190,17 +190,29 @@ std::vector<ElasticGrowth::RowWeights> ElasticGrowth::row_weights(std::span<cons
   return rows;
 }
 
+void ElasticGrowth::find_openings() {
+  has_asked_ = true;
+  const FitOpenings openings = elastic_.openings(0);
+  if (openings.share.empty() || openings.share.size() != housing_fit_.node.size()) return;
+  opening_.emplace(openings);
+  pressures_.resize(openings.share.size());
+}
+
 Expansion ElasticGrowth::solved(std::span<const double> T) {
-  elastic_.solve(T, 0.);
+  if (!has_asked_) find_openings();
+  if (opening_) {
+    for (std::size_t i = 0; i < pressures_.size(); ++i)
+      pressures_[i] = housing_fit_.node[i].at_rest + weighted(housing_fit_.node[i].weights, T, zero_);
+    opening_->solve(pressures_);
+  } else {
+    elastic_.solve(T, 0.);
+  }
   Expansion growth;
   for (std::size_t s = 0; s < growth_surfaces.size(); ++s) {
-    if (sums_[s].terms.empty()) {
-      growth.*growth_surfaces[s] = weighted(weights_[s], T, zero_);
-      continue;
-    }
-    double sum = 0.;
-    for (const auto& [k, factor] : sums_[s].terms) sum += factor * elastic_.output(k);
-    growth.*growth_surfaces[s] = sum - sums_[s].at_rest;
+    const bool is_linear = sums_[s].terms.empty();  // a lump
+    double sum = is_linear || opening_ ? weighted(weights_[s], T, zero_) : -sums_[s].at_rest;
+    for (const auto& [k, factor] : sums_[s].terms) sum += factor * (opening_ ? opening_->added(k) : elastic_.output(k));
+    growth.*growth_surfaces[s] = sum;
   }
   return growth;
 }

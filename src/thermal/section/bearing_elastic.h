@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "model/ports.h"
 #include "model/thermo_elasticity.h"
 #include "thermal/heating/bearing_heat.h"
+#include "thermal/section/fit_opening.h"
 
 namespace rotordrop {
 
@@ -61,7 +63,7 @@ class ElasticGrowth {
   /// from where a ring's middle is.
   /// @param rows  in the order of the strips
   [[nodiscard]] std::vector<RowWeights> row_weights(std::span<const RowStrips> rows) const;
-  /// With fits as they must be: solves.
+  /// With the fits as they must be: by the functionals and what openings add, or by a solve where the solver knows no openings.
   [[nodiscard]] Expansion solved(std::span<const double> temperatures);
   /// Growth of the inner ring's surfaces per speed squared [m s^2]; the others' is zero.
   [[nodiscard]] const Expansion& per_speed_squared() const { return per_speed_squared_; }
@@ -74,7 +76,7 @@ class ElasticGrowth {
   };
   [[nodiscard]] const FitNodes& housing_fit() const { return housing_fit_; }
   /// After solved().
-  [[nodiscard]] FitState fit_state() const { return elastic_.fit(0); }
+  [[nodiscard]] FitState fit_state() const { return opening_ ? opening_->state() : elastic_.fit(0); }
 
  private:
   /// A sum of outputs of the elastic problem.
@@ -87,6 +89,8 @@ class ElasticGrowth {
     double at_rest = 0;
   };
   [[nodiscard]] std::vector<Sum::Term> row_difference_terms() const;
+  /// Asks the solver, once.
+  void find_openings();
 
   ElasticSolver& elastic_;
   double zero_;
@@ -101,6 +105,9 @@ class ElasticGrowth {
   double width_;
   Expansion per_speed_squared_;
   FitNodes housing_fit_;
+  std::optional<FitOpening> opening_;
+  bool has_asked_ = false;
+  std::vector<double> pressures_;  ///< of the fit's nodes if it stays closed
 };
 
 }  // namespace rotordrop

@@ -336,6 +336,7 @@ class FakeElastic final : public ElasticSolver {
   [[nodiscard]] std::vector<ElasticInfluence> node_pressure_influences(std::size_t) const override {
     return {{speed_, 4., {5.}}, {speed_, 6., {7.}}};
   }
+  [[nodiscard]] FitOpenings openings(std::size_t) const override { return {{{8. + speed_}}, {{9.}}, {{10.}}, {11.}}; }
   [[nodiscard]] std::vector<double> node_shares(std::size_t) const override { return {0.25 + speed_, 0.75}; }
   [[nodiscard]] double difference(const ElasticFunction&) const override { return 0.; }
 
@@ -358,6 +359,7 @@ TEST_F(KeptElastic, InfluencesComeFromTheCacheUntilASolveHasMovedTheFits) {
     for (std::size_t k = 0; k < 2; ++k) seen.add(solver->influence(k));
     seen.add(solver->pressure_influence(0));
     seen.add(solver->node_pressure_influences(0));
+    seen.add(solver->openings(0));
     seen.add(solver->node_shares(0));
     answers.push_back(seen.bytes());
     EXPECT_EQ(made, 1) << round;
@@ -367,6 +369,7 @@ TEST_F(KeptElastic, InfluencesComeFromTheCacheUntilASolveHasMovedTheFits) {
     EXPECT_EQ(solver->influence(0).at_rest, 9.);
     EXPECT_EQ(solver->pressure_influence(0).at_rest, 9.);
     EXPECT_EQ(solver->node_pressure_influences(0)[0].at_rest, 9.);
+    EXPECT_EQ(solver->openings(0).force[0][0], 17.);
     EXPECT_EQ(solver->node_shares(0)[0], 9.25);
   }
   EXPECT_EQ(answers[0], answers[1]);

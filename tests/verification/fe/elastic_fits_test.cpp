@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "base/errors.h"
 #include "fe_room.h"
+#include "thermal/section/fit_opening.h"
 
 namespace rotordrop {
 namespace {
@@ -258,6 +260,47 @@ TEST(AdjointPressure, SaysWhenTheFitBeginsToOpen) {
   EXPECT_EQ(s->fit(0).open_fraction, 0.);
   s->solve(field(first * (1. + 1e-6)), 0.);
   EXPECT_GT(s->fit(0).open_fraction, 0.);
+}
+
+// Gaps of nodes as unknowns of a small problem, and the whole one solved: growth and fit are the same wherever the fit opens.
+TEST(FitOpenings, GiveWhatTheDirectSolveGives) {
+  const auto s = make_elastic_solver(press_fit(3e-6, 16));
+  const std::array<ElasticInfluence, 2> outputs = {s->influence(0), s->influence(1)};
+  const auto nodes = s->node_pressure_influences(0);
+  FitOpening opening(s->openings(0));
+  double least_open = 1., most_open = 0.;
+  for (const double middle : {0., 0.2 * L, 0.5 * L, 0.9 * L})
+    for (const double width : {2e-3, 6e-3})
+      for (const double rise : {-30., 5., 40.}) {
+        const auto T = s->interpolate([=](std::size_t body, double x, double) {
+          return T_0 + (body == 0 ? rise * std::exp(-std::pow((x - middle) / width, 2)) : 0.);
+        });
+        std::vector<double> pressures;
+        for (const auto& node : nodes) pressures.push_back(predicted(node, T, 0.));
+        opening.solve(pressures);
+        s->solve(T, 0.);
+        for (std::size_t k = 0; k < 2; ++k)
+          EXPECT_NEAR(predicted(outputs[k], T, 0.) + opening.added(k), s->output(k),
+                      1e-9 * (std::fabs(s->output(k)) + 3e-6));
+        const FitState direct = s->fit(0), small = opening.state();
+        EXPECT_NEAR(small.mean_pressure, direct.mean_pressure, 1e-8 * direct.highest_pressure);
+        EXPECT_NEAR(small.lowest_pressure, direct.lowest_pressure, 1e-6 * direct.highest_pressure);
+        EXPECT_NEAR(small.highest_pressure, direct.highest_pressure, 1e-6 * direct.highest_pressure);
+        EXPECT_NEAR(small.open_fraction, direct.open_fraction, 1e-12);
+        EXPECT_NEAR(small.area, direct.area, 1e-12 * direct.area);
+        least_open = std::min(least_open, direct.open_fraction);
+        most_open = std::max(most_open, direct.open_fraction);
+      }
+  EXPECT_EQ(least_open, 0.);
+  EXPECT_GT(most_open, 0.5);
+}
+
+TEST(FitOpenings, AreNoneOfFitsThatNeedThemselvesSolved) {
+  EXPECT_TRUE(make_elastic_solver(press_fit(-10e-6))->openings(0).share.empty()) << "open at rest";
+  EXPECT_TRUE(make_elastic_solver(with_everything())->openings(1).share.empty()) << "bonded";
+  auto held = press_fit(3e-6);
+  held.holds = {{{1, HeatSide::left}, true, true}};
+  EXPECT_TRUE(make_elastic_solver(held)->openings(0).share.empty()) << "at its edge";
 }
 
 }  // namespace
