@@ -6,9 +6,11 @@
 //   S1 = V1/V, S2 = V2/V, S3 = 0; T1 = (V1 + V13)/V, T2 = S2, T3 = V13/V.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -176,6 +178,68 @@ TEST(Surrogate, OfIshigamisFunctionHasItsIndicesAndPredictsWhatItHasNotSeen) {
   for (std::size_t i = 0; i < surrogate["computed"].size(); ++i)
     squares += std::pow(surrogate["computed"][i].get<double>() - surrogate["predicted"][i].get<double>(), 2);
   EXPECT_NEAR(surrogate["rmse"].get<double>(), std::sqrt(squares / surrogate["n"].get<double>()), 1e-12);
+}
+
+// With u = x / pi uniform on (-1, 1), variances of products are powers of 1/3: V(u1 u2) = 1/9, V(u3 / 2) = 1/12. Means are zero, which no term stands for.
+TEST(Surrogate, OfPolynomialsWithoutMeanIsExact) {
+  if (!has_surrogates()) GTEST_SKIP() << "built without the module of surrogates";
+  const auto products = [](const PointRequest& request) {
+    const auto& rotor = request.drop_case.parameters.rotor;
+    const double u1 = rotor.unbalance[0].angle / pi, u2 = rotor.unbalance[1].angle / pi,
+                 u3 = rotor.initial_orbit.angle / pi;
+    PointResult result = ishigami(request);
+    result.scalars = {{"f", u1 * u2 + 0.5 * u3}, {"linear", u1 * u3}};
+    return result;
+  };
+  const auto summary =
+      run("[design]\nkind = \"latin-hypercube\"\nsize = 40\n[surrogate]\nresults = [\"f\", \"linear\"]\n", products);
+  const auto& results = summary["surrogate"]["results"];
+  const double total = 1. / 9. + 1. / 12.;
+  const std::map<std::string, std::array<std::array<double, 2>, 3>> exact = {
+      {"f", {{{0., 1. / 9. / total}, {0., 1. / 9. / total}, {1. / 12. / total, 1. / 12. / total}}}},
+      {"linear", {{{0., 1.}, {0., 0.}, {0., 1.}}}}};
+  for (const auto& [name, indices] : exact) {
+    EXPECT_NEAR(results[name]["q2"].get<double>(), 1., 1e-9) << name;
+    for (std::size_t j = 0; j < 3; ++j) {
+      EXPECT_NEAR(results[name]["indices"][names[j]]["first"].get<double>(), indices[j][0], 1e-9) << name << j;
+      EXPECT_NEAR(results[name]["indices"][names[j]]["total"].get<double>(), indices[j][1], 1e-9) << name << j;
+    }
+  }
+}
+
+// Noise has nothing to be predicted from, whatever the design: not from rows of a Saltelli block that differ in another parameter either.
+TEST(Surrogate, OfNoiseExplainsNothing) {
+  if (!has_surrogates()) GTEST_SKIP() << "built without the module of surrogates";
+  const auto noise = [](const PointRequest& request) {
+    PointResult result = ishigami(request);
+    const double x = request.drop_case.parameters.rotor.unbalance[0].angle;
+    result.scalars = {{"f", std::fmod(std::fabs(x) * 1e5, 1.)}, {"linear", 7.}};
+    return result;
+  };
+  for (const char* kind : {"polynomial-chaos", "kriging"}) {
+    const auto summary =
+        run("[design]\nkind = \"saltelli\"\nsize = 32\n[surrogate]\nresults = [\"f\", \"linear\"]\nkind = \"" +
+                std::string(kind) + "\"\n",
+            noise);
+    const auto& results = summary["surrogate"]["results"];
+    EXPECT_LT(results["f"]["q2"].get<double>(), 0.1) << kind;
+    EXPECT_EQ(results["linear"]["reason"], "it does not vary") << kind;
+  }
+}
+
+// Four points in two parts: each has points of both.
+TEST(Surrogate, OfFewPointsSaysThatItKnowsNothing) {
+  if (!has_surrogates()) GTEST_SKIP() << "built without the module of surrogates";
+  for (const int size : {4, 7, 8, 9}) {
+    const auto summary = run("[design]\nkind = \"monte-carlo\"\nsize = " + std::to_string(size) +
+                             "\n[surrogate]\nresults = [\"f\"]\nfolds = 8\n");
+    const auto& f = summary["surrogate"]["results"]["f"];
+    EXPECT_EQ(f["n"].get<int>(), size);
+    if (size < 8)
+      EXPECT_EQ(f["reason"], std::to_string(size) + " points are too few; 8 are needed at least");
+    else
+      EXPECT_TRUE(f["rmse"].is_number() && f["q2"].is_number()) << f;
+  }
 }
 
 TEST(Surrogate, ByKrigingPredictsWhatItHasNotSeen) {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -39,22 +41,58 @@ std::unique_ptr<Surrogate> made(const SurrogateParameters& keys, std::size_t n_i
       {keys.kind == SurrogateKind::kriging, static_cast<std::size_t>(keys.degree), n_inputs, rows.x, rows.y}, error));
 }
 
+bool varies(const std::vector<double>& y) {
+  const auto [least, largest] = std::minmax_element(y.begin(), y.end());
+  return *largest - *least > 1e-12 * std::max(std::fabs(*least), std::fabs(*largest));
+}
+
+/// Part of each row, of equal size, by chance. Rows of a block of Saltelli's design, which share coordinates, are of the same part: a point that
+/// differs in a parameter without influence would tell its neighbour's value.
+std::vector<std::size_t> folds_of(const Study& study, const Design& design, const Rows& all) {
+  const std::size_t per_block = design.n_blocks > 0 ? design.n_rows / design.n_blocks : 1;
+  const auto seed = static_cast<std::uint64_t>(study.design.seed);
+  std::map<std::size_t, std::uint64_t> order;  // of blocks
+  for (const std::size_t row : all.row) order[row / per_block] = mixed(mixed(seed) ^ (row / per_block));
+  std::vector<std::pair<std::uint64_t, std::size_t>> sorted;
+  for (const auto& [block, number] : order) sorted.emplace_back(number, block);
+  std::sort(sorted.begin(), sorted.end());
+  std::map<std::size_t, std::size_t> fold;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    fold[sorted[i].second] = i % static_cast<std::size_t>(study.surrogate->folds);
+  std::vector<std::size_t> folds;
+  for (const std::size_t row : all.row) folds.push_back(fold[row / per_block]);
+  return folds;
+}
+
 /// Each fold by a surrogate of the others; NaN where none could be made.
 std::vector<double> predictions(const SurrogateParameters& keys, std::size_t n_inputs, const Rows& all,
-                                std::uint64_t seed, std::string& error) {
-  const auto n_folds = static_cast<std::uint64_t>(keys.folds);
+                                const std::vector<std::size_t>& folds, std::string& error) {
   std::vector<double> predicted(all.y.size(), std::nan(""));
-  for (std::uint64_t fold = 0; fold < n_folds; ++fold) {
+  for (std::size_t fold = 0; fold < static_cast<std::size_t>(keys.folds); ++fold) {
     std::vector<std::size_t> inside, outside;
-    for (std::size_t i = 0; i < all.y.size(); ++i)
-      (mixed(mixed(seed) ^ all.row[i]) % n_folds == fold ? inside : outside).push_back(i);
+    for (std::size_t i = 0; i < all.y.size(); ++i) (folds[i] == fold ? inside : outside).push_back(i);
     if (inside.empty() || outside.empty()) continue;
-    const auto surrogate = made(keys, n_inputs, selected(all, n_inputs, outside), error);
-    if (!surrogate) return predicted;
-    const auto values = surrogate->at(selected(all, n_inputs, inside).x);
+    const Rows known = selected(all, n_inputs, outside);
+    std::vector<double> values(inside.size(), known.y.front());
+    if (varies(known.y)) {
+      const auto surrogate = made(keys, n_inputs, known, error);
+      if (!surrogate) return predicted;
+      values = surrogate->at(selected(all, n_inputs, inside).x);
+    }
     for (std::size_t i = 0; i < inside.size(); ++i) predicted[inside[i]] = values[i];
   }
   return predicted;
+}
+
+/// Why no surrogate is made of a sample; empty: one is.
+std::string why_none(const SurrogateParameters& keys, std::size_t n_inputs, const Rows& all) {
+  constexpr std::size_t most_of_kriging = 1000;  // its time goes with the cube: 7 s there, of 3 parameters on a Zen 5
+  const std::size_t n = all.y.size(), fewest = 2 * (n_inputs + 1);
+  if (n < fewest) return fmt::format("{} points are too few; {} are needed at least", n, fewest);
+  if (!varies(all.y)) return "it does not vary";
+  if (keys.kind == SurrogateKind::kriging && n > most_of_kriging)
+    return fmt::format("kriging takes up to {} points, and there are {}", most_of_kriging, n);
+  return {};
 }
 
 Json summary_of(const Study& study, const Design& design, const ResultColumn& column) {
@@ -69,13 +107,14 @@ Json summary_of(const Study& study, const Design& design, const ResultColumn& co
                  design.unit.begin() + static_cast<std::ptrdiff_t>((row + 1) * d));
     all.y.push_back(means[row]);
   }
-  Json j{{"unit", column.unit}, {"n", all.y.size()}, {"q2", nullptr}, {"rmse", nullptr}, {"reason", ""}};
-  const std::size_t fewest = 2 * (d + 1);
-  std::string error =
-      all.y.size() < fewest ? fmt::format("{} points are too few; {} are needed at least", all.y.size(), fewest) : "";
+  Json j{{"unit", column.unit}, {"n", all.y.size()}, {"points", design.n_rows},
+         {"q2", nullptr},       {"rmse", nullptr},   {"reason", ""}};
+  std::string error = why_none(keys, d, all);
   const auto whole = error.empty() ? made(keys, d, all, error) : nullptr;
   std::vector<double> predicted;
-  if (whole) predicted = predictions(keys, d, all, static_cast<std::uint64_t>(study.design.seed), error);
+  if (whole) predicted = predictions(keys, d, all, folds_of(study, design, all), error);
+  if (error.empty() && !std::all_of(predicted.begin(), predicted.end(), [](double y) { return std::isfinite(y); }))
+    error = "points that it has not seen could not be predicted";
   j["reason"] = error;
   if (!error.empty()) return j;
   double mean = 0., squares = 0., about_mean = 0.;
@@ -84,7 +123,7 @@ Json summary_of(const Study& study, const Design& design, const ResultColumn& co
     squares += std::pow(all.y[i] - predicted[i], 2);
     about_mean += std::pow(all.y[i] - mean, 2);
   }
-  j["rmse"] = std::sqrt(squares / static_cast<double>(all.y.size()));
+  j["rmse"] = json_number(std::sqrt(squares / static_cast<double>(all.y.size())));
   j["q2"] = json_number(about_mean > 0. ? 1. - squares / about_mean : std::nan(""));
   j["terms"] = whole->n_terms();
   if (keys.kind == SurrogateKind::polynomial_chaos) {
@@ -105,10 +144,23 @@ Json surrogate_summary(const Study& study, const Design& design, const StudyTabl
   Json j{{"kind", keys.kind == SurrogateKind::kriging ? "kriging" : "polynomial-chaos"},
          {"folds", keys.folds},
          {"results", Json::object()}};
-  for (const auto& name : study.surrogate_results)
-    if (const auto* column = table.find(name)) j["results"][name] = summary_of(study, design, *column);
+  for (const auto& name : study.surrogate_results) {
+    const auto* column = table.find(name);
+    j["results"][name] = column ? summary_of(study, design, *column)
+                                : Json{{"unit", ""},    {"n", 0},          {"points", design.n_rows},
+                                       {"q2", nullptr}, {"rmse", nullptr}, {"reason", "no drop has it"}};
+  }
   return j;
 }
+
+namespace {
+
+std::string explained(const Json& q2) {
+  if (!q2.is_number()) return "an unknown part";
+  return q2.get<double>() > 0. ? fmt::format("{:.3g} %", 100. * q2.get<double>()) : "nothing";
+}
+
+}  // namespace
 
 std::string surrogate_text(const Json& j) {
   std::string text =
@@ -118,9 +170,10 @@ std::string surrogate_text(const Json& j) {
       text += fmt::format("  {}: none; {}\n", name, s["reason"].get<std::string>());
       continue;
     }
-    text += fmt::format("  {}: explains {:.3g} % of the variance, rms error {:.4g} {}\n", name,
-                        s["q2"].is_number() ? 100. * s["q2"].get<double>() : std::nan(""), s["rmse"].get<double>(),
-                        s["unit"].get<std::string>());
+    const auto n = s["n"].get<std::size_t>(), points = s["points"].get<std::size_t>();
+    text += fmt::format("  {}: explains {} of the variance, rms error {:.4g} {}{}\n", name, explained(s["q2"]),
+                        s["rmse"].is_number() ? s["rmse"].get<double>() : std::nan(""), s["unit"].get<std::string>(),
+                        n < points ? fmt::format("; from {} of {} points, the others have none", n, points) : "");
   }
   return text;
 }

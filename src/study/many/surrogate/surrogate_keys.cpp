@@ -15,11 +15,13 @@ Section<SurrogateParameters> surrogate_section() {
               {{"polynomial-chaos", SurrogateKind::polynomial_chaos}, {"kriging", SurrogateKind::kriging}},
               {.fallback = "polynomial-chaos",
                .help = "polynomial-chaos: sparse Legendre polynomials (least angles, corrected leave-one-out), with "
-                       "their Sobol indices. kriging: Matern's covariance 5/2, for up to some hundred points."})
-      .integer("degree", &P::degree,
-               {.range = between(1, 20),
-                .fallback = 6,
-                .help = "Of the polynomials, at most; lower if there would be more than 2000 terms to choose from."})
+                       "their Sobol indices. kriging: Matern's covariance 5/2, for up to 1000 points."})
+      .integer(
+          "degree", &P::degree,
+          {.range = between(1, 20),
+           .fallback = 6,
+           .help = "Of the polynomials, at most: the degree with the least leave-one-out error is taken, and none with "
+                   "more than 2000 terms to choose from, or with points times terms squared beyond 1e9."})
       .integer(
           "folds", &P::folds,
           {.range = between(2, 50),
