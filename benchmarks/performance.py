@@ -191,7 +191,8 @@ def programs_table(programs, rounds):
                 bare, _ = drop(program, case, folder, settings + NO_ROWS)
                 if name == "this":
                     add("looser", drop_with(program, case, folder, settings + LOOSER))
-                add("beside", drop_with(program, case, folder, settings + BESIDE))
+                for _ in range(2):  # as below
+                    add("beside", drop_with(program, case, folder, settings + BESIDE))
                 add("bare_beside", drop_with(program, case, folder, settings + BESIDE + NO_ROWS))
                 add("windows", drop_with(program, case, folder, settings + WINDOWS + NO_ROWS))
                 for what, other in OTHER_DROPS.items():
