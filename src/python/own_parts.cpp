@@ -51,10 +51,18 @@ class Names {
   }
   /// Of a dataset.
   void add_path(const std::string& name) {
+    const std::string path = "/" + name + "/";
+    for (const char* part : {"//", "/./", "/../"})
+      if (!name.empty() && path.find(part) != std::string::npos)
+        throw py::value_error(fmt::format(
+            "{}: \"{}\" cannot be the name of a dataset: no part may be empty, \".\" or \"..\"", of_, name));
+    for (const std::string& known : known_) {
+      const std::string other = "/" + known + "/";
+      if (path.starts_with(other) != other.starts_with(path))
+        throw py::value_error(
+            fmt::format("{}: \"{}\" and \"{}\" cannot both be datasets: one would lie in the other", of_, known, name));
+    }
     add(name);
-    if (("/" + name + "/").find("//") != std::string::npos)
-      throw py::value_error(
-          fmt::format("{}: \"{}\" cannot be the name of a dataset: a part of it is empty", of_, name));
   }
 
  private:
@@ -95,7 +103,7 @@ py::object array_of(std::span<const double> values) {
 
 void refuse_returned(const std::string& function, const std::string& expected, const py::handle& returned) {
   throw py::value_error(fmt::format("{} must return {}, and returned {}", function, expected,
-                                    py::repr(returned).cast<std::string>().substr(0, 60)));
+                                    py::repr(returned)[py::slice(0, 60, 1)].cast<std::string>()));
 }
 
 std::vector<double> numbers_of(const py::handle& values, std::size_t n, const std::string& function) {
@@ -115,6 +123,9 @@ std::vector<double> numbers_of(const py::handle& values, std::size_t n, const st
 }
 
 double number_of(const py::handle& value, const std::string& function) {
+  const auto given = py::array::ensure(value);
+  if (!given) PyErr_Clear();
+  if (given && given.dtype().kind() == 'c') refuse_returned(function, "a number", value);
   try {
     return value.cast<double>();
   } catch (const py::cast_error&) {

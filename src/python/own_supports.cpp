@@ -100,8 +100,7 @@ void add_support(const std::string& type, const py::list& parameters, const py::
   if (replace_class(known_classes(), type, keys, part)) return;
   auto* kept = new py::object(part);
   add_support_kind(type, section_of(type, keys), [kept](const std::string& name, const PythonKeys& p) {
-    const py::gil_scoped_acquire lock;
-    return std::make_unique<PythonSupport>(name, (*kept)(name, p.values));
+    return with_python([&] { return std::make_unique<PythonSupport>(name, (*kept)(name, p.values)); });
   });
   known_classes()[type] = {kept, keys};
 }

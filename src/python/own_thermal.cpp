@@ -95,7 +95,13 @@ class PythonThermalModel final : public ThermalModel {
   }
 
   [[nodiscard]] std::vector<double> growth_from_python(std::span<const double> temperature) const {
-    const auto growth = part_.attr("growth")(array_of(temperature)).cast<std::vector<Expansion>>();
+    const py::object returned = part_.attr("growth")(array_of(temperature));
+    std::vector<Expansion> growth;
+    try {
+      growth = returned.cast<std::vector<Expansion>>();
+    } catch (const py::cast_error&) {
+      refuse_returned(name_ + ".growth()", "an Expansion for each bearing", returned);
+    }
     if (growth.size() != n_places_)
       throw py::value_error(fmt::format("{}.growth() must return an Expansion for each of {} bearings, and returned {}",
                                         name_, n_places_, growth.size()));
@@ -162,9 +168,10 @@ void add_thermal_model(const std::string& type, const std::string& title, const 
   if (replace_class(known_classes(), type, keys, part)) return;
   auto* kept = new py::object(part);
   const auto make = [kept, type](const ThermalGeometry& geometry, const PythonKeys& p) {
-    const py::gil_scoped_acquire lock;
-    return std::make_unique<PythonThermalModel>(type, (*kept)(geometry.bearings, geometry.ambient, p.values),
-                                                geometry.bearings);
+    return with_python([&] {
+      return std::make_unique<PythonThermalModel>(type, (*kept)(geometry.bearings, geometry.ambient, p.values),
+                                                  geometry.bearings);
+    });
   };
   ThermalKind kind;
   kind.name = type;

@@ -167,6 +167,9 @@ class Studies(ProgramTest):
     def test_a_journal_of_something_else_is_not_gone_on_with(self):
         self.study("out", "--shard", "1/3")
         self.assertIn("shard 1 of 3", self.study("out", "--resume", code=2).stderr)
+        self.write("renamed.toml", (self.folder / "s.toml").read_text(encoding="utf-8"))
+        told = self.study("out", "--resume", "--shard", "1/3", code=2, file="renamed.toml").stderr
+        self.assertIn("by the name of s, not renamed", told)
         self.write("s.toml", STUDY.replace("size = 12", "size = 13"))
         self.assertIn("another study", self.study("out", "--resume", "--shard", "1/3", code=2).stderr)
         self.assertIn("holds results already", self.study("out", code=2).stderr)

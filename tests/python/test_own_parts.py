@@ -153,6 +153,10 @@ class Supports(PackageTest):
             ("python-states", {"states": [state, state]}, r'A\.states: "stretch" stands twice'),
             ("python-series", {"series": [series, series]}, r'A\.series: "position" stands twice'),
             ("python-nameless", {"series": [series._replace(name="")]}, r"A\.series: a name is empty"),
+            ("python-complex", {"energy": lambda self, seen, state: np.complex128(1 + 2j)}, r"A\.energy\(\) must return a number"),
+            ("python-letters", {"energy": lambda self, seen, state: "x" + 80 * "é"}, r"energy\(\) must return a number, and returned 'xé"),
+            ("python-within", {"series": [series, series._replace(name="position/y")]}, r'"position" and "position/y" cannot both be datasets'),
+            ("python-dot", {"series": [series._replace(name="./position")]}, r'"\./position" cannot be the name of a dataset'),
             ("python-path", {"series": [series._replace(name="a//b")]}, r'"a//b" cannot be the name of a dataset'),
         ):
             with self.subTest(name), self.assertRaisesRegex(ValueError, message):
@@ -168,15 +172,26 @@ class Supports(PackageTest):
                     raise KeyboardInterrupt
                 return super().evaluate(seen, state)
 
+        class InterruptedAtFirst(Spring):
+            type = "python-interrupted-at-first"
+
+            def initial_state(self):
+                raise KeyboardInterrupt
+
+        rd.add_support(InterruptedAtFirst)
         rd.add_support(Interrupted)
         case = self.case({"type": "python-interrupted", "stiffness": STIFFNESS})
         with self.assertRaises(KeyboardInterrupt):
             case.run()
+        self.interrupt_a_study_of(case)
+        self.interrupt_a_study_of(self.case({"type": "python-interrupted-at-first", "stiffness": STIFFNESS}))
+
+    def interrupt_a_study_of(self, case):
         (self.folder / "case.toml").write_text(case.text, encoding="utf-8")
         study = self.folder / "study.toml"
         study.write_text('case = "case.toml"\n[vary]\nrun.initial_speed = ["5000 rpm", "6000 rpm"]\n[design]\nkind = "list"\n', encoding="utf-8")
         with self.assertRaises(KeyboardInterrupt):
-            rd.study(study, self.folder / "study", jobs=1)
+            rd.study(study, self.folder / "study", jobs=1, force=True)
 
     def test_a_class_can_be_replaced_by_one_with_the_same_keys(self):
         class Again(Spring):

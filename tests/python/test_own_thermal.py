@@ -176,6 +176,7 @@ class ThermalModels(PackageTest):
             ("python-number", {"rates": lambda self, T, heat: ([0.0], 0.0)}, r"rates\(\) must return 2 numbers, and returned 1"),
             ("python-complex", {"rates": lambda self, T, heat: (1j * T, 0.0)}, r"rates\(\) must return 2 numbers, and returned array"),
             ("python-lost", {"rates": lambda self, T, heat: ([0.0, 0.0], "much")}, r"as the heat lost, must return a number, and returned 'much'"),
+            ("python-grown", {"growth": lambda self, T: None}, r"growth\(\) must return an Expansion for each bearing, and returned None"),
             ("python-stored", {"stored_energy": lambda self, T: None}, r"stored_energy\(\) must return a number, and returned None"),
             ("python-text", {"rates": lambda self, T, heat: ("ab", 0.0)}, r"rates\(\) must return 2 numbers, and returned 'ab'"),
             ("python-start", {"initial_state": lambda self: [293.15]}, r"initial_state\(\) must return 2 numbers, and returned 1"),

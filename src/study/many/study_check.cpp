@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <string_view>
@@ -61,6 +62,7 @@ void check_points(const Study& study, const Design& design, unsigned n_workers) 
   std::atomic<std::size_t> next{0}, n_bad{0};
   std::mutex lock;
   std::map<std::size_t, InputError> bad;
+  std::exception_ptr interruption;
   const auto check = [&] {
     for (std::size_t i; n_bad < 100 && (i = next.fetch_add(1)) < n;) {
       try {
@@ -69,6 +71,10 @@ void check_points(const Study& study, const Design& design, unsigned n_workers) 
         ++n_bad;
         const std::scoped_lock guard(lock);
         bad.emplace(i, error);
+      } catch (...) {  // no fault of the point, such as an interruption: nothing more is looked at
+        const std::scoped_lock guard(lock);
+        if (!interruption) interruption = std::current_exception();
+        next = n;
       }
     }
   };
@@ -76,6 +82,7 @@ void check_points(const Study& study, const Design& design, unsigned n_workers) 
     std::vector<std::jthread> pool;
     for (unsigned k = 0; k < workers_of(n_workers, n); ++k) pool.emplace_back(check);
   }
+  if (interruption) std::rethrow_exception(interruption);
   if (bad.empty()) return;
   Faults faults;
   std::size_t told = 0;

@@ -69,6 +69,14 @@ void require_same_study(const fs::path& journal, const std::string& found, const
                      fmt::format("this journal was written by rotordrop {}, but this is {}.",
                                  a["program"].get<std::string>(), b["program"].get<std::string>()),
                      "Results of two versions are not mixed. Go on with the same version, or start anew with --force.");
+  for (const char* name : {"name", "case"})
+    if (a.value(name, "") != b[name])
+      throw InputError(where,
+                       fmt::format("this journal is of a {} by the name of {}, not {}.",
+                                   std::string_view(name) == "case" ? "case" : "study", a.value(name, ""),
+                                   b[name].get<std::string>()),
+                       "Give the file its former name, choose another directory with -o DIR, or start anew with "
+                       "--force.");
   throw InputError(where,
                    fmt::format("this journal is of shard {} of {}, not of shard {} of {}.", a["shard"].dump(),
                                a["shards"].dump(), b["shard"].dump(), b["shards"].dump()),

@@ -83,8 +83,8 @@ class OpenTurnsSurrogate final : public rotordrop::Surrogate {
  private:
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-  /// Of degrees from 1 on the one with the least leave-one-out error: many terms to choose from mislead where there are few points. Two degrees that
-  /// are no better end the search.
+  /// Of degrees from 1 on the one with the least leave-one-out error: many terms to choose from mislead where there are few points. Where that is
+  /// below a half already, two degrees that are no better end the search.
   [[nodiscard]] FunctionalChaosResult best_chaos(const Sample& x, const LinearEnumerateFunction& enumerate,
                                                  std::size_t highest) const {
     const ComposedDistribution inputs(ComposedDistribution::DistributionCollection(n_inputs_, Uniform(0., 1.)));
@@ -98,12 +98,12 @@ class OpenTurnsSurrogate final : public rotordrop::Surrogate {
     for (std::size_t degree = 1; degree <= highest; ++degree) {
       const UnsignedInteger n = enumerate.getStrataCumulatedCardinal(degree);
       const double work = static_cast<double>(x.getSize()) * static_cast<double>(n) * static_cast<double>(n);
-      if (degree > 1 && (n > most_terms || work > most_work || degree > best_degree + 2)) break;
+      if (degree > 1 && (n > most_terms || work > most_work || (least < 0.5 && degree > best_degree + 2))) break;
       FunctionalChaosAlgorithm chaos(x, scaled_.y, inputs, AdaptiveStrategy(FixedStrategy(basis, n)),
                                      ProjectionStrategy(LeastSquaresStrategy(x, scaled_.y, least_angles)));
       chaos.run();
       const double error = chaos.getResult().getRelativeErrors()[0];
-      if (degree > 1 && !(error < least)) continue;
+      if (degree > 1 && !(error < least) && std::isfinite(least)) continue;
       best = chaos.getResult();
       best_degree = degree;
       least = error;

@@ -1,6 +1,7 @@
 #include "thermal/section/bearing_elastic.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -196,14 +197,25 @@ void ElasticGrowth::find_openings() {
   if (openings.share.empty() || openings.share.size() != housing_fit_.node.size()) return;
   opening_.emplace(openings);
   pressures_.resize(openings.share.size());
+  sizes_.resize(openings.share.size());
+  for (const ElasticInfluence& node : housing_fit_.node) {
+    double sum = 0.;
+    for (const double weight : node.weights) sum += std::fabs(weight);
+    per_rise_.push_back(sum);
+  }
 }
 
 Expansion ElasticGrowth::solved(std::span<const double> T) {
   if (!has_asked_) find_openings();
   if (opening_) {
-    for (std::size_t i = 0; i < pressures_.size(); ++i)
-      pressures_[i] = housing_fit_.node[i].at_rest + weighted(housing_fit_.node[i].weights, T, zero_);
-    opening_->solve(pressures_);
+    double largest_rise = 0.;
+    for (const double one : T) largest_rise = std::max(largest_rise, std::fabs(one - zero_));
+    for (std::size_t i = 0; i < pressures_.size(); ++i) {
+      const ElasticInfluence& node = housing_fit_.node[i];
+      pressures_[i] = node.at_rest + weighted(node.weights, T, zero_);
+      sizes_[i] = std::fabs(node.at_rest) + per_rise_[i] * largest_rise;
+    }
+    opening_->solve(pressures_, sizes_);
   } else {
     elastic_.solve(T, 0.);
   }

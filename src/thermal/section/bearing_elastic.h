@@ -107,7 +107,8 @@ class ElasticGrowth {
   FitNodes housing_fit_;
   std::optional<FitOpening> opening_;
   bool has_asked_ = false;
-  std::vector<double> pressures_;  ///< of the fit's nodes if it stays closed
+  std::vector<double> pressures_, sizes_;  ///< of the fit's nodes if it stays closed, and of what adds up to them
+  std::vector<double> per_rise_;           ///< of that, at most, per kelvin of the largest rise
 };
 
 }  // namespace rotordrop

@@ -61,7 +61,8 @@ void FitOpening::find_forces(const Eigen::VectorXd& closed) {
 
 bool FitOpening::put_right(bool only_first) {
   const Eigen::VectorXd added = (stiffness_.cwiseAbs() * gap_.cwiseAbs()) + force_.cwiseAbs();
-  const double force_slack = roundoff * added.maxCoeff(), gap_slack = roundoff * gap_.cwiseAbs().maxCoeff();
+  const double force_slack = roundoff * std::max(added.maxCoeff(), force_size_),
+               gap_slack = roundoff * gap_.cwiseAbs().maxCoeff();
   bool has_changed = false;
   for (std::size_t i = 0; i < is_open_.size(); ++i) {
     const bool is_wrong = is_open_[i] ? gap_(index(i)) < -gap_slack : force_(index(i)) < -force_slack;
@@ -73,9 +74,10 @@ bool FitOpening::put_right(bool only_first) {
   return has_changed;
 }
 
-void FitOpening::solve(std::span<const double> pressures) {
+void FitOpening::solve(std::span<const double> pressures, std::span<const double> sizes) {
   const Eigen::VectorXd closed =
       Eigen::Map<const Eigen::VectorXd>(pressures.data(), share_.size()).cwiseProduct(share_);
+  force_size_ = Eigen::Map<const Eigen::VectorXd>(sizes.data(), share_.size()).cwiseProduct(share_).maxCoeff();
   std::fill(is_open_.begin(), is_open_.end(), false);
   // All at once is quick but may go round in circles; the first one alone never does (Murty 1974), and may take long.
   constexpr int patient = 15;

@@ -14,8 +14,9 @@ class FitOpening {
   /// @param openings  of ElasticSolver::openings(), not empty
   explicit FitOpening(const FitOpenings& openings);
   /// @param pressures  of the nodes if the fit stays closed: their forces over their shares [n] [Pa]
+  /// @param sizes      of what adds up to each of them: its roundoff neither opens nor closes [n] [Pa]
   /// @throws SolverError if no state is found
-  void solve(std::span<const double> pressures);
+  void solve(std::span<const double> pressures, std::span<const double> sizes);
   /// What the gaps add to an output.
   [[nodiscard]] double added(std::size_t output) const { return per_gap_.row(index(output)).dot(gap_); }
   /// As ElasticSolver::fit(), without its points.
@@ -30,6 +31,7 @@ class FitOpening {
 
   Eigen::MatrixXd stiffness_, per_gap_, mass_;
   Eigen::VectorXd share_, gap_, force_;
+  double force_size_ = 0;
   std::vector<bool> is_open_;
 };
 

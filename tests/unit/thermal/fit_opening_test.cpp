@@ -21,19 +21,30 @@ FitOpenings nodes_with(std::vector<std::vector<double>> stiffness, std::vector<d
 // Two nodes whose gaps pull at each other: force 1 = -6 + 3 g_1 - g_2, force 2 = p + 2 g_2 - g_1.
 TEST(FitOpening, OfTwoNodesIsThatByHand) {
   FitOpening fit(nodes_with({{3., -1.}, {-1., 2.}}, {1., 10.}));
-  fit.solve(std::vector<double>{6., 5.});
+  fit.solve(std::vector<double>{6., 5.}, std::vector<double>{0., 0.});
   EXPECT_EQ(fit.added(0), 0.);
   EXPECT_EQ(fit.state().open_fraction, 0.);
   EXPECT_DOUBLE_EQ(fit.state().mean_pressure, 5.5);
-  fit.solve(std::vector<double>{-6., 5.});  // g_1 = 2, and 3 N are left on the other
+  fit.solve(std::vector<double>{-6., 5.}, std::vector<double>{0., 0.});  // g_1 = 2, and 3 N are left on the other
   EXPECT_DOUBLE_EQ(fit.added(0), 2.);
   EXPECT_DOUBLE_EQ(fit.state().open_fraction, 0.5);
   EXPECT_DOUBLE_EQ(fit.state().mean_pressure, 1.5);
   EXPECT_DOUBLE_EQ(fit.state().lowest_pressure, 3.);
-  fit.solve(std::vector<double>{-6., 1.});  // 3 g_1 - g_2 = 6, 2 g_2 - g_1 = -1: g = (11, 3) / 5
+  fit.solve(std::vector<double>{-6., 1.},
+            std::vector<double>{0., 0.});  // 3 g_1 - g_2 = 6, 2 g_2 - g_1 = -1: g = (11, 3) / 5
   EXPECT_DOUBLE_EQ(fit.added(0), 11. / 5. + 10. * 3. / 5.);
   EXPECT_DOUBLE_EQ(fit.state().open_fraction, 1.);
   EXPECT_EQ(fit.state().mean_pressure, 0.);
+}
+
+// A sum of large parts leaves roundoff, which opens nothing.
+TEST(FitOpening, DoesNotBeginInRoundoff) {
+  FitOpening fit(nodes_with({{3., -1.}, {-1., 2.}}, {1., 10.}));
+  const std::vector<double> roundoff = {-1e-9, 1e-9};
+  fit.solve(roundoff, std::vector<double>{1e6, 1e6});
+  EXPECT_EQ(fit.state().open_fraction, 0.);
+  fit.solve(roundoff, std::vector<double>{1., 1.});
+  EXPECT_EQ(fit.state().open_fraction, 0.5);
 }
 
 // Stiffnesses of random matrices, whose entries have either sign: opening all that pull may close others, and go round in circles.
@@ -59,7 +70,7 @@ TEST(FitOpening, FindsTheOneStateOfAnyStiffness) {
     FitOpening fit(o);
     std::vector<double> closed(n);
     for (double& value : closed) value = number(random);
-    fit.solve(closed);
+    fit.solve(closed, std::vector<double>(n, 0.));
     double sum = 0., largest = 1.;
     for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::fabs(fit.added(i)));
     const double slack = 1e-9 * largest * S[0][0] * static_cast<double>(n);

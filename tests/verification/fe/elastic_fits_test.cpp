@@ -277,7 +277,7 @@ TEST(FitOpenings, GiveWhatTheDirectSolveGives) {
         });
         std::vector<double> pressures;
         for (const auto& node : nodes) pressures.push_back(predicted(node, T, 0.));
-        opening.solve(pressures);
+        opening.solve(pressures, std::vector<double>(pressures.size(), 0.));
         s->solve(T, 0.);
         for (std::size_t k = 0; k < 2; ++k)
           EXPECT_NEAR(predicted(outputs[k], T, 0.) + opening.added(k), s->output(k),
