@@ -41,6 +41,14 @@ bool replace_class(const KnownClasses& known, const std::string& type, const std
 
 namespace {
 
+/// As an array of NumPy; null if it is none, or one of complex numbers.
+py::array real_array(const py::handle& values) {
+  auto array = py::array::ensure(values);
+  if (!array) PyErr_Clear();
+  if (array && array.dtype().kind() == 'c') return py::reinterpret_steal<py::array>(nullptr);
+  return array;
+}
+
 /// Names of what a part brings along, each once.
 class Names {
  public:
@@ -108,9 +116,8 @@ void refuse_returned(const std::string& function, const std::string& expected, c
 
 std::vector<double> numbers_of(const py::handle& values, std::size_t n, const std::string& function) {
   const std::string expected = fmt::format("{} {}", n, n == 1 ? "number" : "numbers");
-  const auto given = py::array::ensure(values);
-  if (!given) PyErr_Clear();
-  if (!given || given.ndim() != 1 || given.dtype().kind() == 'c') refuse_returned(function, expected, values);
+  const auto given = real_array(values);
+  if (!given || given.ndim() != 1) refuse_returned(function, expected, values);
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
   if (!array) {
     PyErr_Clear();
@@ -123,9 +130,7 @@ std::vector<double> numbers_of(const py::handle& values, std::size_t n, const st
 }
 
 double number_of(const py::handle& value, const std::string& function) {
-  const auto given = py::array::ensure(value);
-  if (!given) PyErr_Clear();
-  if (given && given.dtype().kind() == 'c') refuse_returned(function, "a number", value);
+  if (!real_array(value)) refuse_returned(function, "a number", value);
   try {
     return value.cast<double>();
   } catch (const py::cast_error&) {

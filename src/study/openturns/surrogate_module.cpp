@@ -102,9 +102,10 @@ class OpenTurnsSurrogate final : public rotordrop::Surrogate {
       FunctionalChaosAlgorithm chaos(x, scaled_.y, inputs, AdaptiveStrategy(FixedStrategy(basis, n)),
                                      ProjectionStrategy(LeastSquaresStrategy(x, scaled_.y, least_angles)));
       chaos.run();
-      const double error = chaos.getResult().getRelativeErrors()[0];
+      const FunctionalChaosResult found = chaos.getResult();
+      const double error = found.getRelativeErrors()[0];
       if (degree > 1 && !(error < least) && std::isfinite(least)) continue;
-      best = chaos.getResult();
+      best = found;
       best_degree = degree;
       least = error;
       if (error < roundoff) break;

@@ -295,6 +295,25 @@ TEST(FitOpenings, GiveWhatTheDirectSolveGives) {
   EXPECT_GT(most_open, 0.5);
 }
 
+// Even warmth, by Lame: a housing that outgrows the interference lets go everywhere, and both parts are as large as if alone.
+TEST(FitOpenings, LetGoAllTheWayOfAHousingThatOutgrowsTheInterference) {
+  const auto s = make_elastic_solver(press_fit(3e-6));
+  const auto bore = s->influence(0), outside = s->influence(1);
+  const auto nodes = s->node_pressure_influences(0);
+  FitOpening opening(s->openings(0));
+  for (const double rise : {-20., 1., 60.}) {  // 3 um are 2.6 K
+    const auto T = warm(*s, 0., rise);
+    std::vector<double> pressures;
+    for (const auto& node : nodes) pressures.push_back(predicted(node, T, 0.));
+    opening.solve(pressures, std::vector<double>(pressures.size(), 0.));
+    const Lame expected = lame(3e-6, 0., rise);
+    EXPECT_NEAR(predicted(bore, T, 0.) + opening.added(0), expected.bore, 1e-6 * 3e-6);
+    EXPECT_NEAR(predicted(outside, T, 0.) + opening.added(1), expected.outside, 1e-6 * std::fabs(expected.outside));
+    EXPECT_NEAR(opening.state().mean_pressure, expected.pressure, 1e-6 * expected.pressure);
+    EXPECT_NEAR(opening.state().open_fraction, rise > 2.6 ? 1. : 0., 1e-12);
+  }
+}
+
 TEST(FitOpenings, AreNoneOfFitsThatNeedThemselvesSolved) {
   EXPECT_TRUE(make_elastic_solver(press_fit(-10e-6))->openings(0).share.empty()) << "open at rest";
   EXPECT_TRUE(make_elastic_solver(with_everything())->openings(1).share.empty()) << "bonded";

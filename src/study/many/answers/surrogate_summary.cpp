@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "study/json_number.h"
 #include "study/many/answers/study_summary.h"
@@ -51,14 +52,11 @@ bool varies(const std::vector<double>& y) {
 std::vector<std::size_t> folds_of(const Study& study, const Design& design, const Rows& all) {
   const std::size_t per_block = design.n_blocks > 0 ? design.n_rows / design.n_blocks : 1;
   const auto seed = static_cast<std::uint64_t>(study.design.seed);
-  std::map<std::size_t, std::uint64_t> order;  // of blocks
-  for (const std::size_t row : all.row) order[row / per_block] = mixed(mixed(seed) ^ (row / per_block));
-  std::vector<std::pair<std::uint64_t, std::size_t>> sorted;
-  for (const auto& [block, number] : order) sorted.emplace_back(number, block);
-  std::sort(sorted.begin(), sorted.end());
+  std::set<std::pair<std::uint64_t, std::size_t>> blocks;  // in an order by chance
+  for (const std::size_t row : all.row) blocks.emplace(mixed(mixed(seed) ^ (row / per_block)), row / per_block);
   std::map<std::size_t, std::size_t> fold;
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    fold[sorted[i].second] = i % static_cast<std::size_t>(study.surrogate->folds);
+  for (const auto& [number, block] : blocks)
+    fold.emplace(block, fold.size() % static_cast<std::size_t>(study.surrogate->folds));
   std::vector<std::size_t> folds;
   for (const std::size_t row : all.row) folds.push_back(fold[row / per_block]);
   return folds;
@@ -95,6 +93,11 @@ std::string why_none(const SurrogateParameters& keys, std::size_t n_inputs, cons
   return {};
 }
 
+/// What stands of a result whether it has a surrogate or not.
+Json summary_without(const std::string& unit, std::size_t n, const Design& design, const std::string& reason) {
+  return {{"unit", unit}, {"n", n}, {"points", design.n_rows}, {"q2", nullptr}, {"rmse", nullptr}, {"reason", reason}};
+}
+
 Json summary_of(const Study& study, const Design& design, const ResultColumn& column) {
   const auto& keys = *study.surrogate;
   const auto means = row_means(study, design, column);
@@ -107,8 +110,7 @@ Json summary_of(const Study& study, const Design& design, const ResultColumn& co
                  design.unit.begin() + static_cast<std::ptrdiff_t>((row + 1) * d));
     all.y.push_back(means[row]);
   }
-  Json j{{"unit", column.unit}, {"n", all.y.size()}, {"points", design.n_rows},
-         {"q2", nullptr},       {"rmse", nullptr},   {"reason", ""}};
+  Json j = summary_without(column.unit, all.y.size(), design, "");
   std::string error = why_none(keys, d, all);
   const auto whole = error.empty() ? made(keys, d, all, error) : nullptr;
   std::vector<double> predicted;
@@ -137,6 +139,11 @@ Json summary_of(const Study& study, const Design& design, const ResultColumn& co
   return j;
 }
 
+std::string explained(const Json& q2) {
+  if (!q2.is_number()) return "an unknown part";
+  return q2.get<double>() > 0. ? fmt::format("{:.3g} %", 100. * q2.get<double>()) : "nothing";
+}
+
 }  // namespace
 
 Json surrogate_summary(const Study& study, const Design& design, const StudyTable& table) {
@@ -146,21 +153,10 @@ Json surrogate_summary(const Study& study, const Design& design, const StudyTabl
          {"results", Json::object()}};
   for (const auto& name : study.surrogate_results) {
     const auto* column = table.find(name);
-    j["results"][name] = column ? summary_of(study, design, *column)
-                                : Json{{"unit", ""},    {"n", 0},          {"points", design.n_rows},
-                                       {"q2", nullptr}, {"rmse", nullptr}, {"reason", "no drop has it"}};
+    j["results"][name] = column ? summary_of(study, design, *column) : summary_without("", 0, design, "no drop has it");
   }
   return j;
 }
-
-namespace {
-
-std::string explained(const Json& q2) {
-  if (!q2.is_number()) return "an unknown part";
-  return q2.get<double>() > 0. ? fmt::format("{:.3g} %", 100. * q2.get<double>()) : "nothing";
-}
-
-}  // namespace
 
 std::string surrogate_text(const Json& j) {
   std::string text =
