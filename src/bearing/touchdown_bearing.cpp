@@ -80,7 +80,8 @@ bool TouchdownBearing::is_alike(const TouchdownBearing& other) const {
          std::equal(rows_.begin(), rows_.end(), other.rows_.begin(), [](const BallRow& r, const BallRow& s) {
            const auto has_split = [](const BallRow& row) { return row.geometry().inner_gyroscopic_share != 0.; };
            return r.geometry().has_inertia == s.geometry().has_inertia && has_split(r) == has_split(s) &&
-                  std::ranges::equal(r.cosines(), s.cosines()) && std::ranges::equal(r.sines(), s.sines()) &&
+                  r.is_radial() == s.is_radial() && std::ranges::equal(r.cosines(), s.cosines()) &&
+                  std::ranges::equal(r.sines(), s.sines()) &&
                   std::ranges::equal(
                       r.waves().list(), s.waves().list(), [](const RaceWaves::Wave& v, const RaceWaves::Wave& w) {
                         return v.form.order == w.form.order && v.form.on_inner_race == w.form.on_inner_race;

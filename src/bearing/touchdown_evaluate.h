@@ -132,11 +132,7 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
       by_rotor = {shapes.by_rotor.data(), data_.bending->n_inner()};
       lend_shapes(shapes, rows_in);
     }
-  TouchOf<Real> t = touch(q, in, grown, y, dydt.subspan(bristles_at(), n_bristles()), by_rotor);
   const BallForcesOf<Real> balls = ball_forces(rows, rows_in, !out.observed.empty());
-  const auto& on_rotor = t.on_rotor;
-  out.force_on_rotor = {on_rotor.x, on_rotor.y, on_rotor.z, on_rotor.moment_y, on_rotor.moment_z, on_rotor.torque};
-
   const Real ring_speed = y[ring_spin];
   const Real M_L = load_torque_of(q, balls);
   const Real M_v = drag_torque(q.drag_viscosity, ring_speed, q.pitch_diameter, q.f2);
@@ -144,6 +140,10 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
   if constexpr (has_all<Real>)
     if (data_.add_spin_heat) M_spin = spin_drag(rows_in);
   const Real turning = tanh(ring_speed / q.drag_regularisation), M = (M_L + M_v + M_spin) * turning;
+
+  TouchOf<Real> t = touch(q, in, grown, y, dydt.subspan(bristles_at(), n_bristles()), by_rotor);
+  const auto& on_rotor = t.on_rotor;
+  out.force_on_rotor = {on_rotor.x, on_rotor.y, on_rotor.z, on_rotor.moment_y, on_rotor.moment_z, on_rotor.torque};
 
   dydt[ring_y] = y[ring_vy];
   dydt[ring_z] = y[ring_vz];

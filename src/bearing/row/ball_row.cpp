@@ -150,7 +150,7 @@ void BallRow::run(Kernel kernel, const BallRowInput& in, BallRowOutput& out, Row
 
 void BallRow::evaluate_translations(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
   if (const double F_0 = inertia_force(in); F_0 > 0.) return evaluate_inertial(in, F_0, false, out, tractions);
-  run(row_kernels().sum_translations, in, out, tractions);
+  run(is_radial() ? row_kernels().sum_in_plane : row_kernels().sum_translations, in, out, tractions);
 }
 
 void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions* tractions) const {
@@ -167,7 +167,8 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
     BallWidening<double> bent_here{};
     if (balls.bent) bent_here = {bent.width[k], bent.rate[k], 0.};
     const double added = balls.waves ? waves.inner[k] + waves.outer[k] : 0.;
-    BallTerms<double> b = ball_penetration<true, true>(balls.place, cosine_[k], sine_[k], added, bent_here);
+    BallTerms<double> b =
+        ball_penetration<GrooveMotion::all, true>(balls.place, cosine_[k], sine_[k], added, bent_here);
     press_ball(balls.place, b);
     load[k] = b.F;
   }

@@ -192,6 +192,10 @@ class BallRow {
   /// Axial approach of the races [m] at which an undisplaced row carries an axial load [N] with this geometry's contact.
   static double offset_for_axial_load(const BallRowGeometry& geometry, double axial_load);
   [[nodiscard]] const RowNumbers<double>& numbers() const { return numbers_; }
+  /// Whether the centres of both grooves stay in one plane while the ring only translates, whatever grows.
+  [[nodiscard]] bool is_radial() const {
+    return numbers_.grooves.axial == 0. && numbers_.strains.inner.axial == 0. && numbers_.strains.outer.axial == 0.;
+  }
   [[nodiscard]] std::size_t n_balls() const { return static_cast<std::size_t>(geometry_.n_balls); }
   /// Of the balls' azimuths at cage angle zero [n_balls].
   [[nodiscard]] std::span<const double> cosines() const { return {cosine_.data(), n_balls()}; }

@@ -32,18 +32,19 @@ ROTORDROP_KERNEL ForceSumsOf<double> over_lanes(const ForceSumsOf<Sum>& sum) {
   return all;
 }
 
-template <bool tilts, bool is_bent>
+template <GrooveMotion motion, bool is_bent>
 ROTORDROP_KERNEL BallTerms<Balls> penetration(const KernelInput& in, const RowPlaceOf<Balls>& place,
                                               const Balls& cosine, const Balls& sine, const Balls& added,
                                               std::size_t j) {
   BallWidening<Balls> bent{0., 0., 0.};
   if constexpr (is_bent)
     bent = {Balls::load(&in.bent->width[j]), Balls::load(&in.bent->rate[j]), Balls::load(&in.bent->slope[j])};
-  return ball_penetration<tilts, is_bent>(place, cosine, sine, added, bent);
+  return ball_penetration<motion, is_bent>(place, cosine, sine, added, bent);
 }
 
-template <bool tilts, bool is_bent, bool is_wavy, bool with_tractions>
+template <GrooveMotion motion, bool is_bent, bool is_wavy, bool with_tractions>
 void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
+  constexpr bool tilts = motion == GrooveMotion::all;
   const RowPlaceOf<Balls> place = in_all_lanes(in.place);
   ForceSumsOf<Sum> all_forces;
   [[maybe_unused]] TractionSumsOf<Sum> all_tractions;
@@ -58,9 +59,9 @@ void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* w
       const Balls cosine = Balls::load(in.cosine + j), sine = Balls::load(in.sine + j);
       Balls added = Balls::load(in.idle + j);
       if constexpr (is_wavy) added += some_of(*in.waves, j).added();
-      BallTerms<Balls> b = penetration<tilts, is_bent>(in, place, cosine, sine, added, j);
+      BallTerms<Balls> b = penetration<motion, is_bent>(in, place, cosine, sine, added, j);
       press_ball(place, b);
-      forces.add<tilts>(place, b, cosine, sine);
+      forces.add<motion>(place, b, cosine, sine);
       if constexpr (is_wavy) waviness += b.elastic * some_of(*in.waves, j).rate();
       if constexpr (is_bent) (b.F * b.cos_phi).store(&in.bent->force[j]);
       if constexpr (with_tractions) traction_sums.add(traction_input, b);
@@ -74,21 +75,21 @@ void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* w
   out.waviness_power = is_wavy ? all_waviness.sum() : 0.;
 }
 
-template <bool tilts, bool is_bent, bool is_wavy>
+template <GrooveMotion motion, bool is_bent, bool is_wavy>
 void sum_with_or_without(const KernelInput& in, BallRowOutput& out, const TractionInput* with,
                          RowTractions* tractions) {
-  with ? sum_balls<tilts, is_bent, is_wavy, true>(in, out, with, tractions)
-       : sum_balls<tilts, is_bent, is_wavy, false>(in, out, with, tractions);
+  with ? sum_balls<motion, is_bent, is_wavy, true>(in, out, with, tractions)
+       : sum_balls<motion, is_bent, is_wavy, false>(in, out, with, tractions);
 }
-template <bool tilts, bool is_bent>
+template <GrooveMotion motion, bool is_bent>
 void sum_wavy_or_smooth(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
-  in.waves ? sum_with_or_without<tilts, is_bent, true>(in, out, with, tractions)
-           : sum_with_or_without<tilts, is_bent, false>(in, out, with, tractions);
+  in.waves ? sum_with_or_without<motion, is_bent, true>(in, out, with, tractions)
+           : sum_with_or_without<motion, is_bent, false>(in, out, with, tractions);
 }
-template <bool tilts>
+template <GrooveMotion motion>
 void sum_chosen(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
-  in.bent ? sum_wavy_or_smooth<tilts, true>(in, out, with, tractions)
-          : sum_wavy_or_smooth<tilts, false>(in, out, with, tractions);
+  in.bent ? sum_wavy_or_smooth<motion, true>(in, out, with, tractions)
+          : sum_wavy_or_smooth<motion, false>(in, out, with, tractions);
 }
 
 template <bool is_bent>
@@ -100,8 +101,9 @@ double deflections(const KernelInput& in) {
     for (std::size_t j = first; j < in.n; j += vector_length) {
       Balls added = Balls::load(in.idle + j);
       if (in.waves) added += some_of(*in.waves, j).added();
-      const Balls delta =
-          penetration<true, is_bent>(in, place, Balls::load(in.cosine + j), Balls::load(in.sine + j), added, j).delta;
+      const Balls delta = penetration<GrooveMotion::all, is_bent>(in, place, Balls::load(in.cosine + j),
+                                                                  Balls::load(in.sine + j), added, j)
+                              .delta;
       sum += delta * delta * sqrt(delta);
     }
     sum.store(&all[first]);
@@ -110,7 +112,8 @@ double deflections(const KernelInput& in) {
 }
 double sum_deflections(const KernelInput& in) { return in.bent ? deflections<true>(in) : deflections<false>(in); }
 
-constexpr RowKernels kernels{sum_chosen<false>, sum_chosen<true>, sum_deflections};
+constexpr RowKernels kernels{sum_chosen<GrooveMotion::in_plane>, sum_chosen<GrooveMotion::translating>,
+                             sum_chosen<GrooveMotion::all>, sum_deflections};
 
 }  // namespace
 

@@ -27,6 +27,7 @@ using TractionInput = TractionInputOf<double>;
 struct RowKernels {
   /// Sums over the balls of a row. @param with, tractions  if what skidding needs is asked for, too; an idle ball adds F_c to the outer loads
   using Sums = void(const KernelInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions);
+  Sums* sum_in_plane;      ///< of a ring that only translates, in a row that is radial
   Sums* sum_translations;  ///< of a ring that only translates
   Sums* sum_all_motions;   ///< of one that moves in all five ways
   /// Sum of delta^(5/2) of a ring that moves in all five ways.

@@ -83,15 +83,22 @@ template <bool tilts, class Real>
   return at;
 }
 
+/// How a row's grooves can move against each other: what cannot happen is left out of the sums.
+enum class GrooveMotion {
+  in_plane,  ///< a ring that only translates, its contact angles zero: the centres of both grooves stay in one plane (BallRow::is_radial())
+  translating,  ///< a ring that only translates
+  all           ///< one that moves in all five ways
+};
+
 /// The penetration of a ball, where it is and how it changes.
-/// @tparam tilts        of a ring that moves in all five ways; one that only translates leaves out the terms of tilt and axial motion
 /// @tparam is_bent      of bent rings
 /// @param cosine, sine  of its azimuth, in the cage's frame
 /// @param added         to the penetration: waves, or what keeps an idle ball away
-template <bool tilts, bool is_bent, class Real>
+template <GrooveMotion motion, bool is_bent, class Real>
 [[gnu::always_inline]] inline BallTerms<Real> ball_penetration(const RowPlaceOf<Real>& in, const Real& cosine,
                                                                const Real& sine, const Real& added,
                                                                const BallWidening<Real>& bent) {
+  constexpr bool tilts = motion == GrooveMotion::all;
   BallTerms<Real> b;
   const Real &c = cosine, &s = sine;
   auto [e_y, e_z, v_y, v_z] = at_row<tilts>(in);
@@ -108,14 +115,23 @@ template <bool tilts, bool is_bent, class Real>
     Br_rate += bent.rate;
     Br_turn += bent.slope;
   }
-  const Real squared = Br * Br + Bx * Bx;
-  const Real distance = sqrt(squared), inverse = distance * (1. / squared);
-  b.cos_phi = Br * inverse;
-  b.sin_phi = Bx * inverse;
+  Real distance;
+  if constexpr (motion == GrooveMotion::in_plane) {
+    distance = abs(Br);
+    b.cos_phi = select(Br < 0., Real(-1.), Real(1.));
+    b.sin_phi = 0.;
+  } else {
+    const Real squared = Br * Br + Bx * Bx;
+    distance = sqrt(squared);
+    const Real inverse = distance * (1. / squared);
+    b.cos_phi = Br * inverse;
+    b.sin_phi = Bx * inverse;
+  }
   b.delta = larger(distance - (in.A - in.grown - added), Real(0.));
   b.rate = b.cos_phi * Br_rate;
   if constexpr (tilts) b.rate += b.sin_phi * Bx_rate;
-  b.turn = b.cos_phi * Br_turn + b.sin_phi * Bx_turn;
+  b.turn = b.cos_phi * Br_turn;
+  if constexpr (tilts) b.turn += b.sin_phi * Bx_turn;
   return b;
 }
 
@@ -169,20 +185,22 @@ struct ForceSumsOf {
   Real fx = 0, fy = 0, fz = 0, my = 0, mz = 0, dissipated = 0, elastic_radial = 0, elastic_axial = 0,
        elastic_normal = 0, cage = 0, largest = 0, roots = 0;
   /// @param cosine, sine  of the ball's azimuth
-  template <bool tilts>
+  template <GrooveMotion motion>
   [[gnu::always_inline]] inline void add(const RowPlaceOf<Real>& place, const BallTerms<Real>& b, const Real& cosine,
                                          const Real& sine) {
     const Real F_radial = b.F * b.cos_phi, F_axial = b.F * b.sin_phi;
-    fx -= F_axial;
     fy -= F_radial * cosine;
     fz -= F_radial * sine;
-    if constexpr (tilts) {
+    if constexpr (motion != GrooveMotion::in_plane) {
+      fx -= F_axial;
+      elastic_axial += b.elastic * b.sin_phi;
+    }
+    if constexpr (motion == GrooveMotion::all) {
       my += F_radial * place.position * sine - F_axial * place.arm * sine;
       mz += F_axial * place.arm * cosine - F_radial * place.position * cosine;
     }
     dissipated += (b.F - b.elastic) * b.rate;
     elastic_radial += b.elastic * b.cos_phi;
-    elastic_axial += b.elastic * b.sin_phi;
     elastic_normal += b.elastic;
     cage += b.cage;
     largest = larger(largest, b.F);

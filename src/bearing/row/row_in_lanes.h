@@ -15,6 +15,7 @@ class RowInLanes {
   explicit RowInLanes(std::span<const BallRow* const> rows)
       : cosine_(rows.front()->cosines().begin(), rows.front()->cosines().end()),
         sine_(rows.front()->sines().begin(), rows.front()->sines().end()),
+        is_radial_(rows.front()->is_radial()),
         inertial_(rows) {
     std::vector<const RowNumbers<double>*> numbers;
     for (const BallRow* row : rows) numbers.push_back(&row->numbers());
@@ -86,17 +87,22 @@ class RowInLanes {
     pass(in);
     return [this](std::size_t j) { return waves_at(j); };
   }
+  template <GrooveMotion motion = GrooveMotion::translating>
   [[nodiscard, gnu::always_inline]] inline BallTerms<Real> penetration(const RowPlaceOf<Real>& place, const Real& added,
                                                                        std::size_t j) const {
-    return ball_penetration<false, false>(place, Real(cosine_[j]), Real(sine_[j]), added, BallWidening<Real>{});
+    return ball_penetration<motion, false>(place, Real(cosine_[j]), Real(sine_[j]), added, BallWidening<Real>{});
   }
 
   void evaluate_massless(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out,
                          RowTractionsOf<Real>* tractions) const {
+    is_radial_ ? sum<GrooveMotion::in_plane>(in, out, tractions) : sum<GrooveMotion::translating>(in, out, tractions);
+  }
+  template <GrooveMotion motion>
+  void sum(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out, RowTractionsOf<Real>* tractions) const {
     if (waves_.empty())
-      tractions ? sum<true, false>(in, out, tractions) : sum<false, false>(in, out, tractions);
+      tractions ? sum<motion, true, false>(in, out, tractions) : sum<motion, false, false>(in, out, tractions);
     else
-      tractions ? sum<true, true>(in, out, tractions) : sum<false, true>(in, out, tractions);
+      tractions ? sum<motion, true, true>(in, out, tractions) : sum<motion, false, true>(in, out, tractions);
   }
   void massless_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
@@ -117,7 +123,7 @@ class RowInLanes {
     }
     return 0.4 * numbers_.stiffness * sum;
   }
-  template <bool with_tractions, bool is_wavy>
+  template <GrooveMotion motion, bool with_tractions, bool is_wavy>
   void sum(const BallRowInputOf<Real>& in, BallRowOutputOf<Real>& out, RowTractionsOf<Real>* tractions) const {
     const RowPlaceOf<Real> place = row_place(numbers_, in, 2. * in.ball_growth);
     const TractionInputOf<Real> with{numbers_.centrifugal_force(in), numbers_.inner_gyroscopic_share, numbers_.edges};
@@ -129,7 +135,7 @@ class RowInLanes {
     for (std::size_t j = 0; j < cosine_.size(); ++j) {
       BallWavesOf<Real> by_waves{zero, zero, zero, zero};
       if constexpr (is_wavy) by_waves = waves_at(j);
-      BallTerms<Real> b = penetration(place, by_waves.added(), j);
+      BallTerms<Real> b = penetration<motion>(place, by_waves.added(), j);
       // Where no drop's ball is pressed it adds nothing but the centrifugal force in its outer contact. What is not a number goes on.
       if (!any(!(b.delta <= 0.))) {
         if constexpr (with_tractions) traction_sums.outer += with.F_c;
@@ -138,7 +144,7 @@ class RowInLanes {
       press_ball(place, b);
       if constexpr (is_wavy) waviness += b.elastic * by_waves.rate();
       if constexpr (with_tractions) traction_sums.add(with, b);
-      forces.template add<false>(place, b, Real(cosine_[j]), Real(sine_[j]));
+      forces.template add<motion>(place, b, Real(cosine_[j]), Real(sine_[j]));
     }
     put<false>(forces, place, numbers_.stiffness_root, out);
     out.waviness_power = waviness;
@@ -147,6 +153,7 @@ class RowInLanes {
 
   RowNumbers<Real> numbers_;
   std::vector<double> cosine_, sine_;  // of the balls' azimuths at cage angle zero
+  bool is_radial_ = false;
   mutable std::vector<Wave> waves_;
   InertialRowInLanes<Real> inertial_;
 };
