@@ -42,6 +42,7 @@ std::string size_text(double bytes) {
 
 std::string progress_text(const StudyProgress& p) {
   std::string text = fmt::format("{} of {} drops, {} failed", p.done + p.failed, p.total, p.failed);
+  if (!p.making.empty()) text += "  |  " + p.making;
   if (p.per_second > 0.)
     text += fmt::format("  |  {:.3g} per second, about {} left", p.per_second, duration(p.time_left));
   if (!p.best_name.empty() && std::isfinite(p.best))

@@ -65,7 +65,9 @@ void add_studies(py::module_& core) {
       .def_readonly("failed", &StudyProgress::failed, "drops that failed")
       .def_readonly("total", &StudyProgress::total, "drops of the study")
       .def_readonly("per_second", &StudyProgress::per_second, "drops a second")
-      .def_readonly("time_left", &StudyProgress::time_left, "estimate [s], NaN at first");
+      .def_readonly("time_left", &StudyProgress::time_left, "estimate [s], NaN at first")
+      .def_readonly("making", &StudyProgress::making,
+                    "what is made of the results, once all drops are finished: surrogates; empty before");
   core.def(
       "run_study",
       [](const std::filesystem::path& file, const std::vector<std::string>& overrides,

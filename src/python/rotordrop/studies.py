@@ -15,7 +15,7 @@ if typing.TYPE_CHECKING:
     import pandas
 
 StudyProgress = _core.StudyProgress
-"""Progress of a study: `done`, `failed`, `total` drops, `per_second`, `time_left` [s]."""
+"""Progress of a study: `done`, `failed`, `total` drops, `per_second`, `time_left` [s]; `making` names the surrogate that is made, once all drops are finished."""
 
 
 def _toml(value: typing.Any) -> str:

@@ -229,7 +229,7 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
     joined.append(point, result_of(record, shards.layouts), record.cpu_time);
   }
   joined.sync();
-  write_results(output, study, design, table, shards.digest, virtual_files);
+  write_results(output, study, design, table, shards.digest, {}, virtual_files);
   return table.count(PointStatus::not_run);
 }
 

@@ -17,6 +17,7 @@ struct StudyProgress {
   double time_left = 0;                         ///< estimate [s]
   std::string best_name;                        ///< a result whose smallest value is followed; empty: none
   double best = 0;
+  std::string making;  ///< what is made of the results, once all drops are finished; empty: drops are computed
 };
 
 class Ranks;

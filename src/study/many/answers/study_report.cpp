@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "study/json_number.h"
@@ -53,6 +54,20 @@ std::vector<const ResultColumn*> shown_results(const Study& study, const StudyTa
   return shown;
 }
 
+/// As study_summary(), but with the surrogates that study.json of the same drops has: they take long.
+Json summary_with_kept_surrogates(const std::filesystem::path& directory, Study study, const Design& design,
+                                  const StudyTable& table) {
+  Json kept;
+  if (std::ifstream file(directory / "study.json"); study.surrogate && file) kept = Json::parse(file, nullptr, false);
+  const bool is_of_these = kept.is_object() && kept.contains("surrogate") &&
+                           kept["done"] == table.count(PointStatus::done) &&
+                           kept["failed"] == table.count(PointStatus::failed);
+  if (is_of_these) study.surrogate.reset();
+  Json summary = study_summary(study, design, table);
+  if (is_of_these) summary["surrogate"] = kept["surrogate"];
+  return summary;
+}
+
 }  // namespace
 
 Json study_report_data(const std::filesystem::path& directory) {
@@ -65,7 +80,7 @@ Json study_report_data(const std::filesystem::path& directory) {
   std::vector<std::string> names;
   for (const auto& column : table.results) names.push_back(column.name);
   resolve_results(study, names);
-  const Json summary = study_summary(study, design, table);
+  const Json summary = summary_with_kept_surrogates(directory, study, design, table);
 
   Json data;
   data["title"] = "Study " + study.name;

@@ -303,7 +303,7 @@ std::vector<std::size_t> sample_points(const Study& study, const Design& design)
   return points;
 }
 
-Json study_summary(const Study& study, const Design& design, const StudyTable& table) {
+Json study_summary(const Study& study, const Design& design, const StudyTable& table, const SummaryWatch& watch) {
   Json j{{"program", program_name()},
          {"study", study.name},
          {"case", study.base.name},
@@ -329,15 +329,17 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   j["results"] = Json::object();
   for (const auto& column : table.results) j["results"][column.name] = result_summary(study, design, column, points);
   add_indices(j, study, design, table);
-  if (study.surrogate) j["surrogate"] = surrogate_summary(study, design, table);
+  if (study.surrogate) j["surrogate"] = surrogate_summary(study, design, table, watch);
   return j;
 }
 
 void write_results(const std::filesystem::path& directory, const Study& study, const Design& design,
-                   const StudyTable& table, const std::string& digest, const std::vector<ShardFile>& shards) {
+                   const StudyTable& table, const std::string& digest, const SummaryWatch& watch,
+                   const std::vector<ShardFile>& shards) {
+  const Json summary = study_summary(study, design, table, watch);
   write_study_hdf5(directory / "study.h5", study, design, table, digest, shards);
   write_study_csv(directory / "study.csv", study, design, table);
-  write_text_atomically(directory / "study.json", study_summary(study, design, table).dump(2) + "\n");
+  write_text_atomically(directory / "study.json", summary.dump(2) + "\n");
 }
 
 }  // namespace rotordrop

@@ -64,7 +64,7 @@ std::vector<std::size_t> folds_of(const Study& study, const Design& design, cons
 
 /// Each fold by a surrogate of the others; NaN where none could be made.
 std::vector<double> predictions(const SurrogateParameters& keys, std::size_t n_inputs, const Rows& all,
-                                const std::vector<std::size_t>& folds, std::string& error) {
+                                const std::vector<std::size_t>& folds, const SummaryWatch& watch, std::string& error) {
   std::vector<double> predicted(all.y.size(), std::nan(""));
   for (std::size_t fold = 0; fold < static_cast<std::size_t>(keys.folds); ++fold) {
     std::vector<std::size_t> inside, outside;
@@ -73,6 +73,7 @@ std::vector<double> predictions(const SurrogateParameters& keys, std::size_t n_i
     const Rows known = selected(all, n_inputs, outside);
     std::vector<double> values(inside.size(), known.y.front());
     if (varies(known.y)) {
+      watch.begins(fmt::format("validation {} of {}", fold + 1, keys.folds));
       const auto surrogate = made(keys, n_inputs, known, error);
       if (!surrogate) return predicted;
       values = surrogate->at(selected(all, n_inputs, inside).x);
@@ -98,7 +99,7 @@ Json summary_without(const std::string& unit, std::size_t n, const Design& desig
   return {{"unit", unit}, {"n", n}, {"points", design.n_rows}, {"q2", nullptr}, {"rmse", nullptr}, {"reason", reason}};
 }
 
-Json summary_of(const Study& study, const Design& design, const ResultColumn& column) {
+Json summary_of(const Study& study, const Design& design, const ResultColumn& column, const SummaryWatch& watch) {
   const auto& keys = *study.surrogate;
   const auto means = row_means(study, design, column);
   const std::size_t d = design.n_drawn;
@@ -112,9 +113,10 @@ Json summary_of(const Study& study, const Design& design, const ResultColumn& co
   }
   Json j = summary_without(column.unit, all.y.size(), design, "");
   std::string error = why_none(keys, d, all);
+  if (error.empty()) watch.begins("all points");
   const auto whole = error.empty() ? made(keys, d, all, error) : nullptr;
   std::vector<double> predicted;
-  if (whole) predicted = predictions(keys, d, all, folds_of(study, design, all), error);
+  if (whole) predicted = predictions(keys, d, all, folds_of(study, design, all), watch, error);
   if (error.empty() && !std::all_of(predicted.begin(), predicted.end(), [](double y) { return std::isfinite(y); }))
     error = "points that it has not seen could not be predicted";
   j["reason"] = error;
@@ -146,14 +148,21 @@ std::string explained(const Json& q2) {
 
 }  // namespace
 
-Json surrogate_summary(const Study& study, const Design& design, const StudyTable& table) {
+Json surrogate_summary(const Study& study, const Design& design, const StudyTable& table, const SummaryWatch& watch) {
   const auto& keys = *study.surrogate;
   Json j{{"kind", keys.kind == SurrogateKind::kriging ? "kriging" : "polynomial-chaos"},
          {"folds", keys.folds},
          {"results", Json::object()}};
-  for (const auto& name : study.surrogate_results) {
+  const std::size_t n = study.surrogate_results.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& name = study.surrogate_results[i];
     const auto* column = table.find(name);
-    j["results"][name] = column ? summary_of(study, design, *column) : summary_without("", 0, design, "no drop has it");
+    const SummaryWatch of_this{watch.stop, [&](const std::string& part) {
+                                 if (watch.tell)
+                                   watch.tell(fmt::format("surrogate {} of {}, {}: {}", i + 1, n, name, part));
+                               }};
+    j["results"][name] =
+        column ? summary_of(study, design, *column, of_this) : summary_without("", 0, design, "no drop has it");
   }
   return j;
 }
