@@ -64,6 +64,9 @@ class KeptHeatSolver final : public HeatConductionSolver {
   void advance_to(double time) override {
     on_stepper([&](auto& stepper) { stepper.advance_to(time); });
   }
+  void ask_between_steps(std::function<void()> ask) override {
+    on_stepper([&](auto& stepper) { stepper.ask_between_steps(ask); });
+  }
   void advance_window(double step) override {
     on_stepper([&](auto& stepper) { stepper.advance_window(step); });
   }

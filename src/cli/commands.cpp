@@ -42,19 +42,29 @@ ComparisonOptions comparison_options(const CompareCommand& command) {
   return options;
 }
 
-/// By its usual name a comparison is written again; other files only with --force.
-std::filesystem::path comparison_file(const CompareCommand& command) {
-  if (command.output.empty()) {
-    const auto own = command.directory / "comparison.json";
-    for (const auto& path : {own, comparison_series_file(own)}) require_own_or_new(path);
-    return own;
+/// What a comparison writes: by its usual name it is written again, by another only with --force. Never over what it reads, nor over what someone else wrote
+/// and the user has not named.
+void require_outputs(const CompareCommand& command, std::initializer_list<std::filesystem::path> outputs) {
+  for (const auto& path : outputs) {
+    if (!command.output.empty()) require_new(path, command.force);
+    for (const auto& directory : {command.directory, command.against})
+      if (!directory.empty()) require_none_of_run(path, directory);
+    if (path != command.output) require_own_or_new(path);
   }
-  const auto& file = command.output;
+}
+
+std::filesystem::path comparison_file(const CompareCommand& command) {
+  const auto file = command.output.empty() ? command.directory / "comparison.json" : command.output;
   if (file.extension() == ".h5")
     throw InputError({"--output", 0, 0},
                      "the report is JSON; its time series go to a file of the same name ending in .h5",
                      "Give a name such as comparison.json.");
-  for (const auto& path : {file, comparison_series_file(file)}) require_new(path, command.force);
+  const auto series = comparison_series_file(file);
+  if (!command.output.empty() && std::filesystem::exists(series) && !std::filesystem::exists(file))
+    throw InputError({series.string()},
+                     "the comparison's time series would go to this file, which is of something else.",
+                     "It is left as it is. Choose another name with -o FILE.");
+  require_outputs(command, {file, series});
   return file;
 }
 
@@ -127,13 +137,8 @@ namespace {
 int compare_measured_command(const CompareCommand& command) {
   const auto file = command.output.empty() ? command.directory / "measured.json" : command.output;
   const auto page = std::filesystem::path(file).replace_extension(".html");
-  for (const auto& path : {file, page})
-    if (command.output.empty())
-      require_own_or_new(path);
-    else
-      require_new(path, command.force);
-  require_other_file(file, command.measured);
-  require_other_file(file, command.directory / "summary.json");
+  for (const auto& path : {file, page}) require_other_file(path, command.measured);
+  require_outputs(command, {file, page});
   const auto measured = read_measured_file(command.measured);
   const RecordedDrop drop(command.directory);
   const MeasuredComparison comparison = compare_with_measured(drop, measured);
@@ -151,8 +156,6 @@ int compare_measured_command(const CompareCommand& command) {
 int compare_command(const CompareCommand& command) {
   if (!command.measured.empty()) return compare_measured_command(command);
   const ComparisonOptions options = comparison_options(command);
-  for (const auto& directory : {command.directory, command.against})
-    if (!directory.empty()) require_other_file(command.output, directory / "summary.json");
   const RecordedDrop drop(command.directory);
   std::optional<RecordedDrop> against;
   if (!command.against.empty()) against.emplace(command.against);

@@ -35,6 +35,11 @@ void require_other_file(const fs::path& output, const fs::path& input) {
                      "Choose another with -o FILE.");
 }
 
+void require_none_of_run(const fs::path& output, const fs::path& directory) {
+  for (const char* name : {"results.h5", "summary.json", "parameters.toml"})
+    require_other_file(output, directory / name);
+}
+
 void require_page_or_nothing(const fs::path& file) {
   if (!fs::exists(file) || file.extension() == ".html" || file.extension() == ".htm") return;
   std::string first_line;

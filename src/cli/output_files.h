@@ -13,6 +13,9 @@ void require_own_or_new(const std::filesystem::path& file);
 /// Not even --force writes over what a command reads. @throws InputError if both are one file
 void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
 
+/// The same of the files that a run's directory is read from.
+void require_none_of_run(const std::filesystem::path& output, const std::filesystem::path& directory);
+
 /// What `--force` may replace by a report. @throws InputError if the file is there and is something else
 void require_page_or_nothing(const std::filesystem::path& file);
 

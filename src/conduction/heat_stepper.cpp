@@ -94,6 +94,7 @@ void HeatStepper::integrate_fixed(double stop) {
   scale_ = std::max(smallest_scale_, equations_.expected_rise(stop - start));
   for (long i = 0; i < n; ++i) {
     time_ = start + static_cast<double>(i) * step;
+    if (ask_) ask_();
     if (!compute_stages(step))
       throw SolverError(fmt::format(
           "Newton's iteration does not converge at t = {:.6g} s with the fixed step {:.3g} s.", time_, step));
@@ -113,6 +114,7 @@ void HeatStepper::integrate_to(double stop) {
     scale_ = std::max({smallest_scale_, expected, largest(T_ - T_0_)});
 
     for (double left = n; left > 0.; --left) {
+      if (ask_) ask_();
       const double error =
           compute_stages(step) ? estimate_error(step) / std::max(numerics_.tolerance * scale_, roundoff) : 1e9;
       const double factor = std::clamp(safety * std::pow(std::max(error, 1e-12), -0.25), 0.2, largest_growth);

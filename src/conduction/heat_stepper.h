@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "conduction/heat_equations.h"
@@ -28,6 +30,8 @@ class HeatStepper {
 
   /// Steps to exactly this time [s]. @throws SolverError
   void advance_to(double time);
+  /// As of HeatConductionSolver.
+  void ask_between_steps(std::function<void()> ask) { ask_ = std::move(ask); }
   /// Heat into each port [W] [n_ports] from now on, and its rate [W/s] [n_ports, or none].
   void set_port_heat(std::span<const double> watts, std::span<const double> rates);
   /// One implicit step of second order without error control; factorisations are kept by step length. @throws SolverError
@@ -67,6 +71,7 @@ class HeatStepper {
 
   HeatEquations& equations_;
   const HeatNumerics numerics_;
+  std::function<void()> ask_;
   std::vector<double> changes_;  ///< times at which a flux changes, rising
   double smallest_scale_ = 0;    ///< [K]
   double time_ = 0, step_ = 0;   ///< step_: wanted next

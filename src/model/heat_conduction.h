@@ -200,6 +200,8 @@ class HeatConductionSolver {
   [[nodiscard]] virtual double time() const = 0;
   /// Steps to exactly this time [s], >= time(). @throws SolverError
   virtual void advance_to(double time) = 0;
+  /// @param ask  called before each step of advance_to(); what it throws ends that at time(), with a field and energies that belong together
+  virtual void ask_between_steps(std::function<void()> ask) = 0;
   /// Temperature [K] at a point of a body.
   [[nodiscard]] virtual double temperature(std::size_t body, double x, double r) const = 0;
   /// Mean over the area of a boundary [K].

@@ -51,6 +51,13 @@ node = 3
 stiffness = [[1e8, 0], [0, 1e8]]
 """
 
+NAMES = [
+    Fault(f"a bearing that is called {key}", SPEED + f'[rotor]\ngeometry = "neisi2019-rotor.json"\n[bearings.»{key}]\ntype = "linear"\nnode = 4\n'
+          + "stiffness = [[1e8, 0], [0, 1e8]]\n" + LINEAR_SUPPORTS.replace("node = 3", "node = 20"),
+          (rf"\[bearings\.{key}\] cannot have this name", r'a key of tables with type = "touchdown"', rf"\[bearings\.{key}_1\]"), whole=True)
+    for key in ("C0", "ball", "support", "rows", "waviness")
+]
+
 TYPES_AND_UNITS = [
     Fault("a text for a number", '[contact]\nfriction_coefficient = »"ten"', (r'"ten" is not a number', r"contact\.friction_coefficient")),
     Fault("true for a number", "[contact]\nair_gap = »true", (r"contact\.air_gap is (a boolean|true)", r"must be a length", "250 um")),
@@ -271,7 +278,7 @@ SEVERAL = [
           ("Ipp",), geometry=('"Ip": 0.0015835', '»"Ipp": 0.0015835')),
 ]
 
-FAULTS = (TYPES_AND_UNITS + RANGES + KEYS + GEOMETRY_OF_BEARINGS + CROSS_REFERENCES + GEOMETRY_OF_ROTORS + FILES + COMMAND_LINE + SEVERAL)
+FAULTS = (NAMES + TYPES_AND_UNITS + RANGES + KEYS + GEOMETRY_OF_BEARINGS + CROSS_REFERENCES + GEOMETRY_OF_ROTORS + FILES + COMMAND_LINE + SEVERAL)
 
 
 def without_marks(text):

@@ -171,6 +171,17 @@ class Lumped(ProgramTest):
         self.succeed("compare", "a", "--against", "b", "-o", "new/deep/report.json")
         self.assertTrue((self.folder / "new/deep/report.h5").is_file())
 
+    def test_force_replaces_neither_what_is_read_nor_what_was_not_named(self):
+        for name in ("io", "other"):
+            shutil.copytree(self.folder / "b", self.folder / name)
+        self.write("mine.h5", "mine")
+        before = content_of(self.folder)
+        for output, says in (("io/results.json", "io/results.h5"), ("io/summary.json", "io/summary.json"), ("io/parameters.toml", "io/parameters.toml"),
+                             ("a/results.json", "a/results.h5"), ("other/results.json", "other/results.h5"), ("mine.json", "mine.h5")):
+            with self.subTest(output):
+                self.assertIn(says, self.refused("a", "--against", "io", "-o", output, "--force"))
+        self.assertEqual(content_of(self.folder), before)
+
     def test_a_new_run_removes_the_old_comparison(self):
         self.succeed("compare", "a", "--against", "b", "--quiet")
         self.succeed("run", self.case(""), "-o", "a", "--force", *settings(run__end_time="1 ms"))

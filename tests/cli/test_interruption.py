@@ -14,7 +14,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import HAS_MESH_ROOM, ProgramTest, content_of, settings, start  # noqa: E402
+from program import HAS_MESH_ROOM, PARAMS, ProgramTest, content_of, settings, start  # noqa: E402
 
 # Some 160000 steps: a third of a second on the quickest machine so far, so that the file is there and a signal finds the program at work.
 LONG = settings(run__end_time="80 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__detail_interval="0.1 ms")
@@ -321,6 +321,41 @@ class Interruption(ProgramTest):
     def test_resuming_where_nothing_was_begun_starts_a_run(self):
         self.succeed("run", "reference.toml", "-o", "out", *settings(run__end_time="1 ms"), "--resume")
         self.assertEqual(json.loads((self.folder / "out/summary.json").read_text())["run"]["end_time"], 0.001)
+
+
+@unittest.skipUnless(HAS_MESH_ROOM, "built without finite elements")
+class InterruptedHeat(ProgramTest):
+    def is_stopped_between_outputs(self, text, sign, code):
+        """Far from the only time at which anything is wanted."""
+        process = start("heat", self.write("heat.toml", text), "-o", "out", cwd=self.folder)
+        self.addCleanup(process.kill)
+        while not catches(process, sign) or not (self.folder / "out/parameters.toml").exists():
+            self.assertIsNone(process.poll(), "it ended before it could be interrupted")
+            time.sleep(0.01)
+        time.sleep(0.3)
+        process.send_signal(sign)
+        process.communicate(timeout=60)  # of the slowest sanitized step; it would go on for minutes
+        self.assertEqual(process.returncode, code)
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        self.assertFalse(summary["completed"])
+        return summary
+
+    def test_of_sections_ends_after_its_step(self):
+        text = (PARAMS / "heat/ring-in-housing.toml").read_text()
+        text = re.sub(r"(?m)^output_times = .*$", 'output_times = ["100 s"]', text)
+        self.assertNotIn("[fe]", text)
+        summary = self.is_stopped_between_outputs(text + "\n[fe]\ncells = 40\ntime_tolerance = 1e-9\n", signal.SIGINT, 130)
+        self.assertLess(summary["end_time"], 100.)
+        energy = summary["energy"]
+        self.assertAlmostEqual(energy["residual"], 0., delta=1e-6 * energy["input"] + 1e-9)
+
+    def test_of_a_bearing_ends_after_its_step(self):
+        text = (PARAMS / "heat/bearing.toml").read_text()
+        text = re.sub(r"(?m)^base = .*$", 'base = "reference.toml"', text)
+        text = re.sub(r"(?m)^output_times = .*$", 'output_times = ["1000 s"]', text)
+        summary = self.is_stopped_between_outputs(text, signal.SIGTERM, 143)
+        for name, energy in summary["energy"].items():  # one model may be at the end, the other within its steps
+            self.assertAlmostEqual(energy["residual"], 0., delta=1e-6 * energy["input"] + 1e-9, msg=name)
 
 
 if __name__ == "__main__":

@@ -174,6 +174,27 @@ void report_missing_keys(const Node& table, const std::vector<const Declaration*
              if_incomplete + (if_incomplete.empty() ? "" : "  ") + "`rotordrop defaults` says what each is.");
 }
 
+/// A named table whose name is a key that such tables can have: it would be taken for the default of that key, and left out.
+void report_name_that_is_a_key(const Node::Entry& entry, const Declaration& d, const ReadContext& here,
+                               Faults& faults) {
+  using enum Declaration::Kind;
+  if (!entry.value.is_table()) return;
+  for (const VariantDeclaration& variant : d.variants) {
+    const Declaration* key = variant.takes_defaults ? variant.section->find(entry.key) : nullptr;
+    if (!key) continue;
+    const bool can_be_table = key->kind == table || key->kind == tables || key->kind == variants || key->kind == custom;
+    const bool fits_the_key = key->nested && std::ranges::all_of(entry.value.entries(), [&](const Node::Entry& inner) {
+                                return key->nested->find(inner.key);
+                              });
+    if (can_be_table && (fits_the_key || !entry.value.find(d.tag_key))) return;
+    faults.add(entry.where,
+               fmt::format("[{}] cannot have this name: \"{}\" is a key of tables with {} = \"{}\".", here.name_of(entry.key),
+                           entry.key, d.tag_key, variant.tag),
+               fmt::format("Choose another, such as [{}].", here.name_of(entry.key + "_1")));
+    return;
+  }
+}
+
 void report_unknown_defaults(const Node& table, const Declaration& d, const ReadContext& here, Faults& faults) {
   const auto is_known = [&](const std::string& key) {
     return std::any_of(d.variants.begin(), d.variants.end(), [&](const VariantDeclaration& variant) {
@@ -181,6 +202,7 @@ void report_unknown_defaults(const Node& table, const Declaration& d, const Read
     });
   };
   for (const Node::Entry& entry : table.entries()) {
+    report_name_that_is_a_key(entry, d, here, faults);
     if (!is_variant_default(d, entry) || is_known(entry.key)) continue;
     std::vector<std::string> known;
     for (const VariantDeclaration& variant : d.variants)

@@ -152,23 +152,25 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
     write_field(0.);
     next_field = field_times.after(0.);
   }
-  const auto is_stopped = [&] { return solver->on_any_rank(options.stop && *options.stop); };
-  for (const double t : study.output_times) {
-    while (next_field <= t && !is_stopped()) {
-      solver->advance_to(next_field);
-      write_field(next_field);
-      next_field = field_times.after(next_field);
+  solver->ask_between_steps([&] {
+    if (solver->on_any_rank(options.stop && *options.stop)) throw HeatStopped();
+  });
+  try {
+    for (const double t : study.output_times) {
+      while (next_field <= t) {
+        solver->advance_to(next_field);
+        write_field(next_field);
+        next_field = field_times.after(next_field);
+      }
+      solver->advance_to(t);
+      auto values = probe_values(*solver, study.probes);
+      times.push_back(t);
+      for (std::size_t i = 0; i < values.size(); ++i) series[i].push_back(values[i]);
+      if (displacements) displacements->observe(*solver, values);
+      if (recorder) recorder->append(0, t, values);
     }
-    if (is_stopped()) {
-      completed = false;
-      break;
-    }
-    solver->advance_to(t);
-    auto values = probe_values(*solver, study.probes);
-    times.push_back(t);
-    for (std::size_t i = 0; i < values.size(); ++i) series[i].push_back(values[i]);
-    if (displacements) displacements->observe(*solver, values);
-    if (recorder) recorder->append(0, t, values);
+  } catch (const HeatStopped&) {
+    completed = false;
   }
   const double end = cpu_seconds();
   if (recorder) recorder->close();

@@ -27,10 +27,13 @@ bool is_heat_case(const std::filesystem::path& file);
 /// The declarations of such a case, for defaults, schema and resolved parameters.
 std::vector<ErasedSection> heat_sections();
 
+/// Thrown between steps where a computation is stopped from outside: what stands so far is written.
+struct HeatStopped {};
+
 struct HeatRunOptions {
   std::filesystem::path directory;
   bool force = false;                                ///< replace results that are there
-  const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the next output time
+  const volatile std::sig_atomic_t* stop = nullptr;  ///< nonzero: end after the step under way
 };
 /// Computes a case into a directory: results.h5, summary.json, parameters.toml, fields. Under mpirun every rank computes, and only the first
 /// one writes. @return the summary

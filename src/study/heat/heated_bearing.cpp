@@ -76,7 +76,10 @@ class InStateVector final : public HeatedBearing {
                                     .step = std::min(until - time_, longest_step),
                                     .tolerance = tolerance_};
     const auto integrator = make_integrator(system_, how, time_, state_, until);
-    while (integrator->time() < until) integrator->advance();
+    while (integrator->time() < until) {
+      if (ask_) ask_();
+      integrator->advance();
+    }
     const auto end = integrator->state();
     std::copy(end.begin(), end.end(), state_.begin());
     time_ = until;
@@ -85,6 +88,7 @@ class InStateVector final : public HeatedBearing {
     statistics_.steps += s.steps;
     statistics_.rejected_steps += s.rejected_steps;
   }
+  void ask_between_steps(std::function<void()> ask) override { ask_ = std::move(ask); }
   [[nodiscard]] double time() const override { return time_; }
   [[nodiscard]] const std::vector<std::string>& names() const override { return names_; }
   [[nodiscard]] std::vector<double> temperatures() const override {
@@ -143,6 +147,7 @@ class InStateVector final : public HeatedBearing {
   mutable std::vector<double> observed_;
   std::vector<Expansion> growth_;
   IntegrationStatistics statistics_;
+  std::function<void()> ask_;
 };
 
 class OnMesh final : public HeatedBearing {
@@ -164,6 +169,7 @@ class OnMesh final : public HeatedBearing {
     }
     solver_.advance_to(until);
   }
+  void ask_between_steps(std::function<void()> ask) override { solver_.ask_between_steps(std::move(ask)); }
   [[nodiscard]] double time() const override { return solver_.time(); }
   [[nodiscard]] const std::vector<std::string>& names() const override { return names_; }
   [[nodiscard]] std::vector<double> temperatures() const override {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -20,6 +21,8 @@ class HeatedBearing {
 
   /// To a later time [s], from where it stands. @param heat  where it stands [W]; @param rate  from there on [W/s]; @throws SolverError
   virtual void advance(double until, const HeatInput& heat, const HeatInput& rate) = 0;
+  /// @param ask  called before each step; what it throws ends advance() at time()
+  virtual void ask_between_steps(std::function<void()> ask) = 0;
   [[nodiscard]] virtual double time() const = 0;
   /// Names of temperatures: "inner_ring".
   [[nodiscard]] virtual const std::vector<std::string>& names() const = 0;

@@ -17,6 +17,7 @@ class HeatSolver final : public HeatConductionSolver {
 
   [[nodiscard]] double time() const override { return stepper_.time(); }
   void advance_to(double time) override;
+  void ask_between_steps(std::function<void()> ask) override { stepper_.ask_between_steps(std::move(ask)); }
   [[nodiscard]] double temperature(std::size_t body, double x, double r) const override {
     return value(operator_.mean_at(body, x, r));
   }

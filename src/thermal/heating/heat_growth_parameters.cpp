@@ -1,5 +1,7 @@
 #include "thermal/heating/heat_growth_parameters.h"
 
+#include "thermal/heating/result_name.h"
+
 namespace rotordrop {
 
 std::vector<std::string> read_two_boundaries(const Node& node, const std::string& table, Faults& faults) {
@@ -41,6 +43,9 @@ Section<HeatFitParameters> heat_fit_section() {
            {.fallback = "frictionless",
             .help = "frictionless: transmits only pressure and opens instead of going into tension. bonded: the parts "
                     "are one body."});
+  s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
+    require_result_name(p.name, table, path, faults);
+  });
   return s;
 }
 
@@ -68,8 +73,7 @@ Section<HeatPlaceParameters> heat_place_section(const std::string& name, const s
     const bool point = p.x && p.r;
     if (point == p.boundary.has_value() || p.x.has_value() != p.r.has_value())
       faults.add(position_of(table, "name"), path + " (\"" + p.name + "\") needs either x and r, or boundary.");
-    if (p.name.empty() || p.name.find('/') != std::string::npos)
-      faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a slash in it.");
+    require_result_name(p.name, table, path, faults);
   });
   return s;
 }

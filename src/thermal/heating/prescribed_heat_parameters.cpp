@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "thermal/heating/result_name.h"
+
 namespace rotordrop {
 namespace {
 
@@ -114,8 +116,7 @@ Section<BearingProbeParameters> bearing_probe_section() {
           position_of_value(table, "model"),
           path + " (\"" + p.name + "\"): " + (kind->is_circuit ? "the circuit" : kind->title) + " has nodes only.",
           "Give node = \"inner_ring\", or leave out model.");
-    if (p.name.empty() || p.name.find('/') != std::string::npos)
-      faults.add(position_of_value(table, "name"), path + ".name = \"" + p.name + "\" is empty or has a slash in it.");
+    require_result_name(p.name, table, path, faults);
   });
   return s;
 }

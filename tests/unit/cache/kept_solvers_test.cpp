@@ -45,6 +45,7 @@ class FakeHeat final : public HeatConductionSolver {
   }
   [[nodiscard]] double time() const override { return time_; }
   void advance_to(double time) override { time_ = time; }
+  void ask_between_steps(std::function<void()>) override {}
   [[nodiscard]] double temperature(std::size_t, double x, double) const override { return x; }
   [[nodiscard]] double mean_temperature(const HeatBoundary&) const override { return 1.; }
   [[nodiscard]] SurfaceRange surface(const std::vector<HeatBoundary>&) const override { return {}; }
