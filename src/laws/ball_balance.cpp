@@ -47,6 +47,11 @@ Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, d
   e.i_x = v_x / e.L_i;
   e.i_r = v_r / e.L_i;
   const double delta_i = std::max(e.L_i - b.l_i + growth, 0.), root_i = std::sqrt(delta_i);
+  // A ball that the inner race does not touch rolls as if its contacts were in line where that race lies behind it.
+  if (delta_i == 0. && e.i_x * p.n_x + e.i_r * p.n_r < 0.) {
+    e.i_x = p.n_x;
+    e.i_r = p.n_r;
+  }
   const double root_o = std::sqrt(std::max(p.delta_o, 0.));
   e.Q_i = b.K_i * root_i * delta_i;
   e.S_i = 1.5 * b.K_i * root_i;

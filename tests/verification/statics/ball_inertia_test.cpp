@@ -188,5 +188,19 @@ TEST(BallInertia, ABallThatTheInnerRaceDoesNotReachLiesInTheBottomOfTheOuterOne)
   EXPECT_NEAR(b.load_o, 0.5 * g.ball_mass * g.pitch_diameter * b.orbit_speed * b.orbit_speed, 1e-9 * b.load_o) << "N";
 }
 
+// An outer ring that outgrows the inner one by more than a groove's radius exceeds the ball's: the inner groove's centre then lies behind the ball.
+TEST(BallInertia, ABallFarFromTheInnerRaceRollsAsInLineContacts) {
+  const auto g = row(14, 11.906e-3, 90e-3, 0., steel);
+  const double l = 0.02 * g.ball_diameter, omega = 1500., ratio = g.ball_diameter / g.pitch_diameter;
+  const BallContacts c{g.inner.stiffness, g.outer.stiffness, l, l, g.ball_mass, ratio, g.pitch_diameter};
+  for (const double B_r : {0.9 * l, 0.5 * l}) {
+    const auto b = ball_balance(c, 0., B_r, 0., omega);
+    EXPECT_EQ(b.load_i, 0.);
+    EXPECT_NEAR(b.orbit_speed, 0.5 * (1. - ratio) * omega, 1e-12 * omega) << "rad/s";
+    EXPECT_NEAR(b.load_o, 0.5 * g.ball_mass * g.pitch_diameter * b.orbit_speed * b.orbit_speed, 1e-9 * b.load_o) << "N";
+    for (const double k : b.stiffness) EXPECT_EQ(k, 0.) << "N/m";
+  }
+}
+
 }  // namespace
 }  // namespace rotordrop
