@@ -31,6 +31,8 @@ constexpr int most_iterations = 12, most_window_iterations = 25;
 constexpr std::size_t most_window_factors = 16;  // kept at a time: some MB each
 constexpr double window_accuracy = 1e-10;        // [K] of Newton's iteration
 constexpr double roundoff = 1e-11;               // [K] of an error estimate
+constexpr double rounding =
+    4. * std::numeric_limits<double>::epsilon();  // of a temperature: Newton's changes get no smaller
 
 double largest(const Eigen::VectorXd& v) { return v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(); }
 
@@ -146,7 +148,7 @@ bool HeatStepper::solve_stage(std::size_t i, double step) {
     if (a[i][j] != 0.) known_ += step * a[i][j] * flow_[j];
   Vector& T = stage_[i];
   T = stage_[i - 1];
-  const double t = time_ + c[i] * step, tolerance = std::max(1e-12 * scale_, 4e-13);
+  const double t = time_ + c[i] * step, tolerance = std::max({1e-12 * scale_, 4e-13, rounding * largest(T_)});
   const bool is_linear = equations_.is_linear(), is_steady = equations_.is_steady();
   if (std::fabs(factorised_step_ - step) > 1e-12 * step || (is_stale_ && !is_linear)) factorise(step, T);
 

@@ -66,6 +66,12 @@ class FaultyCases(ProgramTest):
     def test_a_probe_is_a_point_or_a_boundary(self):
         self.assertIn("needs either x and r, or boundary", self.fault(DISC + '[[probe]]\nname = "half"\nx = 0\n'))
 
+    def test_names_are_such_as_results_can_have(self):
+        for table in ('[[probe]]\nx = 0\nr = "15 mm"\n', '[[displacement]]\nx = 0\nr = "15 mm"\n', '[[fit]]\nbetween = ["disc.outer", "disc.inner"]\n'):
+            for name in ("", ".", "a/b"):
+                with self.subTest(table=table, name=name):
+                    self.assertIn(f'name = "{name}" is empty, only a dot, or has a slash in it', self.fault(f'{DISC}{table}name = "{name}"\n'))
+
     def test_bodies_do_not_overlap(self):
         self.assertIn("lies partly inside", self.fault(DISC + '[[section.rectangle]]\nname = "b"\nx = [0, 1]\nr = ["19 mm", "30 mm"]\nmaterial = "steel"\n'))
 
@@ -122,6 +128,19 @@ share = 0.66
 name = "bore"
 boundary = "ring.inner"
 """
+
+
+@unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
+class NothingToDo(ProgramTest):
+    def test_far_above_room_temperature_takes_few_factorisations(self):
+        # At 900 K the last place of a temperature is 1e-13 K. Where Newton's iteration asks for less, every step is refused and factorised anew.
+        tables = '[materials.m]\nrho = 7800\nk_table = [["293 K", 46], ["473 K", 42], ["673 K", 36]]\nc_table = [["293 K", 460], ["473 K", 520], ["673 K", 600]]\n'
+        bodies = "".join(f'[[section.rectangle]]\nname = "{name}"\nx = {x}\nr = {r}\nmaterial = "m"\n' for name, x, r in (("disc", [0, 0.5], [0, 2.4]), ("rod", [2, 16], [0, 0.0005])))
+        self.succeed("heat", self.write("warm.toml", "output_times = [7000]\nrun.ambient = 900\n" + tables + bodies), "-o", "out")
+        summary = self.summary()
+        self.assertTrue(summary["completed"])
+        self.assertLess(summary["rejected_steps"], 10)
+        self.assertLess(summary["factorisations"], 500)
 
 
 class RecordedHeat(ProgramTest):
