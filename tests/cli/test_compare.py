@@ -171,6 +171,10 @@ class Lumped(ProgramTest):
         self.succeed("compare", "a", "--against", "b", "-o", "new/deep/report.json")
         self.assertTrue((self.folder / "new/deep/report.h5").is_file())
 
+    def test_a_band_is_not_shorter_than_what_surfaces_are_rough(self):
+        message = self.refused("a", "--against", "b", "--band-length", "1 nm")
+        self.assertIn("--band-length: 1 nm is out of range: it must be 1 um at least", message)
+
     def test_force_replaces_neither_what_is_read_nor_what_was_not_named(self):
         for name in ("io", "other"):
             shutil.copytree(self.folder / "b", self.folder / name)
