@@ -40,8 +40,7 @@ ComparisonOptions comparison_options(const CompareCommand& command) {
   if (!command.times.empty()) options.instants = parse_instants(command.times);
   if (!command.band_length.empty()) {
     options.band_length = parse_length(command.band_length, "--band-length");
-    constexpr double shortest =
-        1e-6;  // [m]; roughness of both surfaces is as large, and the sum over the band's waves has L / length terms
+    constexpr double shortest = 1e-6;  // [m]: surfaces are as rough, and the time goes with one over the length
     if (*options.band_length < shortest)
       throw InputError({"--band-length", 0, 0},
                        fmt::format("{} is out of range: it must be 1 um at least.", command.band_length),
