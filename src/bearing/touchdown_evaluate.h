@@ -141,7 +141,7 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
     if (data_.add_spin_heat) M_spin = spin_drag(rows_in);
   const Real turning = tanh(ring_speed / q.drag_regularisation), M = (M_L + M_v + M_spin) * turning;
 
-  // After the balls, whose sums and powers are waited for meanwhile: 2 % of a drop.
+  // After the balls, whose sums and powers are waited for meanwhile.
   TouchOf<Real> t = touch(q, in, grown, y, dydt.subspan(bristles_at(), n_bristles()), by_rotor);
   const auto& on_rotor = t.on_rotor;
   out.force_on_rotor = {on_rotor.x, on_rotor.y, on_rotor.z, on_rotor.moment_y, on_rotor.moment_z, on_rotor.torque};
