@@ -346,7 +346,7 @@ kind = "list"
         self.assertNotIn("ball_model", told)
 
     def test_a_rerun_of_a_point_that_was_done_in_a_second_try_is_that_try(self):
-        self.write("s.toml", 'case = "reference.toml"\non_failure = "retry"\n[vary]\nintegration.tolerance = [1e-6, 1e-2]\n[design]\nkind = "list"\n')
+        self.write("s.toml", 'case = "reference.toml"\non_failure = "retry"\n[vary]\nintegration.tolerance = [1e-6, 4e-3]\n[design]\nkind = "list"\n')
         self.study("out", "--set", "run.end_time=9 ms", "--set", 'run.fatal_warnings=["energy-residual"]', "--set", "integration.step=1 ms", "--set", "integration.method=tsitouras")
         with h5py.File(self.folder / "out/study.h5") as h5:
             self.assertEqual([reason.decode()[:20] for reason in h5["/reason"][:]], ["", "done in a second try"])
