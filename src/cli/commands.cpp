@@ -38,14 +38,7 @@ ComparisonOptions comparison_options(const CompareCommand& command) {
   if (!command.floor.empty()) options.floor = parse_floor(command.floor);
   if (!command.growth_tolerance.empty()) options.growth = parse_length(command.growth_tolerance, "--growth-tolerance");
   if (!command.times.empty()) options.instants = parse_instants(command.times);
-  if (!command.band_length.empty()) {
-    options.band_length = parse_length(command.band_length, "--band-length");
-    constexpr double shortest = 1e-6;  // [m]: surfaces are as rough, and the time goes with one over the length
-    if (*options.band_length < shortest)
-      throw InputError({"--band-length", 0, 0},
-                       fmt::format("{} is out of range: it must be 1 um at least.", command.band_length),
-                       "It is the width of the contact along the surfaces, some millimetres.");
-  }
+  if (!command.band_length.empty()) options.band_length = parse_band_length(command.band_length, "--band-length");
   return options;
 }
 

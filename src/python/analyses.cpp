@@ -128,7 +128,7 @@ py::object compare(const std::shared_ptr<RecordedDrop>& drop, const std::shared_
   if (!texts.tolerance.empty()) options.temperature = parse_temperature_tolerance(texts.tolerance);
   if (!texts.floor.empty()) options.floor = parse_floor(texts.floor);
   if (!texts.growth_tolerance.empty()) options.growth = parse_length(texts.growth_tolerance, "growth_tolerance");
-  if (!texts.band_length.empty()) options.band_length = parse_length(texts.band_length, "band_length");
+  if (!texts.band_length.empty()) options.band_length = parse_band_length(texts.band_length, "band_length");
   if (instants) options.instants = *instants;
   Json report;
   {

@@ -188,8 +188,8 @@ void report_name_that_is_a_key(const Node::Entry& entry, const Declaration& d, c
                               });
     if (can_be_table && (fits_the_key || !entry.value.find(d.tag_key))) return;
     faults.add(entry.where,
-               fmt::format("[{}] cannot have this name: \"{}\" is a key of tables with {} = \"{}\".", here.name_of(entry.key),
-                           entry.key, d.tag_key, variant.tag),
+               fmt::format("[{}] cannot have this name: \"{}\" is a key of tables with {} = \"{}\".",
+                           here.name_of(entry.key), entry.key, d.tag_key, variant.tag),
                fmt::format("Choose another, such as [{}].", here.name_of(entry.key + "_1")));
     return;
   }

@@ -54,7 +54,7 @@ class StudyResult:
         """All points, one in each row: status (0 done, 1 failed, 2 not run), parameters and results in SI; NaN: it has not happened."""
         import pandas
 
-        return pandas.read_csv(self.directory / "study.csv", index_col="point")
+        return pandas.read_csv(self.directory / "study.csv", index_col="point", float_precision="round_trip")
 
     def report(self, file: str | os.PathLike[str] | None = None) -> pathlib.Path:
         """Writes the study's HTML page; default: report.html in its directory."""

@@ -43,6 +43,14 @@ double parse_length(const std::string& text, const std::string& option) {
   return positive_si(text, "m", QuantityKind::plain, option, "it");
 }
 
+double parse_band_length(const std::string& text, const std::string& option) {
+  const double length = parse_length(text, option);
+  if (length < 1e-6)
+    throw InputError({option, 0, 0}, fmt::format("{} is out of range: it must be 1 um at least.", text),
+                     "It is the width of the contact along the surfaces, some millimetres.");
+  return length;
+}
+
 std::vector<double> parse_instants(const std::string& text) {
   std::vector<double> instants;
   for (std::size_t from = 0; from <= text.size();) {

@@ -16,6 +16,8 @@ TemperatureTolerance parse_temperature_tolerance(const std::string& text);
 std::vector<double> parse_instants(const std::string& text);
 /// A length above zero, such as "0.1 um". @param option  how messages call it. @throws InputError
 double parse_length(const std::string& text, const std::string& option);
+/// The length of a rub contact, 1 um at least: surfaces are as rough, and local temperatures take a time that goes with one over it. @throws InputError
+double parse_band_length(const std::string& text, const std::string& option);
 /// A temperature difference above zero, such as "10 mK". @throws InputError
 double parse_floor(const std::string& text);
 

@@ -251,9 +251,9 @@ std::string name_of_best(const Study& study) {
   return study.derived.empty() ? "" : study.derived.front().name;
 }
 
-/// False if it was stopped from outside.
-bool are_results_written(const Study& study, const Design& design, const StudyTable& table, const std::string& digest,
-                         const StudyOptions& options) {
+/// Writes the results of a study whose drops are all finished. @return false if the making of its surrogates was stopped from outside
+bool write_unless_stopped(const Study& study, const Design& design, const StudyTable& table, const std::string& digest,
+                          const StudyOptions& options) {
   StudyProgress p;
   p.done = table.count(PointStatus::done);
   p.failed = table.count(PointStatus::failed);
@@ -366,7 +366,7 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
   outcome.cpu_time = table.cpu_time;
   outcome.is_complete = outcome.done + outcome.failed == start.total;
   if (outcome.is_complete && options.n_shards == 1)
-    outcome.is_complete = are_results_written(study, design, table, digest, options);
+    outcome.is_complete = write_unless_stopped(study, design, table, digest, options);
   else if (outcome.is_complete)
     write_shard_hdf5(options.directory / "shard.h5", study, design, table, digest, options.shard, options.n_shards);
   folder.require_there();
