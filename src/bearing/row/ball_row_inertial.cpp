@@ -60,7 +60,8 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, bool tilts, 
   const InertialInput balls = inertial_input(in, F_0, tilts, waves, bent);
   const auto& kernels = inertial_kernels();
   const TractionInput with{numbers_.centrifugal_force(in), geometry_.inner_gyroscopic_share, numbers_.load_edges};
-  (tilts ? kernels.sum_all_motions : kernels.sum_translations)(balls, out, tractions ? &with : nullptr, tractions);
+  const auto sum = tilts ? kernels.sum_all_motions : is_radial() ? kernels.sum_in_plane : kernels.sum_translations;
+  sum(balls, out, tractions ? &with : nullptr, tractions);
   if (balls.bent) press_shapes(in, bent);
   out.inertia_per_speed *= 2. / in.ring_speed;  // F_0 goes with the square of the speed
 }

@@ -64,7 +64,7 @@ void sum_balls(const KernelInput& in, BallRowOutput& out, const TractionInput* w
       forces.add<motion>(place, b, cosine, sine);
       if constexpr (is_wavy) waviness += b.elastic * some_of(*in.waves, j).rate();
       if constexpr (is_bent) (b.F * b.cos_phi).store(&in.bent->force[j]);
-      if constexpr (with_tractions) traction_sums.add(traction_input, b);
+      if constexpr (with_tractions) traction_sums.add<motion>(traction_input, b);
     }
     put_part(forces, first, all_forces);
     if constexpr (with_tractions) put_part(traction_sums, first, all_tractions);

@@ -158,17 +158,24 @@ template <class Real>
 struct TractionTerms {
   Real outer, gyroscopic, demand, beyond;
 };
-template <class Real>
+template <GrooveMotion motion, class Real>
 [[gnu::always_inline]] inline TractionTerms<Real> traction_terms(const TractionInputOf<Real>& with,
                                                                  const BallTerms<Real>& b) {
   constexpr double nothing = 1e-100;  // [N]
-  const OuterContactOf<Real> o = outer_contact(b.F, b.sin_phi, b.cos_phi, with.F_c);
   TractionTerms<Real> t;
+  Real outer_load;
+  if constexpr (motion == GrooveMotion::in_plane) {  // what outer_contact() gives where sin phi_i = 0
+    outer_load = abs(b.F * b.cos_phi + with.F_c);
+    t.gyroscopic = t.demand = 0.;
+  } else {
+    const OuterContactOf<Real> o = outer_contact(b.F, b.sin_phi, b.cos_phi, with.F_c);
+    outer_load = o.load;
+    t.gyroscopic = gyroscopic_traction(with.F_c, o.sine);
+    t.demand = (1. - with.inner_share) * t.gyroscopic * o.per_load;
+    if (any(with.inner_share > 0.)) t.demand = larger(with.inner_share * t.gyroscopic / (b.F + nothing), t.demand);
+  }
   // A ball without load lies in the outer race by its centrifugal force alone.
-  t.outer = select(b.delta > 0., o.load, with.F_c);
-  t.gyroscopic = gyroscopic_traction(with.F_c, o.sine);
-  t.demand = (1. - with.inner_share) * t.gyroscopic * o.per_load;
-  if (any(with.inner_share > 0.)) t.demand = larger(with.inner_share * t.gyroscopic / (b.F + nothing), t.demand);
+  t.outer = select(b.delta > 0., outer_load, with.F_c);
   // Without damping, Q^(1/3) = K^(1/3) delta^(1/2).
   const auto &inner_edge = with.edges.inner, &outer_edge = with.edges.outer;
   const Real sine = abs(b.sin_phi), per_root = 1. / (b.root + 1e-30);
@@ -210,8 +217,9 @@ struct ForceSumsOf {
 template <class Real>
 struct TractionSumsOf {
   Real inner = 0, outer = 0, gyroscopic = 0, demand = 0, truncation = 0;
+  template <GrooveMotion motion>
   [[gnu::always_inline]] inline void add(const TractionInputOf<Real>& with, const BallTerms<Real>& b) {
-    const TractionTerms<Real> t = traction_terms(with, b);
+    const TractionTerms<Real> t = traction_terms<motion>(with, b);
     inner += b.F;
     outer += t.outer;
     gyroscopic += t.gyroscopic;

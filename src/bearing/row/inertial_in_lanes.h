@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "bearing/row/inertial_sums.h"
@@ -12,7 +13,8 @@ class InertialRowInLanes {
  public:
   /// @param rows  alike but for their numbers
   explicit InertialRowInLanes(std::span<const BallRow* const> rows)
-      : is_split_(rows.front()->geometry().inner_gyroscopic_share != 0.),
+      : is_radial_(rows.front()->is_radial()),
+        is_split_(rows.front()->geometry().inner_gyroscopic_share != 0.),
         sums_roots_(rows.front()->geometry().conducts),
         cosine_(rows.front()->cosines()),
         sine_(rows.front()->sines()) {
@@ -35,14 +37,13 @@ class InertialRowInLanes {
                 const WavesAt& waves_at, bool is_wavy, BallRowOutputOf<Real>& out,
                 RowTractionsOf<Real>* tractions) const {
     const RowPlaceOf<Real> place = row_place(numbers, in, Real(0.));
-    const Row row = at_instant(numbers, in, place, is_wavy);
     const TractionInputOf<Real> with{numbers.centrifugal_force(in), numbers.inner_gyroscopic_share, numbers.load_edges};
     InertialSums<Real> forces;
     TractionSumsOf<Real> traction_sums;
-    for_balls(numbers, turning, row, waves_at, false,
-              [&](const BallInRow<Real>& ball, const BallInBalance<Real>& balanced) {
-                is_split_ ? row.template add_forces<true>(ball, balanced, forces)
-                          : row.template add_forces<false>(ball, balanced, forces);
+    for_balls({numbers, in, place, turning, is_wavy, false}, waves_at,
+              [&]<bool is_split>(const auto& row, std::bool_constant<is_split>, const BallInRow<Real>& ball,
+                                 const BallInBalance<Real>& balanced) {
+                row.template add_forces<is_split>(ball, balanced, forces);
                 if (tractions) row.add_tractions(with, balanced, traction_sums);
               });
     put<false>(forces, place, out);
@@ -54,8 +55,8 @@ class InertialRowInLanes {
                             const WavesAt& waves_at, bool is_wavy) const {
     const RowPlaceOf<Real> place = row_place(numbers, in, Real(0.));
     Real sum = 0.;
-    for_balls(numbers, turning, at_instant(numbers, in, place, is_wavy), waves_at, true,
-              [&](const BallInRow<Real>&, const BallInBalance<Real>& balanced) {
+    for_balls({numbers, in, place, turning, is_wavy, true}, waves_at,
+              [&](const auto&, auto, const BallInRow<Real>&, const BallInBalance<Real>& balanced) {
                 sum += elastic_work(numbers.inertial, balanced.ball);
               });
     return 0.4 * sum;
@@ -66,35 +67,45 @@ class InertialRowInLanes {
                   const WavesAt& waves_at, bool is_wavy, std::span<Real> load) const {
     const RowPlaceOf<Real> place = row_place(numbers, in, Real(0.));
     std::size_t j = 0;
-    for_balls(numbers, turning, at_instant(numbers, in, place, is_wavy), waves_at, true,
-              [&](const BallInRow<Real>&, const BallInBalance<Real>& balanced) {
+    for_balls({numbers, in, place, turning, is_wavy, true}, waves_at,
+              [&](const auto&, auto, const BallInRow<Real>&, const BallInBalance<Real>& balanced) {
                 const Real& u = balanced.ball.u;
                 load[j++] = u * u * u;
               });
   }
 
  private:
-  using Row = RowAtInstant<false, false, Real>;
-  [[nodiscard]] Row at_instant(const RowNumbers<Real>& numbers, const BallRowInputOf<Real>& in,
-                               const RowPlaceOf<Real>& place, bool is_wavy) const {
-    const auto added = numbers.added(in);
-    return {place, numbers.inertial, added.inner, added.outer, in.cage_speed, is_wavy, sums_roots_};
-  }
-  /// Calls act(ball in its row, the same in its balance) for all balls. @param refines  by one step more than forces need
+  struct Instant {
+    const RowNumbers<Real>& numbers;
+    const BallRowInputOf<Real>& in;
+    const RowPlaceOf<Real>& place;
+    const Turning& turning;
+    bool is_wavy;
+    bool refines;  // by one step more than forces need
+  };
+  /// Calls act(row, whether part of the gyroscopic traction acts at the inner race, ball in its row, the same in its balance) for all balls.
   template <class WavesAt, class Act>
-  void for_balls(const RowNumbers<Real>& numbers, const Turning& turning, const Row& row, const WavesAt& waves_at,
-                 bool refines, const Act& act) const {
-    is_split_ ? balance<true>(numbers, turning, row, waves_at, refines, act)
-              : balance<false>(numbers, turning, row, waves_at, refines, act);
+  void for_balls(const Instant& at, const WavesAt& waves_at, const Act& act) const {
+    if (is_radial_)
+      balance<GrooveMotion::in_plane, false>(at, waves_at, act);
+    else if (is_split_)
+      balance<GrooveMotion::translating, true>(at, waves_at, act);
+    else
+      balance<GrooveMotion::translating, false>(at, waves_at, act);
   }
-  template <bool is_split, class WavesAt, class Act>
-  void balance(const RowNumbers<Real>& numbers, const Turning& turning, const Row& row, const WavesAt& waves_at,
-               bool refines, const Act& act) const {
+  template <GrooveMotion motion, bool is_split, class WavesAt, class Act>
+  void balance(const Instant& at, const WavesAt& waves_at, const Act& act) const {
+    const Turning& turning = at.turning;
     InertialStartsOf<Real> starts;
     for (int lane = 0; lane < n_lanes; ++lane)
       starts.set(lane, turning.is[lane] ? starts_[static_cast<std::size_t>(lane)]->at(turning.F_0[lane])
                                         : InertialStarts::nowhere());
-    const Newton<is_split, Real, InertialStartsOf<Real>> newton(numbers.inertial, turning.F_0, starts, turning.is);
+    const auto& constants = at.numbers.inertial;
+    const auto added = at.numbers.added(at.in);
+    const RowAtInstant<motion, false, Real> row(at.place, constants, added.inner, added.outer, at.in.cage_speed,
+                                                at.is_wavy, sums_roots_);
+    const Newton<BallForcesOf<motion, is_split, Real>, Real, InertialStartsOf<Real>> newton(constants, turning.F_0,
+                                                                                            starts, turning.is);
     constexpr std::size_t at_a_time = 4;  // balls that a processor has in work
     BallInRow<Real> in_row[at_a_time];
     BallInBalance<Real> balanced[at_a_time];
@@ -108,12 +119,12 @@ class InertialRowInLanes {
         balanced[k].is_ball = 1.;
       }
       newton.balance(balanced, n);
-      if (refines) newton.refine(balanced, n);
-      for (std::size_t k = 0; k < n; ++k) act(in_row[k], balanced[k]);
+      if (at.refines) newton.refine(balanced, n);
+      for (std::size_t k = 0; k < n; ++k) act(row, std::bool_constant<is_split>(), in_row[k], balanced[k]);
     }
   }
 
-  bool is_split_, sums_roots_;
+  bool is_radial_, is_split_, sums_roots_;
   std::span<const double> cosine_, sine_;      // of the first row
   std::vector<const InertialStarts*> starts_;  // [n_lanes]
 };

@@ -10,6 +10,9 @@ namespace {
 
 constexpr std::size_t most_vectors = BallRow::max_balls / at_once;
 
+template <GrooveMotion motion, bool is_split>
+using NewtonFor = Newton<BallForcesOf<motion, is_split, Balls>, Balls, InertialStart>;
+
 ROTORDROP_KERNEL InertialRowOf<Balls> in_all_lanes(const InertialRow& r) {
   return {r.K_i,
           r.K_o,
@@ -29,9 +32,9 @@ ROTORDROP_KERNEL InertialRowOf<Balls> in_all_lanes(const InertialRow& r) {
           r.turn_by_axial,
           r.turn_by_added};
 }
-template <bool tilts, bool is_bent>
-ROTORDROP_KERNEL RowAtInstant<tilts, is_bent, Balls> at_instant(const InertialInput& in,
-                                                                const RowPlaceOf<Balls>& place) {
+template <GrooveMotion motion, bool is_bent>
+ROTORDROP_KERNEL RowAtInstant<motion, is_bent, Balls> at_instant(const InertialInput& in,
+                                                                 const RowPlaceOf<Balls>& place) {
   return {place, in_all_lanes(*in.row), in.added_i, in.added_o, in.cage_speed, in.waves != nullptr, in.sums_roots};
 }
 
@@ -47,11 +50,11 @@ ROTORDROP_KERNEL BallInRow<Balls> in_row(const InertialInput& in, std::size_t j)
 }
 
 /// Brings a row's balls into balance. @param balls  [most_vectors]
-template <bool tilts, bool is_bent, bool is_split>
-ROTORDROP_KERNEL Newton<is_split, Balls, InertialStart> balance_row(const InertialInput& in,
-                                                                    const RowAtInstant<tilts, is_bent, Balls>& row,
-                                                                    BallInBalance<Balls>* balls) {
-  const Newton<is_split, Balls, InertialStart> newton(in_all_lanes(*in.row), in.F_0, in.starts, true);
+template <GrooveMotion motion, bool is_bent, bool is_split>
+ROTORDROP_KERNEL NewtonFor<motion, is_split> balance_row(const InertialInput& in,
+                                                         const RowAtInstant<motion, is_bent, Balls>& row,
+                                                         BallInBalance<Balls>* balls) {
+  const NewtonFor<motion, is_split> newton(in_all_lanes(*in.row), in.F_0, in.starts, true);
   for (std::size_t j = 0; j < in.n; j += at_once) {
     auto& ball = balls[j / at_once];
     ball.at = row.surroundings(in_row<is_bent>(in, j));
@@ -88,12 +91,12 @@ ROTORDROP_KERNEL InertialSums<double> over_lanes(const InertialSums<Sum>& sum, b
           largest(sum.largest_outer)};
 }
 
-template <bool tilts, bool is_bent, bool is_split>
+template <GrooveMotion motion, bool is_bent, bool is_split>
 void sum_balls(const InertialInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
   const RowPlaceOf<Balls> place = in_all_lanes(in.place);
-  const auto row = at_instant<tilts, is_bent>(in, place);
+  const auto row = at_instant<motion, is_bent>(in, place);
   BallInBalance<Balls> balls[most_vectors];
-  balance_row<tilts, is_bent, is_split>(in, row, balls);
+  balance_row<motion, is_bent, is_split>(in, row, balls);
   InertialSums<Sum> all_forces;
   TractionSumsOf<Sum> all_tractions;
   TractionInputOf<Balls> traction_input;
@@ -110,18 +113,19 @@ void sum_balls(const InertialInput& in, BallRowOutput& out, const TractionInput*
     put_part(forces, first, all_forces);
     if (with) put_part(traction_sums, first, all_tractions);
   }
-  put<tilts>(over_lanes(all_forces, in.sums_roots), in.place, out);
+  put<motion == GrooveMotion::all>(over_lanes(all_forces, in.sums_roots), in.place, out);
   if (with) put(over_lanes(all_tractions), *with, *tractions);
 }
 
-template <bool tilts, bool is_bent>
+template <GrooveMotion motion, bool is_bent>
 void sum_chosen(const InertialInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
-  in.row->inner_gyroscopic_share != 0. ? sum_balls<tilts, is_bent, true>(in, out, with, tractions)
-                                       : sum_balls<tilts, is_bent, false>(in, out, with, tractions);
+  if constexpr (motion != GrooveMotion::in_plane)
+    if (in.row->inner_gyroscopic_share != 0.) return sum_balls<motion, is_bent, true>(in, out, with, tractions);
+  sum_balls<motion, is_bent, false>(in, out, with, tractions);
 }
-template <bool tilts>
+template <GrooveMotion motion>
 void sum_chosen(const InertialInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions) {
-  in.bent ? sum_chosen<tilts, true>(in, out, with, tractions) : sum_chosen<tilts, false>(in, out, with, tractions);
+  in.bent ? sum_chosen<motion, true>(in, out, with, tractions) : sum_chosen<motion, false>(in, out, with, tractions);
 }
 
 Balls inner_load(const BalancedBall<Balls>& ball) { return ball.u * ball.u * ball.u; }
@@ -131,7 +135,8 @@ template <bool is_bent, bool is_split, class Use>
 void with_balanced(const InertialInput& in, const Use& use) {
   BallInBalance<Balls> balls[most_vectors];
   const RowPlaceOf<Balls> place = in_all_lanes(in.place);
-  const auto newton = balance_row<true, is_bent, is_split>(in, at_instant<true, is_bent>(in, place), balls);
+  const auto newton =
+      balance_row<GrooveMotion::all, is_bent, is_split>(in, at_instant<GrooveMotion::all, is_bent>(in, place), balls);
   newton.refine(balls, in.n / at_once);
   use(balls);
 }
@@ -164,7 +169,7 @@ double energy(const InertialInput& in) {
 
 template <bool is_split>
 void balance_all(const InertialRow& row, double F_0, const InertialStart& starts, InertialBalls& w) {
-  const Newton<is_split, Balls, InertialStart> newton(in_all_lanes(row), F_0, starts, true);
+  const NewtonFor<GrooveMotion::all, is_split> newton(in_all_lanes(row), F_0, starts, true);
   BallInBalance<Balls> balls[most_vectors];
   for (std::size_t j = 0; j < w.n; j += at_once) {
     auto& v = balls[j / at_once];
@@ -186,7 +191,12 @@ void balance(const InertialRow& row, double F_0, const InertialStart& starts, In
                                    : balance_all<false>(row, F_0, starts, balls);
 }
 
-constexpr InertialKernels kernels{sum_chosen<false>, sum_chosen<true>, loads, energy, balance};
+constexpr InertialKernels kernels{sum_chosen<GrooveMotion::in_plane>,
+                                  sum_chosen<GrooveMotion::translating>,
+                                  sum_chosen<GrooveMotion::all>,
+                                  loads,
+                                  energy,
+                                  balance};
 
 }  // namespace
 

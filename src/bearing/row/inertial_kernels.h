@@ -28,6 +28,7 @@ struct InertialKernels {
   /// Sums over the balls of a row, inertia_per_speed being work per relative change of F_0 [W]. @param with, tractions  if what skidding needs is asked
   /// for, too
   using Sums = void(const InertialInput& in, BallRowOutput& out, const TractionInput* with, RowTractions* tractions);
+  Sums* sum_in_plane;      ///< of a ring that only translates, its contact angles zero
   Sums* sum_translations;  ///< of a ring that only translates
   Sums* sum_all_motions;   ///< of one that moves in all five ways
   /// Loads on the inner race, of a ring that moves in all five ways. @param Q_i  [n]

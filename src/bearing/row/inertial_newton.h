@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "base/gather.h"
-#include "bearing/row/inertial_terms.h"
+#include "bearing/row/inertial_in_plane.h"
 
 namespace rotordrop {
 
@@ -21,13 +21,12 @@ struct BallInBalance {
 
 /// One loop over the balls for each part of a step, so that processors have several in work at a time. What a ball does depends on its own state
 /// alone: its neighbours in a vector may take more steps, not it.
-/// @tparam is_split  part of the gyroscopic traction acts at the inner race
-/// @tparam Starts    InertialStart for all balls, or InertialStartsOf<Real>
-template <bool is_split, class Real, class Starts>
+/// @tparam Forces  BallForces<is_split, Real> or BallForcesInPlane<Real>
+/// @tparam Starts  InertialStart for all balls, or InertialStartsOf<Real>
+template <class Forces, class Real, class Starts>
 class Newton {
  public:
   using Balls = BallInBalance<Real>;
-  using Forces = BallForces<is_split, Real>;
   /// @param force   F_0 of the row [N]; @param is_turning  whether there is any: who stands is left alone
   Newton(const InertialRowOf<Real>& row, const Real& force, const Starts& starts, const MaskOf<Real>& is_turning)
       : row_{row, select(is_turning, force, Real(1.))}, starts_(starts), is_turning_(is_turning) {}
@@ -49,10 +48,12 @@ class Newton {
     const Real within = select(is_known, larger(asked, Real(0.)), Real(0.));
     const auto [delta_o, o_x] = between_entries(starts_.lines, within);
     BallPlace<Real>& p = ball.place;
-    p.delta_o = delta_o;
-    p.x = o_x * (1. + axial * row.turn_by_axial + added * row.turn_by_added);
-    p.x = limited(p.x, -0.95, 0.95);
-    p.r = sqrt(1. - p.x * p.x);
+    p = {delta_o, 0., 1.};
+    if constexpr (!Forces::is_in_plane) {
+      p.x = o_x * (1. + axial * row.turn_by_axial + added * row.turn_by_added);
+      p.x = limited(p.x, -0.95, 0.95);
+      p.r = sqrt(1. - p.x * p.x);
+    }
     if (any(is_beyond)) p = select_place(is_known, p, guess(at));
   }
   /// Brings balls from their start into balance.
@@ -70,7 +71,7 @@ class Newton {
     for (Balls* v = balls; v != balls + n; ++v) {
       const Forces forces(row_, v->place, v->at);
       v->left = forces.is_left(enough) & is_turning_;
-      v->ball = {forces, row_, v->place, v->is_ball};
+      v->ball = balanced_ball(forces, row_, v->place, v->is_ball);
       all_left |= v->left;
     }
     ++steps.most;
@@ -81,7 +82,7 @@ class Newton {
   void refine(Balls* balls, std::size_t n) const {
     for (Balls* v = balls; v != balls + n; ++v) {
       v->place = Forces(row_, v->place, v->at).next(v->place);
-      v->ball = {Forces(row_, v->place, v->at), row_, v->place, v->is_ball};
+      v->ball = balanced_ball(Forces(row_, v->place, v->at), row_, v->place, v->is_ball);
     }
   }
 
@@ -121,7 +122,7 @@ class Newton {
             steps.by_scalar_law = true;
             place_carefully(*v, lane);
           }
-        v->ball = {Forces(row_, v->place, v->at), row_, v->place, v->is_ball};
+        v->ball = balanced_ball(Forces(row_, v->place, v->at), row_, v->place, v->is_ball);
       }
     steps.most += longest;
   }

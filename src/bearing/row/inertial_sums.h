@@ -1,9 +1,16 @@
 #pragma once
 // What the balls of a row with inertia do together, once each is in its balance: for balls of a row in vectors, and for a ball of eight drops in lanes.
+#include <type_traits>
+
 #include "bearing/row/ball_terms.h"
 #include "bearing/row/inertial_newton.h"
 
 namespace rotordrop {
+
+/// What acts on a ball. @tparam is_split  part of the gyroscopic traction acts at the inner race; in plane there is none
+template <GrooveMotion motion, bool is_split, class Real>
+using BallForcesOf =
+    std::conditional_t<motion == GrooveMotion::in_plane, BallForcesInPlane<Real>, BallForces<is_split, Real>>;
 
 /// A ball among those of its row.
 template <class Real>
@@ -22,10 +29,10 @@ struct InertialSums {
 };
 
 /// A row of balls with inertia at an instant.
-/// @tparam tilts    of a ring that moves in all five ways; one that only translates leaves out the terms of tilt and axial motion
 /// @tparam is_bent  of bent rings
-template <bool tilts, bool is_bent, class Real>
+template <GrooveMotion motion, bool is_bent, class Real>
 struct RowAtInstant {
+  static constexpr bool tilts = motion == GrooveMotion::all, is_in_plane = motion == GrooveMotion::in_plane;
   const RowPlaceOf<Real>& place;
   AtRow<Real> at;
   Real added_i, added_o;  // to the contacts' deflections [m]
@@ -52,7 +59,8 @@ struct RowAtInstant {
   [[nodiscard, gnu::always_inline]] inline BallSurroundings<Real> surroundings(const BallInRow<Real>& ball) const {
     const Real &c = ball.cosine, &s = ball.sine;
     const auto& e = place.e;
-    BallSurroundings<Real> around{place.axial, place.radial + at.e_y * c + at.e_z * s, added_i, added_o};
+    BallSurroundings<Real> around{is_in_plane ? Real(0.) : place.axial, place.radial + at.e_y * c + at.e_z * s, added_i,
+                                  added_o};
     if constexpr (tilts) around.B_x += e.x + place.arm * (e.psi_y * s - e.psi_z * c);
     if constexpr (is_bent) around.B_r += ball.bent.width;
     if (is_wavy) {
@@ -91,7 +99,10 @@ struct RowAtInstant {
     }
     sum.fy -= F_radial * c;
     sum.fz -= F_radial * s;
-    sum.fx -= F_axial;
+    if constexpr (!is_in_plane) {
+      sum.fx -= F_axial;
+      sum.axial += pull_axial + ball.axial;
+    }
     sum.cage += pull_radial * r_turn;
     if constexpr (tilts) {
       sum.my += F_radial * place.position * s - F_axial * place.arm * s;
@@ -102,7 +113,6 @@ struct RowAtInstant {
     // The forces of inertia follow no potential: what they do as the balls move is work of the prescribed motion of cage and balls. What they do as
     // parts grow belongs to the work of growth.
     sum.radial += pull_radial + ball.radial;
-    sum.axial += pull_axial + ball.axial;
     sum.inner += elastic;
     sum.outer += ball.Q_o;
     sum.by_inner += ball.by_inner;
@@ -132,15 +142,18 @@ struct RowAtInstant {
     const Real& is_ball = balanced.is_ball;
     const BalancedBall<Real>& ball = balanced.ball;
     constexpr double nothing = 1e-100;  // [N]
-    const Real Q_i = ball.u * ball.u * ball.u, T_g = is_ball * gyroscopic_traction(with.F_c, centre.x), zero = 0.;
+    const Real Q_i = ball.u * ball.u * ball.u, zero = 0.;
     sum.inner += Q_i;
     sum.outer += ball.Q_o;
-    sum.gyroscopic += T_g;
-    // A ball that the inner race does not reach lies in the bottom of the outer groove, where T_g is roundoff.
-    const Real inner_demand =
-        select(Q_i > least_share_of_load * ball.Q_o, with.inner_share * T_g / (Q_i + nothing), zero);
-    const Real outer_demand = (1. - with.inner_share) * T_g / (ball.Q_o + nothing);
-    sum.demand = larger(sum.demand, larger(inner_demand, outer_demand));
+    if constexpr (!is_in_plane) {
+      const Real T_g = is_ball * gyroscopic_traction(with.F_c, centre.x);
+      sum.gyroscopic += T_g;
+      // A ball that the inner race does not reach lies in the bottom of the outer groove, where T_g is roundoff.
+      const Real inner_demand =
+          select(Q_i > least_share_of_load * ball.Q_o, with.inner_share * T_g / (Q_i + nothing), zero);
+      const Real outer_demand = (1. - with.inner_share) * T_g / (ball.Q_o + nothing);
+      sum.demand = larger(sum.demand, larger(inner_demand, outer_demand));
+    }
     const Real inner_beyond = select(ball.u > 0., with.edges.inner.beyond(ball.x, ball.r, ball.u), zero);
     const Real outer_beyond = with.edges.outer.beyond(centre.x, centre.r, root_K_o * sqrt(ball.delta_o));
     sum.truncation = larger(sum.truncation, select(is_ball > 0., larger(inner_beyond, outer_beyond), zero));

@@ -58,6 +58,7 @@ template <class Real>
 /// @tparam is_split  part of the gyroscopic traction acts at the inner race
 template <bool is_split, class Real>
 struct BallForces {
+  static constexpr bool is_in_plane = false;
   Real L_o, delta_i, Q_i, Q_o, S_i, S_o, i_x, i_r, c, s, by_L_i;
   Real F, f_i, f_o, f_a, f_x;  // and its relative change with the inner and the outer angle, and with turn and length
   Real h_n, h_t, force_n, force_t;
@@ -144,8 +145,7 @@ struct BallForces {
   }
 };
 
-/// A ball in its balance, from its place near by: the last step of Newton's method, which squares what was left, and whose matrix gives the work of
-/// the forces of inertia.
+/// A ball in its balance.
 template <class Real>
 struct BalancedBall {
   Real u;                   ///< cubic root of the inner load, 0 for a ball that the inner race does not reach [N^(1/3)]
@@ -155,42 +155,46 @@ struct BalancedBall {
   Real radial, axial;       ///< work of the forces of inertia per growth of B_r and B_x [N]
   Real by_inner, by_outer;  ///< and per growth of what adds to the inner and the outer deflection [N]
   Real per_force;           ///< and per relative change of F_0 [J]
-
-  BalancedBall() = default;
-  /// @param is_ball  0 for balls that fill up the row, else 1
-  template <bool is_split>
-  [[gnu::always_inline]] inline BalancedBall(const BallForces<is_split, Real>& b, const BalancedRowOf<Real>& row,
-                                             const BallPlace<Real>& p, const Real& is_ball) {
-    const Real a = b.turn(), grown = b.growth();
-    u = is_ball * row.constants.root_K_i * sqrt(larger(b.next_delta_i(a, grown), Real(0.)));
-    Q_o = is_ball * (b.Q_o + b.S_o * grown);
-    delta_o = p.delta_o + grown;
-    const auto i = turned(b.angle_a * a + b.angle_x * grown, b.i_x, b.i_r);
-    x = i.x;
-    r = i.r;
-
-    // The forces of inertia and the gyroscopic tractions work on the ball's motion, the inner one on what the ring moves past it. What a force along
-    // n or t would make of it, by the transposed matrix; then what moves the groove along and across the inner normal makes such forces.
-    const Real F = is_ball * b.F, f_n = F * b.h_n, f_t = F * b.h_t;
-    const Real by_n = (f_n * b.R_t_a - f_t * b.L_o * b.R_t_x) * b.inverse_det;
-    const Real by_t = (f_t * b.L_o * b.R_n_x - f_n * b.R_n_a) * b.inverse_det;
-    Real push_n = b.F * b.f_i * b.h_n - b.Q_i * b.s, push_t = b.F * b.f_i * b.h_t + b.Q_i * b.c, T_past = 0.;
-    T = 0.;
-    if constexpr (is_split) {
-      const Real k = 0.4 * row.constants.inner_gyroscopic_share, T_i = b.F * k * p.x;
-      push_n -= T_i * b.c;
-      push_t -= T_i * b.s;
-      T = is_ball * (T_i + k * b.F * ((b.f_a * a + b.f_x * grown) * p.x + a * p.r));
-      T_past = is_ball * T_i;
-    }
-    by_inner = b.S_i * (b.c * by_n + b.s * by_t);
-    const Real gap_t = b.by_L_i * (push_n * by_n + push_t * by_t) - T_past;
-    radial = by_inner * b.i_r - gap_t * b.i_x;
-    axial = by_inner * b.i_x + gap_t * b.i_r;
-    by_outer = by_inner * b.c - (gap_t + T_past) * b.s - f_n;
-    per_force = f_n * by_n + f_t * by_t;
-  }
 };
+
+/// A ball in its balance, from its place near by: the last step of Newton's method, which squares what was left, and whose matrix gives the work of
+/// the forces of inertia.
+/// @param is_ball  0 for balls that fill up the row, else 1
+template <bool is_split, class Real>
+[[gnu::always_inline]] inline BalancedBall<Real> balanced_ball(const BallForces<is_split, Real>& b,
+                                                               const BalancedRowOf<Real>& row, const BallPlace<Real>& p,
+                                                               const Real& is_ball) {
+  BalancedBall<Real> ball;
+  const Real a = b.turn(), grown = b.growth();
+  ball.u = is_ball * row.constants.root_K_i * sqrt(larger(b.next_delta_i(a, grown), Real(0.)));
+  ball.Q_o = is_ball * (b.Q_o + b.S_o * grown);
+  ball.delta_o = p.delta_o + grown;
+  const auto i = turned(b.angle_a * a + b.angle_x * grown, b.i_x, b.i_r);
+  ball.x = i.x;
+  ball.r = i.r;
+
+  // The forces of inertia and the gyroscopic tractions work on the ball's motion, the inner one on what the ring moves past it. What a force along
+  // n or t would make of it, by the transposed matrix; then what moves the groove along and across the inner normal makes such forces.
+  const Real F = is_ball * b.F, f_n = F * b.h_n, f_t = F * b.h_t;
+  const Real by_n = (f_n * b.R_t_a - f_t * b.L_o * b.R_t_x) * b.inverse_det;
+  const Real by_t = (f_t * b.L_o * b.R_n_x - f_n * b.R_n_a) * b.inverse_det;
+  Real push_n = b.F * b.f_i * b.h_n - b.Q_i * b.s, push_t = b.F * b.f_i * b.h_t + b.Q_i * b.c, T_past = 0.;
+  ball.T = 0.;
+  if constexpr (is_split) {
+    const Real k = 0.4 * row.constants.inner_gyroscopic_share, T_i = b.F * k * p.x;
+    push_n -= T_i * b.c;
+    push_t -= T_i * b.s;
+    ball.T = is_ball * (T_i + k * b.F * ((b.f_a * a + b.f_x * grown) * p.x + a * p.r));
+    T_past = is_ball * T_i;
+  }
+  ball.by_inner = b.S_i * (b.c * by_n + b.s * by_t);
+  const Real gap_t = b.by_L_i * (push_n * by_n + push_t * by_t) - T_past;
+  ball.radial = ball.by_inner * b.i_r - gap_t * b.i_x;
+  ball.axial = ball.by_inner * b.i_x + gap_t * b.i_r;
+  ball.by_outer = ball.by_inner * b.c - (gap_t + T_past) * b.s - f_n;
+  ball.per_force = f_n * by_n + f_t * by_t;
+  return ball;
+}
 
 /// Between the ball without inertia and the ball in the bottom of the outer groove: the moment of its forces about the outer groove's centre
 /// shares B_x out to the two normals, what remains of B_r is compression.

@@ -143,7 +143,7 @@ class RowInLanes {
       }
       press_ball(place, b);
       if constexpr (is_wavy) waviness += b.elastic * by_waves.rate();
-      if constexpr (with_tractions) traction_sums.add(with, b);
+      if constexpr (with_tractions) traction_sums.template add<motion>(with, b);
       forces.template add<motion>(place, b, Real(cosine_[j]), Real(sine_[j]));
     }
     put<false>(forces, place, numbers_.stiffness_root, out);
