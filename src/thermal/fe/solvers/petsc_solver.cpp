@@ -95,10 +95,7 @@ class PetscSolver final : public LinearSolver {
     check(KSPSolve(solver_, right_, solution_), "solve the equations of the finite elements");
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     KSPGetConvergedReason(solver_, &reason);
-    if (reason < 0)
-      throw SolverError(fmt::format("the equations of the finite elements were not solved by {} (PETSc: {})",
-                                    kind_ == HeatLinearSolver::multigrid ? "multigrid" : "factorisation",
-                                    KSPConvergedReasons[reason]));
+    if (reason < 0) fail(reason);
     const PetscScalar* found = nullptr;
     check(VecGetArrayRead(solution_, &found), "reach a vector");
     MPI_Allgatherv(found, counts_[static_cast<std::size_t>(rank_)], MPI_DOUBLE, v.begin(), counts_.data(),
@@ -107,6 +104,17 @@ class PetscSolver final : public LinearSolver {
   }
 
  private:
+  [[noreturn]] void fail(KSPConvergedReason reason) const {
+    if (kind_ == HeatLinearSolver::direct)
+      throw SolverError(fmt::format("the equations of the finite elements were not solved by factorisation (PETSc: {})",
+                                    KSPConvergedReasons[reason]));
+    throw SolverError(
+        fmt::format("the equations of the finite elements were not solved by multigrid in {} iterations (PETSc: {}).\n"
+                    "       Thin bodies and interfaces of next to no resistance make it slow: fe.solver = \"direct\" "
+                    "does without, if memory is enough.",
+                    most_krylov_iterations, KSPConvergedReasons[reason]));
+  }
+
   void prepare(const Matrix& matrix) {
     const auto n = static_cast<PetscInt>(matrix.m());
     check(VecCreateMPI(PETSC_COMM_WORLD, PETSC_DECIDE, n, &right_), "make a vector");
