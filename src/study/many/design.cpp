@@ -64,6 +64,17 @@ void make_list(const Study& study, const std::vector<std::size_t>& drawn, Design
     design.cells.insert(design.cells.end(), drawn.size(), static_cast<double>(row));
 }
 
+/// The reference is the case itself: a parameter that sets several keys needs one value there.
+void require_one_value(const Study& study, const VariedParameter& p, Faults& faults) {
+  const auto first = own_value(study, p.keys.front());
+  for (const auto& key : p.keys)
+    if (const auto own = own_value(study, key); first && (!own || to_text(*own) != to_text(*first)))
+      return faults.add(p.where,
+                        fmt::format("vary.{}: in the case {} is {}, but {} {}.", p.name, p.keys.front().name,
+                                    to_text(*first), key.name, own ? "is " + to_text(*own) : "has no value"),
+                        "Add reference = VALUE: it is set into all of them.");
+}
+
 void make_one_at_a_time(const Study& study, const std::vector<std::size_t>& drawn, Design& design) {
   std::vector<double> reference;
   Faults faults;
@@ -71,6 +82,7 @@ void make_one_at_a_time(const Study& study, const std::vector<std::size_t>& draw
     const auto& p = study.parameters[i];
     design.nodes.push_back(levels_of(study, p));
     const auto value = p.reference ? p.reference : own_value(study, p.keys.front());
+    if (!p.reference) require_one_value(study, p, faults);
     if (!value) {
       faults.add(p.where, fmt::format("vary.{}: the case gives no value to refer to.", p.name),
                  "Add reference = VALUE.");
@@ -309,6 +321,17 @@ std::size_t n_points(const Study& study, const Design& design) {
   return design.n_rows * static_cast<std::size_t>(study.n_replicates);
 }
 
+namespace {
+
+/// A number as a key takes it.
+Node value_for(const DeclaredKey& key, double number) {
+  const bool is_whole = number == std::trunc(number) && std::fabs(number) < 1e15;
+  return key.declaration.kind == Declaration::Kind::integer && is_whole ? Node(static_cast<std::int64_t>(number))
+                                                                        : Node(number);
+}
+
+}  // namespace
+
 StudyPoint point_of(const Study& study, const Design& design, std::size_t index) {
   StudyPoint point;
   const auto n = static_cast<std::size_t>(study.n_replicates);
@@ -325,7 +348,7 @@ StudyPoint point_of(const Study& study, const Design& design, std::size_t index)
     if (p.formula) {
       std::vector<double> values;
       for (const auto of : p.formula_of) values.push_back(point.values[of].number());
-      point.values[i] = Node(p.formula->value(values));
+      point.values[i] = value_for(p.keys.front(), p.formula->value(values));
     }
     for (const auto& key : p.keys) {
       if (key.name == height_key) {

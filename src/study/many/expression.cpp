@@ -30,6 +30,9 @@ class Parser {
   Parser(const std::string& text, std::vector<std::string>& names) : text_(text), names_(names) {}
 
   Child parse() {
+    constexpr std::size_t longest =
+        10'000;  // each sign and operator takes a step down when a formula is read and when it is evaluated
+    if (text_.size() > longest) fail("more than 10000 characters");
     Child all = sum();
     if (skip() != '\0') fail("unexpected \"" + text_.substr(at_, 10) + "\"");
     return all;

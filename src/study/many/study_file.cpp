@@ -16,6 +16,7 @@
 #include "study/many/common_values.h"
 #include "study/many/search/search_check.h"
 #include "study/many/study_keys.h"
+#include "study/many/study_names.h"
 #include "study/many/vary_reader.h"
 
 namespace rotordrop {
@@ -221,6 +222,7 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   if (raw.surrogate) study.surrogate_results = texts_of(raw.surrogate->results, "surrogate.results", faults);
   study.minimise = raw.minimise;
   if (raw.fit) study.fit = Fit{*raw.fit, {}};
+  check_names(study, tree, faults);
   faults.throw_if_any();
   for (const auto& parameter : study.parameters) {
     std::vector<std::string> keys;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,6 +12,7 @@
 #include "io/results_folder.h"
 #include "io/sha256.h"
 #include "io/text/comments.h"
+#include "study/many/answers/result_check.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/common_values.h"
 #include "study/many/search/fit_evaluation.h"
@@ -92,6 +94,7 @@ std::optional<Journal::Content> earlier_points(const Study& study, const StudyOp
       take_journals_of_ranks(options.directory, header);
       auto content = Journal::read(file);
       require_same_study(file, content.header, header);
+      write_inputs(study, options.directory);  // bounds of limits may be others now
       return content;
     } catch (const InputError&) {
       // A program that was killed before its first line has left less than a header.
@@ -107,21 +110,35 @@ fs::path journal_of_rank(const fs::path& directory, int rank) {
   return directory / fmt::format("rank-{}.journal", rank);
 }
 
+namespace {
+
+/// As journal_of_rank() calls them.
+bool is_name_of_rank(std::string_view name) {
+  constexpr std::string_view before = "rank-", after = ".journal";
+  if (name.size() <= before.size() + after.size() || !name.starts_with(before) || !name.ends_with(after)) return false;
+  name.remove_prefix(before.size());
+  name.remove_suffix(after.size());
+  return std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
+
 void take_journals_of_ranks(const fs::path& directory, const std::string& header) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("rank-") && name.ends_with(".journal")) files.push_back(entry.path());
+    if (is_name_of_rank(entry.path().filename().string())) files.push_back(entry.path());
   }
   if (files.empty()) return;
   const fs::path own = directory / "study.journal";
   const auto before = Journal::read(own);
   Journal journal(own, before);
+  std::error_code error;
   for (const auto& file : files) {
     Journal::Content content;
     try {
       content = Journal::read(file);
     } catch (const InputError&) {
+      if (fs::file_size(file, error) > header.size()) throw;
       continue;  // killed before its first line
     }
     require_same_study(file, content.header, header);
@@ -216,6 +233,9 @@ std::vector<ShardFile> seen_from(const fs::path& output, std::vector<ShardFile> 
 
 std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path& output, bool force, bool is_virtual) {
   Study study = read_study_of(directories.front());
+  if (study.is_search())
+    throw InputError({directories.front().string(), 0, 0},
+                     "the study in this directory searches: it has no shards, and nothing to join.");
   const Design design = make_design(study);
   JoinedShards shards;
   for (const auto& directory : directories) shards.add(directory, directories.front());
@@ -223,6 +243,7 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
   const ResultsFolder folder(output, ResultsFolder::existing_results(false, force));
   write_inputs(study, output);
   const StudyTable table = make_table(study, design, shards.records, shards.layouts);
+  resolve_results(study, table);
   Journal joined(output / "study.journal", journal_header(study, shards.digest, 1, 1));
   for (auto& [point, record] : shards.records) {
     if (is_virtual) record.series.clear();

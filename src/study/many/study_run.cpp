@@ -114,7 +114,9 @@ class StudyRun {
       }
       if (!options_.report || Clock::now() - told < std::chrono::milliseconds(200)) continue;
       told = Clock::now();
-      options_.report(progress());
+      const StudyProgress now = progress();
+      lock.unlock();  // however long the telling takes, workers go on
+      options_.report(now);
     }
     if (options_.report) options_.report(progress());
   }
@@ -357,6 +359,7 @@ StudyOutcome run_study(const Study& study, const Design& design, const StudyOpti
     }
     journal->sync();
   }
+  folder.require_there();
   if (options.ranks) take_journals_of_ranks(options.directory, header);
   const auto content = Journal::read(file);
   const StudyTable table = make_table(study, design, content.records, content.layouts);

@@ -59,4 +59,11 @@ void resolve_results(Study& study, const std::vector<std::string>& names) {
   study.limits = std::move(limits);
 }
 
+void resolve_results(Study& study, const StudyTable& table) {
+  if (table.count(PointStatus::done) == 0) return;
+  std::vector<std::string> names;
+  for (const auto& column : table.results) names.push_back(column.name);
+  resolve_results(study, names);
+}
+
 }  // namespace rotordrop

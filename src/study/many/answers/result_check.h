@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "study/many/study_file.h"
+#include "study/many/study_table.h"
 
 namespace rotordrop {
 
@@ -17,5 +18,7 @@ bool is_kept(const Study& study, const std::string& name);
 /// @param names  with the derived ones
 /// @throws InputError with all that no drop has
 void resolve_results(Study& study, const std::vector<std::string>& names);
+/// The same by the results that drops of the study have; without any it stays as it was read.
+void resolve_results(Study& study, const StudyTable& table);
 
 }  // namespace rotordrop

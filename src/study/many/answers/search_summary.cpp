@@ -36,14 +36,24 @@ class StepValues {
   std::size_t n_drops_;
 };
 
-/// 95 % interval of the mean of drops (Student's t), or of their quantile.
-Estimate interval_of(const MinimiseParameters& minimise, std::vector<double> values) {
+/// 95 % interval of the mean of drops (Student's t), or of their quantile. Replicates of a row are not independent: its mean counts once, and quantiles of
+/// rows with replicates have no interval.
+/// @param values  row after row
+Estimate interval_of(const Study& study, std::vector<double> values) {
+  const MinimiseParameters& minimise = *study.minimise;
+  const auto n_replicates = static_cast<std::size_t>(study.n_replicates);
   Estimate e{statistic_of(minimise, values), {}, {}};
-  if (values.size() < 2) return e;
+  if (values.size() < 2 * n_replicates) return e;
   if (minimise.of == DropStatistic::quantile) {
+    if (n_replicates > 1) return e;
     std::sort(values.begin(), values.end());
     return quantile_estimate(values, minimise.quantile);
   }
+  for (std::size_t row = 0; row < values.size() / n_replicates; ++row) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(row * n_replicates);
+    values[row] = mean_of({first, first + static_cast<std::ptrdiff_t>(n_replicates)});
+  }
+  values.resize(values.size() / n_replicates);
   const auto n = static_cast<double>(values.size());
   const double half =
       boost::math::quantile(boost::math::students_t(n - 1.), 0.975) * deviation_of(values) / std::sqrt(n);
@@ -117,7 +127,7 @@ Json minimise_summary(const Study& study, const Design& design, const StudyTable
   }
   const auto entry = [&](std::size_t k) {
     Json one = j["course"][k];
-    const Estimate e = interval_of(minimise, values.of(k, minimise.result));
+    const Estimate e = interval_of(study, values.of(k, minimise.result));
     one["low"] = json_number(e.low);
     one["high"] = json_number(e.high);
     one["limits"] = limits_of(study, values, k);

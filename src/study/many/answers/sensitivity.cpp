@@ -187,7 +187,7 @@ std::vector<MorrisEffects> morris_effects(const std::vector<double>& unit, const
     std::vector<double> magnitudes(e.size());
     std::transform(e.begin(), e.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
     r.mean = mean_of(e);
-    r.deviation = deviation_of(e);
+    if (e.size() > 1) r.deviation = deviation_of(e);
     r.mean_magnitude.value = mean_of(magnitudes);
     if (e.size() < 4) continue;
     std::vector<double> means;

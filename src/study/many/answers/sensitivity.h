@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "study/many/answers/statistics.h"
@@ -47,10 +48,11 @@ class FirstIndices {
 
 /// Elementary effects of one parameter (Morris 1991, Campolongo et al. 2007), per range of the parameter.
 struct MorrisEffects {
-  double mean = 0;
-  Estimate mean_magnitude;  ///< mu*
-  double deviation = 0;     ///< sigma
-  std::size_t n = 0;        ///< effects whose both ends are there
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  double mean = unknown;
+  Estimate mean_magnitude{unknown, {}, {}};  ///< mu*
+  double deviation = unknown;                ///< sigma; of two effects at least
+  std::size_t n = 0;                         ///< effects whose both ends are there
 };
 /// @param unit  [rows, parameters] of the design; @param y [rows], NaN where there is none
 std::vector<MorrisEffects> morris_effects(const std::vector<double>& unit, const std::vector<double>& y,

@@ -126,6 +126,7 @@ function bars(entries, unit) {
     parts.push(element("text", { x: left - 8, y: y + 17, "text-anchor": "end" }, entry.name));
     entry.bars.forEach((bar, b) => {
       const h = entry.bars.length > 1 ? 12 : 20, top = y + b * 13;
+      if (!isNumber(bar.value)) return;
       parts.push(element("rect", { class: "bar" + (b ? " second" : ""), x: Math.min(at(0), at(bar.value)), y: top, width: Math.abs(at(bar.value) - at(0)), height: h }));
       if (isNumber(bar.low) && isNumber(bar.high)) parts.push(element("line", { class: "interval", x1: at(bar.low), x2: at(bar.high), y1: top + h / 2, y2: top + h / 2 }));
     });
@@ -138,12 +139,13 @@ function influences(result) {
     const effects = data.morris[result.name];
     if (!effects) return element("p", {}, "This result does not vary.");
     const entries = Object.entries(effects).map(([name, e]) => ({ name, bars: [e.mean_magnitude] })).sort((a, b) => b.bars[0].value - a.bars[0].value);
-    const rows = Object.entries(effects).map(([name, e]) => [name, short(e.mean_magnitude.value), short(e.mean), short(e.deviation), String(e.n)]);
+    const known = (v) => (isNumber(v) ? short(v) : "–");
+    const rows = Object.entries(effects).map(([name, e]) => [name, known(e.mean_magnitude.value), known(e.mean), known(e.deviation), String(e.n)]);
     return element("div", {}, bars(entries, true), element("p", { class: "note" }, `Mean magnitude of the change of ${label(result)} over the whole range of each parameter, with 95 % intervals (bootstrap). A deviation as large as the mean magnitude tells of interaction or curvature.`),
       table(["parameter", "mean magnitude", "mean", "deviation", "effects"], rows, ["", "number", "number", "number", "number"]));
   }
   const indices = data.indices && data.indices[result.name];
-  if (!indices) return element("p", {}, data.indices ? "This result does not vary." : `A ${data.design} design has no indices; latin-hypercube, sobol-sequence, monte-carlo, saltelli and morris have.`);
+  if (!indices) return element("p", {}, data.indices ? "This result does not vary, or too few drops have it." : `A ${data.design} design has no indices; latin-hypercube, sobol-sequence, monte-carlo, saltelli and morris have.`);
   const entries = Object.entries(indices).map(([name, e]) => ({ name, bars: [e.first, ...(e.total ? [e.total] : [])] })).sort((a, b) => b.bars[b.bars.length - 1].value - a.bars[a.bars.length - 1].value);
   const hasTotal = entries[0].bars.length > 1;
   return element("div", {}, bars(entries, false), element("p", { class: "note" }, (hasTotal ? "Blue: first index, the part of the variance that a parameter explains by itself. Orange: total index, with its interactions. " : "First index: the part of the variance that a parameter explains by itself. ") + `Lines: 95 % intervals. Method: ${data.indices_method}.`));
@@ -160,7 +162,7 @@ function showAnswers() {
     parts.push(element("h3", {}, `${100 * c.quantile} % quantile of ${c.result} by ${c.parameter}`),
       table([label({ name: c.parameter, unit: c.unit }), `quantile [${c.result_unit}]`, "95 % interval", "mean", "smallest", "largest", "drops"], c.levels.map((l) => {
         const isBest = c.best && l.value === c.best.value;
-        return [element("span", {}, short(l.value) + (isBest ? "  ← smallest" : "")), short(l.quantile), `${short(l.low)} to ${short(l.high)}`, short(l.mean), short(l.smallest), short(l.largest), String(l.n)];
+        return [element("span", {}, short(l.value) + (isBest ? "  ← smallest" : "")), short(l.quantile), isNumber(l.low) || isNumber(l.high) ? `${isNumber(l.low) ? short(l.low) : "?"} to ${isNumber(l.high) ? short(l.high) : "?"}` : "–", short(l.mean), short(l.smallest), short(l.largest), String(l.n)];
       }), ["", "number", "", "number", "number", "number", "number"]));
   }
   section("Answers", ...parts);

@@ -77,9 +77,7 @@ Json study_report_data(const std::filesystem::path& directory) {
   const StudyTable table = make_table(study, design, content.records, content.layouts);
   if (table.count(PointStatus::done) == 0)
     throw InputError({directory.string(), 0, 0}, "no point of this study is done, so there is nothing to report.");
-  std::vector<std::string> names;
-  for (const auto& column : table.results) names.push_back(column.name);
-  resolve_results(study, names);
+  resolve_results(study, table);
   const Json summary = summary_with_kept_surrogates(directory, study, design, table);
 
   Json data;

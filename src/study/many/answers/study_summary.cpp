@@ -149,7 +149,11 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
     std::size_t n_failed = 0;
   };
   std::vector<Level> levels;
-  for (std::size_t k = 0; k < table.n_points; ++k) {
+  auto points = sample_points(study, design);
+  // Replicates of a row are not independent, and a grid is no sample.
+  const bool has_intervals = !points.empty() && study.n_replicates == 1;
+  if (points.empty()) points = all_points(table);
+  for (const std::size_t k : points) {
     const Json value = to_json(point_of(study, design, k).values[index]);
     auto level = std::find_if(levels.begin(), levels.end(), [&](const Level& l) { return l.value == value; });
     if (level == levels.end()) level = levels.insert(levels.end(), {value, {}, 0});
@@ -171,8 +175,8 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
       std::sort(level.results.begin(), level.results.end());
       const Estimate q = quantile_estimate(level.results, choice.quantile);
       one["quantile"] = q.value;
-      one["low"] = json_number(q.low);
-      one["high"] = json_number(q.high);
+      one["low"] = has_intervals ? json_number(q.low) : Json(nullptr);
+      one["high"] = has_intervals ? json_number(q.high) : Json(nullptr);
       one["mean"] = mean_of(level.results);
       one["smallest"] = level.results.front();
       one["largest"] = level.results.back();
@@ -235,15 +239,15 @@ void add_indices(Json& j, const Study& study, const Design& design, const StudyT
     } else if (is_morris) {
       const auto effects = morris_effects(design.unit, y, drawn.size(), seed);
       for (std::size_t i = 0; i < effects.size(); ++i)
-        of_result[name(i)] = {{"mean", effects[i].mean},
+        of_result[name(i)] = {{"mean", json_number(effects[i].mean)},
                               {"mean_magnitude", to_json(effects[i].mean_magnitude)},
-                              {"deviation", effects[i].deviation},
+                              {"deviation", json_number(effects[i].deviation)},
                               {"n", effects[i].n}};
     } else {
       const auto first = sample->first(y);
       for (std::size_t i = 0; i < first.size(); ++i) of_result[name(i)] = {{"first", to_json(first[i])}};
     }
-    to[column.name] = std::move(of_result);
+    if (!of_result.empty()) to[column.name] = std::move(of_result);
   }
 }
 

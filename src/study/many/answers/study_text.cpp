@@ -33,10 +33,14 @@ std::string choice_text(const Json& choice) {
                                  choice["parameter"].get<std::string>());
   for (const auto& level : choice["levels"]) {
     if (!level.contains("quantile")) continue;
-    text += fmt::format("  {:>16}: {:>12}, 95 % interval {} to {}; mean {}, {} drops{}\n", number(level["value"], own),
-                        number(level["quantile"], unit), number(level["low"], ""), number(level["high"], unit),
-                        number(level["mean"], unit), level["n"].get<std::size_t>(),
-                        level["value"] == choice["best"]["value"] ? "  <- smallest" : "");
+    const std::string interval =
+        level["low"].is_number() || level["high"].is_number()
+            ? fmt::format(", 95 % interval {} to {}", number(level["low"], ""), number(level["high"], unit))
+            : std::string();
+    text +=
+        fmt::format("  {:>16}: {:>12}{}; mean {}, {} drops{}\n", number(level["value"], own),
+                    number(level["quantile"], unit), interval, number(level["mean"], unit),
+                    level["n"].get<std::size_t>(), level["value"] == choice["best"]["value"] ? "  <- smallest" : "");
   }
   return text;
 }
@@ -47,17 +51,21 @@ std::string influence_text(const Json& j, const std::string& result) {
   if (!j.contains(table) || !j[table].contains(result)) return "";
   const char* key = is_morris ? "mean_magnitude" : j[table][result].front().contains("total") ? "total" : "first";
   std::vector<std::pair<double, std::string>> sorted;
+  std::string unknown;
   for (const auto& [name, index] : j[table][result].items())
-    if (index[key]["value"].is_number()) sorted.emplace_back(-index[key]["value"].get<double>(), name);
+    if (index[key]["value"].is_number())
+      sorted.emplace_back(-index[key]["value"].get<double>(), name);
+    else
+      unknown += (unknown.empty() ? "; nothing known of " : ", ") + name;
   std::sort(sorted.begin(), sorted.end());
   std::string text;
   for (std::size_t i = 0; i < sorted.size() && i < 4; ++i)
     text += fmt::format("{}{} {:.3g}", i ? ", " : "", sorted[i].second, -sorted[i].first);
-  return fmt::format("  {} by {}: {}\n", result,
+  return fmt::format("  {} by {}: {}{}\n", result,
                      is_morris                     ? "mean magnitude of effects"
                      : std::string(key) == "total" ? "total Sobol index"
                                                    : "first index",
-                     text);
+                     text.empty() ? "?" : text, unknown);
 }
 
 }  // namespace
