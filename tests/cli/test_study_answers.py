@@ -1,0 +1,137 @@
+"""What a study answers: the same from shards, nothing where nothing is known, intervals of independent drops only; names that it gives."""
+
+import json
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import ProgramTest, content_of, settings  # noqa: E402
+
+VARY = """
+case = "drop.toml"
+[vary]
+contact.friction_coefficient = { range = [0.1, 0.3] }
+contact.air_gap = { range = ["200 um", "300 um"] }
+"""
+FORCE = '"bearings.TB1.peak_contact_force"'
+
+
+class StudyAnswers(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.case("")
+
+    def study(self, text, output="out", *arguments):
+        self.write("s.toml", text)
+        done = self.succeed("study", "s.toml", "-o", output, *arguments)
+        return done.stdout, self.answers(output)
+
+    def answers(self, output):
+        return json.loads((self.folder / output / "study.json").read_text())
+
+    def refused(self, text, *words):
+        self.write("s.toml", text)
+        before = content_of(self.folder)
+        done = self.call("study", "s.toml", "-o", "out")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertEqual(content_of(self.folder), before)
+
+    def test_joined_shards_answer_as_the_whole_study(self):
+        text = VARY + f'[design]\nsize = 20\n[limits]\n"bearings.*.peak_contact_force" = {{ max = "5.05 kN" }}\n'
+        _, whole = self.study(text, "whole")
+        for i in (1, 2):
+            self.succeed("study", "s.toml", "-o", f"shard-{i}", "--shard", f"{i}/2")
+        for kind in ([], ["--virtual"]):
+            self.succeed("study", "join", "shard-1", "shard-2", "-o", "joined", "--force", *kind)
+            joined = self.answers("joined")
+            self.assertEqual(joined["limits"], whole["limits"])
+        self.assertEqual([limit["max"] for limit in whole["limits"]], [5050.0, 5050.0])
+        self.assertGreater(whole["limits"][0]["broken"], 0)
+
+    def test_a_search_is_not_joined(self):
+        self.study(VARY + f"[minimise]\nresult = {FORCE}\nevaluations = 2\n")
+        done = self.call("study", "join", "out", "-o", "joined")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("nothing to join", done.stderr)
+        self.assertFalse((self.folder / "joined").exists())
+
+    def test_what_too_few_drops_tell_nothing_of_is_not_told(self):
+        # Until 7 ms rotors reach the bearing over gaps of 200 to 240 um only: one block of Saltelli's is whole.
+        first = VARY + '[limits]\n"bearings.TB1.first_contact_time" = { min = "6 ms" }\n'
+        early = settings(run__end_time='"7 ms"')
+        told, saltelli = self.study(first + '[design]\nkind = "saltelli"\nsize = 6\n', "saltelli", *early)
+        self.assertEqual(saltelli["blocks_left_out"]["bearings.TB1.first_contact_time"], 5)
+        self.assertFalse("bearings.TB1.first_contact_time" in saltelli["indices"])
+        self.assertIn("0 of 5 drops", told)
+        told, morris = self.study(first + '[design]\nkind = "morris"\nsize = 20\n', "morris", *early)
+        gap = morris["morris"]["bearings.TB1.first_contact_time"]["contact.air_gap"]
+        self.assertEqual((gap["n"], gap["mean"], gap["mean_magnitude"]["value"], gap["deviation"]), (0, None, None, None))
+        self.assertIn("nothing known of contact.air_gap", told)
+        self.succeed("study", "report", "morris")
+
+    def test_intervals_count_no_replicates_and_no_grids(self):
+        levels = VARY + f'damping = {{ keys = ["bearings.TB1.support.C_y"], values = [2e3, 8e3] }}\n[choose]\nparameter = "damping"\nresult = {FORCE}\nquantile = 0.5\n'
+        told, alone = self.study(levels + "[design]\nsize = 24\n", "alone")
+        self.assertTrue(all(level["low"] < level["quantile"] < level["high"] for level in alone["choose"]["levels"]))
+        self.assertIn("95 % interval", told.partition("What matters")[0])
+        for design in ("[design]\nsize = 24\n[replicates]\nn = 3\n", '[design]\nkind = "grid"\nlevels = 3\n'):
+            told, found = self.study(levels + design, f"out-{len(design)}")
+            self.assertTrue(all(level["low"] is None and level["high"] is None for level in found["choose"]["levels"]))
+            self.assertNotIn("95 % interval", told.partition("What matters")[0])
+
+    def test_the_mean_that_a_search_makes_smallest_has_the_interval_of_its_rows(self):
+        search = VARY + f'[minimise]\nresult = {FORCE}\nover = ["contact.air_gap"]\nof = "mean"\nevaluations = 1\n[design]\nsize = 6\n'
+        widths = []
+        for n in (1, 10):
+            _, found = self.study(search + f"[replicates]\nn = {n}\n", f"out-{n}")
+            start = found["minimise"]["start"]
+            widths.append(start["high"] - start["low"])
+        # Starts 1 nm apart: peak forces of the first contact differ by 1e-5 of their scatter over friction.
+        self.assertAlmostEqual(widths[1] / widths[0], 1.0, delta=1e-2)
+        self.assertGreater(widths[0], 1.0)
+
+    def test_resuming_with_another_bound_keeps_that_bound(self):
+        text = VARY + f'[design]\nsize = 12\n[limits]\n{FORCE} = {{ max = "5.2 kN" }}\n'
+        self.study(text)
+        _, found = self.study(text.replace("5.2", "5.05"), "out", "--resume")
+        self.assertEqual(found["limits"][0]["max"], 5050.0)
+        self.assertIn("5.05 kN", (self.folder / "out/study.toml").read_text())
+
+    def test_names_that_no_column_can_have_are_refused_before_the_first_drop(self):
+        size = "[design]\nsize = 2\n"
+        keys = 'keys = ["bearings.TB1.support.C_y"], values = [2e3, 8e3]'
+        for name in ("status", "a/b", "contact.exponent", ".."):
+            self.refused(VARY + f'"{name}" = {{ {keys} }}\n' + size, "s.toml:6:", f"vary.{name}: ", "Choose another name")
+        for name in ("point", "a/b", ".", "contact.air_gap"):
+            self.refused(VARY + size + f'[derived]\n"{name}" = {{ formula = "2 * bearings.TB1.peak_contact_force" }}\n', "s.toml:9:", f"derived.{name}: ")
+        self.refused(VARY + size + '[keep]\nseries = ["/bearings/TB1/orbit", "/bearings/TB1/orbit"]\n', "s.toml:9:", "twice")
+        pair = '[[correlation]]\nparameters = ["contact.friction_coefficient", "contact.air_gap"]\nrank = 0.5\n'
+        self.refused(VARY + size + pair + pair, "two [[correlation]] are of contact.friction_coefficient and contact.air_gap")
+        self.refused(VARY + size + '[derived]\na = { formula = "' + "-" * 50000 + '1" }\n', "more than 10000 characters")
+
+    def test_a_formula_feeds_a_key_of_whole_numbers(self):
+        self.write("s.toml", VARY + 'bearings.TB1.balls_per_row = { formula = "14 + 0 * contact.air_gap" }\n[design]\nsize = 2\n')
+        self.succeed("study", "s.toml", "--dry-run")
+        self.write("s.toml", VARY + 'bearings.TB1.balls_per_row = { formula = "14.5 + 0 * contact.air_gap" }\n[design]\nsize = 2\n')
+        self.assertIn("must be an integer", self.call("study", "s.toml", "--dry-run").stderr)
+
+    def test_the_reference_of_keys_that_differ_in_the_case_is_asked_for(self):
+        self.case('bearings.TB1.air_gap = "250 um"\nbearings.TB2.air_gap = "300 um"\n')
+        gaps = 'case = "drop.toml"\n[vary]\ngap = { keys = ["bearings.TB1.air_gap", "bearings.TB2.air_gap"], values = ["200 um", "220 um"]REFERENCE }\n[design]\nkind = "one-at-a-time"\n'
+        self.refused(gaps.replace("REFERENCE", ""), "s.toml:3:", "reference = VALUE", "bearings.TB2.air_gap")
+        _, found = self.study(gaps.replace("REFERENCE", ', reference = "210 um"'))
+        self.assertEqual(found["done"], 3)
+
+    def test_resuming_leaves_the_users_files(self):
+        self.study(VARY + "[design]\nsize = 4\n")
+        notes = pathlib.Path(self.folder / "out/rank-list.journal")
+        notes.write_text("notes\n")
+        self.succeed("study", "s.toml", "-o", "out", "--resume")
+        self.assertEqual(notes.read_text(), "notes\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
