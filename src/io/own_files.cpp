@@ -8,6 +8,9 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/errors.h"
+#include "io/checkpoint.h"
+
 namespace rotordrop {
 namespace {
 
@@ -63,6 +66,14 @@ bool is_own_page(const fs::path& file) {
   std::ifstream page(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(page), {}};
   return text.find(R"(<main id="page"></main>)") != std::string::npos;
+}
+
+void write_page(const fs::path& file, const std::string& page) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(file, ignored)) && !is_own_page(file))
+    throw InputError({file.string()}, "this file is no page of the program; it is left as it is.",
+                     "Give the page another name.");
+  write_text_atomically(file, page);
 }
 
 bool is_written_parameters(const fs::path& file) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
 namespace rotordrop {
 
@@ -11,6 +12,8 @@ bool is_hollow(const std::filesystem::path& file);
 
 /// Whether a page is the program's.
 bool is_own_page(const std::filesystem::path& file);
+/// Writes a page, in the place of one of the program's. @throws InputError if something else is there
+void write_page(const std::filesystem::path& file, const std::string& page);
 
 /// Whether parameters.toml is what a run writes first of all, and not a case by that name: every value of it has its origin behind it.
 bool is_written_parameters(const std::filesystem::path& file);

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "python/bindings.h"
 #include "python/values.h"
+#include "python/watch.h"
 #include "study/compare/comparison.h"
 #include "study/modes/critical_speeds_report.h"
 #include "study/modes/modes_report.h"
@@ -52,7 +53,7 @@ py::dict dict_of(const WhirlModes& found, std::size_t n_modes) {
 py::dict modes(const Case& c, const std::vector<double>& speeds, std::size_t n_modes) {
   ModesReport report;
   {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     report = find_modes(c, speeds);
   }
   py::list at_speeds;
@@ -72,7 +73,7 @@ py::object found_critical_speeds(const Case& c, double up_to, const std::optiona
   options.map = map;
   Json found;
   {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     found = critical_speeds_json(c, critical_speeds(c.parameters, options), options);
   }
   return to_python(found);
@@ -81,7 +82,7 @@ py::object found_critical_speeds(const Case& c, double up_to, const std::optiona
 py::object statics(const Case& c, const std::string& bearing) {
   Json found;
   {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     found = find_rest(c, bearing);
   }
   return to_python(found);
@@ -109,7 +110,7 @@ py::tuple preload(const Case& c, const std::string& bearing, const std::shared_p
   Json report;
   std::vector<PreloadTable> tables;
   {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     report = find_preload(c, bearing, drop.get(), tables);
   }
   py::list list;
@@ -132,7 +133,7 @@ py::object compare(const std::shared_ptr<RecordedDrop>& drop, const std::shared_
   if (instants) options.instants = *instants;
   Json report;
   {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     report = compare_models(*drop, against.get(), options).report;
   }
   return to_python(report);

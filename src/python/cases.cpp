@@ -6,6 +6,7 @@
 #include "python/bindings.h"
 #include "python/faults.h"
 #include "python/values.h"
+#include "python/watch.h"
 
 namespace rotordrop::python {
 namespace py = pybind11;
@@ -18,7 +19,7 @@ Case read_from(const std::filesystem::path& file, const py::object& text, const 
   if (!text.is_none()) given.text = text.cast<std::string>();
   if (!tree.is_none()) given.tree = to_node(tree, "");
   const auto settings = to_settings(overrides);
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   return read_given_case(given, settings);
 }
 

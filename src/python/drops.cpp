@@ -8,7 +8,7 @@
 
 #include "base/parameters/suggestion.h"
 #include "case/built_machine.h"
-#include "io/checkpoint.h"
+#include "io/own_files.h"
 #include "python/bindings.h"
 #include "python/values.h"
 #include "python/watch.h"
@@ -156,9 +156,9 @@ void add_drops(py::module_& core) {
     }
   });
   core.def("write_report", [](const std::filesystem::path& directory, const std::filesystem::path& file) {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     const RecordedDrop drop(directory);
-    write_text_atomically(file, report_page(report_data(drop)));
+    write_page(file, report_page(report_data(drop)));
   });
 
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_active_runs));

@@ -1,8 +1,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "io/checkpoint.h"
+#include "io/own_files.h"
 #include "python/bindings.h"
+#include "python/faults.h"
 #include "python/values.h"
 #include "python/watch.h"
 #include "study/many/answers/study_report.h"
@@ -27,6 +28,7 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
              const py::object& progress) {
   StoppableRun stoppable(progress);
   std::vector<std::string> notes;
+  std::vector<Fault> warnings;
   StudyOptions options;
   options.directory = call.directory;
   options.n_workers = call.n_workers;
@@ -39,8 +41,10 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
   {
     const py::gil_scoped_release others_may_run;
     Study study = read_study(file, overrides);
+    warnings = study.base.warnings;
     const Design design = study.is_search() ? SearchSpace(study).corners() : make_design(study);
-    check_points(study, design, call.n_workers);
+    Watch watch;
+    check_points(study, design, call.n_workers, [&watch] { watch.look(); });
     probe_results(study, design, options.evaluate);
     if (const auto note = choose_lanes(study, design); !note.empty()) options.tell(note);
     outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
@@ -54,6 +58,7 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
   told["cpu_time"] = outcome.cpu_time;
   told["wall_time"] = outcome.wall_time;
   told["notes"] = notes;
+  told["warnings"] = faults_to_python(warnings);
   return told;
 }
 
@@ -77,8 +82,8 @@ void add_studies(py::module_& core) {
       py::arg("file"), py::arg("overrides"), py::arg("directory"), py::arg("jobs"), py::arg("force"), py::arg("resume"),
       py::arg("progress"));
   core.def("write_study_report", [](const std::filesystem::path& directory, const std::filesystem::path& file) {
-    const py::gil_scoped_release others_may_run;
-    write_text_atomically(file, study_report_page(study_report_data(directory)));
+    const OthersMayRun others_may_run;
+    write_page(file, study_report_page(study_report_data(directory)));
   });
 }
 

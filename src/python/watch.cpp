@@ -14,7 +14,10 @@ std::atomic<bool> is_leaving = false;
 
 }  // namespace
 
-ActiveRun::ActiveRun() { ++n_active; }
+ActiveRun::ActiveRun() {
+  if (is_leaving) throw SolverError("Python ends.");
+  ++n_active;
+}
 ActiveRun::~ActiveRun() { --n_active; }
 
 void end_active_runs() {

@@ -13,10 +13,16 @@ namespace py = pybind11;
 /// Exists while a run goes on. The interpreter waits for all of them before it ends: a thread that asks for its lock after that is torn off.
 class ActiveRun {
  public:
+  /// With Python's lock. @throws SolverError if the interpreter ends: nothing begins any more
   ActiveRun();
   ~ActiveRun();
   ActiveRun(const ActiveRun&) = delete;
   ActiveRun& operator=(const ActiveRun&) = delete;
+};
+/// Python's lock given back for as long as this exists; so long the interpreter does not end.
+class OthersMayRun {
+  ActiveRun active_;
+  py::gil_scoped_release released_;  // taken again before the interpreter may end
 };
 /// Asks all runs to end, and waits for them. Called by the interpreter at its end, with its lock.
 void end_active_runs();

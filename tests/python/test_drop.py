@@ -3,6 +3,7 @@
 import json
 import os
 import pickle
+import shutil
 import signal
 import subprocess
 import sys
@@ -257,6 +258,43 @@ class Running(PackageTest):
             print("leaving")
             """)], capture_output=True, text=True, timeout=60, env={**os.environ, "PYTHONPATH": str(PACKAGE)})
         self.assertEqual((done.returncode, done.stdout), (0, "leaving\n"), done.stderr)
+
+    def test_python_ends_cleanly_while_threads_ask_for_what_needs_no_run(self):
+        for asked in ("rd.Case(FILE)", "case.modes()", "case.critical_speeds()", "case.statics('TB2')"):
+            done = subprocess.run([sys.executable, "-c", textwrap.dedent(f"""
+                import threading, time
+                import rotordrop as rd
+                FILE = {str(SETTLING)!r}
+                case = rd.Case(FILE)
+                def ask():
+                    while True:
+                        {asked}
+                for _ in range(3):
+                    threading.Thread(target=ask, daemon=True).start()
+                time.sleep(0.3)
+                print("leaving")
+                """)], capture_output=True, text=True, timeout=60, env={**os.environ, "PYTHONPATH": str(PACKAGE)})
+            self.assertEqual((done.returncode, done.stdout), (0, "leaving\n"), asked + done.stderr)
+
+    def test_a_case_is_what_it_was_given(self):
+        shutil.copy(PARAMS / "neisi2019-rotor.json", self.folder)
+        shutil.copy(PARAMS / "neisi2019.toml", self.folder / "own.toml")
+        table, overrides = {"base": str(SETTLING), "contact": {"air_gap": 2e-4}}, {"gravity": np.array([0.0, -9.81, 0.0])}
+        case = rd.Case(table, {"run.gravity": overrides["gravity"]})
+        table["contact"]["air_gap"] = 3e-4
+        overrides["gravity"][1] = -1.0
+        for same in (case, case.with_overrides({}), pickle.loads(pickle.dumps(case))):
+            self.assertEqual(same.parameters["contact"]["air_gap"], 2e-4)
+            self.assertEqual(same.parameters["run"]["gravity"], [0.0, -9.81, 0.0])
+        here = os.getcwd()
+        try:
+            os.chdir(self.folder)
+            cases = [rd.Case("own.toml"), rd.Case('base = "own.toml"\n'), rd.Case({"base": "own.toml"}), rd.Case({"base": "neisi2019.toml"})]
+            os.chdir(here)
+            for one in cases:
+                self.assertEqual(one.with_overrides({}).text.count("air_gap"), one.text.count("air_gap"))
+        finally:
+            os.chdir(here)
 
     def test_a_run_that_fails_is_a_solver_error(self):
         # Explicit steps of 200 us through contacts whose period is a tenth of that.

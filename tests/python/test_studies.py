@@ -1,10 +1,16 @@
 """Studies from Python: the same bits as the program, ended by an exception and resumed, faults of their points."""
 
+import shutil
+import signal
+import subprocess
 import sys
+import time
 import unittest
 
+import numpy
+
 sys.path.insert(0, __file__.rpartition("/")[0])
-from package import SETTLING, PackageTest, rd  # noqa: E402
+from package import PACKAGE, PARAMS, SETTLING, PackageTest, rd  # noqa: E402
 from program import call  # noqa: E402
 
 STUDY = """
@@ -74,6 +80,54 @@ class Studies(PackageTest):
         with self.assertRaises(rd.InputError) as caught:
             rd.study(file, self.folder / "out")
         self.assertIn("no valid case", str(caught.exception))
+
+
+    def test_overrides_are_what_a_case_takes(self):
+        file = self.write(2)
+        own = self.folder / "grüße 😀.json"
+        shutil.copy(PARAMS / "neisi2019-rotor.json", own)
+        overrides = {
+            "title": "a \\ and 😀",
+            "run": {"end_time": "8 ms"},
+            "rotor": {"geometry": own, "unbalance": [{"node": 5, "me": 1e-6}]},
+            "contact.exponent": numpy.float64(10 / 9),
+        }
+        result = rd.study(file, self.folder / "out", overrides)
+        self.assertEqual(result.summary["done"], 2)
+        self.assertIn("a \\\\ and 😀", (self.folder / "out/case.toml").read_text(encoding="utf-8"))
+
+    def test_what_the_case_has_that_is_unusual_is_warned_of_and_notes_are_kept(self):
+        file = self.write(2)
+        file.write_text(file.read_text().replace("lanes = false", "lanes = true"))
+        with self.assertWarnsRegex(rd.CaseWarning, "run.ambient"):
+            result = rd.study(file, self.folder / "out", {"run.end_time": "2 ms", "run.ambient": "700 K", "integration.method": "dormand-prince"})
+        self.assertRegex(" ".join(result.notes), "lanes = true, but these drops run one by one")
+        self.assertEqual(rd.read_study(self.folder / "out").notes, ())
+
+    def test_a_page_of_the_users_is_left_alone(self):
+        result = rd.study(self.write(2), self.folder / "out", {"run.end_time": "2 ms"})
+        page = self.folder / "out/report.html"
+        page.write_text("my notes")
+        with self.assertRaisesRegex(rd.InputError, "no page of the program"):
+            result.report()
+        drop = rd.Case(SETTLING, {"run.end_time": "2 ms"}).run(self.folder / "drop")
+        with self.assertRaisesRegex(rd.InputError, "no page of the program"):
+            drop.report(page)
+        self.assertEqual(page.read_text(), "my notes")
+        page.unlink()
+        result.report()
+        result.report()
+
+    def test_ctrl_c_ends_the_checking_of_points(self):
+        file = self.write(200000)
+        script = f"import sys; sys.path.insert(0, {str(PACKAGE)!r}); import rotordrop as rd; print('on', flush=True); rd.study({str(file)!r}, {str(self.folder / 'out')!r})"
+        running = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(running.stdout.readline(), "on\n")
+        time.sleep(1)  # checking all takes a minute and more
+        running.send_signal(signal.SIGINT)
+        _, told = running.communicate(timeout=30)
+        self.assertIn("KeyboardInterrupt", told)
+        self.assertFalse((self.folder / "out").exists())
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 import pathlib
 import sys
@@ -62,19 +63,24 @@ class Case:
         name: str = "case",
         folder: str | os.PathLike[str] | None = None,
     ) -> None:
-        self._source, self._overrides, self._name, self._folder = source, dict(overrides or {}), name, folder
+        self._name, self._folder = name, os.path.abspath(folder or ".")
         text: str | None = None
         tree: dict[str, typing.Any] | None = None
         file = pathlib.Path(folder or ".") / f"{name}.toml"
         if isinstance(source, Mapping):
             tree = dict(source)
             if folder is not None and isinstance(tree.get("base"), str):
-                tree["base"] = os.path.join(folder, tree["base"])
+                beside = os.path.join(folder, tree["base"])
+                if os.path.exists(beside):  # else it may be one of those that come with the program
+                    tree["base"] = beside
         elif isinstance(source, str) and _is_text(source):
             text = source
         else:
             file = pathlib.Path(source)
-        self._case = _core.read_case(file, text, tree, self._overrides)
+        # What is read again later is what was given now, wherever the program is by then.
+        again = source if tree is not None or text is not None else file.absolute()
+        self._case = _core.read_case(file, text, tree, dict(overrides or {}))
+        self._source, self._overrides = copy.deepcopy(again), copy.deepcopy(dict(overrides or {}))
         for fault in self.warnings:
             warnings.warn(f"{fault.key}: {fault.message} {fault.advice}".strip(), CaseWarning, stacklevel=2)
 

@@ -159,7 +159,7 @@ class Result:
     def report(self, file: str | os.PathLike[str] | None = None) -> pathlib.Path:
         """Writes the run's HTML page, as `rotordrop report` does; it needs a result in a directory.
 
-        file   default: report.html in the directory
+        file   default: report.html in the directory. InputError for one that is no page of the program: it is left alone
         """
         if self.directory is None:
             raise ValueError("a report needs the files of a run: case.run(directory)")

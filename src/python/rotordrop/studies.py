@@ -6,7 +6,9 @@ import functools
 import json
 import os
 import pathlib
+import re
 import typing
+import warnings
 from collections.abc import Callable, Mapping
 
 from . import _core
@@ -22,21 +24,42 @@ def _toml(value: typing.Any) -> str:
     """A value as --set takes it."""
     if hasattr(value, "tolist"):
         value = value.tolist()
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
     if isinstance(value, bool):
         return "true" if value else "false"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_key(name)} = {_toml(one)}" for name, one in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_toml(one) for one in value) + "]"
-    return json.dumps(value) if isinstance(value, str) else repr(value)
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
+
+
+def _key(name: str) -> str:
+    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else json.dumps(name, ensure_ascii=False)
+
+
+def _settings(overrides: Mapping[str, typing.Any], of: str = "") -> list[str]:
+    """Overrides as words of --set: tables key by key."""
+    words = []
+    for key, value in overrides.items():
+        if isinstance(value, Mapping):
+            words += _settings(value, f"{of}{key}.")
+        else:
+            words.append(f"{of}{key}={_toml(value)}")
+    return words
 
 
 class StudyResult:
     """A study that has run.
 
     directory   where its files are
+    notes       what the command would have said meanwhile, such as why drops do not run in lanes; empty for one that was read
     """
 
-    def __init__(self, directory: pathlib.Path) -> None:
+    def __init__(self, directory: pathlib.Path, notes: tuple[str, ...] = ()) -> None:
         self.directory = directory
+        self.notes = notes
 
     def __repr__(self) -> str:
         return f"<rotordrop.StudyResult in {self.directory}>"
@@ -57,7 +80,7 @@ class StudyResult:
         return pandas.read_csv(self.directory / "study.csv", index_col="point", float_precision="round_trip")
 
     def report(self, file: str | os.PathLike[str] | None = None) -> pathlib.Path:
-        """Writes the study's HTML page; default: report.html in its directory."""
+        """Writes the study's HTML page; default: report.html in its directory. InputError for a file that is no page of the program: it is left alone."""
         path = pathlib.Path(file) if file is not None else self.directory / "report.html"
         _core.write_study_report(self.directory, path)
         return path
@@ -82,15 +105,16 @@ def study(
     progress    called five times a second with a StudyProgress; what it raises ends the study, and so does Ctrl-C: `resume=True` continues it
     force       replaces results that are in the directory
 
-    InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
+    What the case has that is allowed but unusual is a CaseWarning. InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
     """
-    from .errors import SolverError
+    from .errors import CaseWarning, SolverError
 
-    words = [f"{key}={_toml(value)}" for key, value in (overrides or {}).items()]
-    told = _core.run_study(pathlib.Path(file), words, pathlib.Path(directory), jobs, force, resume, progress)
+    told = _core.run_study(pathlib.Path(file), _settings(overrides or {}), pathlib.Path(directory), jobs, force, resume, progress)
+    for fault in told["warnings"]:
+        warnings.warn(f"{fault.key}: {fault.message} {fault.advice}".strip(), CaseWarning, stacklevel=2)
     if not told["complete"]:
         raise SolverError(f"stopped after a failed drop, for on_failure = \"stop\"; its reason is in {pathlib.Path(directory) / 'study.journal'}")
-    return StudyResult(pathlib.Path(directory))
+    return StudyResult(pathlib.Path(directory), tuple(told["notes"]))
 
 
 def read_study(directory: str | os.PathLike[str]) -> StudyResult:

@@ -56,16 +56,17 @@ void require_machine(const Case& c) {
 
 }  // namespace
 
-void check_points(const Study& study, const Design& design, unsigned n_workers) {
+void check_points(const Study& study, const Design& design, unsigned n_workers, const std::function<void()>& look) {
   const std::size_t n = n_points(study, design);
   constexpr std::size_t n_told = 5;
   std::atomic<std::size_t> next{0}, n_bad{0};
   std::mutex lock;
   std::map<std::size_t, InputError> bad;
   std::exception_ptr interruption;
-  const auto check = [&] {
+  const auto check = [&](const std::function<void()>& between) {
     for (std::size_t i; n_bad < 100 && (i = next.fetch_add(1)) < n;) {
       try {
+        if (between) between();
         require_machine(study.cases->read(overrides_of(study, point_of(study, design, i))));
       } catch (const InputError& error) {
         ++n_bad;
@@ -80,7 +81,8 @@ void check_points(const Study& study, const Design& design, unsigned n_workers) 
   };
   {
     std::vector<std::jthread> pool;
-    for (unsigned k = 0; k < workers_of(n_workers, n); ++k) pool.emplace_back(check);
+    for (unsigned k = 1; k < workers_of(n_workers, n); ++k) pool.emplace_back([&] { check({}); });
+    check(look);
   }
   if (interruption) std::rethrow_exception(interruption);
   if (bad.empty()) return;

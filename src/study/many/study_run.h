@@ -53,7 +53,8 @@ std::vector<std::string> overrides_of_second_try(const Study& study, const Study
 unsigned workers_of(unsigned asked, std::size_t n_tasks);
 
 /// Reads the case of every point and builds its machine, but for meshes. @throws InputError with the first faulty points
-void check_points(const Study& study, const Design& design, unsigned n_workers);
+/// @param look  called now and then by the thread that calls this; what it throws ends the checking
+void check_points(const Study& study, const Design& design, unsigned n_workers, const std::function<void()>& look = {});
 
 /// What a study knows of its results before it runs: the first point is begun and stopped after its first step.
 struct ProbedResults {
