@@ -18,7 +18,11 @@ void ScheduledRows::step(const Step& step) {
     const double t = schedule_.due();
     write(t, needs_state(t) ? state_at(step, t) : state_);
   }
-  if (!step.is_observed) return;
+  if (!step.is_observed) {
+    // Whether it would be was asked while a row within it was due first.
+    if (is_same_time(schedule_.due(), step.time)) write(step.time, state_at(step, step.time));
+    return;
+  }
   schedule_.follow(step.time, step.found->step);
   if (wants_before_change() && schedule_.is_awoken(step.start)) write(step.start, state_at(step, step.start));
   if (is_same_time(schedule_.due(), step.time) || step.is_last) write_end(step);

@@ -168,6 +168,9 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] std::vector<Observable> observables() const override;
   [[nodiscard]] std::vector<Observable> detailed_observables() const override;
   [[nodiscard]] std::size_t n_heated_rows() const override { return data_.heats_rows_apart ? rows_.size() : 0; }
+  /// How far the nearest place of a shoulder's face is inside the ring [m]; below zero what is left of the gap, minus infinity without shoulders.
+  /// @param journal  the rotor's motion; @param y  the bearing's state
+  [[nodiscard]] double overlap_with_shoulders(const Motion& journal, std::span<const double> y) const;
   /// Rings at rest, hanging in their balls under their own weight; the support carries the rings only.
   void initial_state(std::span<double> y) const override;
   void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,

@@ -115,6 +115,18 @@ void TouchdownBearing::touch_shoulders(const SupportInput& in, std::span<const d
   }
 }
 
+double TouchdownBearing::overlap_with_shoulders(const Motion& j, std::span<const double> y) const {
+  double overlap = -std::numeric_limits<double>::infinity();
+  if (!data_.free_ring) return overlap;
+  const double x = j.x - y[ring_x], about_y = j.theta_y - y[tilt_y], about_z = j.theta_z - y[tilt_z];
+  for (const Shoulder& shoulder : data_.free_ring->shoulders)
+    for (const auto& [c, s] : around)
+      overlap =
+          std::max(overlap, -shoulder.side * (x + data_.free_ring->shoulder_radius * (about_y * s - about_z * c)) -
+                                shoulder.gap);
+  return overlap;
+}
+
 double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion& growth,
                                         std::span<const double> y) const {
   const Motion& j = in.journal;

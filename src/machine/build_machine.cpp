@@ -23,11 +23,17 @@ bool driver_meshes_sections(const std::string& driver) {
   return kind && kind->meshes_sections;
 }
 
-using RingCentre = std::pair<double, std::pair<double, double>>;  // x, (y, z)
+/// A touchdown bearing's ring at rest in its balls.
+struct RingAtRest {
+  double position;            // along the rotor [m]
+  std::vector<double> state;  // of the bearing
+  [[nodiscard]] double y() const { return state[TouchdownBearing::ring_y]; }
+  [[nodiscard]] double z() const { return state[TouchdownBearing::ring_z]; }
+};
 
 /// A rotor that starts inside a ring would be shot out of it.
 void check_start(const MachineParameters& p, const Node& case_node, const RotorModel& rotor,
-                 const Machine::Parts& parts, const std::vector<RingCentre>& ring_centres) {
+                 const Machine::Parts& parts, const std::vector<RingAtRest>& rings) {
   std::vector<Motion> motions(parts.supports.size());
   rotor.motions(parts.initial_rotor_state, motions);
   Faults faults;
@@ -35,8 +41,11 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
   for (std::size_t i = 0; i < p.bearings.size(); ++i) {
     const auto* b = p.bearings[i].touchdown();
     if (!b) continue;
-    const auto& [y, z] = ring_centres[ring++].second;
-    const double speed = p.run.initial_speed, distance = std::hypot(motions[i].y - y, motions[i].z - z),
+    const RingAtRest& at_rest = rings[ring++];
+    const double speed = p.run.initial_speed,
+                 distance = std::hypot(motions[i].y - at_rest.y(), motions[i].z - at_rest.z()),
+                 overlap = static_cast<const TouchdownBearing&>(*parts.supports[i])
+                               .overlap_with_shoulders(motions[i], at_rest.state),
                  gap = air_gap(*b, p.contact) - parts.rotor_growth_by_speed[ring - 1] * speed * speed;
     if (gap <= 0.)
       faults.add(position_of(case_node, "contact"),
@@ -49,6 +58,14 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
           fmt::format("the rotor starts {:.6g} um from the centre of the ring of {}, beyond the air gap of {:.6g} um.",
                       distance * 1e6, p.bearings[i].name, gap * 1e6),
           "Check rotor.initial_offset, initial_tilt and initial_orbit.");
+    else if (overlap > 0.)
+      faults.add(
+          position_of(case_node, "bearings"),
+          fmt::format("a shoulder of the rotor starts {:.6g} um inside the ring of {}, which hangs {:.6g} um from "
+                      "its unloaded place along the axis.",
+                      overlap * 1e6, p.bearings[i].name, at_rest.state[TouchdownBearing::ring_x] * 1e6),
+          "Gaps are of unloaded positions: make shoulders.gap_minus_x and gap_plus_x larger, or check "
+          "initial_tilt, run.gravity and the bearing's preload.");
     if (!faults.empty()) break;  // one fault, whatever the number of rings
   }
   for (const auto& [name, probe] : p.rotor.probes) {
@@ -76,7 +93,7 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
   const bool is_elastic = p.thermal.expansion == GrowthSource::elastic && driver_meshes_sections(driver);
   Machine::Parts parts;
   std::vector<int> nodes;
-  std::vector<RingCentre> ring_centres;
+  std::vector<RingAtRest> rings;
   std::size_t n_places = 0;
   for (const auto& entry : p.bearings) {
     nodes.push_back(entry.node());
@@ -90,8 +107,7 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
       auto bearing = std::make_unique<TouchdownBearing>(std::move(data));
       std::vector<double> state(bearing->state_entries().size());
       bearing->initial_state(state);
-      ring_centres.push_back(
-          {p.rotor.geometry.position(b->node), {state[TouchdownBearing::ring_y], state[TouchdownBearing::ring_z]}});
+      rings.push_back({p.rotor.geometry.position(b->node), std::move(state)});
       parts.supports.push_back(std::move(bearing));
       parts.thermal_place.emplace_back(n_places++);
     } else {
@@ -117,18 +133,18 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
   // The rotor starts as a straight line through the ring centres of the outermost touchdown bearings.
   const double x_cg = rotor->body().centre_of_gravity;
   Motion start;
-  if (!ring_centres.empty()) {
-    const auto [first, last] = std::minmax_element(ring_centres.begin(), ring_centres.end(),
-                                                   [](const auto& a, const auto& b) { return a.first < b.first; });
-    start = first->first < last->first ? straight_line(first->first, first->second.first, first->second.second,
-                                                       last->first, last->second.first, last->second.second, x_cg)
-                                       : Motion{.y = first->second.first, .z = first->second.second};
+  if (!rings.empty()) {
+    const auto [first, last] = std::minmax_element(
+        rings.begin(), rings.end(), [](const auto& a, const auto& b) { return a.position < b.position; });
+    start = first->position < last->position
+                ? straight_line(first->position, first->y(), first->z(), last->position, last->y(), last->z(), x_cg)
+                : Motion{.y = first->y(), .z = first->z()};
   }
   parts.initial_rotor_state.resize(rotor->n_state());
   rotor->initial_rigid_state(start + initial_disturbance(p.rotor), {p.rotor.initial_angle, p.run.initial_speed},
                              parts.initial_rotor_state);
   add_magnets(p, *rotor, start, parts);
-  check_start(p, case_node, *rotor, parts, ring_centres);
+  check_start(p, case_node, *rotor, parts, rings);
   parts.rotor = std::move(rotor);
   return parts;
 }

@@ -214,5 +214,18 @@ class Faults(ProgramTest):
         self.fails('bearings.ring_motion = "fre"\n', 'Did you mean "free"')
 
 
+    def test_a_shoulder_that_starts_inside_a_ring_is_refused(self):
+        # Gravity along the axis: the ring of the deep-groove bearing hangs 134 um low in its balls.
+        shutil.copy(PARAMS / "vertical-drop.toml", self.folder)
+        shutil.copy(PARAMS / "neisi2019-settling.toml", self.folder)
+        shutil.copy(PARAMS / "neisi2019.toml", self.folder)
+        for gap, fits in ((0.1, False), (0.13, False), (0.14, True)):
+            keys = settings(run__end_time="1 ms", bearings__TB1__shoulders__gap_minus_x=f"{gap} mm", bearings__TB1__shoulders__gap_plus_x=f"{gap} mm")
+            done = self.call("check", "vertical-drop.toml", *keys)
+            self.assertEqual(done.returncode, 0 if fits else 2, done.stdout + done.stderr)
+            if not fits:
+                self.assertRegex(done.stderr, f"a shoulder of the rotor starts {133.588 - 1000 * gap:.3f} um inside the ring of TB1, which hangs -133.588 um")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -552,6 +552,22 @@ class IntegrationMethods(ProgramTest):
         self.assertEqual(summary["run"]["steps"], 2000)
         self.assertEqual(summary["run"]["rejected_steps"], 0)
 
+    def test_rows_may_be_closer_than_steps(self):
+        # A row within a step, the next one at its end: with 4 us and 2.5 us every fifth step.
+        kept = {}
+        for name, interval, step in (("coarse", "20 us", "4 us"), ("fine", "2.5 us", "4 us"), ("finest", "0.5 us", "2 us")):
+            self.run_case("reference.toml", output=name, run__end_time="12 ms", integration__method="runge-kutta-4", integration__step=step, output__interval=interval)
+            with h5py.File(self.folder / name / "results.h5") as file:
+                kept[name] = file["time"][:], file["bearings/TB1/contact_force"][:], file["energy/residual"][:]
+        for name, interval in (("fine", 2.5e-6), ("finest", 0.5e-6)):
+            time, force, residual = kept[name]
+            numpy.testing.assert_allclose(numpy.diff(time), interval, rtol=1e-6)
+            self.assertLess(numpy.abs(residual).max(), 1e-6, "J")
+        coarse, fine = kept["coarse"], kept["fine"]
+        self.assertGreater(coarse[1].max(), 1000, "N")
+        # Rows within steps are evaluated side by side, those at their ends one by one.
+        numpy.testing.assert_allclose(fine[1][::8], coarse[1], rtol=1e-11)
+
     def test_a_step_that_does_not_divide_the_end_is_shortened_a_little(self):
         summary = self.run_case("reference.toml", run__end_time="10.0001 ms", integration__method="runge-kutta-4", integration__step="5 us")
         self.assertEqual(summary["run"]["steps"], 2001)

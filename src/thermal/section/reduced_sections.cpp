@@ -129,10 +129,12 @@ ReducedSections::ReducedSections(std::vector<ReducedSection> sections, double am
     for (std::size_t i = 0; i < by_formula.size(); ++i)
       p.growth.add(is_elastic ? section.elastic->growth[i] : by_formula[i]);
     p.has_widths = is_elastic || section.growth.inner_width != 0. || section.growth.outer_width != 0.;
-    p.surface_ports = observed_ports(section);
-    for (const std::size_t port : p.surface_ports)
+    const std::vector<std::size_t> observed = observed_ports(section);
+    for (const std::size_t port : observed) {
       p.surfaces.emplace_back(p.n, heat.ports[port].points, heat.ports[port].points_at_once);
-    p.observed = observed_shapes(section, p.surface_ports);
+      p.surface_inputs.push_back(static_cast<std::size_t>(std::ranges::find(heated, port) - heated.begin()));
+    }
+    p.observed = observed_shapes(section, observed);
     places_.push_back(std::move(p));
   }
 }
@@ -271,8 +273,8 @@ void ReducedSections::surface_heats(std::size_t k, const double* rises, const He
 void ReducedSections::put_surfaces(std::size_t k, const HeatedPorts& watts, const RiseRange* ranges,
                                    double* out) const {
   const Place& p = places_[k];
-  for (std::size_t i = 0; i < p.surface_ports.size(); ++i) {
-    out[3 * i] += sections_[k].heat.ports[p.surface_ports[i]].at_once * watts[p.surface_ports[i]];
+  for (std::size_t i = 0; i < p.surface_inputs.size(); ++i) {
+    out[3 * i] += p.at_once[p.surface_inputs[i]] * watts[p.surface_inputs[i]];
     out[3 * i + 1] = ambient_ + ranges[i].lowest;
     out[3 * i + 2] = ambient_ + ranges[i].highest;
   }
@@ -329,7 +331,7 @@ void ReducedSections::observe(std::span<const double> state, std::span<const Hea
     surface_heats(k, rises.data(), heats[k], watts);
     ranges.clear();
     for (std::size_t i = 0; i < p.surfaces.size(); ++i)
-      ranges.push_back(p.surfaces[i].extremes(y, ambient_, watts[p.surface_ports[i]]));
+      ranges.push_back(p.surfaces[i].extremes(y, ambient_, watts[p.surface_inputs[i]]));
     p.observed.sums(y, ambient_, sums);
     to = put_observed(k, sums.data(), watts, ranges.data(), to);
   }
@@ -359,7 +361,7 @@ void ReducedSections::observe_tile(std::span<const double> state, std::span<cons
     ranges_of_one.resize(p.surfaces.size());
     for (std::size_t i = 0; i < p.surfaces.size(); ++i) {
       std::array<double, width> into;
-      for (std::size_t l = 0; l < width; ++l) into[l] = watts[l][p.surface_ports[i]];
+      for (std::size_t l = 0; l < width; ++l) into[l] = watts[l][p.surface_inputs[i]];
       p.surfaces[i].extremes_of_tile(of_place, into.data(), ranges[i].data());
     }
     std::size_t end = first;

@@ -79,8 +79,8 @@ class ReducedSections final : public ThermalModel {
     bool has_widths = false;                 ///< the axial growths are not zero
     ModalShapes stored;                      ///< one: heat of all bodies and nodes
     ModalShapes observed;                    ///< in the order of observe()
-    std::vector<SurfacePoints> surfaces;     ///< of the ports that are observed
-    std::vector<std::size_t> surface_ports;  ///< which they are
+    std::vector<SurfacePoints> surfaces;      ///< of the ports that are observed
+    std::vector<std::size_t> surface_inputs;  ///< which of the heated ports they are
   };
   /// Heats into the heated ports of a section, and their rises by conduction. @returns what is lost besides by the modes: by the housing's film, and at once [W]
   double port_heats(std::size_t k, const double* states, const HeatInput& heat, HeatedPorts& rises,

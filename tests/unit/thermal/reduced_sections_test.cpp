@@ -88,6 +88,42 @@ TEST(ReducedSections, HeatsTheStripsOfEachRow) {
   EXPECT_NEAR(growth[0].outer_race, 3e-6 * 11. / 70., 1e-17);
 }
 
+TEST(ReducedSections, ShowTheHeatOfEachRowWhereOtherPortsStandBeforeTheirStrips) {
+  auto section = two_lumps();
+  const auto like = [&](std::size_t port) { return ReducedHeat::Output(section.heat.ports[port]); };
+  section.heat.ports.push_back(
+      like(shaft_port));  // two nodes of the shaft beside the bearing, which nothing heats from outside
+  section.heat.ports.push_back(like(shaft_port));
+  for (const std::size_t port : {inner_raceway_port, outer_raceway_port, inner_raceway_port, outer_raceway_port})
+    section.heat.ports.push_back(like(port));
+  const double at_once[] = {0.1, 0.2, 0.3, 0.4};  // K/W
+  for (std::size_t i = 0; i < 4; ++i) {
+    auto& strip = section.heat.ports[8 + i];
+    strip.at_once = at_once[i];
+    strip.area = 0.005;
+    strip.points_at_once.assign(strip.points_at_once.size(), 0.5 * at_once[i]);
+  }
+  section.rows = {{8, 9}, {10, 11}};
+  const ReducedSections model(one(section), ambient);
+  const std::size_t n_out = observed_size(model.observables());
+  std::vector<double> y(2), out(n_out), states(2 * RowTile::width, ambient), tile(n_out * RowTile::width);
+  model.initial_state(y);
+  HeatInput heat;
+  heat.rows.resize(2);
+  heat.rows[0] = {3., 5., {}};
+  heat.rows[1] = {4., 6., {}};
+  model.observe(y, {&heat, 1}, out);
+  const double watts[] = {3., 5., 4., 6.};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t strip = n_out - 12 + 3 * i;
+    EXPECT_NEAR(out[strip] - ambient, at_once[i] * watts[i], 1e-10) << "K: mean of strip " << i;
+    EXPECT_NEAR(out[strip + 1] - ambient, 0.5 * at_once[i] * watts[i], 1e-10) << "K: its one point";
+    EXPECT_NEAR(out[strip + 2] - ambient, 0.5 * at_once[i] * watts[i], 1e-10);
+  }
+  model.observe_tile(states, std::vector<HeatInput>(RowTile::width, heat), tile);
+  for (std::size_t i = 0; i < n_out; ++i) EXPECT_NEAR(tile[i * RowTile::width + 3], out[i], 1e-10) << i;
+}
+
 TEST(ReducedSections, ShowEightStatesSideBySideAsOneByOne) {
   auto plain = two_lumps(), by_rows = two_lumps(500.);
   by_rows.heat.ports[bore_port].points = {1., 0.7, 0.5, -0.2, 2., 0.1};  // three points of two modes
