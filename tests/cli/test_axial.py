@@ -217,8 +217,8 @@ class Faults(ProgramTest):
     def test_a_shoulder_that_starts_inside_a_ring_is_refused(self):
         # Gravity along the axis: the ring of the deep-groove bearing hangs 134 um low in its balls.
         shutil.copy(PARAMS / "vertical-drop.toml", self.folder)
-        shutil.copy(PARAMS / "neisi2019-settling.toml", self.folder)
-        shutil.copy(PARAMS / "neisi2019.toml", self.folder)
+        for name in ("neisi2019.toml", "neisi2019-settling.toml", "neisi2019-thrust.toml"):
+            shutil.copy(PARAMS / name, self.folder)
         for gap, fits in ((0.1, False), (0.13, False), (0.14, True)):
             keys = settings(run__end_time="1 ms", bearings__TB1__shoulders__gap_minus_x=f"{gap} mm", bearings__TB1__shoulders__gap_plus_x=f"{gap} mm")
             done = self.call("check", "vertical-drop.toml", *keys)

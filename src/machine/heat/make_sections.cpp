@@ -34,14 +34,18 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
 void check_reduction(const FiniteElements::Section& section, const FeParameters& fe) {
   const ReducedHeat& heat = section.reduced;
   if (heat.response_error <= fe.response_tolerance) return;
-  throw InputError({},
-                   fmt::format("the section of {} on {} modes answers heat with an error of {:.2g} % ({}), and "
-                               "thermal.fe.response_tolerance = {:.4g} allows {:.2g} %.",
-                               section.name, heat.n_modes(), 100. * heat.response_error, heat.worst_response,
-                               fe.response_tolerance, 100. * fe.response_tolerance),
-                   fmt::format("thermal.fe.modes = {} is the most that the case allows: raise it (200 if not given), "
-                               "allow a larger error, or set thermal.fe.coupling = \"windowed\".",
-                               fe.modes));
+  throw InputError(
+      {},
+      fmt::format("the section of {} on {} modes answers heat with an error of {:.2g} % ({}), and "
+                  "thermal.fe.response_tolerance = {:.4g} allows {:.2g} %.",
+                  section.name, heat.n_modes(), 100. * heat.response_error, heat.worst_response, fe.response_tolerance,
+                  100. * fe.response_tolerance),
+      heat.n_modes() < static_cast<std::size_t>(fe.modes)
+          ? std::string(
+                "More modes would not lower it: allow a larger error, or set thermal.fe.coupling = \"windowed\".")
+          : fmt::format("thermal.fe.modes = {} is the most that the case allows: raise it (200 if not "
+                        "given), allow a larger error, or set thermal.fe.coupling = \"windowed\".",
+                        fe.modes));
 }
 
 /// Rows of a ring that only translates carry the same loads but for their balls' places; a free one has thrust and tilts.
