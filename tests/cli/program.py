@@ -34,7 +34,7 @@ values = [1e6]
 """
 
 
-def call(*arguments, cwd=None, timeout=120):
+def call(*arguments, cwd=None, timeout=600 if IS_SANITIZED else 120):
     """Runs the program to its end; returncode, stdout and stderr as text."""
     command = [PROGRAM, *map(str, arguments)]
     return subprocess.run(command, cwd=cwd, capture_output=True, text=True, timeout=timeout, stdin=subprocess.DEVNULL)
