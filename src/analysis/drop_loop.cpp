@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
+
+#include "bearing/touchdown_bearing.h"
 
 namespace rotordrop {
 /// Tells whether growth that comes from outside goes on otherwise than it did.
@@ -24,6 +27,18 @@ class DropLoop::GrowthWatch {
   const GrowthHistory* growth_;
   std::vector<Expansion> before_, now_;
 };
+
+/// How often values are looked at for their peaks, at least [s]: 9 to 12 times in a period of the rings' fastest motion, 8 kHz between rotor and balls,
+/// more on shoulders.
+double DropLoop::often_enough(const Machine& machine) {
+  double interval = 9.9e-6;
+  for (std::size_t i = 0; i < machine.n_supports(); ++i)
+    if (const auto* bearing = dynamic_cast<const TouchdownBearing*>(&machine.support(i)))
+      if (const auto& ring = bearing->data().free_ring; ring && !ring->shoulders.empty())
+        interval = std::min(
+            interval, 2. * std::numbers::pi / 12. * std::sqrt(bearing->data().ring_mass / ring->shoulder_stiffness));
+  return interval;
+}
 
 /// Without an integrator it is the start.
 class DropLoop::EndedStep final : public Step {
@@ -55,7 +70,8 @@ DropLoop::DropLoop(const Machine& machine, const IntegrationParameters& integrat
       followers_(machine),
       state_(machine.layout().size()),
       after_(machine.layout().size()),
-      growth_(std::make_unique<GrowthWatch>(growth_in_force, machine.n_thermal_places())) {
+      growth_(std::make_unique<GrowthWatch>(growth_in_force, machine.n_thermal_places())),
+      often_enough_(often_enough(machine)) {
   found_.wants_step = true;
   found_.growth_in_force = growth_in_force;
   machine.initial_state(state_);
@@ -147,12 +163,12 @@ void DropLoop::evaluate_end(double t, std::span<const double> y, bool is_observe
   integrator_->offer_rates(found_.rates);
 }
 
-/// Every step, or as often as peaks need, 9 to 12 times in a period of the rings' fastest motion (8 kHz): where an evaluation comes on top of the method's own,
+/// Every step, or as often as peaks need: where an evaluation comes on top of the method's own,
 /// and where stability keeps steps that short, since what is observed and who looks at it cost as much as the rates.
 bool DropLoop::is_to_be_observed(double t) const {
-  constexpr double often_enough = 9.9e-6, short_step = 4.5e-6;  // [s]
+  constexpr double short_step = 4.5e-6;  // [s]
   const bool costs_little = integrator_->uses_offered_rates() && mean_step_ > short_step;
-  return costs_little || t - observed_time_ >= often_enough || t >= end_time_ ||
+  return costs_little || t - observed_time_ >= often_enough_ || t >= end_time_ ||
          std::any_of(observers_.begin(), observers_.end(),
                      [t](const Observer* observer) { return is_same_time(observer->due(), t); });
 }

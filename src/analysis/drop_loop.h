@@ -65,6 +65,7 @@ class DropLoop {
   /// What the next evaluation is asked for besides rates.
   void ask(bool is_observed);
   void evaluate_end(double t, std::span<const double> y, bool is_observed);
+  [[nodiscard]] static double often_enough(const Machine& machine);
   [[nodiscard]] bool is_to_be_observed(double t) const;
 
   const Machine& machine_;
@@ -84,6 +85,7 @@ class DropLoop {
   bool wants_details_ = false;
   bool has_end_rates_ = false;  ///< the method evaluates ends of steps into found_
   std::unique_ptr<GrowthWatch> growth_;
+  double often_enough_;  ///< [s]
   IntegrationStatistics earlier_;
 };
 

@@ -37,7 +37,7 @@ Section<OutputParameters> output_section() {
              {.unit = "s",
               .range = at_least(1e-7),
               .fallback = "50 us",
-              .help = "Time between rows of the series in results.h5. Peaks in the summary are taken at every step."});
+              .help = "Time between rows of the series in results.h5. Peaks in the summary are followed between rows, too."});
   s.quantity("detail_interval", &P::detail_interval,
              {.unit = "s",
               .range = at_least(1e-7),

@@ -2,9 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "bearing/support/magnet_support.h"
 
 namespace rotordrop {
+
+namespace {
+
+/// What magnets without a force of their own have to hold of a load, with the moment of it: given ones take theirs first.
+class RestOfLoad {
+ public:
+  /// @param load  on the rotor [N], at x
+  RestOfLoad(double load, double x) : force_(-load), moment_(-load * x) {}
+  void take(double force, double x) {
+    force_ -= force;
+    moment_ -= force * x;
+  }
+  /// Shares as weight_shares() gives them for a load at some place: straight lines over that place. @param at_0, at_1  for 0 and 1 m
+  [[nodiscard]] double shared(double at_0, double at_1) const { return at_0 * force_ + (at_1 - at_0) * moment_; }
+
+ private:
+  double force_, moment_;
+};
+
+}  // namespace
 
 void add_magnets(const MachineParameters& p, const ModalRotor& rotor, const Motion& line, Machine::Parts& parts) {
   struct Found {
@@ -13,20 +35,28 @@ void add_magnets(const MachineParameters& p, const ModalRotor& rotor, const Moti
     double x;
   };
   std::vector<Found> found;
-  std::vector<double> positions;
+  std::vector<double> sharing;  // places of those without a force of their own
   double n_axial = 0.;
   for (std::size_t i = 0; i < p.bearings.size(); ++i)
     if (const auto* m = p.bearings[i].magnet()) {
       found.push_back({i, m, p.rotor.geometry.position(m->node)});
-      positions.push_back(found.back().x);
-      if (m->axial_stiffness > 0.) n_axial += 1.;
+      if (!m->holding_force) sharing.push_back(found.back().x);
+      if (m->axial_stiffness > 0. && !m->axial_holding_force) n_axial += 1.;
     }
   if (found.empty()) return;
   const RigidBody& body = rotor.body();
-  const std::vector<double> shares = weight_shares(positions, body.centre_of_gravity);
-  const double axial_load = p.rotor.axial_motion == AxialFreedom::free
-                                ? body.mass * p.run.gravity[0] + value_at(p.rotor.axial_force, 0.)
-                                : 0.;
+  double axial_load = p.rotor.axial_motion == AxialFreedom::free
+                          ? body.mass * p.run.gravity[0] + value_at(p.rotor.axial_force, 0.)
+                          : 0.;
+  std::array<RestOfLoad, 2> rest = {RestOfLoad(body.mass * p.run.gravity[1], body.centre_of_gravity),
+                                    RestOfLoad(body.mass * p.run.gravity[2], body.centre_of_gravity)};
+  for (const Found& f : found) {
+    axial_load += f.magnet->axial_holding_force.value_or(0.);
+    for (std::size_t axis = 0; axis < 2 && f.magnet->holding_force; ++axis)
+      rest[axis].take((*f.magnet->holding_force)[axis], f.x);
+  }
+  const std::vector<double> at_0 = weight_shares(sharing, 0.), at_1 = weight_shares(sharing, 1.);
+  std::size_t n_shared = 0;
   std::vector<MagnetStart> starts(found.size());
   std::vector<Force> forces(rotor.n_stations());
   for (std::size_t k = 0; k < found.size(); ++k) {
@@ -37,7 +67,8 @@ void add_magnets(const MachineParameters& p, const ModalRotor& rotor, const Moti
     else if (m.axial_stiffness > 0.)
       held[0] = -axial_load / n_axial;
     for (std::size_t axis = 0; axis < 2; ++axis)
-      held[1 + axis] = m.holding_force ? (*m.holding_force)[axis] : -shares[k] * body.mass * p.run.gravity[1 + axis];
+      held[1 + axis] = m.holding_force ? (*m.holding_force)[axis] : rest[axis].shared(at_0[n_shared], at_1[n_shared]);
+    if (!m.holding_force) ++n_shared;
     forces[found[k].support].y = held[1];
     forces[found[k].support].z = held[2];
   }

@@ -178,6 +178,19 @@ elements = [{elements}]
             for key in ("peak_contact_force", "friction_heat", "first_contact_end"):
                 self.assertAlmostEqual(free[name][key], locked[name][key], delta=1e-4 * locked[name][key], msg="what error control leaves")
 
+    def test_peaks_follow_the_ring_on_its_shoulder(self):
+        # 0.21 kg on 5 GN/m: 25 kHz, three times as fast as anything between rotor and balls.
+        shutil.copy(PARAMS / "vertical-drop.toml", self.folder)
+        gaps = {f"bearings__TB1__shoulders__gap_{side}_x": "0.2 mm" for side in ("minus", "plus")}
+        summary = self.run_case("vertical-drop.toml", run__end_time="12 ms", rotor__model="full", output__interval="1 us", **gaps)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            ring = file["bearings/TB1"]
+            found = summary["bearings"]["TB1"]
+            self.assertGreater(-ring["axial_force"][:].min(), 2000, "N: the shoulder is reached")
+            # A parabola through looks 12 times a period meets a peak within 6e-3; a range has the largest look alone, within 1 - cos(pi / 12).
+            self.assertAlmostEqual(found["peak_friction_heat_rate"] / ring["rub_heat_rate"][:].max(), 1, delta=0.01)
+            self.assertAlmostEqual(found["axial"]["force"]["smallest"] / ring["axial_force"][:].min(), 1, delta=0.035)
+
 
 class Faults(ProgramTest):
     def fails(self, text, *says):

@@ -60,6 +60,20 @@ class Release(ProgramTest):
             # 4.4 um/ms^2: the fall of the last 3 ms, with the bending that comes free.
             self.assertAlmostEqual(file["probes/b/position"][0, 0] - file["probes/b/position"][-1, 0], G / 2 * 9e-6, delta=0.1 * G / 2 * 9e-6)
 
+    def test_magnets_share_what_others_with_a_force_of_their_own_leave(self):
+        more = 'release_time = ["3 ms", "3 ms"]'
+        own = 'holding_force = ["200 N", "-30 N"]\n' + more
+        _, file = self.drop('[rotor]\nunbalance = []\n[rotor.probes]\na = { node = 7, clearance = "1 mm" }\n' + magnet("M1", 7, more) + magnet("M2", 25, more) + magnet("M3", 12, own))
+        with file:
+            held = file["time"][:] < 3e-3
+            for axis in (0, 1):
+                q = file["probes/a/position"][:, axis]
+                self.assertLess(numpy.abs(q[held] - q[0]).max(), 1e-11, "m: in balance, bent by the forces")
+            forces = numpy.array([file[f"bearings/{name}/magnet_force"][0, 1:] for name in ("M1", "M2", "M3")])
+            numpy.testing.assert_allclose(forces[2], [200, -30], atol=1e-9)
+            numpy.testing.assert_allclose(forces.sum(axis=0), [MASS * G, 0], atol=1e-3 * MASS * G)
+
+
     def test_one_axis_may_go_first(self):
         more = 'release_time = ["0 ms", "4 ms"]'
         _, file = self.drop(RIGID + '[rotor.probes]\na = { node = 12, clearance = "1 mm" }\n' + magnet("M1", 7, more) + magnet("M2", 25, more), run__gravity="[0, -6, -8]")
