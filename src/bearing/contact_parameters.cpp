@@ -152,4 +152,16 @@ Section<ContactParameters> contact_section() {
   return s;
 }
 
+double largest_friction(const ContactParameters& contact) {
+  const auto largest = [](const std::vector<std::array<double, 2>>& table) {
+    double value = 0.;
+    for (const auto& pair : table) value = std::max(value, pair[1]);
+    return value;
+  };
+  const double mu = contact.friction_over_speed
+                        ? largest(*contact.friction_over_speed)
+                        : std::max(contact.friction_coefficient, contact.static_friction_coefficient.value_or(0.));
+  return contact.friction_over_temperature ? mu * largest(*contact.friction_over_temperature) : mu;
+}
+
 }  // namespace rotordrop

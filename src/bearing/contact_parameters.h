@@ -29,4 +29,7 @@ struct ContactParameters {
 };
 Section<ContactParameters> contact_section();
 
+/// The largest friction coefficient between rotor and bore at any slip speed and temperature.
+double largest_friction(const ContactParameters& contact);
+
 }  // namespace rotordrop

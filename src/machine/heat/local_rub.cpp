@@ -45,7 +45,7 @@ double largest_force(const std::vector<Interval>& list) {
   return largest;
 }
 
-std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
+std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows, double largest_friction) {
   const auto rows = rows_to_follow(r, most_rows);
   std::vector<Interval> list;
   list.reserve(rows.size());
@@ -61,6 +61,10 @@ std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows) {
     for (std::size_t m = i; m < j; ++m)
       v.sliding_work +=
           (r.impulse[m + 1] - r.impulse[m]) * 0.5 * (std::fabs(r.slip_speed[m]) + std::fabs(r.slip_speed[m + 1]));
+    if (const double most = largest_friction * v.sliding_work; v.heat > most) {
+      v.heat_into_ring *= most / v.heat;
+      v.heat = most;
+    }
     v.force = (r.impulse[j] - r.impulse[i]) / v.step;
     v.contact_angle = r.contact_angle[j];
     v.ring_angle = r.ring_angle[j];
@@ -197,7 +201,7 @@ LocalRub local_rub(const RubRecord& r, const LocalRubSettings& s, std::size_t mo
   LocalRub result;
   const auto& bore = s.surfaces.bore;
   result.valid_until = 0.25 * bore.wall_thickness * bore.wall_thickness * bore.capacity / bore.conductivity;
-  const auto list = intervals_of(r, most_rows);
+  const auto list = intervals_of(r, most_rows, s.largest_friction);
   const Replay replay(r, list, s);
   result.wear = replay.wear();
   if (largest_force(list) == 0. || !rubs(list)) return result;
