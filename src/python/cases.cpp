@@ -41,6 +41,7 @@ void add_cases(py::module_& core) {
                                                                                 : "other";
                                return kinds;
                              })
+      .def_property_readonly("asks_for_second_opinion", [](const Case& c) { return c.parameters.run.second_opinion; })
       .def_property_readonly("initial_speed", [](const Case& c) { return c.parameters.run.initial_speed; });
   core.def("read_case", &read_from, py::arg("file"), py::arg("text"), py::arg("tree"), py::arg("overrides"));
 }

@@ -51,8 +51,26 @@ class StudyAnswers(ProgramTest):
         self.assertEqual([limit["max"] for limit in whole["limits"]], [5050.0, 5050.0])
         self.assertGreater(whole["limits"][0]["broken"], 0)
 
+    def test_a_virtual_join_is_not_resumed(self):
+        text = VARY + '[design]\nsize = 4\n[keep]\nseries = ["/bearings/TB1/orbit"]\n'
+        for i in (1, 2):
+            self.write("s.toml", text)
+            self.succeed("study", "s.toml", "-o", f"shard-{i}", "--shard", f"{i}/2")
+        for kind, code in ((["--virtual"], 2), ([], 0)):
+            self.succeed("study", "join", "shard-1", "shard-2", "-o", "joined", "--force", *kind)
+            before = content_of(self.folder / "joined")
+            done = self.call("study", "s.toml", "-o", "joined", "--resume")
+            self.assertEqual(done.returncode, code, done.stderr)
+            if code:
+                self.assertIn("joined with --virtual", done.stderr)
+                self.assertEqual(content_of(self.folder / "joined"), before)
+
     def test_a_search_is_not_joined(self):
         self.study(VARY + f"[minimise]\nresult = {FORCE}\nevaluations = 2\n")
+        table = (self.folder / "out/study.csv").read_text().splitlines()
+        self.assertTrue(table[0].startswith("point,design_row,replicate,status,reason,search,evaluation,"))
+        self.assertRegex(table[1], "^0,0,0,0,,0,0,")
+        self.assertRegex(table[2], "^1,1,0,0,,0,1,")
         done = self.call("study", "join", "out", "-o", "joined")
         self.assertEqual(done.returncode, 2)
         self.assertIn("nothing to join", done.stderr)

@@ -144,6 +144,8 @@ class Case:
         if directory is None:
             if force or resume:
                 raise ValueError("force and resume are about a directory, and none is given")
+            if self._case.asks_for_second_opinion:
+                warnings.warn("run.second_opinion: a run in memory gives none; give it a directory", CaseWarning, stacklevel=2)
             paths = [keep] if isinstance(keep, str) else keep
             kept = None if paths is None else {"/" + path.lstrip("/").replace(".", "/") for path in paths}
             return Result(_core.run_in_memory(self._case, kept, told), self)

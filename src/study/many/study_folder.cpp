@@ -85,6 +85,20 @@ void require_same_study(const fs::path& journal, const std::string& found, const
                    "Give each shard a directory of its own with -o DIR.");
 }
 
+namespace {
+
+/// @throws InputError for the directory of a virtual join, whose series are in other files
+void require_own_series(const Study& study, const fs::path& journal, const Journal::Content& content) {
+  if (study.keep_series.empty()) return;
+  for (const auto& [point, record] : content.records)
+    if (record.is_done && record.series.empty())
+      throw InputError({journal.string(), 0, 0},
+                       "the series of this study are in the files of its shards: it was joined with --virtual.",
+                       "Go on with a shard, or join without --virtual.");
+}
+
+}  // namespace
+
 std::optional<Journal::Content> earlier_points(const Study& study, const StudyOptions& options,
                                                const std::string& header) {
   const fs::path file = options.directory / "study.journal";
@@ -94,6 +108,7 @@ std::optional<Journal::Content> earlier_points(const Study& study, const StudyOp
       take_journals_of_ranks(options.directory, header);
       auto content = Journal::read(file);
       require_same_study(file, content.header, header);
+      require_own_series(study, file, content);
       write_inputs(study, options.directory);  // bounds of limits may be others now
       return content;
     } catch (const InputError&) {

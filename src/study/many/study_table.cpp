@@ -214,6 +214,7 @@ void write_shard_hdf5(const std::filesystem::path& file, const Study& study, con
 void write_study_csv(const std::filesystem::path& file, const Study& study, const Design& design,
                      const StudyTable& table) {
   std::string text = "point,design_row,replicate,status,reason";
+  if (!design.steps.empty()) text += ",search,evaluation";
   for (const auto& p : study.parameters)
     for (const auto& name : names_of(p)) text += "," + cell(name);
   for (const auto& result : table.results) text += "," + cell(result.name);
@@ -222,6 +223,10 @@ void write_study_csv(const std::filesystem::path& file, const Study& study, cons
     const StudyPoint point = point_of(study, design, k);
     text += fmt::format("{},{},{},{},{}", k, point.row, point.replicate, static_cast<int>(table.status[k]),
                         cell(table.reason[k]));
+    if (!design.steps.empty()) {
+      const auto& step = design.steps[point.row / design.rows_per_step];
+      text += fmt::format(",{},{}", step.search, step.evaluation);
+    }
     for (std::size_t i = 0; i < study.parameters.size(); ++i)
       for (std::size_t copy = 0; copy < names_of(study.parameters[i]).size(); ++copy)
         text += "," + cell(point.values[i]);
