@@ -27,6 +27,7 @@ class FreeCage(ProgramTest):
             # skid_demand: loaded balls of this drop need half of what a friction coefficient of 0.1 gives, at most.
             self.assertLess(largest[name, "0.07"], 5, "rad/s: balls roll")
             self.assertGreater(largest[name, "0.002"], 50, "rad/s: balls that are hardly driven")
+            self.assertIsNone(summary["bearings"][name]["spin_up"], "an account of balls that roll")
 
     def test_strong_traction_is_rolling(self):
         # The cage's contact torque acts on the cage instead of being prescribed, which leaves small differences.

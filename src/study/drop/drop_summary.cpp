@@ -17,7 +17,7 @@ namespace {
 std::optional<BearingSummary::SpinUp> spin_up_balance(const Machine& machine, std::size_t support,
                                                       std::span<const double> y, double ring_speed) {
   const auto* bearing = dynamic_cast<const TouchdownBearing*>(&machine.support(support));
-  if (!bearing) return {};
+  if (!bearing || bearing->data().free_cage) return {};  // balls that slip have a motion and a heat of their own
   const auto& d = bearing->data();
   const double balance =
       d.rotor_radius / d.bore_radius * machine.ledger(support, "spin-up drive", y) -
