@@ -304,7 +304,9 @@ StudyCommands::StudyCommands(CLI::App& app) {
 
   rerun_ = study_->add_subcommand("rerun", "The full run of one point of a study, with its report.");
   rerun_->add_option("directory", rerun_command_.directory, "Directory of the study")->required();
-  rerun_->add_option("--point", rerun_command_.point, "Number of the point, from 0")->required();
+  rerun_->add_option("--point", rerun_command_.point, "Number of the point, from 0")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
   rerun_->add_option("-o,--output", rerun_command_.output, "Directory; default DIR/point-N");
   rerun_->add_flag("--force", rerun_command_.force, "Replace results that are there");
   rerun_->add_flag("--quiet", rerun_command_.quiet, "Only messages about trouble");

@@ -34,6 +34,27 @@ py::object to_python(const nlohmann::ordered_json& value) {
   }
 }
 
+namespace {
+
+/// @throws InputError for one that no double holds
+double number_of(const py::handle& value, const SourcePosition& where) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (!PyErr_Occurred()) return number;
+  PyErr_Clear();
+  throw InputError(where,
+                   fmt::format("{} is no number that a case can hold.", std::string(py::str(py::type::of(value)))));
+}
+
+/// @throws InputError for halves of characters
+std::string text_of(const py::handle& value, const SourcePosition& where) {
+  Py_ssize_t size = 0;
+  if (const char* text = PyUnicode_AsUTF8AndSize(value.ptr(), &size)) return {text, static_cast<std::size_t>(size)};
+  PyErr_Clear();
+  throw InputError(where, "this text holds halves of characters (surrogates).");
+}
+
+}  // namespace
+
 Node to_node(const py::handle& value, const std::string& key, std::size_t depth) {
   if (depth > deepest_input)  // its key is as long
     throw InputError(
@@ -44,11 +65,11 @@ Node to_node(const py::handle& value, const std::string& key, std::size_t depth)
     int overflow = 0;
     const auto whole = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
     if (overflow == 0) return {std::int64_t{whole}, where};
-    return {value.cast<double>(), where};
+    return {number_of(value, where), where};
   }
   if (PyFloat_Check(value.ptr())) return {value.cast<double>(), where};
   if (PyUnicode_Check(value.ptr())) {
-    auto text = value.cast<std::string>();
+    auto text = text_of(value, where);
     if (text.find('\0') != std::string::npos) throw InputError(where, "this text holds a NUL character.");
     return {std::move(text), where};
   }
@@ -65,7 +86,11 @@ Node to_node(const py::handle& value, const std::string& key, std::size_t depth)
     }
     return table;
   }
-  if (py::hasattr(value, "tolist")) return to_node(value.attr("tolist")(), key, depth + 1);  // of NumPy, pandas, xarray
+  if (py::hasattr(value, "tolist")) {  // of NumPy, pandas, xarray
+    const py::object plain = value.attr("tolist")();
+    if (!py::type::of(plain).is(py::type::of(value))) return to_node(plain, key, depth + 1);
+    return {number_of(value, where), where};  // long doubles are their own lists
+  }
   if (py::isinstance<py::sequence>(value) && !PyBytes_Check(value.ptr())) {
     Node::Array items;
     for (const auto& item : value) items.push_back(to_node(item, fmt::format("{}[{}]", key, items.size()), depth + 1));

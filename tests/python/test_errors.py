@@ -6,6 +6,8 @@ import sys
 import unittest
 import warnings
 
+import numpy
+
 sys.path.insert(0, __file__.rpartition("/")[0])
 from package import PARAMS, SETTLING, PackageTest, rd  # noqa: E402
 
@@ -126,6 +128,14 @@ class Faults(PackageTest):
         with self.assertRaises(rd.InputError) as caught:
             rd.si("3 kg", "m", "stiffness")
         self.assertIn("stiffness", str(caught.exception))
+
+
+    def test_numbers_and_texts_that_a_case_cannot_hold_are_refused_with_their_key(self):
+        for value in (10**400, "\ud800 um"):
+            with self.assertRaisesRegex(rd.InputError, "contact.air_gap"):
+                rd.Case(SETTLING, {"contact.air_gap": value})
+        case = rd.Case(SETTLING, {"contact.air_gap": numpy.longdouble(2e-4)})
+        self.assertEqual(case.parameters["contact"]["air_gap"], 2e-4)
 
 
 if __name__ == "__main__":

@@ -36,12 +36,13 @@ class StepValues {
   std::size_t n_drops_;
 };
 
-/// 95 % interval of the mean of drops (Student's t), or of their quantile. Replicates of a row are not independent: its mean counts once, and quantiles of
-/// rows with replicates have no interval.
+/// 95 % interval of the mean of drops (Student's t), or of their quantile. Replicates of several rows are not independent: the mean of each row counts
+/// once, and quantiles have no interval. Those of one row are a sample of what chaos leaves.
 /// @param values  row after row
 Estimate interval_of(const Study& study, std::vector<double> values) {
   const MinimiseParameters& minimise = *study.minimise;
-  const auto n_replicates = static_cast<std::size_t>(study.n_replicates);
+  const auto n_all = static_cast<std::size_t>(study.n_replicates);
+  const std::size_t n_replicates = values.size() > n_all ? n_all : 1;
   Estimate e{statistic_of(minimise, values), {}, {}};
   if (values.size() < 2 * n_replicates) return e;
   if (minimise.of == DropStatistic::quantile) {
