@@ -33,11 +33,12 @@ namespace fs = std::filesystem;
 Section<OutputParameters> output_section() {
   using P = OutputParameters;
   Section<P> s("output", "What is written, and how often.");
-  s.quantity("interval", &P::interval,
-             {.unit = "s",
-              .range = at_least(1e-7),
-              .fallback = "50 us",
-              .help = "Time between rows of the series in results.h5. Peaks in the summary are followed between rows, too."});
+  s.quantity(
+      "interval", &P::interval,
+      {.unit = "s",
+       .range = at_least(1e-7),
+       .fallback = "50 us",
+       .help = "Time between rows of the series in results.h5. Peaks in the summary are followed between rows, too."});
   s.quantity("detail_interval", &P::detail_interval,
              {.unit = "s",
               .range = at_least(1e-7),

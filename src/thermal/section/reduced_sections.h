@@ -75,10 +75,10 @@ class ReducedSections final : public ThermalModel {
     };
     std::vector<Row> rows;
     double film_area = 0;
-    ModalShapes growth;                      ///< of growth_surfaces [m/K]
-    bool has_widths = false;                 ///< the axial growths are not zero
-    ModalShapes stored;                      ///< one: heat of all bodies and nodes
-    ModalShapes observed;                    ///< in the order of observe()
+    ModalShapes growth;                       ///< of growth_surfaces [m/K]
+    bool has_widths = false;                  ///< the axial growths are not zero
+    ModalShapes stored;                       ///< one: heat of all bodies and nodes
+    ModalShapes observed;                     ///< in the order of observe()
     std::vector<SurfacePoints> surfaces;      ///< of the ports that are observed
     std::vector<std::size_t> surface_inputs;  ///< which of the heated ports they are
   };
