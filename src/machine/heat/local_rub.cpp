@@ -45,7 +45,8 @@ double largest_force(const std::vector<Interval>& list) {
   return largest;
 }
 
-std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows, double largest_friction) {
+std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows,
+                                   const std::optional<double>& largest_friction) {
   const auto rows = rows_to_follow(r, most_rows);
   std::vector<Interval> list;
   list.reserve(rows.size());
@@ -61,7 +62,8 @@ std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows, do
     for (std::size_t m = i; m < j; ++m)
       v.sliding_work +=
           (r.impulse[m + 1] - r.impulse[m]) * 0.5 * (std::fabs(r.slip_speed[m]) + std::fabs(r.slip_speed[m + 1]));
-    if (const double most = largest_friction * v.sliding_work; v.heat > most) {
+    if (largest_friction && v.heat > *largest_friction * v.sliding_work) {
+      const double most = std::max(*largest_friction * v.sliding_work, 0.);  // an impulse may fall by rounding
       v.heat_into_ring *= most / v.heat;
       v.heat = most;
     }

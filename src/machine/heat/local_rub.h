@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "machine/heat/bore_history.h"
@@ -13,8 +14,8 @@ struct LocalRubSettings {
   bool by_hertz = true;                  ///< the band of the stated value; the other one is a bound
   bool is_one_temperature = true;        ///< the share of the stated value; the share as recorded is a bound
   double bore_wear = 0, rotor_wear = 0;  ///< Archard's k = K/H [m2/N]
-  /// Most that friction in the bore can be of the force there. What is recorded beyond is the shoulders' heat, which enters elsewhere.
-  double largest_friction = std::numeric_limits<double>::infinity();
+  /// Most that friction in the bore can be of the force there. What is recorded beyond is the shoulders' heat, which enters elsewhere. None: no shoulders.
+  std::optional<double> largest_friction;
 };
 
 /// One replay of the rub: a band and a share.

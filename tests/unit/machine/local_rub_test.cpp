@@ -109,6 +109,20 @@ TEST(LocalRub, LeavesTheHeatOfShouldersOut) {
   EXPECT_EQ(found.wear.sliding_work, alone.wear.sliding_work);
 }
 
+TEST(LocalRub, IsNotDisturbedByAnImpulseThatFallsByRounding) {
+  const auto clean = rub(5000., 55., 0.66, at_rest, at_rest, 55. / 0.03475);
+  auto rounded = clean;
+  for (std::size_t i = 1; i < rounded.impulse.size(); i += 2) rounded.impulse[i] -= 1e-15 * rounded.impulse.back();
+  for (const bool has_shoulders : {false, true}) {
+    auto s = steel();
+    if (has_shoulders) s.largest_friction = 0.1 * (1. + 1e-9);
+    const auto expected = local_rub(clean, s), found = local_rub(rounded, s);
+    EXPECT_GT(expected.stated.bore, 1.);
+    EXPECT_NEAR(found.stated.bore, expected.stated.bore, 1e-6 * expected.stated.bore) << has_shoulders;
+    EXPECT_NEAR(found.stated.heat, expected.stated.heat, 1e-6 * expected.stated.heat);
+  }
+}
+
 TEST(LocalRub, WearsByArchardsLawAndLosesItsVolume) {
   const auto s = steel();
   const LocalRub r = local_rub(rub(5000., 55., 0.66, at_rest, at_rest, 55. / 0.03475), s);
