@@ -25,6 +25,12 @@ const std::array<Direction, n_around> around = [] {
   return directions;
 }();
 
+/// How far a place of the rotor's shoulder has come towards the ring's face, or how fast it comes: the shoulder at +x closes when the rotor moves towards -x.
+/// @param x, about_y, about_z  displacement and tilts of the rotor past the ring, or their rates; @param r  radius of the faces [m]
+double towards_ring(const Shoulder& shoulder, double x, double about_y, double about_z, double r, const Direction& at) {
+  return -shoulder.side * (x + r * (about_y * at.s - about_z * at.c));
+}
+
 /// Gauss' three points: they integrate a pressure that changes linearly along the bore, and its moment, exactly.
 constexpr std::size_t n_slices = 3;
 std::array<BoreSlice, n_slices> slices_of(double width) {
@@ -89,11 +95,11 @@ void TouchdownBearing::touch_shoulders(const SupportInput& in, std::span<const d
   for (const Shoulder& shoulder : ring.shoulders) {
     const double face = 0.5 * shoulder.side * ring.width;  // where it is, from the ring's centre
     const double v_y = j.velocity_y - y[ring_vy] + face * rate_z, v_z = j.velocity_z - y[ring_vz] - face * rate_y;
-    for (const auto& [c, s] : around) {
-      // The shoulder at +x closes when the rotor moves towards -x.
-      const double penetration = -shoulder.side * (x + r * (tilt_about_y * s - tilt_about_z * c)) - shoulder.gap;
+    for (const Direction& at : around) {
+      const double penetration = towards_ring(shoulder, x, tilt_about_y, tilt_about_z, r, at) - shoulder.gap;
       if (penetration <= 0.) continue;
-      const double rate = -shoulder.side * (v_x + r * (rate_y * s - rate_z * c));
+      const double rate = towards_ring(shoulder, v_x, rate_y, rate_z, r, at);
+      const auto& [c, s] = at;
       const double elastic = ring.shoulder_stiffness / n_around * penetration;
       const double normal = std::max(elastic * (1. + 1.5 * data_.contact.lambda * rate), 0.);
       const double slip_y = v_y - spinning * r * s, slip_z = v_z + spinning * r * c;
@@ -120,10 +126,9 @@ double TouchdownBearing::overlap_with_shoulders(const Motion& j, std::span<const
   if (!data_.free_ring) return overlap;
   const double x = j.x - y[ring_x], about_y = j.theta_y - y[tilt_y], about_z = j.theta_z - y[tilt_z];
   for (const Shoulder& shoulder : data_.free_ring->shoulders)
-    for (const auto& [c, s] : around)
-      overlap =
-          std::max(overlap, -shoulder.side * (x + data_.free_ring->shoulder_radius * (about_y * s - about_z * c)) -
-                                shoulder.gap);
+    for (const Direction& at : around)
+      overlap = std::max(
+          overlap, towards_ring(shoulder, x, about_y, about_z, data_.free_ring->shoulder_radius, at) - shoulder.gap);
   return overlap;
 }
 
@@ -143,9 +148,10 @@ double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion&
   if (!data_.free_ring) return U;
   const double r = data_.free_ring->shoulder_radius;
   for (const Shoulder& shoulder : data_.free_ring->shoulders)
-    for (const auto& [c, s] : around) {
-      const double approach = j.x - y[ring_x] + r * ((j.theta_y - y[tilt_y]) * s - (j.theta_z - y[tilt_z]) * c);
-      const double penetration = std::max(-shoulder.side * approach - shoulder.gap, 0.);
+    for (const Direction& at : around) {
+      const double approach =
+          towards_ring(shoulder, j.x - y[ring_x], j.theta_y - y[tilt_y], j.theta_z - y[tilt_z], r, at);
+      const double penetration = std::max(approach - shoulder.gap, 0.);
       U += 0.5 * data_.free_ring->shoulder_stiffness / n_around * penetration * penetration;
     }
   return U;

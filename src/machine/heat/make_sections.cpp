@@ -42,7 +42,7 @@ void check_reduction(const FiniteElements::Section& section, const FeParameters&
                   100. * fe.response_tolerance),
       heat.n_modes() < static_cast<std::size_t>(fe.modes)
           ? std::string(
-                "More modes would not lower it: allow a larger error, or set thermal.fe.coupling = \"windowed\".")
+                "More modes would hardly lower it: allow a larger error, or set thermal.fe.coupling = \"windowed\".")
           : fmt::format("thermal.fe.modes = {} is the most that the case allows: raise it (200 if not "
                         "given), allow a larger error, or set thermal.fe.coupling = \"windowed\".",
                         fe.modes));

@@ -12,7 +12,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from . import _core, modes, preload
-from .errors import CaseWarning, Fault, refused
+from .errors import CaseWarning, Fault, refused, warn_of
 from .result import Result
 from .units import positive_si, si
 
@@ -81,8 +81,7 @@ class Case:
         again = source if tree is not None or text is not None else file.absolute()
         self._case = _core.read_case(file, text, tree, dict(overrides or {}))
         self._source, self._overrides = copy.deepcopy(again), copy.deepcopy(dict(overrides or {}))
-        for fault in self.warnings:
-            warnings.warn(f"{fault.key}: {fault.message} {fault.advice}".strip(), CaseWarning, stacklevel=2)
+        warn_of(self.warnings)
 
     def __repr__(self) -> str:
         supports = ", ".join(f"{name} ({kind})" for name, kind in self._case.bearings.items())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import typing
+import warnings
 
 
 class Fault(typing.NamedTuple):
@@ -51,3 +52,9 @@ class SolverError(Error, RuntimeError):
 
 class CaseWarning(UserWarning):
     """Something in a case is allowed but unusual, most often a slip. `warnings.simplefilter("error", CaseWarning)` refuses such cases."""
+
+
+def warn_of(faults: typing.Iterable[Fault]) -> None:
+    """Warns the caller's caller of what a case has that is unusual."""
+    for fault in faults:
+        warnings.warn(f"{fault.key}: {fault.message} {fault.advice}".strip(), CaseWarning, stacklevel=3)

@@ -8,7 +8,6 @@ import os
 import pathlib
 import re
 import typing
-import warnings
 from collections.abc import Callable, Mapping
 
 from . import _core
@@ -107,11 +106,10 @@ def study(
 
     What the case has that is allowed but unusual is a CaseWarning. InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
     """
-    from .errors import CaseWarning, SolverError
+    from .errors import SolverError, warn_of
 
     told = _core.run_study(pathlib.Path(file), _settings(overrides or {}), pathlib.Path(directory), jobs, force, resume, progress)
-    for fault in told["warnings"]:
-        warnings.warn(f"{fault.key}: {fault.message} {fault.advice}".strip(), CaseWarning, stacklevel=2)
+    warn_of(told["warnings"])
     if not told["complete"]:
         raise SolverError(f"stopped after a failed drop, for on_failure = \"stop\"; its reason is in {pathlib.Path(directory) / 'study.journal'}")
     return StudyResult(pathlib.Path(directory), tuple(told["notes"]))

@@ -28,6 +28,8 @@ struct Design {
   std::size_t rows_per_step = 1;  ///< of a search
 
   [[nodiscard]] Node value(std::size_t row, std::size_t drawn) const;
+  /// Of a search: the evaluation to which a row belongs.
+  [[nodiscard]] const SearchStep& step_of(std::size_t row) const { return steps[row / rows_per_step]; }
 };
 
 /// Value of a key in the case itself, in SI; none if the case gives none.

@@ -6,6 +6,8 @@
 #include <set>
 #include <string_view>
 
+#include "base/dataset_name.h"
+
 namespace rotordrop {
 namespace {
 
@@ -15,8 +17,8 @@ constexpr std::string_view taken_names[] = {"point",  "design_row", "replicate",
 
 /// Why a name can be no column; empty: it can.
 std::string why_no_name(const std::string& name) {
-  if (name.empty() || name == "." || name == "..") return fmt::format("\"{}\" is no name.", name);
-  if (name.find('/') != std::string::npos) return fmt::format("the name \"{}\" has a slash.", name);
+  if (!is_dataset_name(name) || name == "..")
+    return fmt::format("\"{}\" is empty, only dots, or has a slash in it.", name);
   if (std::ranges::find(taken_names, name) != std::end(taken_names))
     return fmt::format("every study has a column \"{}\".", name);
   return "";

@@ -169,7 +169,7 @@ std::vector<TableColumn> columns_of(const Study& study, const Design& design, co
       evaluation{"/evaluation", "", "evaluation of that search"};
   search.kind = evaluation.kind = TableColumn::Kind::integers;
   for (std::size_t k = 0; k < n && !design.steps.empty(); ++k) {
-    const auto& step = design.steps[k / static_cast<std::size_t>(study.n_replicates) / design.rows_per_step];
+    const SearchStep& step = design.step_of(k / static_cast<std::size_t>(study.n_replicates));
     search.integers.push_back(static_cast<std::int64_t>(step.search));
     evaluation.integers.push_back(static_cast<std::int64_t>(step.evaluation));
   }
@@ -224,7 +224,7 @@ void write_study_csv(const std::filesystem::path& file, const Study& study, cons
     text += fmt::format("{},{},{},{},{}", k, point.row, point.replicate, static_cast<int>(table.status[k]),
                         cell(table.reason[k]));
     if (!design.steps.empty()) {
-      const auto& step = design.steps[point.row / design.rows_per_step];
+      const SearchStep& step = design.step_of(point.row);
       text += fmt::format(",{},{}", step.search, step.evaluation);
     }
     for (std::size_t i = 0; i < study.parameters.size(); ++i)
