@@ -104,12 +104,12 @@ void DropLoop::start(std::unique_ptr<Integrator> integrator) {
 
 bool DropLoop::follow_step() {
   const EndedStep step = ended_step();
+  constexpr double memory = 16.;  // steps: one that is cut at a corner is none of those that stability keeps short
+  mean_step_ += (step.time - step.start - mean_step_) / memory;  // checkpoints are written in show()
   growth_->remember(step.time);
   show(step);
   if (step.is_observed && growth_->has_changed(step.time)) evaluate_end(step.time, step.after, true);
   time_ = step.time;
-  constexpr double memory = 16.;  // steps: one that is cut at a corner is none of those that stability keeps short
-  mean_step_ += (step.time - step.start - mean_step_) / memory;
   state_.swap(after_);
   followers_.follow(step.start, time_, state_, found_);
   return is_at_end();

@@ -1,10 +1,12 @@
 #include <arkode/arkode_arkstep.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "integrate/integrator.h"
 #include "integrate/methods.h"
+#include "integrate/pairs.h"
 #include "integrate/sundials_integrator.h"
 
 namespace rotordrop {
@@ -36,48 +38,107 @@ constexpr SundialsLibrary arkode_library = {.one_step = ARK_ONE_STEP,
                                             .free = ARKStepFree};
 
 // ARKStep, not the leaner ERKStep: in SUNDIALS 6.4 ERKStep takes every method whose last node is 1 for one whose last stage is the next
-// step's first ("FSAL"), and so loses the order of this one and of Fehlberg's.
-class RungeKutta final : public SundialsIntegrator {
+// step's first ("FSAL"), and so loses the order of the classical method and of Fehlberg's.
+class RungeKutta : public SundialsIntegrator {
  public:
+  void offer_rates(std::span<const double> rates) override { problem_.offer_rates(time_, problem_.values(), rates); }
+  [[nodiscard]] bool uses_offered_rates() const override { return true; }
+
+ protected:
   RungeKutta(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
              std::span<const double> state, double end_time)
       : SundialsIntegrator(arkode_library, system, parameters.tolerance, start_time, state, end_time) {
     adopt(ARKStepCreate(SundialsProblem::right_hand_side, nullptr, start_time, problem_.state(), problem_.context()));
-    if (parameters.method == IntegrationMethod::runge_kutta_4) {
-      ARKodeButcherTable table = classical_order_4();
-      check(ARKStepSetTables(memory_, 4, 0, nullptr, table));
-      ARKodeButcherTable_Free(table);
-      // A whole number of steps, so that the last one is not a sliver; counted from zero, so that a resumed run takes the same ones.
-      const double n_steps = std::ceil(end_time / step_or_bound(parameters) * (1. - 1e-9));
-      check(ARKStepSetFixedStep(memory_, end_time / n_steps));
-      has_error_control_ = false;
-    } else {
-      check(ARKStepSetTableNum(memory_, ARKODE_DIRK_NONE,
-                               parameters.method == IntegrationMethod::dormand_prince ? ARKODE_DORMAND_PRINCE_7_4_5
-                                                                                      : ARKODE_FEHLBERG_13_7_8));
-      bound_steps(step_or_bound(parameters), shortest_step);
-    }
-    require_good("the Runge-Kutta integrator");
+  }
+  void require_good() const { SundialsIntegrator::require_good("the Runge-Kutta integrator"); }
+};
+
+class ErrorControlled final : public RungeKutta {
+ public:
+  ErrorControlled(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
+                  std::span<const double> state, double end_time)
+      : RungeKutta(system, parameters, start_time, state, end_time) {
+    check(ARKStepSetTableNum(
+        memory_, ARKODE_DIRK_NONE,
+        parameters.method == IntegrationMethod::dormand_prince ? ARKODE_DORMAND_PRINCE_7_4_5 : ARKODE_FEHLBERG_13_7_8));
+    bound_steps(step_or_bound(parameters), shortest_step);
+    require_good();
+  }
+};
+
+/// The classical method with fixed steps; between them Hermite's cubic. ARKODE 6.4 has that, too, but takes the last stage's rates for those at the end of
+/// a step, since its node is 1; they differ by terms of third order.
+class FixedStep final : public RungeKutta {
+ public:
+  FixedStep(const OdeSystem& system, const IntegrationParameters& parameters, double start_time,
+            std::span<const double> state, double end_time)
+      : RungeKutta(system, parameters, start_time, state, end_time),
+        system_(system),
+        before_(state.begin(), state.end()),
+        rates_before_(state.size()),
+        rates_(state.size()) {
+    ARKodeButcherTable table = classical_order_4();
+    check(ARKStepSetTables(memory_, 4, 0, nullptr, table));
+    ARKodeButcherTable_Free(table);
+    // A whole number of steps, so that the last one is not a sliver; counted from zero, so that a resumed run takes the same ones.
+    const double n_steps = std::ceil(end_time / step_or_bound(parameters) * (1. - 1e-9));
+    check(ARKStepSetFixedStep(memory_, end_time / n_steps));
+    has_error_control_ = false;
+    require_good();
   }
 
   void advance() override {
-    const double before = time_;
+    const double start = time_;
+    std::ranges::copy(state(), before_.begin());
+    if (!has_rates_) problem_.offer_rates(time_, state(), rates());
+    rates_before_.swap(rates_);
+    has_rates_ = false;
     SundialsIntegrator::advance();
-    if (has_error_control_) return;
     problem_.check_finite(time_);
     // Rounding leaves the last step short of the end by far less than a step.
-    if (end_time_ - time_ < 1e-3 * (time_ - before)) time_ = end_time_;
+    if (end_time_ - time_ < 1e-3 * (time_ - start)) time_ = end_time_;
+    last_step_ = time_ - start;
   }
 
-  void offer_rates(std::span<const double> rates) override { problem_.offer_rates(time_, problem_.values(), rates); }
-  [[nodiscard]] bool uses_offered_rates() const override { return true; }
+  void offer_rates(std::span<const double> rates) override {
+    RungeKutta::offer_rates(rates);
+    std::ranges::copy(rates, rates_.begin());
+    has_rates_ = true;
+  }
+
+  void interpolate(double t, std::span<double> y) const override {
+    const double theta = part_of_step(t, time_, last_step_), rest = 1. - theta;
+    const double of_after = theta * theta * (3. - 2. * theta), of_rates_before = last_step_ * theta * rest * rest,
+                 of_rates_after = -last_step_ * theta * theta * rest;
+    const auto after = state();
+    const auto& rates_after = rates();
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] = before_[i] + of_after * (after[i] - before_[i]) + of_rates_before * rates_before_[i] +
+             of_rates_after * rates_after[i];
+  }
+
+ private:
+  /// At time(), evaluated unless somebody has offered them.
+  const std::vector<double>& rates() const {
+    if (!has_rates_) system_.rhs(time_, state(), rates_);
+    has_rates_ = true;
+    return rates_;
+  }
+
+  const OdeSystem& system_;
+  std::vector<double> before_, rates_before_;  ///< at the last step's start
+  double last_step_ = 0;                       // [s]
+  mutable std::vector<double> rates_;
+  mutable bool has_rates_ = false;
 };
 
 }  // namespace
 
 std::unique_ptr<Integrator> make_runge_kutta(const OdeSystem& system, const IntegrationParameters& parameters,
                                              double start_time, std::span<const double> state, double end_time) {
-  return std::make_unique<RungeKutta>(system, parameters, start_time, state, end_time);
+  if (parameters.method == IntegrationMethod::runge_kutta_4)
+    return std::make_unique<FixedStep>(system, parameters, start_time, state, end_time);
+  return std::make_unique<ErrorControlled>(system, parameters, start_time, state, end_time);
 }
 
 }  // namespace rotordrop

@@ -204,6 +204,34 @@ void expect_to_go_on_to_the_same_bits(const std::string& step) {
 TEST(DropLoop, GoesOnFromPackedValuesToTheSameBits) { expect_to_go_on_to_the_same_bits("10 us"); }
 TEST(DropLoop, GoesOnToTheSameBitsWhereShortStepsAreLookedAtNowAndThen) { expect_to_go_on_to_the_same_bits("4 us"); }
 
+/// Packs while a step is shown, as checkpoints are written.
+struct PacksEachStep final : Observer {
+  explicit PacksEachStep(const DropLoop& l) : loop(l) {}
+  void step(const Step&) override {
+    packed.clear();
+    loop.pack(packed);
+  }
+  const DropLoop& loop;
+  PackedValues packed;
+};
+
+TEST(DropLoop, PacksWhileAStepIsShownWhatItPacksAfterIt) {
+  const auto machine = reference_machine({"integration.step=4 us", "run.end_time=2 ms"});
+  Drop drop = drop_of(machine);
+  PacksEachStep observer(drop.loop());
+  drop.loop().add(observer);
+  PackedValues after;
+  int n = 0;
+  drop.run([&] {
+    after.clear();
+    drop.loop().pack(after);
+    EXPECT_EQ(observer.packed.at("loop"), after.at("loop"));
+    EXPECT_EQ(observer.packed.at("end condition"), after.at("end condition"));
+    return ++n == 100;
+  });
+  EXPECT_EQ(n, 100);
+}
+
 TEST(DropLoop, RefusesPackedValuesThatLackSomething) {
   const auto machine = reference_machine({"run.end_time=2 ms"});
   Drop drop = drop_of(machine);

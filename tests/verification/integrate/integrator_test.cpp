@@ -80,6 +80,60 @@ TEST(RungeKutta4, TakesFourEvaluationsAStep) {
   EXPECT_NEAR(static_cast<double>(integrator->statistics().rhs_evaluations), 400., 2.);
 }
 
+// H(theta) = (1 + 2 theta) (1 - theta)^2 y_0 + theta (1 - theta)^2 h f_0 + theta^2 (3 - 2 theta) y_1 + theta^2 (theta - 1) h f_1, with the rates f at the
+// states y. Those of the last stage in place of f_1 differ by 1e-4 here.
+TEST(RungeKutta4, InterpolatesByStatesAndRatesAtBothEnds) {
+  const KnownSolution system;
+  std::vector<double> before(4), rates_before(4), rates(4), between(4);
+  KnownSolution::exact(0.3, before);
+  auto integrator = make_integrator(system, {IntegrationMethod::runge_kutta_4, 0.05, 1e-6}, 0.3, before, 1.);
+  for (int step = 0; step < 3; ++step) {
+    const double start = integrator->time();
+    before.assign(integrator->state().begin(), integrator->state().end());
+    integrator->advance();
+    const double h = integrator->time() - start;
+    const auto after = integrator->state();
+    system.rhs(start, before, rates_before);
+    system.rhs(integrator->time(), after, rates);
+    if (step == 2) integrator->offer_rates(rates);
+    for (const double theta : {0., 0.3, 0.8, 1.}) {
+      integrator->interpolate(start + theta * h, between);
+      const double rest = 1. - theta;
+      for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(between[i],
+                    (1. + 2. * theta) * rest * rest * before[i] + theta * rest * rest * h * rates_before[i] +
+                        theta * theta * (3. - 2. * theta) * after[i] - theta * theta * rest * h * rates[i],
+                    1e-14 * (1. + std::fabs(rates[i])));  // roundoff, also of the time
+    }
+  }
+}
+
+TEST(RungeKutta4, GoesOnFromAnyStepWithTheSameBits) {
+  const KnownSolution system;
+  std::vector<double> y(4), rates(4), between(4), between_of_other(4);
+  system.initial_state(y);
+  const IntegrationParameters p{IntegrationMethod::runge_kutta_4, 0.05, 1e-6};
+  auto whole = make_integrator(system, p, 0., y, 1.);
+  while (whole->time() < 0.42) {
+    whole->advance();
+    system.rhs(whole->time(), whole->state(), rates);
+    whole->offer_rates(rates);
+  }
+  auto resumed = make_integrator(system, p, whole->time(), whole->state(), 1.);
+  while (whole->time() < 1.) {
+    const double start = whole->time();
+    whole->advance();
+    resumed->advance();
+    ASSERT_EQ(whole->time(), resumed->time());
+    whole->interpolate(0.6 * start + 0.4 * whole->time(), between);
+    resumed->interpolate(0.6 * start + 0.4 * whole->time(), between_of_other);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(whole->state()[i], resumed->state()[i]);
+      EXPECT_EQ(between[i], between_of_other[i]);
+    }
+  }
+}
+
 class ErrorControlled : public testing::TestWithParam<IntegrationMethod> {};
 
 TEST_P(ErrorControlled, ErrorFallsWithTheTolerance) {
