@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rotordrop {
 namespace {
@@ -36,7 +37,7 @@ struct Place {
 /// delta_o and by the outer contact angle.
 struct Balance {
   double R_n, R_t, R_n_d, R_t_d, R_n_a, R_t_a;
-  double Q_i, Q_o, S_i, L_o, L_i, i_x, i_r, c, s, F, F_by_i, F_by_o, H_n, H_t;
+  double Q_i, Q_o, S_i, L_o, L_i, i_x, i_r, c, s, orbit, F, F_by_i, F_by_o, H_n, H_t;  // orbit: omega_m / omega
 };
 
 Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, double growth, double F_0) {
@@ -47,11 +48,6 @@ Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, d
   e.i_x = v_x / e.L_i;
   e.i_r = v_r / e.L_i;
   const double delta_i = std::max(e.L_i - b.l_i + growth, 0.), root_i = std::sqrt(delta_i);
-  // A ball that the inner race does not touch rolls as if its contacts were in line where that race lies behind it.
-  if (delta_i == 0. && e.i_x * p.n_x + e.i_r * p.n_r < 0.) {
-    e.i_x = p.n_x;
-    e.i_r = p.n_r;
-  }
   const double root_o = std::sqrt(std::max(p.delta_o, 0.));
   e.Q_i = b.K_i * root_i * delta_i;
   e.S_i = 1.5 * b.K_i * root_i;
@@ -60,10 +56,13 @@ Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, d
   // cos and sin of phi_i - phi_o.
   e.c = e.i_x * p.n_x + e.i_r * p.n_r;
   e.s = e.i_x * p.n_r - e.i_r * p.n_x;
-  const double g = b.diameter_ratio, above = 1. - g * e.i_r, below = 1. + e.c;
-  e.F = F_0 * (above / below) * (above / below);
-  e.F_by_i = 2. * e.F * (g * e.i_x / above + e.s / below);
-  e.F_by_o = -2. * e.F * e.s / below;
+  // Past the inner groove's centre, where that race cannot drive it, the ball rolls as fast as on this side.
+  const double g = b.diameter_ratio, above = 1. - g * std::fabs(e.i_r), below = 1. + std::fabs(e.c);
+  const double c_turned = std::copysign(e.s, e.s * e.c) / below;
+  e.orbit = above / below;
+  e.F = F_0 * e.orbit * e.orbit;
+  e.F_by_i = 2. * e.F * (g * std::copysign(e.i_x, e.i_x * e.i_r) / above + c_turned);
+  e.F_by_o = -2. * e.F * c_turned;
   // F_c e_r + T_o + T_i = F (H_n n + H_t t): the centrifugal force has (n_r, -n_x), friction at the outer race (0, -0.4 (1 - sigma) n_x), at the
   // inner one 0.4 sigma n_x (-s, c).
   const double k = 0.4 * b.inner_gyroscopic_share;
@@ -97,6 +96,34 @@ Place starting_place(const BallContacts& b, double B_x, double B_r, double growt
   return p;
 }
 
+/// Where a function that falls from a to b is zero; the nearer end if it is not between them.
+template <class Function>
+double falling_root(double a, double b, const Function& f) {
+  for (int halvings = 0; halvings < 60 && a < b; ++halvings) {
+    const double middle = 0.5 * (a + b);
+    (f(middle) > 0. ? a : b) = middle;
+  }
+  return 0.5 * (a + b);
+}
+
+/// For balls that are wedged in so loosely that Newton's method jumps between a ball pressed hard and one that is not touched: the outer deflection
+/// that balances forces along the outer normal, for each outer angle between the bottom of the groove and the direction of B; and the angle at which
+/// they balance across, too.
+Place place_by_halving(const BallContacts& b, double B_x, double B_r, double growth, double F_0) {
+  const auto at_angle = [&](double angle) {
+    Place p{0., std::copysign(std::sin(angle), B_x), std::cos(angle)};
+    double most = cubed_root_squared(F_0 / b.K_o);
+    const auto pressed = [&](double delta_o) { return balance(b, {delta_o, p.n_x, p.n_r}, B_x, B_r, growth, F_0).R_n; };
+    while (pressed(most) > 0.) most *= 2.;
+    p.delta_o = falling_root(0., most, pressed);
+    return p;
+  };
+  const double end = std::min(std::atan2(std::fabs(B_x), B_r), 0.5 * std::numbers::pi);
+  return at_angle(falling_root(0., end, [&](double angle) {
+    return std::copysign(1., B_x) * balance(b, at_angle(angle), B_x, B_r, growth, F_0).R_t;
+  }));
+}
+
 }  // namespace
 
 BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double growth, double speed, double share) {
@@ -124,6 +151,12 @@ BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double g
     left = left_after;
   }
 
+  if (!(left <= 1e-9 * (e.Q_o + e.F))) {
+    p = place_by_halving(b, B_x, B_r, growth, F_0);
+    e = balance(b, p, B_x, B_r, growth, F_0);
+    left = std::hypot(e.R_n, e.R_t);
+  }
+
   BallBalance result;
   result.load_i = e.Q_i;
   result.load_o = e.Q_o;
@@ -131,7 +164,7 @@ BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double g
   result.cos_i = e.i_r;
   result.sin_o = p.n_x;
   result.cos_o = p.n_r;
-  result.orbit_speed = speed * (1. - b.diameter_ratio * e.i_r) / (1. + e.c);
+  result.orbit_speed = speed * e.orbit;
   result.centrifugal_force = e.F;
   result.gyroscopic_moment = 0.2 * e.F * p.n_x * b.diameter_ratio * b.pitch_diameter;  // T d / 2
   const double k = 0.4 * b.inner_gyroscopic_share;

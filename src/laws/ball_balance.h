@@ -9,7 +9,7 @@
 //   Q_i n_i - Q_o n_o + F_c e_r + T_o + T_i = 0.
 //
 // Outer-race control (the ball does not spin on the outer race), inner ring turning with omega, outer ring at rest, g = d/d_m:
-//   omega_m = omega (1 - g cos phi_i) / (1 + cos(phi_i - phi_o))      of the ball round the axis
+//   omega_m = omega (1 - g |cos phi_i|) / (1 + |cos(phi_i - phi_o)|)  of the ball round the axis
 //   F_c     = m d_m omega_m^2 / 2
 //   M_g     = J omega_m^2 sin phi_o / g,  J = m d^2 / 10              needed along the tangent to keep the ball's spin axis turning
 //   T       = 2 M_g / d = 0.4 F_c sin phi_o                           friction on the ball, at both races together
@@ -17,6 +17,7 @@
 //   T_o     = (1 - sigma) T along (-cos phi_o, sin phi_o),   T_i = sigma T along (cos phi_i, -sin phi_i).
 // sigma = 0 goes with outer-race control (Jones); sigma = 1/2 is Harris' other case, lambda_i = lambda_o = 1. Statics leaves sigma open:
 // friction is below its limit at both contacts. The kinematics stays that of outer-race control.
+// The cosines' sizes: both are positive but for a ball past the inner groove's centre, where that race cannot drive it and the ball keeps its speed.
 // From Jones (1960) and Harris, Rolling Bearing Analysis, with the pitch angle tan beta = sin phi_o / (cos phi_o + g) put in: then the ball's speed is
 // omega_m sqrt(1 + 2 g cos phi_o + g^2) / g, and the root cancels. Direction of T: the rate of the angular momentum of a ball that rolls on the
 // outer race without spin, H = -J omega_m / g (cos phi_o, -sin phi_o), carried round by omega_m.

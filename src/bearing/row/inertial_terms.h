@@ -78,10 +78,10 @@ struct BallForces {
     c = v_n * by_L_i;
     s = v_t * by_L_i;
     // Both of the ratio are L_i times as large, and need not wait for the normal.
-    const Real above = L_i - row.g * v_r, by_below = 1. / larger(L_i + v_n, 1e-3 * L_i), ratio = above * by_below;
+    const Real above = L_i - row.g * abs(v_r), by_below = 1. / (L_i + abs(v_n)), ratio = above * by_below;
     F = of.F_0 * ratio * ratio;
-    f_o = -2. * v_t * by_below;
-    f_i = 2. * row.g * v_x / above - f_o;
+    f_o = -2. * select(v_n < 0., -v_t, v_t) * by_below;
+    f_i = 2. * row.g * select(v_r < 0., -v_x, v_x) / above - f_o;
 
     const Real reached = larger(delta_i, Real(0.)), root_i = sqrt(reached), root_o = sqrt(p.delta_o);
     S_i = 1.5 * row.K_i * root_i;

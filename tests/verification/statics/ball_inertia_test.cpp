@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <random>
 
 #include "../bearing/numerical_derivative.h"
 #include "../bearing/test_bearings.h"
@@ -200,6 +201,43 @@ TEST(BallInertia, ABallFarFromTheInnerRaceRollsAsInLineContacts) {
     EXPECT_NEAR(b.load_o, 0.5 * g.ball_mass * g.pitch_diameter * b.orbit_speed * b.orbit_speed, 1e-9 * b.load_o) << "N";
     for (const double k : b.stiffness) EXPECT_EQ(k, 0.) << "N/m";
   }
+}
+
+/// Grooves up to 0.3 mm from where they belong: loose balls between flank and bottom, balls past the inner groove's centre. Loads, normals and
+/// tractions that are reported must cancel, and the ball must lie where its deflections put it.
+TEST(BallInertia, ABallAnywhereBetweenItsGroovesComesToBalance) {
+  std::mt19937 random(31);
+  std::uniform_real_distribution<double> one(-1, 1);
+  const double d = 9.525e-3, l = 0.02 * d, K = 1e10;
+  double worst = 0.;
+  int n_past = 0, n_wedged = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const BallContacts ball{K, K, l, l, 3.5e-3, d / 85e-3, 85e-3, i % 3 ? 0. : 0.5};
+    const double angle = 25. * deg * one(random), speed = std::array{5., 50., 300., 1000., 3000.}[i % 5];
+    const double B_x = 2. * l * std::sin(angle) + 300 * um * one(random),
+                 B_r = 2. * l * std::cos(angle) + 300 * um * one(random);
+    const BallBalance b = ball_balance(ball, B_x, B_r, 0., speed);
+    const double F = b.centrifugal_force, T = 2. * b.gyroscopic_moment / d, T_i = b.inner_traction, T_o = T - T_i;
+    const double along = b.load_i * b.sin_i - b.load_o * b.sin_o - T_o * b.cos_o + T_i * b.cos_i;
+    const double across = b.load_i * b.cos_i - b.load_o * b.cos_o + F + T_o * b.sin_o - T_i * b.sin_i;
+    worst = std::max(worst, std::hypot(along, across) / (b.load_o + F));
+    EXPECT_NEAR(F, 0.5 * 3.5e-3 * 85e-3 * b.orbit_speed * b.orbit_speed, 1e-12 * F);
+    EXPECT_LE(b.orbit_speed, speed) << "a ball that the inner race cannot drive is not driven faster than it";
+    const double L_o = l + std::cbrt(b.load_o * b.load_o / (K * K)), x = B_x - L_o * b.sin_o, r = B_r - L_o * b.cos_o;
+    if (b.load_i > 0.) {
+      const double L_i = l + std::cbrt(b.load_i * b.load_i / (K * K));
+      EXPECT_NEAR(x, L_i * b.sin_i, 1e-12) << "m";
+      EXPECT_NEAR(r, L_i * b.cos_i, 1e-12) << "m";
+    } else {
+      EXPECT_LE(std::hypot(x, r), l + 1e-12) << "m";
+    }
+    n_past += b.sin_i * b.sin_o + b.cos_i * b.cos_o < 0.;
+    n_wedged += b.iterations == 60;
+  }
+  printf("left over %.1e of the load; %d past the inner groove's centre, %d by halving\n", worst, n_past, n_wedged);
+  EXPECT_LT(worst, 1e-9);
+  EXPECT_GT(n_past, 100);
+  EXPECT_GT(n_wedged, 100);
 }
 
 }  // namespace
