@@ -49,6 +49,7 @@ class Drop {
   [[nodiscard]] SeriesRows& rows() { return rows_; }
   [[nodiscard]] DetailRows& detail_rows() { return detail_rows_; }
   [[nodiscard]] SectionCoupling& sections() { return *sections_; }
+  [[nodiscard]] DropScalars& scalars() { return scalars_; }
   [[nodiscard]] const DropScalars& scalars() const { return scalars_; }
   [[nodiscard]] DropLoop& loop() { return loop_; }
   [[nodiscard]] const DropLoop& loop() const { return loop_; }

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "analysis/lanes/scalars_in_lanes.h"
 #include "integrate/exponential_stages.h"
 #include "integrate/lane_integrator.h"
 #include "machine/lanes/machine_lanes.h"
@@ -66,8 +67,14 @@ class LaneRun {
     while (busy() != lanes_.end()) {
       integrator_->advance();
       interpolate_rows(lanes_, *integrator_);
-      for (std::size_t l = 0; l < width; ++l)
-        if (integrator_->has_stepped(l)) follow(l);
+      std::array<double, width> told{}, t{};
+      for (std::size_t l = 0; l < width; ++l) {
+        if (!integrator_->has_stepped(l)) continue;
+        follow(l);
+        told[l] = lanes_[l].loop().has_observed_last_step() ? 1. : 0.;
+        t[l] = integrator_->time(l);
+      }
+      scalars_->follow(told, t, integrator_->step_values());
       if (is_stopped_ && is_stopped_()) break;
       if (end_those_over()) fill();
     }
@@ -104,11 +111,13 @@ class LaneRun {
     std::vector<const Machine*> machines;
     for (const Lane& lane : lanes_) machines.push_back(&(lane.drop ? lane : *any).loop().machine());
     auto system = make_lanes(machines);
-    if (integrator_)
+    if (integrator_) {
       integrator_->exchange(std::move(system));
-    else
+    } else {
       integrator_ =
           std::make_shared<LaneIntegrator>(std::move(system), start_of(*any->drop), any->loop().machine().n_step());
+      scalars_ = make_scalars_in_lanes(any->drop->scalars().columns());
+    }
     for (const std::size_t l : begun) {
       integrator_->begin(l, start_of(*lanes_[l].drop));
       show(l);
@@ -124,6 +133,7 @@ class LaneRun {
     failures_[l] = nullptr;
     drop.rows().thin_out();
     unless_it_fails(l, [&] { drop.loop().start(std::move(view)); });
+    scalars_->take(l, drop.scalars().let_go());
   }
 
   void follow(std::size_t l) {
@@ -164,6 +174,7 @@ class LaneRun {
   void end(std::size_t l) {
     const Lane lane = std::exchange(lanes_[l], {});
     lane.view->update();
+    lane.drop->scalars().take_back(scalars_->of(l));
     std::exception_ptr failure = integrator_->failure(l) ? integrator_->failure(l) : failures_[l];
     if (!failure) {
       try {
@@ -178,6 +189,7 @@ class LaneRun {
   LaneFeed& feed_;
   const std::function<bool()>& is_stopped_;
   std::shared_ptr<LaneIntegrator> integrator_;
+  std::unique_ptr<ScalarsInLanes> scalars_;
   Lanes lanes_;
   std::array<std::exception_ptr, width> failures_;
   std::size_t n_begun_ = 0;

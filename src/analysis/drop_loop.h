@@ -41,6 +41,9 @@ class DropLoop {
   /// After a step. @returns whether the end is reached
   bool follow_step();
 
+  /// Whether the last step was evaluated with what observers want to see.
+  [[nodiscard]] bool has_observed_last_step() const { return observed_time_ == time_; }
+
   [[nodiscard]] double time() const { return time_; }  ///< [s]
   [[nodiscard]] const IntegrationParameters& integration() const { return integration_; }
   [[nodiscard]] const Machine& machine() const { return machine_; }

@@ -51,6 +51,8 @@ class LaneIntegrator {
   [[nodiscard]] std::span<const double> state(std::size_t lane) const { return y_by_lane_.of(lane); }
   /// What was observed at the end of the lane's last step, for as long.
   [[nodiscard]] std::span<const double> step_values(std::size_t lane) const { return step_by_lane_.of(lane); }
+  /// The same of all lanes that have stepped [n_step][width].
+  [[nodiscard]] std::span<const double> step_values() const { return step_; }
   void details(std::size_t lane, std::span<double> values) const { column(details_, lane, values); }
   /// State at a time within the lane's last step.
   void interpolate(std::size_t lane, double t, std::span<double> y) const;

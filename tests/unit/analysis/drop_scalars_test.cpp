@@ -18,7 +18,7 @@ TEST(FollowedPeak, MeetsTheTopOfAHalfWaveBetweenLooks) {
       return std::fabs(t) < 0.25 / f ? std::cos(2. * std::numbers::pi * f * t) : 0.;
     };
     FollowedPeak peak;
-    for (int k = -20; k <= 20; ++k) peak.follow(top + (k + 0.5) * apart, wave((k + 0.5) * apart));
+    for (int k = -20; k <= 20; ++k) peak.follow(true, top + (k + 0.5) * apart, wave((k + 0.5) * apart));
     // The parabola through b, a, a has its vertex an eighth of a - b above a.
     const double a = wave(0.5 * apart), b = wave(1.5 * apart);
     EXPECT_NEAR(peak.value, a + (a - b) / 8., 1e-9) << frequency << " Hz: times near 1 s have 2e-16 s of roundoff";
@@ -31,7 +31,7 @@ TEST(FollowedDemand, CountsTheTimeAboveOneByStraightLines) {
   // 0 - 2 - 0 - 0 - 3 - 3 - 0.5 at whole seconds, the ring's speed 0 10 30 30 24 20 0.
   const double demand[] = {0, 2, 0, 0, 3, 3, 0.5}, speed[] = {0, 10, 30, 30, 24, 20, 0};
   FollowedDemand d;
-  for (int k = 0; k < 7; ++k) d.follow(k, demand[k], speed[k]);
+  for (int k = 0; k < 7; ++k) d.follow(true, k, demand[k], speed[k]);
   EXPECT_NEAR(d.time_beyond, 0.5 + 0.5 + 2. / 3. + 1. + 0.8, 1e-14) << "s";
   EXPECT_NEAR(d.longest_beyond, 2. / 3. + 1. + 0.8, 1e-14) << "s";
   EXPECT_EQ(d.speed_change, 10. + 20. + 0. + 6. + 4. + 20.) << "rad/s";
@@ -42,7 +42,7 @@ TEST(FollowedDemand, CountsTheTimeAboveOneByStraightLines) {
 
 TEST(FollowedDemand, HasNoTimeOfALargestDemandWhereNothingIsAsked) {
   FollowedDemand d;
-  for (int k = 0; k < 3; ++k) d.follow(k, 0., 100. * k);
+  for (int k = 0; k < 3; ++k) d.follow(true, k, 0., 100. * k);
   EXPECT_EQ(d.largest, 0.);
   EXPECT_TRUE(std::isnan(d.largest_time));
   EXPECT_EQ(d.time_beyond, 0.);
