@@ -31,8 +31,10 @@ struct FollowedPeakOf {
       put(rises, value, f);
       put(rises, time, t);
     }
-    const MaskOf<Real> was_top = told & (last_ > before_) & (last_ >= f) & (last_ >= value);
-    if (any(was_top)) take_top(was_top, t, f);
+    // Over steps of like length a parabola rises by a quarter of this at most.
+    const Real over_neighbours = last_ - smaller(before_, f);
+    const MaskOf<Real> may_be_top = told & (last_ > before_) & (last_ >= f) & (last_ + over_neighbours > value);
+    if (any(may_be_top)) take_top(may_be_top, over_neighbours, t, f);
     put(told, time_before_, last_time_);
     put(told, before_, last_);
     put(told, last_time_, t);
@@ -42,15 +44,15 @@ struct FollowedPeakOf {
   [[nodiscard]] auto numbers() { return std::array{&value, &time, &last_time_, &last_, &time_before_, &before_}; }
 
  private:
-  /// Top of the parabola through the last three points, whose middle one is the highest.
-  void take_top(const MaskOf<Real>& where, const Real& t, const Real& f) {
+  /// Top of the parabola through the last three points, whose middle one is the highest; a lower one may have a higher top than one before.
+  void take_top(const MaskOf<Real>& where, const Real& most, const Real& t, const Real& f) {
     const Real left = (last_ - before_) / (last_time_ - time_before_), right = (f - last_) / (t - last_time_);
     const Real curvature = (right - left) / (t - time_before_);
     const Real slope = left + curvature * (last_time_ - time_before_);  // at the middle point
-    const Real shift = -slope / (2. * curvature);
-    const MaskOf<Real> is_bent = curvature < 0.;
-    put(where, value, select(is_bent, last_ + 0.5 * slope * shift, last_));
-    put(where, time, select(is_bent, last_time_ + shift, last_time_));
+    const Real shift = -slope / (2. * curvature), top = last_ + smaller(0.5 * slope * shift, most);
+    const MaskOf<Real> is_higher = where & (curvature < 0.) & (top > value);
+    put(is_higher, value, top);
+    put(is_higher, time, last_time_ + shift);
   }
 
   Real last_time_ = never, last_ = 0., time_before_ = never, before_ = 0.;

@@ -11,15 +11,16 @@ void ProbeScalars::follow(double t, double left, double force) {
     smallest_clearance = left;
     smallest_clearance_time = t;
   }
-  // Bottom of the parabola through three steps whose middle one is the lowest.
-  if (std::isfinite(time_before) && clearance < clearance_before && clearance <= left &&
-      clearance <= smallest_clearance) {
+  // Bottom of the parabola through three steps whose middle one is the lowest; a higher one may have a lower bottom than one before.
+  if (std::isfinite(time_before) && clearance < clearance_before && clearance <= left) {
     const double falling = (clearance - clearance_before) / (time - time_before),
                  rising = (left - clearance) / (t - time);
     const double curvature = (rising - falling) / (t - time_before);
     const double slope = falling + curvature * (time - time_before);
-    if (curvature > 0.) {
-      smallest_clearance = clearance - 0.25 * slope * slope / curvature;
+    const double bottom =
+        clearance - std::fmin(0.25 * slope * slope / curvature, std::fmax(clearance_before, left) - clearance);
+    if (curvature > 0. && bottom < smallest_clearance) {
+      smallest_clearance = bottom;
       smallest_clearance_time = time - 0.5 * slope / curvature;
     }
   }
@@ -33,14 +34,19 @@ void ProbeScalars::follow(double t, double left, double force) {
   } else if (left < 0.) {
     first_touch_time = t;
   }
-  if (force > largest_force) {
-    largest_force = force;
-    largest_force_time = t;
-  }
+  contact_force.follow(true, t, force);
   time_before = time;
   clearance_before = clearance;
   time = t;
   clearance = left;
+}
+
+std::vector<double*> ProbeScalars::numbers() {
+  std::vector<double*> all = {
+      &smallest_clearance, &smallest_clearance_time, &first_touch_time, &time_touching, &time, &clearance,
+      &time_before,        &clearance_before};
+  for (double* number : contact_force.numbers()) all.push_back(number);
+  return all;
 }
 
 ProbeWatch::ProbeWatch(const Machine& machine) {
@@ -66,25 +72,18 @@ void ProbeWatch::follow(double t, std::span<const double> step) {
 
 void ProbeWatch::pack(PackedValues& to) const {
   for (std::size_t i = 0; i < scalars_.size(); ++i) {
-    const ProbeScalars& s = scalars_[i];
-    to["probes/" + names_[i]] = {s.smallest_clearance,
-                                 s.smallest_clearance_time,
-                                 s.first_touch_time,
-                                 s.time_touching,
-                                 s.largest_force,
-                                 s.largest_force_time,
-                                 s.time,
-                                 s.clearance,
-                                 s.time_before,
-                                 s.clearance_before};
+    ProbeScalars scalars = scalars_[i];
+    auto& values = to["probes/" + names_[i]];
+    for (const double* number : scalars.numbers()) values.push_back(*number);
   }
 }
 
 void ProbeWatch::unpack(const PackedValues& from) {
   for (std::size_t i = 0; i < scalars_.size(); ++i) {
-    const auto& v = from.at("probes/" + names_[i]);
-    if (v.size() != 10) throw std::invalid_argument("a probe of another kind");
-    scalars_[i] = {v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9]};
+    const auto& values = from.at("probes/" + names_[i]);
+    const auto numbers = scalars_[i].numbers();
+    if (values.size() != numbers.size()) throw std::invalid_argument("a probe of another kind");
+    for (std::size_t k = 0; k < numbers.size(); ++k) *numbers[k] = values[k];
   }
 }
 

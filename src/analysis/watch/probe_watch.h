@@ -1,9 +1,9 @@
 #pragma once
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "analysis/watch/followed.h"
 #include "machine/machine.h"
 #include "model/observer.h"
 
@@ -11,15 +11,15 @@ namespace rotordrop {
 
 /// How near the rotor came to the stationary part at one probe.
 struct ProbeScalars {
-  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
   double smallest_clearance = never, smallest_clearance_time = never;  ///< [m], [s]; between steps by a parabola
   double first_touch_time = never;                                     ///< clearance first passes zero [s]
   double time_touching = 0;                                            ///< [s]
-  double largest_force = 0;                                            ///< of a contact, at a step [N]
-  double largest_force_time = never;                                   ///< [s]
+  FollowedPeak contact_force;                                          ///< [N]
   // The last two steps.
   double time = never, clearance = never, time_before = never, clearance_before = never;
   void follow(double t, double clearance_left, double force);
+  /// All that decides about what follows.
+  [[nodiscard]] std::vector<double*> numbers();
 };
 
 /// Follows every probe of a machine through its step observables.

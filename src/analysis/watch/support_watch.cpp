@@ -33,28 +33,27 @@ SupportWatch::SupportWatch(const Machine& machine) {
 void SupportWatch::follow(double t, std::span<const double> step) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double y = step[columns_[i].position], z = step[columns_[i].position + 1];
-    const double travel = std::sqrt(y * y + z * z);
     auto& s = scalars_[i];
-    if (travel > s.travel) {
-      s.travel = travel;
-      s.time = t;
-    }
+    s.travel.follow(true, t, std::sqrt(y * y + z * z));
     if (columns_[i].has_energy) s.stored = std::fmax(s.stored, step[columns_[i].energy]);
   }
 }
 
 void SupportWatch::pack(PackedValues& to) const {
-  for (std::size_t i = 0; i < scalars_.size(); ++i)
-    to["supports/" + columns_[i].name] = {scalars_[i].travel, scalars_[i].time, scalars_[i].stored};
+  for (std::size_t i = 0; i < scalars_.size(); ++i) {
+    auto& values = to["supports/" + columns_[i].name] = {scalars_[i].stored};
+    FollowedPeak travel = scalars_[i].travel;
+    for (const double* number : travel.numbers()) values.push_back(*number);
+  }
 }
 
 void SupportWatch::unpack(const PackedValues& from) {
   for (std::size_t i = 0; i < scalars_.size(); ++i) {
-    const auto& v = from.at("supports/" + columns_[i].name);
-    if (v.size() != 3) throw std::invalid_argument("a support of another kind");
-    scalars_[i].travel = v[0];
-    scalars_[i].time = v[1];
-    scalars_[i].stored = v[2];
+    const auto& values = from.at("supports/" + columns_[i].name);
+    const auto numbers = scalars_[i].travel.numbers();
+    if (values.size() != 1 + numbers.size()) throw std::invalid_argument("a support of another kind");
+    scalars_[i].stored = values[0];
+    for (std::size_t k = 0; k < numbers.size(); ++k) *numbers[k] = values[1 + k];
   }
 }
 

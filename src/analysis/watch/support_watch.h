@@ -1,9 +1,9 @@
 #pragma once
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "analysis/watch/followed.h"
 #include "machine/machine.h"
 #include "model/observer.h"
 
@@ -11,10 +11,10 @@ namespace rotordrop {
 
 /// How far an outer ring moved in its support.
 struct SupportScalars {
-  std::size_t support = 0;                                             ///< of the machine
-  double travel = 0, time = std::numeric_limits<double>::quiet_NaN();  ///< largest [m], when [s]
-  double stored = 0;                                                   ///< largest energy in its springs [J]
-  bool has_energy = false;                                             ///< `stored` is known
+  std::size_t support = 0;  ///< of the machine
+  FollowedPeak travel;      ///< [m]
+  double stored = 0;        ///< largest energy in its springs, at a step [J]
+  bool has_energy = false;  ///< `stored` is known
 };
 
 /// Follows the supports of all touchdown bearings of a machine through its step observables.

@@ -36,8 +36,8 @@ Json probes_json(const std::vector<ProbeSummary>& probes) {
          {"first_touch_time", json_number(s.first_touch_time)},
          {"time_touching", s.time_touching}};
     if (probe.contact)
-      j["contact"] = {{"peak_contact_force", s.largest_force},
-                      {"peak_contact_force_time", json_number(s.largest_force_time)},
+      j["contact"] = {{"peak_contact_force", s.contact_force.value},
+                      {"peak_contact_force_time", json_number(s.contact_force.time)},
                       {"friction_heat", probe.contact->friction_heat},
                       {"damping", probe.contact->damping}};
   }
@@ -57,7 +57,7 @@ std::string probe_text(const std::vector<ProbeSummary>& probes) {
           "{:.4g} ms{}\n",
           p.name, p.node, p.scalars.first_touch_time * 1e3, p.contact ? "" : " and goes on as if nothing were there",
           -left * 1e6, p.clearance * 1e6, time * 1e3,
-          p.contact ? fmt::format("; contact force up to {:.4g} kN", p.scalars.largest_force * 1e-3) : "");
+          p.contact ? fmt::format("; contact force up to {:.4g} kN", p.scalars.contact_force.value * 1e-3) : "");
   }
   return text;
 }

@@ -126,7 +126,7 @@ ProbeSummary probe_of(const std::string& name, const Json& j) {
   p.scalars.first_touch_time = number(j, "first_touch_time");
   if (j.contains("contact")) {
     p.contact = {number(j.at("contact"), "friction_heat"), number(j.at("contact"), "damping")};
-    p.scalars.largest_force = number(j.at("contact"), "peak_contact_force");
+    p.scalars.contact_force.value = number(j.at("contact"), "peak_contact_force");
   }
   return p;
 }

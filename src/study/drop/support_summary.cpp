@@ -20,12 +20,12 @@ std::optional<SupportSummary> support_summary(const SupportWatch& watch, const M
     if (!b || entry.name != bearing) continue;
     SupportSummary summary;
     summary.type = b->support.type;
-    summary.largest_travel = s->travel;
-    summary.largest_travel_time = s->time;
+    summary.largest_travel = s->travel.value;
+    summary.largest_travel_time = s->travel.time;
     summary.travel_limit = b->support.travel_limit;
     summary.loss = machine.ledger(s->support, "support damping", y);
     if (s->has_energy) summary.largest_stored_energy = s->stored;
-    if (b->support.stop) summary.meets_stop = s->travel > b->support.stop->gap;
+    if (b->support.stop) summary.meets_stop = s->travel.value > b->support.stop->gap;
     return summary;
   }
   return {};

@@ -27,6 +27,20 @@ TEST(FollowedPeak, MeetsTheTopOfAHalfWaveBetweenLooks) {
   }
 }
 
+/// Parabolas through three samples a second apart rise above the middle one by (d_1 - d_2)^2 / (8 (d_1 + d_2)), d the falls to its neighbours.
+TEST(FollowedPeak, FindsAHigherTopWhoseSamplesLieBelowAnEarlierOne) {
+  FollowedPeak peak;
+  const double samples[] = {0., 10., 9.9, 0., 5., 11.1, 11., 0.};
+  for (int k = 0; k < 8; ++k) {
+    peak.follow(true, k, samples[k]);
+    if (k == 4) {
+      EXPECT_NEAR(peak.value, 10. + 9.9 * 9.9 / (8. * 10.1), 1e-13) << "the first top, 11.213";
+    }
+  }
+  EXPECT_NEAR(peak.value, 11.1 + 6. * 6. / (8. * 6.2), 1e-13) << "the second one, 11.826";
+  EXPECT_NEAR(peak.time, 5. + 6. / (2. * 6.2), 1e-14) << "s: (d_1 - d_2) / (2 (d_1 + d_2)) behind the middle";
+}
+
 TEST(FollowedDemand, CountsTheTimeAboveOneByStraightLines) {
   // 0 - 2 - 0 - 0 - 3 - 3 - 0.5 at whole seconds, the ring's speed 0 10 30 30 24 20 0.
   const double demand[] = {0, 2, 0, 0, 3, 3, 0.5}, speed[] = {0, 10, 30, 30, 24, 20, 0};

@@ -18,14 +18,22 @@ TEST(ProbeScalars, FindTheSmallestClearanceBetweenSteps) {
   EXPECT_EQ(s.time_touching, 0.);
 }
 
+TEST(ProbeScalars, FindALowerBottomWhoseSamplesLieAboveAnEarlierOne) {
+  ProbeScalars s;
+  const double left[] = {20e-6, 10e-6, 10.1e-6, 20e-6, 15e-6, 8.9e-6, 9e-6, 20e-6};
+  for (int k = 0; k < 8; ++k) s.follow(k, left[k], 0.);
+  EXPECT_NEAR(s.smallest_clearance, 8.9e-6 - 6e-6 * 6. / (8. * 6.2), 1e-18) << "m";
+  EXPECT_NEAR(s.smallest_clearance_time, 5. + 6. / (2. * 6.2), 1e-12) << "s";
+}
+
 TEST(ProbeScalars, TellWhenAndHowLongTheRotorTouches) {
   ProbeScalars s;
   const double left[] = {2e-6, -2e-6, -4e-6, 4e-6, 1e-6};  // through zero at 0.5 ms and at 2.5 ms
   for (int k = 0; k < 5; ++k) s.follow(1e-3 * k, left[k], k == 2 ? 70. : 0.);
   EXPECT_NEAR(s.first_touch_time, 0.5e-3, 1e-15);
   EXPECT_NEAR(s.time_touching, 2e-3, 1e-15);
-  EXPECT_EQ(s.largest_force, 70.);
-  EXPECT_EQ(s.largest_force_time, 2e-3);
+  EXPECT_EQ(s.contact_force.value, 70.);
+  EXPECT_EQ(s.contact_force.time, 2e-3);
 }
 
 TEST(ProbeScalars, TellARotorThatTouchesFromTheStart) {
