@@ -54,7 +54,7 @@ int calibrate_command(const CalibrateCommand& command) {
   require_other_file(file, command.file);
   require_writable(file);
   const auto bearings = calibrate(c, settings);
-  write_text_atomically(file, calibration_file(c, file, bearings, settings));
+  write_text_atomically(file, calibration_file(c, command.overrides, file, bearings, settings));
   if (!command.quiet)
     fmt::print("rotordrop {} ({})   circuits fitted to finite elements, case {}\n{}written to {}\n", version(),
                git_revision(), c.name, calibration_text(bearings), file.string());

@@ -46,6 +46,28 @@ class Calibrate(ProgramTest):
         for before, after in zip(differences["reference.toml"], differences["fit/calibrated.toml"]):
             self.assertLess(after, before)
 
+    def test_a_file_holds_what_the_command_line_has_set(self):
+        """The same fit from a case that says so itself; with base and factors alone the circuit would be another one."""
+        keys = {"thermal.spreading": '"strip"', "bearings.TB2.preload": '"20 N"', "bearings.TB1.circuit.inner_ring_capacity": "1.5"}
+        self.write("own.toml", 'base = "reference.toml"\n' + "".join(f"{key} = {value}\n" for key, value in keys.items()))
+        self.succeed("calibrate", "own.toml", "-o", "own-fit.toml", "--until", "20 ms")
+        arguments = [word for key, value in keys.items() for word in ("--set", f"{key}={value}")]
+        self.succeed("calibrate", "reference.toml", "-o", "fit/set.toml", "--until", "20 ms", "--set", "thermal.spreading=none", *arguments)
+        own, given = (tomllib.loads((self.folder / name).read_text()) for name in ("own-fit.toml", "fit/set.toml"))
+        self.assertEqual(given["thermal"], {"spreading": "strip"})
+        self.assertEqual(given["bearings"]["TB2"]["preload"], "20 N")
+        self.assertEqual(given["bearings"]["TB1"]["circuit"].pop("inner_ring_capacity"), 1.5)
+        self.assertEqual(given["bearings"]["TB1"]["circuit"], own["bearings"]["TB1"]["circuit"])
+        self.succeed("check", "fit/set.toml")
+
+    def test_a_link_in_contact_has_the_fit_of_a_permanent_one(self):
+        """Both resistances are the contact's while it lasts."""
+        factors = []
+        for link in ("permanent", "in-contact"):
+            self.succeed("calibrate", "reference.toml", "-o", f"{link}.toml", "--until", "20 ms", "--set", f"thermal.shaft_ring_link={link}")
+            factors.append({name: bearing["circuit"] for name, bearing in tomllib.loads((self.folder / f"{link}.toml").read_text())["bearings"].items()})
+        self.assertEqual(factors[0], factors[1])
+
     def test_a_file_that_is_there_stays(self):
         self.write("mine.toml", "precious")
         done = self.call("calibrate", "reference.toml", "-o", "mine.toml")

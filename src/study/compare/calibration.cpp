@@ -9,10 +9,13 @@
 #include "base/version.h"
 #include "case/modules/fe_module.h"
 #include "io/text/parameter_writers.h"
+#include "io/text/toml_reader.h"
 #include "machine/build_machine.h"
 #include "machine/check_machine.h"
 
 namespace rotordrop {
+
+namespace fs = std::filesystem;
 
 std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSettings& settings) {
   CaseParameters p = c.parameters;
@@ -21,6 +24,8 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   p.thermal.driver = automatic_driver;
   p.thermal.fe.coupling = FeCoupling::reduced;
   p.thermal.contact_conduction = BallConductionModel::fixed;  // there are no loads
+  // The resistance that is fitted is that of a contact, and the mesh has one only where it stays.
+  p.thermal.shaft_ring_link = BearingCircuitData::Link::permanent;
   // Speed is of no matter here.
   p.thermal.fe.response_tolerance = std::min(p.thermal.fe.response_tolerance, 2e-3);
   // What a user adds to the circuit is not fitted.
@@ -61,23 +66,54 @@ std::string bounds_text(const CalibratedBearing::Resistance& r) {
                                        : "");
 }
 
+/// "KEY = VALUE" of a setting in a file in `folder`, from where files are named.
+/// @param key  what remains of the setting's within its table
+std::string setting_text(const std::string& key, const Node& value, const fs::path& folder) {
+  const bool is_file = value.is_text() && fs::path(value.text()).has_extension() && fs::is_regular_file(value.text());
+  return fmt::format("{} = {}\n", key, toml_value(is_file ? Node(fs::relative(value.text(), folder).string()) : value));
+}
+
+/// The last of each key.
+std::vector<Setting> settings_of(const std::vector<std::string>& overrides) {
+  std::vector<Setting> settings;
+  for (const auto& text : overrides) {
+    const Setting setting = read_setting(text);
+    std::erase_if(settings, [&](const Setting& earlier) { return earlier.key == setting.key; });
+    settings.push_back(setting);
+  }
+  return settings;
+}
+
 }  // namespace
 
-std::string calibration_file(const Case& c, const std::filesystem::path& file,
+std::string calibration_file(const Case& c, const std::vector<std::string>& overrides, const fs::path& file,
                              const std::vector<CalibratedBearing>& bearings, const CalibrationSettings& s) {
-  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  const auto folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::string text = fmt::format(
       "# source: factors of the circuit's uncertain resistances are fitted to the finite elements of this case by "
       "rotordrop {} ({}): responses of mean\n"
       "# temperatures to steps of heat into each port, from {:g} s to {:g} s. Capacities and convection stay. Set the "
       "factors to 1 for the circuit without calibration.\n"
       "base = {}\n",
-      version(), git_revision(), s.from, s.until, toml_value(Node(std::filesystem::relative(c.file, folder).string())));
+      version(), git_revision(), s.from, s.until, toml_value(Node(fs::relative(c.file, folder).string())));
+  const auto settings = settings_of(overrides);
+  const auto circuit_of = [](const CalibratedBearing& b) { return fmt::format("bearings.{}.circuit.", b.name); };
+  const auto stands_in_a_circuit = [&](const Setting& setting) {
+    return std::ranges::any_of(bearings, [&](const auto& b) { return setting.key.starts_with(circuit_of(b)); });
+  };
+  for (const Setting& setting : settings)
+    if (!stands_in_a_circuit(setting)) text += setting_text(setting.key, setting.value, folder);
   for (const auto& b : bearings) {
     text += fmt::format("\n[bearings.{}.circuit]  # error of responses: rms {:.2g} % before, {:.2g} % after\n", b.name,
                         100. * b.before.rms, 100. * b.after.rms);
     for (const auto& r : b.resistances)
       text += fmt::format("{} = {:.4f}  # {}\n", r.uncertain.name, b.factors.*r.uncertain.member, bounds_text(r));
+    for (const Setting& setting : settings) {
+      if (!setting.key.starts_with(circuit_of(b))) continue;
+      const std::string key = setting.key.substr(circuit_of(b).size());
+      if (std::ranges::none_of(b.resistances, [&](const auto& r) { return r.uncertain.name == key; }))
+        text += setting_text(key, setting.value, folder);
+    }
   }
   return text;
 }
