@@ -93,6 +93,18 @@ class Warnings(ProgramTest):
         self.assertNotIn(("temperature", "TB1", "ball (lumped)"), found, "Si3N4 stands more")
         self.assertIn(("local-temperature", "TB1", "bore"), found)
 
+    def test_rows_too_far_apart_for_what_is_taken_from_them(self):
+        """Ten rows in the first contact are enough; the instants are known at every step."""
+        for interval, is_coarse in ((0.2e-3, False), (1e-3, True)):
+            summary = self.run_case("reference.toml", "--force", run__end_time="12 ms", output__interval=interval)
+            told = [(w["place"], w["worst"], w["limit"]) for w in summary["warnings"] if w["code"] == "coarse-rows"]
+            contacts = {name: b["first_contact_end"] - b["first_contact_time"] for name, b in summary["bearings"].items()}
+            self.assertTrue(all(10 * 0.2e-3 < contact < 10 * 1e-3 for contact in contacts.values()), contacts)
+            self.assertEqual([place for place, _, _ in told], list(contacts) if is_coarse else [])
+            for place, worst, limit in told:
+                self.assertEqual(worst, interval)
+                self.assertAlmostEqual(limit, contacts[place] / 10, delta=1e-12)
+
     def test_a_run_that_ends_before_the_rotor_touches_is_told(self):
         # By free fall it bridges the gap after sqrt(2 250 um / 9.81 m/s2) = 7.14 ms.
         for end, is_told in (("6.9 ms", True), ("7.5 ms", False)):

@@ -77,9 +77,9 @@ std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows,
     largest_heat = std::max(largest_heat, v.heat);
     list.push_back(v);
   }
-  // What a ledger gains by rounding is no contact.
+  // What a ledger gains by rounding is no contact; bristles that recover give heat without any.
   const bool has_heat = rubs(list);
-  const double least_force = has_heat ? 0. : 1e-9 * largest_force(list);
+  const double least_force = 1e-9 * largest_force(list);
   for (auto& v : list)
     if ((has_heat && v.heat <= 1e-9 * largest_heat) || !(v.force > least_force)) v.force = 0.;
   return list;

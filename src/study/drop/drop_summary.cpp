@@ -141,7 +141,8 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
   s.statistics = result.statistics;
   s.input_warnings = drop_case.warnings;
   s.warnings = result.warnings;
-  for (auto& warning : warnings_in_summary(p, s)) s.warnings.push_back(std::move(warning));
+  for (auto& warning : warnings_in_summary(p, drop_case.parameters.output.interval, s))
+    s.warnings.push_back(std::move(warning));
   return s;
 }
 

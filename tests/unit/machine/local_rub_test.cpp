@@ -163,4 +163,18 @@ TEST(LocalRub, ARingThatTurnsSpreadsItsWear) {
   EXPECT_NEAR(r.wear.bore_depth, 1e-14 * work / (3. * 0.035 * 0.02), 2e-3 * r.wear.bore_depth);
 }
 
+TEST(LocalRub, HeatOfBristlesThatRecoverIsNoContact) {
+  // A ten-millionth of an interval's heat a millisecond after the contact, with what rounding leaves of the impulse.
+  const auto s = steel();
+  const auto plain = rub(5000., 55., 0.66, at_rest, at_rest, 55. / 0.03475);
+  auto recovering = plain;
+  for (std::size_t i = 101; i < recovering.times.size(); ++i) {
+    recovering.joules_into_ring[i] += 1e-7;
+    recovering.impulse[i] += 2e-13;
+  }
+  const LocalRub without = local_rub(plain, s), with = local_rub(recovering, s);
+  EXPECT_NEAR(with.stated.share_to_ring, without.stated.share_to_ring, 1e-6) << "1e-7 of 8.25 J";
+  EXPECT_EQ(with.stated.bore, without.stated.bore) << "K";
+}
+
 }  // namespace
