@@ -53,6 +53,16 @@ void require_outputs(const CompareCommand& command, std::initializer_list<std::f
   }
 }
 
+void warn_of_times_beyond(const ComparisonOptions& options, const RecordedDrop& drop,
+                          const std::optional<RecordedDrop>& against) {
+  double end = drop.table("/time").values.back();
+  if (against) end = std::min(end, against->table("/time").values.back());
+  for (const double time : options.instants)
+    if (time > end)
+      fmt::print(stderr, "warning: --times: {:.6g} ms lies beyond the end at {:.6g} ms and is left out.\n", time * 1e3,
+                 end * 1e3);
+}
+
 std::filesystem::path comparison_file(const CompareCommand& command) {
   const auto file = command.output.empty() ? command.directory / "comparison.json" : command.output;
   if (file.extension() == ".h5")
@@ -161,6 +171,7 @@ int compare_command(const CompareCommand& command) {
   if (!command.against.empty()) against.emplace(command.against);
   const auto file = comparison_file(command);
   require_writable(file);
+  if (!command.times.empty()) warn_of_times_beyond(options, drop, against);
   const Comparison comparison = compare_models(drop, against ? &*against : nullptr, options);
   write_comparison(comparison, file);
   if (!command.quiet)

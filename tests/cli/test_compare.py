@@ -414,6 +414,7 @@ class LumpedAndFiniteElements(ProgramTest):
     def test_tolerances_and_instants_are_those_asked_for(self):
         done = self.call("compare", self.out, "--tolerance", "2 mK", "--growth-tolerance", "1 nm", "--times", "9 ms,12 ms, 1 s", "-o", "fine.json")
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([line for line in done.stderr.splitlines() if "--times" in line], ["warning: --times: 1000 ms lies beyond the end at 15 ms and is left out."])
         fine = json.loads((self.folder / "fine.json").read_text())
         for b in fine["bearings"].values():
             ring = b["temperatures"]["inner_ring"]

@@ -80,6 +80,14 @@ class FaultyCases(ProgramTest):
         self.assertIn("do not lie on each other", self.fault(DISC + other + '[[interface]]\nbetween = ["disc.outer", "b.inner"]\nresistance = 1e-4\n'))
         self.assertIn("do not face each other", self.fault(DISC + other + '[[interface]]\nbetween = ["disc.outer", "b.outer"]\nresistance = 1e-4\n'))
 
+    def test_two_boundaries_are_joined_once(self):
+        """Two resistances side by side would be half of each."""
+        case = DISC + '[[section.rectangle]]\nname = "b"\nx = ["10 mm", "20 mm"]\nr = [0, "20 mm"]\nmaterial = "steel"\n'
+        for again in ('"disc.right", "b.left"', '"b.left", "disc.right"'):
+            joined = "".join(f"[[interface]]\nbetween = [{pair}]\nresistance = 1e-4\n" for pair in ('"disc.right", "b.left"', again))
+            self.assertIn("interface#2: ", message := self.fault(case + joined))
+            self.assertIn("are joined already", message)
+
     def test_flux_needs_a_free_part(self):
         other = '[[section.rectangle]]\nname = "b"\nx = [0, 1]\nr = ["20 mm", "30 mm"]\nmaterial = "steel"\n'
         self.assertIn("covered by interfaces", self.fault(DISC + other + '[[interface]]\nbetween = ["disc.outer", "b.inner"]\nresistance = 1e-4\n'))

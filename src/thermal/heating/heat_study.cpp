@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "base/parameters/suggestion.h"
 #include "thermal/heating/boundary_geometry.h"
@@ -213,6 +217,8 @@ class StudyMaker {
             "The radii, or places x, of the two must be equal.");
     else if (std::min(along_a[1], along_b[1]) - std::max(along_a[0], along_b[0]) < 1e-6 * size)
       fault(list, i, "between", both + " do not meet anywhere.");
+    else if (!joined_[list].insert(std::minmax(between[0], between[1])).second)
+      fault(list, i, "between", both + " are joined already.", "Two boundaries are joined once, in either order.");
     else
       return std::array{*a, *b};
     return {};
@@ -324,6 +330,8 @@ class StudyMaker {
   const ReadRecordedHeat& read_recorded_;
   Faults& faults_;
   HeatStudy study_;
+  std::map<std::string, std::set<std::pair<std::string, std::string>>>
+      joined_;  ///< boundaries, by the list that joins them
 };
 
 }  // namespace
