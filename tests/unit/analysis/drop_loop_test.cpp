@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numbers>
 #include <string>
 #include <thread>
 #include <vector>
@@ -110,6 +111,23 @@ TEST(DropLoop, LooksAsOftenAsPeaksNeedWhereStepsStayShort) {
     EXPECT_GE(witness.shortest_look, 9.9e-6) << method;
     EXPECT_LT(witness.longest_unseen, 10e-6) << method;
   }
+}
+
+TEST(DropLoop, LooksMoreOftenAtRingsThatMoveFasterOnAStiffContact) {
+  const double K = 1.6e10, mass = 0.21;  // [N/m^(10/9)], [kg]
+  const auto penetration = [K](double force) { return std::pow(force / K, 0.9); };
+  const double stiffness = 200. / (penetration(1e4 + 100.) - penetration(1e4 - 100.)),
+               period = 2. * std::numbers::pi * std::sqrt(mass / stiffness);
+  const auto machine =
+      reference_machine({"integration.method=runge-kutta-4", "integration.step=0.5 us", "run.end_time=8 ms",
+                         "output.interval=1 s", "output.detail_interval=1 s", "bearings.TB2.contact_stiffness=1.6e10"});
+  Drop drop = drop_of(machine);
+  Witness witness(*machine);
+  drop.loop().add(witness);
+  drop.run();
+  EXPECT_LT(period, 50e-6) << "s";
+  EXPECT_GE(witness.shortest_look, period / 12. - 1e-9) << "s, steps of 0.5 us";
+  EXPECT_LT(witness.longest_unseen, period / 12.) << "s";
 }
 
 /// Counts how often it is evaluated.
