@@ -128,6 +128,8 @@ def over_speed(bearing, panel):
 
 
 def running_page(bearing):
+    if bearing.running["verdict"] == "failed":
+        return None
     figure, axes = plt.subplots(2, 2, figsize=(9.6, 6.4))
     way(bearing, axes[0, 0], axes[0, 1])
     balance(bearing, axes[1, 0])

@@ -130,7 +130,11 @@ int preload_command(const PreloadCommand& command) {
   else if (!command.quiet)
     fmt::print("rotordrop {} ({})   thermal preload, case {}\n{}results in {}\n", version(), git_revision(), c.name,
                preload_text(report), options.directory.string());
-  return 0;
+  if (is_complete(report)) return 0;
+  for (const auto& [name, bearing] : report["bearings"].items())
+    if (const auto& running = bearing["running"]; running["verdict"] == "failed")
+      fmt::print(stderr, "error: {}: {}\n", name, running["message"].get<std::string>());
+  return 1;
 }
 
 }  // namespace rotordrop

@@ -86,6 +86,41 @@ class Preload(ProgramTest):
             heat = self.file()["/TB2/balance/heat"][:]
             self.assertLess(point["heat"], heat[-1])
 
+    def test_a_ring_that_cools_over_its_balls_alone_has_operating_points_up_to_any_limit(self):
+        # Without the shaft's cooling TB1's inner ring closes the gap of its balls, and steady heats far beyond the operating point have balls that just touch.
+        lump = [*NO_MAPS, "--set", "thermal.shaft=lump", "--set", "preload.critical_values=false"]
+        for limit in ("125 degC", "150 degC"):
+            running = self.preload("neisi2019-preload.toml", *lump, "--set", "preload.speed=6000 rpm", "--set", f"preload.temperature_limit={limit}", bearing="TB1")["running"]
+            self.assertEqual((running["verdict"], running["search"]["ended_by"], running["search"]["without_steady_state"]), ("stable", "temperature_limit", 0))
+            # Criterion and way from cold are two computations.
+            point = running["operating_points"][0]
+            self.assertAlmostEqual(point["heat"], running["end"]["state"]["heat"], delta=1e-6 * point["heat"])
+            for node, T in running["end"]["temperatures"].items():
+                self.assertAlmostEqual(point["temperatures"][node], T, delta=0.02)  # settled_rate times the slowest time constant
+        made, heat = (self.file()[f"/TB1/balance/{name}"][:] for name in ("made", "heat"))
+        self.assertGreater(heat[-1], 3 * made[0])
+        done = self.succeed("preload", "neisi2019-preload.toml", "-o", "both", *lump)
+        self.assertIn("TB1 at 15200 rpm: runs away", done.stdout)
+        self.assertIn("TB2 at 15200 rpm: runs away", done.stdout)
+
+    def test_balls_with_inertia_have_operating_points_at_low_speeds(self):
+        inertial = [*NO_MAPS, "--set", "bearings.TB1.ball_model=inertial", "--set", "preload.critical_values=false"]
+        for speed in (500, 1500):
+            running = self.preload("neisi2019-preload.toml", *inertial, "--set", f"preload.speed={speed} rpm", bearing="TB1")["running"]
+            self.assertEqual((running["verdict"], running["search"]["ended_by"]), ("stable", "temperature_limit"))
+            point = running["operating_points"][0]
+            self.assertAlmostEqual(point["heat"], running["end"]["state"]["heat"], delta=1e-6 * point["heat"])
+
+    def test_a_bearing_without_an_equilibrium_is_told_and_the_rest_is_written(self):
+        done = self.call("preload", "neisi2019-preload.toml", "-o", "out", *NO_MAPS, "--set", 'preload.force=["1e300 N", 0, 0]')
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("error: TB2: no equilibrium of TB2 was found", done.stderr)
+        report = json.loads((self.folder / "out/preload.json").read_text())["bearings"]
+        for name in ("TB1", "TB2"):
+            self.assertEqual(report[name]["running"]["verdict"], "failed")
+            self.assertIn(f"no equilibrium of {name} was found", report[name]["running"]["message"])
+        self.assertTrue((self.folder / "out/preload.h5").is_file())
+
     def test_the_documented_runaway_is_found_by_transient_and_criterion(self):
         running = self.preload("neisi2019-preload-runaway.toml", *NO_MAPS)["running"]
         self.assertEqual(running["verdict"], "runs-away")

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/errors.h"
+
 namespace rotordrop {
 namespace {
 
@@ -42,6 +44,7 @@ struct Sample {
   std::vector<double> T;
   LimitMet met = LimitMet::none;
   [[nodiscard]] double excess() const { return made - heat; }
+  [[nodiscard]] bool has_state() const { return met != LimitMet::no_state; }
 };
 
 /// T(Q), Phi(Q), from the sample before. Rolling balls may have several steady states under one heat, with and without load: under a heat no less than the sample
@@ -52,24 +55,48 @@ class Samples {
   Sample operator()(double heat) {
     Sample s;
     s.heat = heat;
-    if (loop_.bearing().balls_roll() && heat < start_heat_) start_ = loop_.cold();
-    s.T = heat > 0. ? loop_.steady(heat, start_) : loop_.cold();
-    start_ = s.T;
-    start_heat_ = heat;
-    const auto state = loop_.state(s.T);
+    if (heat == 0. || (loop_.bearing().balls_roll() && heat < start_heat_)) {
+      start_ = loop_.cold();
+      start_heat_ = 0.;
+    }
+    RunningState state;
+    try {
+      if (heat > 0.) approach(heat, 6);
+      state = loop_.state(start_);
+    } catch (const SolverError&) {
+      if (heat == 0.) throw;
+      s.made = NAN;
+      s.met = LimitMet::no_state;
+      return s;
+    }
+    s.T = start_;
     s.made = state.heat;
     s.met = limit_met(loop_, limits_, s.T, state);
     return s;
   }
 
  private:
+  /// From the sample before, by way of heats between where one step is too long.
+  void approach(double heat, int n_halvings) {
+    std::vector<double> T;
+    try {
+      T = loop_.steady(heat, start_);
+    } catch (const SolverError&) {
+      if (n_halvings == 0) throw;
+      approach(0.5 * (start_heat_ + heat), n_halvings - 1);
+      T = loop_.steady(heat, start_);
+    }
+    start_ = std::move(T);
+    start_heat_ = heat;
+  }
+
   const PreloadLoop& loop_;
   const PreloadLimits& limits_;
   std::vector<double> start_;
   double start_heat_ = 0;
 };
 
-/// Largest heat within the limits [W].
+/// Largest heat within the limits that has a steady state [W].
 double largest_heat(Samples& sample, double first, LimitMet& met) {
   double inside = 0., outside = std::max(first, 1e-3);
   for (int i = 0; i < 60; ++i) {
@@ -79,7 +106,7 @@ double largest_heat(Samples& sample, double first, LimitMet& met) {
     outside *= 2.;
   }
   if (met == LimitMet::none) return inside;
-  while (outside - inside > 1e-6 * outside) {
+  while (outside - inside > 1e-6 * outside && outside > 1e-9) {
     const double middle = 0.5 * (inside + outside);
     const LimitMet there = sample(middle).met;
     if (there != LimitMet::none) met = there;
@@ -94,6 +121,7 @@ std::optional<Sample> crossing(Samples& sample, Sample a, Sample b) {
     const double middle = 0.5 * (a.heat + b.heat);
     if (middle <= a.heat || middle >= b.heat) break;
     Sample m = sample(middle);
+    if (!m.has_state()) return {};
     ((m.excess() > 0.) == (a.excess() > 0.) ? a : b) = std::move(m);
   }
   if (std::fabs(b.excess()) > 1e-5 * b.heat) return {};
@@ -126,7 +154,7 @@ std::vector<Sample> with_turning_points(Samples& sample, std::vector<Sample> lin
       }
     }
     Sample& turn = height(a) < height(b) ? a : b;
-    if (height(turn) >= height(line[i])) continue;
+    if (!turn.has_state() || height(turn) >= height(line[i])) continue;
     if (turn.heat < all.back().heat)
       all.insert(all.end() - 1, std::move(turn));
     else
@@ -215,13 +243,25 @@ OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimi
   found.ended_by = line.front().met;
   if (found.ended_by == LimitMet::none) {
     const double end = largest_heat(sample, line.front().made, found.ended_by);
-    for (int i = 1; i <= n_samples; ++i)
-      line.push_back(sample(end * std::pow(i / static_cast<double>(n_samples), 1.5)));
+    for (int i = 1; i <= n_samples && end > 0.; ++i) {
+      Sample s = sample(end * std::pow(i / static_cast<double>(n_samples), 1.5));
+      if (s.has_state())
+        line.push_back(std::move(s));
+      else
+        ++found.n_without_state;
+    }
     line = with_turning_points(sample, std::move(line));
-    if (line.front().excess() == 0.) found.points.push_back(point_of(loop, line.front()));  // it makes no heat at all
+    const auto add = [&](const Sample& s) {
+      try {
+        found.points.push_back(point_of(loop, s));
+      } catch (const SolverError&) {  // no state just beside it, and so no response
+        ++found.n_without_state;
+      }
+    };
+    if (line.front().excess() == 0.) add(line.front());  // it makes no heat at all
     for (std::size_t i = 1; i < line.size(); ++i)
       if (line[i - 1].excess() != 0. && (line[i].excess() > 0.) != (line[i - 1].excess() > 0.))
-        if (const auto at = crossing(sample, line[i - 1], line[i])) found.points.push_back(point_of(loop, *at));
+        if (const auto at = crossing(sample, line[i - 1], line[i])) add(*at);
   }
   for (const auto& s : line) {
     found.heat.push_back(s.heat);
@@ -233,7 +273,15 @@ OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimi
 std::optional<CriticalFactor> find_critical_factor(
     const std::function<std::unique_ptr<PreloadLoop>(double factor)>& loop_with, double towards,
     const PreloadLimits& limits) {
-  const auto points_at = [&](double factor) { return find_operating_points(*loop_with(factor), limits); };
+  const auto points_at = [&](double factor) {
+    try {
+      return find_operating_points(*loop_with(factor), limits);
+    } catch (const SolverError&) {  // no rest of the bearing, not even a cold one
+      OperatingPoints none;
+      none.ended_by = LimitMet::no_state;
+      return none;
+    }
+  };
   const auto is_good = [](const OperatingPoints& p) { return p.first_stable() != nullptr; };
   double good = 1., bad = 1.;
   OperatingPoints last_good = points_at(1.), first_bad = last_good;
@@ -265,7 +313,8 @@ std::optional<CriticalFactor> find_critical_factor(
       least = excess;
       at = i;
     }
-  if (first_bad.points.empty() && at + 1 == first_bad.heat.size()) critical.by = CriticalFactor::By::limit;
+  if (first_bad.points.empty() && (first_bad.heat.empty() || at + 1 == first_bad.heat.size()))
+    critical.by = first_bad.ended_by == LimitMet::no_state ? CriticalFactor::By::no_state : CriticalFactor::By::limit;
   return critical;
 }
 

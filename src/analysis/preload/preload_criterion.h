@@ -21,7 +21,8 @@ struct PreloadLimits {
   double temperature = 0;  ///< [K]
   double pressure = 0;     ///< [Pa]
 };
-enum class LimitMet { none, temperature, pressure };
+/// What a search ends at; no_state: the bearing has no steady state there, or none was found.
+enum class LimitMet { none, temperature, pressure, no_state };
 LimitMet limit_met(const PreloadLoop& loop, const PreloadLimits& limits, std::span<const double> T,
                    const RunningState& state);
 
@@ -52,15 +53,18 @@ struct OperatingPoints {
   std::vector<OperatingPoint> points;
   std::vector<double> heat, made;  ///< Q and Phi(Q) of the search [W]
   LimitMet ended_by = LimitMet::none;
+  int n_without_state = 0;  ///< heats before that end at which none was found, or none just beside
   [[nodiscard]] const OperatingPoint* first_stable() const;
 };
+/// @throws SolverError if the bearing has no rest when cold
 OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimits& limits);
 
 /// How far a loop may change until no stable operating point is left.
 struct CriticalFactor {
-  double factor = 0;                            ///< last one with a stable operating point
-  double gain = 0;                              ///< at that point
-  enum class By { loop, limit } by = By::loop;  ///< what ends it: loop gain (or eigenvalue), or a limit met first
+  double factor = 0;  ///< last one with a stable operating point
+  double gain = 0;    ///< at that point
+  /// What ends it: loop gain (or eigenvalue), a limit met first, or a heat at which there is no steady state.
+  enum class By { loop, limit, no_state } by = By::loop;
 };
 /// @param loop_with  the loop with something `factor` times as large
 /// @param towards    a factor in the direction in which it becomes worse: 2 or 0.5

@@ -1,6 +1,5 @@
 #include "analysis/preload/preload_loop.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -68,8 +67,8 @@ double PreloadLoop::highest_temperature(std::span<const double> T, double heat) 
   return *std::max_element(nodes.begin(), nodes.end());
 }
 
-std::vector<double> PreloadLoop::jacobian_of_fixed_balls(std::span<const double> T, double heat) const {
-  const BallConduction held = balls(T);
+std::vector<double> PreloadLoop::jacobian_of_held_balls(std::span<const double> T, double heat,
+                                                        const BallConduction& held) const {
   constexpr double step = 1e-3;  // [K]; rates are straight lines but for convection's power of the rise
   const std::size_t n = size();
   std::vector<double> J(n * n), trial(T.begin(), T.end()), above(n), below(n);
@@ -85,7 +84,7 @@ std::vector<double> PreloadLoop::jacobian_of_fixed_balls(std::span<const double>
 }
 
 std::vector<double> PreloadLoop::jacobian(std::span<const double> T, double heat) const {
-  auto J = jacobian_of_fixed_balls(T, heat);
+  auto J = jacobian_of_held_balls(T, heat, balls(T));
   if (!bearing_->balls_roll()) return J;
   constexpr double step = 2e-8;  // [m], as for gradients of heat (preload_criterion.cpp)
   const std::size_t n = size();
@@ -113,41 +112,6 @@ std::vector<double> PreloadLoop::jacobian(std::span<const double> T, double heat
       for (std::size_t k = 0; k < n; ++k) J[i * n + k] += derivative[i] * by_T[k].*surface;
   }
   return J;
-}
-
-std::vector<double> PreloadLoop::steady(double heat, std::span<const double> start) const {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const auto n = static_cast<Eigen::Index>(size());
-  std::vector<double> T(start.begin(), start.end());
-  Eigen::VectorXd F(n);
-  enum class Balls { held, followed };
-  double largest = HUGE_VAL;
-  const auto converges = [&](Balls conduction, int n_steps) {
-    for (int i = 0; i < n_steps; ++i) {
-      rates(T, heat, {F.data(), size()});
-      const auto J = conduction == Balls::held ? jacobian_of_fixed_balls(T, heat) : jacobian(T, heat);
-      const Eigen::VectorXd step = Eigen::Map<const Matrix>(J.data(), n, n).partialPivLu().solve(F);
-      largest = step.lpNorm<Eigen::Infinity>();
-      // Newton's way with balls that lose their load leads anywhere.
-      if (!std::isfinite(largest) || (conduction == Balls::followed && largest > 100.)) break;
-      for (std::size_t k = 0; k < size(); ++k) T[k] -= step[static_cast<Eigen::Index>(k)];
-      if (largest < 1e-9 * (1. + std::fabs(T[0] - ambient_))) return true;
-    }
-    return false;
-  };
-  // Balls that conduct better are warmer and more loaded: with conductances of the step before, steps fall (or rise) towards the nearest state without passing it, slowly where
-  // a loaded state is about to vanish. There Newton's method helps; just beyond, steps creep past for long.
-  for (const int n_steps : {25, 200, 600}) {
-    if (converges(Balls::held, n_steps)) return T;
-    const double creep = largest;
-    const auto near = T;
-    if (converges(Balls::followed, 20)) return T;
-    T = near;
-    largest = creep;
-  }
-  // As near to where it vanishes as can be told: within 1e-5 of the heat.
-  if (largest < 1e-2 * (1. + std::fabs(T[0] - ambient_))) return T;
-  throw SolverError("no steady temperatures were found: does every part of the bearing have a heat path to ambient?");
 }
 
 PreloadTransient::PreloadTransient(const PreloadLoop& loop) : loop_(loop) {

@@ -35,13 +35,16 @@ class PreloadLoop {
   [[nodiscard]] double highest_temperature(std::span<const double> T, double heat) const;
   /// d rates / dT [1/s] under a constant heat, row by row [size * size], by central differences. What rolling balls conduct changes with growth.
   [[nodiscard]] std::vector<double> jacobian(std::span<const double> T, double heat) const;
-  /// Steady temperatures under a heat; Newton's method from `start`. @throws SolverError
+  /// The same where balls conduct what they are told.
+  [[nodiscard]] std::vector<double> jacobian_of_held_balls(std::span<const double> T, double heat,
+                                                           const BallConduction& held) const;
+  /// What rolling balls conduct; zeros of others.
+  [[nodiscard]] BallConduction balls(std::span<const double> T) const;
+  /// Steady temperatures under a heat, the ones that the bearing comes to from `start` (steady_temperatures.cpp). @throws SolverError
   [[nodiscard]] std::vector<double> steady(double heat, std::span<const double> start) const;
 
  private:
-  [[nodiscard]] BallConduction balls(std::span<const double> T) const;
   [[nodiscard]] std::vector<HeatInput> inputs(double heat, const BallConduction& balls) const;
-  [[nodiscard]] std::vector<double> jacobian_of_fixed_balls(std::span<const double> T, double heat) const;
 
   std::shared_ptr<const ThermalModel> thermal_;
   std::unique_ptr<RunningBearing> bearing_;

@@ -51,11 +51,21 @@ Json find_preload(const Case& c, const std::string& bearing, const RecordedDrop*
                  {"bearings", Json::object()}};
   for (const auto& name : bearings) {
     Json& one = report["bearings"][name];
-    one["running"] = run_preload_loop(c, name, tables);
+    try {
+      one["running"] = run_preload_loop(c, name, tables);
+    } catch (const SolverError& e) {  // of this bearing; the others have results
+      one["running"] = {{"verdict", "failed"}, {"message", e.what()}};
+    }
     one["maps"] = make_preload_maps(c, name, tables);
     if (drop) one["history"] = make_preload_history(c, name, *drop, tables);
   }
   return report;
+}
+
+bool is_complete(const Json& report) {
+  for (const auto& [name, bearing] : report["bearings"].items())
+    if (bearing["running"]["verdict"] == "failed") return false;
+  return true;
 }
 
 Json run_preload(const Case& c, const PreloadOptions& options) {

@@ -20,7 +20,8 @@ struct PreloadOptions {
 /// Maps, histories and steady running of touchdown bearings by themselves, in memory; tables are added.
 /// @param bearing  only this touchdown bearing; empty: all
 /// @param drop     for histories; may be null
-/// @throws InputError for an unknown bearing, SolverError
+/// A bearing of which the steady running cannot be computed has the verdict "failed" and a message.
+/// @throws InputError for an unknown bearing, SolverError for histories
 nlohmann::ordered_json find_preload(const Case& preload_case, const std::string& bearing, const RecordedDrop* drop,
                                     std::vector<PreloadTable>& tables);
 
@@ -28,6 +29,9 @@ nlohmann::ordered_json find_preload(const Case& preload_case, const std::string&
 /// See docs/how-to/preload.md for every key and dataset.
 /// @throws InputError for an unknown bearing, results that cannot be read or would be replaced; SolverError
 nlohmann::ordered_json run_preload(const Case& preload_case, const PreloadOptions& options);
+
+/// Whether the steady running of every bearing was computed.
+bool is_complete(const nlohmann::ordered_json& report);
 
 /// For the screen.
 std::string preload_text(const nlohmann::ordered_json& report);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/preload/build_preload.h"
+#include "base/errors.h"
 #include "case/modules/fe_module.h"
 #include "machine/build_machine.h"
 #include "machine/heat/make_sections.h"
@@ -20,7 +21,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* name_of(LimitMet limit) {
-  return limit == LimitMet::temperature ? "temperature_limit" : limit == LimitMet::pressure ? "pressure_limit" : "none";
+  switch (limit) {
+    case LimitMet::temperature:
+      return "temperature_limit";
+    case LimitMet::pressure:
+      return "pressure_limit";
+    case LimitMet::no_state:
+      return "no_steady_state";
+    default:
+      return "none";
+  }
 }
 
 Json state_json(const RunningState& s) {
@@ -84,7 +94,9 @@ Json critical_json(const std::optional<CriticalFactor>& c, double value) {
   return {{"factor", c->factor},
           {"value", c->factor * value},
           {"loop_gain", c->gain},
-          {"by", c->by == CriticalFactor::By::loop ? "loop gain" : "limit"}};
+          {"by", c->by == CriticalFactor::By::loop    ? "loop gain"
+                 : c->by == CriticalFactor::By::limit ? "limit"
+                                                      : "no steady state"}};
 }
 
 using LoopWith = std::function<std::unique_ptr<PreloadLoop>(const PreloadVariation&)>;
@@ -139,8 +151,12 @@ PreloadTable points_over_speed(const Case& c, const std::string& bearing, const 
     // Up to the critical speed, denser towards it: there both points meet.
     const double left = 1. - i / static_cast<double>(n_speeds);
     const double factor = critical ? critical->factor * (1. - left * left) : 1.5 * (1. - left);
-    const auto loop = with({.speed = factor});
-    const auto found = find_operating_points(*loop, limits);
+    OperatingPoints found;
+    try {
+      found = find_operating_points(*with({.speed = factor}), limits);
+    } catch (const SolverError&) {
+      // No rest of the bearing at this speed, not even a cold one.
+    }
     std::vector<std::array<double, 2>> values(5, {NAN, NAN});
     for (std::size_t k = 0; k < std::min<std::size_t>(2, found.points.size()); ++k) {
       const auto& point = found.points[k];
@@ -195,6 +211,9 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
   j["end"] = ending_json(*loop, end);
   j["operating_points"] = Json::array();
   for (const auto& point : points.points) j["operating_points"].push_back(point_json(*loop, point));
+  j["search"] = {{"largest_heat", points.heat.back()},
+                 {"ended_by", name_of(points.ended_by)},
+                 {"without_steady_state", points.n_without_state}};
 
   Json critical = Json::object();
   std::optional<CriticalFactor> critical_speed;

@@ -55,7 +55,9 @@ FindRest rest_finder(const std::string& bearing) {
     const auto result = find_equilibrium(system, x);
     if (!result.found)
       throw SolverError(
-          fmt::format("no equilibrium of {} was found: {:.2g} of the forces are left.", bearing, result.residual));
+          std::isfinite(result.residual)
+              ? fmt::format("no equilibrium of {} was found: {:.2g} of the forces are left.", bearing, result.residual)
+              : fmt::format("no equilibrium of {} was found: its forces are no numbers.", bearing));
   };
 }
 

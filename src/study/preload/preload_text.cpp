@@ -46,7 +46,9 @@ std::string critical_text(const Json& critical) {
     if (!critical.contains(key) || critical[key].is_null()) return;
     const auto& c = critical[key];
     text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", words(number(c, "value"), number(c, "factor")),
-                        c["by"] == "limit" ? "set by a limit" : "set by the loop gain");
+                        c["by"] == "limit"       ? "set by a limit"
+                        : c["by"] == "loop gain" ? "set by the loop gain"
+                                                 : "no steady state beyond");
   };
   add("speed", [](double value, double) { return fmt::format("up to {:.5g} rpm", value * to_rpm); });
   add("preload", [](double value, double) { return fmt::format("up to {:.4g} N mounted preload", value); });
@@ -65,8 +67,20 @@ std::string point_text(const Json& p) {
   return text + "\n";
 }
 
+/// Where the search for operating points ended for want of a steady state, or had gaps.
+std::string search_text(const Json& search) {
+  std::string text;
+  if (search["ended_by"] == "no_steady_state")
+    text += fmt::format("  the search for operating points ends at {:.4g} W: no steady state was found beyond\n",
+                        number(search, "largest_heat"));
+  if (const int n = search["without_steady_state"].get<int>(); n > 0)
+    text += fmt::format("  at {} heats of the search for operating points no steady state was found\n", n);
+  return text;
+}
+
 std::string running_text(const std::string& name, const Json& r) {
   const auto verdict = r["verdict"].get<std::string>();
+  if (verdict == "failed") return fmt::format("{}: not computed: {}\n", name, r["message"].get<std::string>());
   const auto& end = r["end"];
   const std::string after = duration(number(end, "time"));
   std::string text = fmt::format("{} at {:.6g} rpm: ", name, number(r, "speed") * to_rpm);
@@ -89,9 +103,11 @@ std::string running_text(const std::string& name, const Json& r) {
     if (verdict == "runs-away-on-the-way")
       text += "  A stable operating point exists, but warm-up from cold does not reach it.\n";
     else if (verdict == "runs-away")
-      text += r["operating_points"].empty() ? "  No operating point within the limits: at every temperature friction "
-                                              "generates more heat than is lost.\n"
-                                            : "  No stable operating point within the limits.\n";
+      text += !r["operating_points"].empty() ? "  No stable operating point within the limits.\n"
+              : r["search"]["ended_by"] == "no_steady_state"
+                  ? "  No operating point was found.\n"
+                  : "  No operating point within the limits: at every temperature friction generates more heat than "
+                    "is lost.\n";
   }
   text += fmt::format("  cold: {}\n", state_text(r["cold"]));
   if (r["cold"]["neglects_centrifugal"].get<bool>())
@@ -100,6 +116,7 @@ std::string running_text(const std::string& name, const Json& r) {
         "leaves them out\n",
         number(r["cold"], "centrifugal_over_load"));
   for (const auto& point : r["operating_points"]) text += point_text(point);
+  text += search_text(r["search"]);
   text += critical_text(r["critical"]);
   if (!r["load_law_sees_preload"].get<bool>())
     text +=

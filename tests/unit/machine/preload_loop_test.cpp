@@ -10,6 +10,10 @@
 //
 // TWO NODES that do not touch, inner and outer, with shares s and 1 - s of the heat, growths k_i x_i and k_o x_o that work against each other:
 //   gain L = a (k_i s R_i - k_o (1 - s) R_o), matrix [[-1/t_i + p_i, -p_o'], ...] of 2 x 2. With a fast inner node L < 1 may still be unstable.
+//
+// BALLS THAT CLOSE WITH HEAT. Of a heat Q into the inner node a part P goes over the balls, whose conductance is G = g sqrt(u - u_0) for u > u_0, u = k_i x_i - k_o x_o:
+//   x_i = (Q - P) R_i, x_o = P R_o, P = G (x_i - x_o).
+// With P chosen, u follows, and g = P / ((x_i - x_o) sqrt(u - u_0)). P falls with x_o and rises with x_i, so there is no other state.
 #include "analysis/preload/preload_loop.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +21,7 @@
 #include <cmath>
 
 #include "analysis/preload/build_preload.h"
+#include "base/errors.h"
 #include "integrate/integrator.h"
 #include "study/preload/preload_steady.h"
 #include "thermal/circuit/network_part.h"
@@ -208,6 +213,89 @@ std::unique_ptr<PreloadLoop> quick_and_slow(double H_0, double q, double k_o) {
   net.places = {{"B/inner", "B/inner", "B/inner", "B/outer"}};
   net.growths = {{0, &Expansion::inner_race, "B/inner", k}, {0, &Expansion::outer_race, "B/outer", k_o}};
   return loop_of(net, H_0, 0., q, 0.5);
+}
+
+struct ClosingBalls final : RunningBearing {
+  ClosingBalls(double factor, double touch) : g(factor), u_0(touch) {}
+  [[nodiscard]] RunningState at(const Expansion& growth) const override {
+    RunningState s;
+    s.heat = 50.;
+    s.balls.inner_to_outer = g * std::sqrt(std::max(growth.inner_race - growth.outer_race - u_0, 0.));
+    return s;
+  }
+  [[nodiscard]] bool balls_roll() const override { return true; }
+  [[nodiscard]] double inner_share() const override { return 1.; }
+  double g, u_0;
+};
+
+TEST(PreloadLoop, ASteadyStateOfBallsThatJustCloseIsFoundHoweverSteepTheirConductance) {
+  using Net = ThermalNetworkData;
+  const double R_i = 4., R_o = 0.5, k_i = 4e-7, k_o = 3e-7, Q = 50.;
+  Net net;
+  net.ambient = ambient;
+  net.nodes = {{"B/inner", 300., "inner"}, {"B/outer", 600., "outer"}, {"B/ball", 100., "balls"}};
+  net.resistors = {{"B/inner", ambient_node, R_i, Net::Law::constant, 0., 0., 0},
+                   {"B/outer", ambient_node, R_o, Net::Law::constant, 0., 0., 0},
+                   {"B/ball", ambient_node, 1., Net::Law::constant, 0., 0., 0}};
+  net.places = {{"B/inner", "B/inner", "B/inner", "B/outer", "B/ball", 1.}};
+  net.growths = {{0, &Expansion::inner_race, "B/inner", k_i}, {0, &Expansion::outer_race, "B/outer", k_o}};
+  for (const double P : {5., 20., 35.}) {
+    const double x_i = (Q - P) * R_i, x_o = P * R_o, u = k_i * x_i - k_o * x_o;
+    for (const double closed : {1e-6, 1e-8, 1e-10, 1e-12}) {  // by how much the balls are closed there [m]
+      const PreloadLoop loop(std::make_shared<ThermalNetwork>(net),
+                             std::make_unique<ClosingBalls>(P / ((x_i - x_o) * std::sqrt(closed)), u - closed), 1, 0,
+                             ambient);
+      for (const auto& start : {loop.cold(), std::vector<double>{ambient + 200., ambient + 1., ambient}}) {
+        const auto T = loop.steady(Q, start);
+        EXPECT_NEAR(T[0] - ambient, x_i, 1e-5) << "K, closed by " << closed << " m";
+        EXPECT_NEAR(T[1] - ambient, x_o, 1e-5) << "K, closed by " << closed << " m";
+      }
+    }
+  }
+}
+
+/// Has no rest where it has grown by more than a given length.
+struct Fragile final : RunningBearing {
+  Fragile(double heat, double most) : H(heat), u_most(most) {}
+  [[nodiscard]] RunningState at(const Expansion& growth) const override {
+    if (std::fabs(growth.inner_race) > u_most) throw SolverError("no rest");
+    RunningState s;
+    s.heat = H;
+    return s;
+  }
+  [[nodiscard]] bool balls_roll() const override { return true; }
+  [[nodiscard]] double inner_share() const override { return 1.; }
+  double H, u_most;
+};
+
+TEST(PreloadLoop, FromColdNoTemperatureIsTriedThatIsFarAboveTheSteadyOne) {
+  // Near no rise the film has hardly a slope: a tangent there leads ten times too far.
+  auto net = one_node(R);
+  const double S = 0.01, H = 30., x = std::pow(H / (23. * S), 0.8);
+  net.resistors = {{"B/ring", ambient_node, 0., ThermalNetworkData::Law::housing_convection, S, 0., 0}};
+  const PreloadLoop loop(std::make_shared<ThermalNetwork>(net), std::make_unique<Fragile>(H, 1.5 * k * x), 1, 0,
+                         ambient);
+  EXPECT_NEAR(loop.steady(H, loop.cold())[0] - ambient, x, 1e-6) << "K";
+}
+
+TEST(PreloadLoop, WhereThereIsNoRestTheSearchEndsAndTheRestOfItStands) {
+  const double H = 30., most = 20.;  // rest at H R = 15 K, none beyond 20 K
+  const auto loop = [&](double heat) {
+    return std::make_unique<PreloadLoop>(std::make_shared<ThermalNetwork>(one_node(R)),
+                                         std::make_unique<Fragile>(heat, k * most), 1, 0, ambient);
+  };
+  const auto found = find_operating_points(*loop(H), wide);
+  ASSERT_EQ(found.points.size(), 1u);
+  EXPECT_NEAR(found.points[0].T[0] - ambient, H * R, 1e-6) << "K";
+  EXPECT_EQ(found.ended_by, LimitMet::no_state);
+  EXPECT_NEAR(found.heat.back(), most / R, 1e-4 * most / R) << "W; the search ends within 1e-6 of it";
+  EXPECT_TRUE(find_operating_points(*loop(50.), wide).points.empty());
+  const auto critical = find_critical_factor([&](double f) { return loop(f * H); }, 2., wide);
+  ASSERT_TRUE(critical);
+  EXPECT_EQ(critical->by, CriticalFactor::By::no_state);
+  EXPECT_LT(critical->factor, most / (H * R));
+  // The search ends within 1e-4, and a point needs neighbours within 4e-8 m for its response.
+  EXPECT_NEAR(critical->factor, most / (H * R), (2e-4 + 4e-8 / (k * most)) * most / (H * R));
 }
 
 TEST(PreloadVerdict, PutsWayAndCriterionTogether) {
