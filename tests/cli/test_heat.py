@@ -430,6 +430,18 @@ class HeatOfABearing(ProgramTest):
                 self.assertAlmostEqual(a, b, delta=(1e-6 if is_mean else 1e-3) * largest, msg=name)
 
     @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
+    def test_no_temperature_depends_on_heat_that_comes_later(self):
+        """A watt for 5 s, and ten kilowatts after that or not: all that was before has the same bits. The time tolerance is of the mean rise so far, here 1e-6 of
+        5 J over some kJ/K; a run with a thousandth of it differs by a few of those."""
+        case = '[heat]\nbearing = "TB1"\nmodels = ["lumped", "fe"]\noutput_times = [1, 5]\n[[heat.source]]\nport = "inner"\ntimes = [0]\nvalues = [1]\n[[heat.source]]\nport = "rub-into-ring"\ntimes = [6, 6.5]\nvalues = [1e4, 0]\n'
+        before, beyond, fine = (self.heat(case, *options, output=name) for name, options in (
+            ("before", []), ("beyond", ["--set", "heat.end_time=7 s"]), ("fine", ["--set", "heat.time_tolerance=1e-9"])))
+        for name, probe in before["probes"].items():
+            self.assertEqual(probe["temperature"], beyond["probes"][name]["temperature"][:2], name)
+            mean = before["energy"]["fe"]["stored"] / 2000  # K: of 2 kJ/K and more
+            self.assertAlmostEqual(probe["temperature"][1], fine["probes"][name]["temperature"][1], delta=2e-5 * mean, msg=name)
+
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
     def test_the_circuit_meets_the_finite_elements_under_steady_heat(self):
         """Both have the same resistances and capacities in other words: after 100 s of 20 W into both races the means differ by the few per cent that
         one temperature a body costs."""

@@ -1,9 +1,14 @@
 #include "machine/heat/heated_model.h"
 
+#include <utility>
+
 namespace rotordrop {
 
-HeatedModel::HeatedModel(const ThermalModel& model, std::size_t n_places, std::size_t place)
-    : model_(model), place_(place), heats_(n_places) {
+HeatedModel::HeatedModel(const ThermalModel& model, std::size_t n_places, std::size_t place,
+                         std::vector<double> weights)
+    : model_(model), place_(place), weights_(std::move(weights)), state_(weights_.size()), heats_(n_places) {
+  start_.resize(weights_.size());
+  if (!start_.empty()) model.initial_state(start_);
   layout_.add_block("temperature", model.state_entries());
   layout_.add_block("energy", {{"heat lost", "J", 1., "heat lost to ambient"}});
 }
@@ -30,8 +35,15 @@ void HeatedModel::initial_state(std::span<double> y) const {
   y.back() = 0.;
 }
 
+std::span<const double> HeatedModel::model_state(std::span<const double> y) const {
+  if (weights_.empty()) return y.first(y.size() - 1);
+  for (std::size_t k = 0; k < state_.size(); ++k) state_[k] = start_[k] + (y[k] - start_[k]) / weights_[k];
+  return state_;
+}
+
 void HeatedModel::rhs(double t, std::span<const double> y, std::span<double> dydt) const {
-  dydt.back() = model_.rates(y.first(y.size() - 1), heats_at(t), dydt.first(dydt.size() - 1));
+  dydt.back() = model_.rates(model_state(y), heats_at(t), dydt.first(dydt.size() - 1));
+  for (std::size_t k = 0; k < weights_.size(); ++k) dydt[k] *= weights_[k];
 }
 
 }  // namespace rotordrop

@@ -60,7 +60,6 @@ void build_models(BearingHeatCase& c) {
                                                .n_places = c.parts.n_places,
                                                .place = c.parts.place,
                                                .ambient = p.run.ambient,
-                                               .turnover = c.history.turnover(c.end_time),
                                                .time_tolerance = p.heat->time_tolerance,
                                                .section = kind && kind->meshes_sections ? section : nullptr})});
   }

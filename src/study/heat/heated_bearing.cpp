@@ -36,11 +36,38 @@ constexpr double smallest_tolerance = 1e-13;
 // So that the integrator's shortest step, a fixed part of the longest, is below all that modes need [s].
 constexpr double longest_step = 0.1;
 
+/// Heat that goes in or out through all ports over a time, as it was told [J].
+double turnover_of(const HeatInput& heat, const HeatInput& rate, double time) {
+  const auto watts = port_heat(heat), rates = port_heat(rate);
+  double sum = 0.;
+  for (std::size_t p = 0; p < watts.size(); ++p)
+    sum += 0.5 * time * (std::fabs(watts[p]) + std::fabs(watts[p] + rates[p] * time));
+  return sum;
+}
+
+/// By how much each mode counts in what is shown: the largest temperature of a body, node, port or point of its surface per kelvin of the mode. Narrow modes have some 1e4 on their strip.
+std::vector<double> largest_shapes(const ReducedHeat& heat) {
+  std::vector<double> largest(heat.n_modes(), 1.);
+  const auto consider = [&](const std::vector<double>& shapes) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      double& of_mode = largest[i % largest.size()];
+      of_mode = std::max(of_mode, std::fabs(shapes[i]));
+    }
+  };
+  for (const auto* list : {&heat.bodies, &heat.nodes, &heat.ports})
+    for (const auto& output : *list) {
+      consider(output.shape);
+      consider(output.points);
+    }
+  return largest;
+}
+
 class InStateVector final : public HeatedBearing {
  public:
   InStateVector(const ThermalModel& model, const HeatedModelSettings& settings)
       : model_(model),
-        system_(model, settings.n_places, settings.place),
+        system_(model, settings.n_places, settings.place,
+                settings.section ? largest_shapes(settings.section->reduced) : std::vector<double>{}),
         settings_(settings),
         state_(system_.layout().size()),
         growth_(settings.n_places) {
@@ -55,14 +82,13 @@ class InStateVector final : public HeatedBearing {
       at += o.size;
     }
     observed_.resize(at);
-    double capacity = settings.section ? settings.section->reduced.capacity : 0.;
-    if (!settings.section) {
+    if (settings.section) {
+      capacity_ = settings.section->reduced.capacity;
+    } else {
       std::vector<double> warmer(state_.begin(), state_.end() - 1);
       for (double& T : warmer) T += 1.;
-      capacity = model.stored_energy(warmer);
+      capacity_ = model.stored_energy(warmer);
     }
-    tolerance_ =
-        std::max(settings.time_tolerance * settings.turnover / capacity / settings.ambient, smallest_tolerance);
   }
 
   void advance(double until, const HeatInput& heat, const HeatInput& rate) override {
@@ -72,9 +98,12 @@ class InStateVector final : public HeatedBearing {
       time_ = until;
       return;
     }
-    const IntegrationParameters how{.method = IntegrationMethod::dormand_prince,
-                                    .step = std::min(until - time_, longest_step),
-                                    .tolerance = tolerance_};
+    turnover_ += turnover_of(heat, rate, until - time_);
+    const IntegrationParameters how{
+        .method = IntegrationMethod::dormand_prince,
+        .step = std::min(until - time_, longest_step),
+        .tolerance =
+            std::max(settings_.time_tolerance * turnover_ / capacity_ / settings_.ambient, smallest_tolerance)};
     const auto integrator = make_integrator(system_, how, time_, state_, until);
     while (integrator->time() < until) {
       if (ask_) ask_();
@@ -135,12 +164,14 @@ class InStateVector final : public HeatedBearing {
                         "[[heat.source]].",
                         names_[i], settings_.bearing, time_, T[i]));
   }
-  [[nodiscard]] std::span<const double> temperature_state() const { return std::span(state_).first(state_.size() - 1); }
+  [[nodiscard]] std::span<const double> temperature_state() const { return system_.model_state(state_); }
 
   const ThermalModel& model_;
   HeatedModel system_;
   HeatedModelSettings settings_;
-  double time_ = 0, tolerance_ = 0;
+  double time_ = 0;
+  double capacity_ = 0;  ///< [J/K]
+  double turnover_ = 0;  ///< so far [J]
   std::vector<double> state_;
   std::vector<std::string> names_;
   std::vector<std::size_t> places_;  ///< of names_ in what the model shows

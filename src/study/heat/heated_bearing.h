@@ -41,8 +41,8 @@ struct HeatedModelSettings {
   std::string bearing;
   std::size_t n_places = 0, place = 0;  ///< of the model, and the bearing's among them
   double ambient = 0;                   ///< [K]
-  double turnover = 0;        ///< heat of the whole history [J]: over the capacity it tells how warm it will get
-  double time_tolerance = 0;  ///< of that
+  /// Error of one step, in what is shown, over the mean rise that all heat so far would make without losses: a joule that goes in and out counts twice. What comes later has no part in it.
+  double time_tolerance = 0;
   FiniteElements::Section* section = nullptr;  ///< of which the model is the reduced form
 };
 std::unique_ptr<HeatedBearing> heated_model(const ThermalModel& model, const HeatedModelSettings& settings);

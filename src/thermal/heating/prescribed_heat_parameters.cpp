@@ -249,7 +249,7 @@ Section<PrescribedHeatParameters> prescribed_heat_section() {
              {.range = between(1e-12, 1e-1),
               .fallback = "1e-6",
               .help = "Error of one time step. With a mesh in windows it is relative to the largest temperature "
-                      "change, in the circuit and with few modes to the mean rise from all heat."});
+                      "change, in the circuit and with few modes to the mean rise from all heat so far."});
   s.quantity("ball_load", &P::ball_load,
              {.unit = "N",
               .range = positive(),
