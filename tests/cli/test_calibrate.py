@@ -82,6 +82,25 @@ class Calibrate(ProgramTest):
             self.assertIn(message, done.stderr)
             self.assertFalse((self.folder / "out.toml").exists())
 
+    def test_it_takes_what_a_drop_takes(self):
+        """Growth has no part in a calibration, and a shaft beside the bearing is answered within the case's tolerance, which is told where modes do not reach the 0.2 % that they aim at."""
+        elastic = settings(thermal__models='["lumped", "fe"]', thermal__expansion="elastic", thermal__fe__coupling="windowed", bearings__TB1__housing_fit="-5 um")
+        self.succeed("calibrate", "reference.toml", "-o", "elastic.toml", *elastic)
+        formula = settings(bearings__TB1__housing_fit="-5 um")
+        self.succeed("calibrate", "reference.toml", "-o", "formula.toml", *formula)
+        by_elasticity, by_formula = (tomllib.loads((self.folder / name).read_text())["bearings"] for name in ("elastic.toml", "formula.toml"))
+        self.assertEqual(by_elasticity, by_formula)
+        text = self.succeed("calibrate", "reference.toml", "-o", "beyond.toml", *settings(thermal__fe__shaft="beyond")).stdout
+        errors = [float(e) for e in re.findall(r"answer heat with an error of up to ([\d.]+) %", text)]
+        self.assertTrue(errors)
+        for error in errors:
+            self.assertTrue(0.2 < error <= 0.5, error)
+        # Another coupling would be of no use: modes are what a calibration is made with.
+        refused = self.call("calibrate", "reference.toml", "-o", "refused.toml", *settings(thermal__fe__shaft="beyond", thermal__fe__response_tolerance="1e-3"))
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("allow a larger error.", refused.stderr)
+        self.assertNotIn("windowed", refused.stderr)
+
     def test_there_must_be_a_circuit(self):
         text = (self.folder / "reference.toml").read_text()
         text = re.sub(r"\[bearings\].*?(?=\[materials\])", '[bearings.L]\ntype = "linear"\nnode = 2\nstiffness = [[1e8, 0], [0, 1e8]]\n', text, flags=re.DOTALL)

@@ -229,6 +229,15 @@ class Preload(ProgramTest):
         self.assertEqual(added.returncode, 2)
         self.assertIn('preload.model = "fe" cannot include', added.stderr)
 
+    @unittest.skipUnless(HAS_ROOM, "built without finite elements")
+    def test_modes_that_answer_heat_too_coarsely_are_refused_with_what_helps(self):
+        beyond = [*NO_MAPS, "--set", "preload.model=fe", "--set", "thermal.fe.shaft=beyond", "--set", "preload.critical_values=false"]
+        done = self.call("preload", "neisi2019-preload.toml", "--bearing", "TB2", "-o", "out", *beyond)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("allow a larger error.", done.stderr)
+        self.assertNotIn("windowed", done.stderr)  # the coupling of drops
+        self.assertEqual(self.preload("neisi2019-preload.toml", *beyond, "--set", "thermal.fe.response_tolerance=0.01")["running"]["verdict"], "stable")
+
     def test_the_screen_may_have_json(self):
         done = self.succeed("preload", "neisi2019-preload.toml", "--bearing", "TB1", "-o", "out", "--json", *NO_MAPS)
         self.assertEqual(json.loads(done.stdout), json.loads((self.folder / "out/preload.json").read_text()))

@@ -48,6 +48,7 @@ struct CalibratedBearing {
     bool is_at_lowest = false, is_at_highest = false;  ///< the fit would go on
   };
   std::vector<Resistance> resistances;
+  double elements_error = 0;  ///< of the section's modes: largest error of their responses
   /// The resistance whose factor takes most of the error; none if no factor takes any.
   [[nodiscard]] const Resistance* carrier() const;
 };

@@ -29,6 +29,10 @@ struct FiniteElements {
     double time_tolerance = 1e-6;  ///< of such a mesh
   };
   std::optional<Alone> alone;
+  /// If they are reduced whatever the case's coupling, as preload and calibration need them.
+  bool always_reduced = false;
+  /// Error of the responses that modes aim at; what they reach is judged by thermal.fe.response_tolerance. 0: that too.
+  double aimed_response = 0;
 
   // Made by build_machine() or build_thermal_models().
   struct Section {

@@ -31,7 +31,8 @@ void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b
 }
 
 /// Refuses modes that answer heat less exactly than is asked for.
-void check_reduction(const FiniteElements::Section& section, const FeParameters& fe) {
+/// @param always_reduced  another coupling is no way out
+void check_reduction(const FiniteElements::Section& section, const FeParameters& fe, bool always_reduced) {
   const ReducedHeat& heat = section.reduced;
   if (heat.response_error <= fe.response_tolerance) return;
   throw InputError(
@@ -40,12 +41,13 @@ void check_reduction(const FiniteElements::Section& section, const FeParameters&
                   "thermal.fe.response_tolerance = {:.4g} allows {:.2g} %.",
                   section.name, heat.n_modes(), 100. * heat.response_error, heat.worst_response, fe.response_tolerance,
                   100. * fe.response_tolerance),
-      heat.n_modes() < static_cast<std::size_t>(fe.modes)
-          ? std::string(
-                "More modes would hardly lower it: allow a larger error, or set thermal.fe.coupling = \"windowed\".")
-          : fmt::format("thermal.fe.modes = {} is the most that the case allows: raise it (200 if not "
-                        "given), allow a larger error, or set thermal.fe.coupling = \"windowed\".",
-                        fe.modes));
+      fmt::format("{}allow a larger error{}.",
+                  heat.n_modes() < static_cast<std::size_t>(fe.modes)
+                      ? "More modes would hardly lower it: "
+                      : fmt::format("thermal.fe.modes = {} is the most that the case allows: raise it (200 if not "
+                                    "given){} ",
+                                    fe.modes, always_reduced ? " or" : ","),
+                  always_reduced ? "" : ", or set thermal.fe.coupling = \"windowed\""));
 }
 
 /// Rows of a ring that only translates carry the same loads but for their balls' places; a free one has thrust and tilts.
@@ -106,11 +108,13 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
         // The shaft beside the bearing has modes of its own, which must not be taken from the rings'.
         reduction.modes =
             static_cast<std::size_t>(fe.modes) + std::max(circuit.fins.size(), 8 * circuit.shaft_steps.size());
-        reduction.response_tolerance = fe.response_tolerance;
+        reduction.response_tolerance = elements.aimed_response > 0.
+                                           ? std::min(elements.aimed_response, fe.response_tolerance)
+                                           : fe.response_tolerance;
         reduction.longest_time = std::max(reduction.longest_time, p.run.end_time);
       }
       section.reduced = section.solver->reduce(reduction);
-      check_reduction(section, fe);
+      check_reduction(section, fe, elements.always_reduced);
     }
     elements.sections.push_back(std::move(section));
   }
@@ -140,6 +144,7 @@ std::shared_ptr<const ThermalModel> reduced_fe_model(const MachineParameters& p,
                                                      double longest) {
   MachineParameters reduced = p;
   reduced.thermal.fe.coupling = FeCoupling::reduced;
+  finite_elements.always_reduced = true;
   ReductionSettings settings;
   settings.shortest_time = 0.01;
   settings.longest_time = longest;
