@@ -90,6 +90,23 @@ class Supports(ProgramTest):
                         v = numpy.gradient(z, 1e-6)
                         self.assertLess(numpy.abs(force + 6e7 * z + 800 * v)[2:-2].max(), 0.02 * numpy.abs(force).max())
 
+    def test_a_round_stop_acts_also_along_z(self):
+        """The rotor falls along z onto a support whose z has a law of its own: springs 5e7, stop 4e8 N/m behind 20 um."""
+        laws = 'type = "linear", mass = 5, K_y = 2e8, C_y = 500, {} z = {{ type = "linear", K_z = 5e7, C_z = 500 }}'
+        down = {"run__gravity": "[0, 0, -9.81]", "output__interval": "2 us"}
+        for name, stop, gap in (("met", 'stop = { gap = "20 um", stiffness = 4e8, lambda = 0 },', 20e-6),
+                                ("not met", 'stop = { gap = "1 mm", stiffness = 4e8, lambda = 0 },', 1e-3)):
+            with self.subTest(name):
+                summary, file = self.drop(laws.format(stop), **down)
+                with file:
+                    (y, z), force = file["bearings/TB1/support_position"][:].T, file["bearings/TB1/support_force"][:, 1]
+                self.assertLess(numpy.abs(y).max(), 0.5 * numpy.abs(z).max())
+                self.assertEqual(summary["bearings"]["TB1"]["support"]["meets_stop"], bool(numpy.hypot(y, z).max() > gap))
+                self.assertEqual(summary["bearings"]["TB1"]["support"]["meets_stop"], name == "met")
+                r = numpy.hypot(y, z)
+                expected = -5e7 * z - 500 * numpy.gradient(z, 2e-6) - 4e8 * numpy.maximum(r - gap, 0) * z / r.clip(1e-12)
+                self.assertLess(numpy.abs(force - expected)[2:-2].max(), 0.02 * numpy.abs(force).max(), "N")
+
     def test_springs_by_name_are_the_springs_of_before(self):
         keys = 'mass = "85 kg", K_y = 2.7e9, K_z = 1.5e9, C_y = 3.68e3, C_z = 3.68e3'
         plain = self.run_case(self.case(""), output="plain")

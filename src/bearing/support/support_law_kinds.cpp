@@ -29,11 +29,11 @@ SqueezeFilm film_of(const SqueezeFilmParameters& p, const SupportSurroundings& a
           p.cavitates};
 }
 
-std::shared_ptr<const SupportLaw> with_stop(std::shared_ptr<const SupportLaw> law,
-                                            const std::optional<StopParameters>& stop) {
-  if (!stop) return law;
-  return std::make_shared<StoppedSupport>(std::move(law), stop->gap, HuntCrossley{stop->stiffness, 1., stop->lambda});
+std::shared_ptr<const SupportLaw> springs_of(const SupportLawParameters& p) {
+  return std::make_shared<SpringSupport>(K(p), C(p));
 }
+
+bool has_film(const SupportParameters& s) { return s.type == "squeeze-film" && s.squeeze_film; }
 
 MaxwellModel maxwell_of(const ElastomerParameters& p) {
   if (p.model == ElastomerModel::kelvin_voigt) return kelvin_voigt(stiffness_table(p), *p.frequency);
@@ -78,20 +78,17 @@ std::vector<DynamicStiffness> stiffness_table(const ElastomerParameters& p) {
 
 const std::vector<SupportLawKind>& support_law_kinds() {
   using P = SupportLawParameters;
-  using Around = SupportSurroundings;
   static const std::vector<SupportLawKind> kinds = {
-      {"linear", true, check_springs,
-       [](const P& p, const Around&) { return with_stop(std::make_shared<SpringSupport>(K(p), C(p)), p.stop); },
-       [](const P& p, const Around&) { return springs_text(p); }},
-      {"ribbon", false,
+      {"linear", true, false, check_springs, springs_of, springs_text},
+      {"ribbon", false, false,
        [](const P& p, const Node& table, const std::string& path, Faults& faults) {
          if (!p.ribbon) add_missing_key(table, path, "ribbon", p.type, faults);
        },
-       [](const P& p, const Around&) {
+       [](const P& p) {
          const auto axis = ribbon_axis(*p.ribbon);
-         return with_stop(std::make_shared<RibbonSupport>(std::array{axis, axis}), p.stop);
+         return std::make_shared<RibbonSupport>(std::array{axis, axis});
        },
-       [](const P& p, const Around&) {
+       [](const P& p) {
          const auto axis = ribbon_axis(*p.ribbon);
          std::string sliders;
          for (const auto& s : axis.elements)
@@ -109,15 +106,15 @@ const std::vector<SupportLawKind>& support_law_kinds() {
                                p.ribbon->geometry->interference * 1e6);
          return text;
        }},
-      {"elastomer", false,
+      {"elastomer", false, false,
        [](const P& p, const Node& table, const std::string& path, Faults& faults) {
          if (!p.elastomer) add_missing_key(table, path, "elastomer", p.type, faults);
        },
-       [](const P& p, const Around&) {
+       [](const P& p) {
          const auto axis = maxwell_of(*p.elastomer);
-         return with_stop(std::make_shared<ElastomerSupport>(std::array{axis, axis}), p.stop);
+         return std::make_shared<ElastomerSupport>(std::array{axis, axis});
        },
-       [](const P& p, const Around&) {
+       [](const P& p) {
          if (p.elastomer->model == ElastomerModel::kelvin_voigt) {
            const auto m = maxwell_of(*p.elastomer);
            return fmt::format("elastomer (Kelvin-Voigt) of {:.4g} N/m and {:.4g} N s/m", m.stiffness, m.damping);
@@ -127,7 +124,7 @@ const std::vector<SupportLawKind>& support_law_kinds() {
              "elastomer of {} Maxwell elements, {:.4g} N/m at rest; off its table by {:.2g} at most, at {:.4g} Hz",
              fit.model.elements.size(), fit.model.stiffness, fit.largest_error, fit.worst_frequency);
        }},
-      {"squeeze-film", true,
+      {"squeeze-film", true, true,
        [](const P& p, const Node& table, const std::string& path, Faults& faults) {
          if (!p.squeeze_film) add_missing_key(table, path, "squeeze_film", p.type, faults);
          check_springs(p, table, path, faults);
@@ -137,47 +134,44 @@ const std::vector<SupportLawKind>& support_law_kinds() {
                                   p.stop->gap * 1e6, p.squeeze_film->clearance * 1e6),
                       "Metal meets metal where the film is used up.");
        },
-       [](const P& p, const Around& around) {
-         const SqueezeFilm film = film_of(*p.squeeze_film, around);
-         // Without a stop of its own the ring meets its housing where the film ends.
-         const StopParameters metal{(1. - SqueezeFilm::thinnest) * film.clearance, 1e9, 0.08};
-         return with_stop(std::make_shared<SqueezeFilmSupport>(K(p), C(p), film),
-                          p.stop ? p.stop : std::optional(metal));
-       },
-       [](const P& p, const Around& around) {
-         const SqueezeFilm film = film_of(*p.squeeze_film, around);
-         const double slow = 1e-6;
-         const auto centred = film.force({0., 0., slow, 0.});
-         return fmt::format("{}; squeeze film with {:.4g} N s/m when centred", springs_text(p), -centred[0] / slow);
-       }},
-      {"bump-stop", true,
+       springs_of, springs_text},
+      {"bump-stop", true, true,
        [](const P& p, const Node& table, const std::string& path, Faults& faults) {
          check_springs(p, table, path, faults);
          if (!p.stop) add_missing_key(table, path, "stop", p.type, faults);
        },
-       [](const P& p, const Around&) { return with_stop(std::make_shared<SpringSupport>(K(p), C(p)), p.stop); },
-       [](const P& p, const Around&) { return springs_text(p); }}};
+       springs_of, springs_text}};
   return kinds;
 }
 
 bool is_plain(const SupportParameters& s) { return s.type == "linear" && !s.stop && !s.z; }
 
+std::optional<StopParameters> acting_stop(const SupportParameters& s) {
+  if (s.stop || !has_film(s)) return s.stop;
+  return StopParameters{(1. - SqueezeFilm::thinnest) * s.squeeze_film->clearance, 1e9, 0.08};
+}
+
 std::shared_ptr<const SupportLaw> support_law(const SupportParameters& s, const SupportSurroundings& around) {
   if (is_plain(s)) return nullptr;
-  auto law = law_kind(s.type)->make(s, around);
-  if (!s.z) return law;
-  return std::make_shared<SplitSupport>(std::move(law), law_kind(s.z->type)->make(*s.z, around));
+  std::shared_ptr<const SupportLaw> law = law_kind(s.type)->make(s);
+  if (s.z) law = std::make_shared<SplitSupport>(std::move(law), law_kind(s.z->type)->make(*s.z));
+  if (has_film(s)) law = std::make_shared<SqueezeFilmSupport>(std::move(law), film_of(*s.squeeze_film, around));
+  if (const auto stop = acting_stop(s))
+    law = std::make_shared<StoppedSupport>(std::move(law), stop->gap, HuntCrossley{stop->stiffness, 1., stop->lambda});
+  return law;
 }
 
 std::string support_words(const SupportParameters& s, const SupportSurroundings& around) {
   if (is_plain(s)) return {};
-  const auto one = [&](const SupportLawParameters& p) {
-    std::string text = law_kind(p.type)->describe(p, around);
-    if (p.stop) text += fmt::format("; stop of {:.4g} N/m behind {:.4g} um", p.stop->stiffness, p.stop->gap * 1e6);
-    return text;
-  };
-  if (!s.z) return one(s);
-  return "along y " + one(s) + "; along z " + one(*s.z);
+  std::string text = law_kind(s.type)->describe(s);
+  if (s.z) text = "along y " + text + "; along z " + law_kind(s.z->type)->describe(*s.z);
+  if (has_film(s)) {
+    constexpr double slow = 1e-6;
+    const auto centred = film_of(*s.squeeze_film, around).force({0., 0., slow, 0.});
+    text += fmt::format("; squeeze film with {:.4g} N s/m when centred", -centred[0] / slow);
+  }
+  if (s.stop) text += fmt::format("; stop of {:.4g} N/m behind {:.4g} um", s.stop->stiffness, s.stop->gap * 1e6);
+  return text;
 }
 
 }  // namespace rotordrop

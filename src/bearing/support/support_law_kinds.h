@@ -17,11 +17,13 @@ namespace rotordrop {
 struct SupportLawKind {
   std::string type;
   bool has_springs = false;  ///< needs K_y to C_z
+  bool is_round = false;     ///< acts in any direction, so not along z by itself
   /// Faults of the parameters; `path` is the table's name for messages.
   std::function<void(const SupportLawParameters&, const Node& table, const std::string& path, Faults&)> check;
-  std::function<std::shared_ptr<const SupportLaw>(const SupportLawParameters&, const SupportSurroundings&)> make;
-  /// A sentence for `check` and the report.
-  std::function<std::string(const SupportLawParameters&, const SupportSurroundings&)> describe;
+  /// The law without film and stop, which support_law() puts around the laws of both axes.
+  std::function<std::shared_ptr<const SupportLaw>(const SupportLawParameters&)> make;
+  /// That law in a sentence for `check` and the report.
+  std::function<std::string(const SupportLawParameters&)> describe;
 };
 /// Those known, in the order in which messages list them.
 const std::vector<SupportLawKind>& support_law_kinds();

@@ -285,9 +285,11 @@ void add_law_keys(Section<P>& s) {
              {.unit = "N s/m", .range = at_least(0), .usual = at_most(1e7), .help = "Horizontal damping."});
   s.table("ribbon", of<P>(&L::ribbon), ribbon_section(), {.help = "Of type = \"ribbon\"."});
   s.table("elastomer", of<P>(&L::elastomer), elastomer_section(), {.help = "Of type = \"elastomer\"."});
-  s.table("squeeze_film", of<P>(&L::squeeze_film), squeeze_film_section(), {.help = "Of type = \"squeeze-film\"."});
+  s.table("squeeze_film", of<P>(&L::squeeze_film), squeeze_film_section(),
+          {.help = "Of type = \"squeeze-film\"; round, also beside `z`, where it cannot stand."});
   s.table("stop", of<P>(&L::stop), stop_section(),
-          {.help = "Of type = \"bump-stop\", and by choice of every other type."});
+          {.help = "Of type = \"bump-stop\", and by choice of every other type; round, also beside `z`, where it "
+                   "cannot stand."});
 }
 
 }  // namespace
@@ -304,7 +306,9 @@ Section<SupportParameters> support_section() {
               .help = "Effective mass that moves with the outer ring: of the housing on springs, of the ring in a "
                       "ribbon. Gravity does not act on it."});
   add_law_keys(s);
-  s.table("z", &P::z, z, {.help = "Another law along z; the other keys are then of the law along y."});
+  s.table("z", &P::z, z,
+          {.help = "Another law along z; the other keys are then of the law along y. Squeeze film and stop "
+                   "are round: they stand in `support` and act along both."});
   s.quantity("travel_limit", &P::travel_limit,
              {.unit = "m",
               .range = positive(),
@@ -316,8 +320,22 @@ Section<SupportParameters> support_section() {
     const std::size_t n_before = faults.size();
     kind->check(p, table, path, faults);
     if (p.z) {
-      const Node* own = table.find("z");
-      if (const auto* other = law_kind(p.z->type)) other->check(*p.z, own ? *own : table, path + ".z", faults);
+      const Node* found = table.find("z");
+      const Node& own = found ? *found : table;
+      const auto* other = law_kind(p.z->type);
+      const auto refuse_round = [&](const std::string& key, const std::string& is) {
+        faults.add(position_of_value(own, key),
+                   fmt::format("{}.z.{}, but {} acts in any direction.", path, is, key == "type" ? "this type" : "it"),
+                   "Film and stop are round: give them in `support` itself, where they act along y and z, and in z a "
+                   "type without them.");
+      };
+      if (other && other->is_round) {
+        refuse_round("type", fmt::format("type = \"{}\"", p.z->type));
+      } else {
+        if (p.z->stop) refuse_round("stop", "stop is given");
+        if (p.z->squeeze_film) refuse_round("squeeze_film", "squeeze_film is given");
+        if (other) other->check(*p.z, own, path + ".z", faults);
+      }
     } else if (faults.size() == n_before && kind->has_springs) {
       for (const auto& [key, value] :
            {std::pair{"K_y", &p.K_y}, std::pair{"K_z", &p.K_z}, std::pair{"C_y", &p.C_y}, std::pair{"C_z", &p.C_z}})

@@ -47,7 +47,7 @@ struct StopParameters {
   double gap = 0, stiffness = 0, lambda = 0;
 };
 
-/// A law, along both axes or along one.
+/// A law, along both axes or along one; film and stop are round and belong to a law along both.
 struct SupportLawParameters {
   std::string type;
   std::optional<double> K_y, K_z, C_y, C_z;
@@ -73,6 +73,8 @@ struct SupportSurroundings {
 /// The law; none for a plain support.
 [[nodiscard]] std::shared_ptr<const SupportLaw> support_law(const SupportParameters& support,
                                                             const SupportSurroundings& around);
+/// The round stop that acts in any direction: the support's own, or the metal where a squeeze film ends.
+[[nodiscard]] std::optional<StopParameters> acting_stop(const SupportParameters& support);
 /// What a law is, in a sentence; empty for a plain support.
 [[nodiscard]] std::string support_words(const SupportParameters& support, const SupportSurroundings& around);
 

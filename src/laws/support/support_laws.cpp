@@ -180,7 +180,7 @@ std::array<double, 2> SqueezeFilm::force(const SupportMotion& m) const {
 
 SupportAnswer SqueezeFilmSupport::evaluate(const SupportMotion& m, std::span<const double> inner,
                                            std::span<double> rates) const {
-  SupportAnswer r = SpringSupport::evaluate(m, inner, rates);
+  SupportAnswer r = carried_->evaluate(m, inner, rates);
   const auto film = film_.force(m);
   r.y += film[0];
   r.z += film[1];

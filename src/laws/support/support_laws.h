@@ -11,7 +11,7 @@
 namespace rotordrop {
 
 /// Springs and dampers along y and z.
-class SpringSupport : public SupportLaw {
+class SpringSupport final : public SupportLaw {
  public:
   SpringSupport(std::array<double, 2> stiffness, std::array<double, 2> damping) : K_(stiffness), C_(damping) {}
   void settle(double, double, std::span<double>) const override {}
@@ -82,14 +82,21 @@ struct SqueezeFilm {
   [[nodiscard]] std::array<double, 2> force(const SupportMotion& m) const;
 };
 
-/// Squeeze film with the springs that centre it.
-class SqueezeFilmSupport final : public SpringSupport {
+/// A squeeze film beside another law, which centres it.
+class SqueezeFilmSupport final : public SupportLaw {
  public:
-  SqueezeFilmSupport(std::array<double, 2> stiffness, std::array<double, 2> damping, const SqueezeFilm& film)
-      : SpringSupport(stiffness, damping), film_(film) {}
+  SqueezeFilmSupport(std::shared_ptr<const SupportLaw> carried, const SqueezeFilm& film)
+      : carried_(std::move(carried)), film_(film) {}
+  [[nodiscard]] std::vector<State> states() const override { return carried_->states(); }
+  void settle(double y, double z, std::span<double> inner) const override { carried_->settle(y, z, inner); }
   SupportAnswer evaluate(const SupportMotion& m, std::span<const double> inner, std::span<double> rates) const override;
+  [[nodiscard]] double energy(const SupportMotion& m, std::span<const double> inner) const override {
+    return carried_->energy(m, inner);
+  }
+  [[nodiscard]] SupportRest rest(double y, double z) const override { return carried_->rest(y, z); }
 
  private:
+  std::shared_ptr<const SupportLaw> carried_;
   SqueezeFilm film_;
 };
 
@@ -110,7 +117,7 @@ class StoppedSupport final : public SupportLaw {
   HuntCrossley contact_;
 };
 
-/// One law along y, another along z: each sees the motion along its own axis only.
+/// One law along y, another along z: each sees the motion along its own axis only. Not for what is round (film, stop): that stands around it.
 class SplitSupport final : public SupportLaw {
  public:
   SplitSupport(std::shared_ptr<const SupportLaw> along_y, std::shared_ptr<const SupportLaw> along_z)

@@ -25,7 +25,7 @@ std::optional<SupportSummary> support_summary(const SupportWatch& watch, const M
     summary.travel_limit = b->support.travel_limit;
     summary.loss = machine.ledger(s->support, "support damping", y);
     if (s->has_energy) summary.largest_stored_energy = s->stored;
-    if (b->support.stop) summary.meets_stop = s->travel.value > b->support.stop->gap;
+    if (const auto stop = acting_stop(b->support)) summary.meets_stop = s->travel.value > stop->gap;
     return summary;
   }
   return {};
