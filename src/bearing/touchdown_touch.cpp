@@ -31,18 +31,16 @@ double towards_ring(const Shoulder& shoulder, double x, double about_y, double a
   return -shoulder.side * (x + r * (about_y * at.s - about_z * at.c));
 }
 
-/// Gauss' three points: they integrate a pressure that changes linearly along the bore, and its moment, exactly.
-constexpr std::size_t n_slices = 3;
-std::array<BoreSlice, n_slices> slices_of(double width) {
+}  // namespace
+
+std::array<BoreSlice, n_bore_slices> bore_slices(double width) {
   const double outer = 0.5 * std::sqrt(0.6) * width;
   return {{{0., 4. / 9., 0}, {-outer, 5. / 18., 1}, {outer, 5. / 18., 2}}};
 }
 
-}  // namespace
-
 std::size_t TouchdownBearing::n_bristles() const {
   if (!data_.sticking) return 0;
-  return data_.free_ring ? 2 * n_slices : 1;
+  return data_.free_ring ? 2 * n_bore_slices : 1;
 }
 
 StickingFriction::Vector TouchdownBearing::bristle(std::span<const double> y, std::size_t slice) const {
@@ -74,7 +72,7 @@ TouchdownBearing::Touch TouchdownBearing::touch_of_free_ring(const SupportInput&
                                                              std::span<double> shape_forces) const {
   Touch t;
   double deepest = -std::numeric_limits<double>::infinity();
-  for (const BoreSlice& slice : slices_of(data_.free_ring->width)) {
+  for (const BoreSlice& slice : bore_slices(data_.free_ring->width)) {
     const Contact c = contact_in_slice<true>(numbers_, in, growth, y, slice, bristle_rates, shape_forces);
     t += touch_in_slice<true>(numbers_, c, slice);
     if (slice.x == 0.) t.middle = c;
@@ -142,7 +140,7 @@ double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion&
     if (data_.sticking) U += slice.share * data_.sticking->energy(bristle(y, slice.number));
   };
   if (data_.free_ring)
-    for (const BoreSlice& slice : slices_of(data_.free_ring->width)) add(slice, bodies<true>(j, y, slice.x));
+    for (const BoreSlice& slice : bore_slices(data_.free_ring->width)) add(slice, bodies<true>(j, y, slice.x));
   else
     add(bore_middle, bodies<false>(j, y, 0.));
   if (!data_.free_ring) return U;

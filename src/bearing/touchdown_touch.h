@@ -13,6 +13,9 @@ struct BoreSlice {
   double share = 1;        // of the width
   std::size_t number = 0;  // along the bore
 };
+/// Along the bore of a free ring: Gauss' three points, which integrate a pressure that changes linearly along it, and its moment, exactly.
+inline constexpr std::size_t n_bore_slices = 3;
+[[nodiscard]] std::array<BoreSlice, n_bore_slices> bore_slices(double width);
 /// Of a ring that only translates: no axial force, no moments.
 inline constexpr BoreSlice bore_middle;
 

@@ -5,6 +5,9 @@ import math
 import sys
 import unittest
 
+import h5py
+import numpy
+
 sys.path.insert(0, __file__.rpartition("/")[0])
 from program import ProgramTest  # noqa: E402
 
@@ -136,6 +139,57 @@ class Statics(ProgramTest):
         self.assertIn("statics.loads.node = 99", self.refuse("--set", "statics.loads=[{ node = 99, force = [1, 2] }]"))
         self.assertIn("preload_by", self.refuse("--set", "statics.preload_stiffness=1e6"))
         self.assertIn('Did you mean "inner_rise"', self.refuse("--set", "statics.iner_rise=5 K"))
+
+
+class SettledDrop(ProgramTest):
+    """A drop without friction and spin, strongly damped, comes to the rest that statics finds.
+
+    The rocking of TB1, a single deep groove, still decays; TB2's moment is 1.18 N m, its tilt 2e-5 rad.
+    """
+
+    MORE = """
+base = "reference.toml"
+[run]
+initial_speed = 0
+end_time = "1.2 s"
+gravity = [0, {gravity}]
+[rotor]
+model = "full"
+mass_proportional_alpha = 400
+unbalance = []
+[contact]
+friction_coefficient = 0
+lambda = 5
+[thermal]
+growth = false
+[bearings]
+ring_motion = "{motion}"
+ball_damping_beta = "5e-4 s"
+[output]
+interval = "10 ms"
+"""
+
+    def test_rings_rest_as_in_a_drop(self):
+        for motion, gravity in (("free", "-9.81, 0"), ("free", "-7, 7"), ("translations", "-9.81, 0")):
+            with self.subTest(motion=motion, gravity=gravity):
+                case = self.write("drop.toml", self.MORE.format(motion=motion, gravity=gravity))
+                rest = json.loads(self.succeed("statics", case, "--json").stdout)["shaft"]["supports"]
+                self.run_case(case, output=f"{motion}{gravity[-1]}")
+                with h5py.File(self.folder / f"{motion}{gravity[-1]}" / "results.h5") as file:
+                    for name, support in rest.items():
+                        bearing = file["bearings"][name]
+                        force = math.hypot(*support["force_on_rotor"].values())
+                        self.assertAlmostEqual(bearing["contact_force"][-1] / force, 1, delta=1e-5, msg=name)
+                        largest = [row["largest_ball_load"] for row in support["inner_ring"]["rows"]]
+                        for found, expected in zip(numpy.ravel(bearing["ball_force"][-1]), largest):
+                            # A ring that only translates in the drop may tilt in statics.
+                            self.assertAlmostEqual(found / expected, 1, delta=2e-5 if motion == "free" else 3e-4, msg=name)
+                        if motion == "free" and name == "TB2":
+                            moment = support["moment_on_rotor"]
+                            for found, axis in zip(bearing["ring_moment"][-1], "yz"):
+                                self.assertAlmostEqual(found, -moment[axis], delta=2e-5, msg=f"N m, {name}, {axis}")
+                            for found, axis in zip(bearing["ring_tilt"][-1], "yz"):
+                                self.assertAlmostEqual(found, support["inner_ring"]["tilt"][axis], delta=1e-9, msg=f"rad, {name}")
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/errors.h"
+#include "bearing/touchdown_touch.h"
 #include "machine/build_machine.h"
 #include "rotor/geometry.h"
 
@@ -90,11 +91,11 @@ BearingEquilibrium bearing_equilibrium(const MachineParameters& p, const std::st
 // ----------------------------------------------------------------------------------------------------------------
 // the rotor on its supports
 
-// Unknowns: y of all stations, z of all stations; then of every touchdown bearing the outer ring's y, z and the inner ring's six (five
+// Unknowns: y of all stations and slopes at those of free rings, z of all stations and slopes; then of every touchdown bearing the outer ring's y, z and the inner ring's six (five
 // without a spring) and the coefficients of bent rings, the inner ring's relative to the outer ring.
 struct ShaftEquilibrium::Touchdown {
   std::string name;
-  Eigen::Index station, offset;
+  Eigen::Index station, slope, offset;  // slope: among those of its plane; of free rings
   TouchdownBearingData data;
   BentRingStatics ring;
   double axial_preload, gap;
@@ -108,6 +109,14 @@ struct ShaftEquilibrium::Linear {
   std::string name;
   Eigen::Index station;
   Eigen::Matrix2d stiffness;
+};
+
+/// Rotor against bore at one place along it.
+struct ShaftEquilibrium::Pressing {
+  BoreSlice slice;
+  Eigen::MatrixXd by;  // [2 + n_inner, size()]: unknowns move rotor less ring along y, z, and bend the bore
+  Eigen::Vector2d e;   // rotor less ring [m]
+  BoreReaction bore;   // of the slice's share
 };
 
 struct ShaftEquilibrium::Sum {
@@ -129,12 +138,23 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
     throw InputError(position_of(case_node, "bearings"),
                      "a rotor held at fewer than two nodes has no equilibrium: it would tip over or fall.",
                      "Give it a second support, or ask for the bearing by itself: statics.subject = \"bearings\".");
-  const std::array<double, 2> gravity = {p.run.gravity[1], p.run.gravity[2]};
-  rotor_ = std::make_unique<StaticRotor>(p.rotor.geometry, stations_, gravity, p.statics.loads);
-
   const double length = 1e-6;
-  scales_.assign(2 * stations_.size(), length);
+  std::vector<int> tilted;
+  std::vector<double> tilts;  // by which they typically tilt [rad]
+  for (const auto& entry : p.bearings)
+    if (const auto* b = entry.touchdown(); b && b->ring_motion == RingMotion::free) {
+      tilted.push_back(entry.node());
+      tilts.push_back(length / (0.5 * b->pitch_diameter));
+    }
+  const std::array<double, 2> gravity = {p.run.gravity[1], p.run.gravity[2]};
+  rotor_ = std::make_unique<StaticRotor>(p.rotor.geometry, stations_, gravity, p.statics.loads, tilted);
+
+  for (int plane = 0; plane < 2; ++plane) {
+    scales_.insert(scales_.end(), stations_.size(), length);
+    scales_.insert(scales_.end(), tilts.begin(), tilts.end());
+  }
   double preload = 0.;
+  Eigen::Index n_tilted = 0;
   for (const auto& entry : p.bearings) {
     if (entry.magnet()) continue;
     const auto station =
@@ -143,8 +163,10 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
       const auto growth = static_growth(p, *b);
       auto data = touchdown_data_of(p, entry.name, *b);
       auto [ring, axial] = ring_setup(p.statics, *b, data, growth, p.statics.speed);
-      Touchdown t{entry.name,      station, static_cast<Eigen::Index>(scales_.size()),          std::move(data),
-                  std::move(ring), axial,   air_gap(*b, p.contact) + growth.bore - growth.shaft};
+      const auto slope = static_cast<Eigen::Index>(stations_.size()) + n_tilted;
+      if (data.free_ring) ++n_tilted;
+      Touchdown t{entry.name,      station,         slope, static_cast<Eigen::Index>(scales_.size()),
+                  std::move(data), std::move(ring), axial, air_gap(*b, p.contact) + growth.bore - growth.shaft};
       scales_.insert(scales_.end(), 2, length);
       const Eigen::VectorXd own = t.ring.scales();
       scales_.insert(scales_.end(), own.begin(), own.end());
@@ -167,20 +189,53 @@ ShaftEquilibrium::ShaftEquilibrium(const MachineParameters& p, const Node& case_
   force_scale_ = std::max({1., weight_ + loads, preload});
 }
 
+std::vector<ShaftEquilibrium::Pressing> ShaftEquilibrium::pressings(const Touchdown& t,
+                                                                    const Eigen::VectorXd& x) const {
+  const auto n_h = static_cast<Eigen::Index>(rotor_->n_held());
+  const Eigen::Index outer = t.offset, ring = t.offset + 2, n_inner = t.ring.n_inner();
+  std::vector<BoreSlice> slices = {bore_middle};
+  if (t.data.free_ring) {
+    const auto along = bore_slices(t.data.free_ring->width);
+    slices.assign(along.begin(), along.end());
+  }
+  std::vector<Pressing> all;
+  for (const BoreSlice& slice : slices) {
+    Pressing p{slice, Eigen::MatrixXd::Zero(2 + n_inner, x.size()), {}, {}};
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      // The inner ring's place is the outer ring's and its own.
+      p.by(i, i * n_h + t.station) = 1.;
+      p.by(i, outer + i) = p.by(i, ring + 1 + i) = -1.;
+      if (t.data.free_ring) p.by(i, i * n_h + t.slope) = slice.x;
+    }
+    // A point at x on the axis of a ring with the tilts psi is displaced by x (psi_z, -psi_y).
+    p.by(0, ring + 4) = -slice.x;
+    p.by(1, ring + 3) = slice.x;
+    p.by.block(2, ring + t.ring.n_place(), n_inner, n_inner).setIdentity();
+    p.e = p.by.topRows<2>() * x;
+    p.bore = bore_reaction(t.data.contact, t.data.bending, t.gap, p.e, t.shapes(x.segment(ring, t.n_ring())));
+    p.bore.energy *= slice.share;
+    p.bore.force *= slice.share;
+    p.bore.gradient *= slice.share;
+    p.bore.hessian *= slice.share;
+    all.push_back(std::move(p));
+  }
+  return all;
+}
+
 ShaftEquilibrium::Sum ShaftEquilibrium::sum(std::span<const double> unknowns, double share) const {
-  const auto n = static_cast<Eigen::Index>(size()), n_s = static_cast<Eigen::Index>(stations_.size());
-  const Eigen::Map<const Eigen::VectorXd> x(unknowns.data(), n);
+  const auto n = static_cast<Eigen::Index>(size()), n_h = static_cast<Eigen::Index>(rotor_->n_held());
+  const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(unknowns.data(), n);
   Sum s{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, n), 0.};
   const auto& K = rotor_->stiffness();
   for (Eigen::Index plane = 0; plane < 2; ++plane) {
-    const auto v = x.segment(plane * n_s, n_s);
+    const auto v = x.segment(plane * n_h, n_h);
     const auto& load = rotor_->load(static_cast<std::size_t>(plane));
-    s.force.segment(plane * n_s, n_s) += load - K * v;
-    s.stiffness.block(plane * n_s, plane * n_s, n_s, n_s) += K;
+    s.force.segment(plane * n_h, n_h) += load - K * v;
+    s.stiffness.block(plane * n_h, plane * n_h, n_h, n_h) += K;
     s.potential += 0.5 * v.dot(K * v) - load.dot(v);
   }
   for (const auto& l : linears_) {
-    const std::array<Eigen::Index, 2> at = {l.station, n_s + l.station};
+    const std::array<Eigen::Index, 2> at = {l.station, n_h + l.station};
     const Eigen::Vector2d v(x[at[0]], x[at[1]]);
     const Eigen::Matrix2d even = 0.5 * (l.stiffness + l.stiffness.transpose()), odd = l.stiffness - even;
     const Eigen::Matrix2d acting = even + share * odd;
@@ -201,20 +256,11 @@ ShaftEquilibrium::Sum ShaftEquilibrium::sum(std::span<const double> unknowns, do
     s.potential += r.energy;
     s.force[ring] += t.axial_preload;
     s.potential -= t.axial_preload * q[0];
-    // Rotor against bore: the inner ring's place is the outer ring's and its own.
-    const Eigen::Vector2d ring_place = x.segment<2>(outer) + x.segment<2>(ring + 1);
-    const Eigen::Vector2d e(x[t.station] - ring_place[0], x[n_s + t.station] - ring_place[1]);
-    const BoreReaction bore = bore_reaction(t.data.contact, t.data.bending, t.gap, e, t.shapes(q));
-    // What moves rotor less ring along y, z, and what bends the bore.
-    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(2 + t.ring.n_inner(), n);
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      by(i, i == 0 ? t.station : n_s + t.station) = 1.;
-      by(i, outer + i) = by(i, ring + 1 + i) = -1.;
+    for (const Pressing& p : pressings(t, x)) {
+      s.force -= p.by.transpose() * p.bore.gradient;
+      s.stiffness += p.by.transpose() * p.bore.hessian * p.by;
+      s.potential += p.bore.energy;
     }
-    by.block(2, ring + t.ring.n_place(), t.ring.n_inner(), t.ring.n_inner()).setIdentity();
-    s.force -= by.transpose() * bore.gradient;
-    s.stiffness += by.transpose() * bore.hessian * by;
-    s.potential += bore.energy;
     const Eigen::Vector2d ring_weight(t.data.ring_mass * t.data.gravity_y, t.data.ring_mass * t.data.gravity_z);
     const Eigen::Vector2d place = x.segment<2>(outer);
     const SupportRest carried = rest_of_support(t.data, place);
@@ -222,7 +268,7 @@ ShaftEquilibrium::Sum ShaftEquilibrium::sum(std::span<const double> unknowns, do
     s.force.segment<2>(ring + 1) += ring_weight;
     s.stiffness.block<2, 2>(outer, outer) +=
         Eigen::Matrix2d{{carried.k_yy, carried.k_yz}, {carried.k_zy, carried.k_zz}};
-    s.potential += carried.energy - ring_weight.dot(ring_place);
+    s.potential += carried.energy - ring_weight.dot(place + x.segment<2>(ring + 1));
   }
   return s;
 }
@@ -240,19 +286,19 @@ void ShaftEquilibrium::stiffness(std::span<const double> x, std::span<double> K)
 double ShaftEquilibrium::potential(std::span<const double> x) const { return sum(x, 0.).potential; }
 
 ShaftReport ShaftEquilibrium::report(std::span<const double> unknowns) const {
-  const auto n_s = static_cast<Eigen::Index>(stations_.size());
-  const Eigen::Map<const Eigen::VectorXd> x(unknowns.data(), static_cast<Eigen::Index>(size()));
+  const auto n_h = static_cast<Eigen::Index>(rotor_->n_held());
+  const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(unknowns.data(), static_cast<Eigen::Index>(size()));
   ShaftReport report;
   report.weight = weight_;
   report.node_x = node_x_;
   for (std::size_t plane = 0; plane < 2; ++plane)
-    report.axis[plane] = rotor_->deflections(plane, x.segment(static_cast<Eigen::Index>(plane) * n_s, n_s));
+    report.axis[plane] = rotor_->deflections(plane, x.segment(static_cast<Eigen::Index>(plane) * n_h, n_h));
   const auto node_of = [&](Eigen::Index station) { return stations_[static_cast<std::size_t>(station)]; };
   for (const auto& l : linears_) {
     SupportReaction r;
     r.name = l.name;
     r.node = node_of(l.station);
-    const Eigen::Vector2d v(x[l.station], x[n_s + l.station]), f = -l.stiffness * v;
+    const Eigen::Vector2d v(x[l.station], x[n_h + l.station]), f = -l.stiffness * v;
     r.journal = {v[0], v[1]};
     r.force_on_rotor = {f[0], f[1]};
     report.supports.push_back(std::move(r));
@@ -262,13 +308,21 @@ ShaftReport ShaftEquilibrium::report(std::span<const double> unknowns) const {
     r.name = t.name;
     r.node = node_of(t.station);
     r.is_touchdown = true;
-    r.journal = {x[t.station], x[n_s + t.station]};
+    r.journal = {x[t.station], x[n_h + t.station]};
     r.outer_ring = {x[t.offset], x[t.offset + 1]};
     const Eigen::VectorXd q = x.segment(t.offset + 2, t.n_ring());
-    const Eigen::Vector2d e(r.journal[0] - r.outer_ring[0] - q[1], r.journal[1] - r.outer_ring[1] - q[2]);
-    const BoreReaction bore = bore_reaction(t.data.contact, t.data.bending, t.gap, e, t.shapes(q));
-    r.force_on_rotor = {-bore.gradient[0], -bore.gradient[1]};
-    r.clearance = t.gap - e.norm() + bent_outwards(t.shapes(q), e);
+    r.clearance = std::numeric_limits<double>::infinity();
+    if (t.data.free_ring) r.moment_on_rotor = {0., 0.};
+    for (const Pressing& p : pressings(t, x)) {
+      const Eigen::Vector2d f = -p.bore.gradient.head<2>();
+      r.force_on_rotor[0] += f[0];
+      r.force_on_rotor[1] += f[1];
+      if (r.moment_on_rotor) {
+        (*r.moment_on_rotor)[0] -= p.slice.x * f[1];
+        (*r.moment_on_rotor)[1] += p.slice.x * f[0];
+      }
+      r.clearance = std::min(r.clearance, t.gap - p.e.norm() + bent_outwards(t.shapes(q), p.e));
+    }
     r.ring = report_ring(t.ring, q, 1e-6 * force_scale_);
     report.supports.push_back(std::move(r));
   }

@@ -2,6 +2,7 @@
 // Rest of bearings and of the rotor on its supports, as systems for the solver, and what they report.
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,11 @@ struct SupportReaction {
   std::string name;
   int node = 0;
   std::array<double, 2> force_on_rotor{};  ///< y, z [N]
-  std::array<double, 2> journal{};         ///< deflection of the rotor's axis there, y, z [m]
+  /// About y, z, from the bore's middle: of a bearing with a free ring, which the journal's tilt presses unevenly along its width [N m].
+  std::optional<std::array<double, 2>> moment_on_rotor;
+  std::array<double, 2> journal{};  ///< deflection of the rotor's axis there, y, z [m]
   bool is_touchdown = false;
-  double clearance = 0;                ///< left between rotor and bore; negative: they press [m]
+  double clearance = 0;                ///< left between rotor and bore, where it is smallest; negative: they press [m]
   std::array<double, 2> outer_ring{};  ///< displacement of outer ring and support, y, z [m]
   RingReport ring;                     ///< relative to the outer ring
 };
@@ -48,7 +51,8 @@ struct ShaftReport {
 };
 
 /// The rotor at rest on its touchdown bearings and linear supports. Contact of rotor and bore without friction, bores and races without
-/// waves; the touchdown bearing's inner ring has its five degrees of freedom, the outer ring its support's two springs.
+/// waves; the touchdown bearing's inner ring has its five degrees of freedom, the outer ring its support's two springs. The rotor presses on a free ring
+/// in the drop's slices along the bore, with the tilts of both, and on other rings at their middle.
 class ShaftEquilibrium final : public EquilibriumSystem {
  public:
   /// @throws InputError for a rotor on fewer than two nodes
@@ -69,6 +73,8 @@ class ShaftEquilibrium final : public EquilibriumSystem {
   struct Touchdown;
   struct Linear;
   struct Sum;
+  struct Pressing;
+  [[nodiscard]] std::vector<Pressing> pressings(const Touchdown& t, const Eigen::VectorXd& x) const;
   [[nodiscard]] Sum sum(std::span<const double> x, double share) const;
 
   std::unique_ptr<StaticRotor> rotor_;

@@ -144,6 +144,7 @@ Json shaft_json(const Case& c) {
     Json one = {{"node", s.node},
                 {"force_on_rotor", {{"y", s.force_on_rotor[0]}, {"z", s.force_on_rotor[1]}}},
                 {"journal", {{"y", s.journal[0]}, {"z", s.journal[1]}}}};
+    if (s.moment_on_rotor) one["moment_on_rotor"] = {{"y", (*s.moment_on_rotor)[0]}, {"z", (*s.moment_on_rotor)[1]}};
     if (s.is_touchdown) {
       one["clearance"] = s.clearance;
       one["outer_ring"] = {{"y", s.outer_ring[0]}, {"z", s.outer_ring[1]}};
