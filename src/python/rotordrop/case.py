@@ -201,6 +201,8 @@ class Case:
 
         bearing   only this touchdown bearing; default: all
         drop      a result whose growth and ring speeds give the history
+
+        A bearing without an equilibrium when cold has the verdict "failed" and a message in the report; its maps and the others are there.
         """
         report, tables = _core.preload(self._case, bearing or "", None if drop is None else drop.recorded)
         return preload.Preload(report, tables)
