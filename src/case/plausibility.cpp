@@ -9,6 +9,7 @@
 #include "analysis/facts/material_slips.h"
 #include "base/memory.h"
 #include "base/rotation.h"
+#include "bearing/support/linear_support_parameters.h"
 #include "case/slips/slips.h"
 #include "case/usual_values.h"
 
@@ -127,6 +128,16 @@ std::vector<Fault> look_at_speed(const CaseParameters& p, const std::string& opt
                     "{:.0f} m/s.",
                     std::fabs(speed) * to_rpm, surface, mm(thickest), fastest_surface),
         "A bare speed is in rad/s: if rpm is meant, write for example \"15200 rpm\".");
+  return warnings;
+}
+
+std::vector<Fault> look_at_stiffness(const std::string& option, double stiffness) {
+  std::vector<Fault> warnings;
+  if (stiffness > stiffest_support)
+    warn(warnings, {option, 0, 0},
+         fmt::format("a stiffness of {:.4g} N/m is unusual: it is most often <= {:.4g} N/m.", stiffness,
+                     stiffest_support),
+         "Check the number and its unit.");
   return warnings;
 }
 

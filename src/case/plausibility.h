@@ -13,6 +13,9 @@ namespace rotordrop {
 [[nodiscard]] std::vector<Fault> look_at_speed(const CaseParameters& parameters, const std::string& option,
                                                double speed);
 
+/// A support's stiffness that an option gives: a warning if it is larger than stiffnesses are. @param stiffness  [N/m]
+[[nodiscard]] std::vector<Fault> look_at_stiffness(const std::string& option, double stiffness);
+
 /// Faults of a rotor whose modes take more memory than there is, or days, and of too many supports.
 void check_size(const CaseParameters& parameters, const Node& tree, Faults& faults);
 

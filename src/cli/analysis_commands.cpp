@@ -84,6 +84,8 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
   auto options = critical_speed_options(c, {command.up_to, command.stiffness, command.map});
   options.n_speeds = 61;
   if (!command.up_to.empty()) tell_warnings(look_at_speed(c.parameters, "--up-to", options.up_to));
+  if (options.stiffness) tell_warnings(look_at_stiffness("--stiffness", *options.stiffness));
+  if (!options.map.empty()) tell_warnings(look_at_stiffness("--map", options.map.back()));
   if (!command.diagram.empty()) {
     require_picture_name(command.diagram);
     require_new(command.diagram, command.force, "--diagram FILE");

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "base/errors.h"
@@ -14,6 +17,9 @@ namespace rotordrop {
 namespace {
 
 constexpr double slow = 0.01 * 2 * std::numbers::pi;  // as whirl_modes() tells rigid-body motions from modes [rad/s]
+
+/// Frequency at a root over the spin, less 1: more is no root but a jump.
+constexpr double most_scatter = 0.01;
 
 /// A root between two places of different sign, where |f| < 1e-10 |x|: Illinois' form of regula falsi, with halving in
 /// case that is slow. Eigenvalues carry errors of about 1e-12.
@@ -53,7 +59,8 @@ std::vector<double> ModalAnalysis::undamped_critical_speeds(const std::vector<Li
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(inertia, stiffness, Eigen::EigenvaluesOnly);
   if (solver.info() != Eigen::Success)
     throw SolverError(
-        "the critical speeds of the undamped rotor cannot be computed: a support's stiffness is negative");
+        "the critical speeds of the undamped rotor cannot be computed: a support's stiffness is negative, or so large "
+        "that the rotor's own is lost in rounding");
   std::vector<double> speeds;
   for (Eigen::Index k = 0; k < N; ++k)
     if (solver.eigenvalues()(k) > 0. && solver.eigenvalues()(k) < 1 / (slow * slow))
@@ -78,10 +85,21 @@ std::vector<double> ModalAnalysis::falling_frequencies(double spin_speed,
 
 std::vector<CriticalSpeed> ModalAnalysis::critical_speeds(double up_to,
                                                           const std::vector<LinearSupportAtNode>& supports) const {
+  const auto require_certain = [](const char* what, double speed, double uncertainty) {
+    if (!(uncertainty <= 1e-6))
+      throw SolverError(fmt::format(
+          "{} {:.5g} rpm cannot be told to better than {:.2g} of it: supports are so much stiffer than the rotor that "
+          "its own stiffness is lost in rounding. Make them softer, by so much that speeds do not change yet.",
+          what, speed * 30. / std::numbers::pi, uncertainty));
+  };
   // The k-th highest frequency is a continuous function of the spin, also where modes cross, so each change of the sign
   // of (frequency - spin) encloses a critical speed. Places between those of the undamped rotor separate them.
   std::vector<double> places = {slow, up_to};
   std::vector<double> undamped;
+  // What rounding leaves of the sum of both stiffnesses, as a square of a speed.
+  const double rounded = std::numeric_limits<double>::epsilon() *
+                         linear_system(*basis_, options_, 0., supports).stiffness.lpNorm<Eigen::Infinity>();
+  if (!(rounded <= up_to * up_to)) require_certain("critical speeds up to", up_to, 0.5 * rounded / (up_to * up_to));
   for (const double speed : undamped_critical_speeds(supports))
     if (speed < 2 * up_to && (undamped.empty() || speed > undamped.back() * (1 + 1e-6))) undamped.push_back(speed);
   for (std::size_t k = 0; k < undamped.size(); ++k) {
@@ -106,7 +124,9 @@ std::vector<CriticalSpeed> ModalAnalysis::critical_speeds(double up_to,
       const auto modes = whirl_modes(speed, supports).modes;
       if (k >= modes.size()) continue;
       const auto& mode = modes[modes.size() - 1 - k];
-      if (std::abs(mode.frequency * 2 * std::numbers::pi - speed) > 1e-6 * speed) continue;
+      const double off = std::abs(mode.frequency * 2 * std::numbers::pi / speed - 1.);
+      if (off > most_scatter) continue;  // where a motion ceases to oscillate its frequency jumps past the spin
+      require_certain("the critical speed at", speed, off);
       found.push_back({speed, mode.whirl, mode.damping_ratio});
     }
     before = after;

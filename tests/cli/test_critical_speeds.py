@@ -165,6 +165,20 @@ stiffness = [["7e7 N/m", 0], [0, "7e7 N/m"]]
         self.assertGreater(held["overdamped_modes"], 0)
         self.assertLess(len(held["critical_speeds"]), len(free["critical_speeds"]))
 
+    def test_no_speed_is_lost_to_springs_that_are_too_stiff(self):
+        """Where both have the speeds of a pinned rotor, springs hold it; where rounding decides, nothing is left out in silence."""
+        speeds = {}
+        for stiffness in ("1e14 N/m", "1e17 N/m"):
+            done = self.succeed("critical-speeds", "reference.toml", "--stiffness", stiffness, "--json")
+            speeds[stiffness] = [one["speed"] for one in json.loads(done.stdout)["critical_speeds"]]
+            self.assertIn("it is most often <= 1e+12 N/m", done.stderr)
+        self.assertGreaterEqual(len(speeds["1e14 N/m"]), 2)
+        numpy.testing.assert_allclose(speeds["1e17 N/m"], speeds["1e14 N/m"], rtol=1e-5, err_msg="a part of 1e-5 of the rotor's flexibility is left at 1e14 N/m")
+        for stiffness in ("5e18 N/m", "1e20 N/m", "1e25 N/m", "1e300 N/m"):
+            done = self.call("critical-speeds", "reference.toml", "--stiffness", stiffness)
+            self.assertEqual(done.returncode, 1, done.stdout)
+            self.assertIn("lost in rounding", done.stderr)
+
     def test_bad_options_are_refused(self):
         for option, value, message in (("--up-to", "-5 rpm", "larger than 0"), ("--stiffness", "5 mm", "N/m"), ("--map", "1e6 N/m", "Write it as"),
                                        ("--map", "1e9 N/m, 1e6 N/m", "Exchange")):

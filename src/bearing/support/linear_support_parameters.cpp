@@ -8,7 +8,7 @@ Section<LinearSupportParameters> linear_support_section() {
   s.integer("node", &P::node, {.range = at_least(1), .help = "Rotor node at which the support sits, numbered from 1."});
   s.matrix("stiffness", &P::stiffness,
            {.unit = "N/m",
-            .usual = between(-1e12, 1e12),
+            .usual = between(-stiffest_support, stiffest_support),
             .help = "[[K_yy, K_yz], [K_zy, K_zz]]: force on the rotor = -K x. Need not be symmetric."});
   s.matrix("damping", &P::damping,
            {.unit = "N s/m",

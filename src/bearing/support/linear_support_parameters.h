@@ -4,6 +4,8 @@
 
 namespace rotordrop {
 
+constexpr double stiffest_support = 1e12;  ///< usual [N/m]
+
 /// bearings.NAME with type = "linear".
 struct LinearSupportParameters {
   int node = 0;
