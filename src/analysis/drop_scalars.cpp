@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "analysis/watch/packed_numbers.h"
 
 namespace rotordrop {
 DropScalars::DropScalars(const Machine& machine) : probes_(machine), supports_(machine) {
@@ -81,8 +82,7 @@ void DropScalars::pack(PackedValues& to) const {
   for (std::size_t i = 0; i < scalars_.size(); ++i) {
     BearingScalars s = scalars_[i];
     s.each([&](const std::string& name, const auto& numbers) {
-      auto& values = to["scalars/" + names_[i] + "/" + name];
-      for (const double* x : numbers) values.push_back(*x);
+      to["scalars/" + names_[i] + "/" + name] = packed_numbers(numbers);
     });
   }
   probes_.pack(to);
@@ -92,9 +92,7 @@ void DropScalars::pack(PackedValues& to) const {
 void DropScalars::unpack(const PackedValues& from) {
   for (std::size_t i = 0; i < scalars_.size(); ++i)
     scalars_[i].each([&](const std::string& name, const auto& numbers) {
-      const auto& values = from.at("scalars/" + names_[i] + "/" + name);
-      if (values.size() != numbers.size()) throw std::invalid_argument("scalars of another kind");
-      for (std::size_t k = 0; k < values.size(); ++k) *numbers[k] = values[k];
+      unpack_numbers(from.at("scalars/" + names_[i] + "/" + name), numbers);
     });
   probes_.unpack(from);
   supports_.unpack(from);

@@ -74,7 +74,7 @@ class FixedStep final : public RungeKutta {
             std::span<const double> state, double end_time)
       : RungeKutta(system, parameters, start_time, state, end_time),
         system_(system),
-        before_(state.begin(), state.end()),
+        before_(state.size()),
         rates_before_(state.size()),
         rates_(state.size()) {
     ARKodeButcherTable table = classical_order_4();

@@ -3,11 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/watch/followed.h"
+
 namespace rotordrop {
 
 /// How often, how far and for how long a quantity is above its limit, from instant to instant.
 struct Exceedance {
-  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
   double count = 0;                                         ///< times that it rises above, one at the start included
   double worst = -std::numeric_limits<double>::infinity();  ///< largest value
   double time = never;                                      ///< of it [s]

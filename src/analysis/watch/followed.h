@@ -23,6 +23,9 @@ void put(const MaskOf<Real>& where, Real& to, const Real& value) {
 /// Largest value of a quantity known at steps; between them by the parabola through three steps.
 template <class Real>
 struct FollowedPeakOf {
+  FollowedPeakOf() = default;
+  /// @param least  what it has to rise above
+  explicit FollowedPeakOf(const Real& least) : value(least) {}
   Real value = 0.;    ///< 0 if it never rose above
   Real time = never;  ///< [s]
   void follow(const MaskOf<Real>& told, const Real& t, const Real& f) {
@@ -169,9 +172,9 @@ struct FollowedLoadOf {
     return std::array{&largest,  &last_time_,    &last_force_, &last_load_,
                       &product_, &load_squared_, &time_,       &time_loaded_};
   }
-  [[nodiscard]] Real over_load() const { return load_squared_ > 0. ? product_ / load_squared_ : 0.; }
+  [[nodiscard]] Real over_load() const { return select(load_squared_ > 0., product_ / load_squared_, Real(0.)); }
   /// Part of the time in which the row carries a load.
-  [[nodiscard]] Real loaded_share() const { return time_ > 0. ? time_loaded_ / time_ : 0.; }
+  [[nodiscard]] Real loaded_share() const { return select(time_ > 0., time_loaded_ / time_, Real(0.)); }
 
  private:
   Real last_time_ = never, last_force_ = 0., last_load_ = 0., product_ = 0., load_squared_ = 0., time_ = 0.,

@@ -2,28 +2,13 @@
 
 #include <cmath>
 #include <map>
-#include <stdexcept>
+
+#include "analysis/watch/packed_numbers.h"
 
 namespace rotordrop {
 
 void ProbeScalars::follow(double t, double left, double force) {
-  if (!(smallest_clearance <= left)) {
-    smallest_clearance = left;
-    smallest_clearance_time = t;
-  }
-  // Bottom of the parabola through three steps whose middle one is the lowest; a higher one may have a lower bottom than one before.
-  if (std::isfinite(time_before) && clearance < clearance_before && clearance <= left) {
-    const double falling = (clearance - clearance_before) / (time - time_before),
-                 rising = (left - clearance) / (t - time);
-    const double curvature = (rising - falling) / (t - time_before);
-    const double slope = falling + curvature * (time - time_before);
-    const double bottom =
-        clearance - std::fmin(0.25 * slope * slope / curvature, std::fmax(clearance_before, left) - clearance);
-    if (curvature > 0. && bottom < smallest_clearance) {
-      smallest_clearance = bottom;
-      smallest_clearance_time = time - 0.5 * slope / curvature;
-    }
-  }
+  overlap.follow(true, t, -left);
   if (std::isfinite(time)) {
     const double high = std::fmax(-left, -clearance), low = std::fmin(-left, -clearance);
     if (high > 0.) {
@@ -35,17 +20,14 @@ void ProbeScalars::follow(double t, double left, double force) {
     first_touch_time = t;
   }
   contact_force.follow(true, t, force);
-  time_before = time;
-  clearance_before = clearance;
   time = t;
   clearance = left;
 }
 
 std::vector<double*> ProbeScalars::numbers() {
-  std::vector<double*> all = {
-      &smallest_clearance, &smallest_clearance_time, &first_touch_time, &time_touching, &time, &clearance,
-      &time_before,        &clearance_before};
-  for (double* number : contact_force.numbers()) all.push_back(number);
+  std::vector<double*> all = {&first_touch_time, &time_touching, &time, &clearance};
+  for (auto* peak : {&overlap, &contact_force})
+    for (double* number : peak->numbers()) all.push_back(number);
   return all;
 }
 
@@ -73,18 +55,13 @@ void ProbeWatch::follow(double t, std::span<const double> step) {
 void ProbeWatch::pack(PackedValues& to) const {
   for (std::size_t i = 0; i < scalars_.size(); ++i) {
     ProbeScalars scalars = scalars_[i];
-    auto& values = to["probes/" + names_[i]];
-    for (const double* number : scalars.numbers()) values.push_back(*number);
+    to["probes/" + names_[i]] = packed_numbers(scalars.numbers());
   }
 }
 
 void ProbeWatch::unpack(const PackedValues& from) {
-  for (std::size_t i = 0; i < scalars_.size(); ++i) {
-    const auto& values = from.at("probes/" + names_[i]);
-    const auto numbers = scalars_[i].numbers();
-    if (values.size() != numbers.size()) throw std::invalid_argument("a probe of another kind");
-    for (std::size_t k = 0; k < numbers.size(); ++k) *numbers[k] = values[k];
-  }
+  for (std::size_t i = 0; i < scalars_.size(); ++i)
+    unpack_numbers(from.at("probes/" + names_[i]), scalars_[i].numbers());
 }
 
 }  // namespace rotordrop

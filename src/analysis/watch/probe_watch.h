@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,12 +12,12 @@ namespace rotordrop {
 
 /// How near the rotor came to the stationary part at one probe.
 struct ProbeScalars {
-  double smallest_clearance = never, smallest_clearance_time = never;  ///< [m], [s]; between steps by a parabola
-  double first_touch_time = never;                                     ///< clearance first passes zero [s]
-  double time_touching = 0;                                            ///< [s]
-  FollowedPeak contact_force;                                          ///< [N]
-  // The last two steps.
-  double time = never, clearance = never, time_before = never, clearance_before = never;
+  FollowedPeak overlap{-std::numeric_limits<double>::infinity()};  ///< clearance that is not left [m]
+  double first_touch_time = never;                                 ///< clearance first passes zero [s]
+  double time_touching = 0;                                        ///< [s]
+  FollowedPeak contact_force;                                      ///< [N]
+  double time = never, clearance = never;                          ///< of the last step
+  [[nodiscard]] double smallest_clearance() const { return -overlap.value; }
   void follow(double t, double clearance_left, double force);
   /// All that decides about what follows.
   [[nodiscard]] std::vector<double*> numbers();

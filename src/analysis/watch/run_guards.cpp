@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "analysis/watch/packed_numbers.h"
 #include "base/errors.h"
 #include "bearing/statics/bearing_statics.h"
 #include "bearing/touchdown_bearing.h"
@@ -193,18 +194,12 @@ void RunGuards::Rows::row(double time, std::span<const double> values) {
 void RunGuards::pack(PackedValues& to) const {
   for (const Guard& guard : guards_) {
     Exceedance seen = guard.seen;
-    auto& values = to[key_of(guard.name())];
-    for (const double* x : seen.numbers()) values.push_back(*x);
+    to[key_of(guard.name())] = packed_numbers(seen.numbers());
   }
 }
 
 void RunGuards::unpack(const PackedValues& from) {
-  for (Guard& guard : guards_) {
-    const auto& values = from.at(key_of(guard.name()));
-    const auto numbers = guard.seen.numbers();
-    if (values.size() != numbers.size()) throw std::invalid_argument("guards of another kind");
-    for (std::size_t k = 0; k < values.size(); ++k) *numbers[k] = values[k];
-  }
+  for (Guard& guard : guards_) unpack_numbers(from.at(key_of(guard.name())), guard.seen.numbers());
 }
 
 std::vector<RunWarning> RunGuards::found(const DropScalars& scalars) const {
@@ -231,8 +226,8 @@ std::vector<RunWarning> RunGuards::found(const DropScalars& scalars) const {
       for (std::size_t i = 0; i < scalars.probes().size() && w.count > 0; ++i)
         if (scalars.probes().name(i) == guard.place) {  // between steps by parabolas, as in the summary
           const auto& probe = scalars.probes().of(i);
-          w.worst = probe.smallest_clearance;
-          w.time = probe.smallest_clearance_time;
+          w.worst = probe.smallest_clearance();
+          w.time = probe.overlap.time;
           w.first_time = probe.first_touch_time;
           w.duration = probe.time_touching;
         }

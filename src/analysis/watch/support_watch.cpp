@@ -2,10 +2,17 @@
 
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
+#include "analysis/watch/packed_numbers.h"
+
 namespace rotordrop {
+
+std::vector<double*> SupportScalars::numbers() {
+  std::vector<double*> all = {&stored};
+  for (double* number : travel.numbers()) all.push_back(number);
+  return all;
+}
 
 SupportWatch::SupportWatch(const Machine& machine) {
   for (std::size_t i = 0; i < machine.n_supports(); ++i) {
@@ -41,20 +48,14 @@ void SupportWatch::follow(double t, std::span<const double> step) {
 
 void SupportWatch::pack(PackedValues& to) const {
   for (std::size_t i = 0; i < scalars_.size(); ++i) {
-    auto& values = to["supports/" + columns_[i].name] = {scalars_[i].stored};
-    FollowedPeak travel = scalars_[i].travel;
-    for (const double* number : travel.numbers()) values.push_back(*number);
+    SupportScalars scalars = scalars_[i];
+    to["supports/" + columns_[i].name] = packed_numbers(scalars.numbers());
   }
 }
 
 void SupportWatch::unpack(const PackedValues& from) {
-  for (std::size_t i = 0; i < scalars_.size(); ++i) {
-    const auto& values = from.at("supports/" + columns_[i].name);
-    const auto numbers = scalars_[i].travel.numbers();
-    if (values.size() != 1 + numbers.size()) throw std::invalid_argument("a support of another kind");
-    scalars_[i].stored = values[0];
-    for (std::size_t k = 0; k < numbers.size(); ++k) *numbers[k] = values[1 + k];
-  }
+  for (std::size_t i = 0; i < scalars_.size(); ++i)
+    unpack_numbers(from.at("supports/" + columns_[i].name), scalars_[i].numbers());
 }
 
 const SupportScalars* SupportWatch::of(const std::string& bearing) const {

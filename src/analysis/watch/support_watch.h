@@ -15,6 +15,8 @@ struct SupportScalars {
   FollowedPeak travel;      ///< [m]
   double stored = 0;        ///< largest energy in its springs, at a step [J]
   bool has_energy = false;  ///< `stored` is known
+  /// All that decides about what follows.
+  [[nodiscard]] std::vector<double*> numbers();
 };
 
 /// Follows the supports of all touchdown bearings of a machine through its step observables.

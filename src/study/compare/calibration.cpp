@@ -14,14 +14,15 @@
 #include "machine/check_machine.h"
 
 namespace rotordrop {
-namespace {
-
-constexpr double aimed_response =
-    2e-3;  // of the elements' modes: finer than a drop's, since speed is of no matter here
-
-}  // namespace
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// Of the elements' modes: finer than a drop's, since speed is of no matter here.
+constexpr double aimed_response = 2e-3;
+
+}  // namespace
 
 std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSettings& settings) {
   CaseParameters p = c.parameters;

@@ -30,8 +30,8 @@ Json probes_json(const std::vector<ProbeSummary>& probes) {
     Json& j = all[probe.name];
     j = {{"node", probe.node},
          {"clearance", probe.clearance},
-         {"smallest_clearance", json_number(s.smallest_clearance)},
-         {"smallest_clearance_time", json_number(s.smallest_clearance_time)},
+         {"smallest_clearance", json_number(s.smallest_clearance())},
+         {"smallest_clearance_time", json_number(s.overlap.time)},
          {"touches", probe.touches()},
          {"first_touch_time", json_number(s.first_touch_time)},
          {"time_touching", s.time_touching}};
@@ -47,7 +47,7 @@ Json probes_json(const std::vector<ProbeSummary>& probes) {
 std::string probe_text(const std::vector<ProbeSummary>& probes) {
   std::string text;
   for (const auto& p : probes) {
-    const double left = p.scalars.smallest_clearance, time = p.scalars.smallest_clearance_time;
+    const double left = p.scalars.smallest_clearance(), time = p.scalars.overlap.time;
     if (!p.touches())
       text += fmt::format("{} (node {}): does not touch; smallest clearance {:.4g} of {:.4g} um, at {:.4g} ms\n",
                           p.name, p.node, left * 1e6, p.clearance * 1e6, time * 1e3);

@@ -19,7 +19,7 @@ struct ProbeSummary {
     double friction_heat = 0, damping = 0;  ///< [J]
   };
   std::optional<Contact> contact;
-  [[nodiscard]] bool touches() const { return scalars.smallest_clearance < 0.; }
+  [[nodiscard]] bool touches() const { return scalars.smallest_clearance() < 0.; }
 };
 [[nodiscard]] std::vector<ProbeSummary> probe_summaries(const Machine& machine, const ProbeWatch& watch,
                                                         std::span<const double> y);

@@ -121,8 +121,8 @@ ProbeSummary probe_of(const std::string& name, const Json& j) {
   p.name = name;
   p.node = j.at("node").get<int>();
   p.clearance = number(j, "clearance");
-  p.scalars.smallest_clearance = number(j, "smallest_clearance");
-  p.scalars.smallest_clearance_time = number(j, "smallest_clearance_time");
+  p.scalars.overlap.value = -number(j, "smallest_clearance");
+  p.scalars.overlap.time = number(j, "smallest_clearance_time");
   p.scalars.first_touch_time = number(j, "first_touch_time");
   if (j.contains("contact")) {
     p.contact = {number(j.at("contact"), "friction_heat"), number(j.at("contact"), "damping")};

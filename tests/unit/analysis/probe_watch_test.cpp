@@ -12,8 +12,8 @@ TEST(ProbeScalars, FindTheSmallestClearanceBetweenSteps) {
   ProbeScalars s;
   const auto clearance = [](double t) { return 12e-6 + 3. * (t - 0.0123) * (t - 0.0123); };
   for (const double t : {0., 0.004, 0.009, 0.0117, 0.0131, 0.015, 0.02}) s.follow(t, clearance(t), 0.);
-  EXPECT_NEAR(s.smallest_clearance, 12e-6, 1e-16) << "m";
-  EXPECT_NEAR(s.smallest_clearance_time, 0.0123, 1e-12) << "s";
+  EXPECT_NEAR(s.smallest_clearance(), 12e-6, 1e-16) << "m";
+  EXPECT_NEAR(s.overlap.time, 0.0123, 1e-12) << "s";
   EXPECT_TRUE(std::isnan(s.first_touch_time));
   EXPECT_EQ(s.time_touching, 0.);
 }
@@ -22,8 +22,8 @@ TEST(ProbeScalars, FindALowerBottomWhoseSamplesLieAboveAnEarlierOne) {
   ProbeScalars s;
   const double left[] = {20e-6, 10e-6, 10.1e-6, 20e-6, 15e-6, 8.9e-6, 9e-6, 20e-6};
   for (int k = 0; k < 8; ++k) s.follow(k, left[k], 0.);
-  EXPECT_NEAR(s.smallest_clearance, 8.9e-6 - 6e-6 * 6. / (8. * 6.2), 1e-18) << "m";
-  EXPECT_NEAR(s.smallest_clearance_time, 5. + 6. / (2. * 6.2), 1e-12) << "s";
+  EXPECT_NEAR(s.smallest_clearance(), 8.9e-6 - 6e-6 * 6. / (8. * 6.2), 1e-18) << "m";
+  EXPECT_NEAR(s.overlap.time, 5. + 6. / (2. * 6.2), 1e-12) << "s";
 }
 
 TEST(ProbeScalars, TellWhenAndHowLongTheRotorTouches) {
