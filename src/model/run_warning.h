@@ -43,11 +43,11 @@ inline constexpr std::array warning_kinds{
     WarningKind{"no-contact", "s", "runs that end before the rotor touches a touchdown bearing", false},
     WarningKind{"window-error", "m", "windows that leave more than thermal.fe.window_tolerance", false},
     WarningKind{"response-error", "1", "reduced finite elements whose response to heat is off by more than 5 %", false},
-    WarningKind{
-        "coarse-rows", "s",
-        "bearings whose first contact lasts less than ten rows, of which local temperatures, wear and whirl are "
-        "taken",
-        false},
+    WarningKind{"coarse-rows", "s",
+                "bearings whose first contact lasts less than ten rows, of which local temperatures, depths of wear "
+                "and whirl are "
+                "taken",
+                false},
     WarningKind{"local-temperature", "K",
                 "bores whose local temperature under the rub exceeds their material's temperature_limit", false},
     WarningKind{"wear", "m", "surfaces that wear by more than contact.wear_depth_limit in this drop", false},

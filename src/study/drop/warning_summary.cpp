@@ -87,8 +87,8 @@ std::string sentence(const RunWarning& w) {
         100. * w.worst, w.part);
   if (code == "coarse-rows")
     return fmt::format(
-        "rows are {:.4g} ms apart, and the first contact lasts {:.4g} ms: local temperatures, wear and whirl are taken "
-        "from rows, and come out too low from fewer than ten of them; make output.interval smaller",
+        "rows are {:.4g} ms apart, and the first contact lasts {:.4g} ms: local temperatures, depths of wear and "
+        "whirl are taken from rows, and fewer than ten leave them uncertain; make output.interval smaller",
         w.worst * 1e3, 10. * w.limit * 1e3);
   if (code == "local-temperature")
     return fmt::format(
