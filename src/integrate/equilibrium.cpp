@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <vector>
 
 #include "base/errors.h"
@@ -186,10 +187,13 @@ long descend(Scaled& scaled, Eigen::VectorXd& u, const EquilibriumOptions& optio
 class Search {
  public:
   Search(EquilibriumSystem& system, const EquilibriumOptions& options)
-      : system_(system), options_(options), scaled_(system), kinsol_(scaled_, options) {}
+      : system_(system), options_(options), scaled_(system) {}
 
   bool newton(Eigen::VectorXd& u) {
-    if (scaled_.residual(u) > options_.tolerance) result_.newton_steps += kinsol_.solve(u);
+    if (scaled_.residual(u) > options_.tolerance) {
+      if (!kinsol_) kinsol_.emplace(scaled_, options_);
+      result_.newton_steps += kinsol_->solve(u);
+    }
     return scaled_.residual(u) <= options_.accepted;
   }
   bool in_potential(Eigen::VectorXd& u) {
@@ -241,7 +245,7 @@ class Search {
   EquilibriumSystem& system_;
   EquilibriumOptions options_;
   Scaled scaled_;
-  Kinsol kinsol_;
+  std::optional<Kinsol> kinsol_;  // made when it is needed
   EquilibriumResult result_;
 };
 

@@ -7,17 +7,22 @@
 namespace rotordrop {
 namespace {
 
+/// Of lengths and forces, whose squares are far from any overflow.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 double cubed_root_squared(double x) { return std::cbrt(x * x); }
+
+/// Deflection under a load's 2/3rd power, K^(-2/3).
+double softness(double K) { return 1. / cubed_root_squared(K); }
 
 /// Both contacts in line: the closed form without inertia.
 BallBalance without_inertia(const BallContacts& b, double B_x, double B_r, double growth) {
   BallBalance r;
-  const double distance = std::hypot(B_x, B_r);
+  const double distance = length(B_x, B_r);
   r.sin_i = r.sin_o = B_x / distance;
   r.cos_i = r.cos_o = B_r / distance;
   const double delta = std::max(distance - b.l_i - b.l_o + 2. * growth, 0.);
-  const double soft_i = std::pow(b.K_i, -2. / 3.), soft_o = std::pow(b.K_o, -2. / 3.);
-  const double K = std::pow(soft_i + soft_o, -1.5);
+  const double soft = softness(b.K_i) + softness(b.K_o), K = 1. / (soft * std::sqrt(soft));
   const double Q = K * delta * std::sqrt(delta);
   r.load_i = r.load_o = Q;
   r.energy = 0.4 * Q * delta;
@@ -44,7 +49,7 @@ Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, d
   Balance e{};
   e.L_o = b.l_o + p.delta_o - growth;
   const double v_x = B_x - e.L_o * p.n_x, v_r = B_r - e.L_o * p.n_r;
-  e.L_i = std::max(std::hypot(v_x, v_r), 1e-9);
+  e.L_i = std::max(length(v_x, v_r), 1e-9);
   e.i_x = v_x / e.L_i;
   e.i_r = v_r / e.L_i;
   const double delta_i = std::max(e.L_i - b.l_i + growth, 0.), root_i = std::sqrt(delta_i);
@@ -84,13 +89,13 @@ Balance balance(const BallContacts& b, const Place& p, double B_x, double B_r, d
 
 /// From the ball without inertia; one that the inner race would not reach lies in the bottom of the outer groove.
 Place starting_place(const BallContacts& b, double B_x, double B_r, double growth, double F_0) {
-  const double distance = std::hypot(B_x, B_r);
+  const double distance = length(B_x, B_r);
   const double delta = std::max(distance - b.l_i - b.l_o + 2. * growth, 0.);
-  const double soft_i = std::pow(b.K_i, -2. / 3.), soft_o = std::pow(b.K_o, -2. / 3.);
+  const double soft_i = softness(b.K_i), soft_o = softness(b.K_o);
   Place p{delta * soft_o / (soft_i + soft_o), B_x / distance, B_r / distance};
   const double ratio = 0.5 * (1. - b.diameter_ratio * p.n_r), F = F_0 * ratio * ratio;
   const double bottom = cubed_root_squared(F / b.K_o);
-  if (std::hypot(B_x, B_r - (b.l_o + bottom - growth)) < b.l_i - growth) return {bottom, 0., 1.};
+  if (length(B_x, B_r - (b.l_o + bottom - growth)) < b.l_i - growth) return {bottom, 0., 1.};
   const double Q = b.K_o * p.delta_o * std::sqrt(p.delta_o);
   p.delta_o = cubed_root_squared((Q + F * std::max(p.n_r, 0.)) / b.K_o);
   return p;
@@ -131,7 +136,7 @@ BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double g
   if (F_0 == 0.) return without_inertia(b, B_x, B_r, growth);
   Place p = starting_place(b, B_x, B_r, growth, F_0);
   Balance e = balance(b, p, B_x, B_r, growth, F_0);
-  double left = std::hypot(e.R_n, e.R_t);
+  double left = length(e.R_n, e.R_t);
   int iterations = 0;
   for (; iterations < 60 && left > 1e-14 * (e.Q_o + e.F); ++iterations) {
     const double det = e.R_n_d * e.R_t_a - e.R_n_a * e.R_t_d;
@@ -139,11 +144,11 @@ BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double g
     const double turn = std::clamp(-(e.R_n_d * e.R_t - e.R_n * e.R_t_d) / det, -0.7, 0.7);
     Place next;
     next.delta_o = std::max(p.delta_o + along, 0.1 * p.delta_o);
-    const double x = p.n_x + turn * p.n_r, r = p.n_r - turn * p.n_x, norm = std::hypot(x, r);
+    const double x = p.n_x + turn * p.n_r, r = p.n_r - turn * p.n_x, norm = length(x, r);
     next.n_x = x / norm;
     next.n_r = r / norm;
     const Balance after = balance(b, next, B_x, B_r, growth, F_0);
-    const double left_after = std::hypot(after.R_n, after.R_t);
+    const double left_after = length(after.R_n, after.R_t);
     // At the end of the digits, the better of the last two.
     if (left < 1e-10 * (e.Q_o + e.F) && left_after >= left) break;
     p = next;
@@ -154,7 +159,7 @@ BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double g
   if (!(left <= 1e-9 * (e.Q_o + e.F))) {
     p = place_by_halving(b, B_x, B_r, growth, F_0);
     e = balance(b, p, B_x, B_r, growth, F_0);
-    left = std::hypot(e.R_n, e.R_t);
+    left = length(e.R_n, e.R_t);
   }
 
   BallBalance result;

@@ -111,7 +111,8 @@ py::tuple preload(const Case& c, const std::string& bearing, const std::shared_p
   std::vector<PreloadTable> tables;
   {
     const OthersMayRun others_may_run;
-    report = find_preload(c, bearing, drop.get(), tables);
+    Watch watch;
+    report = find_preload(c, bearing, drop.get(), tables, [&watch] { watch.look(); });
   }
   py::list list;
   for (const auto& table : tables) list.append(dict_of(table));

@@ -223,6 +223,20 @@ class Running(PackageTest):
         self.assertEqual(out, "interrupted\n", error)
         self.assertLess(duration, 5.0)  # 50 ms and the interpreter's end, on a busy machine; the run itself would take minutes
 
+    def test_ctrl_c_ends_the_search_for_preload(self):
+        out, error, duration = self.interrupted(f"""
+            import rotordrop as rd
+            growths = [1e-9 * k for k in range(2000)]
+            case = rd.Case({str(SETTLING.parent / "neisi2019-preload.toml")!r}, {{"preload.map.growth": growths, "preload.map.speed": growths}})
+            print("running", flush=True)
+            try:
+                case.preload()
+            except KeyboardInterrupt:
+                print("interrupted", flush=True)
+            """)
+        self.assertEqual(out, "interrupted\n", error)
+        self.assertLess(duration, 5.0)  # as above; its maps have 4 million points
+
     def test_ctrl_c_leaves_a_checkpoint_from_which_the_run_goes_on(self):
         out, error, _ = self.interrupted(f"""
             import rotordrop as rd

@@ -33,6 +33,15 @@ Expansion PreloadLoop::growth(std::span<const double> T) const {
   return all[place_];
 }
 
+RunningState PreloadLoop::state(std::span<const double> T) const {
+  if (!std::equal(T.begin(), T.end(), last_T_.begin(), last_T_.end())) {
+    last_T_.clear();
+    last_ = bearing_->at(growth(T));
+    last_T_.assign(T.begin(), T.end());
+  }
+  return last_;
+}
+
 BallConduction PreloadLoop::balls(std::span<const double> T) const {
   return bearing_->balls_roll() ? state(T).balls : BallConduction{};
 }
@@ -83,7 +92,7 @@ std::vector<double> PreloadLoop::jacobian_of_held_balls(std::span<const double> 
   return J;
 }
 
-std::vector<double> PreloadLoop::jacobian(std::span<const double> T, double heat) const {
+std::vector<double> PreloadLoop::jacobian(std::span<const double> T, double heat, bool is_rough) const {
   auto J = jacobian_of_held_balls(T, heat, balls(T));
   if (!bearing_->balls_roll()) return J;
   constexpr double step = 2e-8;  // [m], as for gradients of heat (preload_criterion.cpp)
@@ -97,12 +106,14 @@ std::vector<double> PreloadLoop::jacobian(std::span<const double> T, double heat
     by_T[k] = all[place_];
     one[k] = 0.;
   }
-  constexpr std::array<double, 4> places = {-2., -1., 1., 2.}, weights = {1., -8., 8., -1.};
+  constexpr std::array<double, 4> places = {-2., -1., 1., 2.}, fine = {1., -8., 8., -1.}, rough = {0., -6., 6., 0.};
+  const auto& weights = is_rough ? rough : fine;
   std::vector<double> at(n), derivative(n);
   for (const auto surface : growth_surfaces) {
     if (std::all_of(by_T.begin(), by_T.end(), [&](const Expansion& e) { return e.*surface == 0.; })) continue;
     std::fill(derivative.begin(), derivative.end(), 0.);
     for (std::size_t i = 0; i < places.size(); ++i) {
+      if (weights[i] == 0.) continue;
       Expansion moved = grown;
       moved.*surface += places[i] * step;
       rates(T, heat, bearing_->at(moved).balls, at);

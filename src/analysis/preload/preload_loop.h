@@ -9,7 +9,7 @@
 
 namespace rotordrop {
 
-/// One running bearing on a thermal model. Of the model's places only this one gets heat; rotor and ring touch.
+/// One running bearing on a thermal model. Of the model's places only this one gets heat; rotor and ring touch. For one thread at a time.
 class PreloadLoop {
  public:
   /// @param n_places, place  of the thermal model; @param ambient [K]
@@ -20,7 +20,8 @@ class PreloadLoop {
   [[nodiscard]] const std::vector<StateEntry>& entries() const { return entries_; }
   [[nodiscard]] std::vector<double> cold() const;
   [[nodiscard]] Expansion growth(std::span<const double> T) const;
-  [[nodiscard]] RunningState state(std::span<const double> T) const { return bearing_->at(growth(T)); }
+  /// @throws SolverError where the bearing has no rest
+  [[nodiscard]] RunningState state(std::span<const double> T) const;
   [[nodiscard]] const RunningBearing& bearing() const { return *bearing_; }
   /// Rates [K/s] under a heat of the bearing [W]; returns what is lost to ambient [W].
   double rates(std::span<const double> T, double heat, std::span<double> dydt) const {
@@ -34,7 +35,8 @@ class PreloadLoop {
   [[nodiscard]] std::vector<double> node_temperatures(std::span<const double> T, double heat) const;
   [[nodiscard]] double highest_temperature(std::span<const double> T, double heat) const;
   /// d rates / dT [1/s] under a constant heat, row by row [size * size], by central differences. What rolling balls conduct changes with growth.
-  [[nodiscard]] std::vector<double> jacobian(std::span<const double> T, double heat) const;
+  /// @param is_rough  by differences of second order instead of fourth, as a search can do with
+  [[nodiscard]] std::vector<double> jacobian(std::span<const double> T, double heat, bool is_rough = false) const;
   /// The same where balls conduct what they are told.
   [[nodiscard]] std::vector<double> jacobian_of_held_balls(std::span<const double> T, double heat,
                                                            const BallConduction& held) const;
@@ -52,6 +54,9 @@ class PreloadLoop {
   double ambient_;
   std::vector<StateEntry> entries_;
   std::vector<Observable> observables_, nodes_;
+  // The state of the call before: searches and time steps ask for the same one several times.
+  mutable std::vector<double> last_T_;
+  mutable RunningState last_;
 };
 
 /// The loop in time: temperatures, then the ledgers of heat made and lost [J].

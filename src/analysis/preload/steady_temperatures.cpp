@@ -93,7 +93,7 @@ class Search {
   bool newton(std::vector<double>& T) {
     for (int i = 0; i < 20; ++i) {
       loop_.rates(T, heat_, {F_.data(), loop_.size()});
-      const Eigen::VectorXd now = inverse(loop_.jacobian(T, heat_)).solve(F_);
+      const Eigen::VectorXd now = inverse(loop_.jacobian(T, heat_, true)).solve(F_);
       const double size = now.lpNorm<Eigen::Infinity>();
       // Newton's way with balls that lose their load leads anywhere.
       if (!std::isfinite(size) || size > 100.) return false;

@@ -63,10 +63,10 @@ void add_centrifugal(RowReport& row, const BallRowGeometry& g, const RingSurroun
 double mounted_preload(const RingStatics& ring) {
   double largest = ring.spring() ? ring.spring()->force : 0.;
   const RingStatics cold(ring.rows(), {});
-  for (const auto& balls : cold.balls(RingVector::Zero())) {
-    double axial = 0.;
-    for (const auto& ball : balls) axial += ball.balance.load_i * ball.balance.sin_i;
-    largest = std::max(largest, std::fabs(axial));
+  for (std::size_t row = 0; row < ring.rows().size(); ++row) {
+    // All balls of a row are alike there.
+    const BallBalance ball = cold.ball_reaction(row, 0, RingVector::Zero(), 0., 1.).balance;
+    largest = std::max(largest, ring.rows()[row].n_balls * std::fabs(ball.load_i * ball.sin_i));
   }
   return largest;
 }
@@ -85,12 +85,6 @@ int count_free(Eigen::Matrix<double, 5, 5> K, double arm) {
 }
 
 }  // namespace
-
-struct BearingEquilibrium::Sum {
-  Eigen::VectorXd force;
-  Eigen::MatrixXd stiffness;
-  double potential = 0;
-};
 
 BearingEquilibrium::BearingEquilibrium(BentRingStatics ring, const Force& load, const BoreJournal& journal)
     : ring_(std::move(ring)), journal_(journal) {
@@ -153,14 +147,20 @@ BearingEquilibrium::Sum BearingEquilibrium::sum(std::span<const double> x, doubl
   return s;
 }
 
+const BearingEquilibrium::Sum& BearingEquilibrium::sum_at(std::span<const double> x) const {
+  if (!std::equal(x.begin(), x.end(), last_x_.begin(), last_x_.end())) {
+    last_ = sum(x, share_);
+    last_x_.assign(x.begin(), x.end());
+  }
+  return last_;
+}
+
 void BearingEquilibrium::forces(std::span<const double> x, std::span<double> f) const {
-  const Sum s = sum(x, share_);
-  std::copy_n(s.force.data(), size(), f.begin());
+  std::copy_n(sum_at(x).force.data(), size(), f.begin());
 }
 
 void BearingEquilibrium::stiffness(std::span<const double> x, std::span<double> K) const {
-  const Sum s = sum(x, share_);
-  std::copy_n(s.stiffness.data(), size() * size(), K.begin());
+  std::copy_n(sum_at(x).stiffness.data(), size() * size(), K.begin());
 }
 
 double BearingEquilibrium::potential(std::span<const double> x) const { return sum(x, 0.).potential; }
@@ -213,7 +213,7 @@ RingReport report_ring(const BentRingStatics& bent, const Eigen::VectorXd& x, do
   }
   if (leans_both_ways[0] && leans_both_ways[1]) report.preload = std::min(positive, negative);
   if (bent.bending()) report.bending = report_bending(bent, x);
-  const auto K = bent.stiffness(x);
+  const auto K = bent.n_shapes() > 0 ? bent.stiffness(x) : ring.stiffness(balls);
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) report.stiffness[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = K(i, j);
   report.is_floating = n_loaded == 0;

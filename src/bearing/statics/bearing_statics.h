@@ -32,7 +32,10 @@ class BearingEquilibrium final : public EquilibriumSystem {
   [[nodiscard]] bool has_circulatory_forces() const override {
     return ring().surroundings().has_inertia && ring().surroundings().speed != 0.;
   }
-  void set_circulatory_share(double share) override { share_ = share; }
+  void set_circulatory_share(double share) override {
+    share_ = share;
+    last_x_.clear();
+  }
   /// Where the search begins: a rotor lies in the bore under its load [size()].
   [[nodiscard]] std::vector<double> start() const;
 
@@ -43,14 +46,22 @@ class BearingEquilibrium final : public EquilibriumSystem {
   [[nodiscard]] Eigen::VectorXd ring_unknowns(std::span<const double> x) const;
 
  private:
-  struct Sum;
+  struct Sum {
+    Eigen::VectorXd force;
+    Eigen::MatrixXd stiffness;
+    double potential = 0;
+  };
   [[nodiscard]] Sum sum(std::span<const double> x, double share) const;
+  /// At the unknowns and the share of the call before: kept, since a search asks for forces and stiffness of one place by turns.
+  [[nodiscard]] const Sum& sum_at(std::span<const double> x) const;
 
   BentRingStatics ring_;
   BoreJournal journal_;
   Eigen::VectorXd load_, scales_;  // all unknowns
   bool has_journal_ = false;
   double force_scale_ = 1, share_ = 1;
+  mutable Sum last_;
+  mutable std::vector<double> last_x_;
 };
 
 /// Balls without inertia are misleading where centrifugal forces exceed this part of the contact loads.

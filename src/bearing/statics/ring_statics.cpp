@@ -8,9 +8,8 @@ namespace rotordrop {
 
 // The plane of a ball: centre of the inner groove from that of the outer one, and how it moves with the unknowns. As BallRow has it.
 struct RingStatics::Plane {
-  double azimuth = 0;
-  Eigen::Vector2d B;                                   // (B_x, B_r) [m]
-  Eigen::Matrix<double, 2, n_ring_unknowns> by_place;  // dB / d unknowns
+  Eigen::Vector2d B;  // (B_x, B_r) [m]
+  BallMotion by_place;
 };
 
 RingStatics::RingStatics(std::vector<BallRowGeometry> rows, const RingSurroundings& surroundings,
@@ -22,34 +21,44 @@ RingStatics::RingStatics(std::vector<BallRowGeometry> rows, const RingSurroundin
                          (g.inner_conformity - 0.5) * g.ball_diameter + surroundings_.inner_strain * inner.groove,
                          (g.outer_conformity - 0.5) * g.ball_diameter + surroundings_.outer_strain * outer.groove,
                          g.ball_mass, g.ball_diameter / g.pitch_diameter, g.pitch_diameter, g.inner_gyroscopic_share});
+    places_.push_back(row_of(g, spring_ && &g == &rows_.back()));
   }
 }
 
-double RingStatics::azimuth(std::size_t row, int ball) const {
-  const auto& g = rows_[row];
-  return g.phase + 2. * std::numbers::pi * ball / g.n_balls + surroundings_.cage_angle;
-}
-
-RingStatics::Plane RingStatics::plane(std::size_t row, int ball, const RingVector& q) const {
-  const auto& g = rows_[row];
+RingStatics::Row RingStatics::row_of(const BallRowGeometry& g, bool is_pressed_by_spring) const {
   const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
-  const double arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
-  Plane p;
-  p.azimuth = azimuth(row, ball);
-  const double c = std::cos(p.azimuth), s = std::sin(p.azimuth), at = g.position;
-  const double travel = spring_ && row + 1 == rows_.size() ? g.direction : 0.;
-  p.by_place << 1., 0., 0., arm * s, -arm * c, travel,  //
-      0., c, s, -at * s, at * c, 0.;
   const auto [inner, outer] = row_strains(g);
   const auto strained = [this, &inner = inner, &outer = outer](double GrooveStrain::*part) {
     return surroundings_.inner_strain * inner.*part + surroundings_.outer_strain * outer.*part;
   };
-  const Eigen::Vector2d rest(
-      g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial),
-      A * std::cos(g.contact_angle) - g.radial_clearance + surroundings_.radial_growth +
-          g.difference_share * surroundings_.row_difference + strained(&GrooveStrain::radial));
-  p.B = rest + p.by_place * q;
-  return p;
+  Row row;
+  row.rest = {g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial),
+              A * std::cos(g.contact_angle) - g.radial_clearance + surroundings_.radial_growth +
+                  g.difference_share * surroundings_.row_difference + strained(&GrooveStrain::radial)};
+  row.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  row.travel = is_pressed_by_spring ? g.direction : 0.;
+  for (int ball = 0; ball < g.n_balls; ++ball) {
+    const double azimuth = g.phase + 2. * std::numbers::pi * ball / g.n_balls + surroundings_.cage_angle;
+    row.azimuth.push_back(azimuth);
+    row.cosine.push_back(std::cos(azimuth));
+    row.sine.push_back(std::sin(azimuth));
+  }
+  return row;
+}
+
+RingStatics::BallMotion RingStatics::motion(std::size_t row, int ball) const {
+  const Row& r = places_[row];
+  const double c = r.cosine[static_cast<std::size_t>(ball)], s = r.sine[static_cast<std::size_t>(ball)];
+  const double at = rows_[row].position;
+  BallMotion by_place;
+  by_place << 1., 0., 0., r.arm * s, -r.arm * c, r.travel,  //
+      0., c, s, -at * s, at * c, 0.;
+  return by_place;
+}
+
+RingStatics::Plane RingStatics::plane(std::size_t row, int ball, const RingVector& q) const {
+  const BallMotion by_place = motion(row, ball);
+  return {places_[row].rest + by_place * q, by_place};
 }
 
 BallBalance RingStatics::balance(std::size_t row, const Plane& plane, double share) const {
@@ -94,13 +103,19 @@ std::vector<std::vector<BallInPlace>> RingStatics::balls(const RingVector& q) co
   for (std::size_t row = 0; row < rows_.size(); ++row)
     for (int ball = 0; ball < rows_[row].n_balls; ++ball) {
       const Plane p = plane(row, ball, q);
-      all[row].push_back({p.azimuth, balance(row, p, 1.)});
+      all[row].push_back({azimuth(row, ball), balance(row, p, 1.)});
     }
   return all;
 }
 
-Eigen::Matrix<double, 5, 5> RingStatics::stiffness(const RingVector& q) const {
-  const RingMatrix K = reaction(q).stiffness;
+Eigen::Matrix<double, 5, 5> RingStatics::stiffness(const std::vector<std::vector<BallInPlace>>& balls) const {
+  RingMatrix K = spring_reaction(RingVector::Zero()).stiffness;
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    for (int ball = 0; ball < rows_[row].n_balls; ++ball) {
+      const auto& k = balls[row][static_cast<std::size_t>(ball)].balance.stiffness;
+      const auto by_place = motion(row, ball);
+      K += by_place.transpose() * Eigen::Matrix2d{{k[0], k[1]}, {k[2], k[3]}} * by_place;
+    }
   Eigen::Matrix<double, 5, 5> ring = K.topLeftCorner<5, 5>();
   // An outer ring that is pressed by a force alone and touches no ball follows nothing.
   if (spring_ && K(5, 5) > 0.) ring -= K.topRightCorner<5, 1>() * K.bottomLeftCorner<1, 5>() / K(5, 5);

@@ -68,11 +68,14 @@ class RingStatics {
   /// @param widening  adds to B_r at this ball, by bent rings [m]
   [[nodiscard]] BallReaction ball_reaction(std::size_t row, int ball, const RingVector& place, double widening,
                                            double inertia_share) const;
-  [[nodiscard]] double azimuth(std::size_t row, int ball) const;
+  [[nodiscard]] double azimuth(std::size_t row, int ball) const {
+    return places_[row].azimuth[static_cast<std::size_t>(ball)];
+  }
   /// Balls row by row.
   [[nodiscard]] std::vector<std::vector<BallInPlace>> balls(const RingVector& place) const;
   /// Stiffness of the five degrees of freedom, the spring's travel following without resistance of its own.
-  [[nodiscard]] Eigen::Matrix<double, 5, 5> stiffness(const RingVector& place) const;
+  [[nodiscard]] Eigen::Matrix<double, 5, 5> stiffness(const std::vector<std::vector<BallInPlace>>& balls) const;
+  [[nodiscard]] Eigen::Matrix<double, 5, 5> stiffness(const RingVector& place) const { return stiffness(balls(place)); }
 
   [[nodiscard]] const std::vector<BallRowGeometry>& rows() const { return rows_; }
   [[nodiscard]] const RingSurroundings& surroundings() const { return surroundings_; }
@@ -82,12 +85,22 @@ class RingStatics {
   [[nodiscard]] RingVector scales() const;
 
  private:
-  struct Plane;  // of one ball
+  struct Plane;                                                  // of one ball
+  using BallMotion = Eigen::Matrix<double, 2, n_ring_unknowns>;  // dB / d unknowns
+  /// What does not depend on the ring's place.
+  struct Row {
+    Eigen::Vector2d rest;  ///< centre of the inner groove from that of the outer one, in the mounted place [m]
+    double arm = 0, travel = 0;
+    std::vector<double> azimuth, cosine, sine;  ///< of the balls
+  };
+  [[nodiscard]] Row row_of(const BallRowGeometry& g, bool is_pressed_by_spring) const;
+  [[nodiscard]] BallMotion motion(std::size_t row, int ball) const;
   [[nodiscard]] Plane plane(std::size_t row, int ball, const RingVector& place) const;
   [[nodiscard]] BallBalance balance(std::size_t row, const Plane& plane, double share) const;
 
   std::vector<BallRowGeometry> rows_;
   std::vector<BallContacts> contacts_;
+  std::vector<Row> places_;
   RingSurroundings surroundings_;
   std::optional<PreloadSpring> spring_;
 };

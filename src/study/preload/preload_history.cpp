@@ -27,7 +27,7 @@ Json course(const PreloadTable& table, std::size_t column, bool smallest = false
 }  // namespace
 
 Json make_preload_history(const Case& c, const std::string& bearing, const RecordedDrop& drop,
-                          std::vector<PreloadTable>& tables) {
+                          std::vector<PreloadTable>& tables, const Look& look) {
   constexpr std::size_t most_instants = 3000;
   const auto& p = c.parameters;
   const std::string from = fmt::format("/bearings/{}/", bearing);
@@ -58,7 +58,7 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
   MachineParameters cold_parameters = p;
   if (has_growth_by_speed) cold_parameters.preload.growth_by_speed = PreloadGrowthBySpeed::none;
 
-  const auto running = build_running_bearing(p, bearing, 0., rest_finder(bearing));
+  const auto running = build_running_bearing(p, bearing, 0., rest_finder(bearing, look));
   const std::string to = fmt::format("/{}/history/", bearing);
   PreloadTable table;
   table.group = {to + "time", running_channels(to)};

@@ -89,12 +89,12 @@ Json make_map(const std::string& name, const std::string& bearing, const Touchdo
 
 }  // namespace
 
-Json make_preload_maps(const Case& c, const std::string& bearing, std::vector<PreloadTable>& tables) {
+Json make_preload_maps(const Case& c, const std::string& bearing, std::vector<PreloadTable>& tables, const Look& look) {
   const auto& p = c.parameters;
   const auto& axes = p.preload.map;
   const auto& b = touchdown_of(p, bearing);
   const double full = preload_speed(p);
-  const auto running = build_running_bearing(p, bearing, 0., rest_finder(bearing));
+  const auto running = build_running_bearing(p, bearing, 0., rest_finder(bearing, look));
   const Force load = preload_load(p.preload);
   Axis speed{"speed", "rad/s", "of the inner ring", axes.speed, to_rpm, "rpm"};
   if (speed.values.empty()) speed.values = full > 0. ? std::vector<double>{0., 0.5 * full, full} : std::vector{0.};

@@ -41,7 +41,7 @@ void check_directory(const PreloadOptions& options) {
 }  // namespace
 
 Json find_preload(const Case& c, const std::string& bearing, const RecordedDrop* drop,
-                  std::vector<PreloadTable>& tables) {
+                  std::vector<PreloadTable>& tables, const Look& look) {
   const auto bearings = chosen_touchdowns(c, bearing);
   if (bearings.empty()) refuse_without_touchdowns(c);
   Json report = {{"program", program_name()},
@@ -52,12 +52,12 @@ Json find_preload(const Case& c, const std::string& bearing, const RecordedDrop*
   for (const auto& name : bearings) {
     Json& one = report["bearings"][name];
     try {
-      one["running"] = run_preload_loop(c, name, tables);
+      one["running"] = run_preload_loop(c, name, tables, look);
     } catch (const SolverError& e) {  // of this bearing; the others have results
       one["running"] = {{"verdict", "failed"}, {"message", e.what()}};
     }
-    one["maps"] = make_preload_maps(c, name, tables);
-    if (drop) one["history"] = make_preload_history(c, name, *drop, tables);
+    one["maps"] = make_preload_maps(c, name, tables, look);
+    if (drop) one["history"] = make_preload_history(c, name, *drop, tables, look);
   }
   return report;
 }

@@ -20,10 +20,11 @@ struct PreloadOptions {
 /// Maps, histories and steady running of touchdown bearings by themselves, in memory; tables are added.
 /// @param bearing  only this touchdown bearing; empty: all
 /// @param drop     for histories; may be null
+/// @param look     called now and then; what it throws ends the computation
 /// A bearing of which the steady running cannot be computed has the verdict "failed" and a message.
 /// @throws InputError for an unknown bearing, SolverError for histories
 nlohmann::ordered_json find_preload(const Case& preload_case, const std::string& bearing, const RecordedDrop* drop,
-                                    std::vector<PreloadTable>& tables);
+                                    std::vector<PreloadTable>& tables, const Look& look = {});
 
 /// Maps, histories and steady running of touchdown bearings by themselves, into a directory; returns what preload.json has.
 /// See docs/how-to/preload.md for every key and dataset.

@@ -184,9 +184,9 @@ std::string verdict_of(const PreloadCourse& end, const OperatingPoints& points) 
   return "undecided";
 }
 
-Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<PreloadTable>& tables) {
+Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<PreloadTable>& tables, const Look& look) {
   const auto& p = c.parameters;
-  const auto find = rest_finder(bearing);
+  const auto find = rest_finder(bearing, look);
   const auto section = section_of(c, bearing);
   const LoopWith with = [&](const PreloadVariation& v) {
     return build_preload_loop(p, c.tree, bearing, find, v, section);

@@ -12,6 +12,6 @@ std::string verdict_of(const PreloadCourse& way, const OperatingPoints& points);
 /// One touchdown bearing running steadily from cold: its way in time, its operating points, what would have to change until none is left,
 /// and a verdict. Tables are added. See docs/how-to/preload.md for every key.
 nlohmann::ordered_json run_preload_loop(const Case& preload_case, const std::string& bearing,
-                                        std::vector<PreloadTable>& tables);
+                                        std::vector<PreloadTable>& tables, const Look& look = {});
 
 }  // namespace rotordrop

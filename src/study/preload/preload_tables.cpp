@@ -50,8 +50,9 @@ void write_tables(const std::filesystem::path& file, const Case& c, const std::v
   recorder.close();
 }
 
-FindRest rest_finder(const std::string& bearing) {
-  return [bearing](EquilibriumSystem& system, std::span<double> x) {
+FindRest rest_finder(const std::string& bearing, Look look) {
+  return [bearing, look = std::move(look)](EquilibriumSystem& system, std::span<double> x) {
+    if (look) look();
     const auto result = find_equilibrium(system, x);
     if (!result.found)
       throw SolverError(

@@ -27,7 +27,10 @@ std::vector<double> running_values(const RunningState& state);
 void write_tables(const std::filesystem::path& file, const Case& preload_case, const std::vector<PreloadTable>& tables,
                   bool overwrite);
 
+/// Called before each search; what it throws ends all of them.
+using Look = std::function<void()>;
+
 /// KINSOL's search, for the machine. Throws a SolverError where nothing is found.
-FindRest rest_finder(const std::string& bearing);
+FindRest rest_finder(const std::string& bearing, Look look = {});
 
 }  // namespace rotordrop
