@@ -15,6 +15,7 @@
 #include "case/case_keys.h"
 #include "case/case_text.h"
 #include "case/catalogue.h"
+#include "case/entry_settings.h"
 #include "case/modules/parts_modules.h"
 #include "case/plausibility.h"
 #include "case/rotor_file.h"
@@ -124,12 +125,10 @@ std::shared_ptr<const CaseSection> case_section() {
   return kept;
 }
 
-/// Where a file named in the parameters is: beside the file that names it, or in the working folder for the command line.
-fs::path resolve_path(const Node& text) {
-  const fs::path given = text.text();
+/// Where a file named in the parameters is: beside the file that names it, or in `folder` where no file names it.
+fs::path resolve_path(const Node& text, const fs::path& folder) {
   const auto& where = text.where();
-  if (given.is_absolute() || where.line == 0) return given;
-  return fs::path(where.file.text()).parent_path() / given;
+  return (where.line == 0 ? folder : fs::path(where.file.text()).parent_path()) / text.text();
 }
 
 /// Stands for a geometry that cannot be read, so that the faults of everything else are found, too: it has every node that a case may name.
@@ -146,12 +145,12 @@ Node any_geometry() {
 /// Reads a file that a case names.
 using ReadFile = std::function<Node(const fs::path&)>;
 
-void load_rotor_geometry(Node& tree, const ReadFile& read, Faults& faults) {
+void load_rotor_geometry(Node& tree, const fs::path& folder, const ReadFile& read, Faults& faults) {
   Node* rotor = tree.find("rotor");
   if (!rotor || !rotor->is_table()) return;
   const Node* geometry = rotor->find("geometry");
   if (!geometry || !geometry->is_text()) return;
-  const fs::path path = resolve_path(*geometry);
+  const fs::path path = resolve_path(*geometry, folder);
   const SourcePosition key = position_of(*rotor, "geometry");
   std::error_code error;
   const auto status = fs::status(path, error);
@@ -178,28 +177,20 @@ void load_rotor_geometry(Node& tree, const ReadFile& read, Faults& faults) {
 }
 
 /// A file is beside the one that names it, wherever the case is read from later.
-void complete_path(Node* table, const char* key) {
+void complete_path(Node* table, const char* key, const fs::path& folder) {
   const Node* file = table && table->is_table() ? table->find(key) : nullptr;
   if (!file || !file->is_text()) return;
   const SourcePosition where = position_of(*table, key);
-  table->set(key, Node(fs::absolute(resolve_path(*file)).lexically_normal().string(), file->where()), where);
+  table->set(key, Node(fs::absolute(resolve_path(*file, folder)).lexically_normal().string(), file->where()), where);
 }
-void complete_paths(Node& tree) {
+void complete_paths(Node& tree, const fs::path& folder) {
   Node* thermal = tree.find("thermal");
-  complete_path(thermal, "recorded");
-  complete_path(thermal && thermal->is_table() ? thermal->find(fe_name) : nullptr, "mesh");
+  complete_path(thermal, "recorded", folder);
+  complete_path(thermal && thermal->is_table() ? thermal->find(fe_name) : nullptr, "mesh", folder);
   Node* heat = tree.find("heat");
   Node* sources = heat && heat->is_table() ? heat->find("source") : nullptr;
   if (sources && sources->is_array())
-    for (Node& source : sources->items()) complete_path(&source, "recorded");
-}
-
-/// Whether a setting is of one entry of a list: "rotor.unbalance[0].me".
-bool names_entry(const Setting& setting) { return setting.key.find('[') != std::string::npos; }
-void set_entry(Node& tree, const Setting& setting) {
-  std::string key = setting.key;
-  key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
-  set_key(tree, key, setting.value, {setting.value.where().file, 0, 0});
+    for (Node& source : sources->items()) complete_path(&source, "recorded", folder);
 }
 
 /// Parameters, such as "contact.air_gap" or "rotor.unbalance[0].me", by the places of their keys and values.
@@ -237,9 +228,16 @@ std::vector<ErasedSection> case_sections() { return {case_section()->erased}; }
 
 namespace {
 
+/// What lies over a case's file.
+struct Layers {
+  const std::vector<Setting>& settings;
+  fs::path folder = {};  ///< of files that are named there
+};
+
 /// Puts settings, files that the tree names, and built-in materials into a tree.
-void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>& settings, const ReadFile& geometry,
+void complete_tree(Node& tree, const fs::path& file, const Layers& layers, const ReadFile& geometry,
                    LayerNotes& notes) {
+  const auto& settings = layers.settings;
   Node over = Node::table(tree.where());
   const auto apply_to = [&](Node& to) {
     for (const Setting& setting : settings)
@@ -249,12 +247,11 @@ void complete_tree(Node& tree, const fs::path& file, const std::vector<Setting>&
   load_catalogue_bearings(over, file, tree, notes);
   apply_to(tree);  // finds out whether each can be set
   tree = merged(tree, over);
-  load_parts_of_case(tree);  // before the keys are declared, which are theirs, too
-  for (const Setting& setting : settings)
-    if (names_entry(setting)) set_entry(tree, setting);
+  load_parts_of_case(tree, layers.folder);  // before the keys are declared, which are theirs, too
+  set_entries(tree, settings);
   make_sets(tree, notes.faults);
-  load_rotor_geometry(tree, geometry, notes.faults);
-  complete_paths(tree);
+  load_rotor_geometry(tree, layers.folder, geometry, notes.faults);
+  complete_paths(tree, layers.folder);
   // Built-in materials lie under those that the case gives.
   const Node* materials = tree.find("materials");
   if (!materials)
@@ -273,7 +270,7 @@ void add_words(const ErasedSection& declaration, Case& result) {
 }
 
 /// @param read  the tree of `file` with its bases
-Case case_of(const fs::path& file, const std::vector<Setting>& settings, const std::function<Node(LayerNotes&)>& read,
+Case case_of(const fs::path& file, const Layers& layers, const std::function<Node(LayerNotes&)>& read,
              const ReadFile& geometry = read_geometry, bool has_words = true) {
   Case result;
   result.file = file;
@@ -286,7 +283,7 @@ Case case_of(const fs::path& file, const std::vector<Setting>& settings, const s
     Faults& faults = notes.faults;
     result.tree = read(notes);
     require_kind(result.tree, file, FileKind::drop);
-    complete_tree(result.tree, file, settings, geometry, notes);
+    complete_tree(result.tree, file, layers, geometry, notes);
     const auto section = case_section();
     result.parameters = section->section.read(result.tree, faults);
     // What follows looks at several sections together, and so needs each of them sound.
@@ -321,7 +318,7 @@ CompleteLayer with_catalogue(LayerNotes& notes) {
 }
 
 /// A tree of no file, laid over its base.
-Node with_base(Node tree, const fs::path& file, LayerNotes& notes) {
+Node with_base(Node tree, const fs::path& file, const fs::path& folder, LayerNotes& notes) {
   const CompleteLayer complete = with_catalogue(notes);
   const Node* base = tree.find("base");
   if (!base) {
@@ -330,7 +327,10 @@ Node with_base(Node tree, const fs::path& file, LayerNotes& notes) {
   }
   if (!base->is_text())
     throw InputError(base->where(), fmt::format("base is {}; it must be the name of a file.", kind_name(*base)));
-  const Node under = read_toml(resolve_path(*base), complete);
+  // Else it may be one of those that come with the program.
+  std::error_code ignored;
+  const fs::path beside = resolve_path(*base, folder);
+  const Node under = read_toml(fs::exists(beside, ignored) ? beside : fs::path(base->text()), complete);
   tree.erase("base");
   complete(tree, file, under);
   return merged(under, tree);
@@ -339,20 +339,20 @@ Node with_base(Node tree, const fs::path& file, LayerNotes& notes) {
 }  // namespace
 
 Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
-  return case_of(file, settings_of(overrides),
+  return case_of(file, {settings_of(overrides)},
                  [&](LayerNotes& notes) { return read_toml(file, with_catalogue(notes)); });
 }
 
 Case read_case_text(std::string_view text, const fs::path& folder, const std::string& name,
                     const std::vector<std::string>& overrides) {
   const fs::path file = folder / (name + ".toml");
-  return case_of(file, settings_of(overrides),
+  return case_of(file, {settings_of(overrides)},
                  [&](LayerNotes& notes) { return read_toml_text(text, file, with_catalogue(notes)); });
 }
 
 Case read_given_case(const GivenCase& given, const std::vector<Setting>& settings) {
-  return case_of(given.file, settings, [&](LayerNotes& notes) {
-    if (given.tree) return with_base(*given.tree, given.file, notes);
+  return case_of(given.file, {settings, given.folder}, [&](LayerNotes& notes) {
+    if (given.tree) return with_base(*given.tree, given.file, given.folder, notes);
     return given.text ? read_toml_text(*given.text, given.file, with_catalogue(notes))
                       : read_toml(given.file, with_catalogue(notes));
   });
@@ -371,7 +371,7 @@ Case CaseFamily::read(const std::vector<std::string>& overrides) const {
     return found != geometries_.end() ? found->second : geometries_.emplace(file, read_geometry(file)).first->second;
   };
   return case_of(
-      file_, settings_of(overrides), [this](LayerNotes&) { return tree_; }, geometry, false);
+      file_, {settings_of(overrides)}, [this](LayerNotes&) { return tree_; }, geometry, false);
 }
 
 std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {

@@ -20,7 +20,8 @@ Case read_case_text(std::string_view text, const std::filesystem::path& folder, 
 struct GivenCase {
   std::filesystem::path file;  ///< read if there is no text or tree; files that a text names are looked for beside it
   std::optional<std::string> text;  ///< TOML
-  std::optional<Node> tree;         ///< files that it names are looked for in the working folder
+  std::optional<Node> tree;         ///< values
+  std::filesystem::path folder;  ///< where files are looked for that values or settings name; empty: the working folder
 };
 /// Reads and checks it. @throws InputError with all faults
 /// @param settings  laid over it, in their order

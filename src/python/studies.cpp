@@ -25,10 +25,9 @@ struct StudyCall {
 
 /// Ctrl-C, and what the caller's function raises, stop it as Ctrl-C stops the program: the journal keeps the points that are finished.
 py::dict run(const std::filesystem::path& file, const std::vector<std::string>& overrides, const StudyCall& call,
-             const py::object& progress) {
+             const py::object& progress, const py::object& warn) {
   StoppableRun stoppable(progress);
   std::vector<std::string> notes;
-  std::vector<Fault> warnings;
   StudyOptions options;
   options.directory = call.directory;
   options.n_workers = call.n_workers;
@@ -41,7 +40,10 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
   {
     const py::gil_scoped_release others_may_run;
     Study study = read_study(file, overrides);
-    warnings = study.base.warnings;
+    {
+      const py::gil_scoped_acquire lock;
+      warn(faults_to_python(study.base.warnings));
+    }
     const Design design = study.is_search() ? SearchSpace(study).corners() : make_design(study);
     Watch watch;
     check_points(study, design, call.n_workers, [&watch] { watch.look(); });
@@ -58,7 +60,6 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
   told["cpu_time"] = outcome.cpu_time;
   told["wall_time"] = outcome.wall_time;
   told["notes"] = notes;
-  told["warnings"] = faults_to_python(warnings);
   return told;
 }
 
@@ -76,11 +77,12 @@ void add_studies(py::module_& core) {
   core.def(
       "run_study",
       [](const std::filesystem::path& file, const std::vector<std::string>& overrides,
-         const std::filesystem::path& directory, unsigned jobs, bool force, bool resume, const py::object& progress) {
-        return run(file, overrides, {directory, jobs, force, resume}, progress);
+         const std::filesystem::path& directory, unsigned jobs, bool force, bool resume, const py::object& progress,
+         const py::object& warn) {
+        return run(file, overrides, {directory, jobs, force, resume}, progress, warn);
       },
       py::arg("file"), py::arg("overrides"), py::arg("directory"), py::arg("jobs"), py::arg("force"), py::arg("resume"),
-      py::arg("progress"));
+      py::arg("progress"), py::arg("warn"));
   core.def("write_study_report", [](const std::filesystem::path& directory, const std::filesystem::path& file) {
     const OthersMayRun others_may_run;
     write_page(file, study_report_page(study_report_data(directory)));

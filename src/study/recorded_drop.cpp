@@ -57,12 +57,20 @@ RecordedDrop::RecordedDrop(const Case& drop_case, MemorySeries series, fs::path 
 }
 
 void RecordedDrop::open() {
+  identity_ = identity_of(file_);
   for (auto& path : list_datasets(file_)) (is_text(path) ? texts_ : datasets_).push_back(std::move(path));
   if (!has("/energy/mechanical"))
     throw InputError({directory_.string(), 0, 0}, "these are heat-only results; they contain no drop",
                      "Give the directory into which `rotordrop run` wrote.");
   case_name_ = read_attribute(file_, "/", "case");
   is_windowed_ = has("/windows/time");
+}
+
+void RecordedDrop::require_same_file() const {
+  if (identity_of(file_) != identity_)
+    throw InputError({file_.string(), 0, 0}, "this file is another one than when its drop was opened.",
+                     "A later run has replaced it, or it was removed. Read the results again, or give each run a "
+                     "directory of its own.");
 }
 
 std::string RecordedDrop::driver() const { return driver_of(parameters_.thermal); }
@@ -93,7 +101,9 @@ std::vector<const ThermalKind*> RecordedDrop::models() const {
 
 std::optional<std::string> RecordedDrop::text(const std::string& dataset) const {
   if (!std::binary_search(texts_.begin(), texts_.end(), dataset)) return {};
-  return read_text(file_, dataset);
+  auto text = read_text(file_, dataset);
+  require_same_file();
+  return text;
 }
 
 std::optional<RecordedDrop::Table> RecordedDrop::table_in_memory(const std::string& dataset) const {
@@ -112,6 +122,7 @@ const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const
   if (found != tables_.end()) return found->second;
   if (auto in_memory = table_in_memory(dataset)) return tables_[dataset] = std::move(*in_memory);
   auto [raw, meaning] = read_series_with_meaning(file_, dataset);
+  require_same_file();
   if (meaning.time_path.empty() && !dataset.ends_with("/time"))
     throw InputError({file_.string(), 0, 0}, dataset + " does not name its times", "Is this a drop's series?");
   const std::size_t n_columns = raw.shape.size() > 1 ? raw.shape[1] : 1;
@@ -119,8 +130,10 @@ const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const
 }
 
 SeriesMeaning RecordedDrop::meaning(const std::string& dataset) const {
-  const auto read = tables_.find(dataset);
-  return read == tables_.end() && !file_.empty() ? read_meaning(file_, dataset) : table(dataset).meaning;
+  if (file_.empty() || tables_.contains(dataset)) return table(dataset).meaning;
+  auto meaning = read_meaning(file_, dataset);
+  require_same_file();
+  return meaning;
 }
 
 TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) const {

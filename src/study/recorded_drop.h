@@ -8,6 +8,7 @@
 
 #include "analysis/memory_series.h"
 #include "case/case.h"
+#include "io/file_identity.h"
 #include "io/hdf5/recorded_series.h"
 #include "study/time_series.h"
 
@@ -65,8 +66,11 @@ class RecordedDrop {
 
  private:
   void open();
+  /// @throws InputError if another file has taken the place of the one that was opened
+  void require_same_file() const;
   [[nodiscard]] std::optional<Table> table_in_memory(const std::string& dataset) const;
   std::filesystem::path directory_, file_;
+  std::optional<FileIdentity> identity_;  ///< of the file
   CaseParameters parameters_;
   std::string case_name_;
   std::vector<std::string> datasets_, texts_;  ///< sorted

@@ -220,6 +220,12 @@ class Check(ProgramTest):
     def test_check_takes_overrides(self):
         self.assertIn("at 3000 rpm", self.succeed("check", "reference.toml", *settings(run__initial_speed="3000 rpm")).stdout)
 
+    def test_a_table_sets_its_own_keys(self):
+        self.succeed("run", "reference.toml", "-o", "out", *settings(run="{ end_time = '1 ms' }", contact="{ air_gap = '200 um' }", contact__friction_coefficient="0.2"))
+        written = tomllib.loads((self.folder / "out/parameters.toml").read_text())
+        self.assertEqual([written["contact"][key] for key in ("air_gap", "friction_coefficient", "friction_law")], ["200 um", 0.2, "regularised"])
+        self.assertEqual(written["run"]["initial_speed"], "15200 rpm")
+
     def test_every_parameter_file_is_sound(self):
         for file in sorted(PARAMS.glob("*.toml")):
             with self.subTest(file.name):

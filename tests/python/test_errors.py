@@ -1,7 +1,10 @@
 """Wrong input from Python: all faults at once, each with its parameter, its place and what is probably meant."""
 
+import json
+import os
 import pathlib
 import pickle
+import shutil
 import sys
 import unittest
 import warnings
@@ -48,6 +51,52 @@ class Faults(PackageTest):
         self.assertEqual(case.parameters["bearings"]["TB1"]["node"], 3)
         (fault,) = self.faults_of(SETTLING, {"rotor.unbalance[7].me": 2e-6})
         self.assertEqual(fault.key, "rotor.unbalance[7].me")
+
+    def test_later_overrides_go_before_earlier_ones(self):
+        def found(*overrides):
+            case = rd.Case(SETTLING)
+            for one in overrides:
+                case = case.with_overrides(one)
+            return case.parameters
+
+        gaps = [{"contact": {"air_gap": "100 um"}}, {"contact.air_gap": "200 um"}, {"contact": {"air_gap": "300 um"}}]
+        self.assertEqual(found(*gaps)["contact"]["air_gap"], "300 um")
+        # A dictionary sets its own keys and leaves the others.
+        together = found({"contact.air_gap": "200 um"}, {"contact": {"friction_coefficient": 0.2}})["contact"]
+        self.assertEqual((together["air_gap"], together["friction_coefficient"]), ("200 um", 0.2))
+        self.assertEqual(together["friction_law"], found()["contact"]["friction_law"])
+        # Also against an entry of a list, which the new list need not have.
+        unbalance = {"rotor.unbalance": [{"node": 16, "me": 1e-6}]}
+        for entry in ("rotor.unbalance[0].me", "rotor.unbalance[1].me"):
+            older = {"rotor.unbalance": [{"node": 5, "me": 1e-6}, {"node": 6, "me": 1e-6}], entry: 9e-6}
+            self.assertEqual([one["me"] for one in found(older, unbalance)["rotor"]["unbalance"]], [1e-6])
+        self.assertEqual(found({"rotor.unbalance[0].me": 9e-6}, {"rotor": {"unbalance": unbalance["rotor.unbalance"]}})["rotor"]["unbalance"][0]["me"], 1e-6)
+        self.assertEqual(found(unbalance, {"rotor.unbalance[0].me": 9e-6})["rotor"]["unbalance"][0]["me"], 9e-6)
+
+    def test_files_are_beside_what_names_them_wherever_the_program_is_later(self):
+        (self.folder / "own").mkdir()
+        shutil.copy(PARAMS / "neisi2019-rotor.json", self.folder / "own/r.json")
+        base = {"base": str(SETTLING)}
+        for case in (rd.Case({**base, "rotor": {"geometry": "r.json"}}, folder=self.folder / "own"), rd.Case(base, {"rotor.geometry": "r.json"}, folder=self.folder / "own"),
+                     rd.Case({"base": pathlib.Path(SETTLING.name)}, folder=PARAMS)):
+            self.assertIn("TB1", case.bearings)
+        here = os.getcwd()
+        try:
+            os.chdir(self.folder)
+            case = rd.Case(SETTLING, {"rotor.geometry": "own/r.json"})
+            os.chdir(here)
+            for same in (case.with_overrides({}), pickle.loads(pickle.dumps(case))):
+                self.assertEqual(same.parameters["rotor"]["geometry"], case.parameters["rotor"]["geometry"])
+            shutil.copytree(self.folder / "own", self.folder / "else/own")
+            shaft = json.loads((self.folder / "own/r.json").read_text())
+            shaft["elements"][0]["od"] *= 0.9
+            (self.folder / "else/own/r.json").write_text(json.dumps(shaft))
+            os.chdir(self.folder / "else")
+            modes = [one.modes("0 rpm", 3).frequency.values.tolist() for one in (case, case.with_overrides({}), rd.Case(SETTLING, {"rotor.geometry": "own/r.json"}))]
+            self.assertEqual(modes[0], modes[1])
+            self.assertNotEqual(modes[0], modes[2], "the other shaft is another one")
+        finally:
+            os.chdir(here)
 
     def test_a_text_and_a_dictionary_are_cases(self):
         gap = 200e-6

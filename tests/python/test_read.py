@@ -1,6 +1,8 @@
 """Results from a directory: the same object as from memory, also of a run that goes on or was killed; and files for MATLAB."""
 
+import os
 import pathlib
+import shutil
 import sys
 import time
 import unittest
@@ -69,6 +71,33 @@ class Directory(PackageTest):
         self.assertGreaterEqual(killed.series.sizes["time"], live.series.sizes["time"])
         self.assertTrue(np.all(np.isfinite(killed["bearings.TB1.orbit"])))
 
+    def test_a_result_is_of_one_run_alone(self):
+        directory = self.folder / "out"
+        result = rd.Case(SETTLING, {"run.end_time": "5 ms"}).run(directory)
+        orbit = result["bearings.TB1.orbit"].values.copy()
+        rd.Case(SETTLING, {"run.end_time": "5 ms", "contact.air_gap": "100 um"}).run(directory, force=True)
+        self.assertTrue(np.array_equal(result["bearings.TB1.orbit"], orbit), "what was read stays")
+        with self.assertRaisesRegex(rd.InputError, "another one than when its drop was opened"):
+            result["bearings.TB1.contact_force"]
+        self.assertGreater(len(rd.read(directory)["bearings.TB1.contact_force"]), 0)
+
+    def test_a_directory_is_found_wherever_the_program_is_later(self):
+        here = os.getcwd()
+        try:
+            os.chdir(self.folder)
+            result = rd.Case(SETTLING, {"run.end_time": "5 ms"}).run("out")
+            os.chdir(here)
+            self.assertEqual(len(result["bearings.TB1.orbit"]), result.series.sizes["time"])
+            self.assertTrue(result.report().is_file())
+        finally:
+            os.chdir(here)
+
+    def test_times_and_the_root_are_told_what_they_are(self):
+        result = rd.Case(SETTLING, {"run.end_time": "2 ms"}).run()
+        with self.assertRaisesRegex(KeyError, "result.series.detail_time"):
+            result["detail.time"]
+        self.assertEqual(set(result.select("/")), set(result.series))
+
     def test_directories_without_results(self):
         for path, words in ((self.folder / "nowhere", "no such directory"), (self.folder, "does not contain results.h5")):
             with self.assertRaisesRegex(rd.InputError, words):
@@ -101,6 +130,22 @@ class Matlab(PackageTest):
         self.assertEqual(at("summary.bearings.TB1.peak_contact_force")[0, 0], result.summary["bearings"]["TB1"]["peak_contact_force"])
         self.assertTrue(np.isnan(at("summary.bearings.TB1.catch_up_time")[0, 0]), "has not happened")
         self.assertTrue(at("ledger.TB1.spin_up_centres").size)
+
+    def test_names_that_look_alike_are_different_fields(self):
+        import scipy.io
+
+        bearings = rd.Case(SETTLING).parameters["bearings"]
+        text = SETTLING.parent / "neisi2019.toml"
+        (self.folder / "own.toml").write_text(text.read_text().replace("[bearings.TB1]", "[bearings.A-B]").replace("[bearings.TB2]", "[bearings.A_B]"))
+        shutil.copy(PARAMS / "neisi2019-rotor.json", self.folder)
+        result = rd.Case(self.folder / "own.toml", {"run.end_time": "5 ms"}).run()
+        self.assertEqual((len(bearings), set(result.case.bearings)), (2, {"A-B", "A_B"}))
+        result.to_mat(self.folder / "drop.mat")
+        read = scipy.io.loadmat(self.folder / "drop.mat", simplify_cells=True)["results"]
+        for name, field in zip(sorted(result.case.bearings), ("A_B", "A_B_2")):
+            self.assertTrue(np.array_equal(read["bearings"][field]["orbit"], result[f"bearings.{name}.orbit"]), name)
+            self.assertEqual(read["units"]["bearings"][field]["orbit"], "m")
+            self.assertEqual(read["summary"]["bearings"][field]["peak_contact_force"], result.summary["bearings"][name]["peak_contact_force"])
 
     def test_octave_reads_it(self):
         import shutil

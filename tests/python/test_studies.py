@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 import unittest
+import warnings
 
 import numpy
 
@@ -95,6 +96,17 @@ class Studies(PackageTest):
         result = rd.study(file, self.folder / "out", overrides)
         self.assertEqual(result.summary["done"], 2)
         self.assertIn("a \\\\ and 😀", (self.folder / "out/case.toml").read_text(encoding="utf-8"))
+
+    def test_what_is_varied_is_not_overridden_as_well(self):
+        with self.assertRaisesRegex(rd.InputError, "the study varies contact.friction_coefficient"):
+            rd.study(self.write(2), self.folder / "out", {"contact.friction_coefficient": 0.2})
+
+    def test_a_warning_that_is_an_error_comes_before_the_drops(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", rd.CaseWarning)
+            with self.assertRaisesRegex(rd.CaseWarning, "run.ambient"):
+                rd.study(self.write(2), self.folder / "out", {"run.ambient": "700 K"}, progress=lambda _: self.fail("it ran"))
+        self.assertFalse((self.folder / "out").exists())
 
     def test_what_the_case_has_that_is_unusual_is_warned_of_and_notes_are_kept(self):
         file = self.write(2)

@@ -97,14 +97,14 @@ void load_parts_of_environment() {
   }
 }
 
-void load_parts_of_case(Node& tree) {
+void load_parts_of_case(Node& tree, const fs::path& working_folder) {
   Node* run = tree.find("run");
   Node* parts = run && run->is_table() ? run->find("parts") : nullptr;
   if (!parts || !parts->is_array()) return;  // a fault of the case, found when its keys are read
   for (Node& name : parts->items()) {
     if (!name.is_text() || name.text().empty()) continue;
     const SourcePosition where = name.where();
-    const fs::path folder = where.line == 0 ? fs::path() : fs::path(where.file.text()).parent_path();
+    const fs::path folder = where.line == 0 ? working_folder : fs::path(where.file.text()).parent_path();
     const auto file = found(name.text(), folder);
     if (!file)
       throw InputError(

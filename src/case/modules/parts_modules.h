@@ -14,6 +14,7 @@ void load_parts_of_environment();
 
 /// Loads what a case names in run.parts, and puts the files' full paths there. A name without a folder is that of a file beside the one that names it, or
 /// in the folder of the program's own modules. @throws InputError likewise
-void load_parts_of_case(Node& tree);
+/// @param working_folder  of those that no file names; empty: that of the process
+void load_parts_of_case(Node& tree, const std::filesystem::path& working_folder);
 
 }  // namespace rotordrop

@@ -268,7 +268,8 @@ void apply_setting(Node& tree, const Setting& setting) {
       throw InputError(where, fmt::format("\"{}\" is {}, so nothing can be set in it.", (*keys)[i], kind_name(*table)),
                        table->where().is_known() ? fmt::format("It is given at {}.", to_string(table->where())) : "");
   }
-  table->set(keys->back(), value, where);
+  const Node* before = table->find(keys->back());
+  table->set(keys->back(), before ? merged(*before, value) : value, where);
 }
 
 void apply_override(Node& tree, std::string_view assignment) { apply_setting(tree, read_setting(assignment)); }

@@ -46,11 +46,11 @@ class Case:
         rd.Case('base = "params/neisi2019.toml"\\n[contact]\\nair_gap = "200 um"')
         rd.Case({"base": "params/neisi2019.toml", "contact": {"air_gap": 200e-6}})
 
-    source      name of a file; or text in TOML (several lines, or one with "="); or a dictionary of tables. Files that a text or dictionary names,
-                such as `base`, are looked for in `folder`, or in the working folder
-    overrides   parameters that go before those of the source: numbers (SI), texts with units, booleans, lists. Keys name entries of lists, too:
-                "rotor.unbalance[0].me"
+    source      name of a file; or text in TOML (several lines, or one with "="); or a dictionary of tables
+    overrides   parameters that go before those of the source, later ones before earlier ones: numbers (SI), texts with units, booleans, lists,
+                and dictionaries, whose keys are set one by one. Keys name entries of lists, too: "rotor.unbalance[0].me"
     name        of a case from text or dictionary
+    folder      where files are looked for that a text, a dictionary or overrides name, such as `base`; default: the working folder of that moment
 
     InputError, with all faults, if it is wrong. What is allowed but unusual is a CaseWarning, and listed in `warnings`.
     """
@@ -69,17 +69,13 @@ class Case:
         file = pathlib.Path(folder or ".") / f"{name}.toml"
         if isinstance(source, Mapping):
             tree = dict(source)
-            if folder is not None and isinstance(tree.get("base"), str):
-                beside = os.path.join(folder, tree["base"])
-                if os.path.exists(beside):  # else it may be one of those that come with the program
-                    tree["base"] = beside
         elif isinstance(source, str) and _is_text(source):
             text = source
         else:
             file = pathlib.Path(source)
         # What is read again later is what was given now, wherever the program is by then.
         again = source if tree is not None or text is not None else file.absolute()
-        self._case = _core.read_case(file, text, tree, dict(overrides or {}))
+        self._case = _core.read_case(file, text, tree, dict(overrides or {}), self._folder)
         self._source, self._overrides = copy.deepcopy(again), copy.deepcopy(dict(overrides or {}))
         warn_of(self.warnings)
 
@@ -116,8 +112,9 @@ class Case:
         return self._case.warnings
 
     def with_overrides(self, overrides: Mapping[str, typing.Any]) -> Case:
-        """The same case with further overrides, which go before its own."""
-        return Case(self._source, {**self._overrides, **overrides}, name=self._name, folder=self._folder)
+        """The same case with further overrides, which go before its own. Files are read again, as by pickle and copy."""
+        own = {key: value for key, value in self._overrides.items() if key not in overrides}
+        return Case(self._source, {**own, **overrides}, name=self._name, folder=self._folder)
 
     def run(
         self,
@@ -150,7 +147,8 @@ class Case:
             return Result(_core.run_in_memory(self._case, kept, told), self)
         if keep is not None:
             raise ValueError("a run in a directory keeps all series; leave out keep")
-        return Result(_core.run_in_folder(self._case, pathlib.Path(directory), force, resume, told), self, pathlib.Path(directory))
+        absolute = pathlib.Path(directory).absolute()
+        return Result(_core.run_in_folder(self._case, absolute, force, resume, told), self, absolute)
 
     def modes(self, speeds: Sequence[float | str] | float | str | None = None, n_modes: int = 10) -> xarray.Dataset:
         """Natural modes of the rotor with the case's linear supports, or free-free if it has none.

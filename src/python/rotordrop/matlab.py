@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import collections
+import math
 import os
 import re
 import typing
@@ -18,10 +20,43 @@ def field(name: str) -> str:
     return word if word[0].isalpha() else "x" + word
 
 
-def put(tree: dict[str, typing.Any], words: list[str], value: typing.Any) -> None:
-    for word in words[:-1]:
-        tree = tree.setdefault(field(word), {})
-    tree[field(words[-1])] = value
+class Fields(dict[str, str]):
+    """Fields of a structure by their names, all different: of "A-B" and "A_B" the second one is A_B_2."""
+
+    def __init__(self, taken: typing.Iterable[str] = ()) -> None:
+        super().__init__()
+        self._taken = set(taken)
+
+    def __missing__(self, name: str) -> str:
+        word = first = field(name)
+        n = 1
+        while word in self._taken:
+            n += 1
+            word = f"{first}_{n}"
+        self._taken.add(word)
+        self[name] = word
+        return word
+
+
+OWN = ("units", "columns", "summary")  # fields of the results beside those of their series
+
+
+class Paths:
+    """Fields of series by their paths, the same in every structure."""
+
+    def __init__(self) -> None:
+        self._fields = collections.defaultdict[str, Fields](Fields, {"": Fields(OWN)})
+
+    def put(self, tree: dict[str, typing.Any], path: str, value: typing.Any) -> None:
+        above, _, last = path.rpartition("/")
+        if above:
+            for word in self.words(above):
+                tree = tree.setdefault(word, {})
+        tree[self._fields[above][last]] = value
+
+    def words(self, path: str) -> list[str]:
+        above, _, last = path.rpartition("/")
+        return [*(self.words(above) if above else []), self._fields[above][last]]
 
 
 def structure(value: typing.Any) -> typing.Any:
@@ -29,7 +64,8 @@ def structure(value: typing.Any) -> typing.Any:
     import numpy as np
 
     if isinstance(value, dict):
-        return {field(key): structure(inner) for key, inner in value.items()}
+        fields = Fields()
+        return {fields[key]: structure(inner) for key, inner in value.items()}
     if isinstance(value, list):
         if value and all(isinstance(one, (int, float)) and not isinstance(one, bool) for one in value):
             return np.array(value, dtype=float)
@@ -51,13 +87,14 @@ def write(result: Result, file: str | os.PathLike[str]) -> None:
     tree: dict[str, typing.Any] = {}
     units: dict[str, typing.Any] = {}
     columns: dict[str, typing.Any] = {}
+    paths = Paths()
     for path in result.recorded.datasets:
         one = series.table(result.recorded, path)
-        words = path.strip("/").split("/")
-        put(tree, words, np.array(one.values).reshape(len(one.values), -1))
-        put(units, words, one.unit)
+        name = path.strip("/")
+        paths.put(tree, name, one.values.reshape(len(one.values), math.prod(one.values.shape[1:])))
+        paths.put(units, name, one.unit)
         if one.columns:
-            put(columns, words, np.array(one.columns, dtype=object))
+            paths.put(columns, name, np.array(one.columns, dtype=object))
     tree["units"], tree["columns"] = units, columns
     if result.completed:
         tree["summary"] = structure(result.summary)

@@ -49,15 +49,15 @@ class Result:
 
     def __init__(self, run: _core.Drop | None, case: Case | None = None, directory: pathlib.Path | None = None) -> None:
         self.case = case
-        self.directory = directory
+        self.directory = None if directory is None else directory.absolute()
         if run is not None:
             self.recorded: _core.RecordedDrop = run.recorded
             self._summary: dict[str, typing.Any] | None = run.summary
             self.notes = tuple(run.notes)
         else:
-            assert directory is not None
-            self.recorded = _core.open_results(directory)
-            file = directory / "summary.json"
+            assert self.directory is not None
+            self.recorded = _core.open_results(self.directory)
+            file = self.directory / "summary.json"
             self._summary = _read_summary(file) if file.is_file() else None
             self.notes = ()
         self.completed: bool = bool(run.completed if run is not None else self._summary and self._summary["run"].get("completed", True))
@@ -96,12 +96,14 @@ class Result:
         paths = [path for path in self.recorded.datasets if path.startswith(start) and self._is_series(path)]
         if not paths:
             raise KeyError(f"no series below {start}; there are {', '.join(sorted({path.split('/')[1] for path in self.recorded.datasets}))}")
-        return series.dataset(self.recorded, paths, series.name_of(start) + ".", place=start.split("/")[2])
+        return series.dataset(self.recorded, paths, series.name_of(start) + ".", place=(start.split("/") + [""])[2])
 
     def __getitem__(self, name: str) -> xarray.DataArray:
         """One series: `result["bearings.TB1.contact_force"]`, or by its path in results.h5. KeyError, with similar names, if there is none."""
         path = series.path_of(name)
         series.table(self.recorded, path)  # says what there is
+        if not self._is_series(path):
+            raise KeyError(f"{name} is what series were recorded at: result.series.{series.time_dimension(path)}")
         return series.dataset(self.recorded, [path])[series.name_of(path)]
 
     def frame(self, *names: str, time: str = "time") -> pandas.DataFrame:
@@ -120,7 +122,7 @@ class Result:
                 if names:
                     raise ValueError(f"{name} was recorded at other times: say time={array.dims[0]!r}")
                 continue
-            numbers = array.values.reshape(len(array), -1)
+            numbers = array.values.reshape(len(array), math.prod(array.shape[1:]))  # there may be no rows yet
             labels = [str(label) for label in array[array.dims[1]].values] if array.ndim > 1 else [""]
             for k, label in enumerate(labels):
                 column = f"{name}.{label}" if label else str(name)

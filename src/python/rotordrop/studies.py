@@ -38,15 +38,9 @@ def _key(name: str) -> str:
     return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else json.dumps(name, ensure_ascii=False)
 
 
-def _settings(overrides: Mapping[str, typing.Any], of: str = "") -> list[str]:
-    """Overrides as words of --set: tables key by key."""
-    words = []
-    for key, value in overrides.items():
-        if isinstance(value, Mapping):
-            words += _settings(value, f"{of}{key}.")
-        else:
-            words.append(f"{of}{key}={_toml(value)}")
-    return words
+def _settings(overrides: Mapping[str, typing.Any]) -> list[str]:
+    """Overrides as words of --set."""
+    return [f"{key}={_toml(value)}" for key, value in overrides.items()]
 
 
 class StudyResult:
@@ -57,7 +51,7 @@ class StudyResult:
     """
 
     def __init__(self, directory: pathlib.Path, notes: tuple[str, ...] = ()) -> None:
-        self.directory = directory
+        self.directory = directory.absolute()
         self.notes = notes
 
     def __repr__(self) -> str:
@@ -108,8 +102,7 @@ def study(
     """
     from .errors import SolverError, warn_of
 
-    told = _core.run_study(pathlib.Path(file), _settings(overrides or {}), pathlib.Path(directory), jobs, force, resume, progress)
-    warn_of(told["warnings"])
+    told = _core.run_study(pathlib.Path(file), _settings(overrides or {}), pathlib.Path(directory), jobs, force, resume, progress, warn_of)
     if not told["complete"]:
         raise SolverError(f"stopped after a failed drop, for on_failure = \"stop\"; its reason is in {pathlib.Path(directory) / 'study.journal'}")
     return StudyResult(pathlib.Path(directory), tuple(told["notes"]))

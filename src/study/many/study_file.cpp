@@ -162,6 +162,18 @@ void check_choice(const Study& study, Faults& faults) {
                fmt::format("Write {} = [first, second, ...] under [vary].", found->name));
 }
 
+/// Overrides of what the study varies would be without effect.
+void require_effect(const std::vector<std::string>& overrides, const Study& study, Faults& faults) {
+  for (const auto& assignment : overrides) {
+    const std::string name = read_setting(assignment).key;
+    for (const auto& parameter : study.parameters)
+      if (std::any_of(parameter.keys.begin(), parameter.keys.end(), [&](const auto& key) { return key.name == name; }))
+        faults.add({"--set " + name, 0, 0},
+                   fmt::format("the study varies {}, so that this would be without effect.", name),
+                   fmt::format("Leave it out, or take the parameter out of [vary] in {}.", study.file.string()));
+  }
+}
+
 }  // namespace
 
 std::string name_of(DesignKind kind) {
@@ -205,6 +217,7 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   study.n_replicates = raw.replicates.n;
   study.replicate_spread = raw.replicates.spread;
   read_vary(raw.vary, study, faults);
+  require_effect(overrides, study, faults);
   read_limits(raw.limits, study.limits, faults);
   // Those of the case hold in each of its drops, unless the study has others. A fit judges no drop.
   const std::size_t n_own = study.limits.size();
