@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "case/dotted_names.h"
+#include "case/keys/dotted_names.h"
 
 namespace rotordrop {
 

@@ -12,7 +12,7 @@
 
 #include "base/parameters/suggestion.h"
 #include "base/units.h"
-#include "case/dotted_names.h"
+#include "case/keys/dotted_names.h"
 #include "study/json_number.h"
 #include "study/result_names.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "case/case_family.h"
-#include "case/case_keys.h"
-#include "case/dotted_names.h"
+#include "case/keys/case_keys.h"
+#include "case/keys/dotted_names.h"
 #include "case/limits.h"
 #include "study/drop/summary_parts.h"
 #include "study/many/distribution.h"

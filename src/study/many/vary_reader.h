@@ -1,5 +1,5 @@
 #pragma once
-#include "case/dotted_names.h"
+#include "case/keys/dotted_names.h"
 #include "study/many/study_file.h"
 
 namespace rotordrop {

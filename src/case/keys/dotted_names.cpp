@@ -1,4 +1,4 @@
-#include "case/dotted_names.h"
+#include "case/keys/dotted_names.h"
 
 #include <algorithm>
 

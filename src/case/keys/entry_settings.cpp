@@ -1,11 +1,11 @@
-#include "case/entry_settings.h"
+#include "case/keys/entry_settings.h"
 
 #include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <string>
 
-#include "case/case_keys.h"
+#include "case/keys/case_keys.h"
 
 namespace rotordrop {
 namespace {

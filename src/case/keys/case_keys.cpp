@@ -1,4 +1,4 @@
-#include "case/case_keys.h"
+#include "case/keys/case_keys.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
