@@ -52,6 +52,16 @@ class Faults(PackageTest):
         (fault,) = self.faults_of(SETTLING, {"rotor.unbalance[7].me": 2e-6})
         self.assertEqual(fault.key, "rotor.unbalance[7].me")
 
+    def test_single_quantities_stand_for_lists(self):
+        case = rd.Case(SETTLING)
+        for speed in (100, 100.0, numpy.int64(100), numpy.float32(100), "100 rad/s", [100], numpy.array([100.0])):
+            self.assertEqual(case.modes(speed, 1).speed.values.tolist(), [100.0])
+        found = case.critical_speeds("2000 rpm", stiffness_map="5e7 N/m")["map"]
+        self.assertEqual([one["stiffness"] for one in found], [5e7])
+        for wrong in (lambda: case.run(""), lambda: rd.study("s.toml", self.folder / "out", jobs=-1), lambda: case.critical_speeds(stiffness_map=["-1 N/m"])):
+            with self.assertRaises(rd.InputError):
+                wrong()
+
     def test_later_overrides_go_before_earlier_ones(self):
         def found(*overrides):
             case = rd.Case(SETTLING)

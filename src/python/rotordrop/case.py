@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from . import _core, modes, preload
 from .errors import CaseWarning, Fault, refused, warn_of
 from .result import Result
-from .units import positive_si, si
+from .units import each_si, positive_si
 
 if typing.TYPE_CHECKING:
     import xarray
@@ -147,6 +147,8 @@ class Case:
             return Result(_core.run_in_memory(self._case, kept, told), self)
         if keep is not None:
             raise ValueError("a run in a directory keeps all series; leave out keep")
+        if not os.fspath(directory):
+            raise refused("directory", "is empty; give a name, or \".\" for the working folder")
         absolute = pathlib.Path(directory).absolute()
         return Result(_core.run_in_folder(self._case, absolute, force, resume, told), self, absolute)
 
@@ -158,20 +160,16 @@ class Case:
         Dimensions `speed` [rad/s], `mode` (from 1), `node` (axial position [m]), `axis` ("y", "z"); `frequency` and `natural_frequency` [Hz],
         `damping_ratio`, `whirl` ("forward", "backward", "planar", "mixed"; "" where there are fewer modes), `shape` (complex, the largest amplitude is 1).
         """
-        given: Sequence[float | str]
-        if speeds is None:
-            given = [0.0, self._case.initial_speed]
-        else:
-            given = [speeds] if isinstance(speeds, (str, float, int)) else speeds
+        given = each_si([0.0, self._case.initial_speed] if speeds is None else speeds, "rad/s", "speeds")
         if n_modes < 0:
             raise refused("n_modes", f"must be at least 0 and is {n_modes}")
-        return modes.dataset(self._case, [si(speed, "rad/s", "speeds") for speed in given], n_modes)
+        return modes.dataset(self._case, given, n_modes)
 
     def critical_speeds(
         self,
         up_to: float | str | None = None,
         stiffness: float | str | None = None,
-        stiffness_map: Sequence[float | str] = (),
+        stiffness_map: Sequence[float | str] | float | str = (),
     ) -> dict[str, typing.Any]:
         """Critical speeds of the rotor on linear supports, as `rotordrop critical-speeds --json` has them.
 
@@ -185,7 +183,7 @@ class Case:
         if not limit > 0:
             raise ValueError("the case's run.initial_speed is 0: give up_to, such as \"20000 rpm\"")
         spring = None if stiffness is None else positive_si(stiffness, "N/m", "stiffness")
-        return _core.critical_speeds(self._case, limit, spring, [positive_si(one, "N/m", "stiffness_map") for one in stiffness_map])
+        return _core.critical_speeds(self._case, limit, spring, [positive_si(one, "N/m", "stiffness_map") for one in each_si(stiffness_map, "N/m", "stiffness_map")])
 
     def statics(self, bearing: str | None = None) -> dict[str, typing.Any]:
         """Static equilibrium of the rotor or of its bearings, as `rotordrop statics --json` has it (docs/how-to/statics.md).

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from . import _core
 from .result import Result
-from .units import si
+from .units import each_si
 
 
 def compare(
@@ -18,7 +18,7 @@ def compare(
     floor: str = "",
     growth_tolerance: str = "",
     band_length: str = "",
-    instants: Sequence[float | str] | None = None,
+    instants: Sequence[float | str] | float | str | None = None,
 ) -> dict[str, typing.Any]:
     """For how long the thermal models of a drop agree, as comparison.json has it (docs/how-to/compare.md).
 
@@ -31,5 +31,5 @@ def compare(
 
     "in_short" and "verdict" are sentences. InputError if there is nothing to compare, such as series that were not kept.
     """
-    times = None if instants is None else [si(one, "s", "instants") for one in instants]
+    times = None if instants is None else each_si(instants, "s", "instants")
     return _core.compare(drop.recorded, None if against is None else against.recorded, tolerance, floor, growth_tolerance, band_length, times)

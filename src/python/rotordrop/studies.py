@@ -100,8 +100,10 @@ def study(
 
     What the case has that is allowed but unusual is a CaseWarning. InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
     """
-    from .errors import SolverError, warn_of
+    from .errors import SolverError, refused, warn_of
 
+    if jobs < 0:
+        raise refused("jobs", f"must be at least 0 and is {jobs}")
     told = _core.run_study(pathlib.Path(file), _settings(overrides or {}), pathlib.Path(directory), jobs, force, resume, progress, warn_of)
     if not told["complete"]:
         raise SolverError(f"stopped after a failed drop, for on_failure = \"stop\"; its reason is in {pathlib.Path(directory) / 'study.journal'}")

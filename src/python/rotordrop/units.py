@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+import numbers
 import pathlib
+import typing
+from collections.abc import Iterable
 
 from . import _core
 from .errors import refused
@@ -27,6 +30,12 @@ def positive_si(quantity: float | str, unit: str, name: str) -> float:
     if not value > 0:
         raise refused(name, f"must be larger than 0 and is {quantity}")
     return value
+
+
+def each_si(quantities: float | str | Iterable[float | str], unit: str, name: str) -> list[float]:
+    """Several quantities, or a single one, in an SI unit."""
+    given = [quantities] if isinstance(quantities, (str, numbers.Real)) else quantities
+    return [si(one, unit, name) for one in typing.cast(Iterable[float | str], given)]
 
 
 def params_folder() -> pathlib.Path:
